@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A move-only array of plain values, left uninitialised.
+///
+/// Large arrays here are written exactly once, often by many threads, so clearing them first would
+/// double the memory traffic. The memory comes from malloc and can be released to a caller (VTK's
+/// arrays adopt it), so results leave the engine by move, never by copy.
+#ifndef flipflop_Buffer_h
+#define flipflop_Buffer_h
+
+#include "Error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <type_traits>
+#include <utility>
+
+namespace flipflop
+{
+
+template <class T>
+class Buffer
+{
+  static_assert(std::is_trivially_copyable<T>::value, "Buffer holds plain values only");
+
+public:
+  Buffer() = default;
+
+  /// @throw Error OutOfMemory when the memory is not to be had.
+  explicit Buffer(std::size_t size) { this->allocate(size); }
+
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+  Buffer(Buffer&& other) noexcept
+    : first(std::exchange(other.first, nullptr))
+    , count(std::exchange(other.count, 0))
+  {
+  }
+  Buffer& operator=(Buffer&& other) noexcept
+  {
+    std::swap(this->first, other.first);
+    std::swap(this->count, other.count);
+    return *this;
+  }
+  ~Buffer() { std::free(this->first); }
+
+  /// Drop the contents and hold @p size uninitialised values.
+  void allocate(std::size_t size)
+  {
+    std::free(std::exchange(this->first, nullptr));
+    this->count = 0;
+    if (size == 0)
+    {
+      return;
+    }
+    if (size > SIZE_MAX / sizeof(T))
+    {
+      throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(size));
+    }
+    // Cache lines are never shared between neighbouring 32-byte records of two buffers.
+    const std::size_t bytes = (size * sizeof(T) + 63) / 64 * 64;
+    this->first = static_cast<T*>(std::malloc(bytes));
+    if (!this->first)
+    {
+      throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(bytes));
+    }
+    this->count = size;
+  }
+
+  /// Forget the values past @p size; the memory stays.
+  void truncate(std::size_t size) { this->count = size < this->count ? size : this->count; }
+
+  /// Hand the memory to the caller, who ends it with std::free.
+  T* release()
+  {
+    this->count = 0;
+    return std::exchange(this->first, nullptr);
+  }
+
+  T* data() { return this->first; }
+  const T* data() const { return this->first; }
+  std::size_t size() const { return this->count; }
+  bool empty() const { return this->count == 0; }
+  T& operator[](std::size_t i) { return this->first[i]; }
+  const T& operator[](std::size_t i) const { return this->first[i]; }
+  T* begin() { return this->first; }
+  T* end() { return this->first + this->count; }
+  const T* begin() const { return this->first; }
+  const T* end() const { return this->first + this->count; }
+
+private:
+  T* first = nullptr;
+  std::size_t count = 0;
+};
+
+}
+
+#endif

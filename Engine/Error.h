@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the engine throws: one type, a code, and the place that is at fault.
+#ifndef flipflop_Error_h
+#define flipflop_Error_h
+
+#include <cstdint>
+#include <exception>
+
+namespace flipflop
+{
+
+enum class ErrorCode
+{
+  NonFinite,     ///< index: first point with a NaN or infinite coordinate; count: how many
+  TooManyPoints, ///< count: points given (or left after culling); 32-bit indices end here
+  OutOfMemory,   ///< count: bytes asked for
+  Aborted,       ///< the progress function asked to stop
+  BadArgument,   ///< a null array, a negative count, a stride below 3
+  BadTriangle, ///< index: first triangle with a corner out of range or used twice; count: how many
+  NotClosed,   ///< index: first triangle with an edge that no other triangle shares; count: edges
+  NotManifold, ///< index: first triangle with an edge of three or more triangles, or with a vertex
+               ///< whose triangles form several fans; count: how many such edges and vertices
+  NotOriented, ///< index: first triangle whose neighbour runs the shared edge the same way
+  NotStarShaped, ///< index: first triangle not seen from inside by the kernel point; count: how
+                 ///< many
+  NoKernel       ///< no kernel point was given and none was found
+};
+
+/// The engine's exception. What() is a constant sentence: callers compose their own from the parts.
+class Error : public std::exception
+{
+public:
+  explicit Error(ErrorCode code, std::int64_t index = -1, std::int64_t count = 0) noexcept
+    : Code(code)
+    , Index(index)
+    , Count(count)
+  {
+  }
+
+  ErrorCode code() const noexcept { return this->Code; }
+  /// The first point or triangle at fault, -1 where there is none.
+  std::int64_t index() const noexcept { return this->Index; }
+  /// How many are at fault, or the size asked for.
+  std::int64_t count() const noexcept { return this->Count; }
+
+  const char* what() const noexcept override
+  {
+    switch (this->Code)
+    {
+      case ErrorCode::NonFinite:
+        return "a coordinate is NaN or infinite";
+      case ErrorCode::TooManyPoints:
+        return "more points than 32-bit indices can name";
+      case ErrorCode::OutOfMemory:
+        return "out of memory";
+      case ErrorCode::Aborted:
+        return "aborted on request";
+      case ErrorCode::BadArgument:
+        return "an argument is invalid";
+      case ErrorCode::BadTriangle:
+        return "a triangle's corner is out of range or used twice";
+      case ErrorCode::NotClosed:
+        return "the surface is not closed";
+      case ErrorCode::NotManifold:
+        return "the surface is not a manifold";
+      case ErrorCode::NotOriented:
+        return "neighbouring triangles are not oriented alike";
+      case ErrorCode::NotStarShaped:
+        return "the surface is not star-shaped from the kernel point";
+      case ErrorCode::NoKernel:
+        return "no kernel point was found";
+    }
+    return "unknown error";
+  }
+
+private:
+  ErrorCode Code;
+  std::int64_t Index;
+  std::int64_t Count;
+};
+
+}
+
+#endif

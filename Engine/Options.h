@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a caller may choose, and how a long run is watched and stopped.
+#ifndef flipflop_Options_h
+#define flipflop_Options_h
+
+namespace flipflop
+{
+
+/// How a facet of three or more corners is given.
+enum class FacetMode
+{
+  Triangles, ///< a fan from the facet's lowest id
+  Polygons   ///< one cell a facet
+};
+
+/// What to do with a point that has a NaN or infinite coordinate.
+enum class NonFinitePolicy
+{
+  Error, ///< throw ErrorCode::NonFinite
+  Ignore ///< leave it out, and count it in Statistics::nonFinite
+};
+
+/// Told how far the run is (0 to 1), on the calling thread only; returns false to stop the run,
+/// which then throws ErrorCode::Aborted.
+using ProgressFunction = bool (*)(double fraction, void* context);
+
+struct Options
+{
+  int threads = 0; ///< 1 or more; 0: as many as the machine has. The output never depends on it.
+  FacetMode facets = FacetMode::Triangles;
+  NonFinitePolicy nonFinite = NonFinitePolicy::Error;
+  bool vBiased = false; ///< the V-biased Flip-Flop (paper, end of section 2.3)
+  ProgressFunction progress = nullptr;
+  void* progressContext = nullptr;
+};
+
+}
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The caller's points, as they lie in memory.
+#ifndef flipflop_PointView_h
+#define flipflop_PointView_h
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+enum class ScalarType
+{
+  Float32,
+  Float64
+};
+
+/// A read-only view of @c count points: x, y, z at data[i * stride + 0, 1, 2], counted in scalars.
+/// float values are taken as they are (each is a double exactly); nothing is copied.
+struct PointView
+{
+  const void* data = nullptr;
+  ScalarType type = ScalarType::Float64;
+  std::int64_t count = 0;
+  std::int64_t stride = 3;
+
+  PointView() = default;
+  PointView(const float* xyz, std::int64_t n, std::int64_t step = 3)
+    : data(xyz)
+    , type(ScalarType::Float32)
+    , count(n)
+    , stride(step)
+  {
+  }
+  PointView(const double* xyz, std::int64_t n, std::int64_t step = 3)
+    : data(xyz)
+    , type(ScalarType::Float64)
+    , count(n)
+    , stride(step)
+  {
+  }
+};
+
+}
+
+#endif

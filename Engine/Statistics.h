@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a run did, in the paper's terms (section 5).
+#ifndef flipflop_Statistics_h
+#define flipflop_Statistics_h
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+struct Statistics
+{
+  std::int64_t points = 0;     ///< points given
+  std::int64_t nonFinite = 0;  ///< points left out because a coordinate is NaN or infinite
+  std::int64_t culled = 0;     ///< points found inside without being associated to a triangle
+  std::int64_t insertions = 0; ///< vertices inserted while growing (1-3 flips), all levels
+  std::int64_t flips22 = 0;    ///< 2-2 flips
+  std::int64_t flips31 = 0;    ///< 3-1 flips
+  std::int64_t flipsV = 0;     ///< flips by the V-criterion (flips22 + flips31 = flipsV + flipsD)
+  std::int64_t flipsD = 0;     ///< flips by the D-criterion
+  std::int64_t labelled = 0;   ///< vertices labelled non-extreme
+  std::int64_t edgeChecks = 0; ///< edges examined by Algorithm 1
+  std::int64_t exactCalls = 0; ///< predicates that the floating-point filter left undecided
+
+  double secondsScan = 0;   ///< wall time: ranges, non-finite points, first tetrahedron
+  double secondsLocate = 0; ///< wall time: culling, associating points to triangles
+  double secondsGrow = 0;   ///< summed over threads: Algorithm 2
+  double secondsFlip = 0;   ///< summed over threads: Algorithm 1
+  double secondsFinish = 0; ///< wall time: true facets, canonical order
+  double secondsTotal = 0;  ///< wall time of the whole run
+  int threads = 0;          ///< threads that the run was given
+};
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The oracle: is this the convex hull of these points, in canonical form?
+#ifndef flipflop_Validate_h
+#define flipflop_Validate_h
+
+#include "Hull.h"
+#include "PointView.h"
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+enum class Fault
+{
+  None,
+  Structure,     ///< sizes, indices, order of ids or cells; a cell not at its lowest corner
+  NotClosed,     ///< an edge without its opposite, or used twice
+  NotConvex,     ///< an edge that is reflex, or flat where two polygons meet; a facet not planar
+  NotExtreme,    ///< a hull point that is not strictly extreme
+  PointOutside,  ///< an input point outside the hull
+  WrongId,       ///< a hull point that a duplicate with a lower id should stand for
+  WrongDimension ///< the input spans another dimension
+};
+
+struct Validation
+{
+  Fault fault = Fault::None;
+  std::int64_t index = -1; ///< cell, hull point or input point at fault, by kind
+  explicit operator bool() const { return this->fault == Fault::None; }
+};
+
+/// Decide exactly whether @p hull is the convex hull of the finite ones among @p points, in the
+/// form that Hull promises. Near-linear in the number of points.
+/// @param threads as in Options.
+Validation validate(const PointView& points, const Hull& hull, int threads = 0);
+
+/// A fault in words.
+const char* describe(Fault fault);
+
+}
+
+#endif
