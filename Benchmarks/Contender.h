@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What runs side by side: one hull algorithm behind one interface.
+#ifndef flipflop_Contender_h
+#define flipflop_Contender_h
+
+#include "Coordinates.h"
+#include "Statistics.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace flipflop
+{
+
+/// What a run found; plain values, since it comes out of a process of its own.
+struct Outcome
+{
+  std::int64_t vertices = 0;
+  std::int64_t facets = 0;
+  Statistics statistics; ///< ours; zeros for the others
+};
+
+class Contender
+{
+public:
+  virtual ~Contender() = default;
+
+  /// Bring the points into the form that the library takes. Not timed; its memory is input.
+  virtual void prepare(const Coordinates& xyz) = 0;
+
+  /// The hull, complete. This alone is timed.
+  virtual void run() = 0;
+
+  /// Not timed.
+  virtual Outcome outcome() const = 0;
+
+  /// Judge the result exactly, where the library can: an empty text, or the fault. Not timed.
+  virtual std::string judge() const { return {}; }
+};
+
+/// This engine: one canonical hull of true facets, triangulated.
+std::unique_ptr<Contender> makeFlipFlop(int threads);
+
+/// Qhull's reentrant library, option "Qt" (triangulated output). Single-threaded.
+std::unique_ptr<Contender> makeQhull();
+
+/// CGAL's convex_hull_3 with exact predicates (Epick). Single-threaded.
+std::unique_ptr<Contender> makeCgal();
+
+/// The libraries' versions, for the report.
+std::string qhullVersion();
+std::string cgalVersion();
+
+}
+
+#endif

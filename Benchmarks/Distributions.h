@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The point sets that the benchmarks run on.
+///
+/// | name           | points                                                                  |
+/// |----------------|-------------------------------------------------------------------------|
+/// | cube           | uniform in the unit cube                                                |
+/// | ball           | uniform in the ball of radius 0.5                                       |
+/// | box:T          | uniform in the unit cube, at most T from its surface (T = 0.01)         |
+/// | shell:T        | uniform in the ball of radius 0.5, at most T from its surface; T = 0:   |
+/// |                | directions scaled to radius 0.5 and rounded, all of them extreme        |
+/// | grid           | a cube of integer points, in raster order                               |
+/// | surface-grid   | the points of such a grid on the cube's surface: six coplanar sheets    |
+/// | rotated-grid   | the same, rotated and rounded: six sheets that are only nearly coplanar |
+/// | duplicates     | shell:0, but only n / 100 different points, each drawn about 100 times  |
+///
+/// The first four are those of Gao et al. (gHull, 2012) and of the Flip-Flop paper.
+#ifndef flipflop_Distributions_h
+#define flipflop_Distributions_h
+
+#include "Coordinates.h"
+
+#include <cstdint>
+#include <string>
+
+namespace flipflop
+{
+
+struct Distribution
+{
+  std::string name;
+  double thickness = 0; ///< of box and shell; 0 for the others
+
+  bool hasThickness() const { return this->name == "box" || this->name == "shell"; }
+
+  /// As the command line gives it: "cube", "shell:0.01".
+  std::string label() const;
+
+  /// The reverse of label().
+  /// @throw std::invalid_argument
+  static Distribution parse(const std::string& text);
+};
+
+/// x y z of @p count points, a function of the arguments alone. The grids have the size nearest to
+/// @p count that their shape allows.
+/// @throw std::invalid_argument
+Coordinates makePoints(const Distribution& distribution, std::int64_t count, std::uint64_t seed);
+
+}
+
+#endif

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measure.h"
+
+#include "Distributions.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <type_traits>
+
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace flipflop
+{
+namespace
+{
+
+static_assert(std::is_trivially_copyable<Measurement>::value, "sent through a pipe");
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void say(Measurement& measurement, const char* text)
+{
+  std::snprintf(measurement.message, sizeof(measurement.message), "%s", text);
+}
+
+/// A field of /proc/self/status in bytes, -1 where there is none.
+std::int64_t memoryField(const char* field)
+{
+  std::FILE* file = std::fopen("/proc/self/status", "r");
+  if (!file)
+  {
+    return -1;
+  }
+  std::int64_t bytes = -1;
+  char line[256];
+  const std::size_t length = std::strlen(field);
+  while (std::fgets(line, sizeof(line), file))
+  {
+    if (std::strncmp(line, field, length) == 0 && line[length] == ':')
+    {
+      bytes = std::strtoll(line + length + 1, nullptr, 10) * 1024;
+    }
+  }
+  std::fclose(file);
+  return bytes;
+}
+
+/// Let VmHWM start again at what is resident now, and return that.
+std::int64_t resetPeak()
+{
+  const int file = open("/proc/self/clear_refs", O_WRONLY);
+  if (file < 0)
+  {
+    return -1;
+  }
+  const bool done = write(file, "5", 1) == 1;
+  close(file);
+  return done ? memoryField("VmRSS") : -1;
+}
+
+Measurement runHere(const Coordinates& xyz, const ContenderFactory& factory, bool judge)
+{
+  Measurement result;
+  {
+    const Coordinates few = makePoints(Distribution::parse("ball"), 1000, 1);
+    const std::unique_ptr<Contender> warm = factory();
+    warm->prepare(few);
+    warm->run();
+  }
+  const std::unique_ptr<Contender> contender = factory();
+  contender->prepare(xyz);
+
+  const std::int64_t before = resetPeak();
+  const Clock::time_point start = Clock::now();
+  contender->run();
+  result.seconds = secondsSince(start);
+  const std::int64_t peak = memoryField("VmHWM");
+
+  result.peakBytes = before < 0 || peak < 0 ? -1 : peak - before;
+  result.outcome = contender->outcome();
+  result.status = Status::Ok;
+  if (judge)
+  {
+    const std::string fault = contender->judge();
+    if (!fault.empty())
+    {
+      result.status = Status::Failed;
+      say(result, fault.c_str());
+    }
+  }
+  return result;
+}
+
+[[noreturn]] void child(
+  int pipe, const Coordinates& xyz, const ContenderFactory& factory, bool judge)
+{
+  Measurement result;
+  try
+  {
+    result = runHere(xyz, factory, judge);
+  }
+  catch (const std::exception& error)
+  {
+    say(result, error.what());
+  }
+  const ssize_t written = write(pipe, &result, sizeof(result));
+  // Skip destructors and exit handlers: they belong to the parent.
+  _exit(written == static_cast<ssize_t>(sizeof(result)) ? 0 : 1);
+}
+
+}
+
+const char* name(Status status)
+{
+  switch (status)
+  {
+    case Status::Ok:
+      return "ok";
+    case Status::Failed:
+      return "failed";
+    case Status::Timeout:
+      return "timeout";
+    case Status::Skipped:
+      return "skipped";
+  }
+  return "unknown";
+}
+
+Measurement measure(
+  const Coordinates& xyz, const ContenderFactory& factory, double limitSeconds, bool judge)
+{
+  Measurement result;
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    say(result, "no pipe");
+    return result;
+  }
+  std::fflush(nullptr);
+  const pid_t process = fork();
+  if (process < 0)
+  {
+    say(result, "no process");
+    close(ends[0]);
+    close(ends[1]);
+    return result;
+  }
+  if (process == 0)
+  {
+    close(ends[0]);
+    child(ends[1], xyz, factory, judge);
+  }
+  close(ends[1]);
+
+  pollfd wait = { ends[0], POLLIN, 0 };
+  const int limit = limitSeconds > 0 ? static_cast<int>(limitSeconds * 1000) : -1;
+  if (poll(&wait, 1, limit) == 0)
+  {
+    kill(process, SIGKILL);
+    result.status = Status::Timeout;
+    result.seconds = limitSeconds;
+  }
+  else
+  {
+    Measurement received;
+    if (read(ends[0], &received, sizeof(received)) == static_cast<ssize_t>(sizeof(received)))
+    {
+      result = received;
+    }
+    else
+    {
+      say(result, "the process ended without a result");
+    }
+  }
+  close(ends[0]);
+  waitpid(process, nullptr, 0);
+  return result;
+}
+
+}

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace flipflop
+{
+namespace
+{
+
+const char* const defaultDistributions = "cube,ball,box,shell:0.1,shell:0.01,shell:0.001,"
+                                         "shell:0.0001,shell:0,grid,surface-grid,rotated-grid,"
+                                         "duplicates";
+
+std::vector<std::string> split(const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (begin <= text.size())
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end == begin)
+    {
+      throw std::invalid_argument("an empty entry in: " + text);
+    }
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+double number(const std::string& text, double least, double most)
+{
+  std::size_t used = 0;
+  double value = std::nan("");
+  try
+  {
+    value = std::stod(text, &used);
+  }
+  catch (const std::exception&)
+  {
+    used = text.size() + 1;
+  }
+  if (used != text.size() || !(value >= least && value <= most))
+  {
+    throw std::invalid_argument("not a number in its range: " + text);
+  }
+  return value;
+}
+
+std::vector<Distribution> distributions(const std::string& text)
+{
+  std::vector<Distribution> result;
+  for (const std::string& part : split(text))
+  {
+    result.push_back(Distribution::parse(part));
+  }
+  return result;
+}
+
+std::vector<std::int64_t> sizes(const std::string& text)
+{
+  std::vector<std::int64_t> result;
+  for (const std::string& part : split(text))
+  {
+    result.push_back(std::llround(number(part, 8, 2e9)));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<int> threads(const std::string& text)
+{
+  std::vector<int> result;
+  for (const std::string& part : split(text))
+  {
+    result.push_back(static_cast<int>(number(part, 1, 4096)));
+  }
+  return result;
+}
+
+void peers(Plan& plan, const std::string& text)
+{
+  plan.qhull = false;
+  plan.cgal = false;
+  for (const std::string& part : split(text))
+  {
+    if (part == "qhull")
+    {
+      plan.qhull = true;
+    }
+    else if (part == "cgal")
+    {
+      plan.cgal = true;
+    }
+    else if (part != "none")
+    {
+      throw std::invalid_argument("unknown peer: " + part);
+    }
+  }
+}
+
+}
+
+Plan Plan::parse(int argc, const char* const* argv)
+{
+  Plan plan;
+  plan.distributions = flipflop::distributions(defaultDistributions);
+  plan.sizes = { 100000, 1000000, 10000000 };
+  for (int i = 1; i < argc; ++i)
+  {
+    std::string option = argv[i];
+    if (option == "--help" || option == "-h")
+    {
+      plan.help = true;
+      continue;
+    }
+    if (option == "--validate")
+    {
+      plan.validate = true;
+      continue;
+    }
+    std::string value;
+    const std::size_t equals = option.find('=');
+    if (equals != std::string::npos)
+    {
+      value = option.substr(equals + 1);
+      option.resize(equals);
+    }
+    else if (i + 1 < argc)
+    {
+      value = argv[++i];
+    }
+    if (value.empty())
+    {
+      throw std::invalid_argument("unknown option, or one without its value: " + option);
+    }
+    if (option == "--distributions")
+    {
+      plan.distributions = flipflop::distributions(value);
+    }
+    else if (option == "--sizes")
+    {
+      plan.sizes = flipflop::sizes(value);
+    }
+    else if (option == "--threads")
+    {
+      plan.threads = flipflop::threads(value);
+    }
+    else if (option == "--peers")
+    {
+      peers(plan, value);
+    }
+    else if (option == "--repetitions")
+    {
+      plan.repetitions = static_cast<int>(number(value, 1, 1000));
+    }
+    else if (option == "--max-peer-seconds")
+    {
+      plan.maxPeerSeconds = number(value, 0, 1e6);
+    }
+    else if (option == "--max-case-seconds")
+    {
+      plan.maxCaseSeconds = number(value, 0, 1e6);
+    }
+    else if (option == "--seed")
+    {
+      plan.seed = static_cast<std::uint64_t>(number(value, 0, 0x1p53));
+    }
+    else if (option == "--csv")
+    {
+      plan.csv = value;
+    }
+    else if (option == "--json")
+    {
+      plan.json = value;
+    }
+    else
+    {
+      throw std::invalid_argument("unknown option: " + option);
+    }
+  }
+  return plan;
+}
+
+const char* Plan::usage()
+{
+  return R"(hull-benchmark: convex hulls by FlipFlop, Qhull and CGAL, side by side
+
+  --distributions LIST    of cube, ball, box:T, shell:T, grid, surface-grid, rotated-grid,
+                          duplicates; T: thickness, 0.01 if not given; shell:0: on the sphere
+                          (all of them; shells of 0.1, 0.01, 0.001, 0.0001 and 0)
+  --sizes LIST            numbers of points (1e5,1e6,1e7)
+  --threads LIST          thread counts to run FlipFlop with (1,2)
+  --peers LIST            of qhull, cgal; or none (qhull,cgal)
+  --repetitions N         rounds of each case; a round runs every contender once (5)
+  --max-peer-seconds S    end a peer's run after so long, and skip the peer at a size where its time
+                          at the size before lets expect more; 0: no limit (120)
+  --max-case-seconds S    begin no further round of a case after so long; 0: no limit (0)
+  --seed N                of the random points (2013)
+  --validate              judge every result of FlipFlop exactly, outside the clock
+  --csv FILE, --json FILE write the results
+  --help                  this text
+
+Each run is a process of its own that holds the input in memory before the clock starts; the clock
+stops at the complete result. Ratios are taken round by round, then their median.
+)";
+}
+
+}

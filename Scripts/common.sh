@@ -1,0 +1,66 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Sourced by the scripts: where things are, how to build, a display where there is none.
+
+top="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+
+# Debian's own Python, whose vtk module belongs to libvtk9; another may come first in PATH.
+python=/usr/bin/python3
+
+# One compiler for every core, but no more than memory carries: VTK's headers take over 1 GiB each.
+parallel_jobs() {
+  local cores gibibytes
+  cores=$(nproc)
+  gibibytes=$(awk '/^MemAvailable:/ {print int($2 / 1048576 / 1.5)}' /proc/meminfo)
+  echo $((gibibytes < 1 ? 1 : gibibytes < cores ? gibibytes : cores))
+}
+
+say() {
+  printf '\n== %s\n' "$*"
+}
+
+# configure_and_build PRESET: in build/PRESET
+configure_and_build() {
+  local preset=$1
+  say "Build: preset $preset"
+  mkdir -p "$top/build"
+  (cd "$top" && cmake --preset "$preset" -B "$top/build/$preset" \
+    -DPython3_EXECUTABLE="$python" >"$top/build/$preset-configure.log" 2>&1) ||
+    { cat "$top/build/$preset-configure.log"; return 1; }
+  cmake --build "$top/build/$preset" --parallel "$(parallel_jobs)"
+}
+
+# A display of our own. Debian's VTK draws through X only; -displayfd picks a free number, -noreset
+# keeps the server alive between clients.
+start_display() {
+  local file number=
+  file=$(mktemp)
+  Xvfb -displayfd 3 -noreset -nolisten tcp -screen 0 1600x1200x24 \
+    3>"$file" >/dev/null 2>&1 &
+  display_process=$!
+  for _ in $(seq 100); do
+    number=$(cat "$file")
+    [ -n "$number" ] && break
+    kill -0 "$display_process" 2>/dev/null || break
+    sleep 0.1
+  done
+  rm -f "$file"
+  [ -n "$number" ] || { echo "Xvfb did not start" >&2; return 1; }
+  export DISPLAY=":$number"
+  unset WAYLAND_DISPLAY XAUTHORITY
+}
+
+stop_display() {
+  [ -z "${display_process:-}" ] || kill "$display_process" 2>/dev/null || true
+  display_process=
+}
+
+# python_package BUILD: the folder that holds the package vtkflipflop
+python_package() {
+  local package
+  package=$(find "$1" -type d -name vtkflipflop -path '*-packages/vtkflipflop' -print -quit)
+  [ -n "$package" ] || { echo "$1 holds no Python package vtkflipflop" >&2; return 1; }
+  dirname "$package"
+}

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# demo.sh [FILE.vtp...]: install what is missing, build, and take the convex hulls of the files (by
+# default all of Data/) through the VTK filter. Hulls and pictures go to demo-output/.
+set -euo pipefail
+here=$PWD
+source "$(dirname "${BASH_SOURCE[0]}")/Scripts/common.sh"
+
+inputs=()
+for file in "$@"; do
+  case "$file" in
+    /*) inputs+=("$file") ;;
+    *) inputs+=("$here/$file") ;;
+  esac
+done
+[ ${#inputs[@]} -gt 0 ] || inputs=("$top"/Data/*.vtp)
+
+"$top/Scripts/install-dependencies.sh" demo
+configure_and_build default
+
+trap stop_display EXIT
+start_display
+say "Convex hulls"
+PYTHONPATH="$(python_package "$top/build/default")" \
+  "$python" "$top/Scripts/demo.py" --output "$top/demo-output" "${inputs[@]}"
