@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Associate points to the cones of a convex polyhedron (paper, Algorithm 2, line 3), and drop
+/// those inside.
+///
+/// Runs over the points block by block: the locator dismisses what is certainly inside, the others
+/// walk to their cone and stay if they are strictly above its triangle. Each chunk of points keeps
+/// its own list; a counting sort by triangle then lays all points out as the growing wants them.
+#ifndef flipflop_Associate_h
+#define flipflop_Associate_h
+
+#include "Patches.h"
+#include "PointSource.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Which points of the input take part in a round.
+struct PointSubset
+{
+  const std::uint32_t* ids = nullptr;   ///< ascending; null: all points
+  std::uint32_t count = 0;              ///< #ids, or #points
+  const std::uint32_t* taken = nullptr; ///< ascending: already vertices or decided, to be left out
+  std::uint32_t takenCount = 0;
+  bool checkFinite = false; ///< there are points to ignore
+};
+
+template <class Geometry>
+class Association
+{
+public:
+  using Locator = typename Geometry::Locator;
+
+  Association(const Geometry& geometry, const PointSource& source, const Polyhedron& base,
+    int threads, Monitor& monitor)
+    : geometry(geometry)
+    , source(source)
+    , base(base)
+    , threads(threads)
+    , monitor(monitor)
+    , locator(geometry, base.triangles.data(), base.triangleCount(), base.vertices.data())
+  {
+  }
+
+  /// The polyhedron's vertices and, by triangle, the points outside it.
+  Assignment run(const PointSubset& subset, Tally& tally)
+  {
+    const std::uint32_t wanted =
+      this->threads == 1 ? 1 : 4 * static_cast<std::uint32_t>(this->threads);
+    this->chunks.resize(std::max(1u, std::min(wanted, subset.count / 16384)));
+    tbb::parallel_for(
+      std::size_t(0), this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
+    for (Chunk& chunk : this->chunks)
+    {
+      tally.add(std::move(chunk.tally));
+    }
+    return this->sort();
+  }
+
+private:
+  struct Placed
+  {
+    std::uint32_t id;
+    std::uint32_t triangle;
+  };
+
+  struct Chunk
+  {
+    std::vector<Placed> placed;
+    std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
+    Tally tally;
+  };
+
+  std::uint32_t chunkBegin(std::uint32_t count, std::size_t i) const
+  {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(count) * i / this->chunks.size());
+  }
+
+  void associate(const PointSubset& subset, std::size_t index)
+  {
+    Chunk& chunk = this->chunks[index];
+    chunk.cursor.assign(this->base.triangleCount(), 0);
+    const Geometry local = this->geometry;
+    const std::uint32_t begin = this->chunkBegin(subset.count, index);
+    const std::uint32_t end = this->chunkBegin(subset.count, index + 1);
+    const auto idAt = [&subset](std::uint32_t i) { return subset.ids ? subset.ids[i] : i; };
+    const std::uint32_t* taken = subset.taken;
+    const std::uint32_t* const takenEnd = subset.taken + subset.takenCount;
+    if (begin < end)
+    {
+      taken = std::lower_bound(taken, takenEnd, idAt(begin));
+    }
+
+    typename Locator::Block block;
+    std::uint32_t ids[Locator::BlockSize];
+    for (std::uint32_t i = begin; i < end;)
+    {
+      const std::uint32_t blockBegin = i;
+      int n = 0;
+      for (; i < end && n < Locator::BlockSize; ++i)
+      {
+        const std::uint32_t id = idAt(i);
+        if (taken != takenEnd && *taken == id)
+        {
+          ++taken;
+          continue;
+        }
+        double x[3];
+        this->source.load(id, x);
+        if (subset.checkFinite && !isFinite(x))
+        {
+          continue;
+        }
+        block.x[0][n] = x[0];
+        block.x[1][n] = x[1];
+        block.x[2][n] = x[2];
+        ids[n++] = id;
+      }
+      this->locator.classify(block, n);
+      for (int k = 0; k < n; ++k)
+      {
+        if (block.inside[k])
+        {
+          ++chunk.tally.statistics.culled;
+        }
+        else
+        {
+          this->place(local, block, k, ids[k], chunk);
+        }
+      }
+      this->monitor.advance(i - blockBegin);
+    }
+    chunk.tally.statistics.exactCalls = local.exactCallCount() - this->geometry.exactCallCount();
+  }
+
+  void place(const Geometry& local, const typename Locator::Block& block, int k, std::uint32_t id,
+    Chunk& chunk)
+  {
+    Vertex p;
+    p.x[0] = block.x[0][k];
+    p.x[1] = block.x[1][k];
+    p.x[2] = block.x[2][k];
+    p.id = id;
+    p.flags = 0;
+    const std::uint32_t t = this->locator.locate(local, p, block.cell[k]);
+    const auto& plane = this->locator.plane(t);
+    const double height = plane.height(p.x);
+    if (!(height > plane.error()))
+    {
+      if (height < -plane.error())
+      {
+        return;
+      }
+      const std::uint32_t* v = this->base.triangles[t].v;
+      const Buffer<Vertex>& vertices = this->base.vertices;
+      if (!isAbove(
+            local, vertices[v[0]], vertices[v[1]], vertices[v[2]], p, chunk.tally.duplicates))
+      {
+        return;
+      }
+    }
+    chunk.placed.push_back({ id, t });
+    ++chunk.cursor[t];
+  }
+
+  Assignment sort()
+  {
+    const std::uint32_t triangleCount = this->base.triangleCount();
+    const std::uint32_t vertexCount = this->base.vertexCount();
+    Assignment result;
+    result.begin.allocate(std::size_t(triangleCount) + 1);
+    std::uint64_t at = vertexCount;
+    for (std::uint32_t t = 0; t < triangleCount; ++t)
+    {
+      result.begin[t] = static_cast<std::uint32_t>(at);
+      for (Chunk& chunk : this->chunks)
+      {
+        const std::uint32_t n = chunk.cursor[t];
+        chunk.cursor[t] = static_cast<std::uint32_t>(at);
+        at += n;
+      }
+    }
+    if (at >= NoIndex)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(at));
+    }
+    result.begin[triangleCount] = static_cast<std::uint32_t>(at);
+    result.vertices.allocate(at);
+    std::copy(this->base.vertices.begin(), this->base.vertices.end(), result.vertices.begin());
+    tbb::parallel_for(std::size_t(0), this->chunks.size(),
+      [&](std::size_t i)
+      {
+        Chunk& chunk = this->chunks[i];
+        for (const Placed& placed : chunk.placed)
+        {
+          result.vertices[chunk.cursor[placed.triangle]++] = this->source.vertex(placed.id);
+        }
+        std::vector<Placed>().swap(chunk.placed);
+      });
+    return result;
+  }
+
+  const Geometry& geometry;
+  const PointSource& source;
+  const Polyhedron& base;
+  int threads;
+  Monitor& monitor;
+  Locator locator;
+  std::vector<Chunk> chunks;
+};
+
+}
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// ffHull's two stages (paper, Algorithm 2), in rounds on growing samples.
+///
+/// A stratified sample of n^(2/3) points has a hull that nearly all other points lie inside of, and
+/// whose cones cut the others into small, even portions. So each round takes the hull of a sample
+/// of its points, built the same way, as the polyhedron to start from: it associates its other
+/// points to the cones, grows, and flips. The innermost sample starts from a tetrahedron. Any
+/// star-shaped start is right; this one makes every cone small enough for the cache, and gives the
+/// threads independent work from the first pass on.
+#ifndef flipflop_Builder_h
+#define flipflop_Builder_h
+
+#include "Associate.h"
+#include "Patches.h"
+#include "Scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+template <class Geometry>
+class Builder
+{
+public:
+  Builder(Geometry& geometry, const PointSource& source, bool checkFinite, const Options& options,
+    int threads, Monitor& monitor)
+    : geometry(geometry)
+    , source(source)
+    , checkFinite(checkFinite)
+    , vBiased(options.vBiased)
+    , threads(threads)
+    , monitor(monitor)
+  {
+  }
+
+  /// Below this many points no sample is taken.
+  static constexpr std::uint32_t LeastSampled = 2048;
+
+  /// A sample of @p count points, one from each of @p size strata, chosen by a hash: ascending
+  /// places.
+  static std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size)
+  {
+    std::vector<std::uint32_t> places(size);
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      const std::uint64_t begin = static_cast<std::uint64_t>(count) * i / size;
+      const std::uint64_t end = static_cast<std::uint64_t>(count) * (i + 1) / size;
+      std::uint64_t hash = (i + 1) * 0x9E3779B97F4A7C15ull;
+      hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
+      places[i] = static_cast<std::uint32_t>(begin + (hash >> 32) % (end - begin));
+    }
+    return places;
+  }
+
+  /// The nested samples of an input, largest first; empty for a small one.
+  static std::vector<std::vector<std::uint32_t>> nestedSamples(std::uint32_t count)
+  {
+    std::vector<std::vector<std::uint32_t>> samples;
+    while (count > LeastSampled)
+    {
+      const auto size = static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));
+      std::vector<std::uint32_t> next = sample(count, size);
+      if (!samples.empty())
+      {
+        for (std::uint32_t& place : next)
+        {
+          place = samples.back()[place];
+        }
+      }
+      samples.push_back(std::move(next));
+      count = size;
+    }
+    return samples;
+  }
+
+  /// The (perturbed) hull of all points.
+  /// @param samples as nestedSamples gives them
+  /// @param start   a tetrahedron, see startingTetrahedron; the geometry's kernel point is inside
+  Polyhedron build(
+    const std::vector<std::vector<std::uint32_t>>& samples, Polyhedron&& start, Tally& tally)
+  {
+    std::vector<std::uint32_t> corners;
+    for (const Vertex& v : start.vertices)
+    {
+      corners.push_back(v.id);
+    }
+    std::sort(corners.begin(), corners.end());
+
+    Polyhedron current = std::move(start);
+    std::vector<std::uint32_t> taken = corners;
+    for (std::size_t round = samples.size() + 1; round-- > 0;)
+    {
+      PointSubset subset;
+      subset.ids = round ? samples[round - 1].data() : nullptr;
+      subset.count =
+        round ? static_cast<std::uint32_t>(samples[round - 1].size()) : this->source.count();
+      subset.taken = taken.data();
+      subset.takenCount = static_cast<std::uint32_t>(taken.size());
+      subset.checkFinite = this->checkFinite;
+      current = this->insert(std::move(current), subset, tally);
+      if (round)
+      {
+        const std::vector<std::uint32_t>& ids = samples[round - 1];
+        taken.clear();
+        std::set_union(
+          ids.begin(), ids.end(), corners.begin(), corners.end(), std::back_inserter(taken));
+        this->centerKernel(current);
+      }
+    }
+    return current;
+  }
+
+  double secondsLocate = 0;
+
+private:
+  Polyhedron insert(Polyhedron&& base, const PointSubset& subset, Tally& tally)
+  {
+    Stopwatch watch;
+    Assignment assignment;
+    {
+      const bool last = !subset.ids;
+      this->monitor.stage(last ? 0.15 : 0.1, last ? 0.5 : 0.15, subset.count);
+      Association<Geometry> association(
+        this->geometry, this->source, base, this->threads, this->monitor);
+      assignment = association.run(subset, tally);
+      this->secondsLocate += watch.lap();
+      this->monitor.stage(last ? 0.5 : 0.15, last ? 0.9 : 0.15,
+        static_cast<std::int64_t>(assignment.vertices.size()));
+    }
+    Patches<Geometry> patches(
+      this->geometry, std::move(base), std::move(assignment), this->vBiased, this->monitor);
+    tally.add(patches.run());
+    return patches.take();
+  }
+
+  /// Move the kernel point to the middle of a convex polyhedron, where that is exactly inside.
+  void centerKernel(const Polyhedron& polyhedron)
+  {
+    // Weights without a pattern, so that on grids the kernel is in no plane of grid points.
+    double weight = 0;
+    double s[3] = { 0, 0, 0 };
+    const double share = 1.0 / static_cast<double>(polyhedron.vertexCount());
+    double jitter = 0.5;
+    for (const Vertex& v : polyhedron.vertices)
+    {
+      jitter += 0.6180339887498949;
+      jitter -= std::floor(jitter);
+      const double w = (0.75 + 0.5 * jitter) * share;
+      weight += w;
+      for (int i = 0; i < 3; ++i)
+      {
+        s[i] += w * v.x[i];
+      }
+    }
+    for (double& coordinate : s)
+    {
+      coordinate /= weight;
+    }
+    Geometry candidate = this->geometry;
+    candidate.setKernel(s);
+    if (seesAll(candidate, polyhedron))
+    {
+      this->geometry = candidate;
+    }
+  }
+
+public:
+  /// Is the kernel point strictly beneath every triangle that has an area? Exact.
+  static bool seesAll(const Geometry& geometry, const Polyhedron& polyhedron)
+  {
+    for (const Triangle& t : polyhedron.triangles)
+    {
+      const Vertex& a = polyhedron.vertices[t.v[0]];
+      const Vertex& b = polyhedron.vertices[t.v[1]];
+      const Vertex& c = polyhedron.vertices[t.v[2]];
+      const int sign = geometry.beneathKernel(a, b, c);
+      if (sign < 0 || (sign == 0 && !geometry.collinear(a, b, c)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  Geometry& geometry;
+  const PointSource& source;
+  bool checkFinite;
+  bool vBiased;
+  int threads;
+  Monitor& monitor;
+};
+
+}
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoordinateRange.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipflop
+{
+
+Arithmetic chooseArithmetic(const CoordinateRange& range)
+{
+  // Expansions need, for coordinates that are multiples of 2^bottom below 2^top: 3 * bottom >=
+  // -1074 and 3 * (top + 4) <= 1023, with room for the halves of a product.
+  constexpr int lowestBottom = -350;
+  constexpr int highestTop = 300;
+
+  Arithmetic result;
+  if (range.largest == 0.0)
+  {
+    return result;
+  }
+  const int top = std::ilogb(range.largest) + 1;
+  // A coordinate's lowest bit is at most 52 places below its highest, and never below 2^-1074.
+  const int bottom = std::max(std::ilogb(range.smallest) - 52, -1074);
+  if (top <= highestTop && bottom >= lowestBottom)
+  {
+    return result;
+  }
+  if (bottom - top >= lowestBottom)
+  {
+    result.scaleExponent = -top;
+    return result;
+  }
+  // As near to one as possible without pushing the lowest bit below 2^-1074; 2^1021 at most.
+  result.wide = true;
+  result.scaleExponent = std::max(-top, -1074 - bottom);
+  result.scaleExponent = std::min(result.scaleExponent, 1021 - top);
+  return result;
+}
+
+}

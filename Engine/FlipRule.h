@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The decision of Algorithm 1 (paper, section 2.3) for one edge, as a pure function.
+///
+/// The edge ab has the link c, d: its triangles are abc and bad. The D-criterion goes before the
+/// V-criterion, and among labelled vertices the lowest id goes first, so no edge is flipped back
+/// and forth.
+#ifndef flipflop_FlipRule_h
+#define flipflop_FlipRule_h
+
+#include "HostDevice.h"
+#include "Vertex.h"
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+enum class FlipAction : std::uint8_t
+{
+  None,
+  Flip22,  ///< ab to cd
+  RemoveA, ///< 3-1 flip of a
+  RemoveB, ///< 3-1 flip of b
+  LabelA,  ///< a is non-extreme: it lies inside the tetrahedron of s, b, c, d
+  LabelB   ///< b is non-extreme
+};
+
+struct FlipDecision
+{
+  FlipAction action = FlipAction::None;
+  bool byDegree = false; ///< D-criterion, else V-criterion
+};
+
+/// What the edge's triangles say about its ends: three triangles around a (b) make it a 3-1 edge.
+enum EdgeDegree : std::uint8_t
+{
+  EdgeDegreeAny = 0,
+  EdgeDegreeThreeA = 1,
+  EdgeDegreeThreeB = 2
+};
+
+/// @param degree EdgeDegree bits; both set: the polyhedron is a tetrahedron.
+template <class Geometry>
+FF_HD FlipDecision decideFlip(const Geometry& geometry, const Vertex& a, const Vertex& b,
+  const Vertex& c, const Vertex& d, int degree)
+{
+  FlipDecision decision;
+  const bool reflex = geometry.perturbedAbove(a, b, c, d) > 0;
+  const std::uint32_t labels = (a.flags | b.flags | c.flags | d.flags) & VertexLabelled;
+  if (!reflex && !labels)
+  {
+    return decision;
+  }
+
+  if (degree == (EdgeDegreeThreeA | EdgeDegreeThreeB))
+  {
+    return decision;
+  }
+  if (degree)
+  {
+    const bool removeA = degree == EdgeDegreeThreeA;
+    const bool labelled = ((removeA ? a : b).flags & VertexLabelled) != 0;
+    if (labelled || reflex)
+    {
+      decision.action = removeA ? FlipAction::RemoveA : FlipAction::RemoveB;
+      decision.byDegree = labelled;
+    }
+    return decision;
+  }
+
+  // The labelled vertex of lowest id, if any.
+  const Vertex* least = nullptr;
+  if (labels)
+  {
+    const Vertex* candidates[4] = { &a, &b, &c, &d };
+    for (const Vertex* v : candidates)
+    {
+      least = (v->flags & VertexLabelled) && (!least || v->id < least->id) ? v : least;
+    }
+  }
+  const bool reducesDegree = least == &a || least == &b;
+  if (!reducesDegree && !reflex)
+  {
+    return decision;
+  }
+
+  // The triangles after a 2-2 flip are adc and dbc. Where s is not beneath one of them, the end it
+  // touches lies inside the cone of the other three; where it is beneath neither, s is inside the
+  // tetrahedron.
+  const bool cutsA = geometry.perturbedBeneathKernel(a, d, c) < 0;
+  const bool cutsB = geometry.perturbedBeneathKernel(d, b, c) < 0;
+  if (!cutsA && !cutsB)
+  {
+    if (reducesDegree || !least)
+    {
+      decision.action = FlipAction::Flip22;
+      decision.byDegree = reducesDegree;
+    }
+  }
+  else if (cutsA != cutsB && reflex)
+  {
+    const Vertex& inner = cutsA ? a : b;
+    if (!(inner.flags & VertexLabelled))
+    {
+      decision.action = cutsA ? FlipAction::LabelA : FlipAction::LabelB;
+    }
+  }
+  return decision;
+}
+
+}
+
+#endif

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Algorithm 1, Flip-Flop (paper, section 2.3), on one patch of a mesh, depth first.
+///
+/// Edges to check wait on a stack; a triangle's flags tell which of its half-edges do, so no edge
+/// waits twice. A flip hands its outer edges to the stack, a label the edges of the labelled
+/// vertex. Whether and how an edge is flipped is FlipRule's decision alone.
+///
+/// A patch owns its triangles. A vertex that triangles of other patches share too must not be
+/// labelled here, for they read its label: such edges are left to the patch that has the vertex
+/// inside (deferred).
+///
+/// The V-biased variant labels only when no other flip is left to do.
+#ifndef flipflop_Flipper_h
+#define flipflop_Flipper_h
+
+#include "FlipRule.h"
+#include "Mesh.h"
+#include "Monitor.h"
+#include "Statistics.h"
+
+#include <vector>
+
+namespace flipflop
+{
+
+/// @tparam Geometry a model of the geometry concept (see HullGeometry).
+/// @tparam Shared   bool operator()(std::uint32_t vertex): may other patches read this vertex's
+/// label?
+template <class Geometry, class Shared>
+class Flipper
+{
+public:
+  Flipper(const Geometry& geometry, const Mesh& mesh, Shared shared, bool vBiased, Monitor& monitor)
+    : geometry(geometry)
+    , mesh(mesh)
+    , shared(shared)
+    , vBiased(vBiased)
+    , monitor(monitor)
+  {
+  }
+
+  /// Let the edge of h be checked by the next run.
+  void push(std::uint32_t h)
+  {
+    Triangle& triangle = this->mesh.triangles[triangleOf(h)];
+    const std::uint32_t bit = 1u << cornerOf(h);
+    const std::uint32_t twin = triangle.twin[cornerOf(h)];
+    if (this->mesh.isBorder(twin) || (triangle.flags & (bit | TriangleDead)))
+    {
+      return;
+    }
+    if (this->mesh.triangles[triangleOf(twin)].flags >> cornerOf(twin) & 1)
+    {
+      return;
+    }
+    triangle.flags |= bit;
+    this->stack.push_back(h);
+  }
+
+  /// Check edges, and flip, until none is left to check.
+  void run()
+  {
+    for (;;)
+    {
+      while (!this->stack.empty())
+      {
+        const std::uint32_t h = this->stack.back();
+        this->stack.pop_back();
+        std::uint32_t& flags = this->mesh.triangles[triangleOf(h)].flags;
+        if (flags >> cornerOf(h) & 1)
+        {
+          flags &= ~(1u << cornerOf(h));
+          this->check(h);
+        }
+      }
+      if (this->pending.empty())
+      {
+        return;
+      }
+      this->labelPending();
+    }
+  }
+
+  /// Check one edge now.
+  void check(std::uint32_t h)
+  {
+    if ((++this->checks & 0xFFFF) == 0)
+    {
+      this->monitor.poll();
+    }
+    std::uint32_t twin;
+    const FlipDecision decision = this->decide(h, twin);
+    switch (decision.action)
+    {
+      case FlipAction::None:
+        return;
+      case FlipAction::Flip22:
+      {
+        std::uint32_t outer[4];
+        this->mesh.flip22(h, outer);
+        ++this->flips22;
+        for (const std::uint32_t o : outer)
+        {
+          this->push(o);
+        }
+        break;
+      }
+      case FlipAction::RemoveA:
+      case FlipAction::RemoveB:
+      {
+        std::uint32_t outer[3];
+        this->mesh.flip31(decision.action == FlipAction::RemoveA ? h : twin, outer);
+        ++this->flips31;
+        for (const std::uint32_t o : outer)
+        {
+          this->push(o);
+        }
+        break;
+      }
+      case FlipAction::LabelA:
+      case FlipAction::LabelB:
+        this->wantLabel(decision.action == FlipAction::LabelA ? h : twin);
+        return;
+    }
+    (decision.byDegree ? this->flipsD : this->flipsV) += 1;
+  }
+
+  /// Label the origin of h, and let its edges be checked.
+  void label(std::uint32_t h)
+  {
+    Vertex& vertex = this->mesh.vertices[this->mesh.origin(h)];
+    if (vertex.flags & VertexLabelled)
+    {
+      return;
+    }
+    vertex.flags |= VertexLabelled;
+    ++this->labelled;
+    std::uint32_t spoke = h;
+    do
+    {
+      this->push(spoke);
+      spoke = this->mesh.twin(previousHalfEdge(spoke));
+    } while (spoke != h);
+  }
+
+  /// Half-edges that a larger patch must check.
+  std::vector<std::uint32_t> deferred;
+
+  void addTo(Statistics& statistics) const
+  {
+    statistics.flips22 += this->flips22;
+    statistics.flips31 += this->flips31;
+    statistics.flipsV += this->flipsV;
+    statistics.flipsD += this->flipsD;
+    statistics.labelled += this->labelled;
+    statistics.edgeChecks += this->checks;
+  }
+
+private:
+  FlipDecision decide(std::uint32_t h, std::uint32_t& twin) const
+  {
+    const Triangle& first = this->mesh.triangles[triangleOf(h)];
+    twin = first.twin[cornerOf(h)];
+    const Triangle& second = this->mesh.triangles[triangleOf(twin)];
+    const int e = cornerOf(h);
+    const int g = cornerOf(twin);
+    const Vertex* v = this->mesh.vertices;
+    int degree = EdgeDegreeAny;
+    // Triangles at a border are in different patches, hence never the same one.
+    const auto same = [this](std::uint32_t x, std::uint32_t y) {
+      return triangleOf(x) == triangleOf(y) && !this->mesh.isBorder(x) && !this->mesh.isBorder(y);
+    };
+    if (same(first.twin[previousCorner(e)], second.twin[nextCorner(g)]))
+    {
+      degree |= EdgeDegreeThreeA;
+    }
+    if (same(first.twin[nextCorner(e)], second.twin[previousCorner(g)]))
+    {
+      degree |= EdgeDegreeThreeB;
+    }
+    return decideFlip(this->geometry, v[first.v[e]], v[first.v[nextCorner(e)]],
+      v[first.v[previousCorner(e)]], v[second.v[previousCorner(g)]], degree);
+  }
+
+  void wantLabel(std::uint32_t h)
+  {
+    if (this->shared(this->mesh.origin(h)))
+    {
+      this->deferred.push_back(h);
+    }
+    else if (this->vBiased)
+    {
+      this->pending.push_back(h);
+    }
+    else
+    {
+      this->label(h);
+    }
+  }
+
+  /// V-biased: all V-flips are done; label what still asks for it.
+  void labelPending()
+  {
+    std::vector<std::uint32_t> wanted;
+    for (const std::uint32_t h : this->pending)
+    {
+      const Triangle& triangle = this->mesh.triangles[triangleOf(h)];
+      if ((triangle.flags & TriangleDead) || this->mesh.isBorder(triangle.twin[cornerOf(h)]))
+      {
+        continue;
+      }
+      std::uint32_t twin;
+      const FlipAction action = this->decide(h, twin).action;
+      if (action == FlipAction::LabelA || action == FlipAction::LabelB)
+      {
+        wanted.push_back(action == FlipAction::LabelA ? h : twin);
+      }
+    }
+    this->pending.clear();
+    for (const std::uint32_t h : wanted)
+    {
+      if (this->shared(this->mesh.origin(h)))
+      {
+        this->deferred.push_back(h);
+      }
+      else
+      {
+        this->label(h);
+      }
+    }
+  }
+
+  const Geometry& geometry;
+  const Mesh mesh;
+  Shared shared;
+  bool vBiased;
+  Monitor& monitor;
+  std::vector<std::uint32_t> stack;
+  std::vector<std::uint32_t> pending;
+  std::int64_t checks = 0;
+  std::int64_t flips22 = 0;
+  std::int64_t flips31 = 0;
+  std::int64_t flipsV = 0;
+  std::int64_t flipsD = 0;
+  std::int64_t labelled = 0;
+};
+
+}
+
+#endif

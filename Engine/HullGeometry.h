@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the algorithms may ask of space when they build a hull in R3.
+///
+/// One of the models of the geometry concept: points, a kernel point s, and signs. Algorithms name
+/// no coordinate; they ask
+///
+///   above(a, b, c, p)          is p beyond the triangle abc, seen from s? Exact: -1, 0, 1
+///   beneathKernel(a, b, c)     does abc turn its outer side away from s? Exact: -1, 0, 1
+///   perturbedAbove, perturbedBeneathKernel     the same, never 0 (Simulation of Simplicity by id)
+///   Split, Plane               a triangle's or a cone's tests for many points: a value and its
+///   error
+///
+/// Triangles are counter-clockwise seen from outside, so beneathKernel > 0 for every triangle of a
+/// polyhedron that is star-shaped from s. Seen from s, p lies in the cone of abc when
+/// beneathKernel(a, b, p), beneathKernel(b, c, p) and beneathKernel(c, a, p) are all positive.
+///
+/// Each sign is decided in two steps (paper, section 3.3): a floating-point value with a forward
+/// error bound, then an exact expansion (wide integers where the range asks for them).
+#ifndef flipflop_HullGeometry_h
+#define flipflop_HullGeometry_h
+
+#include "CoordinateRange.h"
+#include "Perturbation.h"
+#include "Vertex.h"
+#include "WideSigns.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace flipflop
+{
+
+/// Relative error of a 3 by 3 determinant of rounded differences, against 6 times the product of
+/// its rows' or columns' largest entries: 3 differences, 2 products, 3 additions, 2^-53 each,
+/// rounded up.
+constexpr double DeterminantError = 48.1 * 1.1102230246251565e-16;
+
+/// Largest magnitudes between which no underflow spoils the filter.
+constexpr double FilterFloor = 1e-97;
+constexpr double FilterCeiling = 1e102;
+
+class HullCone;
+class HullLocator;
+class HullPlane;
+class HullSplit;
+
+class HullGeometry
+{
+public:
+  using Cone = HullCone;
+  using Locator = HullLocator;
+  using Plane = HullPlane;
+  using Split = HullSplit;
+
+  HullGeometry() = default;
+
+  /// @param range      of the scaled coordinates
+  /// @param arithmetic how they were scaled
+  /// @param onLattice  all coordinates are multiples of a power of two so large that determinants
+  /// of
+  ///                   differences are exact in double
+  HullGeometry(const CoordinateRange& range, const Arithmetic& arithmetic, bool onLattice)
+    : wide(arithmetic.wide)
+  {
+    double extent[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      extent[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
+      this->largest[i] = std::fmax(std::fabs(range.low[i]), std::fabs(range.high[i]));
+      this->reach[i] = extent[i];
+    }
+    this->inRange = true;
+    for (const double e : extent)
+    {
+      this->inRange = this->inRange && e >= FilterFloor && e <= FilterCeiling;
+    }
+    const double bound = DeterminantError * extent[0] * extent[1] * extent[2];
+    this->exactInDouble = onLattice;
+    this->pointError = onLattice ? 0.0
+      : this->inRange            ? bound * (1 + 1e-15)
+                                 : std::numeric_limits<double>::infinity();
+    this->kernelError = std::numeric_limits<double>::infinity();
+  }
+
+  /// Use a point as kernel point, as it is.
+  void setKernel(const double* s)
+  {
+    this->symbolic = false;
+    for (int i = 0; i < 3; ++i)
+    {
+      this->s[i] = s[i];
+    }
+    // Every point is within the extent of the kernel, which lies inside.
+    this->kernelError = this->inRange
+      ? DeterminantError * this->reach[0] * this->reach[1] * this->reach[2] * (1 + 1e-15)
+      : std::numeric_limits<double>::infinity();
+  }
+
+  /// Use the exact centroid of four points, which no double need be.
+  void setSymbolicKernel(const Vertex* corners)
+  {
+    this->symbolic = true;
+    double slack = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        this->corner[k][i] = corners[k].x[i];
+      }
+      this->s[i] = (0.25 * corners[0].x[i] + 0.25 * corners[1].x[i]) +
+        (0.25 * corners[2].x[i] + 0.25 * corners[3].x[i]);
+    }
+    // The determinant is linear in s, with coefficients below 2 * (extent * extent).
+    for (int i = 0; i < 3; ++i)
+    {
+      const double error = 8.9e-16 * this->largest[i];
+      slack += 2.01 * error * this->reach[(i + 1) % 3] * this->reach[(i + 2) % 3];
+      this->reach[i] = (this->reach[i] + error) * (1 + 4e-16);
+    }
+    this->kernelError = this->inRange
+      ? (DeterminantError * this->reach[0] * this->reach[1] * this->reach[2] + slack) * (1 + 1e-14)
+      : std::numeric_limits<double>::infinity();
+  }
+
+  /// The kernel point, rounded when it is symbolic.
+  const double* kernel() const { return this->s; }
+  bool kernelIsSymbolic() const { return this->symbolic; }
+
+  /// Sign of det[b - a; c - a; p - a].
+  FF_HD int above(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    int sign;
+    return this->filterAbove(a, b, c, p, sign) ? sign : this->exactAbove(a, b, c, p);
+  }
+
+  FF_HD int perturbedAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    const int sign = this->above(a, b, c, p);
+    return sign ? sign : this->tieAbove(a, b, c, p);
+  }
+
+  /// Sign of det[a - s; b - s; c - s].
+  FF_HD int beneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    int sign;
+    return this->filterBeneathKernel(a, b, c, sign) ? sign : this->exactBeneathKernel(a, b, c);
+  }
+
+  FF_HD int perturbedBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    const int sign = this->beneathKernel(a, b, c);
+    return sign ? sign : this->tieBeneathKernel(a, b, c);
+  }
+
+  /// The first step alone: false when it cannot tell.
+  FF_HD bool filterAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
+  {
+    const double ux = b.x[0] - a.x[0], uy = b.x[1] - a.x[1], uz = b.x[2] - a.x[2];
+    const double vx = c.x[0] - a.x[0], vy = c.x[1] - a.x[1], vz = c.x[2] - a.x[2];
+    const double wx = p.x[0] - a.x[0], wy = p.x[1] - a.x[1], wz = p.x[2] - a.x[2];
+    const double det =
+      (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+    sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
+    if (det > this->pointError || det < -this->pointError || this->exactInDouble)
+    {
+      return true;
+    }
+    return semiStatic(
+      largestOf(ux, vx, wx), largestOf(uy, vy, wy), largestOf(uz, vz, wz), det, sign);
+  }
+
+  FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
+  {
+    const double ux = a.x[0] - this->s[0], uy = a.x[1] - this->s[1], uz = a.x[2] - this->s[2];
+    const double vx = b.x[0] - this->s[0], vy = b.x[1] - this->s[1], vz = b.x[2] - this->s[2];
+    const double wx = c.x[0] - this->s[0], wy = c.x[1] - this->s[1], wz = c.x[2] - this->s[2];
+    const double det =
+      (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+    sign = det > 0.0 ? 1 : -1;
+    if (det > this->kernelError || det < -this->kernelError)
+    {
+      return true;
+    }
+    return !this->symbolic &&
+      semiStatic(largestOf(ux, vx, wx), largestOf(uy, vy, wy), largestOf(uz, vz, wz), det, sign);
+  }
+
+  /// The second step alone.
+  FF_HD int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    ++this->exactCalls;
+    const Row<1> last = { { p.x } };
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return WideSigns::orient3(a.x, b.x, c.x, last);
+    }
+#endif
+    return ExpansionSigns::orient3(a.x, b.x, c.x, last);
+  }
+
+  FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    ++this->exactCalls;
+    return this->symbolic ? this->exactBeneath(a, b, c, this->symbolicRow())
+                          : this->exactBeneath(a, b, c, this->plainRow());
+  }
+
+  /// Sign of det[b - a; c - a] in the coordinates p, q: the orientation of a projection.
+  int planar(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
+  {
+    int sign;
+    if (this->filterPlanar(a, b, c, p, q, sign))
+    {
+      return sign;
+    }
+    ++this->exactCalls;
+    const Row<1> last = { { c.x } };
+    return this->wide ? WideSigns::orient2(a.x, b.x, last, p, q)
+                      : ExpansionSigns::orient2(a.x, b.x, last, p, q);
+  }
+
+  /// The first step alone: false when it cannot tell.
+  bool filterPlanar(
+    const Vertex& a, const Vertex& b, const Vertex& c, int p, int q, int& sign) const
+  {
+    const double left = (b.x[p] - a.x[p]) * (c.x[q] - a.x[q]);
+    const double right = (b.x[q] - a.x[q]) * (c.x[p] - a.x[p]);
+    const double det = left - right;
+    const double most = std::fabs(left) + std::fabs(right);
+    // Two differences, a product and a subtraction, 2^-53 each; below the floor products lose bits.
+    const double error = 4.01 * 1.1102230246251565e-16 * most;
+    sign = det > 0 ? 1 : -1;
+    return most > 1e-290 && (det > error || det < -error);
+  }
+
+  /// Do the three points lie on a line? Exact.
+  bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->planar(a, b, c, 0, 1) == 0 && this->planar(a, b, c, 1, 2) == 0 &&
+      this->planar(a, b, c, 2, 0) == 0;
+  }
+
+  /// How often the filter could not tell.
+  std::int64_t exactCallCount() const
+  {
+    return this->exactCalls;
+  }
+
+  /// Error bound of det[u; v; p - q] for any two input points p, q and differences u, v of input
+  /// points.
+  double planeError(const double* u, const double* v) const
+  {
+    const double lu = largestOf(u[0], u[1], u[2]);
+    const double lv = largestOf(v[0], v[1], v[2]);
+    const double lw = largestOf(this->reach[0], this->reach[1], this->reach[2]);
+    if (!(lu >= FilterFloor && lv >= FilterFloor && this->inRange))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    const double byRows = DeterminantError * lu * lv * lw * (1 + 1e-15);
+    const double byColumns = DeterminantError * this->reach[0] * this->reach[1] * this->reach[2];
+    return byRows < byColumns ? byRows : byColumns * (1 + 1e-15);
+  }
+
+  /// No two points are further apart, by coordinate; false when the floating-point bounds do not
+  /// hold.
+  bool extent(double* result) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      result[i] = this->reach[i];
+    }
+    return this->inRange;
+  }
+
+  /// Error bound of det[a - s; b - s; p - s] for any three input points.
+  double coneError() const
+  {
+    return this->kernelError;
+  }
+
+  static FF_HD double largestOf(double a, double b, double c)
+  {
+    a = a < 0 ? -a : a;
+    b = b < 0 ? -b : b;
+    c = c < 0 ? -c : c;
+    const double ab = a > b ? a : b;
+    return ab > c ? ab : c;
+  }
+
+private:
+  /// The error bound from the entries themselves, by columns.
+  static FF_HD bool semiStatic(double x, double y, double z, double det, int& sign)
+  {
+    // A column of exact zeros: so is the determinant, whatever the others are.
+    if (x == 0.0 || y == 0.0 || z == 0.0)
+    {
+      sign = 0;
+      return true;
+    }
+    const double least = x < y ? (x < z ? x : z) : (y < z ? y : z);
+    const double most = x > y ? (x > z ? x : z) : (y > z ? y : z);
+    if (!(least >= FilterFloor && most <= FilterCeiling))
+    {
+      return false;
+    }
+    const double error = DeterminantError * (1 + 1e-15) * x * y * z;
+    sign = det > 0.0 ? 1 : -1;
+    return det > error || det < -error;
+  }
+
+  FF_HD Row<1> plainRow() const
+  {
+    return { { this->s } };
+  }
+  FF_HD Row<4> symbolicRow() const
+  {
+    return { { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } };
+  }
+
+  // det[a - s; b - s; c - s] = -det[b - a; c - a; s - a].
+  template <int Count>
+  FF_HD int exactBeneath(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Row<Count>& row) const
+  {
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return -WideSigns::orient3(a.x, b.x, c.x, row);
+    }
+#endif
+    return -ExpansionSigns::orient3(a.x, b.x, c.x, row);
+  }
+
+  /// Perturbed sign of the 4 by 4 determinant of rows (point, 1), the last one the greatest id.
+  template <int Count>
+  FF_HD int tie(const Vertex& r0, const Vertex& r1, const Vertex& r2, const Row<Count>& last) const
+  {
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return perturbedSign<WideSigns>(r0.x, r1.x, r2.x, last);
+    }
+#endif
+    return perturbedSign<ExpansionSigns>(r0.x, r1.x, r2.x, last);
+  }
+
+  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
+    const Vertex* row[4] = { &a, &b, &c, &p };
+    int sign = -1;
+    for (int end = 3; end > 0; --end)
+    {
+      for (int i = 0; i < end; ++i)
+      {
+        if (row[i]->id > row[i + 1]->id)
+        {
+          const Vertex* other = row[i];
+          row[i] = row[i + 1];
+          row[i + 1] = other;
+          sign = -sign;
+        }
+      }
+    }
+    const Row<1> last = { { row[3]->x } };
+    return sign * this->tie(*row[0], *row[1], *row[2], last);
+  }
+
+  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    // det[a - s; b - s; c - s] = det of the rows (a, 1), (b, 1), (c, 1), (s, 1); s is the last of
+    // all ids.
+    const Vertex* row[3] = { &a, &b, &c };
+    int sign = 1;
+    for (int end = 2; end > 0; --end)
+    {
+      for (int i = 0; i < end; ++i)
+      {
+        if (row[i]->id > row[i + 1]->id)
+        {
+          const Vertex* other = row[i];
+          row[i] = row[i + 1];
+          row[i + 1] = other;
+          sign = -sign;
+        }
+      }
+    }
+    return sign *
+      (this->symbolic ? this->tie(*row[0], *row[1], *row[2], this->symbolicRow())
+                      : this->tie(*row[0], *row[1], *row[2], this->plainRow()));
+  }
+
+  double s[3] = { 0, 0, 0 };
+  double corner[4][3] = {};
+  double largest[3] = { 0, 0, 0 };
+  double reach[3] = { 0, 0, 0 }; ///< no two points, nor a point and s, are further apart
+  double pointError = 0.0;
+  double kernelError = 0.0;
+  bool symbolic = false;
+  bool wide = false;
+  bool inRange = false;
+  bool exactInDouble = false;
+  mutable std::int64_t exactCalls = 0;
+};
+
+}
+
+#endif

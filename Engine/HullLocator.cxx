@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HullLocator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipflop
+{
+
+HullLocator::HullLocator(const HullGeometry& geometry, const Triangle* triangleArray,
+  std::uint32_t triangleCount, const Vertex* vertexArray)
+  : triangles(triangleArray)
+  , vertices(vertexArray)
+  , count(triangleCount)
+  , cones(triangleCount)
+{
+  for (std::uint32_t t = 0; t < triangleCount; ++t)
+  {
+    const std::uint32_t* v = triangleArray[t].v;
+    this->cones[t] = HullCone(geometry, vertexArray[v[0]], vertexArray[v[1]], vertexArray[v[2]]);
+  }
+  double extent[3];
+  if (geometry.extent(extent))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->kernel[i] = geometry.kernel()[i];
+      // A power of two, so that the unit's multiplication is exact; |p - s| * unit is at most one.
+      this->unit[i] = std::ldexp(1.0, -std::ilogb(extent[i]) - 1);
+    }
+    this->buildGrid(geometry);
+  }
+}
+
+// The greatest r such that the cube |x * unit| <= r around s is inside all planes; zero when
+// unsure.
+double HullLocator::innerRadius(const HullGeometry& geometry) const
+{
+  if (geometry.kernelIsSymbolic())
+  {
+    return 0.0;
+  }
+  double radius = 1.0;
+  for (std::uint32_t t = 0; t < this->count; ++t)
+  {
+    const HullPlane& plane = this->cones[t].plane;
+    const double depth = -plane.height(this->kernel) - plane.error();
+    if (depth > 0)
+    {
+      double slope = 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        slope += std::fabs(plane.slope(i)) / this->unit[i];
+      }
+      radius = std::min(radius, depth / (slope + 8 * plane.error()));
+      continue;
+    }
+    // A triangle without area bounds nothing. One that is only nearly so cannot be trusted.
+    const std::uint32_t* v = this->triangles[t].v;
+    if (!geometry.collinear(this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]]))
+    {
+      return 0.0;
+    }
+  }
+  return radius * (1 - 1e-12);
+}
+
+std::uint32_t HullLocator::walkTo(const double* direction, std::uint32_t start) const
+{
+  std::uint32_t t = start;
+  for (std::uint32_t step = 0; step < this->count; ++step)
+  {
+    int out = -1;
+    for (int i = 0; i < 3 && out < 0; ++i)
+    {
+      out = this->cones[t].inside(i, direction) < 0 ? i : -1;
+    }
+    if (out < 0)
+    {
+      return t;
+    }
+    t = triangleOf(this->triangles[t].twin[out]);
+  }
+  return NoIndex; // rounding led in circles
+}
+
+void HullLocator::buildGrid(const HullGeometry& geometry)
+{
+  std::int32_t side = 8;
+  while (side < 128 && side * side < 2.0 * this->count)
+  {
+    side *= 2;
+  }
+  this->resolution = side;
+  const std::size_t cells = static_cast<std::size_t>(6) * side * side;
+  this->limits.allocate(cells);
+  this->hints.allocate(cells);
+
+  const double radius = this->innerRadius(geometry);
+  const std::int32_t points = side + 1;
+  Buffer<double> gauge(static_cast<std::size_t>(points) * points);
+  Buffer<std::uint32_t> at(static_cast<std::size_t>(points) * points);
+  std::uint32_t t = 0;
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2;
+    const int first = axis == 0 ? 1 : 0;
+    const int second = axis == 2 ? 1 : 2;
+    for (std::int32_t row = 0; row < points; ++row)
+    {
+      for (std::int32_t i = 0; i < points; ++i)
+      {
+        // Forth and back, so that each walk starts next to where it ends.
+        const std::int32_t column = row % 2 ? side - i : i;
+        double direction[3];
+        direction[axis] = face % 2 ? -1.0 : 1.0;
+        direction[first] = 2.0 * column / side - 1.0;
+        direction[second] = 2.0 * row / side - 1.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          direction[k] *= 0.5 / this->unit[k]; // exact, and no longer than the extent
+        }
+        const std::uint32_t found = this->walkTo(direction, t);
+        t = found == NoIndex ? t : found;
+        double bound = HUGE_VAL;
+        if (found != NoIndex && radius > 0)
+        {
+          // direction = alpha * (a - s) + beta * (b - s) + gamma * (c - s): the gauge is at most
+          // the coefficients' sum, and what rounding lets be negative counts with the gauge of its
+          // opposite.
+          const HullPlane& plane = this->cones[found].plane;
+          const double depth = -plane.height(this->kernel) - plane.error();
+          if (depth > 0)
+          {
+            const double sum = (plane.rise(direction) + plane.error()) / depth;
+            const double negative = geometry.coneError() / depth;
+            bound = (2 * sum + 6 * negative * (1 + 1 / radius)) * (1 + 1e-12);
+          }
+        }
+        gauge[static_cast<std::size_t>(row) * points + column] = bound;
+        at[static_cast<std::size_t>(row) * points + column] = t;
+      }
+    }
+    for (std::int32_t row = 0; row < side; ++row)
+    {
+      for (std::int32_t column = 0; column < side; ++column)
+      {
+        const std::size_t corner = static_cast<std::size_t>(row) * points + column;
+        const double most = std::max(std::max(gauge[corner], gauge[corner + 1]),
+          std::max(gauge[corner + points], gauge[corner + points + 1]));
+        // A point's direction is rounded: it may belong to the next cell by a few units in the last
+        // place.
+        const double slack = radius > 0 ? 4e-15 / radius : HUGE_VAL;
+        const std::size_t cell = (static_cast<std::size_t>(face) * side + row) * side + column;
+        this->limits[cell] = static_cast<float>((1 - 1e-6) / (most + slack));
+        this->hints[cell] = at[corner];
+      }
+    }
+  }
+}
+
+void HullLocator::classify(Block& block, int n) const
+{
+  if (this->resolution == 0)
+  {
+    std::fill(block.cell, block.cell + n, 0);
+    std::fill(block.inside, block.inside + n, std::uint8_t(0));
+    return;
+  }
+  const std::int32_t side = this->resolution;
+  const double half = 0.5 * side;
+  const double sx = this->kernel[0], sy = this->kernel[1], sz = this->kernel[2];
+  const double ux = this->unit[0], uy = this->unit[1], uz = this->unit[2];
+  for (int i = 0; i < n; ++i)
+  {
+    const double x = (block.x[0][i] - sx) * ux;
+    const double y = (block.x[1][i] - sy) * uy;
+    const double z = (block.x[2][i] - sz) * uz;
+    const double ax = std::fabs(x), ay = std::fabs(y), az = std::fabs(z);
+    const double xy = ax > ay ? ax : ay;
+    const double distance = xy > az ? xy : az;
+    const bool isX = ax == distance;
+    const bool isZ = !isX && ay != distance;
+    const double along = isX ? x : (isZ ? z : y);
+    const double first = isX ? y : x;
+    const double second = isZ ? y : z;
+    const double factor = half / (distance > 1e-300 ? distance : 1e-300);
+    const std::int32_t column = static_cast<std::int32_t>(first * factor + half);
+    const std::int32_t row = static_cast<std::int32_t>(second * factor + half);
+    const std::int32_t face = (isX ? 0 : (isZ ? 4 : 2)) + (along < 0 ? 1 : 0);
+    const std::int32_t c = column < side ? column : side - 1;
+    const std::int32_t r = row < side ? row : side - 1;
+    block.distance[i] = distance;
+    block.cell[i] = static_cast<std::uint32_t>((face * side + r) * side + c);
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    block.inside[i] = block.distance[i] < static_cast<double>(this->limits[block.cell[i]]);
+  }
+}
+
+std::uint32_t HullLocator::locate(
+  const HullGeometry& geometry, const Vertex& p, std::uint32_t cell) const
+{
+  const double q[3] = { p.x[0] - geometry.kernel()[0], p.x[1] - geometry.kernel()[1],
+    p.x[2] - geometry.kernel()[2] };
+  const double error = geometry.coneError();
+  std::uint32_t t = this->resolution ? this->hints[cell] : 0;
+  int entry = -1; // the side we came through
+  for (;;)
+  {
+    const HullCone& cone = this->cones[t];
+    const Triangle& triangle = this->triangles[t];
+    int out = -1;
+    for (int i = 0; i < 3 && out < 0; ++i)
+    {
+      if (i == entry)
+      {
+        continue;
+      }
+      const double value = cone.inside(i, q);
+      if (value < -error ||
+        (!(value > error) &&
+          geometry.perturbedBeneathKernel(
+            this->vertices[triangle.v[i]], this->vertices[triangle.v[nextCorner(i)]], p) < 0))
+      {
+        out = i;
+      }
+    }
+    if (out < 0)
+    {
+      return t;
+    }
+    const std::uint32_t twin = triangle.twin[out];
+    t = triangleOf(twin);
+    entry = cornerOf(twin);
+  }
+}
+
+}

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One run of the engine from the caller's points to the canonical hull: checks, ranges, threads,
+/// stages.
+#ifndef flipflop_HullRun_h
+#define flipflop_HullRun_h
+
+#include "Hull.h"
+#include "HullGeometry.h"
+#include "Monitor.h"
+#include "Options.h"
+#include "Patches.h"
+#include "PointSource.h"
+#include "Polyhedron.h"
+#include "Scan.h"
+#include "Stopwatch.h"
+
+#include <tbb/task_arena.h>
+
+#include <new>
+#include <utility>
+
+namespace flipflop
+{
+
+/// Threads that a run may use: as asked for, or all the machine has.
+int threadCount(int asked);
+
+class HullRun
+{
+public:
+  /// @throw Error BadArgument, TooManyPoints
+  HullRun(const PointView& points, const Options& options);
+
+  /// Run @p body (Hull&) on the run's threads; any shortage of memory becomes OutOfMemory.
+  template <class Body>
+  Hull execute(Body&& body)
+  {
+    try
+    {
+      Hull hull;
+      Stopwatch watch;
+      tbb::task_arena arena(this->threads);
+      arena.execute(
+        [&]
+        {
+          body(hull);
+          this->monitor.stage(1.0, 1.0, 1);
+        });
+      hull.statistics.secondsTotal = watch.lap();
+      return hull;
+    }
+    catch (const std::bad_alloc&)
+    {
+      throw Error(ErrorCode::OutOfMemory);
+    }
+  }
+
+  /// The hull of all points.
+  void hullOfPoints(Hull& hull);
+
+  /// Look at all points: range, non-finite ones by policy, arithmetic. False: there is no finite
+  /// point.
+  /// @throw Error NonFinite
+  bool inspect(Hull& hull);
+
+  /// From a hull of perturbed points to the true one, in canonical form.
+  void finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull);
+
+  const PointView points;
+  const Options options;
+  const int threads;
+  Monitor monitor;
+  PointSource source;
+  CoordinateRange range{}; ///< of the scaled coordinates
+  Arithmetic arithmetic;
+  HullGeometry geometry;
+  bool checkFinite = false;
+};
+
+}
+
+#endif

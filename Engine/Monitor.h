@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Progress and abort of one run, told by any thread, reported on the caller's.
+#ifndef flipflop_Monitor_h
+#define flipflop_Monitor_h
+
+#include "Error.h"
+#include "Options.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <thread>
+
+namespace flipflop
+{
+
+/// Work is counted in points; each stage owns a share of the whole.
+class Monitor
+{
+public:
+  explicit Monitor(const Options& options)
+    : function(options.progress)
+    , context(options.progressContext)
+    , caller(std::this_thread::get_id())
+  {
+  }
+
+  /// Begin a stage that takes the run from @p from to @p to while @p work units are done.
+  /// @throw Error Aborted
+  void stage(double from, double to, std::int64_t work)
+  {
+    this->begin = from;
+    this->end = to;
+    this->total = work > 0 ? work : 1;
+    this->done.store(0, std::memory_order_relaxed);
+    this->report(true);
+  }
+
+  /// Count work done; call it some thousand points apart.
+  /// @throw Error Aborted
+  void advance(std::int64_t work)
+  {
+    this->done.fetch_add(work, std::memory_order_relaxed);
+    this->report(false);
+  }
+
+  /// Look for an abort request only.
+  /// @throw Error Aborted
+  void poll() { this->report(false); }
+
+private:
+  void report(bool always)
+  {
+    if (this->stop.load(std::memory_order_relaxed))
+    {
+      throw Error(ErrorCode::Aborted);
+    }
+    if (!this->function || std::this_thread::get_id() != this->caller)
+    {
+      return;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    if (!always && now - this->last < std::chrono::milliseconds(20))
+    {
+      return;
+    }
+    this->last = now;
+    const double share = static_cast<double>(this->done.load(std::memory_order_relaxed)) /
+      static_cast<double>(this->total);
+    const double fraction = this->begin + (this->end - this->begin) * (share < 1.0 ? share : 1.0);
+    if (fraction >= this->reported)
+    {
+      this->reported = fraction;
+    }
+    if (!this->function(this->reported, this->context))
+    {
+      this->stop.store(true, std::memory_order_relaxed);
+      throw Error(ErrorCode::Aborted);
+    }
+  }
+
+  ProgressFunction function;
+  void* context;
+  std::thread::id caller;
+  double begin = 0;
+  double end = 0;
+  double reported = 0;
+  std::int64_t total = 1;
+  std::chrono::steady_clock::time_point last;
+  std::atomic<std::int64_t> done{ 0 };
+  std::atomic<bool> stop{ false };
+};
+
+}
+
+#endif

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The finish, first part: take back what the perturbation added.
+///
+/// A perturbed hull may keep points inside true facets and edges, and duplicates of its vertices.
+/// They are labelled and flipped away by Algorithm 1 itself: its D-criterion removes any labelled
+/// vertex as long as the kernel stays inside, and without these points the hull is the same. Then
+/// every vertex is strictly extreme, no triangle is without area, and true facets are the triangles
+/// joined across exactly flat edges.
+#ifndef flipflop_Redundant_h
+#define flipflop_Redundant_h
+
+#include "Patches.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Is no vertex of a mesh at rest shared with anyone?
+struct NothingShared
+{
+  bool operator()(std::uint32_t) const { return false; }
+};
+
+template <class Geometry>
+class RedundantVertices
+{
+public:
+  RedundantVertices(
+    const Geometry& geometry, Polyhedron& polyhedron, Tally& tally, Monitor& monitor)
+    : geometry(geometry)
+    , polyhedron(polyhedron)
+    , tally(tally)
+    , monitor(monitor)
+  {
+  }
+
+  /// Remove them all. Afterwards bit e of a triangle's index tells that its edge e is flat.
+  /// @return whether there is any flat edge
+  bool remove()
+  {
+    for (;;)
+    {
+      const std::vector<std::uint32_t> flat = this->flatEdges();
+      std::vector<std::uint32_t> redundant = this->duplicates(flat);
+      if (redundant.empty())
+      {
+        redundant = this->notStrictlyExtreme(flat);
+      }
+      if (redundant.empty())
+      {
+        this->markFlat(flat);
+        return !flat.empty();
+      }
+      this->flipAway(redundant);
+    }
+  }
+
+private:
+  /// One half-edge of each edge whose two triangles are exactly coplanar.
+  std::vector<std::uint32_t> flatEdges()
+  {
+    constexpr std::uint32_t Run = 1 << 14;
+    const std::uint32_t count = this->polyhedron.triangleCount();
+    std::vector<std::vector<std::uint32_t>> found((count + Run - 1) / Run);
+    std::vector<std::int64_t> exactCalls(found.size());
+    const Mesh mesh = this->polyhedron.mesh();
+    tbb::parallel_for(std::size_t(0), found.size(),
+      [&](std::size_t run)
+      {
+        const Geometry local = this->geometry;
+        const auto begin = static_cast<std::uint32_t>(run) * Run;
+        for (std::uint32_t t = begin; t < std::min(count, begin + Run); ++t)
+        {
+          const Triangle& triangle = mesh.triangles[t];
+          for (int e = 0; e < 3; ++e)
+          {
+            const std::uint32_t h = halfEdge(t, e);
+            const std::uint32_t twin = triangle.twin[e];
+            if (h < twin &&
+              local.above(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
+                mesh.vertices[triangle.v[2]],
+                mesh.vertices[mesh.origin(previousHalfEdge(twin))]) == 0)
+            {
+              found[run].push_back(h);
+            }
+          }
+        }
+        exactCalls[run] = local.exactCallCount() - this->geometry.exactCallCount();
+        this->monitor.poll();
+      });
+    std::vector<std::uint32_t> flat;
+    for (std::size_t run = 0; run < found.size(); ++run)
+    {
+      flat.insert(flat.end(), found[run].begin(), found[run].end());
+      this->tally.statistics.exactCalls += exactCalls[run];
+    }
+    return flat;
+  }
+
+  /// Half-edges from vertices at whose position there is a neighbour of lower id. Vertices of one
+  /// position are connected by such edges, so repeating this leaves the lowest.
+  std::vector<std::uint32_t> duplicates(const std::vector<std::uint32_t>& flat)
+  {
+    std::vector<std::uint32_t> redundant;
+    const Mesh mesh = this->polyhedron.mesh();
+    for (const std::uint32_t h : flat)
+    {
+      for (std::uint32_t side = h, n = 0; n < 3; ++n, side = nextHalfEdge(side))
+      {
+        const std::uint32_t twin = mesh.twin(side);
+        const Vertex& a = mesh.vertices[mesh.origin(side)];
+        const Vertex& b = mesh.vertices[mesh.origin(twin)];
+        if (samePosition(a, b))
+        {
+          const bool first = a.id > b.id;
+          redundant.push_back(first ? side : twin);
+          const std::uint32_t low = first ? b.id : a.id;
+          const std::uint32_t high = first ? a.id : b.id;
+          this->tally.duplicates.push_back({ high, low });
+        }
+      }
+    }
+    return redundant;
+  }
+
+  /// Half-edges from the ends of flat edges that are not strictly extreme.
+  std::vector<std::uint32_t> notStrictlyExtreme(const std::vector<std::uint32_t>& flat)
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    std::vector<std::uint32_t> ends;
+    std::vector<bool> seen(this->polyhedron.vertexCount());
+    for (const std::uint32_t h : flat)
+    {
+      for (const std::uint32_t side : { h, mesh.twin(h) })
+      {
+        const std::uint32_t v = mesh.origin(side);
+        if (!seen[v])
+        {
+          seen[v] = true;
+          ends.push_back(side);
+        }
+      }
+    }
+    std::vector<std::uint8_t> redundant(ends.size());
+    tbb::parallel_for(std::size_t(0), ends.size(),
+      [&](std::size_t i)
+      {
+        const Geometry local = this->geometry;
+        redundant[i] = isStrictlyExtreme(local, mesh, ends[i]) ? 0 : 1;
+      });
+    std::vector<std::uint32_t> result;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      if (redundant[i])
+      {
+        result.push_back(ends[i]);
+      }
+    }
+    return result;
+  }
+
+  void flipAway(const std::vector<std::uint32_t>& redundant)
+  {
+    const Geometry local = this->geometry;
+    const Mesh mesh = this->polyhedron.mesh();
+    Flipper<Geometry, NothingShared> flipper(local, mesh, NothingShared(), false, this->monitor);
+    for (const std::uint32_t h : redundant)
+    {
+      flipper.label(h);
+    }
+    flipper.run();
+    flipper.addTo(this->tally.statistics);
+    this->tally.statistics.exactCalls += local.exactCallCount() - this->geometry.exactCallCount();
+    this->polyhedron =
+      compact(mesh, { { 0, this->polyhedron.triangleCount() } }, this->polyhedron.vertices.size());
+  }
+
+  void markFlat(const std::vector<std::uint32_t>& flat)
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    for (const std::uint32_t h : flat)
+    {
+      for (const std::uint32_t side : { h, mesh.twin(h) })
+      {
+        mesh.triangles[triangleOf(side)].index |= 1u << cornerOf(side);
+      }
+    }
+  }
+
+public:
+  /// Do the triangles around the origin of @p h, those with area, lie in three or more planes?
+  static bool isStrictlyExtreme(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
+  {
+    const Vertex* const v = mesh.vertices;
+    const Vertex& apex = v[mesh.origin(h)];
+    const auto first = [&](std::uint32_t spoke) -> const Vertex&
+    { return v[mesh.origin(nextHalfEdge(spoke))]; };
+    const auto second = [&](std::uint32_t spoke) -> const Vertex&
+    { return v[mesh.origin(previousHalfEdge(spoke))]; };
+
+    std::vector<std::uint32_t> spokes; // of triangles with area
+    std::uint32_t spoke = h;
+    do
+    {
+      if (!geometry.collinear(apex, first(spoke), second(spoke)))
+      {
+        spokes.push_back(spoke);
+      }
+      spoke = mesh.twin(previousHalfEdge(spoke));
+    } while (spoke != h);
+
+    int changes = 0;
+    for (std::size_t i = 0; i < spokes.size(); ++i)
+    {
+      const std::uint32_t here = spokes[i];
+      const std::uint32_t next = spokes[i + 1 < spokes.size() ? i + 1 : 0];
+      if (geometry.above(apex, first(here), second(here), first(next)) != 0 ||
+        geometry.above(apex, first(here), second(here), second(next)) != 0)
+      {
+        ++changes;
+      }
+    }
+    return changes >= 3;
+  }
+
+private:
+  const Geometry& geometry;
+  Polyhedron& polyhedron;
+  Tally& tally;
+  Monitor& monitor;
+};
+
+}
+
+#endif

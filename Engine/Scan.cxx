@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scan.h"
+
+#include "HullGeometry.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace flipflop
+{
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t PollEvery = 1 << 16;
+
+ScanResult emptyScan()
+{
+  ScanResult result;
+  for (int i = 0; i < 3; ++i)
+  {
+    result.range.low[i] = Infinity;
+    result.range.high[i] = -Infinity;
+  }
+  result.range.largest = 0;
+  result.range.smallest = Infinity;
+  return result;
+}
+
+void merge(ScanResult& into, const ScanResult& from)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    into.range.low[i] = std::min(into.range.low[i], from.range.low[i]);
+    into.range.high[i] = std::max(into.range.high[i], from.range.high[i]);
+  }
+  into.range.largest = std::max(into.range.largest, from.range.largest);
+  into.range.smallest = std::min(into.range.smallest, from.range.smallest);
+  into.nonFinite += from.nonFinite;
+  if (into.firstNonFinite < 0)
+  {
+    into.firstNonFinite = from.firstNonFinite;
+  }
+  if (into.firstFinite < 0)
+  {
+    into.firstFinite = from.firstFinite;
+  }
+}
+
+void scanRange(
+  const PointSource& source, std::uint32_t begin, std::uint32_t end, ScanResult& result)
+{
+  for (std::uint32_t id = begin; id < end; ++id)
+  {
+    double x[3];
+    source.load(id, x);
+    // A NaN or an infinity, and nothing else, times zero is not zero.
+    if ((x[0] * 0.0 + x[1] * 0.0 + x[2] * 0.0) != 0.0)
+    {
+      ++result.nonFinite;
+      result.firstNonFinite = result.firstNonFinite < 0 ? id : result.firstNonFinite;
+      continue;
+    }
+    result.firstFinite = result.firstFinite < 0 ? id : result.firstFinite;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double magnitude = std::fabs(x[i]);
+      const double nonZero = magnitude > 0 ? magnitude : Infinity;
+      result.range.low[i] = x[i] < result.range.low[i] ? x[i] : result.range.low[i];
+      result.range.high[i] = x[i] > result.range.high[i] ? x[i] : result.range.high[i];
+      result.range.smallest = nonZero < result.range.smallest ? nonZero : result.range.smallest;
+    }
+  }
+}
+
+}
+
+ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
+{
+  const std::uint32_t count = source.count();
+  const std::uint32_t chunkCount =
+    std::max(1u, std::min(4 * static_cast<std::uint32_t>(threads), count / PollEvery));
+  std::vector<ScanResult> results(chunkCount, emptyScan());
+  tbb::parallel_for(std::uint32_t(0), chunkCount,
+    [&](std::uint32_t chunk)
+    {
+      const auto edge = [&](std::uint32_t i)
+      { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(count) * i / chunkCount); };
+      // In pieces, each a result of its own, so that the accumulators stay in registers.
+      for (std::uint32_t begin = edge(chunk); begin < edge(chunk + 1);)
+      {
+        const std::uint32_t end = begin + std::min(PollEvery, edge(chunk + 1) - begin);
+        ScanResult piece = emptyScan();
+        scanRange(source, begin, end, piece);
+        merge(results[chunk], piece);
+        monitor.advance(end - begin);
+        begin = end;
+      }
+    });
+  ScanResult result = emptyScan();
+  for (const ScanResult& chunk : results)
+  {
+    merge(result, chunk);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    result.range.largest = std::max(
+      { result.range.largest, std::fabs(result.range.low[i]), std::fabs(result.range.high[i]) });
+  }
+  if (result.firstFinite < 0)
+  {
+    result.range = CoordinateRange{};
+  }
+  return result;
+}
+
+bool isOnLattice(const PointSource& source, const CoordinateRange& range, bool checkFinite)
+{
+  // Differences below 2^16 units make products of three sums of six below 2^53.
+  double extent = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    extent = std::max(extent, range.high[i] - range.low[i]);
+  }
+  if (!(extent > 1e-80 && extent < 1e80))
+  {
+    return false;
+  }
+  const int unitExponent = std::ilogb(extent) - 15;
+  const double perUnit = std::ldexp(1.0, -unitExponent);
+  const auto isMultiple = [perUnit](double x)
+  {
+    const double units = x * perUnit;
+    return units == std::nearbyint(units);
+  };
+  const std::uint32_t count = source.count();
+  // A few points spread over the input tell nearly always.
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    const std::uint32_t step = pass ? 1 : std::max(1u, count / 64);
+    for (std::uint64_t id = 0; id < count; id += step)
+    {
+      double x[3];
+      source.load(static_cast<std::uint32_t>(id), x);
+      if (checkFinite && !isFinite(x))
+      {
+        continue;
+      }
+      if (!isMultiple(x[0]) || !isMultiple(x[1]) || !isMultiple(x[2]))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+namespace
+{
+
+/// Looks for points ever farther from what is spanned so far. Distances are rounded and only choose
+/// among candidates; independence is exact.
+class SpanSearch
+{
+public:
+  SpanSearch(
+    const HullGeometry& geometry, const PointSource& source, bool checkFinite, Monitor& monitor)
+    : geometry(geometry)
+    , source(source)
+    , checkFinite(checkFinite)
+    , monitor(monitor)
+  {
+  }
+
+  Span span;
+
+  /// Extend the span by points among @p ids (null: all).
+  void extend(const std::uint32_t* ids, std::uint32_t count)
+  {
+    while (this->span.dimension < 3 && this->extendOnce(ids, count))
+    {
+    }
+  }
+
+private:
+  bool extendOnce(const std::uint32_t* ids, std::uint32_t count)
+  {
+    bool found = false;
+    double best = -1;
+    Vertex bestVertex{};
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const Vertex p = this->source.vertex(ids ? ids[i] : i);
+      if ((i & (PollEvery - 1)) == 0)
+      {
+        this->monitor.poll();
+      }
+      if (this->checkFinite && !isFinite(p.x))
+      {
+        continue;
+      }
+      const double far = this->distance(p);
+      if ((!found || far > best) && this->isIndependent(p))
+      {
+        found = true;
+        best = far;
+        bestVertex = p;
+      }
+    }
+    if (found)
+    {
+      ++this->span.dimension;
+      this->span.ids[this->span.dimension] = bestVertex.id;
+      this->corner[this->span.dimension] = bestVertex;
+    }
+    return found;
+  }
+
+  bool isIndependent(const Vertex& p) const
+  {
+    switch (this->span.dimension)
+    {
+      case -1:
+        return true;
+      case 0:
+        return !samePosition(this->corner[0], p);
+      case 1:
+        return !this->geometry.collinear(this->corner[0], this->corner[1], p);
+      default:
+        return this->geometry.above(this->corner[0], this->corner[1], this->corner[2], p) != 0;
+    }
+  }
+
+  /// Some measure of how far p is from the span; overflow and underflow only make it a worse one.
+  double distance(const Vertex& p) const
+  {
+    double u[3][3] = {};
+    for (int k = 0; k <= this->span.dimension && k < 3; ++k)
+    {
+      const double* from = k == 0 ? p.x : this->corner[k].x;
+      for (int i = 0; i < 3; ++i)
+      {
+        u[k][i] = from[i] - this->corner[0].x[i];
+      }
+    }
+    switch (this->span.dimension)
+    {
+      case -1:
+        return -p.x[0];
+      case 0:
+        return HullGeometry::largestOf(u[0][0], u[0][1], u[0][2]);
+      case 1:
+        return HullGeometry::largestOf(u[0][1] * u[1][2] - u[0][2] * u[1][1],
+          u[0][2] * u[1][0] - u[0][0] * u[1][2], u[0][0] * u[1][1] - u[0][1] * u[1][0]);
+      default:
+        return std::fabs(u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1]) +
+          u[0][1] * (u[1][2] * u[2][0] - u[1][0] * u[2][2]) +
+          u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0]));
+    }
+  }
+
+  const HullGeometry& geometry;
+  const PointSource& source;
+  bool checkFinite;
+  Monitor& monitor;
+  Vertex corner[4] = {};
+};
+
+}
+
+Span findSpan(const HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids,
+  std::uint32_t count, bool checkFinite, Monitor& monitor)
+{
+  SpanSearch search(geometry, source, checkFinite, monitor);
+  search.extend(ids, count);
+  if (search.span.dimension < 3)
+  {
+    search.extend(nullptr, source.count());
+  }
+  return search.span;
+}
+
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// First looks at the input: ranges, non-finite points, and which dimension it spans.
+#ifndef flipflop_Scan_h
+#define flipflop_Scan_h
+
+#include "CoordinateRange.h"
+#include "Monitor.h"
+#include "PointSource.h"
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+struct ScanResult
+{
+  CoordinateRange range;            ///< of the finite points
+  std::int64_t nonFinite = 0;       ///< how many have a NaN or infinite coordinate
+  std::int64_t firstNonFinite = -1; ///< the first of them
+  std::int64_t firstFinite = -1;    ///< the first other point
+};
+
+/// One parallel pass over unscaled points.
+ScanResult scan(const PointSource& source, int threads, Monitor& monitor);
+
+/// Are all coordinates multiples of a power of two so large that determinants of differences are
+/// exact in double? Then the predicates need no bound. True for pixel and voxel grids, small
+/// integers, many models.
+bool isOnLattice(const PointSource& source, const CoordinateRange& range, bool checkFinite);
+
+/// Points that span the input, as far apart as a few looks find: dimension + 1 of them, affinely
+/// independent.
+struct Span
+{
+  int dimension = -1;
+  std::uint32_t ids[4] = { 0, 0, 0, 0 };
+};
+
+class HullGeometry;
+
+/// @param ids, count a sample to choose from first; all points are searched only where it spans
+/// less than
+///                   three dimensions.
+Span findSpan(const HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids,
+  std::uint32_t count, bool checkFinite, Monitor& monitor);
+
+}
+
+#endif

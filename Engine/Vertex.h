@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A point as the algorithms carry it: one half of a cache line.
+#ifndef flipflop_Vertex_h
+#define flipflop_Vertex_h
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+struct alignas(32) Vertex
+{
+  double x[3];
+  std::uint32_t id;    ///< position in the input: perturbation and ties go by it
+  std::uint32_t flags; ///< VertexFlags
+};
+
+enum VertexFlags : std::uint32_t
+{
+  VertexAlive = 1,   ///< a vertex of the polyhedron
+  VertexLabelled = 2 ///< labelled non-extreme (paper, section 2.3): to be removed
+};
+
+inline bool samePosition(const Vertex& a, const Vertex& b)
+{
+  return a.x[0] == b.x[0] && a.x[1] == b.x[1] && a.x[2] == b.x[2];
+}
+
+}
+
+#endif
