@@ -23,5 +23,5 @@ configure_and_build default
 trap stop_display EXIT
 start_display
 say "Convex hulls"
-PYTHONPATH="$(python_package "$top/build/default")" \
+PYTHONPATH="$(python_path "$top/build/default")" \
   "$python" "$top/Scripts/demo.py" --output "$top/demo-output" "${inputs[@]}"

@@ -6,7 +6,7 @@
 /// Absolute times drift from machine to machine and from minute to minute, so every round runs each
 /// contender once, one after another, and ratios are taken within a round.
 #include "Contender.h"
-#include "Measure.h"
+#include "MeasuredRun.h"
 #include "Plan.h"
 #include "Report.h"
 

@@ -6,7 +6,7 @@
 #define flipflop_Report_h
 
 #include "Distributions.h"
-#include "Measure.h"
+#include "MeasuredRun.h"
 #include "Plan.h"
 
 #include <cstdio>

@@ -12,7 +12,7 @@ configure_and_build benchmark
 
 results="$top/build/benchmark/results"
 say "Run"
-"$top/build/benchmark/Benchmarks/hull-benchmark" --validate --max-case-seconds 120 \
+"$top/build/benchmark/bin/hull-benchmark" --validate --max-case-seconds 120 \
   --csv "$results.csv" --json "$results.json" "$@"
 
 say "Figures and tables"

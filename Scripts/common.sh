@@ -57,10 +57,10 @@ stop_display() {
   display_process=
 }
 
-# python_package BUILD: the folder that holds the package vtkflipflop
-python_package() {
-  local package
-  package=$(find "$1" -type d -name vtkflipflop -path '*-packages/vtkflipflop' -print -quit)
-  [ -n "$package" ] || { echo "$1 holds no Python package vtkflipflop" >&2; return 1; }
-  dirname "$package"
+# python_path BUILD: the folder that holds the package vtkflipflop
+python_path() {
+  local path
+  path=$(sed -n 's/^FLIPFLOP_PYTHONPATH:INTERNAL=//p' "$1/CMakeCache.txt")
+  [ -d "$path/vtkflipflop" ] || { echo "$1 holds no Python package vtkflipflop" >&2; return 1; }
+  echo "$path"
 }

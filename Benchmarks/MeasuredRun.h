@@ -6,8 +6,8 @@
 /// A child inherits the input by copy-on-write, runs one contender on it and sends back plain
 /// numbers. So no run warms, fragments or crashes another, a run that takes too long can be ended,
 /// and the peak of resident memory is that run's own.
-#ifndef flipflop_Measure_h
-#define flipflop_Measure_h
+#ifndef flipflop_MeasuredRun_h
+#define flipflop_MeasuredRun_h
 
 #include "Contender.h"
 

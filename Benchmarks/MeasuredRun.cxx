@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Measure.h"
+#include "MeasuredRun.h"
 
 #include "Distributions.h"
 
