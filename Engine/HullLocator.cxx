@@ -200,6 +200,17 @@ void HullLocator::classify(Block& block, int n) const
   }
 }
 
+std::uint32_t HullLocator::cellOf(const double* p) const
+{
+  Block block;
+  for (int i = 0; i < 3; ++i)
+  {
+    block.x[i][0] = p[i];
+  }
+  this->classify(block, 1);
+  return block.cell[0];
+}
+
 std::uint32_t HullLocator::locate(
   const HullGeometry& geometry, const Vertex& p, std::uint32_t cell) const
 {

@@ -44,6 +44,9 @@ public:
   /// Fill in the block's results for the first @p n points.
   void classify(Block& block, int n) const;
 
+  /// The cell of one point.
+  std::uint32_t cellOf(const double* p) const;
+
   /// The triangle in whose cone p lies, exactly (by perturbation, at a border).
   std::uint32_t locate(const HullGeometry& geometry, const Vertex& p, std::uint32_t cell) const;
 

@@ -84,6 +84,18 @@ Polyhedron startingTetrahedron(HullGeometry& geometry, const PointSource& source
   return result;
 }
 
+void include(const double* x, CoordinateRange& range)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double magnitude = std::fabs(x[i]);
+    range.low[i] = std::min(range.low[i], x[i]);
+    range.high[i] = std::max(range.high[i], x[i]);
+    range.largest = std::max(range.largest, magnitude);
+    range.smallest = magnitude > 0 ? std::min(range.smallest, magnitude) : range.smallest;
+  }
+}
+
 }
 
 int threadCount(int asked)
@@ -108,7 +120,7 @@ HullRun::HullRun(const PointView& view, const Options& chosen)
   }
 }
 
-bool HullRun::inspect(Hull& hull)
+bool HullRun::inspect(Hull& hull, const double* kernel)
 {
   Statistics& statistics = hull.statistics;
   statistics.points = this->points.count;
@@ -126,9 +138,13 @@ bool HullRun::inspect(Hull& hull)
     return false;
   }
 
-  this->arithmetic = chooseArithmetic(found.range);
-  this->source.setArithmetic(this->arithmetic);
   this->range = found.range;
+  if (kernel)
+  {
+    include(kernel, this->range);
+  }
+  this->arithmetic = chooseArithmetic(this->range);
+  this->source.setArithmetic(this->arithmetic);
   const int exponent = this->arithmetic.scaleExponent;
   for (int i = 0; i < 3; ++i)
   {

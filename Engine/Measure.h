@@ -36,16 +36,21 @@ void measure(const Position& position, const CoordinateRange& range, int exponen
   for (int i = 0; i < 3; ++i)
   {
     const double extent = range.high[i] - range.low[i];
-    shift[i] = extent > 0 ? std::ilogb(extent) : 0;
+    shift[i] = extent > 0 ? std::max(-1000, std::min(std::ilogb(extent), 1000)) : 0;
     most = extent > 0 ? std::max(most, shift[i]) : most;
   }
   const double* origin = position(hull.connectivity[0]);
+  double toUnit[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    toUnit[i] = std::ldexp(1.0, -shift[i]);
+  }
   const auto load = [&](std::int64_t point, double* x)
   {
     const double* p = position(point);
     for (int i = 0; i < 3; ++i)
     {
-      x[i] = std::ldexp(p[i] - origin[i], -shift[i]);
+      x[i] = (p[i] - origin[i]) * toUnit[i];
     }
   };
   double toArea[3]; // from the unit of each axis to the unit of the longest

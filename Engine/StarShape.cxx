@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StarShape.h"
+
+#include "LinearProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+StarFault findStarFault(const HullGeometry& geometry, const Polyhedron& polyhedron)
+{
+  StarFault fault;
+  const auto note = [&fault](std::uint32_t t)
+  { fault.triangle = fault.count++ ? fault.triangle : static_cast<std::int64_t>(t); };
+  const Vertex* v = polyhedron.vertices.data();
+  for (std::uint32_t t = 0; t < polyhedron.triangleCount(); ++t)
+  {
+    const std::uint32_t* corner = polyhedron.triangles[t].v;
+    if (geometry.beneathKernel(v[corner[0]], v[corner[1]], v[corner[2]]) <= 0)
+    {
+      note(t);
+    }
+  }
+  if (fault.count)
+  {
+    return fault;
+  }
+
+  // Each triangle covers its directions once, so the surface covers all directions equally often:
+  // one direction tells. Perturbed, it is on no cone's border.
+  Vertex probe{};
+  for (int i = 0; i < 3; ++i)
+  {
+    for (const std::uint32_t corner : polyhedron.triangles[0].v)
+    {
+      probe.x[i] += v[corner].x[i] / 3;
+    }
+  }
+  probe.id = NoIndex;
+  std::int64_t covered = 0;
+  for (std::uint32_t t = 0; t < polyhedron.triangleCount(); ++t)
+  {
+    const std::uint32_t* corner = polyhedron.triangles[t].v;
+    const Vertex& a = v[corner[0]];
+    const Vertex& b = v[corner[1]];
+    const Vertex& c = v[corner[2]];
+    if (geometry.perturbedBeneathKernel(a, b, probe) > 0 &&
+      geometry.perturbedBeneathKernel(b, c, probe) > 0 &&
+      geometry.perturbedBeneathKernel(c, a, probe) > 0 && covered++ > 0)
+    {
+      note(t);
+    }
+  }
+  return fault;
+}
+
+bool isInsideOut(const Polyhedron& polyhedron)
+{
+  const Vertex* v = polyhedron.vertices.data();
+  double volume = 0;
+  for (const Triangle& t : polyhedron.triangles)
+  {
+    double x[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        x[k][i] = v[t.v[k]].x[i] - v[polyhedron.triangles[0].v[0]].x[i];
+      }
+    }
+    volume += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) +
+      x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2]) +
+      x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
+  }
+  return volume < 0;
+}
+
+void turnOver(Polyhedron& polyhedron)
+{
+  // Corners 0, 1, 2 become 1, 0, 2: half-edge 0 stays where it is, 1 and 2 change places.
+  for (Triangle& t : polyhedron.triangles)
+  {
+    std::swap(t.v[0], t.v[1]);
+    std::swap(t.twin[1], t.twin[2]);
+    for (std::uint32_t& twin : t.twin)
+    {
+      const int e = cornerOf(twin);
+      twin = halfEdge(triangleOf(twin), e == 0 ? 0 : 3 - e);
+    }
+  }
+}
+
+bool seekKernel(const Polyhedron& polyhedron, double* kernel)
+{
+  double low[3], high[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    low[i] = HUGE_VAL;
+    high[i] = -HUGE_VAL;
+    for (const Vertex& v : polyhedron.vertices)
+    {
+      low[i] = std::min(low[i], v.x[i]);
+      high[i] = std::max(high[i], v.x[i]);
+    }
+  }
+  // In the unit cube: n . x + margin <= n . a for every triangle with the unit normal n through a.
+  const auto toUnit = [&](const Vertex& v, double* x)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const double extent = high[i] - low[i];
+      x[i] = extent > 0 ? (v.x[i] - low[i]) / extent : 0.5;
+    }
+  };
+  std::vector<HalfSpace<4>> constraints;
+  constraints.reserve(polyhedron.triangles.size());
+  for (const Triangle& t : polyhedron.triangles)
+  {
+    double a[3], b[3], c[3], n[3];
+    toUnit(polyhedron.vertices[t.v[0]], a);
+    toUnit(polyhedron.vertices[t.v[1]], b);
+    toUnit(polyhedron.vertices[t.v[2]], c);
+    for (int i = 0; i < 3; ++i)
+    {
+      const int p = (i + 1) % 3;
+      const int q = (i + 2) % 3;
+      n[i] = (b[p] - a[p]) * (c[q] - a[q]) - (b[q] - a[q]) * (c[p] - a[p]);
+    }
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if (length > 0)
+    {
+      HalfSpace<4> h;
+      h.bound = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        h.normal[i] = n[i] / length;
+        h.bound += h.normal[i] * a[i];
+      }
+      h.normal[3] = 1;
+      constraints.push_back(h);
+    }
+  }
+  const double objective[4] = { 0, 0, 0, 1 };
+  double best[4];
+  if (!maximize<4>(objective, constraints, 2.0, best) || !(best[3] > 0))
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    kernel[i] = low[i] + best[i] * (high[i] - low[i]);
+  }
+  return true;
+}
+
+}
