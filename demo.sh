@@ -18,10 +18,10 @@ done
 [ ${#inputs[@]} -gt 0 ] || inputs=("$top"/Data/*.vtp)
 
 "$top/Scripts/install-dependencies.sh" demo
-configure_and_build default
+configure_and_build default demo -DFLIPFLOP_BUILD_TESTING=OFF -DFLIPFLOP_BUILD_EXAMPLES=OFF
 
 trap stop_display EXIT
 start_display
 say "Convex hulls"
-PYTHONPATH="$(python_path "$top/build/default")" \
+PYTHONPATH="$(python_path "$top/build/demo")" \
   "$python" "$top/Scripts/demo.py" --output "$top/demo-output" "${inputs[@]}"

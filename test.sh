@@ -19,7 +19,7 @@ esac
 run_tests() {
   local preset=$1
   shift
-  configure_and_build "$preset"
+  configure_and_build "$preset" "$preset"
   say "Test: preset $preset"
   "$@" ctest --test-dir "$top/build/$preset" --output-on-failure --no-tests=error \
     --parallel "$(parallel_jobs)"

@@ -8,7 +8,8 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Scripts/common.sh"
 
 "$top/Scripts/install-dependencies.sh" benchmark
-configure_and_build benchmark
+configure_and_build benchmark benchmark -DFLIPFLOP_BUILD_FILTERS=OFF \
+  -DFLIPFLOP_BUILD_TESTING=OFF -DFLIPFLOP_BUILD_EXAMPLES=OFF
 
 results="$top/build/benchmark/results"
 say "Run"

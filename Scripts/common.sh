@@ -21,15 +21,15 @@ say() {
   printf '\n== %s\n' "$*"
 }
 
-# configure_and_build PRESET: in build/PRESET
+# configure_and_build PRESET FOLDER [OPTION OF CMAKE]...: in build/FOLDER
 configure_and_build() {
-  local preset=$1
-  say "Build: preset $preset"
-  mkdir -p "$top/build"
-  (cd "$top" && cmake --preset "$preset" -B "$top/build/$preset" \
-    -DPython3_EXECUTABLE="$python" >"$top/build/$preset-configure.log" 2>&1) ||
-    { cat "$top/build/$preset-configure.log"; return 1; }
-  cmake --build "$top/build/$preset" --parallel "$(parallel_jobs)"
+  local preset=$1 build="$top/build/$2"
+  shift 2
+  say "Build: preset $preset in $build"
+  mkdir -p "$build"
+  (cd "$top" && cmake --preset "$preset" -B "$build" -DPython3_EXECUTABLE="$python" "$@") \
+    >"$build/configure.log" 2>&1 || { cat "$build/configure.log"; return 1; }
+  cmake --build "$build" --parallel "$(parallel_jobs)"
 }
 
 # A display of our own. Debian's VTK draws through X only; -displayfd picks a free number, -noreset

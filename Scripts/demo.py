@@ -4,6 +4,8 @@
 """Take the convex hulls of .vtp files, write them, picture them, and print a table.
 
     demo.py --output demo-output Data/*.vtp
+
+A few files are also pictured side by side, in the order given: hulls.png.
 """
 import argparse
 import os
@@ -61,7 +63,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="+", help=".vtp files")
     parser.add_argument("--output", default="demo-output", help="folder for hulls and pictures")
-    parser.add_argument("--together", help="also one picture of all, side by side, as this file")
     arguments = parser.parse_args()
 
     os.makedirs(arguments.output, exist_ok=True)
@@ -87,9 +88,10 @@ def main():
                 f"{seconds:.4f}",
             ]
         )
-    if arguments.together:
+    if 2 <= len(scenes) <= 4:
         renderers = [picture.scene(*scene, 600 / 500, 1.0) for scene in scenes]
-        picture.write_picture(arguments.together, renderers, 600 * len(renderers), 500)
+        together = os.path.join(arguments.output, "hulls.png")
+        picture.write_picture(together, renderers, 600 * len(renderers), 500)
     print_table(rows)
     print(f"\nHulls (.vtp) and pictures (.png) are in {arguments.output}")
 

@@ -9,12 +9,13 @@ set -euo pipefail
 build=(g++ cmake ninja-build libtbb-dev libboost-dev)
 vtk=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy xvfb)
 peers=(libcgal-dev libqhull-dev)
+tests=(libgtest-dev libgmp-dev clang-format)
 
 packages=()
 for purpose in "$@"; do
   case "$purpose" in
     demo) packages+=("${build[@]}" "${vtk[@]}") ;;
-    test) packages+=("${build[@]}" "${vtk[@]}" "${peers[@]}" clang-format) ;;
+    test) packages+=("${build[@]}" "${vtk[@]}" "${peers[@]}" "${tests[@]}") ;;
     benchmark) packages+=("${build[@]}" "${peers[@]}" python3-matplotlib) ;;
     *) echo "usage: install-dependencies.sh demo|test|benchmark..." >&2; exit 2 ;;
   esac

@@ -23,9 +23,19 @@ from vtkmodules.vtkRenderingCore import (
 
 # How to look at a data set: from where, which way is up, how much heights are exaggerated.
 VIEWS = {
-    "autzen": {"from": (0.45, -1.0, 0.5), "up": (0, 0, 1), "heights": 4.0},
-    "sainthelens": {"from": (0.7, 0.9, 0.75), "up": (0, 0, 1), "heights": 1.5},
-    "spot": {"from": (1.0, 0.25, -0.75), "up": (0, 1, 0), "heights": 1.0},
+    "autzen": {
+        "title": "Autzen",
+        "from": (0.45, -1.0, 0.5),
+        "up": (0, 0, 1),
+        "heights": 4.0,
+    },
+    "sainthelens": {
+        "title": "St Helens",
+        "from": (0.7, 0.9, 0.75),
+        "up": (0, 0, 1),
+        "heights": 1.5,
+    },
+    "spot": {"title": "Spot", "from": (1.0, 0.25, -0.75), "up": (0, 1, 0), "heights": 1.0},
 }
 DEFAULT_VIEW = {"from": (0.7, -1.0, 0.6), "up": (0, 0, 1), "heights": 1.0}
 
@@ -170,7 +180,7 @@ def fit_camera(camera, xyz, axes, aspect):
     """A parallel view that just holds all points, with room for the caption below."""
     seen = xyz @ axes.T
     low, high = seen.min(axis=0), seen.max(axis=0)
-    width, height, depth = numpy.maximum(high - low, 1e-9 * numpy.abs(high - low).max())
+    width, height, depth = numpy.maximum(high - low, 1e-9 * ((high - low).max() or 1e9))
     half = 0.5 * max(height / 0.84, width / aspect / 0.94)
     centre = (low + high) / 2 - (0, 0.05 * 2 * half, 0)
     camera.ParallelProjectionOn()
@@ -197,7 +207,7 @@ def scene(name, points, hull, aspect, scale):
     corners = coordinates(hull, view["heights"]) - origin
     for actor in hull_actors(hull, corners, axes[2], scale):
         renderer.AddActor(actor)
-    text = f"{name}: {len(cloud):,} points, {len(corners):,} on the hull"
+    text = f"{view.get('title', name)}: {len(cloud):,} points, {len(corners):,} on the hull"
     if view["heights"] != 1:
         text += f" (heights x {view['heights']:g})"
     renderer.AddActor(caption(text, int(21 * scale)))
