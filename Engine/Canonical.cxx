@@ -204,27 +204,10 @@ private:
   Buffer<Cell> cells;
 };
 
-/// Corners a, b, c, turned so that the lowest is first.
-Cell lowestFirst(std::uint32_t a, std::uint32_t b, std::uint32_t c)
-{
-  if (b < a && b < c)
-  {
-    return { { b, c, a } };
-  }
-  if (c < a && c < b)
-  {
-    return { { c, a, b } };
-  }
-  return { { a, b, c } };
-}
-
 /// The true facets of two and more triangles, as polygons of ranks, lowest first.
 class Polygons
 {
 public:
-  std::vector<std::uint32_t> corners;
-  std::vector<std::size_t> begin{ 0 };
-
   Polygons(const Polyhedron& polyhedron, const Ranking& ranking)
   {
     std::vector<std::uint8_t> visited(polyhedron.triangleCount());
@@ -261,41 +244,178 @@ public:
   }
 
   std::size_t count() const { return this->begin.size() - 1; }
+  const std::uint32_t* first(std::size_t p) const { return this->corners.data() + this->begin[p]; }
+  std::size_t size(std::size_t p) const { return this->begin[p + 1] - this->begin[p]; }
+
+private:
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> begin{ 0 };
 };
 
-/// Cells of three and of more corners.
-void writeMixed(
-  const Buffer<Cell>& cells, const Polygons& polygons, std::uint32_t vertexCount, Hull& hull)
+/// Brings the facets into their order.
+class Writer
 {
-  hull.cellSize = 0;
-  hull.offsets.allocate(cells.size() + 1);
-  std::int64_t at = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i)
+public:
+  Writer(const Polyhedron& polyhedron, Ranking&& ranking, bool anyFlat)
+    : polyhedron(polyhedron)
+    , ranking(std::move(ranking))
+    , polygons(anyFlat ? new Polygons(polyhedron, this->ranking) : nullptr)
   {
-    hull.offsets[i] = at;
-    const std::uint32_t third = cells[i].corner[2];
-    const std::size_t p = third - vertexCount;
-    at += third < vertexCount
-      ? 3
-      : static_cast<std::int64_t>(polygons.begin[p + 1] - polygons.begin[p]);
   }
-  hull.offsets[cells.size()] = at;
-  hull.connectivity.allocate(static_cast<std::size_t>(at));
-  std::int64_t* out = hull.connectivity.data();
-  for (const Cell& cell : cells)
+
+  void writeCells(FacetMode facets, int threads, Hull& hull) const
   {
-    if (cell.corner[2] < vertexCount)
+    const bool fans = facets == FacetMode::Triangles;
+    SortedCells sorted(this->vertexCount(), threads > 1);
+    const auto eachCell = [&](auto&& use)
     {
-      out = std::copy(cell.corner, cell.corner + 3, out);
+      this->eachTriangle(
+        [&](const Triangle& t, int e)
+        {
+          use(Cell{ { this->ranking.rank[t.v[e]], this->ranking.rank[t.v[nextCorner(e)]],
+            this->ranking.rank[t.v[previousCorner(e)]] } });
+        });
+      fans ? this->eachFanTriangle(use) : this->eachPolygon(use);
+    };
+    eachCell([&](const Cell& cell) { sorted.count(cell.corner[0]); });
+    sorted.endCounting();
+    eachCell([&](const Cell& cell) { sorted.put(cell); });
+    sorted.sort();
+    if (fans || !this->polygons)
+    {
+      writeTriangles(sorted.get(), hull);
     }
     else
     {
-      const std::size_t p = cell.corner[2] - vertexCount;
-      out = std::copy(polygons.corners.begin() + polygons.begin[p],
-        polygons.corners.begin() + polygons.begin[p + 1], out);
+      this->writeMixed(sorted.get(), hull);
     }
   }
-}
+
+  /// Both facet modes measure the same triangles.
+  void writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const
+  {
+    Measure total(range, exponent, this->position(0));
+    std::vector<Measure> parts(runCount(this->polyhedron.triangleCount()), total);
+    const Vertex* v = this->polyhedron.vertices.data();
+    this->eachTriangle(
+      [&](const Triangle& t, int e)
+      {
+        const auto index = static_cast<std::size_t>(&t - this->polyhedron.triangles.data());
+        parts[index / Run].addTriangle(
+          v[t.v[e]].x, v[t.v[nextCorner(e)]].x, v[t.v[previousCorner(e)]].x);
+      });
+    for (const Measure& part : parts)
+    {
+      total.add(part);
+    }
+    this->eachFanTriangle(
+      [&](const Cell& cell)
+      {
+        total.addTriangle(this->position(cell.corner[0]), this->position(cell.corner[1]),
+          this->position(cell.corner[2]));
+      });
+    total.write(hull);
+  }
+
+private:
+  std::uint32_t vertexCount() const { return this->polyhedron.vertexCount(); }
+
+  const double* position(std::uint32_t rank) const
+  {
+    return this->polyhedron.vertices[this->ranking.vertex[rank]].x;
+  }
+
+  /// Facets that are one triangle: use(triangle, corner of lowest rank), in parallel by runs.
+  template <class Use>
+  void eachTriangle(Use&& use) const
+  {
+    const std::uint32_t count = this->polyhedron.triangleCount();
+    tbb::parallel_for(std::size_t(0), runCount(count),
+      [&](std::size_t run)
+      {
+        const auto begin = static_cast<std::uint32_t>(run) * Run;
+        for (std::uint32_t t = begin; t < std::min(count, begin + Run); ++t)
+        {
+          const Triangle& triangle = this->polyhedron.triangles[t];
+          if (triangle.index == 0)
+          {
+            const std::uint32_t a = this->ranking.rank[triangle.v[0]];
+            const std::uint32_t b = this->ranking.rank[triangle.v[1]];
+            const std::uint32_t c = this->ranking.rank[triangle.v[2]];
+            use(triangle, a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2));
+          }
+        }
+      });
+  }
+
+  /// The other facets: use(their first two corners and their number).
+  template <class Use>
+  void eachPolygon(Use&& use) const
+  {
+    for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+    {
+      const std::uint32_t* corner = this->polygons->first(p);
+      use(Cell{ { corner[0], corner[1], this->vertexCount() + static_cast<std::uint32_t>(p) } });
+    }
+  }
+
+  template <class Use>
+  void eachFanTriangle(Use&& use) const
+  {
+    for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+    {
+      const std::uint32_t* corner = this->polygons->first(p);
+      for (std::size_t i = 2; i < this->polygons->size(p); ++i)
+      {
+        use(Cell{ { corner[0], corner[i - 1], corner[i] } });
+      }
+    }
+  }
+
+  static void writeTriangles(const Buffer<Cell>& cells, Hull& hull)
+  {
+    hull.cellSize = 3;
+    hull.connectivity.allocate(3 * cells.size());
+    tbb::parallel_for(std::size_t(0), runCount(cells.size()),
+      [&](std::size_t run)
+      {
+        const std::size_t end = std::min(cells.size(), (run + 1) * Run);
+        for (std::size_t i = run * Run; i < end; ++i)
+        {
+          std::copy(cells[i].corner, cells[i].corner + 3, hull.connectivity.begin() + 3 * i);
+        }
+      });
+  }
+
+  void writeMixed(const Buffer<Cell>& cells, Hull& hull) const
+  {
+    const auto isPolygon = [this](const Cell& cell)
+    { return cell.corner[2] >= this->vertexCount(); };
+    const auto number = [this](const Cell& cell) { return cell.corner[2] - this->vertexCount(); };
+    hull.cellSize = 0;
+    hull.offsets.allocate(cells.size() + 1);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      hull.offsets[i] = static_cast<std::int64_t>(at);
+      at += isPolygon(cells[i]) ? this->polygons->size(number(cells[i])) : 3;
+    }
+    hull.offsets[cells.size()] = static_cast<std::int64_t>(at);
+    hull.connectivity.allocate(at);
+    std::int64_t* out = hull.connectivity.data();
+    for (const Cell& cell : cells)
+    {
+      const std::uint32_t* first =
+        isPolygon(cell) ? this->polygons->first(number(cell)) : cell.corner;
+      out =
+        std::copy(first, first + (isPolygon(cell) ? this->polygons->size(number(cell)) : 3), out);
+    }
+  }
+
+  const Polyhedron& polyhedron;
+  const Ranking ranking;
+  const std::unique_ptr<const Polygons> polygons; ///< null: no edge is flat
+};
 
 }
 
@@ -304,79 +424,10 @@ void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
   int exponent, FacetMode facets, int threads, Hull& hull)
 {
   hull.dimension = 3;
-  const Ranking ranking = rankVertices(polyhedron, duplicates, pointCount, hull.pointIds);
-  const std::uint32_t vertexCount = polyhedron.vertexCount();
-  const std::uint32_t triangleCount = polyhedron.triangleCount();
-
-  const std::unique_ptr<const Polygons> polygons(
-    anyFlat ? new Polygons(polyhedron, ranking) : nullptr);
-  const bool fans = facets == FacetMode::Triangles;
-  const auto eachPolygonCell = [&](auto&& use)
-  {
-    for (std::size_t p = 0; polygons && p < polygons->count(); ++p)
-    {
-      const std::uint32_t* corner = polygons->corners.data() + polygons->begin[p];
-      const std::size_t size = polygons->begin[p + 1] - polygons->begin[p];
-      if (!fans)
-      {
-        use(Cell{ { corner[0], corner[1], vertexCount + static_cast<std::uint32_t>(p) } });
-        continue;
-      }
-      for (std::size_t i = 2; i < size; ++i)
-      {
-        use(Cell{ { corner[0], corner[i - 1], corner[i] } });
-      }
-    }
-  };
-  const auto eachTriangle = [&](auto&& use)
-  {
-    tbb::parallel_for(std::size_t(0), runCount(triangleCount),
-      [&](std::size_t run)
-      {
-        const auto begin = static_cast<std::uint32_t>(run) * Run;
-        for (std::uint32_t t = begin; t < std::min(triangleCount, begin + Run); ++t)
-        {
-          const Triangle& triangle = polyhedron.triangles[t];
-          if (triangle.index == 0)
-          {
-            use(lowestFirst(ranking.rank[triangle.v[0]], ranking.rank[triangle.v[1]],
-              ranking.rank[triangle.v[2]]));
-          }
-        }
-      });
-  };
-
-  SortedCells sorted(vertexCount, threads > 1);
-  eachTriangle([&](const Cell& cell) { sorted.count(cell.corner[0]); });
-  eachPolygonCell([&](const Cell& cell) { sorted.count(cell.corner[0]); });
-  sorted.endCounting();
-  eachTriangle([&](const Cell& cell) { sorted.put(cell); });
-  eachPolygonCell([&](const Cell& cell) { sorted.put(cell); });
-  sorted.sort();
-
-  const Buffer<Cell>& cells = sorted.get();
-  if (!polygons || fans)
-  {
-    hull.cellSize = 3;
-    hull.connectivity.allocate(3 * cells.size());
-    tbb::parallel_for(std::size_t(0), runCount(cells.size()),
-      [&](std::size_t run)
-      {
-        for (std::size_t i = run * Run; i < std::min(cells.size(), (run + 1) * Run); ++i)
-        {
-          for (std::size_t k = 0; k < 3; ++k)
-          {
-            hull.connectivity[3 * i + k] = cells[i].corner[k];
-          }
-        }
-      });
-  }
-  else
-  {
-    writeMixed(cells, *polygons, vertexCount, hull);
-  }
-  measure([&](std::int64_t point) { return polyhedron.vertices[ranking.vertex[point]].x; }, range,
-    exponent, hull);
+  const Writer writer(
+    polyhedron, rankVertices(polyhedron, duplicates, pointCount, hull.pointIds), anyFlat);
+  writer.writeCells(facets, threads, hull);
+  writer.writeMeasure(range, exponent, hull);
 }
 
 }

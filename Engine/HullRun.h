@@ -60,7 +60,8 @@ public:
   /// The hull of all points.
   void hullOfPoints(Hull& hull);
 
-  /// Look at all points: range, non-finite ones by policy, arithmetic. False: there is no finite point.
+  /// Look at all points: range, non-finite ones by policy, arithmetic. False: there is no finite
+  /// point.
   /// @param kernel a further point that the arithmetic has to carry, or null
   /// @throw Error NonFinite
   bool inspect(Hull& hull, const double* kernel = nullptr);

@@ -1,109 +1,124 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Volume and area of a hull: rounded sums in a fixed order, so the same bits for any number of
-/// threads.
+/// Volume and area of a hull, summed so that the order of the triangles does not matter.
+///
+/// Each triangle's share is a rounded function of its corners, lowest first; the shares are added
+/// as integers, so the sum has the same bits whatever thread adds what when.
 #ifndef flipflop_Measure_h
 #define flipflop_Measure_h
 
 #include "CoordinateRange.h"
 #include "Hull.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <vector>
+#include <cstdint>
 
 namespace flipflop
 {
 
-/// Set volume (dimension 3) and area (dimensions 2 and 3) from the cells.
-/// @param position (std::int64_t point) -> const double*: scaled coordinates
-/// @param range    of the scaled coordinates
-/// @param exponent coordinates are scaled by 2^exponent
-template <class Position>
-void measure(const Position& position, const CoordinateRange& range, int exponent, Hull& hull)
+/// A sum of doubles in fixed point: 82 bits behind the point. The total stays below 2^12 in
+/// magnitude; each part of it below 2^62 for up to 2^31 terms.
+class FixedSum
 {
-  if (hull.dimension < 2)
+public:
+  void add(double value)
   {
-    return;
+    const double scaled = value * 0x1p50;
+    const auto whole = static_cast<std::int64_t>(scaled);
+    this->high += whole;
+    this->low += static_cast<std::int64_t>((scaled - static_cast<double>(whole)) * 0x1p31);
   }
-  // In units in which the bounding box is about one: nothing overflows on the way.
-  int shift[3];
-  int most = -5000;
-  for (int i = 0; i < 3; ++i)
+  void add(const FixedSum& other)
   {
-    const double extent = range.high[i] - range.low[i];
-    shift[i] = extent > 0 ? std::max(-1000, std::min(std::ilogb(extent), 1000)) : 0;
-    most = extent > 0 ? std::max(most, shift[i]) : most;
+    this->high += other.high;
+    this->low += other.low;
   }
-  const double* origin = position(hull.connectivity[0]);
-  double toUnit[3];
-  for (int i = 0; i < 3; ++i)
+  double value() const
   {
-    toUnit[i] = std::ldexp(1.0, -shift[i]);
-  }
-  const auto load = [&](std::int64_t point, double* x)
-  {
-    const double* p = position(point);
-    for (int i = 0; i < 3; ++i)
-    {
-      x[i] = (p[i] - origin[i]) * toUnit[i];
-    }
-  };
-  double toArea[3]; // from the unit of each axis to the unit of the longest
-  for (int i = 0; i < 3; ++i)
-  {
-    toArea[i] = std::ldexp(1.0, std::max(shift[i] - most, -1000));
+    return static_cast<double>(this->high) * 0x1p-50 + static_cast<double>(this->low) * 0x1p-81;
   }
 
-  constexpr std::int64_t Run = 1 << 13;
-  const std::int64_t cellCount = hull.cellCount();
-  const auto runs = static_cast<std::size_t>((cellCount + Run - 1) / Run);
-  std::vector<double> volume(runs, 0.0);
-  std::vector<double> area(runs, 0.0);
-  tbb::parallel_for(std::size_t(0), runs,
-    [&](std::size_t run)
+private:
+  std::int64_t high = 0;
+  std::int64_t low = 0;
+};
+
+/// Shares of one set of triangles; sets add up.
+class Measure
+{
+public:
+  /// @param range    of the scaled coordinates
+  /// @param exponent coordinates are scaled by 2^exponent
+  /// @param origin   of the volumes: the hull's first point
+  Measure(const CoordinateRange& range, int exponent, const double* origin)
+    : exponent(exponent)
+  {
+    // In units in which the bounding box is about one: nothing overflows on the way.
+    this->most = -1000;
+    for (int i = 0; i < 3; ++i)
     {
-      const std::int64_t begin = static_cast<std::int64_t>(run) * Run;
-      for (std::int64_t cell = begin; cell < std::min(cellCount, begin + Run); ++cell)
-      {
-        const std::int64_t first = hull.cellBegin(cell);
-        const std::int64_t last = hull.cellBegin(cell + 1);
-        double a[3], b[3], c[3];
-        load(hull.connectivity[first], a);
-        load(hull.connectivity[first + 1], b);
-        for (std::int64_t i = first + 2; i < last; ++i, std::copy(c, c + 3, b))
-        {
-          load(hull.connectivity[i], c);
-          double n[3], m[3];
-          for (int k = 0; k < 3; ++k)
-          {
-            const int p = (k + 1) % 3;
-            const int q = (k + 2) % 3;
-            n[k] = (b[p] - a[p]) * (c[q] - a[q]) - (b[q] - a[q]) * (c[p] - a[p]);
-            m[k] = n[k] * toArea[p] * toArea[q];
-          }
-          volume[run] += n[0] * a[0] + n[1] * a[1] + n[2] * a[2];
-          area[run] += std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-        }
-      }
-    });
-  double volumeSum = 0;
-  double areaSum = 0;
-  for (std::size_t run = 0; run < runs; ++run)
-  {
-    volumeSum += volume[run];
-    areaSum += area[run];
+      const double extent = range.high[i] - range.low[i];
+      this->shift[i] = extent > 0 ? std::max(-1000, std::min(std::ilogb(extent) + 1, 1000)) : 0;
+      this->most = extent > 0 ? std::max(this->most, this->shift[i]) : this->most;
+      this->toUnit[i] = std::ldexp(1.0, -this->shift[i]);
+      this->origin[i] = origin[i];
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      this->toArea[i] = std::ldexp(1.0, std::max(std::min(0, this->shift[i] - this->most), -1000));
+    }
   }
-  hull.area = std::ldexp(areaSum / 2, 2 * (most - exponent));
-  if (hull.dimension == 3)
+
+  void addTriangle(const double* first, const double* second, const double* third)
   {
-    hull.volume = std::ldexp(volumeSum / 6, shift[0] + shift[1] + shift[2] - 3 * exponent);
+    double a[3], b[3], c[3], n[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      a[i] = (first[i] - this->origin[i]) * this->toUnit[i];
+      b[i] = (second[i] - this->origin[i]) * this->toUnit[i];
+      c[i] = (third[i] - this->origin[i]) * this->toUnit[i];
+    }
+    double square = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int p = (i + 1) % 3;
+      const int q = (i + 2) % 3;
+      n[i] = (b[p] - a[p]) * (c[q] - a[q]) - (b[q] - a[q]) * (c[p] - a[p]);
+      const double m = n[i] * this->toArea[p] * this->toArea[q];
+      square += m * m;
+    }
+    this->volume.add(n[0] * a[0] + n[1] * a[1] + n[2] * a[2]);
+    this->area.add(std::sqrt(square));
   }
-}
+
+  void add(const Measure& other)
+  {
+    this->volume.add(other.volume);
+    this->area.add(other.area);
+  }
+
+  void write(Hull& hull) const
+  {
+    hull.area = std::ldexp(this->area.value() / 2, 2 * (this->most - this->exponent));
+    if (hull.dimension == 3)
+    {
+      hull.volume = std::ldexp(this->volume.value() / 6,
+        this->shift[0] + this->shift[1] + this->shift[2] - 3 * this->exponent);
+    }
+  }
+
+private:
+  int exponent;
+  int shift[3]; ///< units are 2^shift
+  int most;     ///< the greatest shift
+  double toUnit[3];
+  double toArea[3]; ///< from the unit of each axis to the unit of the longest
+  double origin[3];
+  FixedSum volume;
+  FixedSum area;
+};
 
 }
 

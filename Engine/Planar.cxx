@@ -175,6 +175,22 @@ std::vector<Vertex> polygon(const HullGeometry& geometry, const PointSource& sou
   return monotoneChain(geometry, kept, p, q);
 }
 
+void measurePolygon(
+  const std::vector<Vertex>& byId, const CoordinateRange& range, int exponent, Hull& hull)
+{
+  Measure total(range, exponent, byId[0].x);
+  for (std::int64_t cell = 0; cell < hull.cellCount(); ++cell)
+  {
+    const std::int64_t first = hull.cellBegin(cell);
+    for (std::int64_t i = first + 2; i < hull.cellBegin(cell + 1); ++i)
+    {
+      total.addTriangle(byId[hull.connectivity[first]].x, byId[hull.connectivity[i - 1]].x,
+        byId[hull.connectivity[i]].x);
+    }
+  }
+  total.write(hull);
+}
+
 void planeHull(
   const std::vector<Vertex>& corners, FacetMode facets, Hull& hull, std::vector<Vertex>& byId)
 {
@@ -247,7 +263,7 @@ void lowDimensionalHull(const HullGeometry& geometry, const PointSource& source,
     {
       std::vector<Vertex> byId;
       planeHull(polygon(geometry, source, span, checkFinite, monitor), facets, hull, byId);
-      measure([&](std::int64_t point) { return byId[point].x; }, range, exponent, hull);
+      measurePolygon(byId, range, exponent, hull);
       break;
     }
     default:
