@@ -165,7 +165,7 @@ private:
     }
     Geometry candidate = this->geometry;
     candidate.setKernel(s);
-    if (seesAll(candidate, polyhedron))
+    if (isFinite(s) && seesAll(candidate, polyhedron))
     {
       this->geometry = candidate;
     }

@@ -32,10 +32,11 @@ Arithmetic chooseArithmetic(const CoordinateRange& range)
     result.scaleExponent = -top;
     return result;
   }
-  // As near to one as possible without pushing the lowest bit below 2^-1074; 2^1021 at most.
+  // As near to one as possible without pushing the lowest bit below 2^-1074, and away from overflow
+  // if that too is possible: the filters take an overflow for "undecided".
   result.wide = true;
-  result.scaleExponent = std::max(-top, -1074 - bottom);
-  result.scaleExponent = std::min(result.scaleExponent, 1021 - top);
+  const int lossless = -1074 - bottom;
+  result.scaleExponent = std::max(std::min(std::max(-top, lossless), 1021 - top), lossless);
   return result;
 }
 

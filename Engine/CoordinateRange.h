@@ -27,7 +27,7 @@ struct Arithmetic
   bool wide = false;     ///< expansions do not carry the range: decide in wide integers
 };
 
-/// The scaling for a range. Differences of scaled coordinates never overflow.
+/// The scaling for a range.
 Arithmetic chooseArithmetic(const CoordinateRange& range);
 
 }

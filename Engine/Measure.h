@@ -59,11 +59,11 @@ public:
     this->most = -1000;
     for (int i = 0; i < 3; ++i)
     {
-      const double extent = range.high[i] - range.low[i];
-      this->shift[i] = extent > 0 ? std::max(-1000, std::min(std::ilogb(extent) + 1, 1000)) : 0;
+      const double extent = 0.5 * range.high[i] - 0.5 * range.low[i];
+      this->shift[i] = extent > 0 ? std::max(-1000, std::min(std::ilogb(extent) + 2, 1020)) : 0;
       this->most = extent > 0 ? std::max(this->most, this->shift[i]) : this->most;
       this->toUnit[i] = std::ldexp(1.0, -this->shift[i]);
-      this->origin[i] = origin[i];
+      this->origin[i] = origin[i] * this->toUnit[i];
     }
     for (int i = 0; i < 3; ++i)
     {
@@ -76,9 +76,9 @@ public:
     double a[3], b[3], c[3], n[3];
     for (int i = 0; i < 3; ++i)
     {
-      a[i] = (first[i] - this->origin[i]) * this->toUnit[i];
-      b[i] = (second[i] - this->origin[i]) * this->toUnit[i];
-      c[i] = (third[i] - this->origin[i]) * this->toUnit[i];
+      a[i] = first[i] * this->toUnit[i] - this->origin[i];
+      b[i] = second[i] * this->toUnit[i] - this->origin[i];
+      c[i] = third[i] * this->toUnit[i] - this->origin[i];
     }
     double square = 0;
     for (int i = 0; i < 3; ++i)
@@ -115,7 +115,7 @@ private:
   int most;     ///< the greatest shift
   double toUnit[3];
   double toArea[3]; ///< from the unit of each axis to the unit of the longest
-  double origin[3];
+  double origin[3]; ///< in units
   FixedSum volume;
   FixedSum area;
 };

@@ -3,6 +3,7 @@
 #include "StarShape.h"
 
 #include "LinearProgram.h"
+#include "PointSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,52 @@
 
 namespace flipflop
 {
+
+namespace
+{
+
+/// The bounding box as a unit cube, for the rounded parts: there nothing overflows.
+class UnitCube
+{
+public:
+  explicit UnitCube(const Polyhedron& polyhedron)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      double low = HUGE_VAL;
+      double high = -HUGE_VAL;
+      for (const Vertex& v : polyhedron.vertices)
+      {
+        low = std::min(low, v.x[i]);
+        high = std::max(high, v.x[i]);
+      }
+      this->middle[i] = 0.5 * low + 0.5 * high;
+      this->half[i] = 0.5 * high - 0.5 * low;
+    }
+  }
+
+  void map(const Vertex& v, double* x) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      x[i] = this->half[i] > 0 ? (v.x[i] - this->middle[i]) / this->half[i] : 0.0;
+    }
+  }
+
+  void unmap(const double* x, double* p) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] = this->middle[i] + x[i] * this->half[i];
+    }
+  }
+
+private:
+  double middle[3];
+  double half[3];
+};
+
+}
 
 StarFault findStarFault(const HullGeometry& geometry, const Polyhedron& polyhedron)
 {
@@ -38,7 +85,7 @@ StarFault findStarFault(const HullGeometry& geometry, const Polyhedron& polyhedr
   {
     for (const std::uint32_t corner : polyhedron.triangles[0].v)
     {
-      probe.x[i] += v[corner].x[i] / 3;
+      probe.x[i] += v[corner].x[i] * 0.3333;
     }
   }
   probe.id = NoIndex;
@@ -61,17 +108,14 @@ StarFault findStarFault(const HullGeometry& geometry, const Polyhedron& polyhedr
 
 bool isInsideOut(const Polyhedron& polyhedron)
 {
-  const Vertex* v = polyhedron.vertices.data();
+  const UnitCube unit(polyhedron);
   double volume = 0;
   for (const Triangle& t : polyhedron.triangles)
   {
     double x[3][3];
     for (int k = 0; k < 3; ++k)
     {
-      for (int i = 0; i < 3; ++i)
-      {
-        x[k][i] = v[t.v[k]].x[i] - v[polyhedron.triangles[0].v[0]].x[i];
-      }
+      unit.map(polyhedron.vertices[t.v[k]], x[k]);
     }
     volume += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) +
       x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2]) +
@@ -97,34 +141,16 @@ void turnOver(Polyhedron& polyhedron)
 
 bool seekKernel(const Polyhedron& polyhedron, double* kernel)
 {
-  double low[3], high[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    low[i] = HUGE_VAL;
-    high[i] = -HUGE_VAL;
-    for (const Vertex& v : polyhedron.vertices)
-    {
-      low[i] = std::min(low[i], v.x[i]);
-      high[i] = std::max(high[i], v.x[i]);
-    }
-  }
   // In the unit cube: n . x + margin <= n . a for every triangle with the unit normal n through a.
-  const auto toUnit = [&](const Vertex& v, double* x)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const double extent = high[i] - low[i];
-      x[i] = extent > 0 ? (v.x[i] - low[i]) / extent : 0.5;
-    }
-  };
+  const UnitCube unit(polyhedron);
   std::vector<HalfSpace<4>> constraints;
   constraints.reserve(polyhedron.triangles.size());
   for (const Triangle& t : polyhedron.triangles)
   {
     double a[3], b[3], c[3], n[3];
-    toUnit(polyhedron.vertices[t.v[0]], a);
-    toUnit(polyhedron.vertices[t.v[1]], b);
-    toUnit(polyhedron.vertices[t.v[2]], c);
+    unit.map(polyhedron.vertices[t.v[0]], a);
+    unit.map(polyhedron.vertices[t.v[1]], b);
+    unit.map(polyhedron.vertices[t.v[2]], c);
     for (int i = 0; i < 3; ++i)
     {
       const int p = (i + 1) % 3;
@@ -147,15 +173,12 @@ bool seekKernel(const Polyhedron& polyhedron, double* kernel)
   }
   const double objective[4] = { 0, 0, 0, 1 };
   double best[4];
-  if (!maximize<4>(objective, constraints, 2.0, best) || !(best[3] > 0))
+  if (!maximize<4>(objective, constraints, 4.0, best) || !(best[3] > 0))
   {
     return false;
   }
-  for (int i = 0; i < 3; ++i)
-  {
-    kernel[i] = low[i] + best[i] * (high[i] - low[i]);
-  }
-  return true;
+  unit.unmap(best, kernel);
+  return isFinite(kernel);
 }
 
 }
