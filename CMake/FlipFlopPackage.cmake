@@ -1,0 +1,47 @@
+# What find_package(FlipFlop) needs, in the build tree and installed; and the engine's own install rules.
+include(CMakePackageConfigHelpers)
+
+set(FlipFlop_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/FlipFlop")
+set(config_dir "${CMAKE_BINARY_DIR}/${FlipFlop_CMAKE_DESTINATION}")
+
+# The engine's public headers; the others are its own business.
+set(engine_headers
+  Buffer.h
+  ConvexHull.h
+  Error.h
+  FlipFlop.h
+  Hull.h
+  Options.h
+  PointView.h
+  Statistics.h
+  Validate.h)
+list(TRANSFORM engine_headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/Engine/")
+
+set_target_properties(FlipFlopEngine PROPERTIES
+  EXPORT_NAME Engine
+  INTERFACE_INCLUDE_DIRECTORIES
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Engine>;$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+install(TARGETS FlipFlopEngine EXPORT FlipFlopEngine
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+install(FILES ${engine_headers}
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/flipflop" COMPONENT development)
+
+# vtk_module_build() exports and installs the filters' targets in the same way.
+install(EXPORT FlipFlopEngine
+  NAMESPACE FlipFlop::
+  FILE FlipFlopEngine-targets.cmake
+  DESTINATION "${FlipFlop_CMAKE_DESTINATION}"
+  COMPONENT development)
+export(EXPORT FlipFlopEngine
+  NAMESPACE FlipFlop::
+  FILE "${config_dir}/FlipFlopEngine-targets.cmake")
+
+configure_package_config_file(CMake/FlipFlopConfig.cmake.in "${config_dir}/FlipFlopConfig.cmake"
+  INSTALL_DESTINATION "${FlipFlop_CMAKE_DESTINATION}")
+write_basic_package_version_file("${config_dir}/FlipFlopConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${config_dir}/FlipFlopConfig.cmake"
+  "${config_dir}/FlipFlopConfigVersion.cmake"
+  DESTINATION "${FlipFlop_CMAKE_DESTINATION}"
+  COMPONENT development)

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFAlgorithm.h"
+
+#include "Error.h"
+#include "Hull.h"
+#include "Options.h"
+#include "vtkFFPointSource.h"
+
+#include "vtkErrorCode.h"
+#include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+// ParaView 5.11 carries a VTK 9.2 that has CheckAbort() already.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230000)
+#define VTK_FF_HAS_CHECK_ABORT 1
+#else
+#define VTK_FF_HAS_CHECK_ABORT 0
+#endif
+
+//------------------------------------------------------------------------------
+vtkFFAlgorithm::vtkFFAlgorithm()
+  : Engine(ENGINE_AUTOMATIC)
+  , NumberOfThreads(0)
+  , FacetMode(FACETS_AS_TRIANGLES)
+  , NonFinitePoints(NON_FINITE_ERROR)
+  , PassPointData(true)
+  , VisiblePointIds(false)
+  , VBiased(false)
+{
+  this->ResetReport();
+}
+
+//------------------------------------------------------------------------------
+vtkFFAlgorithm::~vtkFFAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::ResetReport()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->EngineUsed = ENGINE_NONE;
+  this->EngineReason = "no engine has run";
+  this->Dimension = -1;
+  this->Volume = 0.0;
+  this->Area = 0.0;
+
+  this->NumberOfInputPoints = 0;
+  this->NumberOfNonFinitePoints = 0;
+  this->NumberOfCulledPoints = 0;
+  this->NumberOfInsertions = 0;
+  this->NumberOfFlips22 = 0;
+  this->NumberOfFlips31 = 0;
+  this->NumberOfFlipsByVolume = 0;
+  this->NumberOfFlipsByDegree = 0;
+  this->NumberOfLabelledVertices = 0;
+  this->NumberOfEdgeChecks = 0;
+  this->NumberOfExactPredicates = 0;
+  this->NumberOfThreadsUsed = 0;
+
+  this->SecondsToScan = 0.0;
+  this->SecondsToLocate = 0.0;
+  this->SecondsToGrow = 0.0;
+  this->SecondsToFlip = 0.0;
+  this->SecondsToFinish = 0.0;
+  this->SecondsTotal = 0.0;
+
+  this->SetProgressRange(0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::AddToReport(const flipflop::Hull& hull)
+{
+  this->Dimension = std::max(this->Dimension, hull.dimension);
+  this->Volume += hull.volume;
+  this->Area += hull.area;
+  this->AddToReport(hull.statistics);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::AddToReport(const flipflop::Statistics& statistics)
+{
+  const auto add = [](vtkIdType& sum, std::int64_t n) { sum += static_cast<vtkIdType>(n); };
+  add(this->NumberOfInputPoints, statistics.points);
+  add(this->NumberOfNonFinitePoints, statistics.nonFinite);
+  add(this->NumberOfCulledPoints, statistics.culled);
+  add(this->NumberOfInsertions, statistics.insertions);
+  add(this->NumberOfFlips22, statistics.flips22);
+  add(this->NumberOfFlips31, statistics.flips31);
+  add(this->NumberOfFlipsByVolume, statistics.flipsV);
+  add(this->NumberOfFlipsByDegree, statistics.flipsD);
+  add(this->NumberOfLabelledVertices, statistics.labelled);
+  add(this->NumberOfEdgeChecks, statistics.edgeChecks);
+  add(this->NumberOfExactPredicates, statistics.exactCalls);
+  this->NumberOfThreadsUsed = std::max(this->NumberOfThreadsUsed, statistics.threads);
+
+  this->SecondsToScan += statistics.secondsScan;
+  this->SecondsToLocate += statistics.secondsLocate;
+  this->SecondsToGrow += statistics.secondsGrow;
+  this->SecondsToFlip += statistics.secondsFlip;
+  this->SecondsToFinish += statistics.secondsFinish;
+  this->SecondsTotal += statistics.secondsTotal;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::ReportError(const std::string& message)
+{
+  this->SetErrorCode(vtkErrorCode::UserError);
+  vtkErrorMacro(<< message);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::ChooseEngine()
+{
+  if (this->Engine == ENGINE_CUDA)
+  {
+    this->EngineReason = "the CUDA engine was asked for, and this build has none";
+    this->ReportError("The CUDA engine was asked for, but this build of FlipFlop has none. Use "
+                      "SetEngineToAutomatic() or SetEngineToCPU().");
+    return false;
+  }
+  this->EngineUsed = ENGINE_CPU;
+  this->EngineReason = this->Engine == ENGINE_CPU ? "the CPU engine was asked for"
+                                                  : "this build has no other engine than the CPU's";
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::RunEngine(const std::function<void(const flipflop::Options&)>& work)
+{
+  if (!this->ChooseEngine())
+  {
+    return false;
+  }
+  try
+  {
+    flipflop::Options options;
+    options.threads = this->NumberOfThreads > 0 ? this->NumberOfThreads
+                                                : vtkSMPTools::GetEstimatedNumberOfThreads();
+    options.facets = this->FacetMode == FACETS_AS_POLYGONS ? flipflop::FacetMode::Polygons
+                                                           : flipflop::FacetMode::Triangles;
+    options.nonFinite = this->NonFinitePoints == NON_FINITE_IGNORE
+      ? flipflop::NonFinitePolicy::Ignore
+      : flipflop::NonFinitePolicy::Error;
+    options.vBiased = this->VBiased;
+    options.progress = &vtkFFAlgorithm::ForwardProgress;
+    options.progressContext = this;
+    work(options);
+    return true;
+  }
+  catch (const flipflop::Error& error)
+  {
+    if (error.code() == flipflop::ErrorCode::NonFinite)
+    {
+      this->NumberOfNonFinitePoints = static_cast<vtkIdType>(error.count());
+    }
+    if (error.code() != flipflop::ErrorCode::Aborted)
+    {
+      this->ReportError(this->DescribeError(error));
+    }
+  }
+  catch (const vtkFFInexactCoordinate& error)
+  {
+    this->ReportError("A coordinate is a 64-bit integer that no double holds: first at " +
+      this->DescribePoint(error.GetIndex()) + ". Subtract an offset from the points.");
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->ReportError("There is not enough memory for this input.");
+  }
+  catch (const std::exception& error)
+  {
+    this->ReportError(error.what());
+  }
+  catch (...)
+  {
+    this->ReportError("The engine failed for an unknown reason.");
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::SetProgressRange(double begin, double end)
+{
+  this->ProgressBegin = begin;
+  this->ProgressEnd = end;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::ForwardProgress(double fraction, void* self)
+{
+  auto* filter = static_cast<vtkFFAlgorithm*>(self);
+  filter->UpdateProgress(
+    filter->ProgressBegin + fraction * (filter->ProgressEnd - filter->ProgressBegin));
+  return !filter->IsAbortRequested();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::IsAbortRequested()
+{
+#if VTK_FF_HAS_CHECK_ABORT
+  return this->CheckAbort();
+#else
+  return this->GetAbortExecute() != 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFAlgorithm::DescribePoint(vtkIdType index)
+{
+  return "point " + std::to_string(index);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFAlgorithm::DescribeTriangle(vtkIdType index)
+{
+  return "cell " + std::to_string(index);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
+{
+  using flipflop::ErrorCode;
+  const auto index = static_cast<vtkIdType>(error.index());
+  const std::string count = std::to_string(error.count());
+  switch (error.code())
+  {
+    case ErrorCode::NonFinite:
+      return "A coordinate is NaN or infinite: first at " + this->DescribePoint(index) + ", " +
+        count + " such point(s) in all. Remove them, or use SetNonFinitePointsToIgnore().";
+    case ErrorCode::TooManyPoints:
+      return count + " points are more than 32-bit indices can name.";
+    case ErrorCode::OutOfMemory:
+      return "There is not enough memory for this input: " + count + " bytes were refused.";
+    case ErrorCode::Aborted:
+      return "The run was aborted.";
+    case ErrorCode::BadArgument:
+      return "The engine was called with an invalid argument.";
+    case ErrorCode::BadTriangle:
+      return "A triangle names a point that does not exist, or the same point twice: first at " +
+        this->DescribeTriangle(index) + ", " + count + " such triangle(s) in all.";
+    case ErrorCode::NotClosed:
+      return "The surface is not closed: first at " + this->DescribeTriangle(index) +
+        ", which has an edge that no other triangle shares; " + count + " such edge(s) in all.";
+    case ErrorCode::NotManifold:
+      return "The surface is not a manifold: first at " + this->DescribeTriangle(index) +
+        ", which has an edge of three or more triangles, or a vertex where several fans of "
+        "triangles meet; " +
+        count + " such edge(s) and vertices in all.";
+    case ErrorCode::NotOriented:
+      return "The surface is not oriented consistently: first at " + this->DescribeTriangle(index) +
+        ", whose neighbour runs their shared edge the same way. vtkPolyDataNormals can mend that.";
+    case ErrorCode::NotStarShaped:
+      return "The surface is not star-shaped: the kernel point does not see the inside of " +
+        this->DescribeTriangle(index) + "; " + count + " such triangle(s) in all.";
+    case ErrorCode::NoKernel:
+      return "The surface is not star-shaped, or no point was found from which it is. Give one "
+             "with SetKernelPoint() and UseKernelPointOn().";
+  }
+  return error.what();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetEngineAsString()
+{
+  return this->Engine == ENGINE_CUDA ? "CUDA" : this->Engine == ENGINE_CPU ? "CPU" : "Automatic";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetEngineUsedAsString()
+{
+  return this->EngineUsed == ENGINE_CUDA ? "CUDA" : this->EngineUsed == ENGINE_CPU ? "CPU" : "None";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetFacetModeAsString()
+{
+  return this->FacetMode == FACETS_AS_POLYGONS ? "Polygons" : "Triangles";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetNonFinitePointsAsString()
+{
+  return this->NonFinitePoints == NON_FINITE_IGNORE ? "Ignore" : "Error";
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+
+  const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
+  os << indent << "Engine: " << this->GetEngineAsString() << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "FacetMode: " << this->GetFacetModeAsString() << "\n";
+  os << indent << "NonFinitePoints: " << this->GetNonFinitePointsAsString() << "\n";
+  os << indent << "PassPointData: " << onOff(this->PassPointData) << "\n";
+  os << indent << "VisiblePointIds: " << onOff(this->VisiblePointIds) << "\n";
+  os << indent << "VBiased: " << onOff(this->VBiased) << "\n";
+  os << indent << "EngineUsed: " << this->GetEngineUsedAsString() << "\n";
+  os << indent << "EngineReason: " << this->EngineReason << "\n";
+  os << indent << "Dimension: " << this->Dimension << "\n";
+  os << indent << "Volume: " << this->Volume << "\n";
+  os << indent << "Area: " << this->Area << "\n";
+  os << indent << "NumberOfInputPoints: " << this->NumberOfInputPoints << "\n";
+  os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
+  os << indent << "NumberOfCulledPoints: " << this->NumberOfCulledPoints << "\n";
+  os << indent << "NumberOfInsertions: " << this->NumberOfInsertions << "\n";
+  os << indent << "NumberOfFlips22: " << this->NumberOfFlips22 << "\n";
+  os << indent << "NumberOfFlips31: " << this->NumberOfFlips31 << "\n";
+  os << indent << "NumberOfFlipsByVolume: " << this->NumberOfFlipsByVolume << "\n";
+  os << indent << "NumberOfFlipsByDegree: " << this->NumberOfFlipsByDegree << "\n";
+  os << indent << "NumberOfLabelledVertices: " << this->NumberOfLabelledVertices << "\n";
+  os << indent << "NumberOfEdgeChecks: " << this->NumberOfEdgeChecks << "\n";
+  os << indent << "NumberOfExactPredicates: " << this->NumberOfExactPredicates << "\n";
+  os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
+  os << indent << "SecondsToScan: " << this->SecondsToScan << "\n";
+  os << indent << "SecondsToLocate: " << this->SecondsToLocate << "\n";
+  os << indent << "SecondsToGrow: " << this->SecondsToGrow << "\n";
+  os << indent << "SecondsToFlip: " << this->SecondsToFlip << "\n";
+  os << indent << "SecondsToFinish: " << this->SecondsToFinish << "\n";
+  os << indent << "SecondsTotal: " << this->SecondsTotal << "\n";
+}

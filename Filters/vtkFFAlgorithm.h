@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFAlgorithm
+ * @brief   what the Flip-Flop filters have in common
+ *
+ * vtkFFAlgorithm is the abstract superclass of the filters that run the Flip-Flop engine. It holds
+ * the choices that all of them offer (which engine, how many threads, what to do with points that
+ * are not finite, how facets are given, whether point data is passed), and what a run reports: the
+ * dimension, volume and area of the result, which engine ran and why, and the statistics that the
+ * paper gives for its own runs.
+ *
+ * The filters are exact: every branch that decides the output is taken on the exact sign of a
+ * determinant, so no tolerance exists and none can be set. The output is a function of the input
+ * alone. It does not depend on the engine, nor on the number of threads.
+ *
+ * An error is reported with vtkErrorMacro, in a sentence that names what is wrong and where. The
+ * output is empty then, and GetErrorCode() differs from vtkErrorCode::NoError. A run reports
+ * progress, and stops soon after it is asked to abort; its output is empty then, too.
+ *
+ * The algorithm is that of
+ *
+ * Mingcen Gao, Thanh-Tung Cao, Tiow-Seng Tan and Zhiyong Huang: "Flip-Flop: Convex Hull
+ * Construction via Star-Shaped Polyhedron in 3D". Proceedings of the ACM SIGGRAPH Symposium on
+ * Interactive 3D Graphics and Games (I3D), 2013.
+ *
+ * @sa
+ * vtkFFHullFilter vtkFFConvexifyFilter
+ */
+
+#ifndef vtkFFAlgorithm_h
+#define vtkFFAlgorithm_h
+
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#ifndef __VTK_WRAP__
+#include <functional> // For std::function
+#include <string>     // For std::string
+
+namespace flipflop
+{
+class Error;
+struct Hull;
+struct Options;
+struct Statistics;
+}
+#endif
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkFFAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The engines that can do the work. ENGINE_NONE is what GetEngineUsed() returns before a run.
+   */
+  enum EngineType
+  {
+    ENGINE_NONE = -1,
+    ENGINE_AUTOMATIC = 0,
+    ENGINE_CPU = 1,
+    ENGINE_CUDA = 2
+  };
+
+  /**
+   * How a flat facet of the result is given.
+   */
+  enum FacetModeType
+  {
+    FACETS_AS_TRIANGLES = 0,
+    FACETS_AS_POLYGONS = 1
+  };
+
+  /**
+   * What to do with points that have a NaN or infinite coordinate.
+   */
+  enum NonFinitePointsType
+  {
+    NON_FINITE_ERROR = 0,
+    NON_FINITE_IGNORE = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get the engine. ENGINE_AUTOMATIC (the default) takes the fastest one that can do the work.
+   * Asking for an engine that this build does not have is an error, and gives an empty output.
+   * Whatever engine runs, the output is the same.
+   */
+  vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_CUDA);
+  vtkGetMacro(Engine, int);
+  void SetEngineToAutomatic() { this->SetEngine(ENGINE_AUTOMATIC); }
+  void SetEngineToCPU() { this->SetEngine(ENGINE_CPU); }
+  void SetEngineToCUDA() { this->SetEngine(ENGINE_CUDA); }
+  const char* GetEngineAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE where none ran), and
+   * why it was that one, in words.
+   */
+  vtkGetMacro(EngineUsed, int);
+  const char* GetEngineUsedAsString();
+  const char* GetEngineReason() { return this->EngineReason; }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of threads. 0 (the default) takes as many as vtkSMPTools would. The output
+   * does not depend on it.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how facets are given: as triangles (the default), where a facet of more than three
+   * corners is a fan from the corner of lowest id, or as one polygon a facet.
+   */
+  vtkSetClampMacro(FacetMode, int, FACETS_AS_TRIANGLES, FACETS_AS_POLYGONS);
+  vtkGetMacro(FacetMode, int);
+  void SetFacetModeToTriangles() { this->SetFacetMode(FACETS_AS_TRIANGLES); }
+  void SetFacetModeToPolygons() { this->SetFacetMode(FACETS_AS_POLYGONS); }
+  const char* GetFacetModeAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what to do with points that have a NaN or infinite coordinate: an error that names the
+   * first one (the default), or leave them out and count them in GetNumberOfNonFinitePoints().
+   */
+  vtkSetClampMacro(NonFinitePoints, int, NON_FINITE_ERROR, NON_FINITE_IGNORE);
+  vtkGetMacro(NonFinitePoints, int);
+  void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
+  void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
+  const char* GetNonFinitePointsAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the input's point data arrays are passed to the output's points, in their full
+   * type and precision. On by default.
+   */
+  vtkSetMacro(PassPointData, bool);
+  vtkGetMacro(PassPointData, bool);
+  vtkBooleanMacro(PassPointData, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the output's point array vtkOriginalPointIds is given a second time under the
+   * name OriginalPointIds: some applications hide the first name from their users. Off by default.
+   */
+  vtkSetMacro(VisiblePointIds, bool);
+  vtkGetMacro(VisiblePointIds, bool);
+  vtkBooleanMacro(VisiblePointIds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
+   * 2.3), which flips by the volume criterion alone as long as it can. The output is the same; the
+   * statistics are not. Off by default.
+   */
+  vtkSetMacro(VBiased, bool);
+  vtkGetMacro(VBiased, bool);
+  vtkBooleanMacro(VBiased, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Get what the last run found: the dimension of the input's extent (-1 for no point, 0 for one
+   * position, 1 for collinear points, 2 for coplanar ones, else 3), the volume of the result (0
+   * below dimension 3), and the area of its surface (of the polygon, once, in dimension 2; 0
+   * below). For several blocks with a result each: the greatest dimension, and the sums.
+   */
+  vtkGetMacro(Dimension, int);
+  vtkGetMacro(Volume, double);
+  vtkGetMacro(Area, double);
+  ///@}
+
+  ///@{
+  /**
+   * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
+   * each. 0 before a run.
+   *
+   * - InputPoints: points given
+   * - NonFinitePoints: points left out (or, after an error, found) with a NaN or infinite
+   * coordinate
+   * - CulledPoints: points found inside without being associated to a triangle
+   * - Insertions: vertices inserted while growing (1-3 flips), over all levels
+   * - Flips22, Flips31: 2-2 flips and 3-1 flips
+   * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume) and the D-criterion (degree)
+   * - LabelledVertices: vertices labelled non-extreme
+   * - EdgeChecks: edges examined for a flip
+   * - ExactPredicates: predicates that the floating-point filter left undecided
+   * - ThreadsUsed: threads that the run was given
+   */
+  vtkGetMacro(NumberOfInputPoints, vtkIdType);
+  vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
+  vtkGetMacro(NumberOfCulledPoints, vtkIdType);
+  vtkGetMacro(NumberOfInsertions, vtkIdType);
+  vtkGetMacro(NumberOfFlips22, vtkIdType);
+  vtkGetMacro(NumberOfFlips31, vtkIdType);
+  vtkGetMacro(NumberOfFlipsByVolume, vtkIdType);
+  vtkGetMacro(NumberOfFlipsByDegree, vtkIdType);
+  vtkGetMacro(NumberOfLabelledVertices, vtkIdType);
+  vtkGetMacro(NumberOfEdgeChecks, vtkIdType);
+  vtkGetMacro(NumberOfExactPredicates, vtkIdType);
+  vtkGetMacro(NumberOfThreadsUsed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Get the seconds that the last run took, by stage; sums for several blocks with a result each.
+   * Scan, Locate, Finish and Total are wall time; Grow and Flip are summed over the threads.
+   *
+   * - Scan: ranges, points that are not finite, the first polyhedron
+   * - Locate: culling, associating points to triangles
+   * - Grow: growing the star-shaped polyhedron (the paper's Algorithm 2)
+   * - Flip: flipping it to convexity (the paper's Algorithm 1)
+   * - Finish: true facets and the canonical order
+   * - Total: the whole run of the engine
+   */
+  vtkGetMacro(SecondsToScan, double);
+  vtkGetMacro(SecondsToLocate, double);
+  vtkGetMacro(SecondsToGrow, double);
+  vtkGetMacro(SecondsToFlip, double);
+  vtkGetMacro(SecondsToFinish, double);
+  vtkGetMacro(SecondsTotal, double);
+  ///@}
+
+protected:
+  vtkFFAlgorithm();
+  ~vtkFFAlgorithm() override;
+
+#ifndef __VTK_WRAP__
+  /**
+   * Forget what the last run reported. The first act of a subclass's RequestData.
+   */
+  void ResetReport();
+
+  /**
+   * Add a result to what this run reports.
+   */
+  void AddToReport(const flipflop::Hull& hull);
+  void AddToReport(const flipflop::Statistics& statistics);
+
+  /**
+   * Run @p work with the options set here, guarded: whatever it throws becomes an error (an abort
+   * becomes none). False when it threw. No exception leaves this.
+   */
+  bool RunEngine(const std::function<void(const flipflop::Options&)>& work);
+
+  /**
+   * Report an error: the message, and the error code that tells callers of the failure.
+   */
+  void ReportError(const std::string& message);
+
+  /**
+   * Where progress of the next RunEngine() lies within the filter's own: the whole by default.
+   */
+  void SetProgressRange(double begin, double end);
+
+  /**
+   * Whether somebody asked this filter to stop.
+   */
+  bool IsAbortRequested();
+
+  ///@{
+  /**
+   * The names under which errors speak of a point and of a triangle that the engine counts as
+   * @p index: "point 7", "cell 7". Subclasses know better what the engine was given.
+   */
+  virtual std::string DescribePoint(vtkIdType index);
+  virtual std::string DescribeTriangle(vtkIdType index);
+  ///@}
+
+  /**
+   * What is wrong, where, how often, and what helps: an engine's error as a sentence.
+   */
+  virtual std::string DescribeError(const flipflop::Error& error);
+#endif
+
+  int Engine;
+  int NumberOfThreads;
+  int FacetMode;
+  int NonFinitePoints;
+  bool PassPointData;
+  bool VisiblePointIds;
+  bool VBiased;
+
+private:
+  vtkFFAlgorithm(const vtkFFAlgorithm&) = delete;
+  void operator=(const vtkFFAlgorithm&) = delete;
+
+#ifndef __VTK_WRAP__
+  bool ChooseEngine();
+  static bool ForwardProgress(double fraction, void* self);
+#endif
+
+  int EngineUsed;
+  const char* EngineReason;
+  int Dimension;
+  double Volume;
+  double Area;
+
+  vtkIdType NumberOfInputPoints;
+  vtkIdType NumberOfNonFinitePoints;
+  vtkIdType NumberOfCulledPoints;
+  vtkIdType NumberOfInsertions;
+  vtkIdType NumberOfFlips22;
+  vtkIdType NumberOfFlips31;
+  vtkIdType NumberOfFlipsByVolume;
+  vtkIdType NumberOfFlipsByDegree;
+  vtkIdType NumberOfLabelledVertices;
+  vtkIdType NumberOfEdgeChecks;
+  vtkIdType NumberOfExactPredicates;
+  int NumberOfThreadsUsed;
+
+  double SecondsToScan;
+  double SecondsToLocate;
+  double SecondsToGrow;
+  double SecondsToFlip;
+  double SecondsToFinish;
+  double SecondsTotal;
+
+  double ProgressBegin;
+  double ProgressEnd;
+};
+
+#endif

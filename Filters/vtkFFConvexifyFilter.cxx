@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFConvexifyFilter.h"
+
+#include "vtkFFOutput.h"
+#include "vtkFFPointSource.h"
+
+#include "FlipFlop.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <sstream>
+
+vtkStandardNewMacro(vtkFFConvexifyFilter);
+
+namespace
+{
+
+/// The corners of cells that all are triangles; copied only when they are not 64-bit integers.
+class Triangles
+{
+public:
+  explicit Triangles(vtkCellArray* cells)
+  {
+    this->View.count = cells->GetNumberOfCells();
+    vtkDataArray* corners = cells->GetConnectivityArray();
+    if (auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(corners))
+    {
+      static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same type by two names");
+      this->View.corners = reinterpret_cast<const std::int64_t*>(wide->GetPointer(0));
+      return;
+    }
+    this->Copy.allocate(3 * static_cast<std::size_t>(this->View.count));
+    auto* narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfValues(); ++i)
+    {
+      this->Copy[static_cast<std::size_t>(i)] = narrow
+        ? static_cast<std::int64_t>(narrow->GetValue(i))
+        : static_cast<std::int64_t>(corners->GetComponent(i, 0));
+    }
+    this->View.corners = this->Copy.data();
+  }
+
+  const flipflop::TriangleView& GetView() const { return this->View; }
+
+private:
+  flipflop::TriangleView View;
+  flipflop::Buffer<std::int64_t> Copy;
+};
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFConvexifyFilter::vtkFFConvexifyFilter()
+  : KernelPoint{ 0.0, 0.0, 0.0 }
+  , UseKernelPoint(false)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
+
+//------------------------------------------------------------------------------
+int vtkFFConvexifyFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFConvexifyFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->ResetReport();
+  if (!this->CheckCells(input) || !this->Convexify(input, output))
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFConvexifyFilter::CheckCells(vtkPolyData* input)
+{
+  // Cells are counted as vtkPolyData does: vertices, lines, polygons, strips.
+  const char* kind = nullptr;
+  vtkIdType cell = 0;
+  vtkCellArray* polys = input->GetPolys();
+  if (input->GetNumberOfVerts() > 0)
+  {
+    kind = "a vertex cell";
+  }
+  else if (input->GetNumberOfLines() > 0)
+  {
+    kind = "a line cell";
+  }
+  else
+  {
+    const vtkIdType count = polys->GetNumberOfCells();
+    if (polys->IsHomogeneous() != 3)
+    {
+      while (cell < count && polys->GetCellSize(cell) == 3)
+      {
+        ++cell;
+      }
+    }
+    else
+    {
+      cell = count;
+    }
+    kind = cell < count                ? "a polygon"
+      : input->GetNumberOfStrips() > 0 ? "a triangle strip"
+                                       : nullptr;
+  }
+  if (kind)
+  {
+    std::ostringstream message;
+    message << "Every cell of the input must be a triangle, but cell " << cell << " is " << kind;
+    if (cell < polys->GetNumberOfCells() && input->GetNumberOfVerts() == 0 &&
+      input->GetNumberOfLines() == 0)
+    {
+      message << " of " << polys->GetCellSize(cell) << " points";
+    }
+    message << ". vtkTriangleFilter makes triangles of polygons and strips.";
+    this->ReportError(message.str());
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
+{
+  const double* kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
+  if (kernel && !std::all_of(kernel, kernel + 3, [](double x) { return vtkMath::IsFinite(x); }))
+  {
+    std::ostringstream message;
+    message << "The kernel point (" << kernel[0] << ", " << kernel[1] << ", " << kernel[2]
+            << ") is not finite.";
+    this->ReportError(message.str());
+    return false;
+  }
+
+  const auto work = [&](const flipflop::Options& chosen)
+  {
+    flipflop::Options options = chosen;
+    options.nonFinite = flipflop::NonFinitePolicy::Error;
+
+    vtkPoints* points = input->GetPoints();
+    const vtkFFPointSource source(points ? points->GetData() : nullptr);
+    const Triangles triangles(input->GetPolys());
+    flipflop::Hull hull;
+    if (triangles.GetView().count > 0)
+    {
+      hull = flipflop::flipFlop(source.GetView(), triangles.GetView(), kernel, options);
+    }
+    this->AddToReport(hull);
+
+    output->SetPoints(
+      source.Gather(hull.pointIds.data(), static_cast<vtkIdType>(hull.pointIds.size())));
+    vtkFFOutput::AdoptCells(hull, output);
+    const auto ids = vtkFFOutput::AdoptIds(hull.pointIds);
+    if (this->PassPointData)
+    {
+      vtkFFOutput::CopyPointData(
+        { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetPointData());
+    }
+    vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetPointData());
+  };
+  return this->RunEngine(work);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "KernelPoint: (" << this->KernelPoint[0] << ", " << this->KernelPoint[1] << ", "
+     << this->KernelPoint[2] << ")\n";
+  os << indent << "UseKernelPoint: " << (this->UseKernelPoint ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFConvexifyFilter
+ * @brief   a star-shaped surface to its convex hull, by flips
+ *
+ * vtkFFConvexifyFilter is the Flip-Flop algorithm itself (Algorithm 1 of the paper named in
+ * vtkFFAlgorithm): it turns a star-shaped polyhedron into its convex hull by local flips. It takes
+ * time in the order of what is to be flipped, so a surface that is nearly convex, such as a hull
+ * whose points have moved a little, is done sooner than a hull from scratch.
+ *
+ * The input is a vtkPolyData of triangles that form a closed, consistently oriented manifold;
+ * whether its normals point outward or inward does not matter. It must be star-shaped: there is a
+ * kernel point that strictly sees the inside of every triangle. Give that point with
+ * SetKernelPoint() and UseKernelPointOn(), or have one sought (the default). Whether the surface is
+ * star-shaped from it is decided exactly.
+ *
+ * The output is the exact hull in the same canonical form as vtkFFHullFilter's, with the same
+ * arrays. Points that no triangle uses do not count. An input without cells gives an empty output.
+ *
+ * These are errors, which name the first cell at fault and give an empty output: a cell that is no
+ * triangle (also vertices, lines and strips), a triangle with a corner that does not exist or is
+ * used twice, a surface that is not closed, not a manifold or not oriented consistently, and one
+ * that is not star-shaped from the kernel point. A NaN or infinite coordinate of a used point is
+ * always an error: without its point, a surface would not be closed.
+ *
+ * @sa
+ * vtkFFAlgorithm vtkFFHullFilter vtkTriangleFilter vtkPolyDataNormals
+ */
+
+#ifndef vtkFFConvexifyFilter_h
+#define vtkFFConvexifyFilter_h
+
+#include "vtkFFAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFConvexifyFilter : public vtkFFAlgorithm
+{
+public:
+  static vtkFFConvexifyFilter* New();
+  vtkTypeMacro(vtkFFConvexifyFilter, vtkFFAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the kernel point, which strictly sees the inside of every triangle. Used only if
+   * UseKernelPoint is on. (0, 0, 0) by default.
+   */
+  vtkSetVector3Macro(KernelPoint, double);
+  vtkGetVector3Macro(KernelPoint, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether KernelPoint is used. Off by default: a kernel point is sought.
+   */
+  vtkSetMacro(UseKernelPoint, bool);
+  vtkGetMacro(UseKernelPoint, bool);
+  vtkBooleanMacro(UseKernelPoint, bool);
+  ///@}
+
+protected:
+  vtkFFConvexifyFilter();
+  ~vtkFFConvexifyFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  double KernelPoint[3];
+  bool UseKernelPoint;
+
+private:
+  vtkFFConvexifyFilter(const vtkFFConvexifyFilter&) = delete;
+  void operator=(const vtkFFConvexifyFilter&) = delete;
+
+#ifndef __VTK_WRAP__
+  bool CheckCells(vtkPolyData* input);
+  bool Convexify(vtkPolyData* input, vtkPolyData* output);
+#endif
+};
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFHullFilter
+ * @brief   the exact convex hull of points in 3D
+ *
+ * vtkFFHullFilter gives the convex hull of the points of any vtkPointSet, as a vtkPolyData. Cells
+ * of the input do not matter. The hull is exact for every finite input: no tolerance decides
+ * anything, whether the points are nearly coplanar, far from the origin, or 1e300 apart.
+ *
+ * The algorithm is ffHull of the paper named in vtkFFAlgorithm. A tetrahedron is grown into a
+ * star-shaped polyhedron by inserting, for each of its triangles, a point far outside it; all
+ * triangles can grow at the same time. Flip-Flop then turns the polyhedron into the convex hull by
+ * local flips: an edge is flipped when that increases the volume (the V-criterion), or when it
+ * decreases the degree of a vertex known not to be extreme (the D-criterion), which is removed in
+ * the end.
+ *
+ * What comes out is the canonical form of the hull, a function of the input alone:
+ *
+ * - The points are the strictly extreme points, by ascending id. Points inside a facet or an edge
+ * of the hull are not part; the lowest id stands for all points of one position. They have the type
+ *   and the bits of the input's points (floats stay floats).
+ * - The cells are the true facets, counter-clockwise from outside: as triangles, or as one polygon
+ * a facet (see SetFacetMode()). Each starts at its lowest id; all are in lexicographic order.
+ * - The point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each point has in the
+ *   input. The input's point data is passed, unless PassPointData is off.
+ *
+ * Every input has an answer:
+ *
+ * | input                      | output                                                           |
+ * |----------------------------|------------------------------------------------------------------|
+ * | no point                   | empty, dimension -1, no error                                    |
+ * | one position               | one vertex cell                                                  |
+ * | collinear points           | one line cell between the two ends                               |
+ * | coplanar points            | one polygon, once (or its triangles)                             |
+ * | duplicates                 | the lowest id stands for all                                     |
+ * | NaN or infinite coordinate | an error naming the first point and the count, and empty output; |
+ * |                            | or left out and counted: SetNonFinitePointsToIgnore()            |
+ * | too many points, no memory | an error, and empty output                                       |
+ *
+ * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
+ * vtkDataObjectTrees) gives a hull of each block, in a composite of the same structure (get it by
+ * GetOutputDataObject(0)), or one hull of all blocks; see SetCompositeMode(). In the latter case
+ * ids run on from block to block, and the point array BlockIndex (a vtkUnsignedIntArray) has the
+ * flat index of each point's block.
+ *
+ * @warning
+ * At most 2^32 - 2 points can be given.
+ *
+ * @sa
+ * vtkFFAlgorithm vtkFFConvexifyFilter vtkDelaunay3D
+ */
+
+#ifndef vtkFFHullFilter_h
+#define vtkFFHullFilter_h
+
+#include "vtkFFAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+#ifndef __VTK_WRAP__
+#include <vector> // For std::vector
+#endif
+
+class vtkPointSet;
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFAlgorithm
+{
+public:
+  static vtkFFHullFilter* New();
+  vtkTypeMacro(vtkFFHullFilter, vtkFFAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What a composite input gives.
+   */
+  enum CompositeModeType
+  {
+    HULL_OF_EACH_BLOCK = 0,
+    HULL_OF_ALL_BLOCKS = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get what a composite input gives: a hull of each block (the default), or one hull of the
+   * points of all blocks. Of no consequence for other inputs.
+   */
+  vtkSetClampMacro(CompositeMode, int, HULL_OF_EACH_BLOCK, HULL_OF_ALL_BLOCKS);
+  vtkGetMacro(CompositeMode, int);
+  void SetCompositeModeToEachBlock() { this->SetCompositeMode(HULL_OF_EACH_BLOCK); }
+  void SetCompositeModeToAllBlocks() { this->SetCompositeMode(HULL_OF_ALL_BLOCKS); }
+  const char* GetCompositeModeAsString();
+  ///@}
+
+  /**
+   * The output's type follows the input's and CompositeMode.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+protected:
+  vtkFFHullFilter();
+  ~vtkFFHullFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  virtual int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+#ifndef __VTK_WRAP__
+  std::string DescribePoint(vtkIdType index) override;
+#endif
+
+  int CompositeMode;
+
+private:
+  vtkFFHullFilter(const vtkFFHullFilter&) = delete;
+  void operator=(const vtkFFHullFilter&) = delete;
+
+#ifndef __VTK_WRAP__
+  /**
+   * A leaf of the input; index 0 is the input itself when that is no composite.
+   */
+  struct Block
+  {
+    vtkPointSet* Points;
+    unsigned int FlatIndex;
+  };
+
+  bool CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks);
+  bool BuildHull(const std::vector<Block>& blocks, vtkPolyData* output);
+
+  std::vector<Block> CurrentBlocks; // what the engine is working on
+#endif
+};
+
+#endif

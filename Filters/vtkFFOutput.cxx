@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFOutput.h"
+
+#include "Hull.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+namespace
+{
+
+/// Hands the buffer's memory to a VTK array of equally wide values; copies to narrower ones.
+template <class ArrayT>
+vtkSmartPointer<ArrayT> adopt(flipflop::Buffer<std::int64_t>& buffer)
+{
+  using Value = typename ArrayT::ValueType;
+  auto array = vtkSmartPointer<ArrayT>::New();
+  const auto size = static_cast<vtkIdType>(buffer.size());
+  if (size == 0)
+  {
+    return array;
+  }
+  if constexpr (sizeof(Value) == sizeof(std::int64_t))
+  {
+    array->SetArray(
+      reinterpret_cast<Value*>(buffer.release()), size, 0, ArrayT::VTK_DATA_ARRAY_FREE);
+  }
+  else
+  {
+    array->SetNumberOfValues(size);
+    std::transform(buffer.begin(), buffer.end(), array->GetPointer(0),
+      [](std::int64_t value) { return static_cast<Value>(value); });
+  }
+  return array;
+}
+
+/// A new array like this one: type, components, names, keys; room for count tuples.
+vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* array, vtkIdType count)
+{
+  // Of the same class, unless its layout is not the plain one: others can be read-only.
+  vtkSmartPointer<vtkAbstractArray> like;
+  const bool plain = !vtkDataArray::SafeDownCast(array) ||
+    array->GetArrayType() == vtkAbstractArray::AoSDataArrayTemplate;
+  like.TakeReference(
+    plain ? array->NewInstance() : vtkAbstractArray::CreateArray(array->GetDataType()));
+  if (like)
+  {
+    like->SetName(array->GetName());
+    like->SetNumberOfComponents(array->GetNumberOfComponents());
+    like->CopyComponentNames(array);
+    if (array->HasInformation())
+    {
+      like->CopyInformation(array->GetInformation());
+    }
+    auto* from = vtkDataArray::SafeDownCast(array);
+    auto* to = vtkDataArray::SafeDownCast(like);
+    if (from && to)
+    {
+      to->SetLookupTable(from->GetLookupTable());
+    }
+    like->SetNumberOfTuples(count);
+  }
+  return like;
+}
+
+/// The array of a further source that continues this one, null when there is none.
+vtkAbstractArray* findLike(const vtkFFOutput::Source& source, vtkAbstractArray* array)
+{
+  vtkAbstractArray* other =
+    array->GetName() ? source.Data->GetAbstractArray(array->GetName()) : nullptr;
+  const bool alike = other && other->GetDataType() == array->GetDataType() &&
+    other->GetNumberOfComponents() == array->GetNumberOfComponents();
+  return alike ? other : nullptr;
+}
+
+/// The points of one source among the output's: which they are there, and which here.
+struct Share
+{
+  vtkFFOutput::Source Source;
+  vtkNew<vtkIdList> From;
+  vtkNew<vtkIdList> To;
+
+  Share(const vtkFFOutput::Source& source, vtkIdType sourceBegin, const vtkIdType* ids,
+    vtkIdType begin, vtkIdType end)
+    : Source(source)
+  {
+    this->From->SetNumberOfIds(end - begin);
+    this->To->SetNumberOfIds(end - begin);
+    std::transform(ids + begin, ids + end, this->From->GetPointer(0),
+      [=](vtkIdType id) { return id - sourceBegin; });
+    std::iota(this->To->GetPointer(0), this->To->GetPointer(0) + (end - begin), begin);
+  }
+};
+
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkIdTypeArray> vtkFFOutput::AdoptIds(flipflop::Buffer<std::int64_t>& ids)
+{
+  return adopt<vtkIdTypeArray>(ids);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::AddIds(vtkIdTypeArray* ids, bool visible, vtkPointData* output)
+{
+  ids->SetName("vtkOriginalPointIds");
+  output->AddArray(ids);
+  if (visible)
+  {
+    vtkNew<vtkIdTypeArray> copy; // shares the memory
+    copy->ShallowCopy(ids);
+    copy->SetName("OriginalPointIds");
+    output->AddArray(copy);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::AdoptCells(flipflop::Hull& hull, vtkPolyData* output)
+{
+  if (hull.cellCount() == 0)
+  {
+    return;
+  }
+  vtkNew<vtkCellArray> cells;
+  const auto cellSize = static_cast<vtkIdType>(hull.cellSize);
+  const auto connectivity = adopt<vtkTypeInt64Array>(hull.connectivity);
+  if (cellSize > 0)
+  {
+    cells->SetData(cellSize, connectivity);
+  }
+  else
+  {
+    const auto offsets = adopt<vtkTypeInt64Array>(hull.offsets);
+    cells->SetData(offsets.Get(), connectivity.Get());
+  }
+  switch (hull.dimension)
+  {
+    case 0:
+      output->SetVerts(cells);
+      break;
+    case 1:
+      output->SetLines(cells);
+      break;
+    default:
+      output->SetPolys(cells);
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::CopyPointData(
+  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output)
+{
+  // Ascending ids: each source's are a range.
+  const vtkIdType count = ids->GetNumberOfValues();
+  const vtkIdType* first = ids->GetPointer(0);
+  std::vector<std::unique_ptr<Share>> shares;
+  vtkIdType sourceBegin = 0;
+  vtkIdType begin = 0;
+  for (const Source& source : sources)
+  {
+    const vtkIdType sourceEnd = sourceBegin + source.NumberOfPoints;
+    if (source.NumberOfPoints > 0)
+    {
+      const vtkIdType end = std::lower_bound(first + begin, first + count, sourceEnd) - first;
+      shares.push_back(std::make_unique<Share>(source, sourceBegin, first, begin, end));
+      begin = end;
+    }
+    sourceBegin = sourceEnd;
+  }
+  if (shares.empty())
+  {
+    return;
+  }
+
+  vtkPointData* leader = shares.front()->Source.Data;
+  for (int i = 0; i < leader->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = leader->GetAbstractArray(i);
+    std::vector<vtkAbstractArray*> parts;
+    for (const auto& share : shares)
+    {
+      vtkAbstractArray* part = share == shares.front() ? array : findLike(share->Source, array);
+      if (!part || part->GetNumberOfTuples() < share->Source.NumberOfPoints)
+      {
+        break;
+      }
+      parts.push_back(part);
+    }
+    const auto copy = parts.size() == shares.size() ? makeLike(array, count) : nullptr;
+    if (!copy)
+    {
+      continue;
+    }
+    for (std::size_t k = 0; k < parts.size(); ++k)
+    {
+      copy->InsertTuples(shares[k]->To, shares[k]->From, parts[k]);
+    }
+    const int index = output->AddArray(copy);
+    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+    {
+      if (leader->GetAbstractAttribute(attribute) == array)
+      {
+        output->SetActiveAttribute(index, attribute);
+      }
+    }
+  }
+}

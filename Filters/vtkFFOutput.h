@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFOutput
+ * @brief   the engine's results as VTK data
+ *
+ * vtkFFOutput turns what the engine gives into the parts of a vtkPolyData. The engine's buffers are
+ * adopted by the VTK arrays, not copied.
+ */
+
+#ifndef vtkFFOutput_h
+#define vtkFFOutput_h
+
+#include "Buffer.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkIdTypeArray;
+class vtkPointData;
+class vtkPolyData;
+
+namespace flipflop
+{
+struct Hull;
+}
+
+class vtkFFOutput
+{
+public:
+  /**
+   * A source of point data: the data itself, and how many points it belongs to.
+   */
+  struct Source
+  {
+    vtkPointData* Data;
+    vtkIdType NumberOfPoints;
+  };
+
+  /**
+   * The hull's ids as an array, which takes them over.
+   */
+  static vtkSmartPointer<vtkIdTypeArray> AdoptIds(flipflop::Buffer<std::int64_t>& ids);
+
+  /**
+   * Add the ids to the output's point data as vtkOriginalPointIds and, if @p visible, a second time
+   * as OriginalPointIds.
+   */
+  static void AddIds(vtkIdTypeArray* ids, bool visible, vtkPointData* output);
+
+  /**
+   * The hull's cells as vertices, lines or polygons of @p output, which takes them over.
+   */
+  static void AdoptCells(flipflop::Hull& hull, vtkPolyData* output);
+
+  /**
+   * The point data of the points named by @p ids, ascending, where the points of @p sources are
+   * counted one after another. Arrays keep their type, names and attributes. An array is passed
+   * when every source with a point has it, of one type and number of components, and a value for
+   * every point.
+   */
+  static void CopyPointData(
+    const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output);
+};
+
+#endif

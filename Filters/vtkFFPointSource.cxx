@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFPointSource.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkSOADataArrayTemplate.h"
+
+#include <limits>
+#include <type_traits>
+
+namespace
+{
+
+/// Whether a double holds the value. Only integers of more than 53 bits can fail.
+template <class T>
+bool isExact(T value)
+{
+  if constexpr (std::is_integral<T>::value &&
+    std::numeric_limits<T>::digits > std::numeric_limits<double>::digits)
+  {
+    // 2^digits is where the cast back would leave T; no such value equals it.
+    const double rounded = static_cast<double>(value);
+    constexpr double limit =
+      2.0 * static_cast<double>(T{ 1 } << (std::numeric_limits<T>::digits - 1));
+    return rounded < limit && static_cast<T>(rounded) == value;
+  }
+  else
+  {
+    static_cast<void>(value);
+    return true;
+  }
+}
+
+/// Copies an array's tuples to a plain array of Out.
+template <class Out>
+struct CopyTuples
+{
+  Out* To;
+  std::int64_t Begin; // running id of the array's first point
+
+  template <class ArrayT>
+  void operator()(ArrayT* array) const
+  {
+    Out* to = this->To;
+    vtkIdType n = 0;
+    for (const auto value : vtk::DataArrayValueRange<3>(array))
+    {
+      using Value = vtk::GetAPIType<ArrayT>;
+      const Value v = value;
+      if (!isExact(v))
+      {
+        throw vtkFFInexactCoordinate(static_cast<vtkIdType>(this->Begin) + n / 3);
+      }
+      *to++ = static_cast<Out>(v);
+      ++n;
+    }
+  }
+};
+
+/// The plain memory of an array of T, null when it is of another type or layout.
+template <class T>
+const T* plainMemory(vtkDataArray* array)
+{
+  auto* plain = vtkAOSDataArrayTemplate<T>::FastDownCast(array);
+  return plain ? plain->GetPointer(0) : nullptr;
+}
+
+/// The points named by ids, out of a view of From and into plain memory of To: exact both ways.
+template <class From, class To>
+void gatherFrom(const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, To* to)
+{
+  const From* from = static_cast<const From*>(view.data);
+  const std::int64_t stride = view.stride;
+  vtkSMPTools::For(0, count, 1 << 14,
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const From* xyz = from + ids[i] * stride;
+        for (vtkIdType k = 0; k < 3; ++k)
+        {
+          to[3 * i + k] = static_cast<To>(xyz[k]);
+        }
+      }
+    });
+}
+
+template <class To>
+void gather(const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, To* to)
+{
+  if (view.type == flipflop::ScalarType::Float32)
+  {
+    gatherFrom<float>(view, ids, count, to);
+  }
+  else
+  {
+    gatherFrom<double>(view, ids, count, to);
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFPointSource::vtkFFPointSource(vtkDataArray* array)
+  : vtkFFPointSource(std::vector<vtkDataArray*>{ array })
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFFPointSource::vtkFFPointSource(const std::vector<vtkDataArray*>& arrays)
+  : OutputType(VTK_FLOAT)
+{
+  // Arrays without a point have no say in the type, unless there is nothing else.
+  std::vector<vtkDataArray*> parts;
+  std::int64_t count = 0;
+  bool typed = false;
+  for (vtkDataArray* array : arrays)
+  {
+    if (!array)
+    {
+      continue;
+    }
+    const int type = array->GetDataType();
+    if (array->GetNumberOfTuples() == 0)
+    {
+      this->OutputType = typed ? this->OutputType : type;
+      continue;
+    }
+    this->OutputType = parts.empty() || type == this->OutputType ? type : VTK_DOUBLE;
+    typed = true;
+    parts.push_back(array);
+    count += array->GetNumberOfTuples();
+  }
+
+  if (parts.size() == 1)
+  {
+    if (const float* floats = plainMemory<float>(parts[0]))
+    {
+      this->View = flipflop::PointView(floats, count);
+      this->ZeroCopy = true;
+      return;
+    }
+    if (const double* doubles = plainMemory<double>(parts[0]))
+    {
+      this->View = flipflop::PointView(doubles, count);
+      this->ZeroCopy = true;
+      return;
+    }
+  }
+  if (this->OutputType == VTK_FLOAT)
+  {
+    this->Convert(parts, count, this->Floats);
+  }
+  else
+  {
+    this->Convert(parts, count, this->Doubles);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class T>
+void vtkFFPointSource::Convert(
+  const std::vector<vtkDataArray*>& arrays, std::int64_t count, flipflop::Buffer<T>& copy)
+{
+  copy.allocate(3 * static_cast<std::size_t>(count));
+  std::int64_t begin = 0;
+  for (vtkDataArray* array : arrays)
+  {
+    const CopyTuples<T> worker{ copy.data() + 3 * begin, begin };
+    if (auto* soaFloats = vtkSOADataArrayTemplate<float>::FastDownCast(array))
+    {
+      worker(soaFloats);
+    }
+    else if (auto* soaDoubles = vtkSOADataArrayTemplate<double>::FastDownCast(array))
+    {
+      worker(soaDoubles);
+    }
+    else if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
+    {
+      worker(array);
+    }
+    begin += array->GetNumberOfTuples();
+  }
+  this->View = flipflop::PointView(copy.data(), count);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> vtkFFPointSource::Gather(const std::int64_t* ids, vtkIdType count) const
+{
+  vtkSmartPointer<vtkPoints> points;
+  points.TakeReference(vtkPoints::New(this->OutputType));
+  points->SetNumberOfPoints(count);
+  if (count > 0)
+  {
+    switch (this->OutputType)
+    {
+      vtkTemplateMacro(
+        gather(this->View, ids, count, static_cast<VTK_TT*>(points->GetVoidPointer(0))));
+    }
+  }
+  return points;
+}

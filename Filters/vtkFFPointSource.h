@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFPointSource
+ * @brief   the coordinates of VTK data as the engine reads them
+ *
+ * vtkFFPointSource presents the points of one or several data sets to the engine as one
+ * flipflop::PointView. A single array of float or double that lies in memory as the engine wants it
+ * is not copied. All else is: float arrays of another layout, and several float arrays, to floats;
+ * anything else to doubles. A value that no double holds (a 64-bit integer can be one) is refused:
+ * results are exact or they are not given.
+ *
+ * It is also the way back: Gather() makes output points of the input's own type and bits.
+ */
+
+#ifndef vtkFFPointSource_h
+#define vtkFFPointSource_h
+
+#include "Buffer.h"
+#include "PointView.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <exception>
+#include <vector>
+
+class vtkDataArray;
+class vtkPoints;
+
+/**
+ * Thrown for a coordinate that no double holds.
+ */
+class vtkFFInexactCoordinate : public std::exception
+{
+public:
+  explicit vtkFFInexactCoordinate(vtkIdType index)
+    : Index(index)
+  {
+  }
+  const char* what() const noexcept override { return "a coordinate that no double holds"; }
+
+  /// Which point, where the points of all arrays are counted one after another.
+  vtkIdType GetIndex() const { return this->Index; }
+
+private:
+  vtkIdType Index;
+};
+
+class vtkFFPointSource
+{
+public:
+  /**
+   * The points of @p arrays, one after another. Null arrays hold no point.
+   *
+   * @throw vtkFFInexactCoordinate, flipflop::Error OutOfMemory.
+   */
+  explicit vtkFFPointSource(const std::vector<vtkDataArray*>& arrays);
+  explicit vtkFFPointSource(vtkDataArray* array);
+
+  vtkFFPointSource(const vtkFFPointSource&) = delete;
+  void operator=(const vtkFFPointSource&) = delete;
+
+  /**
+   * All points, valid as long as this and the arrays are.
+   */
+  const flipflop::PointView& GetView() const { return this->View; }
+
+  /**
+   * Whether the view is of the array's own memory.
+   */
+  bool IsZeroCopy() const { return this->ZeroCopy; }
+
+  /**
+   * The points named by @p ids, in the type of the arrays (double where these differ).
+   */
+  vtkSmartPointer<vtkPoints> Gather(const std::int64_t* ids, vtkIdType count) const;
+
+private:
+  template <class T>
+  void Convert(
+    const std::vector<vtkDataArray*>& arrays, std::int64_t count, flipflop::Buffer<T>& copy);
+
+  flipflop::PointView View;
+  flipflop::Buffer<float> Floats;
+  flipflop::Buffer<double> Doubles;
+  int OutputType;
+  bool ZeroCopy = false;
+};
+
+#endif
