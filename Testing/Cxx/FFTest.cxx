@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FFTest.h"
+
+#include "Validate.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <random>
+#include <set>
+
+namespace fftest
+{
+
+//------------------------------------------------------------------------------
+int& failures()
+{
+  static int count = 0;
+  return count;
+}
+
+//------------------------------------------------------------------------------
+int result()
+{
+  if (failures() > 0)
+  {
+    std::cerr << failures() << " check(s) failed\n";
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<ErrorObserver> ErrorObserver::Of(vtkObject* object)
+{
+  vtkSmartPointer<ErrorObserver> observer;
+  observer.TakeReference(ErrorObserver::New());
+  object->AddObserver(vtkCommand::ErrorEvent, observer);
+  object->AddObserver(vtkCommand::WarningEvent, observer);
+  return observer;
+}
+
+//------------------------------------------------------------------------------
+void ErrorObserver::Execute(vtkObject*, unsigned long, void* data)
+{
+  this->Messages.emplace_back(static_cast<const char*>(data));
+}
+
+//------------------------------------------------------------------------------
+bool ErrorObserver::Has(const std::string& part) const
+{
+  for (const std::string& message : this->Messages)
+  {
+    if (message.find(part) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  std::cerr << "no message with \"" << part << "\" among " << this->Messages.size() << ":\n";
+  for (const std::string& message : this->Messages)
+  {
+    std::cerr << "  " << message << "\n";
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> makePoints(vtkDataArray* array)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(array);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> makePoints(const std::vector<Point>& points, int type)
+{
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    array->SetTuple(static_cast<vtkIdType>(i), points[i].data());
+  }
+  return makePoints(array);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> makeSurface(
+  const std::vector<Point>& points, const std::vector<std::vector<vtkIdType>>& polygons, int type)
+{
+  auto data = makePoints(points, type);
+  vtkNew<vtkCellArray> cells;
+  for (const auto& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  data->SetPolys(cells);
+  return data;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> makeVoxels(const std::vector<std::array<int, 3>>& cubes)
+{
+  const std::set<std::array<int, 3>> solid(cubes.begin(), cubes.end());
+  std::map<std::array<int, 3>, vtkIdType> ids;
+  std::vector<Point> points;
+  std::vector<std::vector<vtkIdType>> triangles;
+  for (const auto& cube : solid)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (int side = 0; side < 2; ++side)
+      {
+        auto neighbour = cube;
+        neighbour[axis] += 2 * side - 1;
+        if (solid.count(neighbour))
+        {
+          continue;
+        }
+        // Counter-clockwise as seen from the axis's positive end.
+        const int square[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+        std::array<vtkIdType, 4> corners{};
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          auto corner = cube;
+          corner[axis] += side;
+          corner[(axis + 1) % 3] += square[k][0];
+          corner[(axis + 2) % 3] += square[k][1];
+          const auto found = ids.emplace(corner, static_cast<vtkIdType>(points.size()));
+          if (found.second)
+          {
+            points.push_back({ double(corner[0]), double(corner[1]), double(corner[2]) });
+          }
+          corners[side ? k : 3 - k] = found.first->second;
+        }
+        triangles.push_back({ corners[0], corners[1], corners[2] });
+        triangles.push_back({ corners[0], corners[2], corners[3] });
+      }
+    }
+  }
+  return makeSurface(points, triangles);
+}
+
+//------------------------------------------------------------------------------
+std::vector<Point> randomPoints(int count, unsigned int seed)
+{
+  // The generator is fixed by the standard; the library's distributions are not.
+  std::mt19937_64 generator(seed);
+  const auto next = [&]() { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0; };
+  std::vector<Point> points(static_cast<std::size_t>(count));
+  for (Point& point : points)
+  {
+    for (double& x : point)
+    {
+      x = next();
+    }
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Point> cubeCorners()
+{
+  std::vector<Point> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners.push_back({ double(i & 1), double(i >> 1 & 1), double(i >> 2 & 1) });
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> originalIds(vtkPolyData* output)
+{
+  auto* ids =
+    vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetAbstractArray("vtkOriginalPointIds"));
+  if (!ids || ids->GetNumberOfComponents() != 1 ||
+    ids->GetNumberOfTuples() != output->GetNumberOfPoints())
+  {
+    std::cerr << "vtkOriginalPointIds is missing or of the wrong size\n";
+    ++failures();
+    return {};
+  }
+  return std::vector<vtkIdType>(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples());
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<vtkIdType>> cellsByOriginalIds(vtkPolyData* output, vtkCellArray* cells)
+{
+  const auto ids = originalIds(output);
+  std::vector<std::vector<vtkIdType>> all;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellAtId(i, corners);
+    all.emplace_back();
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      all.back().push_back(ids.at(static_cast<std::size_t>(corners->GetId(k))));
+    }
+  }
+  return all;
+}
+
+namespace
+{
+
+/// The coordinates as doubles, which is exact for every type in these tests.
+vtkSmartPointer<vtkDoubleArray> doubles(vtkPointSet* data)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  if (data->GetPoints())
+  {
+    array->DeepCopy(data->GetPoints()->GetData());
+  }
+  return array;
+}
+
+/// The engine's hull that the output stands for.
+flipflop::Hull toHull(vtkPolyData* output, int dimension)
+{
+  flipflop::Hull hull;
+  hull.dimension = dimension;
+  const auto ids = originalIds(output);
+  hull.pointIds.allocate(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    hull.pointIds[i] = ids[i];
+  }
+  vtkCellArray* cells = dimension == 0 ? output->GetVerts()
+    : dimension == 1                   ? output->GetLines()
+                                       : output->GetPolys();
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets{ 0 };
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellAtId(i, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      connectivity.push_back(corners->GetId(k));
+    }
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
+  hull.connectivity.allocate(connectivity.size());
+  std::copy(connectivity.begin(), connectivity.end(), hull.connectivity.begin());
+  if (cells->IsHomogeneous() > 0)
+  {
+    hull.cellSize = cells->IsHomogeneous();
+  }
+  else
+  {
+    hull.offsets.allocate(offsets.size());
+    std::copy(offsets.begin(), offsets.end(), hull.offsets.begin());
+  }
+  return hull;
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension)
+{
+  const auto from = doubles(input);
+  const auto to = doubles(output);
+  const auto ids = originalIds(output);
+  if (!output->GetPoints())
+  {
+    std::cerr << "the output has no points\n";
+    return false;
+  }
+  if (output->GetPoints()->GetDataType() != input->GetPoints()->GetDataType())
+  {
+    std::cerr << "the output's points are of another type\n";
+    return false;
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    if (std::memcmp(to->GetPointer(3 * static_cast<vtkIdType>(i)), from->GetPointer(3 * ids[i]),
+          3 * sizeof(double)) != 0)
+    {
+      std::cerr << "point " << i << " of the output is not point " << ids[i] << " of the input\n";
+      return false;
+    }
+  }
+  const vtkIdType others = dimension == 0 ? output->GetNumberOfVerts()
+    : dimension == 1                      ? output->GetNumberOfLines()
+                                          : output->GetNumberOfPolys();
+  if (output->GetNumberOfCells() != others)
+  {
+    std::cerr << "the output has cells of another kind than its dimension asks for\n";
+    return false;
+  }
+  const flipflop::PointView view(from->GetPointer(0), from->GetNumberOfTuples());
+  const auto verdict = flipflop::validate(view, toHull(output, dimension));
+  if (!verdict)
+  {
+    std::cerr << "not the hull: " << flipflop::describe(verdict.fault) << ", index "
+              << verdict.index << "\n";
+  }
+  return static_cast<bool>(verdict);
+}
+
+namespace
+{
+
+bool isSame(vtkCellArray* a, vtkCellArray* b)
+{
+  if (a->GetNumberOfCells() != b->GetNumberOfCells())
+  {
+    return false;
+  }
+  vtkNew<vtkIdList> cornersA;
+  vtkNew<vtkIdList> cornersB;
+  for (vtkIdType i = 0; i < a->GetNumberOfCells(); ++i)
+  {
+    a->GetCellAtId(i, cornersA);
+    b->GetCellAtId(i, cornersB);
+    const vtkIdType size = cornersA->GetNumberOfIds();
+    if (size != cornersB->GetNumberOfIds() ||
+      !std::equal(cornersA->GetPointer(0), cornersA->GetPointer(0) + size, cornersB->GetPointer(0)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool isSame(vtkPolyData* a, vtkPolyData* b)
+{
+  if (!a->GetPoints() || !b->GetPoints())
+  {
+    return !a->GetPoints() && !b->GetPoints();
+  }
+  const auto pointsA = doubles(a);
+  const auto pointsB = doubles(b);
+  const auto bytes = static_cast<std::size_t>(pointsA->GetNumberOfValues()) * sizeof(double);
+  return pointsA->GetNumberOfValues() == pointsB->GetNumberOfValues() &&
+    a->GetPoints()->GetDataType() == b->GetPoints()->GetDataType() &&
+    std::memcmp(pointsA->GetPointer(0), pointsB->GetPointer(0), bytes) == 0 &&
+    originalIds(a) == originalIds(b) && isSame(a->GetVerts(), b->GetVerts()) &&
+    isSame(a->GetLines(), b->GetLines()) && isSame(a->GetPolys(), b->GetPolys());
+}
+
+//------------------------------------------------------------------------------
+bool isEmpty(vtkPolyData* output)
+{
+  return output && output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0;
+}
+
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of the filters share: checks that count, an observer of errors, inputs, oracles.
+#ifndef FFTest_h
+#define FFTest_h
+
+#include "vtkCommand.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <iostream>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkFFAlgorithm;
+class vtkPointSet;
+
+namespace fftest
+{
+
+/// Checks that failed so far in this test.
+int& failures();
+
+/// EXIT_SUCCESS when none did, or EXIT_FAILURE.
+int result();
+
+#define FF_CHECK(condition)                                                                        \
+  do                                                                                               \
+  {                                                                                                \
+    if (!(condition))                                                                              \
+    {                                                                                              \
+      std::cerr << __FILE__ << ":" << __LINE__ << ": not so: " #condition "\n";                    \
+      ++fftest::failures();                                                                        \
+    }                                                                                              \
+  } while (false)
+
+#define FF_CHECK_EQUAL(found, expected)                                                            \
+  do                                                                                               \
+  {                                                                                                \
+    const auto ffFound = (found);                                                                  \
+    const decltype(ffFound) ffExpected = (expected);                                               \
+    if (!(ffFound == ffExpected))                                                                  \
+    {                                                                                              \
+      std::cerr << __FILE__ << ":" << __LINE__ << ": " #found " is " << ffFound << ", not "        \
+                << ffExpected << "\n";                                                             \
+      ++fftest::failures();                                                                        \
+    }                                                                                              \
+  } while (false)
+
+/// Keeps the messages of an object's errors (and so keeps them off the terminal), and warnings.
+class ErrorObserver : public vtkCommand
+{
+public:
+  static ErrorObserver* New() { return new ErrorObserver; }
+  vtkTypeMacro(ErrorObserver, vtkCommand);
+
+  /// A new observer of the object's errors.
+  static vtkSmartPointer<ErrorObserver> Of(vtkObject* object);
+
+  void Execute(vtkObject* caller, unsigned long event, void* data) override;
+
+  bool Has(const std::string& part) const;
+  void Clear() { this->Messages.clear(); }
+
+  std::vector<std::string> Messages;
+};
+
+using Point = std::array<double, 3>;
+
+/// A poly data of points without cells, in an array of the type (VTK_DOUBLE, VTK_FLOAT,
+/// VTK_INT...).
+vtkSmartPointer<vtkPolyData> makePoints(const std::vector<Point>& points, int type = VTK_DOUBLE);
+
+/// The same with an array of one's own.
+vtkSmartPointer<vtkPolyData> makePoints(vtkDataArray* array);
+
+/// A poly data of polygons.
+vtkSmartPointer<vtkPolyData> makeSurface(const std::vector<Point>& points,
+  const std::vector<std::vector<vtkIdType>>& polygons, int type = VTK_DOUBLE);
+
+/// The outer triangles of unit cubes at integer places, all outward; no two may touch in an edge or
+/// a corner alone.
+vtkSmartPointer<vtkPolyData> makeVoxels(const std::vector<std::array<int, 3>>& cubes);
+
+/// Points with coordinates in [-1, 1), the same on every machine.
+std::vector<Point> randomPoints(int count, unsigned int seed);
+
+/// The eight corners of the unit cube, ids 0 to 7: x changes fastest.
+std::vector<Point> cubeCorners();
+
+/// Whether the filter's output is the hull of the points: exactly, in canonical form, with ids and
+/// with points of the same type and bits.
+bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension);
+
+/// Whether two outputs are the same, bit for bit: points, cells and original ids.
+bool isSame(vtkPolyData* a, vtkPolyData* b);
+
+/// Whether there are neither points nor cells.
+bool isEmpty(vtkPolyData* output);
+
+/// The array vtkOriginalPointIds.
+std::vector<vtkIdType> originalIds(vtkPolyData* output);
+
+/// The cells of one kind, each as its corners' original ids.
+std::vector<std::vector<vtkIdType>> cellsByOriginalIds(vtkPolyData* output, vtkCellArray* cells);
+
+}
+
+#endif

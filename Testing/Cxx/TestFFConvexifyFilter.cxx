@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Star-shaped surfaces become their hulls: the same, bit for bit, as the hull filter's of their
+// points.
+#include "FFTest.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFFConvexifyFilter.h"
+#include "vtkFFHullFilter.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+
+using namespace fftest;
+
+namespace
+{
+
+/// A sphere's triangles with radii between 0.2 and 1, moved away from the origin.
+vtkSmartPointer<vtkPolyData> makeStar(int resolution, unsigned int seed, int type)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  vtkPolyData* source = sphere->GetOutput();
+  const auto noise = randomPoints(static_cast<int>(source->GetNumberOfPoints()), seed);
+  std::vector<Point> points;
+  for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    source->GetPoint(i, p.data());
+    const double radius = 0.6 + 0.4 * noise[static_cast<std::size_t>(i)][0];
+    points.push_back({ 5.0 + radius * p[0], -3.0 + radius * p[1], 2.0 + radius * p[2] });
+  }
+  auto star = makePoints(points, type);
+  star->SetPolys(source->GetPolys());
+  return star;
+}
+
+void testAgainstHull()
+{
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+  {
+    for (unsigned int seed = 1; seed <= 8; ++seed)
+    {
+      const auto star = makeStar(8 * static_cast<int>(seed), seed, type);
+      vtkNew<vtkFFHullFilter> hull;
+      hull->SetInputData(star);
+      vtkNew<vtkFFConvexifyFilter> convexify;
+      const auto errors = ErrorObserver::Of(convexify);
+      convexify->SetInputData(star);
+      for (const int mode :
+        { vtkFFAlgorithm::FACETS_AS_TRIANGLES, vtkFFAlgorithm::FACETS_AS_POLYGONS })
+      {
+        hull->SetFacetMode(mode);
+        convexify->SetFacetMode(mode);
+        hull->Update();
+        for (const bool given : { false, true })
+        {
+          convexify->SetKernelPoint(5.0, -3.0, 2.0);
+          convexify->SetUseKernelPoint(given);
+          for (const bool biased : { false, true })
+          {
+            convexify->SetVBiased(biased);
+            convexify->Update();
+            FF_CHECK(errors->Messages.empty());
+            FF_CHECK(isSame(convexify->GetOutput(), hull->GetOutput()));
+            FF_CHECK_EQUAL(convexify->GetDimension(), 3);
+            FF_CHECK(convexify->GetNumberOfFlips22() > 0);
+            FF_CHECK(convexify->GetNumberOfFlips31() > 0);
+          }
+        }
+      }
+      FF_CHECK(isHullOf(star, convexify->GetOutput(), 3));
+      FF_CHECK(std::fabs(convexify->GetVolume() - hull->GetVolume()) <= 1e-12 * hull->GetVolume());
+    }
+  }
+}
+
+/// An L of three cubes: its hull is known. Turned inside out it is the same.
+void testVoxels()
+{
+  const auto ell = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  convexify->SetFacetModeToPolygons();
+  convexify->SetInputData(ell);
+  convexify->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK_EQUAL(convexify->GetVolume(), 3.5);
+  FF_CHECK_EQUAL(convexify->GetOutput()->GetNumberOfPoints(), 10);
+  FF_CHECK_EQUAL(convexify->GetOutput()->GetNumberOfPolys(), 7);
+  FF_CHECK(isHullOf(ell, convexify->GetOutput(), 3));
+
+  vtkNew<vtkPolyData> reversed;
+  reversed->DeepCopy(ell);
+  for (vtkIdType i = 0; i < reversed->GetNumberOfCells(); ++i)
+  {
+    reversed->ReverseCell(i);
+  }
+  vtkNew<vtkFFConvexifyFilter> other;
+  const auto otherErrors = ErrorObserver::Of(other);
+  other->SetFacetModeToPolygons();
+  other->SetInputData(reversed);
+  other->Update();
+  FF_CHECK(otherErrors->Messages.empty());
+  FF_CHECK(isSame(other->GetOutput(), convexify->GetOutput()));
+
+  // 32-bit cells.
+  vtkNew<vtkPolyData> narrow;
+  narrow->DeepCopy(ell);
+  narrow->GetPolys()->ConvertTo32BitStorage();
+  other->SetInputData(narrow);
+  other->Update();
+  FF_CHECK(otherErrors->Messages.empty());
+  FF_CHECK(isSame(other->GetOutput(), convexify->GetOutput()));
+}
+
+/// Points that no triangle uses do not count, wherever they are; ids and data are the input's.
+void testUnusedPoints()
+{
+  const auto cube = makeVoxels({ { 0, 0, 0 } });
+  std::vector<Point> points{ { 100, 100, 100 }, { std::nan(""), 0, 0 } };
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    Point p;
+    cube->GetPoint(i, p.data());
+    points.push_back(p);
+  }
+  std::vector<std::vector<vtkIdType>> triangles;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < 12; ++i)
+  {
+    cube->GetPolys()->GetCellAtId(i, corners);
+    triangles.push_back({ corners->GetId(0) + 2, corners->GetId(1) + 2, corners->GetId(2) + 2 });
+  }
+  const auto input = makeSurface(points, triangles);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("value");
+  for (int i = 0; i < 10; ++i)
+  {
+    values->InsertNextValue(i / 3.0);
+  }
+  input->GetPointData()->SetScalars(values);
+
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  convexify->SetInputData(input);
+  convexify->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(
+    (originalIds(convexify->GetOutput()) == std::vector<vtkIdType>{ 2, 3, 4, 5, 6, 7, 8, 9 }));
+  FF_CHECK_EQUAL(convexify->GetVolume(), 1.0);
+  auto* passed = vtkDoubleArray::SafeDownCast(convexify->GetOutput()->GetPointData()->GetScalars());
+  FF_CHECK(passed && passed->GetNumberOfTuples() == 8);
+  for (vtkIdType i = 0; passed && i < passed->GetNumberOfTuples(); ++i)
+  {
+    FF_CHECK_EQUAL(passed->GetValue(i), static_cast<double>(i + 2) / 3.0);
+  }
+}
+
+void testEmpty()
+{
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  vtkNew<vtkPolyData> nothing;
+  convexify->SetInputData(nothing);
+  convexify->Update();
+  FF_CHECK(isEmpty(convexify->GetOutput()));
+  FF_CHECK_EQUAL(convexify->GetDimension(), -1);
+  convexify->SetInputData(makePoints(cubeCorners())); // points without triangles
+  convexify->Update();
+  FF_CHECK(isEmpty(convexify->GetOutput()));
+  FF_CHECK_EQUAL(convexify->GetDimension(), -1);
+  FF_CHECK(errors->Messages.empty());
+}
+
+}
+
+int TestFFConvexifyFilter(int, char*[])
+{
+  testAgainstHull();
+  testVoxels();
+  testUnusedPoints();
+  testEmpty();
+  return result();
+}

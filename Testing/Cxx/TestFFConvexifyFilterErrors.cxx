@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each surface that vtkFFConvexifyFilter cannot take is refused by name and place.
+#include "FFTest.h"
+
+#include "vtkCellArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFFConvexifyFilter.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace fftest;
+
+namespace
+{
+
+using Triangles = std::vector<std::vector<vtkIdType>>;
+
+/// Runs the filter, which must fail with one message that has all the parts, and leave no output.
+void refuses(
+  vtkPolyData* input, const std::vector<std::string>& parts, const double* kernel = nullptr)
+{
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  if (kernel)
+  {
+    convexify->SetKernelPoint(kernel[0], kernel[1], kernel[2]);
+    convexify->UseKernelPointOn();
+  }
+  convexify->SetInputData(input);
+  convexify->Update();
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  for (const std::string& part : parts)
+  {
+    FF_CHECK(errors->Has(part));
+  }
+  FF_CHECK(isEmpty(convexify->GetOutput()));
+  FF_CHECK(convexify->GetErrorCode() != vtkErrorCode::NoError);
+  FF_CHECK_EQUAL(convexify->GetDimension(), -1);
+
+  // None the worse for it.
+  errors->Clear();
+  convexify->SetInputData(makeVoxels({ { 0, 0, 0 } }));
+  convexify->UseKernelPointOff();
+  convexify->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK_EQUAL(convexify->GetVolume(), 1.0);
+}
+
+const std::vector<Point> tetrahedronPoints{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+const Triangles tetrahedron{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+
+void testCells()
+{
+  auto cells = tetrahedron;
+  cells[2] = { 0, 3, 2, 1 };
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 2", "polygon of 4 points" });
+  cells[1] = { 0, 1 };
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 1", "polygon of 2 points" });
+
+  vtkNew<vtkCellArray> one;
+  const vtkIdType ids[4] = { 0, 1, 2, 3 };
+
+  auto input = makeSurface(tetrahedronPoints, tetrahedron);
+  one->InsertNextCell(1, ids);
+  input->SetVerts(one);
+  refuses(input, { "cell 0", "vertex" });
+
+  input = makeSurface(tetrahedronPoints, tetrahedron);
+  one->Reset();
+  one->InsertNextCell(2, ids);
+  input->SetLines(one);
+  refuses(input, { "cell 0", "line" });
+
+  input = makeSurface(tetrahedronPoints, tetrahedron);
+  one->Reset();
+  one->InsertNextCell(4, ids);
+  input->SetStrips(one);
+  refuses(input, { "cell 4", "strip" });
+}
+
+void testBadTriangles()
+{
+  auto cells = tetrahedron;
+  cells[3] = { 1, 2, 4 };
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3", "1 such triangle" });
+  cells[3] = { 1, 2, -1 };
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3", "does not exist" });
+  cells[3] = { 1, 2, std::numeric_limits<vtkIdType>::max() };
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3" });
+  cells[3] = { 1, 2, 1 };
+  cells[1] = { 3, 3, 3 };
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 1", "2 such triangle" });
+  refuses(makeSurface({}, tetrahedron), { "cell 0", "4 such triangle" });
+}
+
+void testNotClosed()
+{
+  auto cells = tetrahedron;
+  cells.erase(cells.begin() + 3);
+  refuses(makeSurface(tetrahedronPoints, cells), { "not closed", "cell 0", "3 such edge" });
+
+  // A cube of which one triangle, the last, is missing: its neighbours have the open edges.
+  const auto cube = makeVoxels({ { 0, 0, 0 } });
+  vtkNew<vtkCellArray> fewer;
+  for (vtkIdType i = 0; i < 11; ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cube->GetPolys()->GetCellAtId(i, size, corners);
+    fewer->InsertNextCell(size, corners);
+  }
+  cube->SetPolys(fewer);
+  refuses(cube, { "not closed", "3 such edge" });
+}
+
+void testNotManifold()
+{
+  // A fin on the edge of triangles 0 and 1, with both its sides.
+  auto points = tetrahedronPoints;
+  points.push_back({ 0.5, -1, -1 });
+  auto cells = tetrahedron;
+  cells.push_back({ 0, 1, 4 });
+  cells.push_back({ 1, 0, 4 });
+  refuses(makeSurface(points, cells), { "not a manifold", "cell 0" });
+
+  // Two tetrahedra that share a corner, 3: two fans there.
+  points = tetrahedronPoints;
+  points.push_back({ 0, 0, 2 });
+  points.push_back({ 1, 0, 2 });
+  points.push_back({ 0, 1, 2 });
+  cells = tetrahedron;
+  cells.insert(cells.end(), { { 4, 5, 6 }, { 4, 3, 5 }, { 4, 6, 3 }, { 5, 3, 6 } });
+  refuses(makeSurface(points, cells), { "not a manifold", "cell 1", "1 such edge" });
+}
+
+void testNotOriented()
+{
+  auto cells = tetrahedron;
+  cells[3] = { 2, 1, 3 };
+  refuses(makeSurface(tetrahedronPoints, cells), { "not oriented", "cell 0" });
+
+  // Of a cube's triangles, one turned over: it and its neighbours are at odds.
+  const auto cube = makeVoxels({ { 0, 0, 0 } });
+  cube->ReverseCell(7);
+  refuses(cube, { "not oriented", "cell" });
+}
+
+void testNotStarShaped()
+{
+  // A U: no point sees the inside of both its arms' inner walls.
+  const auto u = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 2, 1, 0 } });
+  refuses(u, { "SetKernelPoint()" });
+  const double inTheBase[3] = { 1.5, 0.5, 0.5 };
+  refuses(u, { "not star-shaped", "does not see", "cell" }, inTheBase);
+
+  const auto cube = makeVoxels({ { 0, 0, 0 } });
+  const double outside[3] = { 2.0, 0.5, 0.5 };
+  refuses(cube, { "not star-shaped", "2 such triangle" }, outside);
+  const double onAFacet[3] = { 1.0, 0.5, 0.5 };
+  refuses(cube, { "not star-shaped", "2 such triangle" }, onAFacet);
+  const double onACorner[3] = { 0.0, 0.0, 0.0 };
+  refuses(cube, { "not star-shaped", "cell 0", "6 such triangle" }, onACorner);
+  const double justOutside[3] = { 0.5, 0.5, std::nextafter(1.0, 2.0) };
+  refuses(cube, { "not star-shaped", "2 such triangle" }, justOutside);
+
+  // Flat: closed and oriented, but without an inside.
+  refuses(makeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, tetrahedron),
+    { "star-shaped" });
+}
+
+void testNumbers()
+{
+  const auto cube = makeVoxels({ { 0, 0, 0 } });
+  const double bad[3] = { 0.5, std::numeric_limits<double>::quiet_NaN(), 0.5 };
+  refuses(cube, { "kernel point (0.5, nan, 0.5) is not finite" }, bad);
+
+  auto points = tetrahedronPoints;
+  points[2][1] = std::numeric_limits<double>::infinity();
+  refuses(makeSurface(points, tetrahedron), { "point 2,", "1 such point", "NaN or infinite" });
+
+  // Leaving it out is no way here.
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  convexify->SetNonFinitePointsToIgnore();
+  convexify->SetInputData(makeSurface(points, tetrahedron));
+  convexify->Update();
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK(isEmpty(convexify->GetOutput()));
+}
+
+void testCUDA()
+{
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  convexify->SetEngineToCUDA();
+  convexify->SetInputData(makeVoxels({ { 0, 0, 0 } }));
+  convexify->Update();
+  FF_CHECK(errors->Has("CUDA"));
+  FF_CHECK(isEmpty(convexify->GetOutput()));
+}
+
+}
+
+int TestFFConvexifyFilterErrors(int, char*[])
+{
+  testCells();
+  testBadTriangles();
+  testNotClosed();
+  testNotManifold();
+  testNotOriented();
+  testNotStarShaped();
+  testNumbers();
+  testCUDA();
+  return result();
+}

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What cannot be done is an error that says what and where, with an empty output; the next run is
+// none the worse for it.
+#include "FFTest.h"
+
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkFFHullFilter.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <limits>
+
+using namespace fftest;
+
+namespace
+{
+
+const double infinity = std::numeric_limits<double>::infinity();
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+void testNonFinite(int type)
+{
+  const auto good = randomPoints(1000, 31);
+  for (const double value : { nan, infinity, -infinity })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      auto points = good;
+      points[123][static_cast<std::size_t>(axis)] = value;
+      points[456][static_cast<std::size_t>(2 - axis)] = value;
+      points[999] = { value, value, value };
+      const auto input = makePoints(points, type);
+
+      vtkNew<vtkFFHullFilter> hull;
+      const auto errors = ErrorObserver::Of(hull);
+      hull->SetInputData(input);
+      hull->Update();
+      FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+      FF_CHECK(errors->Has("point 123,"));
+      FF_CHECK(errors->Has("3 such point(s)"));
+      FF_CHECK(errors->Has("NaN or infinite"));
+      FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
+      FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
+      FF_CHECK_EQUAL(hull->GetDimension(), -1);
+      FF_CHECK(isEmpty(hull->GetOutput()));
+
+      // Left out, the others have their hull, with the ids of the whole input.
+      errors->Clear();
+      hull->SetNonFinitePointsToIgnore();
+      hull->Update();
+      FF_CHECK(errors->Messages.empty());
+      FF_CHECK_EQUAL(hull->GetErrorCode(), vtkErrorCode::NoError);
+      FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
+      FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 1000);
+      FF_CHECK(isHullOf(input, hull->GetOutput(), 3));
+
+      // And back.
+      hull->SetNonFinitePointsToError();
+      hull->Update();
+      FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+      FF_CHECK(isEmpty(hull->GetOutput()));
+    }
+  }
+}
+
+void testNothingButNonFinite()
+{
+  const auto input = makePoints({ { nan, 0, 0 }, { 0, infinity, 0 } });
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  hull->SetNonFinitePointsToIgnore();
+  hull->SetInputData(input);
+  hull->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK_EQUAL(hull->GetDimension(), -1);
+  FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 2);
+  FF_CHECK(isEmpty(hull->GetOutput()));
+}
+
+void testCUDA()
+{
+  const auto input = makePoints(cubeCorners());
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  hull->SetInputData(input);
+  hull->Update();
+  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), 8);
+
+  hull->SetEngineToCUDA();
+  hull->Update();
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK(errors->Has("CUDA"));
+  FF_CHECK(errors->Has("SetEngineToCPU"));
+  FF_CHECK(isEmpty(hull->GetOutput()));
+  FF_CHECK_EQUAL(hull->GetEngineUsed(), vtkFFAlgorithm::ENGINE_NONE);
+  FF_CHECK_EQUAL(hull->GetDimension(), -1);
+  FF_CHECK_EQUAL(hull->GetVolume(), 0.0);
+  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 0);
+
+  errors->Clear();
+  hull->SetEngineToAutomatic();
+  hull->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), 8);
+  FF_CHECK_EQUAL(hull->GetErrorCode(), vtkErrorCode::NoError);
+}
+
+/// The pipeline itself refuses what is no point set.
+void testWrongInput()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  const auto executive = ErrorObserver::Of(hull->GetExecutive());
+  hull->SetInputData(image);
+  hull->Update();
+  FF_CHECK(executive->Has("vtkImageData"));
+  FF_CHECK(isEmpty(hull->GetOutput()));
+
+  executive->Clear();
+  vtkNew<vtkFFHullFilter> unconnected;
+  const auto complaints = ErrorObserver::Of(unconnected->GetExecutive());
+  unconnected->Update();
+  FF_CHECK(!complaints->Messages.empty());
+  FF_CHECK(isEmpty(unconnected->GetOutput()));
+}
+
+}
+
+int TestFFHullFilterErrors(int, char*[])
+{
+  testNonFinite(VTK_DOUBLE);
+  testNonFinite(VTK_FLOAT);
+  testNothingButNonFinite();
+  testCUDA();
+  testWrongInput();
+  return result();
+}

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Points of every type and layout: the same hull, in the input's own type and bits.
+#include "FFTest.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFFHullFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkSOADataArrayTemplate.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedLongLongArray.h"
+
+#include <cstring>
+#include <limits>
+
+using namespace fftest;
+
+namespace
+{
+
+/// Runs the filter without an error and checks the hull.
+vtkSmartPointer<vtkPolyData> hullOf(vtkPolyData* input)
+{
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  hull->SetInputData(input);
+  hull->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(isHullOf(input, hull->GetOutput(), 3));
+  return hull->GetOutput();
+}
+
+/// Values that a float does not hold must not pass through one, and floats must stay as they are.
+void testFloatingPoint()
+{
+  const auto points = randomPoints(3000, 11);
+  const auto doubles = makePoints(points, VTK_DOUBLE);
+  const auto floats = makePoints(points, VTK_FLOAT);
+  const auto ofDoubles = hullOf(doubles);
+  const auto ofFloats = hullOf(floats);
+  FF_CHECK_EQUAL(ofDoubles->GetPoints()->GetDataType(), VTK_DOUBLE);
+  FF_CHECK_EQUAL(ofFloats->GetPoints()->GetDataType(), VTK_FLOAT);
+
+  // Bit for bit, in the array's own type.
+  const auto ids = originalIds(ofFloats);
+  const float* in = vtkFloatArray::SafeDownCast(floats->GetPoints()->GetData())->GetPointer(0);
+  const float* out = vtkFloatArray::SafeDownCast(ofFloats->GetPoints()->GetData())->GetPointer(0);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    FF_CHECK(std::memcmp(out + 3 * i, in + 3 * ids[i], 3 * sizeof(float)) == 0);
+  }
+
+  // The floats as doubles are the same points, and have the same hull.
+  vtkNew<vtkDoubleArray> widened;
+  widened->DeepCopy(floats->GetPoints()->GetData());
+  const auto ofWidened = hullOf(makePoints(widened));
+  FF_CHECK(originalIds(ofWidened) == ids);
+  FF_CHECK(cellsByOriginalIds(ofWidened, ofWidened->GetPolys()) ==
+    cellsByOriginalIds(ofFloats, ofFloats->GetPolys()));
+}
+
+template <class T>
+void testSOA()
+{
+  const auto points = randomPoints(2000, 12);
+  vtkNew<vtkSOADataArrayTemplate<T>> soa;
+  vtkNew<vtkAOSDataArrayTemplate<T>> aos;
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(soa), static_cast<vtkDataArray*>(aos) })
+  {
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      array->SetTuple(static_cast<vtkIdType>(i), points[i].data());
+    }
+  }
+  const auto ofSoa = hullOf(makePoints(soa));
+  const auto ofAos = hullOf(makePoints(aos));
+  FF_CHECK_EQUAL(ofSoa->GetPoints()->GetDataType(), aos->GetDataType());
+  FF_CHECK(isSame(ofSoa, ofAos));
+}
+
+void testIntegers()
+{
+  std::vector<Point> points;
+  for (Point p : randomPoints(2000, 13))
+  {
+    for (double& x : p)
+    {
+      x = static_cast<double>(static_cast<int>(60.0 + 50.0 * x)); // fits every type
+    }
+    points.push_back(p);
+  }
+  const auto reference = hullOf(makePoints(points, VTK_DOUBLE));
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE })
+  {
+    const auto output = hullOf(makePoints(points, type));
+    FF_CHECK_EQUAL(output->GetPoints()->GetDataType(), type);
+    FF_CHECK(originalIds(output) == originalIds(reference));
+    FF_CHECK(cellsByOriginalIds(output, output->GetPolys()) ==
+      cellsByOriginalIds(reference, reference->GetPolys()));
+  }
+}
+
+/// Large 32-bit integers are no floats: 2^24 + 1 is none.
+void testLargeIntegers()
+{
+  std::vector<Point> points;
+  for (const Point& p : cubeCorners())
+  {
+    points.push_back({ p[0] + 0x1p24, p[1] + 2147483646.0, p[2] - 2147483648.0 });
+  }
+  points.push_back({ 0x1p24, 2147483646.0, -2147483648.0 });
+  const auto output = hullOf(makePoints(points, VTK_INT));
+  FF_CHECK_EQUAL(output->GetNumberOfPoints(), 8);
+  FF_CHECK_EQUAL(output->GetNumberOfPolys(), 12);
+}
+
+/// 64-bit integers are taken while a double holds them, and refused by name when not.
+template <class ArrayT>
+void testWideIntegers()
+{
+  using T = typename ArrayT::ValueType;
+  vtkNew<ArrayT> array;
+  array->SetNumberOfComponents(3);
+  const T big = T(1) << 62;
+  const T side = 1024; // the distance of neighbouring doubles there
+  for (const Point& p : cubeCorners())
+  {
+    for (const double x : p)
+    {
+      array->InsertNextValue(static_cast<T>(big + static_cast<T>(x) * side));
+    }
+  }
+  const auto input = makePoints(array);
+  const auto output = hullOf(input);
+  FF_CHECK_EQUAL(output->GetNumberOfPoints(), 8);
+  const auto* out = vtkAOSDataArrayTemplate<T>::FastDownCast(output->GetPoints()->GetData());
+  FF_CHECK(out && out->GetValue(0) == big && out->GetValue(3) == big + side);
+
+  for (const T value : { static_cast<T>(big + 1), std::numeric_limits<T>::max() })
+  {
+    array->SetValue(16, value); // point 5
+    vtkNew<vtkFFHullFilter> hull;
+    const auto errors = ErrorObserver::Of(hull);
+    hull->SetInputData(input);
+    hull->Update();
+    FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+    FF_CHECK(errors->Has("point 5"));
+    FF_CHECK(errors->Has("64-bit integer"));
+    FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
+    FF_CHECK(isEmpty(hull->GetOutput()));
+  }
+}
+
+}
+
+int TestFFHullFilterTypes(int, char*[])
+{
+  testFloatingPoint();
+  testSOA<float>();
+  testSOA<double>();
+  testIntegers();
+  testLargeIntegers();
+  testWideIntegers<vtkTypeInt64Array>();
+  testWideIntegers<vtkUnsignedLongLongArray>();
+  return result();
+}
