@@ -31,25 +31,23 @@ UsedPoints gatherUsed(const PointView& points, const TriangleView& triangles)
   const PointSource source(points);
   UsedPoints used;
   std::vector<bool> isUsed(static_cast<std::size_t>(points.count));
-  Error bad(ErrorCode::BadTriangle);
   std::int64_t badCount = 0;
   std::int64_t firstBad = -1;
   for (std::int64_t t = 0; t < triangles.count; ++t)
   {
-    bool inRange = true;
-    for (int e = 0; e < 3; ++e)
+    const std::int64_t* v = triangles.corners + 3 * t;
+    const auto inRange = [&points](std::int64_t id) { return id >= 0 && id < points.count; };
+    if (inRange(v[0]) && inRange(v[1]) && inRange(v[2]) && v[0] != v[1] && v[1] != v[2] &&
+      v[2] != v[0])
     {
-      const std::int64_t id = triangles.corners[3 * t + e];
-      inRange = inRange && id >= 0 && id < points.count;
+      for (int e = 0; e < 3; ++e)
+      {
+        isUsed[static_cast<std::size_t>(v[e])] = true;
+      }
     }
-    if (!inRange)
+    else
     {
       firstBad = badCount++ ? firstBad : t;
-      continue;
-    }
-    for (int e = 0; e < 3; ++e)
-    {
-      isUsed[static_cast<std::size_t>(triangles.corners[3 * t + e])] = true;
     }
   }
   if (badCount)
@@ -125,20 +123,32 @@ Assignment assignNothing(const Polyhedron& polyhedron)
   return assignment;
 }
 
+/// Set the run's kernel point, and turn the surface's outer side out.
 /// @param kernel scaled, or null: seek one
+/// @throw Error NotStarShaped, NoKernel
 void chooseKernel(HullRun& run, Polyhedron& polyhedron, const double* kernel)
 {
   double found[3];
-  if (isInsideOut(polyhedron))
+  if (!kernel)
   {
-    turnOver(polyhedron);
-  }
-  if (!kernel && !seekKernel(polyhedron, found))
-  {
-    throw Error(ErrorCode::NoKernel);
+    if (isInsideOut(polyhedron))
+    {
+      turnOver(polyhedron);
+    }
+    if (!seekKernel(polyhedron, found))
+    {
+      throw Error(ErrorCode::NoKernel);
+    }
   }
   run.geometry.setKernel(kernel ? kernel : found);
-  const StarFault fault = findStarFault(run.geometry, polyhedron);
+  StarFault fault = findStarFault(run.geometry, polyhedron);
+  if (fault.count && kernel)
+  {
+    // The orientation that leaves fewer triangles at fault is the outward one.
+    turnOver(polyhedron);
+    const StarFault turned = findStarFault(run.geometry, polyhedron);
+    fault = turned.count < fault.count ? turned : fault;
+  }
   if (fault.count)
   {
     throw kernel ? Error(ErrorCode::NotStarShaped, fault.triangle, fault.count)

@@ -245,7 +245,10 @@ public:
       this->planar(a, b, c, 2, 0) == 0;
   }
 
-  bool isWide() const { return this->wide; }
+  bool isWide() const
+  {
+    return this->wide;
+  }
 
   /// How often the filter could not tell.
   std::int64_t exactCallCount() const

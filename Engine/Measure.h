@@ -104,7 +104,8 @@ public:
     hull.area = std::ldexp(this->area.value() / 2, 2 * (this->most - this->exponent));
     if (hull.dimension == 3)
     {
-      hull.volume = std::ldexp(this->volume.value() / 6,
+      // The rounded volume of a very thin solid may come out below zero.
+      hull.volume = std::ldexp(std::max(0.0, this->volume.value()) / 6,
         this->shift[0] + this->shift[1] + this->shift[2] - 3 * this->exponent);
     }
   }

@@ -77,8 +77,7 @@ TopologyFault checkFans(const Triangle* triangles, std::uint32_t count, std::uin
 
 TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint32_t vertexCount)
 {
-  TopologyFault bad, crowded, open, turned;
-  bad.code = ErrorCode::BadTriangle;
+  TopologyFault crowded, open, turned;
   crowded.code = ErrorCode::NotManifold;
   open.code = ErrorCode::NotClosed;
   turned.code = ErrorCode::NotOriented;
@@ -87,20 +86,12 @@ TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint3
   for (std::uint32_t t = 0; t < count; ++t)
   {
     const std::uint32_t* v = triangles[t].v;
-    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-    {
-      note(bad, t);
-    }
     for (int e = 0; e < 3; ++e)
     {
       const std::uint32_t a = v[e];
       const std::uint32_t b = v[nextCorner(e)];
       sides[std::size_t(3) * t + e] = { std::min(a, b), std::max(a, b), halfEdge(t, e) };
     }
-  }
-  if (bad.any)
-  {
-    return bad;
   }
   tbb::parallel_sort(sides.begin(), sides.end(),
     [](const Side& a, const Side& b)

@@ -17,15 +17,14 @@ namespace flipflop
 struct TopologyFault
 {
   bool any = false;
-  ErrorCode code = ErrorCode::BadTriangle;
+  ErrorCode code = ErrorCode::NotManifold;
   std::int64_t triangle = -1; ///< the first at fault
-  std::int64_t count = 0; ///< triangles (BadTriangle), edges, or vertices (NotManifold) at fault
+  std::int64_t count = 0;     ///< edges, or vertices, at fault
 };
 
-/// Set the twins of triangles whose corners are given (below @p vertexCount), and check, in this
-/// order: that the corners of each are different, that no edge has three triangles, that none has
-/// one, that its two run it in opposite directions, and that the triangles of each vertex form one
-/// fan.
+/// Set the twins of triangles, each with three different corners below @p vertexCount, and check,
+/// in this order: that no edge has three triangles, that none has one, that its two run it in
+/// opposite directions, and that the triangles of each vertex form one fan.
 TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint32_t vertexCount);
 
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -59,7 +60,7 @@ Validation checkStructure(const PointView& points, const Hull& hull)
     return faultAt(Fault::Structure, -1);
   }
   const std::int64_t least = std::min(hull.dimension + 1, 3);
-  std::vector<bool> used(static_cast<std::size_t>(pointCount));
+  std::vector<std::int64_t> lastCell(static_cast<std::size_t>(pointCount), -1);
   for (std::int64_t cell = 0; cell < cellCount; ++cell)
   {
     const std::int64_t begin = hull.cellBegin(cell);
@@ -72,11 +73,11 @@ Validation checkStructure(const PointView& points, const Hull& hull)
     const std::int64_t* corner = hull.connectivity.data();
     for (std::int64_t i = begin; i < end; ++i)
     {
-      if (corner[i] < 0 || corner[i] >= pointCount || (i > begin && corner[i] <= corner[begin]))
+      if (corner[i] < 0 || corner[i] >= pointCount || (i > begin && corner[i] <= corner[begin]) ||
+        std::exchange(lastCell[static_cast<std::size_t>(corner[i])], cell) == cell)
       {
         return faultAt(Fault::Structure, cell);
       }
-      used[static_cast<std::size_t>(corner[i])] = true;
     }
     if (cell > 0 &&
       !std::lexicographical_compare(
@@ -85,10 +86,10 @@ Validation checkStructure(const PointView& points, const Hull& hull)
       return faultAt(Fault::Structure, cell);
     }
   }
-  const auto unused = std::find(used.begin(), used.end(), false);
-  if (unused != used.end())
+  const auto unused = std::find(lastCell.begin(), lastCell.end(), -1);
+  if (unused != lastCell.end())
   {
-    return faultAt(Fault::Structure, unused - used.begin());
+    return faultAt(Fault::Structure, unused - lastCell.begin());
   }
   const std::int64_t wantedPoints[] = { 0, 1, 2 };
   const std::int64_t wantedCells[] = { 0, 1, 1 };
@@ -420,6 +421,12 @@ private:
         if (sign > 0 || (within && sign != 0) || (merged && !within && sign == 0))
         {
           return faultAt(Fault::NotConvex, this->cellOf[t]);
+        }
+        // Triangles of one facet are a fan: they meet at its lowest corner, the first of each.
+        const std::uint32_t lowest = triangle.v[0];
+        if (!merged && sign == 0 && (mesh.triangles[triangleOf(twin)].v[0] != lowest || e == 1))
+        {
+          return faultAt(Fault::Structure, this->cellOf[t]);
         }
         const std::uint32_t corner = triangle.v[e];
         if (!seen[corner])

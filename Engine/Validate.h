@@ -16,7 +16,8 @@ namespace flipflop
 enum class Fault
 {
   None,
-  Structure,     ///< sizes, indices, order of ids or cells; a cell not at its lowest corner
+  Structure,     ///< sizes, indices, order of ids or cells; a cell not at its lowest corner; a
+                 ///< facet's triangles not the fan from its lowest corner
   NotClosed,     ///< an edge without its opposite, or used twice
   NotConvex,     ///< an edge that is reflex, or flat where two polygons meet; a facet not planar
   NotExtreme,    ///< a hull point that is not strictly extreme
