@@ -3,6 +3,9 @@
 # vtk_module_build() names a module's folders relative to CMAKE_SOURCE_DIR, and that of a module at the
 # very top would have no name: CMake would take it for the project's own. So, for this call alone, the
 # source tree begins one folder further up.
+#
+# The headers get a folder of their own: the engine's names (Error.h, Options.h) must not be found by
+# those who look for the filters'.
 function(flipflop_build_module)
   get_filename_component(CMAKE_SOURCE_DIR "${FlipFlop_SOURCE_DIR}" DIRECTORY)
   vtk_module_build(
@@ -12,7 +15,7 @@ function(flipflop_build_module)
     SOVERSION "${FlipFlop_VERSION_MAJOR}.${FlipFlop_VERSION_MINOR}"
     INSTALL_EXPORT FlipFlop
     INSTALL_HEADERS ON
-    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/flipflop"
+    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/flipflop/vtk"
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/FlipFlop"
     LICENSE_DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/FlipFlop"
     ENABLE_WRAPPING ${FLIPFLOP_WRAP_PYTHON}

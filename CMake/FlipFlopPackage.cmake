@@ -45,3 +45,6 @@ install(FILES
   "${config_dir}/FlipFlopConfigVersion.cmake"
   DESTINATION "${FlipFlop_CMAKE_DESTINATION}"
   COMPONENT development)
+install(FILES LICENSE
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/FlipFlop"
+  COMPONENT runtime)

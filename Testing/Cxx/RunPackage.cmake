@@ -1,0 +1,25 @@
+# Installs the build tree into a folder, then configures, builds and tests users of the installed package:
+# the C++ examples, and a program that wants the engine alone.
+#
+#   cmake -D BINARY_DIR=... -D SOURCE_DIR=... -D WORK_DIR=... -D GENERATOR=... -D LIBDIR=... -P RunPackage.cmake
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE failed)
+  if(failed)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "failed: ${command}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE "${WORK_DIR}")
+run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --prefix "${WORK_DIR}/prefix")
+
+# Installed here and there, the package must find itself wherever it is taken.
+file(RENAME "${WORK_DIR}/prefix" "${WORK_DIR}/moved")
+
+foreach(user IN ITEMS Examples/Cxx Testing/Cxx/Package)
+  string(MAKE_C_IDENTIFIER "${user}" name)
+  run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/${user}" -B "${WORK_DIR}/${name}" -G "${GENERATOR}"
+    -DCMAKE_BUILD_TYPE=Release "-DFlipFlop_DIR=${WORK_DIR}/moved/${LIBDIR}/cmake/FlipFlop")
+  run("${CMAKE_COMMAND}" --build "${WORK_DIR}/${name}")
+  run("${CMAKE_CTEST_COMMAND}" --test-dir "${WORK_DIR}/${name}" --output-on-failure --no-tests=error)
+endforeach()
