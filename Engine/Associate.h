@@ -104,24 +104,27 @@ private:
     {
       const std::uint32_t blockBegin = i;
       int n = 0;
-      for (; i < end && n < Locator::BlockSize; ++i)
+      if (subset.ids || subset.checkFinite)
       {
-        const std::uint32_t id = idAt(i);
-        if (taken != takenEnd && *taken == id)
+        n = this->gather(subset, i, end, taken, takenEnd, block, ids);
+      }
+      else
+      {
+        // All points as they lie, up to the next that is taken.
+        const std::uint32_t stop = taken != takenEnd ? std::min(*taken, end) : end;
+        n = static_cast<int>(
+          std::min<std::uint32_t>(stop - i, static_cast<std::uint32_t>(Locator::BlockSize)));
+        this->source.load(i, n, block.x[0], block.x[1], block.x[2]);
+        for (int k = 0; k < n; ++k)
+        {
+          ids[k] = i + static_cast<std::uint32_t>(k);
+        }
+        i += static_cast<std::uint32_t>(n);
+        if (i < end && taken != takenEnd && *taken == i)
         {
           ++taken;
-          continue;
+          ++i;
         }
-        double x[3];
-        this->source.load(id, x);
-        if (subset.checkFinite && !isFinite(x))
-        {
-          continue;
-        }
-        block.x[0][n] = x[0];
-        block.x[1][n] = x[1];
-        block.x[2][n] = x[2];
-        ids[n++] = id;
       }
       this->locator.classify(block, n);
       for (int k = 0; k < n; ++k)
@@ -138,6 +141,35 @@ private:
       this->monitor.advance(i - blockBegin);
     }
     chunk.tally.statistics.exactCalls = local.exactCallCount() - this->geometry.exactCallCount();
+  }
+
+  /// Fill a block with the finite, not yet taken points of the subset from place @p i on.
+  int gather(const PointSubset& subset, std::uint32_t& i, std::uint32_t end,
+    const std::uint32_t*& taken, const std::uint32_t* takenEnd, typename Locator::Block& block,
+    std::uint32_t* ids) const
+  {
+    int n = 0;
+    for (; i < end && n < Locator::BlockSize; ++i)
+    {
+      const std::uint32_t id = subset.ids ? subset.ids[i] : i;
+      if (taken != takenEnd && *taken == id)
+      {
+        ++taken;
+        continue;
+      }
+      double x[3];
+      this->source.load(id, x);
+      if (subset.checkFinite && !isFinite(x))
+      {
+        continue;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        block.x[k][n] = x[k];
+      }
+      ids[n++] = id;
+    }
+    return n;
   }
 
   void place(const Geometry& local, const typename Locator::Block& block, int k, std::uint32_t id,

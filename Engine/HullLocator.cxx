@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HullLocator.h"
 
+#include "VectorClones.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -153,11 +155,61 @@ void HullLocator::buildGrid(const HullGeometry& geometry)
         // place.
         const double slack = radius > 0 ? 4e-15 / radius : HUGE_VAL;
         const std::size_t cell = (static_cast<std::size_t>(face) * side + row) * side + column;
-        this->limits[cell] = static_cast<float>((1 - 1e-6) / (most + slack));
+        this->limits[cell] = static_cast<float>((1 - 2e-6) / (most + slack));
         this->hints[cell] = at[corner];
       }
     }
   }
+}
+
+namespace
+{
+
+/// The pass over all points. Directions and distances are rounded to float, by less than 1e-6 of
+/// the extent in all; the limits allow for that.
+FF_VECTOR_CLONES
+void classifyPoints(const double* kernel, const double* unit, std::int32_t side,
+  const float* limits, HullLocator::Block& block, int n)
+{
+  constexpr int Size = HullLocator::BlockSize;
+  float q[3][Size];
+  for (int k = 0; k < 3; ++k)
+  {
+    const double origin = kernel[k];
+    const double factor = unit[k];
+    for (int i = 0; i < n; ++i)
+    {
+      q[k][i] = static_cast<float>((block.x[k][i] - origin) * factor);
+    }
+  }
+  const float half = 0.5f * static_cast<float>(side);
+  const std::int32_t last = side - 1;
+  float distance[Size];
+  for (int i = 0; i < n; ++i)
+  {
+    const float x = q[0][i], y = q[1][i], z = q[2][i];
+    const float ax = std::fabs(x), ay = std::fabs(y), az = std::fabs(z);
+    const float xy = ax > ay ? ax : ay;
+    const float most = xy > az ? xy : az;
+    // The face of the largest coordinate: x before y before z.
+    const float first = ax == most ? y : x;
+    const float second = ax == most ? z : (ay == most ? z : y);
+    const float along = ax == most ? x : (ay == most ? y : z);
+    const std::int32_t face = (ax == most ? 0 : (ay == most ? 2 : 4)) + (along < 0 ? 1 : 0);
+    const float factor = half / (most > 1e-30f ? most : 1e-30f);
+    const std::int32_t column = static_cast<std::int32_t>(first * factor + half);
+    const std::int32_t row = static_cast<std::int32_t>(second * factor + half);
+    const std::int32_t c = column < last ? column : last;
+    const std::int32_t r = row < last ? row : last;
+    distance[i] = most;
+    block.cell[i] = (face * side + r) * side + c;
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    block.inside[i] = distance[i] < limits[block.cell[i]] ? 1 : 0;
+  }
+}
+
 }
 
 void HullLocator::classify(Block& block, int n) const
@@ -165,42 +217,13 @@ void HullLocator::classify(Block& block, int n) const
   if (this->resolution == 0)
   {
     std::fill(block.cell, block.cell + n, 0);
-    std::fill(block.inside, block.inside + n, std::uint8_t(0));
+    std::fill(block.inside, block.inside + n, 0);
     return;
   }
-  const std::int32_t side = this->resolution;
-  const double half = 0.5 * side;
-  const double sx = this->kernel[0], sy = this->kernel[1], sz = this->kernel[2];
-  const double ux = this->unit[0], uy = this->unit[1], uz = this->unit[2];
-  for (int i = 0; i < n; ++i)
-  {
-    const double x = (block.x[0][i] - sx) * ux;
-    const double y = (block.x[1][i] - sy) * uy;
-    const double z = (block.x[2][i] - sz) * uz;
-    const double ax = std::fabs(x), ay = std::fabs(y), az = std::fabs(z);
-    const double xy = ax > ay ? ax : ay;
-    const double distance = xy > az ? xy : az;
-    const bool isX = ax == distance;
-    const bool isZ = !isX && ay != distance;
-    const double along = isX ? x : (isZ ? z : y);
-    const double first = isX ? y : x;
-    const double second = isZ ? y : z;
-    const double factor = half / (distance > 1e-300 ? distance : 1e-300);
-    const std::int32_t column = static_cast<std::int32_t>(first * factor + half);
-    const std::int32_t row = static_cast<std::int32_t>(second * factor + half);
-    const std::int32_t face = (isX ? 0 : (isZ ? 4 : 2)) + (along < 0 ? 1 : 0);
-    const std::int32_t c = column < side ? column : side - 1;
-    const std::int32_t r = row < side ? row : side - 1;
-    block.distance[i] = distance;
-    block.cell[i] = static_cast<std::uint32_t>((face * side + r) * side + c);
-  }
-  for (int i = 0; i < n; ++i)
-  {
-    block.inside[i] = block.distance[i] < static_cast<double>(this->limits[block.cell[i]]);
-  }
+  classifyPoints(this->kernel, this->unit, this->resolution, this->limits.data(), block, n);
 }
 
-std::uint32_t HullLocator::cellOf(const double* p) const
+std::int32_t HullLocator::cellOf(const double* p) const
 {
   Block block;
   for (int i = 0; i < 3; ++i)
@@ -212,7 +235,7 @@ std::uint32_t HullLocator::cellOf(const double* p) const
 }
 
 std::uint32_t HullLocator::locate(
-  const HullGeometry& geometry, const Vertex& p, std::uint32_t cell) const
+  const HullGeometry& geometry, const Vertex& p, std::int32_t cell) const
 {
   const double q[3] = { p.x[0] - geometry.kernel()[0], p.x[1] - geometry.kernel()[1],
     p.x[2] - geometry.kernel()[2] };

@@ -29,9 +29,8 @@ public:
   struct Block
   {
     double x[3][BlockSize];
-    double distance[BlockSize];     ///< largest coordinate of p - s, in units of the extent
-    std::uint32_t cell[BlockSize];  ///< cell of the direction of p - s
-    std::uint8_t inside[BlockSize]; ///< certainly inside
+    std::int32_t cell[BlockSize];   ///< cell of the direction of p - s
+    std::int32_t inside[BlockSize]; ///< certainly inside
   };
 
   /// @param triangles, count a convex polyhedron: a mesh without borders or dead triangles,
@@ -45,10 +44,10 @@ public:
   void classify(Block& block, int n) const;
 
   /// The cell of one point.
-  std::uint32_t cellOf(const double* p) const;
+  std::int32_t cellOf(const double* p) const;
 
   /// The triangle in whose cone p lies, exactly (by perturbation, at a border).
-  std::uint32_t locate(const HullGeometry& geometry, const Vertex& p, std::uint32_t cell) const;
+  std::uint32_t locate(const HullGeometry& geometry, const Vertex& p, std::int32_t cell) const;
 
   const HullPlane& plane(std::uint32_t triangle) const { return this->cones[triangle].plane; }
 

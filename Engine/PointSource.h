@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 namespace flipflop
 {
@@ -57,6 +58,26 @@ public:
     }
   }
 
+  /// Coordinates of @p n points from @p first on, axis by axis.
+  void load(std::uint32_t first, int n, double* x, double* y, double* z) const
+  {
+    if (this->view.type == ScalarType::Float32)
+    {
+      this->loadAs<float>(first, n, x, y, z);
+    }
+    else
+    {
+      this->loadAs<double>(first, n, x, y, z);
+    }
+    for (double* const axis : { x, y, z })
+    {
+      for (int i = 0; this->exponent && i < n; ++i)
+      {
+        axis[i] = std::ldexp(axis[i], this->exponent);
+      }
+    }
+  }
+
   Vertex vertex(std::uint32_t id) const
   {
     Vertex v;
@@ -66,7 +87,22 @@ public:
     return v;
   }
 
+  const PointView& points() const { return this->view; }
+
 private:
+  template <class Scalar>
+  void loadAs(std::uint32_t first, int n, double* x, double* y, double* z) const
+  {
+    const std::size_t step = static_cast<std::size_t>(this->view.stride);
+    const Scalar* p = static_cast<const Scalar*>(this->view.data) + first * step;
+    for (int i = 0; i < n; ++i, p += step)
+    {
+      x[i] = p[0];
+      y[i] = p[1];
+      z[i] = p[2];
+    }
+  }
+
   PointView view;
   int exponent = 0;
 };

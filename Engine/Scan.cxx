@@ -3,6 +3,7 @@
 #include "Scan.h"
 
 #include "HullGeometry.h"
+#include "VectorClones.h"
 
 #include <tbb/parallel_for.h>
 
@@ -53,15 +54,67 @@ void merge(ScanResult& into, const ScanResult& from)
   }
 }
 
-void scanRange(
+/// Ranges over a run of scalars that lie as x y z x y z ..., eight points at a time: slot k sees
+/// axis k % 3.
+/// @return false when one of them is not finite: then the results are worthless
+template <class Scalar>
+inline bool scanPacked(const Scalar* p, std::size_t groups, ScanResult& result)
+{
+  constexpr int Slots = 24;
+  double low[Slots], high[Slots], smallest[Slots], notFinite[Slots];
+  for (int k = 0; k < Slots; ++k)
+  {
+    low[k] = Infinity;
+    high[k] = -Infinity;
+    smallest[k] = Infinity;
+    notFinite[k] = 0;
+  }
+  for (std::size_t g = 0; g < groups; ++g, p += Slots)
+  {
+    for (int k = 0; k < Slots; ++k)
+    {
+      const double x = static_cast<double>(p[k]);
+      const double magnitude = std::fabs(x);
+      const double nonZero = magnitude > 0 ? magnitude : Infinity;
+      low[k] = x < low[k] ? x : low[k];
+      high[k] = x > high[k] ? x : high[k];
+      smallest[k] = nonZero < smallest[k] ? nonZero : smallest[k];
+      notFinite[k] += x * 0.0; // NaN from NaN or infinity on
+    }
+  }
+  double sum = 0;
+  for (int k = 0; k < Slots; ++k)
+  {
+    CoordinateRange& range = result.range;
+    range.low[k % 3] = std::min(range.low[k % 3], low[k]);
+    range.high[k % 3] = std::max(range.high[k % 3], high[k]);
+    range.smallest = std::min(range.smallest, smallest[k]);
+    sum += notFinite[k];
+  }
+  return sum == 0.0;
+}
+
+FF_VECTOR_CLONES
+bool scanDoubles(const double* p, std::size_t groups, ScanResult& result)
+{
+  return scanPacked(p, groups, result);
+}
+
+FF_VECTOR_CLONES
+bool scanFloats(const float* p, std::size_t groups, ScanResult& result)
+{
+  return scanPacked(p, groups, result);
+}
+
+/// Point by point, for any stride and whatever is not finite.
+void scanOneByOne(
   const PointSource& source, std::uint32_t begin, std::uint32_t end, ScanResult& result)
 {
   for (std::uint32_t id = begin; id < end; ++id)
   {
     double x[3];
     source.load(id, x);
-    // A NaN or an infinity, and nothing else, times zero is not zero.
-    if ((x[0] * 0.0 + x[1] * 0.0 + x[2] * 0.0) != 0.0)
+    if (!isFinite(x))
     {
       ++result.nonFinite;
       result.firstNonFinite = result.firstNonFinite < 0 ? id : result.firstNonFinite;
@@ -71,12 +124,33 @@ void scanRange(
     for (int i = 0; i < 3; ++i)
     {
       const double magnitude = std::fabs(x[i]);
-      const double nonZero = magnitude > 0 ? magnitude : Infinity;
-      result.range.low[i] = x[i] < result.range.low[i] ? x[i] : result.range.low[i];
-      result.range.high[i] = x[i] > result.range.high[i] ? x[i] : result.range.high[i];
-      result.range.smallest = nonZero < result.range.smallest ? nonZero : result.range.smallest;
+      result.range.low[i] = std::min(result.range.low[i], x[i]);
+      result.range.high[i] = std::max(result.range.high[i], x[i]);
+      result.range.smallest =
+        magnitude > 0 ? std::min(result.range.smallest, magnitude) : result.range.smallest;
     }
   }
+}
+
+void scanRange(
+  const PointSource& source, std::uint32_t begin, std::uint32_t end, ScanResult& result)
+{
+  const PointView& view = source.points();
+  const std::size_t groups = (end - begin) / 8;
+  if (view.stride == 3 && groups > 0)
+  {
+    ScanResult packed = emptyScan();
+    const std::size_t at = std::size_t(3) * begin;
+    if (view.type == ScalarType::Float64
+        ? scanDoubles(static_cast<const double*>(view.data) + at, groups, packed)
+        : scanFloats(static_cast<const float*>(view.data) + at, groups, packed))
+    {
+      packed.firstFinite = begin;
+      merge(result, packed);
+      begin += static_cast<std::uint32_t>(8 * groups);
+    }
+  }
+  scanOneByOne(source, begin, end, result);
 }
 
 }
