@@ -13,6 +13,7 @@
 #define flipflop_Builder_h
 
 #include "Associate.h"
+#include "Compact.h"
 #include "Patches.h"
 #include "Scan.h"
 
@@ -80,7 +81,7 @@ public:
     return samples;
   }
 
-  /// The (perturbed) hull of all points.
+  /// The (perturbed) hull of all points, with gaps.
   /// @param samples as nestedSamples gives them
   /// @param start   a tetrahedron, see startingTetrahedron; the geometry's kernel point is inside
   Polyhedron build(
@@ -107,6 +108,7 @@ public:
       current = this->insert(std::move(current), subset, tally);
       if (round)
       {
+        current = compact(std::move(current));
         const std::vector<std::uint32_t>& ids = samples[round - 1];
         taken.clear();
         std::set_union(

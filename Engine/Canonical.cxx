@@ -62,85 +62,111 @@ private:
   std::unordered_map<std::uint32_t, std::uint32_t> parent; ///< to a lower id, roots left out
 };
 
-/// The polyhedron's vertices in the order of the hull's points.
-struct Ranking
+/// Ids as a set of bits that knows how many of them are below one.
+class IdSet
 {
-  Buffer<std::uint32_t> rank;   ///< by vertex
-  Buffer<std::uint32_t> vertex; ///< by rank
+public:
+  explicit IdSet(std::uint32_t limit)
+    : bits((static_cast<std::size_t>(limit) + 63) / 64)
+    , before(this->bits.size())
+  {
+  }
+
+  void insert(std::uint32_t id) { this->bits[id / 64] |= std::uint64_t(1) << (id % 64); }
+
+  /// After all are inserted; the ids in ascending order go to @p sorted.
+  void count(std::int64_t* sorted)
+  {
+    std::uint32_t total = 0;
+    for (std::size_t word = 0; word < this->bits.size(); ++word)
+    {
+      this->before[word] = total;
+      for (std::uint64_t rest = this->bits[word]; rest; rest &= rest - 1)
+      {
+        // The lowest bit's place is the number of bits below it.
+        sorted[total++] = static_cast<std::int64_t>(64 * word + bitCount((rest & -rest) - 1));
+      }
+    }
+  }
+
+  std::uint32_t rank(std::uint32_t id) const
+  {
+    const std::uint64_t lower = this->bits[id / 64] & ((std::uint64_t(1) << (id % 64)) - 1);
+    return this->before[id / 64] + bitCount(lower);
+  }
+
+private:
+  static std::uint32_t bitCount(std::uint64_t word)
+  {
+    word -= (word >> 1) & 0x5555555555555555ull;
+    word = (word & 0x3333333333333333ull) + ((word >> 2) & 0x3333333333333333ull);
+    word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0Full;
+    return static_cast<std::uint32_t>(word * 0x0101010101010101ull >> 56);
+  }
+
+  std::vector<std::uint64_t> bits;
+  std::vector<std::uint32_t> before;
 };
 
-Ranking rankVertices(const Polyhedron& polyhedron, const std::vector<Duplicate>& duplicates,
-  std::uint32_t pointCount, Buffer<std::int64_t>& pointIds)
+/// The rank of every vertex among the hull's points, by its lowest id; the ids themselves.
+Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
+  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
+  Buffer<std::int64_t>& pointIds)
 {
-  const std::uint32_t count = polyhedron.vertexCount();
-  Ranking ranking;
-  ranking.rank.allocate(count);
-  ranking.vertex.allocate(count);
+  const std::uint32_t slots = polyhedron.vertexCount();
+  Buffer<std::uint32_t> rank(slots); // until then the lowest id
+  LowestIds lowest(duplicates);
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < slots; ++v)
+  {
+    rank[v] = NoIndex;
+    if (polyhedron.vertices[v].flags & VertexAlive)
+    {
+      rank[v] = lowest.of(polyhedron.vertices[v].id);
+      ++count;
+    }
+  }
   pointIds.allocate(count);
 
-  Buffer<std::uint32_t> id(count);
-  LowestIds lowest(duplicates);
-  for (std::uint32_t v = 0; v < count; ++v)
+  // A hull that is a small part of the input is sorted; else no sort is needed.
+  if (count < pointCount / 64)
   {
-    id[v] = lowest.of(polyhedron.vertices[v].id);
-  }
-
-  // A bit for every id, and how many bits are set before each word: ranks without a sort, unless
-  // the hull is a small part of the input.
-  if (count >= pointCount / 64)
-  {
-    const std::size_t words = (static_cast<std::size_t>(pointCount) + 63) / 64;
-    std::vector<std::uint64_t> bits(words);
-    std::vector<std::uint32_t> before(words);
-    for (const std::uint32_t i : id)
+    std::size_t n = 0;
+    for (const std::uint32_t id : rank)
     {
-      bits[i / 64] |= std::uint64_t(1) << (i % 64);
-    }
-    const auto bitCount = [](std::uint64_t word)
-    {
-      word -= (word >> 1) & 0x5555555555555555ull;
-      word = (word & 0x3333333333333333ull) + ((word >> 2) & 0x3333333333333333ull);
-      word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0Full;
-      return static_cast<std::uint32_t>(word * 0x0101010101010101ull >> 56);
-    };
-    std::uint32_t total = 0;
-    for (std::size_t w = 0; w < words; ++w)
-    {
-      before[w] = total;
-      total += bitCount(bits[w]);
-    }
-    tbb::parallel_for(std::size_t(0), runCount(count),
-      [&](std::size_t run)
+      if (id != NoIndex)
       {
-        const auto begin = static_cast<std::uint32_t>(run) * Run;
-        for (std::uint32_t v = begin; v < std::min(count, begin + Run); ++v)
-        {
-          const std::uint32_t i = id[v];
-          const std::uint64_t lower = bits[i / 64] & ((std::uint64_t(1) << (i % 64)) - 1);
-          ranking.rank[v] = before[i / 64] + bitCount(lower);
-        }
-      });
-  }
-  else
-  {
-    std::vector<std::uint32_t> order(count);
-    for (std::uint32_t v = 0; v < count; ++v)
-    {
-      order[v] = v;
+        pointIds[n++] = id;
+      }
     }
-    std::sort(order.begin(), order.end(),
-      [&id](std::uint32_t a, std::uint32_t b) { return id[a] < id[b]; });
-    for (std::uint32_t r = 0; r < count; ++r)
+    std::sort(pointIds.begin(), pointIds.end());
+    for (std::uint32_t& id : rank)
     {
-      ranking.rank[order[r]] = r;
+      id = id == NoIndex
+        ? NoIndex
+        : static_cast<std::uint32_t>(
+            std::lower_bound(pointIds.begin(), pointIds.end(), id) - pointIds.begin());
+    }
+    return rank;
+  }
+  IdSet set(pointCount);
+  for (const std::uint32_t id : rank)
+  {
+    if (id != NoIndex)
+    {
+      set.insert(id);
     }
   }
-  for (std::uint32_t v = 0; v < count; ++v)
-  {
-    ranking.vertex[ranking.rank[v]] = v;
-    pointIds[ranking.rank[v]] = id[v];
-  }
-  return ranking;
+  set.count(pointIds.data());
+  tbb::parallel_for(std::size_t(0), runCount(slots),
+    [&](std::size_t run)
+    {
+      for (std::size_t v = run * Run; v < std::min<std::size_t>(slots, (run + 1) * Run); ++v)
+      {
+        rank[v] = rank[v] == NoIndex ? NoIndex : set.rank(rank[v]);
+      }
+    });
+  return rank;
 }
 
 /// A triangle, lowest corner first; or a polygon's first two corners and, past all corners, its
@@ -204,41 +230,50 @@ private:
   Buffer<Cell> cells;
 };
 
-/// The true facets of two and more triangles, as polygons of ranks, lowest first.
+/// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
+/// first.
 class Polygons
 {
 public:
-  Polygons(const Polyhedron& polyhedron, const Ranking& ranking)
+  Polygons(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank)
   {
     std::vector<std::uint8_t> visited(polyhedron.triangleCount());
     const auto isFlat = [&](std::uint32_t h)
     { return (polyhedron.triangles[triangleOf(h)].index >> cornerOf(h) & 1) != 0; };
-    for (std::uint32_t t = 0; t < polyhedron.triangleCount(); ++t)
+    const auto trace = [&](std::uint32_t start)
     {
-      for (int e = 0; e < 3; ++e)
+      const std::size_t first = this->corners.size();
+      std::uint32_t h = start;
+      do
       {
-        if (polyhedron.triangles[t].index == 0 || isFlat(halfEdge(t, e)) || (visited[t] >> e & 1))
+        visited[triangleOf(h)] |= static_cast<std::uint8_t>(1 << cornerOf(h));
+        this->corners.push_back(polyhedron.triangles[triangleOf(h)].v[cornerOf(h)]);
+        h = nextHalfEdge(h);
+        while (isFlat(h))
         {
-          continue;
+          h = nextHalfEdge(polyhedron.triangles[triangleOf(h)].twin[cornerOf(h)]);
         }
-        const std::size_t first = this->corners.size();
-        const std::uint32_t start = halfEdge(t, e);
-        std::uint32_t h = start;
-        do
+      } while (h != start);
+      const auto begin = this->corners.begin() + static_cast<std::ptrdiff_t>(first);
+      std::rotate(begin,
+        std::min_element(begin, this->corners.end(),
+          [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; }),
+        this->corners.end());
+      this->begin.push_back(this->corners.size());
+    };
+    for (const Piece& piece : polyhedron.pieces)
+    {
+      for (std::uint32_t t = piece.begin; t < piece.end; ++t)
+      {
+        const Triangle& triangle = polyhedron.triangles[t];
+        const bool joined = !(triangle.flags & TriangleDead) && triangle.index != 0;
+        for (int e = 0; joined && e < 3; ++e)
         {
-          const Triangle& triangle = polyhedron.triangles[triangleOf(h)];
-          visited[triangleOf(h)] |= static_cast<std::uint8_t>(1 << cornerOf(h));
-          this->corners.push_back(ranking.rank[triangle.v[cornerOf(h)]]);
-          h = nextHalfEdge(h);
-          while (isFlat(h))
+          if (!isFlat(halfEdge(t, e)) && !(visited[t] >> e & 1))
           {
-            h = nextHalfEdge(polyhedron.triangles[triangleOf(h)].twin[cornerOf(h)]);
+            trace(halfEdge(t, e));
           }
-        } while (h != start);
-        std::rotate(this->corners.begin() + first,
-          std::min_element(this->corners.begin() + first, this->corners.end()),
-          this->corners.end());
-        this->begin.push_back(this->corners.size());
+        }
       }
     }
   }
@@ -256,26 +291,35 @@ private:
 class Writer
 {
 public:
-  Writer(const Polyhedron& polyhedron, Ranking&& ranking, bool anyFlat)
+  Writer(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank, bool anyFlat)
     : polyhedron(polyhedron)
-    , ranking(std::move(ranking))
-    , polygons(anyFlat ? new Polygons(polyhedron, this->ranking) : nullptr)
+    , rank(rank)
+    , polygons(anyFlat ? new Polygons(polyhedron, rank) : nullptr)
   {
   }
 
   void writeCells(FacetMode facets, int threads, Hull& hull) const
   {
     const bool fans = facets == FacetMode::Triangles;
-    SortedCells sorted(this->vertexCount(), threads > 1);
+    const auto pointCount = static_cast<std::uint32_t>(hull.pointIds.size());
+    SortedCells sorted(pointCount, threads > 1);
     const auto eachCell = [&](auto&& use)
     {
-      this->eachTriangle(
-        [&](const Triangle& t, int e)
-        {
-          use(Cell{ { this->ranking.rank[t.v[e]], this->ranking.rank[t.v[nextCorner(e)]],
-            this->ranking.rank[t.v[previousCorner(e)]] } });
-        });
-      fans ? this->eachFanTriangle(use) : this->eachPolygon(use);
+      const auto useTriangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t) {
+        use(Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
+      };
+      this->eachTriangle(useTriangle);
+      if (fans)
+      {
+        this->eachFanTriangle(useTriangle);
+        return;
+      }
+      for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+      {
+        const std::uint32_t* corner = this->polygons->first(p);
+        use(Cell{ { this->rank[corner[0]], this->rank[corner[1]],
+          pointCount + static_cast<std::uint32_t>(p) } });
+      }
     };
     eachCell([&](const Cell& cell) { sorted.count(cell.corner[0]); });
     sorted.endCounting();
@@ -287,78 +331,51 @@ public:
     }
     else
     {
-      this->writeMixed(sorted.get(), hull);
+      this->writeMixed(sorted.get(), pointCount, hull);
     }
   }
 
   /// Both facet modes measure the same triangles.
   void writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const
   {
-    Measure total(range, exponent, this->position(0));
-    std::vector<Measure> parts(runCount(this->polyhedron.triangleCount()), total);
-    const Vertex* v = this->polyhedron.vertices.data();
-    this->eachTriangle(
-      [&](const Triangle& t, int e)
-      {
-        const auto index = static_cast<std::size_t>(&t - this->polyhedron.triangles.data());
-        parts[index / Run].addTriangle(
-          v[t.v[e]].x, v[t.v[nextCorner(e)]].x, v[t.v[previousCorner(e)]].x);
-      });
+    const Buffer<Vertex>& vertices = this->polyhedron.vertices;
+    const auto first = std::find(this->rank.begin(), this->rank.end(), 0u) - this->rank.begin();
+    Measure total(range, exponent, vertices[static_cast<std::size_t>(first)].x);
+    std::vector<Measure> parts(this->polyhedron.pieces.size() + 1, total);
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
+    { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); };
+    this->eachTriangle(add);
+    this->eachFanTriangle(add);
     for (const Measure& part : parts)
     {
       total.add(part);
     }
-    this->eachFanTriangle(
-      [&](const Cell& cell)
-      {
-        total.addTriangle(this->position(cell.corner[0]), this->position(cell.corner[1]),
-          this->position(cell.corner[2]));
-      });
     total.write(hull);
   }
 
 private:
-  std::uint32_t vertexCount() const { return this->polyhedron.vertexCount(); }
-
-  const double* position(std::uint32_t rank) const
-  {
-    return this->polyhedron.vertices[this->ranking.vertex[rank]].x;
-  }
-
-  /// Facets that are one triangle: use(triangle, corner of lowest rank), in parallel by runs.
+  /// Facets that are one triangle: use(its vertices, the one of lowest rank first, piece), in
+  /// parallel.
   template <class Use>
   void eachTriangle(Use&& use) const
   {
-    const std::uint32_t count = this->polyhedron.triangleCount();
-    tbb::parallel_for(std::size_t(0), runCount(count),
-      [&](std::size_t run)
+    this->polyhedron.eachTriangle(
+      [&](std::uint32_t t, std::size_t piece)
       {
-        const auto begin = static_cast<std::uint32_t>(run) * Run;
-        for (std::uint32_t t = begin; t < std::min(count, begin + Run); ++t)
+        const Triangle& triangle = this->polyhedron.triangles[t];
+        if (triangle.index == 0)
         {
-          const Triangle& triangle = this->polyhedron.triangles[t];
-          if (triangle.index == 0)
-          {
-            const std::uint32_t a = this->ranking.rank[triangle.v[0]];
-            const std::uint32_t b = this->ranking.rank[triangle.v[1]];
-            const std::uint32_t c = this->ranking.rank[triangle.v[2]];
-            use(triangle, a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2));
-          }
+          const std::uint32_t* v = triangle.v;
+          const std::uint32_t a = this->rank[v[0]];
+          const std::uint32_t b = this->rank[v[1]];
+          const std::uint32_t c = this->rank[v[2]];
+          const int e = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
+          use(v[e], v[nextCorner(e)], v[previousCorner(e)], piece);
         }
       });
   }
 
-  /// The other facets: use(their first two corners and their number).
-  template <class Use>
-  void eachPolygon(Use&& use) const
-  {
-    for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
-    {
-      const std::uint32_t* corner = this->polygons->first(p);
-      use(Cell{ { corner[0], corner[1], this->vertexCount() + static_cast<std::uint32_t>(p) } });
-    }
-  }
-
+  /// The other facets' fans: use(vertices, number of pieces), one after another.
   template <class Use>
   void eachFanTriangle(Use&& use) const
   {
@@ -367,7 +384,7 @@ private:
       const std::uint32_t* corner = this->polygons->first(p);
       for (std::size_t i = 2; i < this->polygons->size(p); ++i)
       {
-        use(Cell{ { corner[0], corner[i - 1], corner[i] } });
+        use(corner[0], corner[i - 1], corner[i], this->polyhedron.pieces.size());
       }
     }
   }
@@ -387,11 +404,10 @@ private:
       });
   }
 
-  void writeMixed(const Buffer<Cell>& cells, Hull& hull) const
+  void writeMixed(const Buffer<Cell>& cells, std::uint32_t pointCount, Hull& hull) const
   {
-    const auto isPolygon = [this](const Cell& cell)
-    { return cell.corner[2] >= this->vertexCount(); };
-    const auto number = [this](const Cell& cell) { return cell.corner[2] - this->vertexCount(); };
+    const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
+    const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
     hull.cellSize = 0;
     hull.offsets.allocate(cells.size() + 1);
     std::size_t at = 0;
@@ -405,15 +421,19 @@ private:
     std::int64_t* out = hull.connectivity.data();
     for (const Cell& cell : cells)
     {
-      const std::uint32_t* first =
-        isPolygon(cell) ? this->polygons->first(number(cell)) : cell.corner;
-      out =
-        std::copy(first, first + (isPolygon(cell) ? this->polygons->size(number(cell)) : 3), out);
+      if (!isPolygon(cell))
+      {
+        out = std::copy(cell.corner, cell.corner + 3, out);
+        continue;
+      }
+      const std::uint32_t* first = this->polygons->first(number(cell));
+      out = std::transform(first, first + this->polygons->size(number(cell)), out,
+        [this](std::uint32_t v) { return static_cast<std::int64_t>(this->rank[v]); });
     }
   }
 
   const Polyhedron& polyhedron;
-  const Ranking ranking;
+  const Buffer<std::uint32_t>& rank;              ///< by vertex
   const std::unique_ptr<const Polygons> polygons; ///< null: no edge is flat
 };
 
@@ -424,8 +444,9 @@ void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
   int exponent, FacetMode facets, int threads, Hull& hull)
 {
   hull.dimension = 3;
-  const Writer writer(
-    polyhedron, rankVertices(polyhedron, duplicates, pointCount, hull.pointIds), anyFlat);
+  const Buffer<std::uint32_t> rank =
+    rankVertices(polyhedron, duplicates, pointCount, hull.pointIds);
+  const Writer writer(polyhedron, rank, anyFlat);
   writer.writeCells(facets, threads, hull);
   writer.writeMeasure(range, exponent, hull);
 }

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace flipflop
 {
@@ -27,94 +28,62 @@ std::uint32_t startsFromCounts(std::vector<std::uint32_t>& counts)
   return total;
 }
 
+/// use(vertex, run) for every vertex, in parallel by runs.
+template <class Use>
+void eachVertex(Polyhedron& polyhedron, std::size_t runs, Use&& use)
+{
+  tbb::parallel_for(std::size_t(0), runs,
+    [&](std::size_t run)
+    {
+      const std::size_t end = std::min(polyhedron.vertices.size(), (run + 1) * VertexRun);
+      for (std::size_t v = run * VertexRun; v < end; ++v)
+      {
+        if (polyhedron.vertices[v].flags & VertexAlive)
+        {
+          use(polyhedron.vertices[v], run);
+        }
+      }
+    });
 }
 
-Polyhedron compact(const Mesh& mesh,
-  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pieces, std::size_t vertexCount)
+}
+
+Polyhedron compact(Polyhedron&& old)
 {
-  const auto isDead = [&mesh](std::uint32_t t)
-  { return (mesh.triangles[t].flags & TriangleDead) != 0; };
-
   // How many stay, by piece and by run of vertices.
-  std::vector<std::uint32_t> triangleStart(pieces.size());
-  tbb::parallel_for(std::size_t(0), pieces.size(),
-    [&](std::size_t piece)
-    {
-      std::uint32_t alive = 0;
-      for (std::uint32_t t = pieces[piece].first; t < pieces[piece].second; ++t)
-      {
-        alive += isDead(t) ? 0 : 1;
-      }
-      triangleStart[piece] = alive;
-    });
-  std::vector<std::uint32_t> vertexStart((vertexCount + VertexRun - 1) / VertexRun);
-  tbb::parallel_for(std::size_t(0), vertexStart.size(),
-    [&](std::size_t run)
-    {
-      std::uint32_t alive = 0;
-      const std::size_t end = std::min(vertexCount, (run + 1) * VertexRun);
-      for (std::size_t v = run * VertexRun; v < end; ++v)
-      {
-        alive += mesh.vertices[v].flags & VertexAlive ? 1 : 0;
-      }
-      vertexStart[run] = alive;
-    });
-
-  Polyhedron result;
-  result.triangles.allocate(startsFromCounts(triangleStart));
-  result.vertices.allocate(startsFromCounts(vertexStart));
+  std::vector<std::uint32_t> triangleNext(old.pieces.size());
+  std::vector<std::uint32_t> vertexNext((old.vertices.size() + VertexRun - 1) / VertexRun);
+  old.eachTriangle([&](std::uint32_t, std::size_t piece) { ++triangleNext[piece]; });
+  eachVertex(old, vertexNext.size(), [&](const Vertex&, std::size_t run) { ++vertexNext[run]; });
+  const std::uint32_t triangleCount = startsFromCounts(triangleNext);
+  const std::uint32_t vertexCount = startsFromCounts(vertexNext);
+  Polyhedron result(vertexCount, triangleCount);
 
   // New numbers; a vertex keeps its own where its flags were.
-  tbb::parallel_for(std::size_t(0), pieces.size(),
-    [&](std::size_t piece)
+  old.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece) { old.triangles[t].index = triangleNext[piece]++; });
+  eachVertex(old, vertexNext.size(),
+    [&](Vertex& vertex, std::size_t run)
     {
-      std::uint32_t index = triangleStart[piece];
-      for (std::uint32_t t = pieces[piece].first; t < pieces[piece].second; ++t)
-      {
-        if (!isDead(t))
-        {
-          mesh.triangles[t].index = index++;
-        }
-      }
-    });
-  tbb::parallel_for(std::size_t(0), vertexStart.size(),
-    [&](std::size_t run)
-    {
-      std::uint32_t index = vertexStart[run];
-      const std::size_t end = std::min(vertexCount, (run + 1) * VertexRun);
-      for (std::size_t v = run * VertexRun; v < end; ++v)
-      {
-        Vertex& vertex = mesh.vertices[v];
-        if (vertex.flags & VertexAlive)
-        {
-          vertex.flags = index;
-          Vertex& copy = result.vertices[index++];
-          copy = vertex;
-          copy.flags = VertexAlive;
-        }
-      }
+      const std::uint32_t index = vertexNext[run]++;
+      result.vertices[index] = vertex;
+      result.vertices[index].flags = VertexAlive;
+      vertex.flags = index;
     });
 
-  tbb::parallel_for(std::size_t(0), pieces.size(),
-    [&](std::size_t piece)
+  old.eachTriangle(
+    [&](std::uint32_t t, std::size_t)
     {
-      for (std::uint32_t t = pieces[piece].first; t < pieces[piece].second; ++t)
+      const Triangle& triangle = old.triangles[t];
+      Triangle& copy = result.triangles[triangle.index];
+      for (int e = 0; e < 3; ++e)
       {
-        if (isDead(t))
-        {
-          continue;
-        }
-        const Triangle& triangle = mesh.triangles[t];
-        Triangle& copy = result.triangles[triangle.index];
-        for (int e = 0; e < 3; ++e)
-        {
-          copy.v[e] = mesh.vertices[triangle.v[e]].flags;
-          const std::uint32_t twin = triangle.twin[e];
-          copy.twin[e] = halfEdge(mesh.triangles[triangleOf(twin)].index, cornerOf(twin));
-        }
-        copy.flags = 0;
-        copy.index = 0;
+        const std::uint32_t twin = triangle.twin[e];
+        copy.v[e] = old.vertices[triangle.v[e]].flags;
+        copy.twin[e] = halfEdge(old.triangles[triangleOf(twin)].index, cornerOf(twin));
       }
+      copy.flags = 0;
+      copy.index = 0;
     });
   return result;
 }

@@ -88,14 +88,12 @@ UsedPoints gatherUsed(const PointView& points, const TriangleView& triangles)
 
 Polyhedron makePolyhedron(const PointSource& source, const std::vector<std::uint32_t>& corner)
 {
-  Polyhedron polyhedron;
-  polyhedron.vertices.allocate(source.count());
+  Polyhedron polyhedron(source.count(), corner.size() / 3);
   for (std::uint32_t id = 0; id < source.count(); ++id)
   {
     polyhedron.vertices[id] = source.vertex(id);
     polyhedron.vertices[id].flags = VertexAlive;
   }
-  polyhedron.triangles.allocate(corner.size() / 3);
   for (std::size_t t = 0; t < polyhedron.triangles.size(); ++t)
   {
     Triangle& triangle = polyhedron.triangles[t];

@@ -140,6 +140,7 @@ private:
       triangle.v[1] = corner[nextCorner(i)];
       triangle.v[2] = cone.begin;
       triangle.flags = 0;
+      triangle.index = 0;
       triangle.twin[1] = halfEdge(child[nextCorner(i)], 2);
       triangle.twin[2] = halfEdge(child[previousCorner(i)], 1);
     }

@@ -33,13 +33,11 @@ Polyhedron startingTetrahedron(HullGeometry& geometry, const PointSource& source
     std::swap(corner[1], corner[2]);
   }
 
-  Polyhedron result;
-  result.vertices.allocate(4);
+  Polyhedron result(4, 4);
   std::copy(corner, corner + 4, result.vertices.begin());
   // Corner 3 is beneath the triangle 0, 1, 2.
   static constexpr std::uint32_t corners[4][3] = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 },
     { 2, 3, 0 } };
-  result.triangles.allocate(4);
   for (std::uint32_t t = 0; t < 4; ++t)
   {
     std::copy(corners[t], corners[t] + 3, result.triangles[t].v);

@@ -11,7 +11,6 @@
 #ifndef flipflop_Patches_h
 #define flipflop_Patches_h
 
-#include "Compact.h"
 #include "Flipper.h"
 #include "Growth.h"
 #include "Polyhedron.h"
@@ -100,6 +99,7 @@ public:
       const Triangle& triangle = base.triangles[t];
       this->triangles[t] = triangle;
       this->triangles[t].flags = 0;
+      this->triangles[t].index = 0;
       for (int e = 0; e < 3; ++e)
       {
         this->baseTwins[halfEdge(t, e)] = triangle.twin[e];
@@ -117,19 +117,20 @@ public:
     return std::move(root.tally);
   }
 
-  /// The polyhedron that came of it, compact, in the patches' order.
+  /// The polyhedron that came of it, in the patches' order; nothing else is left here.
   Polyhedron take()
   {
-    // Pieces of the triangle array, each as it lies: a leaf's base triangles, then its grown ones.
     std::sort(this->leaves.begin(), this->leaves.end(),
-      [](const Leaf& a, const Leaf& b) { return a.firstBase < b.firstBase; });
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
+      [](const Leaf& a, const Leaf& b) { return a.base.begin < b.base.begin; });
+    Polyhedron result;
     for (const Leaf& leaf : this->leaves)
     {
-      pieces.emplace_back(leaf.firstBase, leaf.lastBase);
-      pieces.emplace_back(leaf.firstGrown, leaf.lastGrown);
+      result.pieces.push_back(leaf.base);
+      result.pieces.push_back(leaf.grown);
     }
-    return compact(this->mesh, pieces, this->points.vertices.size());
+    result.vertices = std::move(this->points.vertices);
+    result.triangles = std::move(this->triangles);
+    return result;
   }
 
 private:
@@ -139,9 +140,11 @@ private:
     std::uint32_t last;
   };
 
+  /// A leaf's triangles: of the base, and grown.
   struct Leaf
   {
-    std::uint32_t firstBase, lastBase, firstGrown, lastGrown;
+    Piece base;
+    Piece grown;
   };
 
   struct Node
@@ -235,7 +238,7 @@ private:
     flipper.run();
     this->finishNode(node, flipper, local);
     node.tally.statistics.secondsFlip = watch.lap();
-    this->addLeaf({ first, last, firstGrown, next });
+    this->addLeaf({ { first, last }, { firstGrown, next } });
     this->monitor.advance(this->points.begin[last] - this->points.begin[first]);
     return node;
   }

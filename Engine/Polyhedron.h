@@ -1,21 +1,56 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A star-shaped polyhedron at rest: compact, no borders, nothing dead.
+/// A star-shaped polyhedron at rest: a mesh without borders, and the memory it lies in.
 #ifndef flipflop_Polyhedron_h
 #define flipflop_Polyhedron_h
 
 #include "Buffer.h"
 #include "Mesh.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace flipflop
 {
 
+/// A range of the triangle array.
+struct Piece
+{
+  std::uint32_t begin;
+  std::uint32_t end;
+};
+
+/// After growing and flipping, the arrays have gaps: what lies outside the pieces was never
+/// written, some triangles in them are dead, and only vertices flagged VertexAlive belong to the
+/// polyhedron.
 struct Polyhedron
 {
   Buffer<Vertex> vertices;
   Buffer<Triangle> triangles;
+  std::vector<Piece> pieces; ///< of a size that suits a task
 
+  Polyhedron() = default;
+
+  /// Room for a polyhedron without gaps.
+  Polyhedron(std::size_t vertexCount, std::size_t triangleCount)
+    : vertices(vertexCount)
+    , triangles(triangleCount)
+  {
+    constexpr std::size_t PieceSize = 1 << 13;
+    for (std::size_t begin = 0; begin < triangleCount; begin += PieceSize)
+    {
+      this->pieces.push_back({ static_cast<std::uint32_t>(begin),
+        static_cast<std::uint32_t>(std::min(triangleCount, begin + PieceSize)) });
+    }
+  }
+
+  /// Numbers of the arrays' slots: of the vertices and triangles themselves only where there are no
+  /// gaps.
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
 
@@ -25,6 +60,23 @@ struct Polyhedron
     result.triangles = this->triangles.data();
     result.vertices = this->vertices.data();
     return result;
+  }
+
+  /// use(triangle, piece) for every triangle, in parallel by pieces.
+  template <class Use>
+  void eachTriangle(Use&& use) const
+  {
+    tbb::parallel_for(std::size_t(0), this->pieces.size(),
+      [&](std::size_t piece)
+      {
+        for (std::uint32_t t = this->pieces[piece].begin; t < this->pieces[piece].end; ++t)
+        {
+          if (!(this->triangles[t].flags & TriangleDead))
+          {
+            use(t, piece);
+          }
+        }
+      });
   }
 };
 

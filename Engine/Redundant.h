@@ -22,7 +22,7 @@
 namespace flipflop
 {
 
-/// Is no vertex of a mesh at rest shared with anyone?
+/// A mesh at rest is one patch.
 struct NothingShared
 {
   bool operator()(std::uint32_t) const { return false; }
@@ -66,40 +66,34 @@ private:
   /// One half-edge of each edge whose two triangles are exactly coplanar.
   std::vector<std::uint32_t> flatEdges()
   {
-    constexpr std::uint32_t Run = 1 << 14;
-    const std::uint32_t count = this->polyhedron.triangleCount();
-    std::vector<std::vector<std::uint32_t>> found((count + Run - 1) / Run);
-    std::vector<std::int64_t> exactCalls(found.size());
+    const std::size_t pieceCount = this->polyhedron.pieces.size();
+    std::vector<std::vector<std::uint32_t>> found(pieceCount);
+    std::vector<Geometry> local(pieceCount, this->geometry);
     const Mesh mesh = this->polyhedron.mesh();
-    tbb::parallel_for(std::size_t(0), found.size(),
-      [&](std::size_t run)
+    this->polyhedron.eachTriangle(
+      [&](std::uint32_t t, std::size_t piece)
       {
-        const Geometry local = this->geometry;
-        const auto begin = static_cast<std::uint32_t>(run) * Run;
-        for (std::uint32_t t = begin; t < std::min(count, begin + Run); ++t)
+        const Triangle& triangle = mesh.triangles[t];
+        for (int e = 0; e < 3; ++e)
         {
-          const Triangle& triangle = mesh.triangles[t];
-          for (int e = 0; e < 3; ++e)
+          const std::uint32_t h = halfEdge(t, e);
+          const std::uint32_t twin = triangle.twin[e];
+          if (h < twin &&
+            local[piece].above(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
+              mesh.vertices[triangle.v[2]],
+              mesh.vertices[mesh.origin(previousHalfEdge(twin))]) == 0)
           {
-            const std::uint32_t h = halfEdge(t, e);
-            const std::uint32_t twin = triangle.twin[e];
-            if (h < twin &&
-              local.above(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
-                mesh.vertices[triangle.v[2]],
-                mesh.vertices[mesh.origin(previousHalfEdge(twin))]) == 0)
-            {
-              found[run].push_back(h);
-            }
+            found[piece].push_back(h);
           }
         }
-        exactCalls[run] = local.exactCallCount() - this->geometry.exactCallCount();
-        this->monitor.poll();
       });
+    this->monitor.poll();
     std::vector<std::uint32_t> flat;
-    for (std::size_t run = 0; run < found.size(); ++run)
+    for (std::size_t piece = 0; piece < pieceCount; ++piece)
     {
-      flat.insert(flat.end(), found[run].begin(), found[run].end());
-      this->tally.statistics.exactCalls += exactCalls[run];
+      flat.insert(flat.end(), found[piece].begin(), found[piece].end());
+      this->tally.statistics.exactCalls +=
+        local[piece].exactCallCount() - this->geometry.exactCallCount();
     }
     return flat;
   }
@@ -178,8 +172,6 @@ private:
     flipper.run();
     flipper.addTo(this->tally.statistics);
     this->tally.statistics.exactCalls += local.exactCallCount() - this->geometry.exactCallCount();
-    this->polyhedron =
-      compact(mesh, { { 0, this->polyhedron.triangleCount() } }, this->polyhedron.vertices.size());
   }
 
   void markFlat(const std::vector<std::uint32_t>& flat)

@@ -355,9 +355,8 @@ private:
     {
       return faultAt(Fault::NotClosed, -1);
     }
-    this->polyhedron.vertices.allocate(this->corner.size());
+    this->polyhedron = Polyhedron(this->corner.size(), fans.size());
     std::copy(this->corner.begin(), this->corner.end(), this->polyhedron.vertices.begin());
-    this->polyhedron.triangles.allocate(fans.size());
     for (std::size_t t = 0; t < fans.size(); ++t)
     {
       Triangle& triangle = this->polyhedron.triangles[t];
