@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Run the engine and hold what it says to a reference, cell by cell.
+#ifndef flipflop_test_Compare_h
+#define flipflop_test_Compare_h
+
+#include "ConvexHull.h"
+#include "Reference.h"
+#include "Validate.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace flipflop
+{
+
+/// For GoogleTest's messages.
+inline void PrintTo(Fault fault, std::ostream* out)
+{
+  *out << describe(fault);
+}
+inline void PrintTo(ErrorCode code, std::ostream* out)
+{
+  *out << Error(code).what();
+}
+
+namespace test
+{
+
+PointView viewOf(const Cloud& cloud);
+std::vector<float> floatsOf(const Cloud& cloud);
+Hull clone(const Hull& hull);
+
+/// The hull's cells as input ids. Indices out of range become -1.
+std::vector<Cell> cellsOf(const Hull& hull);
+
+/// What differs from the reference, in words; empty when nothing does.
+std::string difference(const Hull& hull, const ReferenceHull& reference, FacetMode facets);
+
+/// What differs between two hulls that must be equal bit for bit; empty when nothing does.
+std::string bitDifference(const Hull& a, const Hull& b);
+
+/// Identities that every run's statistics keep.
+std::string statisticsFault(const Hull& hull, std::int64_t points);
+
+/// Run every variant of the engine on the cloud: threads 1, 2, 4; double, and float where the
+/// cloud is; triangles and polygons; V-biased or not. All must be the reference, be equal bit for
+/// bit, and pass validate.
+void expectHull(const Cloud& cloud, const ReferenceHull& reference);
+
+/// One plain run, for loops over very many clouds: the reference, and validate.
+/// @return what is wrong; empty when nothing is.
+std::string quickFault(
+  const Cloud& cloud, const ReferenceHull& reference, FacetMode facets, int threads, bool vBiased);
+
+/// Counts are cut under sanitizers, where everything is slower by a factor of ten or more.
+int effort(int count);
+
+}
+}
+
+#endif
