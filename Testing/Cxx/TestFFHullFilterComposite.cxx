@@ -181,6 +181,24 @@ void testAllBlocks()
   hull->Update();
   FF_CHECK_EQUAL(hull->GetOutput()->GetPoints()->GetDataType(), VTK_FLOAT);
   FF_CHECK_EQUAL(hull->GetVolume(), 2.0);
+
+  // Whichever comes first or last, types that differ become doubles, with every bit.
+  for (const int last : { VTK_FLOAT, VTK_DOUBLE, VTK_INT })
+  {
+    for (const int first : { VTK_FLOAT, VTK_DOUBLE, VTK_INT })
+    {
+      vtkNew<vtkMultiBlockDataSet> mixed;
+      mixed->SetBlock(0, makeBlock(0.0, first));
+      mixed->SetBlock(1, makePoints({ { 7.1, 0.5, 0.5 } }, last));
+      hull->SetInputData(mixed);
+      hull->Update();
+      FF_CHECK_EQUAL(
+        hull->GetOutput()->GetPoints()->GetDataType(), first == last ? first : VTK_DOUBLE);
+      const vtkIdType tip = hull->GetOutput()->GetNumberOfPoints() - 1;
+      const double exact = last == VTK_FLOAT ? double(7.1f) : last == VTK_INT ? 7.0 : 7.1;
+      FF_CHECK_EQUAL(hull->GetOutput()->GetPoint(tip)[0], exact);
+    }
+  }
 }
 
 /// The output's type follows the mode and the input, forth and back.
