@@ -32,8 +32,8 @@ public:
   {
     for (const Duplicate& d : duplicates)
     {
-      const std::uint32_t a = this->root(d.vertexId);
-      const std::uint32_t b = this->root(d.id);
+      const std::uint32_t a = this->root(d.first);
+      const std::uint32_t b = this->root(d.second);
       if (a != b)
       {
         this->parent[std::max(a, b)] = std::min(a, b);

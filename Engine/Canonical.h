@@ -6,7 +6,7 @@
 #define flipflop_Canonical_h
 
 #include "CoordinateRange.h"
-#include "Growth.h"
+#include "Duplicate.h"
 #include "Hull.h"
 #include "Options.h"
 #include "Polyhedron.h"
@@ -20,7 +20,7 @@ namespace flipflop
 /// @param polyhedron strictly extreme vertices only; bit e of a triangle's index tells that its
 /// edge e is flat
 /// @param anyFlat    whether there is a flat edge at all
-/// @param duplicates ids that stand for a vertex, or for another such id, when lower
+/// @param duplicates pairs of ids at one position
 /// @param pointCount ids are below this
 /// @param range      of the scaled coordinates
 /// @param exponent   coordinates are scaled by 2^exponent

@@ -15,6 +15,7 @@
 #ifndef flipflop_Flipper_h
 #define flipflop_Flipper_h
 
+#include "Duplicate.h"
 #include "FlipRule.h"
 #include "Mesh.h"
 #include "Monitor.h"
@@ -110,8 +111,13 @@ public:
       case FlipAction::RemoveA:
       case FlipAction::RemoveB:
       {
+        const std::uint32_t removed = decision.action == FlipAction::RemoveA ? h : twin;
+        if (!decision.byDegree)
+        {
+          this->noteDuplicate(removed);
+        }
         std::uint32_t outer[3];
-        this->mesh.flip31(decision.action == FlipAction::RemoveA ? h : twin, outer);
+        this->mesh.flip31(removed, outer);
         ++this->flips31;
         for (const std::uint32_t o : outer)
         {
@@ -147,6 +153,9 @@ public:
 
   /// Half-edges that a larger patch must check.
   std::vector<std::uint32_t> deferred;
+
+  /// Vertices that went, or will, though they are at another's position.
+  std::vector<Duplicate> duplicates;
 
   void addTo(Statistics& statistics) const
   {
@@ -196,8 +205,30 @@ private:
     }
     else
     {
+      this->noteDuplicate(h);
       this->label(h);
     }
+  }
+
+  /// The origin of h lies in the tetrahedron of s and the three others at its edge: an extreme
+  /// position can only do so as a duplicate of one of them, which then stands for its id.
+  void noteDuplicate(std::uint32_t h)
+  {
+    const Vertex& a = this->vertexAt(h);
+    const std::uint32_t twin = this->mesh.twin(h);
+    for (const std::uint32_t other : { twin, previousHalfEdge(h), previousHalfEdge(twin) })
+    {
+      const Vertex& b = this->vertexAt(other);
+      if (samePosition(a, b))
+      {
+        this->duplicates.push_back({ a.id, b.id });
+      }
+    }
+  }
+
+  const Vertex& vertexAt(std::uint32_t h) const
+  {
+    return this->mesh.vertices[this->mesh.origin(h)];
   }
 
   /// V-biased: all V-flips are done; label what still asks for it.
@@ -227,6 +258,7 @@ private:
       }
       else
       {
+        this->noteDuplicate(h);
         this->label(h);
       }
     }

@@ -16,6 +16,7 @@
 #define flipflop_Growth_h
 
 #include "Buffer.h"
+#include "Duplicate.h"
 #include "Mesh.h"
 #include "Monitor.h"
 
@@ -26,13 +27,6 @@
 
 namespace flipflop
 {
-
-/// A dropped point at the position of a vertex, with a lower id.
-struct Duplicate
-{
-  std::uint32_t vertexId; ///< id of the vertex
-  std::uint32_t id;       ///< the lower id
-};
 
 /// The furthest of a set of points from a triangle.
 struct Furthest
@@ -61,11 +55,6 @@ template <class Geometry>
 bool isAbove(const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c,
   const Vertex& p, std::vector<Duplicate>& duplicates)
 {
-  const int sign = geometry.above(a, b, c, p);
-  if (sign != 0)
-  {
-    return sign > 0;
-  }
   for (const Vertex* corner : { &a, &b, &c })
   {
     if (samePosition(*corner, p))
@@ -76,6 +65,11 @@ bool isAbove(const Geometry& geometry, const Vertex& a, const Vertex& b, const V
       }
       return false;
     }
+  }
+  const int sign = geometry.above(a, b, c, p);
+  if (sign != 0)
+  {
+    return sign > 0;
   }
   // In a flat cone "on the plane" does not mean "on the triangle": there the perturbation tells.
   return geometry.beneathKernel(a, b, c) == 0 && geometry.perturbedAbove(a, b, c, p) > 0;
@@ -179,7 +173,11 @@ private:
     {
       const Vertex p = points[i];
       int k = split.child(p.x);
-      if (k < 0)
+      if (k < 0 && samePosition(p, v))
+      {
+        k = 0; // it is dropped as a duplicate, whichever child it comes to
+      }
+      else if (k < 0)
       {
         k = Split::childOf(this->geometry.perturbedBeneathKernel(v, *corners[0], p) > 0,
           this->geometry.perturbedBeneathKernel(v, *corners[1], p) > 0,

@@ -46,7 +46,8 @@ public:
   /// The cell of one point.
   std::int32_t cellOf(const double* p) const;
 
-  /// The triangle in whose cone p lies, exactly (by perturbation, at a border).
+  /// The triangle in whose cone p lies, exactly (by perturbation, at a border); any triangle at a
+  /// vertex for a p at the position of that vertex.
   std::uint32_t locate(const HullGeometry& geometry, const Vertex& p, std::int32_t cell) const;
 
   const HullPlane& plane(std::uint32_t triangle) const { return this->cones[triangle].plane; }

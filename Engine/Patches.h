@@ -336,6 +336,8 @@ private:
   {
     flipper.addTo(node.tally.statistics);
     node.tally.statistics.exactCalls = local.exactCallCount() - this->geometry.exactCallCount();
+    node.tally.duplicates.insert(
+      node.tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
     node.deferred = std::move(flipper.deferred);
   }
 

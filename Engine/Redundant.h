@@ -171,6 +171,8 @@ private:
     }
     flipper.run();
     flipper.addTo(this->tally.statistics);
+    this->tally.duplicates.insert(
+      this->tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
     this->tally.statistics.exactCalls += local.exactCallCount() - this->geometry.exactCallCount();
   }
 
