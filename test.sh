@@ -15,13 +15,13 @@ case "${1:-}" in
   *) echo "usage: test.sh [quick]" >&2; exit 2 ;;
 esac
 
-# run_tests PRESET [COMMAND...]: build it, then ctest through COMMAND
-run_tests() {
+# build_and_test PRESET [OPTION OF CMAKE]...
+build_and_test() {
   local preset=$1
   shift
-  configure_and_build "$preset" "$preset"
+  configure_and_build "$preset" "$preset" "$@"
   say "Test: preset $preset"
-  "$@" ctest --test-dir "$top/build/$preset" --output-on-failure --no-tests=error \
+  "${layout[@]}" ctest --test-dir "$top/build/$preset" --output-on-failure --no-tests=error \
     --parallel "$(parallel_jobs)"
 }
 
@@ -31,13 +31,14 @@ run_tests() {
 trap stop_display EXIT
 [ -n "${DISPLAY:-}" ] || start_display
 
+# The sanitizers' shadow memory does not fit every random layout that newer kernels choose.
+layout=()
 if [ -z "$quick" ]; then
-  run_tests asan
-  # ThreadSanitizer's shadow does not fit every random memory layout of newer kernels.
-  layout=()
   if setarch "$(uname -m)" -R true 2>/dev/null; then
     layout=(setarch "$(uname -m)" -R)
   fi
-  run_tests tsan "${layout[@]}"
+  build_and_test asan
+  build_and_test tsan -DCMAKE_CXX_FLAGS="-I$top/Scripts/tsan"
+  layout=()
 fi
-run_tests ci
+build_and_test ci
