@@ -66,9 +66,36 @@ struct ExpansionSigns
   template <int Count>
   FF_HD static int orient2(const double* a, const double* b, const Row<Count>& c, int p, int q)
   {
+    int sign;
+    if (Count == 1 && filterOrient2(a, b, c.point[0], p, q, sign))
+    {
+      return sign;
+    }
     const auto left = product(offset(c, a, q), difference(b[p], a[p]));
     const auto right = product(offset(c, a, p), difference(b[q], a[q]));
     return sum(left, right, -1.0).sign();
+  }
+
+  /// The same in double; false when the error bound leaves it open. The sign is that of the rounded
+  /// value.
+  FF_HD static bool filterOrient2(
+    const double* a, const double* b, const double* c, int p, int q, int& sign)
+  {
+    const double bp = b[p] - a[p], bq = b[q] - a[q];
+    const double cp = c[p] - a[p], cq = c[q] - a[q];
+    const double left = bp * cq;
+    const double right = bq * cp;
+    const double det = left - right;
+    const double most = fabs(left) + fabs(right);
+    // Two differences, a product and a subtraction, 2^-53 each; below the floor products lose bits.
+    const double error = 4.01 * 0x1p-53 * most;
+    sign = det > 0 ? 1 : (det < 0 ? -1 : 0);
+    if (most > 1e-290 && (det > error || det < -error))
+    {
+      return true;
+    }
+    // Zero because differences are.
+    return (bp == 0 || cq == 0) && (bq == 0 || cp == 0);
   }
 
   /// Sign of a - b in the coordinate p.

@@ -228,14 +228,7 @@ public:
   bool filterPlanar(
     const Vertex& a, const Vertex& b, const Vertex& c, int p, int q, int& sign) const
   {
-    const double left = (b.x[p] - a.x[p]) * (c.x[q] - a.x[q]);
-    const double right = (b.x[q] - a.x[q]) * (c.x[p] - a.x[p]);
-    const double det = left - right;
-    const double most = std::fabs(left) + std::fabs(right);
-    // Two differences, a product and a subtraction, 2^-53 each; below the floor products lose bits.
-    const double error = 4.01 * 1.1102230246251565e-16 * most;
-    sign = det > 0 ? 1 : -1;
-    return most > 1e-290 && (det > error || det < -error);
+    return ExpansionSigns::filterOrient2(a.x, b.x, c.x, p, q, sign) || this->exactInDouble;
   }
 
   /// Do the three points lie on a line? Exact.

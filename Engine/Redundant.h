@@ -199,27 +199,29 @@ public:
     const auto second = [&](std::uint32_t spoke) -> const Vertex&
     { return v[mesh.origin(previousHalfEdge(spoke))]; };
 
-    std::vector<std::uint32_t> spokes; // of triangles with area
+    // Compare each triangle that has an area with the one before; the first once more at the end.
+    const auto changesPlane = [&](std::uint32_t from, std::uint32_t to)
+    {
+      return geometry.above(apex, first(from), second(from), first(to)) != 0 ||
+        geometry.above(apex, first(from), second(from), second(to)) != 0;
+    };
+    std::uint32_t start = NoIndex;
+    std::uint32_t previous = NoIndex;
+    int changes = 0;
     std::uint32_t spoke = h;
     do
     {
       if (!geometry.collinear(apex, first(spoke), second(spoke)))
       {
-        spokes.push_back(spoke);
+        start = start == NoIndex ? spoke : start;
+        changes += previous != NoIndex && changesPlane(previous, spoke) ? 1 : 0;
+        previous = spoke;
       }
       spoke = mesh.twin(previousHalfEdge(spoke));
-    } while (spoke != h);
-
-    int changes = 0;
-    for (std::size_t i = 0; i < spokes.size(); ++i)
+    } while (spoke != h && changes < 3);
+    if (changes < 3 && previous != start)
     {
-      const std::uint32_t here = spokes[i];
-      const std::uint32_t next = spokes[i + 1 < spokes.size() ? i + 1 : 0];
-      if (geometry.above(apex, first(here), second(here), first(next)) != 0 ||
-        geometry.above(apex, first(here), second(here), second(next)) != 0)
-      {
-        ++changes;
-      }
+      changes += changesPlane(previous, start) ? 1 : 0;
     }
     return changes >= 3;
   }
