@@ -22,15 +22,8 @@ Integer toInteger(double value)
   const double fraction = std::frexp(value, &exponent); // value = fraction * 2^exponent
   Integer result = static_cast<std::int64_t>(std::ldexp(fraction, 53));
   const int shift = exponent - 53 + 1074;
-  if (shift >= 0)
-  {
-    result <<= shift;
-  }
-  else
-  {
-    // Denormal: the bits shifted out are zero.
-    result /= Integer(1) << -shift;
-  }
+  // Of a denormal's 53 bits those below 2^-1074 are zero.
+  shift >= 0 ? result <<= shift : result >>= -shift;
   return result;
 }
 
