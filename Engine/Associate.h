@@ -73,7 +73,8 @@ private:
 
   struct Chunk
   {
-    std::vector<Placed> placed;
+    Buffer<Placed> placed; ///< room for all; memory is taken as it is written
+    std::size_t placedCount = 0;
     std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
     Tally tally;
   };
@@ -90,6 +91,7 @@ private:
     const Geometry local = this->geometry;
     const std::uint32_t begin = this->chunkBegin(subset.count, index);
     const std::uint32_t end = this->chunkBegin(subset.count, index + 1);
+    chunk.placed.allocate(end - begin);
     const auto idAt = [&subset](std::uint32_t i) { return subset.ids ? subset.ids[i] : i; };
     const std::uint32_t* taken = subset.taken;
     const std::uint32_t* const takenEnd = subset.taken + subset.takenCount;
@@ -198,7 +200,7 @@ private:
         return;
       }
     }
-    chunk.placed.push_back({ id, t });
+    chunk.placed[chunk.placedCount++] = { id, t };
     ++chunk.cursor[t];
   }
 
@@ -230,11 +232,12 @@ private:
       [&](std::size_t i)
       {
         Chunk& chunk = this->chunks[i];
-        for (const Placed& placed : chunk.placed)
+        for (std::size_t k = 0; k < chunk.placedCount; ++k)
         {
+          const Placed& placed = chunk.placed[k];
           result.vertices[chunk.cursor[placed.triangle]++] = this->source.vertex(placed.id);
         }
-        std::vector<Placed>().swap(chunk.placed);
+        chunk.placed.allocate(0);
       });
     return result;
   }

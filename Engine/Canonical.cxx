@@ -176,57 +176,96 @@ struct Cell
   std::uint32_t corner[3];
 };
 
-/// Cells in lexicographic order. A directed edge is in one cell only, so the first two corners
-/// tell.
-class SortedCells
+/// Brings cells into lexicographic order. A directed edge is in one cell only, so the first two
+/// corners tell.
+///
+/// Two passes over the cells, by pieces that may run in parallel: the first counts, the second
+/// moves each cell to a bucket of neighbouring first corners. A bucket then is sorted in the cache.
+class CellSort
 {
 public:
-  SortedCells(std::uint32_t vertexCount, bool atomic)
-    : atomic(atomic)
-    , begin(std::size_t(vertexCount) + 1)
+  CellSort(std::size_t pointCount, std::size_t pieceCount)
+    : shift(12)
   {
+    while (pointCount >> this->shift > 512)
+    {
+      ++this->shift;
+    }
+    this->bucketCount = (pointCount >> this->shift) + 1;
+    this->next.assign(this->bucketCount * pieceCount, 0);
   }
 
-  void count(std::uint32_t first) { this->add(first + 1); }
+  void count(std::size_t piece, std::uint32_t first) { ++this->cursor(piece, first); }
 
   void endCounting()
   {
-    for (std::size_t v = 1; v < this->begin.size(); ++v)
+    std::uint32_t total = 0;
+    for (std::size_t bucket = 0; bucket < this->bucketCount; ++bucket)
     {
-      this->begin[v] += this->begin[v - 1];
-    }
-    this->cells.allocate(this->begin.back());
-  }
-
-  void put(const Cell& cell) { this->cells[this->add(cell.corner[0])] = cell; }
-
-  /// After all are put, begin[v] is the end of v's cells.
-  void sort()
-  {
-    tbb::parallel_for(std::size_t(0), runCount(this->begin.size() - 1),
-      [&](std::size_t run)
+      this->bucketBegin.push_back(total);
+      for (std::size_t at = bucket; at < this->next.size(); at += this->bucketCount)
       {
-        const std::size_t last = std::min(this->begin.size() - 1, (run + 1) * Run);
-        for (std::size_t v = run * Run; v < last; ++v)
-        {
-          const std::size_t from = v ? this->begin[v - 1] : 0;
-          std::sort(this->cells.begin() + from, this->cells.begin() + this->begin[v],
-            [](const Cell& a, const Cell& b) { return a.corner[1] < b.corner[1]; });
-        }
-      });
+        const std::uint32_t n = this->next[at];
+        this->next[at] = total;
+        total += n;
+      }
+    }
+    this->bucketBegin.push_back(total);
+    this->cells.allocate(total);
   }
 
-  const Buffer<Cell>& get() const { return this->cells; }
+  void put(std::size_t piece, const Cell& cell)
+  {
+    this->cells[this->cursor(piece, cell.corner[0])++] = cell;
+  }
+
+  /// After all are put.
+  const Buffer<Cell>& sort()
+  {
+    tbb::parallel_for(
+      std::size_t(0), this->bucketCount, [&](std::size_t bucket) { this->sortBucket(bucket); });
+    return this->cells;
+  }
 
 private:
-  std::uint32_t add(std::size_t i)
+  std::uint32_t& cursor(std::size_t piece, std::uint32_t first)
   {
-    std::uint32_t& value = this->begin[i];
-    return this->atomic ? __atomic_fetch_add(&value, 1u, __ATOMIC_RELAXED) : value++;
+    return this->next[piece * this->bucketCount + (first >> this->shift)];
   }
 
-  bool atomic;
-  std::vector<std::uint32_t> begin;
+  void sortBucket(std::size_t bucket)
+  {
+    const std::size_t lowest = bucket << this->shift;
+    Cell* const begin = this->cells.begin() + this->bucketBegin[bucket];
+    Cell* const end = this->cells.begin() + this->bucketBegin[bucket + 1];
+    const std::vector<Cell> unsorted(begin, end);
+    std::vector<std::uint32_t> place((std::size_t(1) << this->shift) + 1);
+    for (const Cell& cell : unsorted)
+    {
+      ++place[cell.corner[0] - lowest + 1];
+    }
+    for (std::size_t v = 1; v < place.size(); ++v)
+    {
+      place[v] += place[v - 1];
+    }
+    for (const Cell& cell : unsorted)
+    {
+      begin[place[cell.corner[0] - lowest]++] = cell;
+    }
+    std::uint32_t from = 0;
+    for (const std::uint32_t to : place)
+    {
+      std::sort(begin + from, begin + std::max(from, to),
+        [](const Cell& a, const Cell& b) { return a.corner[1] < b.corner[1]; });
+      from = to;
+    }
+  }
+
+  int shift; ///< a bucket has 2^shift first corners
+  std::size_t bucketCount;
+  std::vector<std::uint32_t>
+    next; ///< by piece, then bucket: how many cells, then where the next goes
+  std::vector<std::uint32_t> bucketBegin;
   Buffer<Cell> cells;
 };
 
@@ -298,15 +337,15 @@ public:
   {
   }
 
-  void writeCells(FacetMode facets, int threads, Hull& hull) const
+  void writeCells(FacetMode facets, Hull& hull) const
   {
     const bool fans = facets == FacetMode::Triangles;
     const auto pointCount = static_cast<std::uint32_t>(hull.pointIds.size());
-    SortedCells sorted(pointCount, threads > 1);
     const auto eachCell = [&](auto&& use)
     {
-      const auto useTriangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t) {
-        use(Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
+      const auto useTriangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                 std::size_t piece) {
+        use(piece, Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
       };
       this->eachTriangle(useTriangle);
       if (fans)
@@ -317,21 +356,23 @@ public:
       for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
       {
         const std::uint32_t* corner = this->polygons->first(p);
-        use(Cell{ { this->rank[corner[0]], this->rank[corner[1]],
-          pointCount + static_cast<std::uint32_t>(p) } });
+        use(this->polyhedron.pieces.size(),
+          Cell{ { this->rank[corner[0]], this->rank[corner[1]],
+            pointCount + static_cast<std::uint32_t>(p) } });
       }
     };
-    eachCell([&](const Cell& cell) { sorted.count(cell.corner[0]); });
-    sorted.endCounting();
-    eachCell([&](const Cell& cell) { sorted.put(cell); });
-    sorted.sort();
+    CellSort sort(pointCount, this->polyhedron.pieces.size() + 1);
+    eachCell([&](std::size_t piece, const Cell& cell) { sort.count(piece, cell.corner[0]); });
+    sort.endCounting();
+    eachCell([&](std::size_t piece, const Cell& cell) { sort.put(piece, cell); });
+    const Buffer<Cell>& cells = sort.sort();
     if (fans || !this->polygons)
     {
-      writeTriangles(sorted.get(), hull);
+      writeTriangles(cells, hull);
     }
     else
     {
-      this->writeMixed(sorted.get(), pointCount, hull);
+      this->writeMixed(cells, pointCount, hull);
     }
   }
 
@@ -441,13 +482,13 @@ private:
 
 void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, const CoordinateRange& range,
-  int exponent, FacetMode facets, int threads, Hull& hull)
+  int exponent, FacetMode facets, Hull& hull)
 {
   hull.dimension = 3;
   const Buffer<std::uint32_t> rank =
     rankVertices(polyhedron, duplicates, pointCount, hull.pointIds);
   const Writer writer(polyhedron, rank, anyFlat);
-  writer.writeCells(facets, threads, hull);
+  writer.writeCells(facets, hull);
   writer.writeMeasure(range, exponent, hull);
 }
 

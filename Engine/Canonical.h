@@ -24,11 +24,10 @@ namespace flipflop
 /// @param pointCount ids are below this
 /// @param range      of the scaled coordinates
 /// @param exponent   coordinates are scaled by 2^exponent
-/// @param threads    whether more than one works here
 /// Fills in all of @p hull but its statistics.
 void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, const CoordinateRange& range,
-  int exponent, FacetMode facets, int threads, Hull& hull);
+  int exponent, FacetMode facets, Hull& hull);
 
 }
 
