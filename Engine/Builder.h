@@ -66,8 +66,7 @@ public:
     std::vector<std::vector<std::uint32_t>> samples;
     while (count > LeastSampled)
     {
-      const auto size = getenv("RR") ? count / atoi(getenv("RR"))
-                                     : static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));
+      const auto size = static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));
       std::vector<std::uint32_t> next = sample(count, size);
       if (!samples.empty())
       {
