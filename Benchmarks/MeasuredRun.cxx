@@ -73,19 +73,21 @@ std::int64_t resetPeak()
   return done ? memoryField("VmRSS") : -1;
 }
 
-/// Touch as much memory as the greediest contender is known to take, and give it back. A virtual
-/// machine's host hands memory out when it is first touched, at a tenth of the memory's speed:
+/// Touch as much memory as contenders are known to take, 2 GiB at most, and give it back. A virtual
+/// machine's host hands memory out when it is first touched, at a twentieth of the usual speed:
 /// without this, whoever runs first pays for all.
 void touchMemory(const Coordinates& xyz)
 {
   constexpr std::size_t BytesAPoint = 800;
+  constexpr std::size_t Most = std::size_t(1) << 31;
   constexpr std::size_t Page = 4096;
   const auto available = static_cast<std::size_t>(sysconf(_SC_AVPHYS_PAGES)) * Page;
-  const std::size_t bytes = std::min(xyz.size() / 3 * BytesAPoint, available / 2);
+  const std::size_t bytes = std::min({ xyz.size() / 3 * BytesAPoint, Most, available / 2 });
   void* const memory =
     mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory != MAP_FAILED)
   {
+    madvise(memory, bytes, MADV_HUGEPAGE);
     for (std::size_t at = 0; at < bytes; at += Page)
     {
       static_cast<volatile char*>(memory)[at] = 1;

@@ -173,7 +173,6 @@ private:
     }
   }
 
-public:
   /// Is the kernel point strictly beneath every triangle that has an area? Exact.
   static bool seesAll(const Geometry& geometry, const Polyhedron& polyhedron)
   {
@@ -191,7 +190,6 @@ public:
     return true;
   }
 
-private:
   Geometry& geometry;
   const PointSource& source;
   bool checkFinite;

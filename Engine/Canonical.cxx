@@ -337,7 +337,7 @@ public:
   {
   }
 
-  void writeCells(FacetMode facets, Hull& hull) const
+  void writeCells(FacetMode facets, Monitor& monitor, Hull& hull) const
   {
     const bool fans = facets == FacetMode::Triangles;
     const auto pointCount = static_cast<std::uint32_t>(hull.pointIds.size());
@@ -364,8 +364,11 @@ public:
     CellSort sort(pointCount, this->polyhedron.pieces.size() + 1);
     eachCell([&](std::size_t piece, const Cell& cell) { sort.count(piece, cell.corner[0]); });
     sort.endCounting();
+    monitor.poll();
     eachCell([&](std::size_t piece, const Cell& cell) { sort.put(piece, cell); });
+    monitor.poll();
     const Buffer<Cell>& cells = sort.sort();
+    monitor.poll();
     if (fans || !this->polygons)
     {
       writeTriangles(cells, hull);
@@ -482,13 +485,15 @@ private:
 
 void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, const CoordinateRange& range,
-  int exponent, FacetMode facets, Hull& hull)
+  int exponent, FacetMode facets, Monitor& monitor, Hull& hull)
 {
   hull.dimension = 3;
   const Buffer<std::uint32_t> rank =
     rankVertices(polyhedron, duplicates, pointCount, hull.pointIds);
   const Writer writer(polyhedron, rank, anyFlat);
-  writer.writeCells(facets, hull);
+  monitor.poll();
+  writer.writeCells(facets, monitor, hull);
+  monitor.poll();
   writer.writeMeasure(range, exponent, hull);
 }
 

@@ -8,6 +8,7 @@
 #include "CoordinateRange.h"
 #include "Duplicate.h"
 #include "Hull.h"
+#include "Monitor.h"
 #include "Options.h"
 #include "Polyhedron.h"
 
@@ -25,9 +26,10 @@ namespace flipflop
 /// @param range      of the scaled coordinates
 /// @param exponent   coordinates are scaled by 2^exponent
 /// Fills in all of @p hull but its statistics.
+/// @throw Error Aborted, between its passes
 void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, const CoordinateRange& range,
-  int exponent, FacetMode facets, Hull& hull);
+  int exponent, FacetMode facets, Monitor& monitor, Hull& hull);
 
 }
 

@@ -5,6 +5,7 @@
 #include "HullCones.h"
 #include "HullLocator.h"
 #include "HullRun.h"
+#include "Patches.h"
 #include "StarShape.h"
 #include "Topology.h"
 

@@ -195,7 +195,7 @@ void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)
   RedundantVertices<HullGeometry> redundant(this->geometry, polyhedron, tally, this->monitor);
   const bool anyFlat = redundant.remove();
   writeCanonical(polyhedron, anyFlat, tally.duplicates, this->source.count(), this->range,
-    this->arithmetic.scaleExponent, this->options.facets, hull);
+    this->arithmetic.scaleExponent, this->options.facets, this->monitor, hull);
 
   Statistics& statistics = hull.statistics;
   const Statistics& work = tally.statistics;

@@ -10,11 +10,11 @@
 #include "HullGeometry.h"
 #include "Monitor.h"
 #include "Options.h"
-#include "Patches.h"
 #include "PointSource.h"
 #include "Polyhedron.h"
 #include "Scan.h"
 #include "Stopwatch.h"
+#include "Tally.h"
 
 #include <tbb/task_arena.h>
 

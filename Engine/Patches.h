@@ -15,6 +15,7 @@
 #include "Growth.h"
 #include "Polyhedron.h"
 #include "Stopwatch.h"
+#include "Tally.h"
 
 #include <tbb/parallel_invoke.h>
 
@@ -33,32 +34,6 @@ struct Assignment
 {
   Buffer<std::uint32_t> begin; ///< #triangles + 1, places in vertices
   Buffer<Vertex> vertices;     ///< the polyhedron's vertices, then all triangles' points
-};
-
-/// Counters that tasks gather on their own and hand up.
-struct Tally
-{
-  Statistics statistics;
-  std::vector<Duplicate> duplicates;
-
-  void add(Tally&& other)
-  {
-    Statistics& s = this->statistics;
-    const Statistics& o = other.statistics;
-    s.insertions += o.insertions;
-    s.flips22 += o.flips22;
-    s.flips31 += o.flips31;
-    s.flipsV += o.flipsV;
-    s.flipsD += o.flipsD;
-    s.labelled += o.labelled;
-    s.edgeChecks += o.edgeChecks;
-    s.exactCalls += o.exactCalls;
-    s.culled += o.culled;
-    s.secondsGrow += o.secondsGrow;
-    s.secondsFlip += o.secondsFlip;
-    this->duplicates.insert(
-      this->duplicates.end(), other.duplicates.begin(), other.duplicates.end());
-  }
 };
 
 template <class Geometry>

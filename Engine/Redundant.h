@@ -11,7 +11,9 @@
 #ifndef flipflop_Redundant_h
 #define flipflop_Redundant_h
 
-#include "Patches.h"
+#include "Flipper.h"
+#include "Polyhedron.h"
+#include "Tally.h"
 
 #include <tbb/parallel_for.h>
 
@@ -73,6 +75,10 @@ private:
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t piece)
       {
+        if ((t & 0xFFF) == 0)
+        {
+          this->monitor.poll();
+        }
         const Triangle& triangle = mesh.triangles[t];
         for (int e = 0; e < 3; ++e)
         {
@@ -87,7 +93,6 @@ private:
           }
         }
       });
-    this->monitor.poll();
     std::vector<std::uint32_t> flat;
     for (std::size_t piece = 0; piece < pieceCount; ++piece)
     {
