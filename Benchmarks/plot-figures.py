@@ -204,6 +204,7 @@ def figure6a(results, folder):
     if len(names) < 2:
         return
     n = max(n for name, _ in names for n in results.sizes(name))
+    names = [pair for pair in names if n in results.sizes(pair[0])]
     lines = results.lines()
     figure, (left, right) = plt.subplots(1, 2, figsize=(13, 4.8), layout="constrained")
     groups = [text for _, text in names]
