@@ -142,7 +142,8 @@ public:
   }
 
 private:
-  /// The first point for which @p test (const Vertex&) names a fault.
+  /// The first point for which @p test (geometry, point) names a fault. Each task has a geometry of
+  /// its own, which counts.
   template <class Test>
   Validation eachPoint(Test&& test)
   {
@@ -152,10 +153,11 @@ private:
     tbb::parallel_for(std::uint32_t(0), count / Run + 1,
       [&](std::uint32_t part)
       {
+        const HullGeometry local = this->run.geometry;
         for (std::uint32_t id = part * Run; id < count && id - part * Run < Run; ++id)
         {
           const Vertex p = this->run.source.vertex(id);
-          if ((this->run.checkFinite && !isFinite(p.x)) || test(p) == Fault::None)
+          if ((this->run.checkFinite && !isFinite(p.x)) || test(local, p) == Fault::None)
           {
             continue;
           }
@@ -167,7 +169,8 @@ private:
         }
       });
     const std::uint32_t id = first.load();
-    return id == NoIndex ? Validation() : faultAt(test(this->run.source.vertex(id)), id);
+    return id == NoIndex ? Validation()
+                         : faultAt(test(this->run.geometry, this->run.source.vertex(id)), id);
   }
 
   /// A point at a hull point's position must not have a lower id.
@@ -185,9 +188,9 @@ private:
       return faultAt(Fault::NotExtreme, 1);
     }
     return this->eachPoint(
-      [&](const Vertex& p)
+      [&](const HullGeometry& local, const Vertex& p)
       {
-        bool between = this->run.geometry.collinear(a, b, p);
+        bool between = local.collinear(a, b, p);
         for (int i = 0; i < 3; ++i)
         {
           between =
@@ -249,26 +252,25 @@ private:
       }
     }
     return this->eachPoint(
-      [&](const Vertex& v)
+      [&](const HullGeometry& local, const Vertex& v)
       {
-        if (geometry.above(at(0), at(1), at(2), v) != 0)
+        if (local.above(at(0), at(1), at(2), v) != 0)
         {
           return Fault::PointOutside;
         }
         // The wedge from corner 0, then its outer edge.
         std::size_t low = 1;
         std::size_t high = n - 1;
-        if (geometry.planar(at(0), at(1), v, p, q) < 0 ||
-          geometry.planar(at(0), at(n - 1), v, p, q) > 0)
+        if (local.planar(at(0), at(1), v, p, q) < 0 || local.planar(at(0), at(n - 1), v, p, q) > 0)
         {
           return Fault::PointOutside;
         }
         while (high - low > 1)
         {
           const std::size_t middle = (low + high) / 2;
-          (geometry.planar(at(0), at(middle), v, p, q) >= 0 ? low : high) = middle;
+          (local.planar(at(0), at(middle), v, p, q) >= 0 ? low : high) = middle;
         }
-        if (geometry.planar(at(low), at(low + 1), v, p, q) < 0)
+        if (local.planar(at(low), at(low + 1), v, p, q) < 0)
         {
           return Fault::PointOutside;
         }
@@ -447,10 +449,9 @@ private:
     const HullLocator locator(geometry, this->polyhedron.triangles.data(),
       this->polyhedron.triangleCount(), this->polyhedron.vertices.data());
     return this->eachPoint(
-      [&](const Vertex& p)
+      [&](const HullGeometry& local, const Vertex& p)
       {
         // The grid only tells where to start; inside or not is decided by signs.
-        const HullGeometry local = geometry;
         const auto hullPoint = std::lower_bound(
           this->hull.pointIds.begin(), this->hull.pointIds.end(), static_cast<std::int64_t>(p.id));
         if (hullPoint != this->hull.pointIds.end() && *hullPoint == p.id)
