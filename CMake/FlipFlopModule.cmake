@@ -8,6 +8,9 @@
 # those who look for the filters'.
 function(flipflop_build_module)
   get_filename_component(CMAKE_SOURCE_DIR "${FlipFlop_SOURCE_DIR}" DIRECTORY)
+  if(CMAKE_SOURCE_DIR STREQUAL "/")
+    set(CMAKE_SOURCE_DIR "/.") # a checkout in /src: "//src" would be another file to ninja
+  endif()
   vtk_module_build(
     MODULES FlipFlop::FiltersFlipFlop
     PACKAGE FlipFlop
