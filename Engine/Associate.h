@@ -54,7 +54,9 @@ public:
   {
     const std::uint32_t wanted =
       this->threads == 1 ? 1 : 4 * static_cast<std::uint32_t>(this->threads);
-    this->chunks.resize(std::max(1u, std::min(wanted, subset.count / 16384)));
+    // Chunks worth a task, whose cursors take no more memory than their points.
+    const std::uint32_t least = std::max<std::uint32_t>(16384, this->base.triangleCount());
+    this->chunks.resize(std::max(1u, std::min(wanted, subset.count / least)));
     tbb::parallel_for(
       std::size_t(0), this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
     for (Chunk& chunk : this->chunks)
@@ -154,9 +156,12 @@ private:
     for (; i < end && n < Locator::BlockSize; ++i)
     {
       const std::uint32_t id = subset.ids ? subset.ids[i] : i;
+      while (taken != takenEnd && *taken < id)
+      {
+        ++taken; // not in the subset
+      }
       if (taken != takenEnd && *taken == id)
       {
-        ++taken;
         continue;
       }
       double x[3];

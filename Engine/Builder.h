@@ -14,12 +14,16 @@
 
 #include "Associate.h"
 #include "Compact.h"
+#include "Monitor.h"
+#include "Options.h"
 #include "Patches.h"
 #include "Scan.h"
+#include "Stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 

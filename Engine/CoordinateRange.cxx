@@ -10,9 +10,11 @@ namespace flipflop
 
 Arithmetic chooseArithmetic(const CoordinateRange& range)
 {
-  // Expansions need, for coordinates that are multiples of 2^bottom below 2^top: 3 * bottom >=
-  // -1074 and 3 * (top + 4) <= 1023, with room for the halves of a product.
-  constexpr int lowestBottom = -350;
+  // Expansions need, for coordinates that are multiples of 2^bottom below 2^top, 3 * bottom >=
+  // -1074 and 3 * (top + 4) <= 1023, with room for the halves of a product. A computed kernel point
+  // is a rounded mean: its bits reach lower than the points', by no more than the 170 places left
+  // here.
+  constexpr int lowestBottom = -300;
   constexpr int highestTop = 300;
 
   Arithmetic result;

@@ -86,7 +86,7 @@ struct ExpansionSigns
     const double left = bp * cq;
     const double right = bq * cp;
     const double det = left - right;
-    const double most = fabs(left) + fabs(right);
+    const double most = std::fabs(left) + std::fabs(right);
     // Two differences, a product and a subtraction, 2^-53 each; below the floor products lose bits.
     const double error = 4.01 * 0x1p-53 * most;
     sign = det > 0 ? 1 : (det < 0 ? -1 : 0);
@@ -118,14 +118,14 @@ private:
       u[i] = doubleDifference(b[i], a[i]);
       v[i] = doubleDifference(c[i], a[i]);
       w[i] = doubleDifference(d.point[0][i], a[i]);
-      double size = fabs(w[i].high);
+      double size = std::fabs(w[i].high);
       for (int k = 1; k < Count; ++k)
       {
         const DoubleDouble more = doubleDifference(d.point[k][i], a[i]);
         w[i] = w[i] + more;
-        size += fabs(more.high);
+        size += std::fabs(more.high);
       }
-      size = fmax(size, fmax(fabs(u[i].high), fabs(v[i].high)));
+      size = std::fmax(size, std::fmax(std::fabs(u[i].high), std::fabs(v[i].high)));
       // The range in which no product's low part is lost (see HullGeometry's filter).
       if (!(size >= 1e-97 && size <= 1e102))
       {

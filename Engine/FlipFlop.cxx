@@ -7,6 +7,7 @@
 #include "HullRun.h"
 #include "Patches.h"
 #include "StarShape.h"
+#include "Stopwatch.h"
 #include "Topology.h"
 
 #include <algorithm>
@@ -127,21 +128,32 @@ Assignment assignNothing(const Polyhedron& polyhedron)
 /// @throw Error NotStarShaped, NoKernel
 void chooseKernel(HullRun& run, Polyhedron& polyhedron, const double* kernel)
 {
-  double found[3];
   if (!kernel)
   {
+    // The sign of a rounded volume tells the orientation, unless the solid is very thin.
     if (isInsideOut(polyhedron))
     {
       turnOver(polyhedron);
     }
-    if (!seekKernel(polyhedron, found))
+    for (int attempt = 0; attempt < 2; ++attempt)
     {
-      throw Error(ErrorCode::NoKernel);
+      double found[3];
+      if (seekKernel(polyhedron, found))
+      {
+        run.geometry.setKernel(found);
+        if (findStarFault(run.geometry, polyhedron).count == 0)
+        {
+          return;
+        }
+      }
+      turnOver(polyhedron);
     }
+    throw Error(ErrorCode::NoKernel);
   }
-  run.geometry.setKernel(kernel ? kernel : found);
+
+  run.geometry.setKernel(kernel);
   StarFault fault = findStarFault(run.geometry, polyhedron);
-  if (fault.count && kernel)
+  if (fault.count)
   {
     // The orientation that leaves fewer triangles at fault is the outward one.
     turnOver(polyhedron);
@@ -150,8 +162,7 @@ void chooseKernel(HullRun& run, Polyhedron& polyhedron, const double* kernel)
   }
   if (fault.count)
   {
-    throw kernel ? Error(ErrorCode::NotStarShaped, fault.triangle, fault.count)
-                 : Error(ErrorCode::NoKernel);
+    throw Error(ErrorCode::NotStarShaped, fault.triangle, fault.count);
   }
 }
 
@@ -172,7 +183,7 @@ Hull flipFlop(const PointView& points, const TriangleView& triangles, const doub
     throw Error(ErrorCode::TooManyPoints, -1, triangles.count);
   }
   Stopwatch watch;
-  const UsedPoints used = gatherUsed(points, triangles);
+  const UsedPoints used = withTypedErrors([&] { return gatherUsed(points, triangles); });
   HullRun run(
     PointView(used.coordinates.data(), static_cast<std::int64_t>(used.ids.size())), options);
   Hull hull = run.execute(

@@ -21,6 +21,7 @@
 #include "Monitor.h"
 #include "Statistics.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace flipflop

@@ -20,6 +20,7 @@
 #include "Mesh.h"
 #include "Monitor.h"
 
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <utility>

@@ -3,14 +3,13 @@
 /// @file
 /// What the algorithms may ask of space when they build a hull in R3.
 ///
-/// One of the models of the geometry concept: points, a kernel point s, and signs. Algorithms name
-/// no coordinate; they ask
+/// One of the models of the geometry concept: points, a kernel point s, and signs. Algorithms take
+/// every decision by asking
 ///
 ///   above(a, b, c, p)          is p beyond the triangle abc, seen from s? Exact: -1, 0, 1
 ///   beneathKernel(a, b, c)     does abc turn its outer side away from s? Exact: -1, 0, 1
 ///   perturbedAbove, perturbedBeneathKernel     the same, never 0 (Simulation of Simplicity by id)
-///   Split, Plane               a triangle's or a cone's tests for many points: a value and its
-///   error
+///   Cone, Split, Plane         their tests, prepared for many points: a value and its error
 ///
 /// Triangles are counter-clockwise seen from outside, so beneathKernel > 0 for every triangle of a
 /// polyhedron that is star-shaped from s. Seen from s, p lies in the cone of abc when
@@ -33,9 +32,9 @@
 namespace flipflop
 {
 
-/// Relative error of a 3 by 3 determinant of rounded differences, against 6 times the product of
-/// its rows' or columns' largest entries: 3 differences, 2 products, 3 additions, 2^-53 each,
-/// rounded up.
+/// Error of a 3 by 3 determinant of rounded differences, against the product of its rows' or
+/// columns' largest entries: six terms, each off by 3 differences, 2 products and 3 additions of
+/// 2^-53 each, rounded up.
 constexpr double DeterminantError = 48.1 * 1.1102230246251565e-16;
 
 /// Largest magnitudes between which no underflow spoils the filter.
@@ -59,9 +58,9 @@ public:
 
   /// @param range      of the scaled coordinates
   /// @param arithmetic how they were scaled
-  /// @param onLattice  all coordinates are multiples of a power of two so large that determinants
-  /// of
-  ///                   differences are exact in double
+  /// @param onLattice  all are multiples of a power of two so large that determinants of
+  /// differences
+  ///                   are exact in double
   HullGeometry(const CoordinateRange& range, const Arithmetic& arithmetic, bool onLattice)
     : wide(arithmetic.wide)
   {
@@ -69,7 +68,8 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       extent[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
-      this->largest[i] = std::fmax(std::fabs(range.low[i]), std::fabs(range.high[i]));
+      this->low[i] = range.low[i];
+      this->high[i] = range.high[i];
       this->reach[i] = extent[i];
     }
     this->inRange = true;
@@ -85,16 +85,18 @@ public:
     this->kernelError = std::numeric_limits<double>::infinity();
   }
 
-  /// Use a point as kernel point, as it is.
-  void setKernel(const double* s)
+  /// Use a point as kernel point, as it is. Whether it is inside is for the signs to tell.
+  void setKernel(const double* point)
   {
     this->symbolic = false;
+    bool inBox = this->inRange;
     for (int i = 0; i < 3; ++i)
     {
-      this->s[i] = s[i];
+      this->s[i] = point[i];
+      inBox = inBox && point[i] >= this->low[i] && point[i] <= this->high[i];
     }
-    // Every point is within the extent of the kernel, which lies inside.
-    this->kernelError = this->inRange
+    // In the bounding box no point is further from it than the extent.
+    this->kernelError = inBox
       ? DeterminantError * this->reach[0] * this->reach[1] * this->reach[2] * (1 + 1e-15)
       : std::numeric_limits<double>::infinity();
   }
@@ -116,7 +118,7 @@ public:
     // The determinant is linear in s, with coefficients below 2 * (extent * extent).
     for (int i = 0; i < 3; ++i)
     {
-      const double error = 8.9e-16 * this->largest[i];
+      const double error = 8.9e-16 * std::fmax(std::fabs(this->low[i]), std::fabs(this->high[i]));
       slack += 2.01 * error * this->reach[(i + 1) % 3] * this->reach[(i + 2) % 3];
       this->reach[i] = (this->reach[i] + error) * (1 + 4e-16);
     }
@@ -396,7 +398,8 @@ private:
 
   double s[3] = { 0, 0, 0 };
   double corner[4][3] = {};
-  double largest[3] = { 0, 0, 0 };
+  double low[3] = { 0, 0, 0 }; ///< of the points
+  double high[3] = { 0, 0, 0 };
   double reach[3] = { 0, 0, 0 }; ///< no two points, nor a point and s, are further apart
   double pointError = 0.0;
   double kernelError = 0.0;

@@ -151,9 +151,8 @@ void HullLocator::buildGrid(const HullGeometry& geometry)
         const std::size_t corner = static_cast<std::size_t>(row) * points + column;
         const double most = std::max(std::max(gauge[corner], gauge[corner + 1]),
           std::max(gauge[corner + points], gauge[corner + points + 1]));
-        // A point's direction is rounded: it may belong to the next cell by a few units in the last
-        // place.
-        const double slack = radius > 0 ? 4e-15 / radius : HUGE_VAL;
+        // A point's direction is rounded to float, by less than 1e-6: it may be the next cell's.
+        const double slack = radius > 0 ? 1e-6 / radius : HUGE_VAL;
         const std::size_t cell = (static_cast<std::size_t>(face) * side + row) * side + column;
         this->limits[cell] = static_cast<float>((1 - 2e-6) / (most + slack));
         this->hints[cell] = at[corner];
@@ -166,7 +165,7 @@ namespace
 {
 
 /// The pass over all points. Directions and distances are rounded to float, by less than 1e-6 of
-/// the extent in all; the limits allow for that.
+/// the largest coordinate in all: the limits allow for that (see buildGrid).
 FF_VECTOR_CLONES
 void classifyPoints(const double* kernel, const double* unit, std::int32_t side,
   const float* limits, HullLocator::Block& block, int n)

@@ -27,34 +27,45 @@ namespace flipflop
 /// Threads that a run may use: as asked for, or all the machine has.
 int threadCount(int asked);
 
+/// What @p work returns; any shortage of memory becomes OutOfMemory.
+template <class Work>
+auto withTypedErrors(Work&& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::OutOfMemory);
+  }
+}
+
 class HullRun
 {
 public:
   /// @throw Error BadArgument, TooManyPoints
   HullRun(const PointView& points, const Options& options);
 
-  /// Run @p body (Hull&) on the run's threads; any shortage of memory becomes OutOfMemory.
+  /// Run @p body (Hull&) on the run's threads; see withTypedErrors.
   template <class Body>
   Hull execute(Body&& body)
   {
-    try
-    {
-      Hull hull;
-      Stopwatch watch;
-      tbb::task_arena arena(this->threads);
-      arena.execute(
-        [&]
-        {
-          body(hull);
-          this->monitor.stage(1.0, 1.0, 1);
-        });
-      hull.statistics.secondsTotal = watch.lap();
-      return hull;
-    }
-    catch (const std::bad_alloc&)
-    {
-      throw Error(ErrorCode::OutOfMemory);
-    }
+    return withTypedErrors(
+      [&]
+      {
+        Hull hull;
+        Stopwatch watch;
+        tbb::task_arena arena(this->threads);
+        arena.execute(
+          [&]
+          {
+            body(hull);
+            this->monitor.stage(1.0, 1.0, 1);
+          });
+        hull.statistics.secondsTotal = watch.lap();
+        return hull;
+      });
   }
 
   /// The hull of all points.

@@ -18,7 +18,7 @@
 namespace flipflop
 {
 
-/// A sum of doubles in fixed point: 82 bits behind the point. The total stays below 2^12 in
+/// A sum of doubles in fixed point: 81 bits behind the point. The total stays below 2^12 in
 /// magnitude; each part of it below 2^62 for up to 2^31 terms.
 class FixedSum
 {

@@ -13,6 +13,7 @@
 
 #include "Flipper.h"
 #include "Growth.h"
+#include "Monitor.h"
 #include "Polyhedron.h"
 #include "Stopwatch.h"
 #include "Tally.h"

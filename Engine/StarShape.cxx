@@ -81,12 +81,15 @@ StarFault findStarFault(const HullGeometry& geometry, const Polyhedron& polyhedr
   // Each triangle covers its directions once, so the surface covers all directions equally often:
   // one direction tells. Perturbed, it is on no cone's border.
   Vertex probe{};
+  const std::uint32_t* first = polyhedron.triangles[0].v;
   for (int i = 0; i < 3; ++i)
   {
-    for (const std::uint32_t corner : polyhedron.triangles[0].v)
-    {
-      probe.x[i] += v[corner].x[i] * 0.3333;
-    }
+    const double a = v[first[0]].x[i];
+    const double b = v[first[1]].x[i];
+    const double c = v[first[2]].x[i];
+    // In the bounding box, however it is rounded.
+    probe.x[i] = std::max(
+      std::min({ a, b, c }), std::min(0.5 * a + (0.25 * b + 0.25 * c), std::max({ a, b, c })));
   }
   probe.id = NoIndex;
   std::int64_t covered = 0;

@@ -357,6 +357,10 @@ private:
     {
       return faultAt(Fault::NotClosed, -1);
     }
+    if (fans.size() >= NoIndex / 4)
+    {
+      return faultAt(Fault::Structure, -1); // beyond 32-bit half-edges, as no hull of ours is
+    }
     this->polyhedron = Polyhedron(this->corner.size(), fans.size());
     std::copy(this->corner.begin(), this->corner.end(), this->polyhedron.vertices.begin());
     for (std::size_t t = 0; t < fans.size(); ++t)
@@ -496,7 +500,7 @@ Validation validate(const PointView& points, const Hull& hull, int threads)
   // A hull in polygons has true facets; one in triangles may have flat edges.
   options.facets = hull.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
   HullRun run(points, options);
-  Validation result = checkStructure(points, hull);
+  Validation result = withTypedErrors([&] { return checkStructure(points, hull); });
   if (!result)
   {
     return result;
