@@ -264,6 +264,33 @@ TEST(FlipFlopErrors, WoundTwice)
   EXPECT_FALSE(codeOf(wound(5, 1), origin).has_value());
 }
 
+TEST(FlipFlopErrors, FarFromTheOrigin)
+{
+  // What is not star-shaped is told apart as well where the coordinates dwarf the surface.
+  const double far = 0x1p27;
+  const double kernel[3] = { far, -far, far };
+  const auto moved = [&kernel](Surface surface)
+  {
+    for (Point& p : surface.points)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        p[i] += kernel[i];
+      }
+    }
+    return surface;
+  };
+  for (int windings : { 2, 3 })
+  {
+    const Surface surface = moved(wound(8, windings));
+    ASSERT_TRUE(seesAll(surface, kernel));
+    expectRefusal(surface, kernel, ErrorCode::NotStarShaped);
+  }
+  EXPECT_FALSE(codeOf(moved(wound(8, 1)), kernel).has_value());
+  EXPECT_FALSE(codeOf(moved(icosphere(2)), kernel).has_value());
+  EXPECT_FALSE(codeOf(moved(icosphere(2)), nullptr).has_value());
+}
+
 TEST(FlipFlopErrors, OneInsideTheOther)
 {
   // Two surfaces, each star-shaped from the same point: together they cover all twice.
