@@ -350,12 +350,12 @@ private:
     return perturbedSign<ExpansionSigns>(r0.x, r1.x, r2.x, last);
   }
 
-  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  /// Sort rows by id; -1 when that takes an odd number of exchanges, else 1.
+  template <int Count>
+  FF_HD static int sortById(const Vertex* (&row)[Count])
   {
-    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
-    const Vertex* row[4] = { &a, &b, &c, &p };
-    int sign = -1;
-    for (int end = 3; end > 0; --end)
+    int sign = 1;
+    for (int end = Count - 1; end > 0; --end)
     {
       for (int i = 0; i < end; ++i)
       {
@@ -368,6 +368,14 @@ private:
         }
       }
     }
+    return sign;
+  }
+
+  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
+    const Vertex* row[4] = { &a, &b, &c, &p };
+    const int sign = -sortById(row);
     const Row<1> last = { { row[3]->x } };
     return sign * this->tie(*row[0], *row[1], *row[2], last);
   }
@@ -377,20 +385,7 @@ private:
     // det[a - s; b - s; c - s] = det of the rows (a, 1), (b, 1), (c, 1), (s, 1); s is the last of
     // all ids.
     const Vertex* row[3] = { &a, &b, &c };
-    int sign = 1;
-    for (int end = 2; end > 0; --end)
-    {
-      for (int i = 0; i < end; ++i)
-      {
-        if (row[i]->id > row[i + 1]->id)
-        {
-          const Vertex* other = row[i];
-          row[i] = row[i + 1];
-          row[i + 1] = other;
-          sign = -sign;
-        }
-      }
-    }
+    const int sign = sortById(row);
     return sign *
       (this->symbolic ? this->tie(*row[0], *row[1], *row[2], this->symbolicRow())
                       : this->tie(*row[0], *row[1], *row[2], this->plainRow()));

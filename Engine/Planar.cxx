@@ -42,6 +42,24 @@ void setCells(Hull& hull, std::int64_t size)
   }
 }
 
+/// use(vertex) for every finite point.
+template <class Use>
+void eachFinite(const PointSource& source, bool checkFinite, Monitor& monitor, Use&& use)
+{
+  for (std::uint32_t id = 0; id < source.count(); ++id)
+  {
+    if ((id & 0xFFFF) == 0)
+    {
+      monitor.poll();
+    }
+    const Vertex v = source.vertex(id);
+    if (!checkFinite || isFinite(v.x))
+    {
+      use(v);
+    }
+  }
+}
+
 /// The two ends of points on a line, each the lowest id there.
 void lineHull(const PointSource& source, bool checkFinite, Monitor& monitor, Hull& hull)
 {
@@ -49,21 +67,13 @@ void lineHull(const PointSource& source, bool checkFinite, Monitor& monitor, Hul
   { return std::lexicographical_compare(a.x, a.x + 3, b.x, b.x + 3); };
   Vertex low{}, high{};
   bool any = false;
-  for (std::uint32_t id = 0; id < source.count(); ++id)
-  {
-    if ((id & 0xFFFF) == 0)
+  eachFinite(source, checkFinite, monitor,
+    [&](const Vertex& p)
     {
-      monitor.poll();
-    }
-    const Vertex p = source.vertex(id);
-    if (checkFinite && !isFinite(p.x))
-    {
-      continue;
-    }
-    low = !any || precedes(p, low) ? p : low;
-    high = !any || precedes(high, p) ? p : high;
-    any = true;
-  }
+      low = !any || precedes(p, low) ? p : low;
+      high = !any || precedes(high, p) ? p : high;
+      any = true;
+    });
   hull.pointIds.allocate(2);
   hull.pointIds[0] = std::min(low.id, high.id);
   hull.pointIds[1] = std::max(low.id, high.id);
@@ -120,58 +130,42 @@ std::vector<Vertex> polygon(const HullGeometry& geometry, const PointSource& sou
   Vertex extreme[8];
   double most[8];
   bool any = false;
-  for (std::uint32_t id = 0; id < source.count(); ++id)
-  {
-    if ((id & 0xFFFF) == 0)
+  eachFinite(source, checkFinite, monitor,
+    [&](const Vertex& v)
     {
-      monitor.poll();
-    }
-    const Vertex v = source.vertex(id);
-    if (checkFinite && !isFinite(v.x))
-    {
-      continue;
-    }
-    const double x = v.x[p];
-    const double y = v.x[q];
-    const double value[8] = { x, -x, y, -y, x + y, -x - y, x - y, y - x };
-    for (int i = 0; i < 8; ++i)
-    {
-      if (!any || value[i] > most[i])
+      const double x = v.x[p];
+      const double y = v.x[q];
+      const double value[8] = { x, -x, y, -y, x + y, -x - y, x - y, y - x };
+      for (int i = 0; i < 8; ++i)
       {
-        most[i] = value[i];
-        extreme[i] = v;
+        if (!any || value[i] > most[i])
+        {
+          most[i] = value[i];
+          extreme[i] = v;
+        }
       }
-    }
-    any = true;
-  }
+      any = true;
+    });
   std::vector<Vertex> corners(extreme, extreme + 8);
   const std::vector<Vertex> inner = monotoneChain(geometry, corners, p, q);
 
   std::vector<Vertex> kept;
-  for (std::uint32_t id = 0; id < source.count(); ++id)
-  {
-    if ((id & 0xFFFF) == 0)
+  eachFinite(source, checkFinite, monitor,
+    [&](const Vertex& v)
     {
-      monitor.poll();
-    }
-    const Vertex v = source.vertex(id);
-    if (checkFinite && !isFinite(v.x))
-    {
-      continue;
-    }
-    bool inside = inner.size() >= 3;
-    for (std::size_t i = 0; inside && i < inner.size(); ++i)
-    {
-      int sign;
-      inside =
-        geometry.filterPlanar(inner[i], inner[i + 1 < inner.size() ? i + 1 : 0], v, p, q, sign) &&
-        sign > 0;
-    }
-    if (!inside)
-    {
-      kept.push_back(v);
-    }
-  }
+      bool inside = inner.size() >= 3;
+      for (std::size_t i = 0; inside && i < inner.size(); ++i)
+      {
+        int sign;
+        inside =
+          geometry.filterPlanar(inner[i], inner[i + 1 < inner.size() ? i + 1 : 0], v, p, q, sign) &&
+          sign > 0;
+      }
+      if (!inside)
+      {
+        kept.push_back(v);
+      }
+    });
   return monotoneChain(geometry, kept, p, q);
 }
 
