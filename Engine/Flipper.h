@@ -196,13 +196,21 @@ private:
 
   void wantLabel(std::uint32_t h)
   {
+    if (this->vBiased)
+    {
+      this->pending.push_back(h);
+    }
+    else
+    {
+      this->labelOrDefer(h);
+    }
+  }
+
+  void labelOrDefer(std::uint32_t h)
+  {
     if (this->shared(this->mesh.origin(h)))
     {
       this->deferred.push_back(h);
-    }
-    else if (this->vBiased)
-    {
-      this->pending.push_back(h);
     }
     else
     {
@@ -253,15 +261,7 @@ private:
     this->pending.clear();
     for (const std::uint32_t h : wanted)
     {
-      if (this->shared(this->mesh.origin(h)))
-      {
-        this->deferred.push_back(h);
-      }
-      else
-      {
-        this->noteDuplicate(h);
-        this->label(h);
-      }
+      this->labelOrDefer(h);
     }
   }
 

@@ -147,13 +147,24 @@ private:
         }
       }
     }
+    constexpr std::size_t Run = 1 << 10;
     std::vector<std::uint8_t> redundant(ends.size());
-    tbb::parallel_for(std::size_t(0), ends.size(),
-      [&](std::size_t i)
+    std::vector<std::int64_t> exactCalls((ends.size() + Run - 1) / Run);
+    tbb::parallel_for(std::size_t(0), exactCalls.size(),
+      [&](std::size_t run)
       {
         const Geometry local = this->geometry;
-        redundant[i] = isStrictlyExtreme(local, mesh, ends[i]) ? 0 : 1;
+        for (std::size_t i = run * Run; i < std::min(ends.size(), (run + 1) * Run); ++i)
+        {
+          redundant[i] = isStrictlyExtreme(local, mesh, ends[i]) ? 0 : 1;
+        }
+        exactCalls[run] = local.exactCallCount() - this->geometry.exactCallCount();
+        this->monitor.poll();
       });
+    for (const std::int64_t calls : exactCalls)
+    {
+      this->tally.statistics.exactCalls += calls;
+    }
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
