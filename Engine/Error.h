@@ -13,11 +13,12 @@ namespace flipflop
 
 enum class ErrorCode
 {
-  NonFinite,     ///< index: first point with a NaN or infinite coordinate; count: how many
+  NonFinite, ///< index: first point with a NaN or infinite coordinate or weight; count: how many
   TooManyPoints, ///< count: points given (or left after culling); 32-bit indices end here
   OutOfMemory,   ///< count: bytes asked for
   Aborted,       ///< the progress function asked to stop
-  BadArgument,   ///< a null array, a negative count, a stride below 3
+  BadArgument,   ///< a null array, a negative count, a stride too short
+  WeightCount,   ///< count: weights given, which is not the number of points
   BadTriangle, ///< index: first triangle with a corner out of range or used twice; count: how many
   NotClosed,   ///< index: first triangle with an edge that no other triangle shares; count: edges
   NotManifold, ///< index: first triangle with an edge of three or more triangles, or with a vertex
@@ -50,7 +51,7 @@ public:
     switch (this->Code)
     {
       case ErrorCode::NonFinite:
-        return "a coordinate is NaN or infinite";
+        return "a coordinate or weight is NaN or infinite";
       case ErrorCode::TooManyPoints:
         return "more points than 32-bit indices can name";
       case ErrorCode::OutOfMemory:
@@ -59,6 +60,8 @@ public:
         return "aborted on request";
       case ErrorCode::BadArgument:
         return "an argument is invalid";
+      case ErrorCode::WeightCount:
+        return "there are not as many weights as points";
       case ErrorCode::BadTriangle:
         return "a triangle's corner is out of range or used twice";
       case ErrorCode::NotClosed:

@@ -42,6 +42,31 @@ struct PointView
   }
 };
 
+/// A read-only view of one weight for each point: data[i * stride], counted in scalars.
+struct WeightView
+{
+  const void* data = nullptr; ///< null: no weights
+  ScalarType type = ScalarType::Float64;
+  std::int64_t count = 0;
+  std::int64_t stride = 1;
+
+  WeightView() = default;
+  WeightView(const float* weights, std::int64_t n, std::int64_t step = 1)
+    : data(weights)
+    , type(ScalarType::Float32)
+    , count(n)
+    , stride(step)
+  {
+  }
+  WeightView(const double* weights, std::int64_t n, std::int64_t step = 1)
+    : data(weights)
+    , type(ScalarType::Float64)
+    , count(n)
+    , stride(step)
+  {
+  }
+};
+
 }
 
 #endif

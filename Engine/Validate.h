@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The oracle: is this the convex hull of these points, in canonical form?
+/// The oracle: is this the convex hull, or the regular triangulation, of these points, in canonical
+/// form?
 #ifndef flipflop_Validate_h
 #define flipflop_Validate_h
 
 #include "Hull.h"
 #include "PointView.h"
+#include "Triangulation.h"
 
 #include <cstdint>
 
@@ -37,6 +39,13 @@ struct Validation
 /// form that Hull promises. Near-linear in the number of points.
 /// @param threads as in Options.
 Validation validate(const PointView& points, const Hull& hull, int threads = 0);
+
+/// Decide exactly whether @p triangulation is the regular triangulation of the finite ones among
+/// the weighted points, in the form that Triangulation promises: every triangle counter-clockwise,
+/// every edge regular, the union convex, every hidden point really hidden. Here NotExtreme is a
+/// point that should be hidden, PointOutside one that should not be.
+Validation validate(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, int threads = 0);
 
 /// A fault in words.
 const char* describe(Fault fault);
