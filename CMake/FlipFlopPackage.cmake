@@ -7,13 +7,17 @@ set(config_dir "${CMAKE_BINARY_DIR}/${FlipFlop_CMAKE_DESTINATION}")
 # The engine's public headers; the others are its own business.
 set(engine_headers
   Buffer.h
+  CellComplex.h
   ConvexHull.h
   Error.h
   FlipFlop.h
   Hull.h
   Options.h
   PointView.h
+  PowerDiagram.h
+  RegularTriangulation.h
   Statistics.h
+  Triangulation.h
   Validate.h)
 list(TRANSFORM engine_headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/Engine/")
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFAlgorithm.h"
 
+#include "CellComplex.h"
 #include "Error.h"
-#include "Hull.h"
 #include "Options.h"
-#include "vtkFFPointSource.h"
+#include "vtkFFExactValues.h"
 
 #include "vtkErrorCode.h"
 #include "vtkSMPTools.h"
@@ -32,7 +32,7 @@ vtkFFAlgorithm::vtkFFAlgorithm()
   , VisiblePointIds(false)
   , VBiased(false)
 {
-  this->ResetReport();
+  this->vtkFFAlgorithm::ResetReport();
 }
 
 //------------------------------------------------------------------------------
@@ -45,8 +45,6 @@ void vtkFFAlgorithm::ResetReport()
   this->EngineUsed = ENGINE_NONE;
   this->EngineReason = "no engine has run";
   this->Dimension = -1;
-  this->Volume = 0.0;
-  this->Area = 0.0;
 
   this->NumberOfInputPoints = 0;
   this->NumberOfNonFinitePoints = 0;
@@ -72,17 +70,11 @@ void vtkFFAlgorithm::ResetReport()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::AddToReport(const flipflop::Hull& hull)
+void vtkFFAlgorithm::AddToReport(const flipflop::CellComplex& cells)
 {
-  this->Dimension = std::max(this->Dimension, hull.dimension);
-  this->Volume += hull.volume;
-  this->Area += hull.area;
-  this->AddToReport(hull.statistics);
-}
+  this->Dimension = std::max(this->Dimension, cells.dimension);
 
-//------------------------------------------------------------------------------
-void vtkFFAlgorithm::AddToReport(const flipflop::Statistics& statistics)
-{
+  const flipflop::Statistics& statistics = cells.statistics;
   const auto add = [](vtkIdType& sum, std::int64_t n) { sum += static_cast<vtkIdType>(n); };
   add(this->NumberOfInputPoints, statistics.points);
   add(this->NumberOfNonFinitePoints, statistics.nonFinite);
@@ -162,10 +154,12 @@ bool vtkFFAlgorithm::RunEngine(const std::function<void(const flipflop::Options&
       this->ReportError(this->DescribeError(error));
     }
   }
-  catch (const vtkFFInexactCoordinate& error)
+  catch (const vtkFFInexactValue& error)
   {
-    this->ReportError("A coordinate is a 64-bit integer that no double holds: first at " +
-      this->DescribePoint(error.GetIndex()) + ". Subtract an offset from the points.");
+    const std::string kind = error.GetKind();
+    this->ReportError("A " + kind + " is a 64-bit integer that no double holds: first at " +
+      this->DescribePoint(error.GetIndex()) + ". Subtract an offset from every " + kind +
+      ": the result has the same shape.");
   }
   catch (const std::bad_alloc&)
   {
@@ -239,6 +233,8 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
       return "The run was aborted.";
     case ErrorCode::BadArgument:
       return "The engine was called with an invalid argument.";
+    case ErrorCode::WeightCount:
+      return "There are " + count + " weights, which is not the number of points.";
     case ErrorCode::BadTriangle:
       return "A triangle names a point that does not exist, or the same point twice: first at " +
         this->DescribeTriangle(index) + ", " + count + " such triangle(s) in all.";
@@ -303,8 +299,6 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EngineUsed: " << this->GetEngineUsedAsString() << "\n";
   os << indent << "EngineReason: " << this->EngineReason << "\n";
   os << indent << "Dimension: " << this->Dimension << "\n";
-  os << indent << "Volume: " << this->Volume << "\n";
-  os << indent << "Area: " << this->Area << "\n";
   os << indent << "NumberOfInputPoints: " << this->NumberOfInputPoints << "\n";
   os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
   os << indent << "NumberOfCulledPoints: " << this->NumberOfCulledPoints << "\n";

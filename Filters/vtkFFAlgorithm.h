@@ -7,8 +7,8 @@
  * vtkFFAlgorithm is the abstract superclass of the filters that run the Flip-Flop engine. It holds
  * the choices that all of them offer (which engine, how many threads, what to do with points that
  * are not finite, how facets are given, whether point data is passed), and what a run reports: the
- * dimension, volume and area of the result, which engine ran and why, and the statistics that the
- * paper gives for its own runs.
+ * dimension of the result, which engine ran and why, and the statistics that the paper gives for
+ * its own runs.
  *
  * The filters are exact: every branch that decides the output is taken on the exact sign of a
  * determinant, so no tolerance exists and none can be set. The output is a function of the input
@@ -25,7 +25,7 @@
  * Interactive 3D Graphics and Games (I3D), 2013.
  *
  * @sa
- * vtkFFHullFilter vtkFFConvexifyFilter
+ * vtkFFHullAlgorithm vtkFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
  */
 
 #ifndef vtkFFAlgorithm_h
@@ -41,9 +41,8 @@
 namespace flipflop
 {
 class Error;
-struct Hull;
+struct CellComplex;
 struct Options;
-struct Statistics;
 }
 #endif
 
@@ -74,7 +73,7 @@ public:
   };
 
   /**
-   * What to do with points that have a NaN or infinite coordinate.
+   * What to do with points that have a NaN or infinite coordinate or weight.
    */
   enum NonFinitePointsType
   {
@@ -129,8 +128,9 @@ public:
 
   ///@{
   /**
-   * Set/Get what to do with points that have a NaN or infinite coordinate: an error that names the
-   * first one (the default), or leave them out and count them in GetNumberOfNonFinitePoints().
+   * Set/Get what to do with points that have a NaN or infinite coordinate or weight: an error that
+   * names the first one (the default), or leave them out and count them in
+   * GetNumberOfNonFinitePoints().
    */
   vtkSetClampMacro(NonFinitePoints, int, NON_FINITE_ERROR, NON_FINITE_IGNORE);
   vtkGetMacro(NonFinitePoints, int);
@@ -141,8 +141,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the input's point data arrays are passed to the output's points, in their full
-   * type and precision. On by default.
+   * Set/Get whether the input's point data arrays are passed to the output, in their full type and
+   * precision. On by default.
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
@@ -151,8 +151,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the output's point array vtkOriginalPointIds is given a second time under the
-   * name OriginalPointIds: some applications hide the first name from their users. Off by default.
+   * Set/Get whether the output's array vtkOriginalPointIds is given a second time under the name
+   * OriginalPointIds: some applications hide the first name from their users. Off by default.
    */
   vtkSetMacro(VisiblePointIds, bool);
   vtkGetMacro(VisiblePointIds, bool);
@@ -170,17 +170,12 @@ public:
   vtkBooleanMacro(VBiased, bool);
   ///@}
 
-  ///@{
   /**
-   * Get what the last run found: the dimension of the input's extent (-1 for no point, 0 for one
-   * position, 1 for collinear points, 2 for coplanar ones, else 3), the volume of the result (0
-   * below dimension 3), and the area of its surface (of the polygon, once, in dimension 2; 0
-   * below). For several blocks with a result each: the greatest dimension, and the sums.
+   * Get the dimension of what the last run's points span: -1 for no point, 0 for one position, 1
+   * for collinear points, 2 for coplanar ones, else 3. For several blocks with a result each: the
+   * greatest.
    */
   vtkGetMacro(Dimension, int);
-  vtkGetMacro(Volume, double);
-  vtkGetMacro(Area, double);
-  ///@}
 
   ///@{
   /**
@@ -189,7 +184,7 @@ public:
    *
    * - InputPoints: points given
    * - NonFinitePoints: points left out (or, after an error, found) with a NaN or infinite
-   * coordinate
+   * coordinate or weight
    * - CulledPoints: points found inside without being associated to a triangle
    * - Insertions: vertices inserted while growing (1-3 flips), over all levels
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
@@ -241,13 +236,12 @@ protected:
   /**
    * Forget what the last run reported. The first act of a subclass's RequestData.
    */
-  void ResetReport();
+  virtual void ResetReport();
 
   /**
    * Add a result to what this run reports.
    */
-  void AddToReport(const flipflop::Hull& hull);
-  void AddToReport(const flipflop::Statistics& statistics);
+  void AddToReport(const flipflop::CellComplex& cells);
 
   /**
    * Run @p work with the options set here, guarded: whatever it throws becomes an error (an abort
@@ -305,8 +299,6 @@ private:
   int EngineUsed;
   const char* EngineReason;
   int Dimension;
-  double Volume;
-  double Area;
 
   vtkIdType NumberOfInputPoints;
   vtkIdType NumberOfNonFinitePoints;

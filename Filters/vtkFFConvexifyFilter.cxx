@@ -169,16 +169,12 @@ bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
     }
     this->AddToReport(hull);
 
-    output->SetPoints(
-      source.Gather(hull.pointIds.data(), static_cast<vtkIdType>(hull.pointIds.size())));
-    vtkFFOutput::AdoptCells(hull, output);
-    const auto ids = vtkFFOutput::AdoptIds(hull.pointIds);
+    std::vector<vtkFFOutput::Source> data;
     if (this->PassPointData)
     {
-      vtkFFOutput::CopyPointData(
-        { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetPointData());
+      data.push_back({ input->GetPointData(), input->GetNumberOfPoints() });
     }
-    vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetPointData());
+    vtkFFOutput::Adopt(hull, source, data, this->VisiblePointIds, output);
   };
   return this->RunEngine(work);
 }

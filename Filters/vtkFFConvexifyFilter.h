@@ -25,20 +25,20 @@
  * always an error: without its point, a surface would not be closed.
  *
  * @sa
- * vtkFFAlgorithm vtkFFHullFilter vtkTriangleFilter vtkPolyDataNormals
+ * vtkFFHullAlgorithm vtkFFHullFilter vtkTriangleFilter vtkPolyDataNormals
  */
 
 #ifndef vtkFFConvexifyFilter_h
 #define vtkFFConvexifyFilter_h
 
-#include "vtkFFAlgorithm.h"
+#include "vtkFFHullAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFConvexifyFilter : public vtkFFAlgorithm
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
   static vtkFFConvexifyFilter* New();
-  vtkTypeMacro(vtkFFConvexifyFilter, vtkFFAlgorithm);
+  vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

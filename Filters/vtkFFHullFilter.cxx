@@ -186,21 +186,16 @@ bool vtkFFHullFilter::BuildHull(const std::vector<Block>& blocks, vtkPolyData* o
     flipflop::Hull hull = flipflop::convexHull(source.GetView(), options);
     this->AddToReport(hull);
 
-    const auto count = static_cast<vtkIdType>(hull.pointIds.size());
-    output->SetPoints(source.Gather(hull.pointIds.data(), count));
-    vtkFFOutput::AdoptCells(hull, output);
-    const auto ids = vtkFFOutput::AdoptIds(hull.pointIds);
-
+    std::vector<vtkFFOutput::Source> data;
     if (this->PassPointData)
     {
-      std::vector<vtkFFOutput::Source> sources;
       for (const Block& block : blocks)
       {
-        sources.push_back({ block.Points->GetPointData(), block.Points->GetNumberOfPoints() });
+        data.push_back({ block.Points->GetPointData(), block.Points->GetNumberOfPoints() });
       }
-      vtkFFOutput::CopyPointData(sources, ids, output->GetPointData());
     }
-    vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetPointData());
+    const auto ids = vtkFFOutput::Adopt(hull, source, data, this->VisiblePointIds, output);
+    const vtkIdType count = ids->GetNumberOfValues();
     const bool composite = blocks.size() != 1 || blocks[0].FlatIndex != 0;
     if (composite && this->CompositeMode == HULL_OF_ALL_BLOCKS)
     {

@@ -48,13 +48,13 @@
  * At most 2^32 - 2 points can be given.
  *
  * @sa
- * vtkFFAlgorithm vtkFFConvexifyFilter vtkDelaunay3D
+ * vtkFFHullAlgorithm vtkFFConvexifyFilter vtkFFRegularTriangulationFilter vtkDelaunay3D
  */
 
 #ifndef vtkFFHullFilter_h
 #define vtkFFHullFilter_h
 
-#include "vtkFFAlgorithm.h"
+#include "vtkFFHullAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
 #ifndef __VTK_WRAP__
@@ -63,11 +63,11 @@
 
 class vtkPointSet;
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFAlgorithm
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
   static vtkFFHullFilter* New();
-  vtkTypeMacro(vtkFFHullFilter, vtkFFAlgorithm);
+  vtkTypeMacro(vtkFFHullFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFOutput.h"
 
-#include "Hull.h"
+#include "vtkFFPointSource.h"
+
+#include "CellComplex.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -108,13 +110,27 @@ struct Share
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkIdTypeArray> vtkFFOutput::Adopt(flipflop::CellComplex& cells,
+  const vtkFFPointSource& points, const std::vector<Source>& data, bool visibleIds,
+  vtkPolyData* output)
+{
+  output->SetPoints(
+    points.Gather(cells.pointIds.data(), static_cast<vtkIdType>(cells.pointIds.size())));
+  AdoptCells(cells, output);
+  const auto ids = AdoptIds(cells.pointIds);
+  CopyPointData(data, ids, output->GetPointData());
+  AddIds(ids, visibleIds, output->GetPointData());
+  return ids;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkIdTypeArray> vtkFFOutput::AdoptIds(flipflop::Buffer<std::int64_t>& ids)
 {
   return adopt<vtkIdTypeArray>(ids);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFOutput::AddIds(vtkIdTypeArray* ids, bool visible, vtkPointData* output)
+void vtkFFOutput::AddIds(vtkIdTypeArray* ids, bool visible, vtkDataSetAttributes* output)
 {
   ids->SetName("vtkOriginalPointIds");
   output->AddArray(ids);
@@ -128,25 +144,25 @@ void vtkFFOutput::AddIds(vtkIdTypeArray* ids, bool visible, vtkPointData* output
 }
 
 //------------------------------------------------------------------------------
-void vtkFFOutput::AdoptCells(flipflop::Hull& hull, vtkPolyData* output)
+void vtkFFOutput::AdoptCells(flipflop::CellComplex& complex, vtkPolyData* output)
 {
-  if (hull.cellCount() == 0)
+  if (complex.cellCount() == 0)
   {
     return;
   }
   vtkNew<vtkCellArray> cells;
-  const auto cellSize = static_cast<vtkIdType>(hull.cellSize);
-  const auto connectivity = adopt<vtkTypeInt64Array>(hull.connectivity);
+  const auto cellSize = static_cast<vtkIdType>(complex.cellSize);
+  const auto connectivity = adopt<vtkTypeInt64Array>(complex.connectivity);
   if (cellSize > 0)
   {
     cells->SetData(cellSize, connectivity);
   }
   else
   {
-    const auto offsets = adopt<vtkTypeInt64Array>(hull.offsets);
+    const auto offsets = adopt<vtkTypeInt64Array>(complex.offsets);
     cells->SetData(offsets.Get(), connectivity.Get());
   }
-  switch (hull.dimension)
+  switch (complex.dimension)
   {
     case 0:
       output->SetVerts(cells);
@@ -162,7 +178,7 @@ void vtkFFOutput::AdoptCells(flipflop::Hull& hull, vtkPolyData* output)
 
 //------------------------------------------------------------------------------
 void vtkFFOutput::CopyPointData(
-  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output)
+  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output)
 {
   // Ascending ids: each source's are a range.
   const vtkIdType count = ids->GetNumberOfValues();

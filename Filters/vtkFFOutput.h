@@ -19,13 +19,15 @@
 #include <cstdint>
 #include <vector>
 
+class vtkDataSetAttributes;
+class vtkFFPointSource;
 class vtkIdTypeArray;
 class vtkPointData;
 class vtkPolyData;
 
 namespace flipflop
 {
-struct Hull;
+struct CellComplex;
 }
 
 class vtkFFOutput
@@ -41,29 +43,37 @@ public:
   };
 
   /**
-   * The hull's ids as an array, which takes them over.
+   * The whole of a result as a poly data: points, cells, point data, ids. @p data may be empty:
+   * then none is passed. Gives the ids back.
+   */
+  static vtkSmartPointer<vtkIdTypeArray> Adopt(flipflop::CellComplex& cells,
+    const vtkFFPointSource& points, const std::vector<Source>& data, bool visibleIds,
+    vtkPolyData* output);
+
+  /**
+   * Ids as an array, which takes them over.
    */
   static vtkSmartPointer<vtkIdTypeArray> AdoptIds(flipflop::Buffer<std::int64_t>& ids);
 
   /**
-   * Add the ids to the output's point data as vtkOriginalPointIds and, if @p visible, a second time
-   * as OriginalPointIds.
+   * Add the ids to the output's point (or cell) data as vtkOriginalPointIds and, if @p visible, a
+   * second time as OriginalPointIds.
    */
-  static void AddIds(vtkIdTypeArray* ids, bool visible, vtkPointData* output);
+  static void AddIds(vtkIdTypeArray* ids, bool visible, vtkDataSetAttributes* output);
 
   /**
-   * The hull's cells as vertices, lines or polygons of @p output, which takes them over.
+   * The cells as vertices, lines or polygons of @p output, which takes them over.
    */
-  static void AdoptCells(flipflop::Hull& hull, vtkPolyData* output);
+  static void AdoptCells(flipflop::CellComplex& cells, vtkPolyData* output);
 
   /**
    * The point data of the points named by @p ids, ascending, where the points of @p sources are
    * counted one after another. Arrays keep their type, names and attributes. An array is passed
    * when every source with a point has it, of one type and number of components, and a value for
-   * every point.
+   * every point. The output is point data, or cell data where each cell stands for one point.
    */
   static void CopyPointData(
-    const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output);
+    const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 };
 
 #endif

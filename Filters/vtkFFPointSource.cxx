@@ -2,73 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFPointSource.h"
 
-#include "vtkAOSDataArrayTemplate.h"
-#include "vtkArrayDispatch.h"
+#include "vtkFFExactValues.h"
+
 #include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
-#include "vtkSOADataArrayTemplate.h"
-
-#include <limits>
-#include <type_traits>
 
 namespace
 {
-
-/// Whether a double holds the value. Only integers of more than 53 bits can fail.
-template <class T>
-bool isExact(T value)
-{
-  if constexpr (std::is_integral<T>::value &&
-    std::numeric_limits<T>::digits > std::numeric_limits<double>::digits)
-  {
-    // 2^digits is where the cast back would leave T; no such value equals it.
-    const double rounded = static_cast<double>(value);
-    constexpr double limit =
-      2.0 * static_cast<double>(T{ 1 } << (std::numeric_limits<T>::digits - 1));
-    return rounded < limit && static_cast<T>(rounded) == value;
-  }
-  else
-  {
-    static_cast<void>(value);
-    return true;
-  }
-}
-
-/// Copies an array's tuples to a plain array of Out.
-template <class Out>
-struct CopyTuples
-{
-  Out* To;
-  std::int64_t Begin; // running id of the array's first point
-
-  template <class ArrayT>
-  void operator()(ArrayT* array) const
-  {
-    Out* to = this->To;
-    vtkIdType n = 0;
-    for (const auto value : vtk::DataArrayValueRange<3>(array))
-    {
-      using Value = vtk::GetAPIType<ArrayT>;
-      const Value v = value;
-      if (!isExact(v))
-      {
-        throw vtkFFInexactCoordinate(static_cast<vtkIdType>(this->Begin) + n / 3);
-      }
-      *to++ = static_cast<Out>(v);
-      ++n;
-    }
-  }
-};
-
-/// The plain memory of an array of T, null when it is of another type or layout.
-template <class T>
-const T* plainMemory(vtkDataArray* array)
-{
-  auto* plain = vtkAOSDataArrayTemplate<T>::FastDownCast(array);
-  return plain ? plain->GetPointer(0) : nullptr;
-}
 
 /// The points named by ids, out of a view of From and into plain memory of To: exact both ways.
 template <class From, class To>
@@ -139,13 +80,13 @@ vtkFFPointSource::vtkFFPointSource(const std::vector<vtkDataArray*>& arrays)
 
   if (parts.size() == 1)
   {
-    if (const float* floats = plainMemory<float>(parts[0]))
+    if (const float* floats = vtkFFExactValues::Memory<float>(parts[0]))
     {
       this->View = flipflop::PointView(floats, count);
       this->ZeroCopy = true;
       return;
     }
-    if (const double* doubles = plainMemory<double>(parts[0]))
+    if (const double* doubles = vtkFFExactValues::Memory<double>(parts[0]))
     {
       this->View = flipflop::PointView(doubles, count);
       this->ZeroCopy = true;
@@ -171,19 +112,7 @@ void vtkFFPointSource::Convert(
   std::int64_t begin = 0;
   for (vtkDataArray* array : arrays)
   {
-    const CopyTuples<T> worker{ copy.data() + 3 * begin, begin };
-    if (auto* soaFloats = vtkSOADataArrayTemplate<float>::FastDownCast(array))
-    {
-      worker(soaFloats);
-    }
-    else if (auto* soaDoubles = vtkSOADataArrayTemplate<double>::FastDownCast(array))
-    {
-      worker(soaDoubles);
-    }
-    else if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
-    {
-      worker(array);
-    }
+    vtkFFExactValues::Copy<3>(array, "coordinate", begin, copy.data() + 3 * begin);
     begin += array->GetNumberOfTuples();
   }
   this->View = flipflop::PointView(copy.data(), count);

@@ -23,30 +23,10 @@
 #include "vtkType.h"
 
 #include <cstdint>
-#include <exception>
 #include <vector>
 
 class vtkDataArray;
 class vtkPoints;
-
-/**
- * Thrown for a coordinate that no double holds.
- */
-class vtkFFInexactCoordinate : public std::exception
-{
-public:
-  explicit vtkFFInexactCoordinate(vtkIdType index)
-    : Index(index)
-  {
-  }
-  const char* what() const noexcept override { return "a coordinate that no double holds"; }
-
-  /// Which point, where the points of all arrays are counted one after another.
-  vtkIdType GetIndex() const { return this->Index; }
-
-private:
-  vtkIdType Index;
-};
 
 class vtkFFPointSource
 {
@@ -54,7 +34,7 @@ public:
   /**
    * The points of @p arrays, one after another. Null arrays hold no point.
    *
-   * @throw vtkFFInexactCoordinate, flipflop::Error OutOfMemory.
+   * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */
   explicit vtkFFPointSource(const std::vector<vtkDataArray*>& arrays);
   explicit vtkFFPointSource(vtkDataArray* array);

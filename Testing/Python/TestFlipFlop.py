@@ -331,7 +331,12 @@ class TestPackage(unittest.TestCase):
     def test_names(self):
         self.assertEqual(
             sorted(vtkflipflop.__all__),
-            ["vtkFFAlgorithm", "vtkFFConvexifyFilter", "vtkFFHullFilter"],
+            [
+                "vtkFFAlgorithm",
+                "vtkFFConvexifyFilter",
+                "vtkFFHullAlgorithm",
+                "vtkFFHullFilter",
+            ],
         )
         for name in vtkflipflop.__all__:
             self.assertTrue(hasattr(vtkflipflop, name))

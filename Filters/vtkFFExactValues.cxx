@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFExactValues.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkSOADataArrayTemplate.h"
+#include "vtkVariant.h"
+
+#include <limits>
+#include <type_traits>
+
+namespace
+{
+
+/// Whether a double holds the value. Only integers of more than 53 bits can fail.
+template <class T>
+bool isExact(T value)
+{
+  if constexpr (std::is_integral<T>::value &&
+    std::numeric_limits<T>::digits > std::numeric_limits<double>::digits)
+  {
+    // 2^digits is where the cast back would leave T; no such value equals it.
+    const double rounded = static_cast<double>(value);
+    constexpr double limit =
+      2.0 * static_cast<double>(T{ 1 } << (std::numeric_limits<T>::digits - 1));
+    return rounded < limit && static_cast<T>(rounded) == value;
+  }
+  else
+  {
+    static_cast<void>(value);
+    return true;
+  }
+}
+
+/// Copies an array's values to a plain array of Out.
+template <int Components, class Out>
+struct CopyValues
+{
+  Out* To;
+  const char* Kind;
+  vtkIdType Begin;
+
+  template <class T>
+  void Put(vtkIdType n, T value) const
+  {
+    if (!isExact(value))
+    {
+      throw vtkFFInexactValue(this->Kind, this->Begin + n / Components);
+    }
+    this->To[n] = static_cast<Out>(value);
+  }
+
+  template <class ArrayT>
+  void operator()(ArrayT* array) const
+  {
+    vtkIdType n = 0;
+    for (const auto value : vtk::DataArrayValueRange<Components>(array))
+    {
+      using Value = vtk::GetAPIType<ArrayT>;
+      const Value v = value;
+      this->Put(n, v);
+      ++n;
+    }
+  }
+
+  /// Of a class that VTK does not dispatch: its double interface would round 64-bit integers.
+  void CopyAnyLayout(vtkDataArray* array) const
+  {
+    const int type = array->GetDataType();
+    const bool wide = array->GetDataTypeSize() == 8 && type != VTK_DOUBLE;
+    if (!wide)
+    {
+      (*this)(array);
+      return;
+    }
+    const bool isUnsigned = type == VTK_UNSIGNED_LONG || type == VTK_UNSIGNED_LONG_LONG;
+    for (vtkIdType n = 0; n < array->GetNumberOfValues(); ++n)
+    {
+      const vtkVariant value = array->GetVariantValue(n);
+      if (isUnsigned)
+      {
+        this->Put(n, value.ToUnsignedLongLong());
+      }
+      else
+      {
+        this->Put(n, value.ToLongLong());
+      }
+    }
+  }
+};
+
+}
+
+//------------------------------------------------------------------------------
+template <class T>
+const T* vtkFFExactValues::Memory(vtkDataArray* array)
+{
+  auto* plain = vtkAOSDataArrayTemplate<T>::FastDownCast(array);
+  return plain ? plain->GetPointer(0) : nullptr;
+}
+
+template const float* vtkFFExactValues::Memory<float>(vtkDataArray*);
+template const double* vtkFFExactValues::Memory<double>(vtkDataArray*);
+
+//------------------------------------------------------------------------------
+template <int Components, class Out>
+void vtkFFExactValues::Copy(vtkDataArray* array, const char* kind, vtkIdType begin, Out* to)
+{
+  const CopyValues<Components, Out> worker{ to, kind, begin };
+  if (auto* soaFloats = vtkSOADataArrayTemplate<float>::FastDownCast(array))
+  {
+    worker(soaFloats);
+  }
+  else if (auto* soaDoubles = vtkSOADataArrayTemplate<double>::FastDownCast(array))
+  {
+    worker(soaDoubles);
+  }
+  else if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
+  {
+    worker.CopyAnyLayout(array);
+  }
+}
+
+template void vtkFFExactValues::Copy<3>(vtkDataArray*, const char*, vtkIdType, float*);
+template void vtkFFExactValues::Copy<3>(vtkDataArray*, const char*, vtkIdType, double*);
+template void vtkFFExactValues::Copy<1>(vtkDataArray*, const char*, vtkIdType, double*);

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFHullAlgorithm
+ * @brief   what the filters have in common whose result is a convex hull
+ *
+ * vtkFFHullAlgorithm is the abstract superclass of the Flip-Flop filters that give a convex hull.
+ * To what all Flip-Flop filters report it adds the hull's volume and area.
+ *
+ * @sa
+ * vtkFFAlgorithm vtkFFHullFilter vtkFFConvexifyFilter
+ */
+
+#ifndef vtkFFHullAlgorithm_h
+#define vtkFFHullAlgorithm_h
+
+#include "vtkFFAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+#ifndef __VTK_WRAP__
+namespace flipflop
+{
+struct Hull;
+}
+#endif
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm : public vtkFFAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkFFHullAlgorithm, vtkFFAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Get the volume of the last run's result (0 below dimension 3), and the area of its surface (of
+   * the polygon, once, in dimension 2; 0 below). For several blocks with a result each: the sums.
+   */
+  vtkGetMacro(Volume, double);
+  vtkGetMacro(Area, double);
+  ///@}
+
+protected:
+  vtkFFHullAlgorithm();
+  ~vtkFFHullAlgorithm() override;
+
+#ifndef __VTK_WRAP__
+  void ResetReport() override;
+
+  /**
+   * Add a hull to what this run reports.
+   */
+  void AddToReport(const flipflop::Hull& hull);
+#endif
+
+private:
+  vtkFFHullAlgorithm(const vtkFFHullAlgorithm&) = delete;
+  void operator=(const vtkFFHullAlgorithm&) = delete;
+
+  double Volume;
+  double Area;
+};
+
+#endif
