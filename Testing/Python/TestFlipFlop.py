@@ -336,6 +336,7 @@ class TestPackage(unittest.TestCase):
                 "vtkFFConvexifyFilter",
                 "vtkFFHullAlgorithm",
                 "vtkFFHullFilter",
+                "vtkFFRegularTriangulationFilter",
             ],
         )
         for name in vtkflipflop.__all__:

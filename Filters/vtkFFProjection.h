@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFProjection
+ * @brief   points in space as points of a plane, and back
+ *
+ * vtkFFProjection gives the engine the x and y of points: as they lie in memory, measured in the
+ * plane that fits the points best, or after a transform. A point of which any coordinate is not
+ * finite, or does not stay so, has a NaN there: the engine then deals with it.
+ */
+
+#ifndef vtkFFProjection_h
+#define vtkFFProjection_h
+
+#include "Buffer.h"
+#include "PointView.h"
+
+#include "vtkType.h"
+
+class vtkAbstractTransform;
+
+class vtkFFProjection
+{
+public:
+  vtkFFProjection() = default;
+  vtkFFProjection(const vtkFFProjection&) = delete;
+  void operator=(const vtkFFProjection&) = delete;
+
+  /**
+   * Leave z out. The points are not copied, unless a z is not finite.
+   */
+  void ToXY(const flipflop::PointView& points);
+
+  /**
+   * Measure the points in the plane through their centroid that has the least sum of squared
+   * distances to them. The plane's frame is right-handed: the normal's component of largest
+   * magnitude is positive (the last such one, of equals), and the first axis is the next coordinate
+   * axis (y after x, x after z), laid into the plane. The first finite point is at (0, 0).
+   *
+   * All is computed in double and in a fixed order, so the same points give the same bits.
+   */
+  void ToBestFittingPlane(const flipflop::PointView& points);
+
+  /**
+   * Take x and y of the transformed points.
+   */
+  void ByTransform(const flipflop::PointView& points, vtkAbstractTransform* transform);
+
+  /**
+   * The projected points, valid as long as this and the points are.
+   */
+  const flipflop::PointView& GetView() const { return this->View; }
+
+  /**
+   * The positions in space, as x, y, z, of positions in the plane, given as x, y. In the XY plane
+   * and before a transform is undone, z is 0. False when a position has none.
+   */
+  bool ToSpace(const double* xy, vtkIdType count, double* xyz) const;
+
+private:
+  struct Plane
+  {
+    double Origin[3]; // of the frame, on the plane
+    double First[3];  // its axes
+    double Second[3];
+  };
+
+  double* AllocateCopy(std::int64_t count);
+  Plane FitPlane(const flipflop::PointView& points, double* start) const;
+
+  flipflop::PointView View;
+  flipflop::Buffer<double> Copy;
+  vtkAbstractTransform* Transform = nullptr; // not owned
+  bool Fitted = false;
+  Plane BestPlane;
+};
+
+#endif

@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFRegularTriangulationFilter.h"
+
+#include "vtkFFOutput.h"
+#include "vtkFFPointSource.h"
+#include "vtkFFProjection.h"
+#include "vtkFFWeightSource.h"
+
+#include "Error.h"
+#include "PowerDiagram.h"
+#include "RegularTriangulation.h"
+
+#include "vtkAbstractTransform.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkFFRegularTriangulationFilter);
+vtkCxxSetObjectMacro(vtkFFRegularTriangulationFilter, Transform, vtkAbstractTransform);
+
+namespace
+{
+
+/// The triangles that canonical polygons stand for: each one's fan from its lowest corner.
+void fanPolygons(flipflop::Triangulation& triangulation)
+{
+  const std::int64_t count = triangulation.cellCount();
+  if (triangulation.dimension < 2 || triangulation.cellSize == 3)
+  {
+    return;
+  }
+  const std::int64_t* corners = triangulation.connectivity.data();
+  std::vector<std::array<std::int64_t, 3>> triangles;
+  triangles.reserve(triangulation.connectivity.size());
+  std::size_t group = 0; // polygons are sorted: only triangles of one lowest corner can be mixed up
+  for (std::int64_t cell = 0; cell < count; ++cell)
+  {
+    const std::int64_t begin = triangulation.cellBegin(cell);
+    const std::int64_t end = triangulation.cellBegin(cell + 1);
+    if (group < triangles.size() && triangles[group][0] != corners[begin])
+    {
+      std::sort(triangles.begin() + static_cast<std::ptrdiff_t>(group), triangles.end());
+      group = triangles.size();
+    }
+    for (std::int64_t k = begin + 1; k + 1 < end; ++k)
+    {
+      triangles.push_back({ corners[begin], corners[k], corners[k + 1] });
+    }
+  }
+  std::sort(triangles.begin() + static_cast<std::ptrdiff_t>(group), triangles.end());
+
+  flipflop::Buffer<std::int64_t> connectivity(3 * triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    std::copy(triangles[i].begin(), triangles[i].end(), connectivity.data() + 3 * i);
+  }
+  triangulation.connectivity = std::move(connectivity);
+  triangulation.offsets = flipflop::Buffer<std::int64_t>();
+  triangulation.cellSize = 3;
+}
+
+/// The points of a view that are named by ids, bounded: (xmin, xmax, ymin, ymax).
+template <class T>
+void boundPoints(
+  const flipflop::PointView& view, const flipflop::Buffer<std::int64_t>& ids, double* box)
+{
+  const T* data = static_cast<const T*>(view.data);
+  for (const std::int64_t id : ids)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      const double x = data[id * view.stride + k];
+      box[2 * k] = std::min(box[2 * k], x);
+      box[2 * k + 1] = std::max(box[2 * k + 1], x);
+    }
+  }
+}
+
+/// Makes a range of one value one of that half extent: more where that would round to nothing.
+void widen(double* range, double half)
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  const double middle = range[0];
+  for (; !(range[0] < range[1]); half *= 2.0)
+  {
+    range[0] = std::max(-most, middle - half);
+    range[1] = std::min(most, middle + half);
+  }
+}
+
+/// The box of points that appear, which is that of all: a corner of their hull is never hidden.
+std::array<double, 4> boxOf(
+  const flipflop::PointView& view, const flipflop::Buffer<std::int64_t>& ids)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 4> box{ infinity, -infinity, infinity, -infinity };
+  if (view.type == flipflop::ScalarType::Float32)
+  {
+    boundPoints<float>(view, ids, box.data());
+  }
+  else
+  {
+    boundPoints<double>(view, ids, box.data());
+  }
+  const double half[2] = { 0.5 * box[1] - 0.5 * box[0], 0.5 * box[3] - 0.5 * box[2] };
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    if (box[2 * k] == box[2 * k + 1])
+    {
+      widen(&box[2 * k], half[1 - k] > 0.0 ? half[1 - k] : 0.5);
+    }
+  }
+  return box;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
+  : ProjectionPlaneMode(XY_PLANE)
+  , Transform(nullptr)
+  , GeneratePowerDiagram(false)
+  , PowerDiagramBoxMode(BOX_OF_POINTS)
+  , PowerDiagramBounds{ 0.0, 1.0, 0.0, 1.0 }
+  , NumberOfHiddenPoints(0)
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkFFRegularTriangulationFilter::~vtkFFRegularTriangulationFilter()
+{
+  this->SetTransform(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkFFRegularTriangulationFilter::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Transform ? std::max(own, this->Transform->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkFFRegularTriangulationFilter::GetHiddenPointsOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkFFRegularTriangulationFilter::GetPowerDiagramOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+//------------------------------------------------------------------------------
+int vtkFFRegularTriangulationFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::ResetReport()
+{
+  this->Superclass::ResetReport();
+  this->NumberOfHiddenPoints = 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFRegularTriangulationFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPolyData* outputs[3];
+  for (int port = 0; port < 3; ++port)
+  {
+    outputs[port] = vtkPolyData::GetData(outputVector, port);
+  }
+  this->ResetReport();
+  vtkDataArray* weights = nullptr;
+  if (!this->CheckSettings() || !this->FindWeights(input, weights) ||
+    !this->Triangulate(input, weights, outputs[0], outputs[1], outputs[2]))
+  {
+    for (vtkPolyData* output : outputs)
+    {
+      output->Initialize();
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFRegularTriangulationFilter::CheckSettings()
+{
+  if (this->ProjectionPlaneMode == TRANSFORM_PLANE && !this->Transform)
+  {
+    this->ReportError("The projection is to be a transform, and none is set. Use SetTransform() or "
+                      "another ProjectionPlaneMode.");
+    return false;
+  }
+  const double* box = this->PowerDiagramBounds;
+  const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
+    box[0] < box[1] && box[2] < box[3];
+  if (this->GeneratePowerDiagram && this->PowerDiagramBoxMode == BOX_OF_BOUNDS && !isBox)
+  {
+    std::ostringstream message;
+    message << "The power diagram's box has no inside or is not finite: PowerDiagramBounds (xmin, "
+               "xmax, ymin, ymax) is ("
+            << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
+    this->ReportError(message.str());
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input, vtkDataArray*& weights)
+{
+  vtkInformationVector* chosen = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* choice = chosen ? chosen->GetInformationObject(0) : nullptr;
+  if (!choice || input->GetNumberOfPoints() == 0)
+  {
+    return true;
+  }
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  const bool byName = name && *name;
+  if (!byName && !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    return true;
+  }
+  std::string what;
+  vtkAbstractArray* array = nullptr;
+  if (byName)
+  {
+    what = std::string("The weights' array \"") + name + "\" ";
+    array = input->GetPointData()->GetAbstractArray(name);
+  }
+  else
+  {
+    const int attribute = choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+    const char* label = vtkDataSetAttributes::GetAttributeTypeAsString(attribute);
+    array = label ? input->GetPointData()->GetAbstractAttribute(attribute) : nullptr;
+    what = std::string("The weights' array, the point data's active ") + (label ? label : "array") +
+      (array && array->GetName() ? std::string(" \"") + array->GetName() + "\", " : ", ");
+  }
+
+  const int association = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  std::ostringstream wrong;
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    association != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+  {
+    wrong << "was asked for as data that does not belong to the points; weights must be point data";
+  }
+  else if (!array)
+  {
+    wrong << "is missing from the input's point data";
+  }
+  else if (!vtkDataArray::SafeDownCast(array))
+  {
+    wrong << "is a " << array->GetClassName() << ", which does not hold numbers";
+  }
+  else if (array->GetNumberOfComponents() != 1)
+  {
+    wrong << "has " << array->GetNumberOfComponents() << " components; a weight has 1";
+  }
+  else if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    wrong << "has " << array->GetNumberOfTuples() << " value(s) for " << input->GetNumberOfPoints()
+          << " point(s)";
+  }
+  if (!wrong.str().empty())
+  {
+    this->ReportError(what + wrong.str() + ".");
+    return false;
+  }
+  weights = vtkDataArray::SafeDownCast(array);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::Project(
+  const vtkFFPointSource& points, vtkFFProjection& projection)
+{
+  switch (this->ProjectionPlaneMode)
+  {
+    case TRANSFORM_PLANE:
+      projection.ByTransform(points.GetView(), this->Transform);
+      break;
+    case BEST_FITTING_PLANE:
+      projection.ToBestFittingPlane(points.GetView());
+      break;
+    default:
+      projection.ToXY(points.GetView());
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArray* weights,
+  vtkPolyData* output, vtkPolyData* hidden, vtkPolyData* diagram)
+{
+  const auto work = [&](const flipflop::Options& chosen)
+  {
+    vtkPoints* points = input->GetPoints();
+    const vtkFFPointSource source(points ? points->GetData() : nullptr);
+    const vtkFFWeightSource weightSource(weights);
+    vtkFFProjection projection;
+    this->Project(source, projection);
+
+    // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
+    // triangles that the engine would give.
+    flipflop::Options options = chosen;
+    if (this->GeneratePowerDiagram)
+    {
+      options.facets = flipflop::FacetMode::Polygons;
+      this->SetProgressRange(0.0, 0.9);
+    }
+    flipflop::Triangulation triangulation =
+      flipflop::regularTriangulation(projection.GetView(), weightSource.GetView(), options);
+
+    if (this->GeneratePowerDiagram)
+    {
+      this->BuildPowerDiagram(projection, weightSource.GetView(), triangulation, input, diagram);
+      if (chosen.facets == flipflop::FacetMode::Triangles)
+      {
+        fanPolygons(triangulation);
+      }
+      this->UpdateProgress(1.0);
+      if (this->IsAbortRequested())
+      {
+        throw flipflop::Error(flipflop::ErrorCode::Aborted);
+      }
+    }
+    this->AddToReport(triangulation);
+    this->NumberOfHiddenPoints = static_cast<vtkIdType>(triangulation.hiddenIds.size());
+
+    std::vector<vtkFFOutput::Source> data;
+    if (this->PassPointData)
+    {
+      data.push_back({ input->GetPointData(), input->GetNumberOfPoints() });
+    }
+    flipflop::CellComplex vertices;
+    vertices.dimension = 0;
+    vertices.cellSize = 1;
+    vertices.connectivity.allocate(triangulation.hiddenIds.size());
+    std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
+    vertices.pointIds = std::move(triangulation.hiddenIds);
+    vtkFFOutput::Adopt(vertices, source, data, this->VisiblePointIds, hidden);
+    vtkFFOutput::Adopt(triangulation, source, data, this->VisiblePointIds, output);
+  };
+  return this->RunEngine(work);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& projection,
+  const flipflop::WeightView& weights, const flipflop::Triangulation& triangulation,
+  vtkPointSet* input, vtkPolyData* output)
+{
+  flipflop::PowerDiagram diagram;
+  if (triangulation.dimension >= 0)
+  {
+    const bool given = this->PowerDiagramBoxMode == BOX_OF_BOUNDS;
+    const auto bounds = boxOf(projection.GetView(), triangulation.pointIds);
+    diagram = flipflop::powerDiagram(projection.GetView(), weights, triangulation,
+      given ? this->PowerDiagramBounds : bounds.data());
+  }
+
+  const auto count = static_cast<vtkIdType>(diagram.corners.size() / 2);
+  vtkNew<vtkDoubleArray> corners;
+  corners->SetNumberOfComponents(3);
+  corners->SetNumberOfTuples(count);
+  if (!projection.ToSpace(diagram.corners.data(), count, corners->GetPointer(0)))
+  {
+    throw std::runtime_error("The power diagram's corners have no finite places in space: the "
+                             "transform has no inverse, or they lie too far out.");
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(corners);
+  output->SetPoints(points);
+
+  flipflop::CellComplex cells;
+  cells.dimension = 2;
+  cells.connectivity = std::move(diagram.connectivity);
+  cells.offsets = std::move(diagram.offsets);
+  vtkFFOutput::AdoptCells(cells, output);
+
+  const auto ids = vtkFFOutput::AdoptIds(diagram.siteIds);
+  if (this->PassPointData)
+  {
+    vtkFFOutput::CopyPointData(
+      { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetCellData());
+  }
+  vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetCellData());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFRegularTriangulationFilter::DescribeError(const flipflop::Error& error)
+{
+  if (error.code() == flipflop::ErrorCode::NonFinite)
+  {
+    return std::string("A coordinate") +
+      (this->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)") +
+      " or a weight is NaN or infinite: first at " +
+      this->DescribePoint(static_cast<vtkIdType>(error.index())) + ", " +
+      std::to_string(error.count()) +
+      " such point(s) in all. Remove them, or use SetNonFinitePointsToIgnore().";
+  }
+  return this->Superclass::DescribeError(error);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFRegularTriangulationFilter::GetProjectionPlaneModeAsString()
+{
+  return this->ProjectionPlaneMode == BEST_FITTING_PLANE ? "BestFittingPlane"
+    : this->ProjectionPlaneMode == TRANSFORM_PLANE       ? "Transform"
+                                                         : "XYPlane";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFRegularTriangulationFilter::GetPowerDiagramBoxModeAsString()
+{
+  return this->PowerDiagramBoxMode == BOX_OF_BOUNDS ? "Bounds" : "Points";
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ProjectionPlaneMode: " << this->GetProjectionPlaneModeAsString() << "\n";
+  os << indent << "Transform: ";
+  if (this->Transform)
+  {
+    os << "\n";
+    this->Transform->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none)\n";
+  }
+  os << indent << "GeneratePowerDiagram: " << (this->GeneratePowerDiagram ? "On" : "Off") << "\n";
+  os << indent << "PowerDiagramBoxMode: " << this->GetPowerDiagramBoxModeAsString() << "\n";
+  const double* box = this->PowerDiagramBounds;
+  os << indent << "PowerDiagramBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "
+     << box[3] << ")\n";
+  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
+}

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFRegularTriangulationFilter
+ * @brief   the exact Delaunay or regular (weighted) triangulation in the plane
+ *
+ * vtkFFRegularTriangulationFilter gives the regular triangulation of the points of any vtkPointSet,
+ * and on request the power diagram, its dual. Without weights these are the Delaunay triangulation
+ * and the Voronoi diagram. Cells of the input do not matter. The triangulation is exact for every
+ * finite input: no tolerance decides anything.
+ *
+ * Weights come from a point array of one component and any numeric type:
+ *
+ *     filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
+ *
+ * None is set by default, nor by an empty name: all points then weigh the same. A weight is a
+ * squared length and may be negative: the power distance of x from a point p of weight w is
+ * |x - p|^2 - w, so a disk of radius r has the weight r^2. The same number added to all weights
+ * changes nothing.
+ *
+ * The algorithm is ffRT of the paper named in vtkFFAlgorithm: the points are lifted to (x, y,
+ * x^2 + y^2 - w), a star-shaped surface below all lifts is grown, and Flip-Flop turns it into their
+ * lower hull by local flips. A point appears when its lift is a strictly extreme vertex of the
+ * lower hull; of points with one position and one weight, the one of lowest id. All others are
+ * hidden, ties included. Without weights, only duplicates are hidden.
+ *
+ * What comes out is a function of the input alone:
+ *
+ * - Port 0, the triangulation: the points that appear, by ascending id, in their original place in
+ *   space, type and bits (floats stay floats). The cells are triangles, counter-clockwise as seen
+ *   from the plane's upper side, none without area; or, as polygons (see SetFacetMode()), one cell
+ *   for all points of one empty power circle, without weights one circle. The triangles of such
+ *   points are the fan from the lowest id. Each cell starts at its lowest id; all are in
+ *   lexicographic order.
+ * - Port 1, the hidden points: a vertex cell each, by ascending id.
+ * - Port 2, the power diagram: empty unless GeneratePowerDiagram is on. One convex polygon for
+ *   each point of port 0 whose region meets the inside of a box, by ascending id. Neighbours share
+ *   their corners, and points of one power circle meet in one corner. Which regions meet is
+ *   exact, the corners' coordinates are rounded.
+ *
+ * On ports 0 and 1 the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each
+ * point has in the input, and the input's point data is passed, unless PassPointData is off. On
+ * port 2 both belong to the cells: each carries the data of its point.
+ *
+ * Every input has an answer:
+ *
+ * | input                      | output                                                           |
+ * |----------------------------|------------------------------------------------------------------|
+ * | no point                   | empty, dimension -1, no error                                    |
+ * | one position               | one vertex cell: the greatest weight, then the lowest id         |
+ * | collinear points           | a chain of line cells through the points that appear             |
+ * | duplicates                 | the greatest weight, then the lowest id, stands for all          |
+ * | NaN or infinite coordinate | an error naming the first point and the count, and empty output; |
+ * | or weight                  | or left out and counted: SetNonFinitePointsToIgnore()            |
+ * | weights that are missing,  | an error naming the array, and empty output (for no point, none  |
+ * | or of another kind or size | is needed)                                                       |
+ * | too many points, no memory | an error, and empty output                                       |
+ *
+ * Points left out because they are not finite are on no port. All three coordinates count: a point
+ * is not finite if its z is not, even where z does not matter.
+ *
+ * @warning
+ * At most 2^32 - 2 points can be given. For composite input the pipeline runs the filter once for
+ * each block; what it reports is then of the last block.
+ *
+ * @sa
+ * vtkFFAlgorithm vtkFFHullFilter vtkDelaunay2D vtkVoronoi2D
+ */
+
+#ifndef vtkFFRegularTriangulationFilter_h
+#define vtkFFRegularTriangulationFilter_h
+
+#include "vtkFFAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+class vtkAbstractTransform;
+class vtkDataArray;
+class vtkPointSet;
+
+#ifndef __VTK_WRAP__
+class vtkFFPointSource;
+class vtkFFProjection;
+
+namespace flipflop
+{
+struct Triangulation;
+struct WeightView;
+}
+#endif
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter : public vtkFFAlgorithm
+{
+public:
+  static vtkFFRegularTriangulationFilter* New();
+  vtkTypeMacro(vtkFFRegularTriangulationFilter, vtkFFAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The plane in which points are triangulated. The values are those of vtkDelaunay2D.
+   */
+  enum ProjectionPlaneModeType
+  {
+    XY_PLANE = 0,
+    TRANSFORM_PLANE = 1,
+    BEST_FITTING_PLANE = 2
+  };
+
+  /**
+   * The box to which the power diagram is clipped.
+   */
+  enum PowerDiagramBoxModeType
+  {
+    BOX_OF_POINTS = 0,
+    BOX_OF_BOUNDS = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get the plane in which the points are triangulated. The output's points keep their original
+   * places.
+   *
+   * - XY_PLANE (the default): z is left out. The points are not copied, and nothing is rounded.
+   * - TRANSFORM_PLANE: the points are transformed by Transform, and z is left out. Weights are
+   *   squared lengths after the transform.
+   * - BEST_FITTING_PLANE: the points are projected to the plane through their centroid with the
+   *   least sum of squared distances. Its normal is turned so that the component of largest
+   *   magnitude (the last one, of equals) is positive; seen from the normal's tip, triangles are
+   *   counter-clockwise. Positions in the plane are measured from the first finite point. The first
+   *   axis is a coordinate axis laid into the plane: x if the normal is mostly along z, y if along
+   *   x, z if along y.
+   *
+   * In the latter two the triangulation is exact for the projected positions, which are rounded
+   * to double. Both are computed alike each time, for any number of threads.
+   */
+  vtkSetClampMacro(ProjectionPlaneMode, int, XY_PLANE, BEST_FITTING_PLANE);
+  vtkGetMacro(ProjectionPlaneMode, int);
+  void SetProjectionPlaneModeToXYPlane() { this->SetProjectionPlaneMode(XY_PLANE); }
+  void SetProjectionPlaneModeToTransform() { this->SetProjectionPlaneMode(TRANSFORM_PLANE); }
+  void SetProjectionPlaneModeToBestFittingPlane()
+  {
+    this->SetProjectionPlaneMode(BEST_FITTING_PLANE);
+  }
+  const char* GetProjectionPlaneModeAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the transform that takes the points to the XY plane. Used only if ProjectionPlaneMode
+   * is TRANSFORM_PLANE, which needs one. None by default.
+   */
+  virtual void SetTransform(vtkAbstractTransform* transform);
+  vtkGetObjectMacro(Transform, vtkAbstractTransform);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether port 2 gives the power diagram. Off by default.
+   *
+   * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
+   * for BEST_FITTING_PLANE, and for TRANSFORM_PLANE where the inverse transform takes z = 0; a
+   * transform without an inverse is an error then.
+   */
+  vtkSetMacro(GeneratePowerDiagram, bool);
+  vtkGetMacro(GeneratePowerDiagram, bool);
+  vtkBooleanMacro(GeneratePowerDiagram, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
+   * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). Points without an extent
+   * along x or y get that of the other direction, half of it on either side; a single position gets
+   * a box of side 1.
+   */
+  vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
+  vtkGetMacro(PowerDiagramBoxMode, int);
+  void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
+  void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
+  const char* GetPowerDiagramBoxModeAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
+   * transformed points, or measured in the fitted plane. It must be finite and have an inside. (0,
+   * 1, 0, 1) by default.
+   */
+  vtkSetVector4Macro(PowerDiagramBounds, double);
+  vtkGetVector4Macro(PowerDiagramBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Get the outputs of ports 1 and 2: the hidden points and the power diagram.
+   */
+  vtkPolyData* GetHiddenPointsOutput();
+  vtkPolyData* GetPowerDiagramOutput();
+  ///@}
+
+  /**
+   * Get the number of points that the last run found hidden.
+   */
+  vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
+
+  /**
+   * The transform counts.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkFFRegularTriangulationFilter();
+  ~vtkFFRegularTriangulationFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+#ifndef __VTK_WRAP__
+  void ResetReport() override;
+  std::string DescribeError(const flipflop::Error& error) override;
+#endif
+
+  int ProjectionPlaneMode;
+  vtkAbstractTransform* Transform;
+  bool GeneratePowerDiagram;
+  int PowerDiagramBoxMode;
+  double PowerDiagramBounds[4];
+
+private:
+  vtkFFRegularTriangulationFilter(const vtkFFRegularTriangulationFilter&) = delete;
+  void operator=(const vtkFFRegularTriangulationFilter&) = delete;
+
+#ifndef __VTK_WRAP__
+  bool FindWeights(vtkPointSet* input, vtkDataArray*& weights);
+  bool CheckSettings();
+  bool Triangulate(vtkPointSet* input, vtkDataArray* weights, vtkPolyData* output,
+    vtkPolyData* hidden, vtkPolyData* diagram);
+  void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
+  void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
+    const flipflop::Triangulation& triangulation, vtkPointSet* input, vtkPolyData* output);
+#endif
+
+  vtkIdType NumberOfHiddenPoints;
+};
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFWeightSource
+ * @brief   the weights of a VTK array as the engine reads them
+ *
+ * vtkFFWeightSource presents an array of one component to the engine. An array of float or double
+ * that lies in memory as the engine wants it is not copied; anything else is, to doubles. A value
+ * that no double holds is refused.
+ */
+
+#ifndef vtkFFWeightSource_h
+#define vtkFFWeightSource_h
+
+#include "Buffer.h"
+#include "PointView.h"
+
+class vtkDataArray;
+
+class vtkFFWeightSource
+{
+public:
+  /**
+   * The values of @p array; null: no weights.
+   *
+   * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
+   */
+  explicit vtkFFWeightSource(vtkDataArray* array);
+
+  vtkFFWeightSource(const vtkFFWeightSource&) = delete;
+  void operator=(const vtkFFWeightSource&) = delete;
+
+  /**
+   * All weights, valid as long as this and the array are.
+   */
+  const flipflop::WeightView& GetView() const { return this->View; }
+
+private:
+  flipflop::WeightView View;
+  flipflop::Buffer<double> Copy;
+};
+
+#endif
