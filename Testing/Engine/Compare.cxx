@@ -89,50 +89,55 @@ std::vector<float> floatsOf(const Cloud& cloud)
   return floats;
 }
 
+void copyCells(const CellComplex& from, CellComplex& to)
+{
+  to.dimension = from.dimension;
+  to.pointIds = copyOf(from.pointIds);
+  to.connectivity = copyOf(from.connectivity);
+  to.offsets = copyOf(from.offsets);
+  to.cellSize = from.cellSize;
+  to.statistics = from.statistics;
+}
+
 Hull clone(const Hull& hull)
 {
   Hull copy;
-  copy.dimension = hull.dimension;
-  copy.pointIds = copyOf(hull.pointIds);
-  copy.connectivity = copyOf(hull.connectivity);
-  copy.offsets = copyOf(hull.offsets);
-  copy.cellSize = hull.cellSize;
+  copyCells(hull, copy);
   copy.volume = hull.volume;
   copy.area = hull.area;
-  copy.statistics = hull.statistics;
   return copy;
 }
 
-std::vector<Cell> cellsOf(const Hull& hull)
+std::vector<Cell> cellsOf(const CellComplex& complex)
 {
-  const std::int64_t points = static_cast<std::int64_t>(hull.pointIds.size());
+  const std::int64_t points = static_cast<std::int64_t>(complex.pointIds.size());
   std::vector<Cell> cells;
-  for (std::int64_t c = 0; c < hull.cellCount(); ++c)
+  for (std::int64_t c = 0; c < complex.cellCount(); ++c)
   {
     Cell cell;
-    for (std::int64_t i = hull.cellBegin(c); i < hull.cellBegin(c + 1); ++i)
+    for (std::int64_t i = complex.cellBegin(c); i < complex.cellBegin(c + 1); ++i)
     {
-      const std::int64_t corner = hull.connectivity[static_cast<std::size_t>(i)];
+      const std::int64_t corner = complex.connectivity[static_cast<std::size_t>(i)];
       cell.push_back(
-        corner >= 0 && corner < points ? hull.pointIds[static_cast<std::size_t>(corner)] : -1);
+        corner >= 0 && corner < points ? complex.pointIds[static_cast<std::size_t>(corner)] : -1);
     }
     cells.push_back(std::move(cell));
   }
   return cells;
 }
 
-std::string difference(const Hull& hull, const ReferenceHull& reference, FacetMode facets)
+std::string difference(const CellComplex& complex, const ReferenceHull& reference, FacetMode facets)
 {
   std::ostringstream out;
-  if (hull.dimension != reference.dimension)
+  if (complex.dimension != reference.dimension)
   {
-    out << "dimension " << hull.dimension << " for " << reference.dimension;
+    out << "dimension " << complex.dimension << " for " << reference.dimension;
     return out.str();
   }
-  const Cell ids(hull.pointIds.begin(), hull.pointIds.end());
+  const Cell ids(complex.pointIds.begin(), complex.pointIds.end());
   if (ids != reference.ids)
   {
-    out << ids.size() << " hull points for " << reference.ids.size();
+    out << ids.size() << " points for " << reference.ids.size();
     for (std::size_t i = 0; i < std::max(ids.size(), reference.ids.size()); ++i)
     {
       if (i >= ids.size() || i >= reference.ids.size() || ids[i] != reference.ids[i])
@@ -146,24 +151,24 @@ std::string difference(const Hull& hull, const ReferenceHull& reference, FacetMo
   }
   const std::vector<Cell> wanted =
     facets == FacetMode::Polygons ? reference.cells : triangulate(reference.cells);
-  const std::vector<Cell> found = cellsOf(hull);
+  const std::vector<Cell> found = cellsOf(complex);
   if (found != wanted)
   {
     return firstDifference(found, wanted);
   }
-  const std::int64_t end = hull.cellCount() > 0 ? hull.cellBegin(hull.cellCount()) : 0;
-  if (end != static_cast<std::int64_t>(hull.connectivity.size()))
+  const std::int64_t end = complex.cellCount() > 0 ? complex.cellBegin(complex.cellCount()) : 0;
+  if (end != static_cast<std::int64_t>(complex.connectivity.size()))
   {
     return "connectivity goes on after the last cell";
   }
-  if (!hull.offsets.empty() && hull.cellSize != 0)
+  if (!complex.offsets.empty() && complex.cellSize != 0)
   {
     return "both offsets and cellSize are set";
   }
   return "";
 }
 
-std::string bitDifference(const Hull& a, const Hull& b)
+std::string bitDifference(const CellComplex& a, const CellComplex& b)
 {
   if (a.dimension != b.dimension)
   {
@@ -177,9 +182,16 @@ std::string bitDifference(const Hull& a, const Hull& b)
   {
     return "connectivity";
   }
-  if (!sameBits(a.offsets, b.offsets) || a.cellSize != b.cellSize)
+  return !sameBits(a.offsets, b.offsets) || a.cellSize != b.cellSize ? "offsets or cellSize" : "";
+}
+
+std::string bitDifference(const Hull& a, const Hull& b)
+{
+  const std::string fault =
+    bitDifference(static_cast<const CellComplex&>(a), static_cast<const CellComplex&>(b));
+  if (!fault.empty())
   {
-    return "offsets or cellSize";
+    return fault;
   }
   if (std::memcmp(&a.volume, &b.volume, sizeof(double)) != 0)
   {
@@ -188,9 +200,9 @@ std::string bitDifference(const Hull& a, const Hull& b)
   return std::memcmp(&a.area, &b.area, sizeof(double)) != 0 ? "area" : "";
 }
 
-std::string statisticsFault(const Hull& hull, std::int64_t points)
+std::string statisticsFault(const CellComplex& complex, std::int64_t points)
 {
-  const Statistics& s = hull.statistics;
+  const Statistics& s = complex.statistics;
   if (s.points != points)
   {
     return "points";

@@ -34,18 +34,22 @@ namespace test
 PointView viewOf(const Cloud& cloud);
 std::vector<float> floatsOf(const Cloud& cloud);
 Hull clone(const Hull& hull);
+/// All that a CellComplex has.
+void copyCells(const CellComplex& from, CellComplex& to);
 
-/// The hull's cells as input ids. Indices out of range become -1.
-std::vector<Cell> cellsOf(const Hull& hull);
+/// The cells as input ids. Indices out of range become -1.
+std::vector<Cell> cellsOf(const CellComplex& complex);
 
 /// What differs from the reference, in words; empty when nothing does.
-std::string difference(const Hull& hull, const ReferenceHull& reference, FacetMode facets);
+std::string difference(
+  const CellComplex& complex, const ReferenceHull& reference, FacetMode facets);
 
-/// What differs between two hulls that must be equal bit for bit; empty when nothing does.
+/// What differs between two results that must be equal bit for bit; empty when nothing does.
+std::string bitDifference(const CellComplex& a, const CellComplex& b);
 std::string bitDifference(const Hull& a, const Hull& b);
 
 /// Identities that every run's statistics keep.
-std::string statisticsFault(const Hull& hull, std::int64_t points);
+std::string statisticsFault(const CellComplex& complex, std::int64_t points);
 
 /// Run every variant of the engine on the cloud: threads 1, 2, 4; double, and float where the
 /// cloud is; triangles and polygons; V-biased or not. All must be the reference, be equal bit for

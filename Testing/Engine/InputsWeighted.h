@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The inputs of the regular triangulation's tests: weighted clouds, (x, y, weight) to a point.
+#ifndef flipflop_test_InputsWeighted_h
+#define flipflop_test_InputsWeighted_h
+
+#include "Inputs.h"
+
+namespace flipflop
+{
+namespace test
+{
+
+/// Families that take any number of points.
+const std::vector<Family>& weightedFamilies();
+/// The family of that name, at that size; @p name is known or the call throws.
+Input fromWeightedFamily(const std::string& name, int count, std::uint64_t seed);
+
+// Single clouds and changes to a cloud.
+/// side^2 points, their weight 0.
+Cloud squareGrid(int side);
+/// All integer points with x^2 + y^2 = squaredRadius.
+Cloud cocircularIntegers(int squaredRadius);
+/// Weights anew: uniform between the two.
+Cloud withWeights(Cloud weighted, double low, double high, Random& random);
+/// x and y times @p factor, the weight times its square.
+Cloud magnified(Cloud weighted, double factor);
+/// Integer coordinates and weights, all bounds included.
+Cloud smallIntegerSites(
+  int count, int lowest, int highest, int lightest, int heaviest, Random& random);
+
+/// An integer cloud whose points, joined in the order of their ids and three to a new triangle,
+/// leave flipping alone stuck: see InputsWeightedSpecial.cxx.
+Cloud stuckSites();
+
+/// Inputs without a size, few points each.
+std::vector<Input> smallWeightedInputs();
+/// The same, from a few hundred to some ten thousand points.
+std::vector<Input> largeWeightedInputs();
+
+}
+}
+
+#endif
