@@ -144,7 +144,7 @@ private:
       }
       this->monitor.advance(i - blockBegin);
     }
-    chunk.tally.statistics.exactCalls = local.exactCallCount() - this->geometry.exactCallCount();
+    chunk.tally.addPredicates(local, this->geometry);
   }
 
   /// Fill a block with the finite, not yet taken points of the subset from place @p i on.

@@ -30,6 +30,9 @@
 namespace flipflop
 {
 
+/// @tparam Geometry a model of the geometry concept (see HullGeometry), for which
+///                  centerKernel(Geometry&, const Polyhedron&) may move the kernel point after a
+///                  round
 template <class Geometry>
 class Builder
 {
@@ -87,14 +90,17 @@ public:
 
   /// The (perturbed) hull of all points, with gaps.
   /// @param samples as nestedSamples gives them
-  /// @param start   a tetrahedron, see startingTetrahedron; the geometry's kernel point is inside
+  /// @param start   a tetrahedron; the geometry's kernel point is inside
   Polyhedron build(
     const std::vector<std::vector<std::uint32_t>>& samples, Polyhedron&& start, Tally& tally)
   {
     std::vector<std::uint32_t> corners;
     for (const Vertex& v : start.vertices)
     {
-      corners.push_back(v.id);
+      if (!(v.flags & VertexVirtual))
+      {
+        corners.push_back(v.id);
+      }
     }
     std::sort(corners.begin(), corners.end());
 
@@ -117,7 +123,7 @@ public:
         taken.clear();
         std::set_union(
           ids.begin(), ids.end(), corners.begin(), corners.end(), std::back_inserter(taken));
-        this->centerKernel(current);
+        centerKernel(this->geometry, current);
       }
     }
     return current;
@@ -144,54 +150,6 @@ private:
       this->geometry, std::move(base), std::move(assignment), this->vBiased, this->monitor);
     tally.add(patches.run());
     return patches.take();
-  }
-
-  /// Move the kernel point to the middle of a convex polyhedron, where that is exactly inside.
-  void centerKernel(const Polyhedron& polyhedron)
-  {
-    // Weights without a pattern, so that on grids the kernel is in no plane of grid points.
-    double weight = 0;
-    double s[3] = { 0, 0, 0 };
-    const double share = 1.0 / static_cast<double>(polyhedron.vertexCount());
-    double jitter = 0.5;
-    for (const Vertex& v : polyhedron.vertices)
-    {
-      jitter += 0.6180339887498949;
-      jitter -= std::floor(jitter);
-      const double w = (0.75 + 0.5 * jitter) * share;
-      weight += w;
-      for (int i = 0; i < 3; ++i)
-      {
-        s[i] += w * v.x[i];
-      }
-    }
-    for (double& coordinate : s)
-    {
-      coordinate /= weight;
-    }
-    Geometry candidate = this->geometry;
-    candidate.setKernel(s);
-    if (isFinite(s) && seesAll(candidate, polyhedron))
-    {
-      this->geometry = candidate;
-    }
-  }
-
-  /// Is the kernel point strictly beneath every triangle that has an area? Exact.
-  static bool seesAll(const Geometry& geometry, const Polyhedron& polyhedron)
-  {
-    for (const Triangle& t : polyhedron.triangles)
-    {
-      const Vertex& a = polyhedron.vertices[t.v[0]];
-      const Vertex& b = polyhedron.vertices[t.v[1]];
-      const Vertex& c = polyhedron.vertices[t.v[2]];
-      const int sign = geometry.beneathKernel(a, b, c);
-      if (sign < 0 || (sign == 0 && !geometry.collinear(a, b, c)))
-      {
-        return false;
-      }
-    }
-    return true;
   }
 
   Geometry& geometry;

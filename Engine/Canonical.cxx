@@ -109,7 +109,12 @@ private:
   std::vector<std::uint32_t> before;
 };
 
-/// The rank of every vertex among the hull's points, by its lowest id; the ids themselves.
+bool isPoint(const Vertex& vertex)
+{
+  return (vertex.flags & (VertexAlive | VertexVirtual)) == VertexAlive;
+}
+
+/// The rank of every vertex among the result's points, by its lowest id; the ids themselves.
 Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
   Buffer<std::int64_t>& pointIds)
@@ -121,7 +126,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   for (std::uint32_t v = 0; v < slots; ++v)
   {
     rank[v] = NoIndex;
-    if (polyhedron.vertices[v].flags & VertexAlive)
+    if (isPoint(polyhedron.vertices[v]))
     {
       rank[v] = lowest.of(polyhedron.vertices[v].id);
       ++count;
@@ -129,7 +134,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   }
   pointIds.allocate(count);
 
-  // A hull that is a small part of the input is sorted; else no sort is needed.
+  // A result that is a small part of the input is sorted; else no sort is needed.
   if (count < pointCount / 64)
   {
     std::size_t n = 0;
@@ -270,12 +275,14 @@ private:
   Buffer<Cell> cells;
 };
 
+}
+
 /// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
 /// first.
-class Polygons
+class FacetPolygons
 {
 public:
-  Polygons(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank)
+  FacetPolygons(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank)
   {
     std::vector<std::uint8_t> visited(polyhedron.triangleCount());
     const auto isFlat = [&](std::uint32_t h)
@@ -295,10 +302,16 @@ public:
         }
       } while (h != start);
       const auto begin = this->corners.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto end = this->corners.end();
+      if (std::any_of(begin, end, [&rank](std::uint32_t v) { return rank[v] == NoIndex; }))
+      {
+        this->corners.resize(first);
+        return;
+      }
       std::rotate(begin,
-        std::min_element(begin, this->corners.end(),
-          [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; }),
-        this->corners.end());
+        std::min_element(
+          begin, end, [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; }),
+        end);
       this->begin.push_back(this->corners.size());
     };
     for (const Piece& piece : polyhedron.pieces)
@@ -327,175 +340,162 @@ private:
   std::vector<std::size_t> begin{ 0 };
 };
 
-/// Brings the facets into their order.
-class Writer
+namespace
 {
-public:
-  Writer(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank, bool anyFlat)
-    : polyhedron(polyhedron)
-    , rank(rank)
-    , polygons(anyFlat ? new Polygons(polyhedron, rank) : nullptr)
-  {
-  }
 
-  void writeCells(FacetMode facets, Monitor& monitor, Hull& hull) const
-  {
-    const bool fans = facets == FacetMode::Triangles;
-    const auto pointCount = static_cast<std::uint32_t>(hull.pointIds.size());
-    const auto eachCell = [&](auto&& use)
+void writeTriangles(const Buffer<Cell>& cells, CellComplex& complex)
+{
+  complex.cellSize = 3;
+  complex.connectivity.allocate(3 * cells.size());
+  tbb::parallel_for(std::size_t(0), runCount(cells.size()),
+    [&](std::size_t run)
     {
-      const auto useTriangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                                 std::size_t piece) {
-        use(piece, Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
-      };
-      this->eachTriangle(useTriangle);
-      if (fans)
+      const std::size_t end = std::min(cells.size(), (run + 1) * Run);
+      for (std::size_t i = run * Run; i < end; ++i)
       {
-        this->eachFanTriangle(useTriangle);
-        return;
+        std::copy(cells[i].corner, cells[i].corner + 3, complex.connectivity.begin() + 3 * i);
       }
-      for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
-      {
-        const std::uint32_t* corner = this->polygons->first(p);
-        use(this->polyhedron.pieces.size(),
-          Cell{ { this->rank[corner[0]], this->rank[corner[1]],
-            pointCount + static_cast<std::uint32_t>(p) } });
-      }
-    };
-    CellSort sort(pointCount, this->polyhedron.pieces.size() + 1);
-    eachCell([&](std::size_t piece, const Cell& cell) { sort.count(piece, cell.corner[0]); });
-    sort.endCounting();
-    monitor.poll();
-    eachCell([&](std::size_t piece, const Cell& cell) { sort.put(piece, cell); });
-    monitor.poll();
-    const Buffer<Cell>& cells = sort.sort();
-    monitor.poll();
-    if (fans || !this->polygons)
-    {
-      writeTriangles(cells, hull);
-    }
-    else
-    {
-      this->writeMixed(cells, pointCount, hull);
-    }
-  }
+    });
+}
 
-  /// Both facet modes measure the same triangles.
-  void writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const
+void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
+  const FacetPolygons& polygons, std::uint32_t pointCount, CellComplex& complex)
+{
+  const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
+  const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
+  complex.cellSize = 0;
+  complex.offsets.allocate(cells.size() + 1);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    const Buffer<Vertex>& vertices = this->polyhedron.vertices;
-    const auto first = std::find(this->rank.begin(), this->rank.end(), 0u) - this->rank.begin();
-    Measure total(range, exponent, vertices[static_cast<std::size_t>(first)].x);
-    std::vector<Measure> parts(this->polyhedron.pieces.size() + 1, total);
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
-    { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); };
-    this->eachTriangle(add);
-    this->eachFanTriangle(add);
-    for (const Measure& part : parts)
-    {
-      total.add(part);
-    }
-    total.write(hull);
+    complex.offsets[i] = static_cast<std::int64_t>(at);
+    at += isPolygon(cells[i]) ? polygons.size(number(cells[i])) : 3;
   }
-
-private:
-  /// Facets that are one triangle: use(its vertices, the one of lowest rank first, piece), in
-  /// parallel.
-  template <class Use>
-  void eachTriangle(Use&& use) const
+  complex.offsets[cells.size()] = static_cast<std::int64_t>(at);
+  complex.connectivity.allocate(at);
+  std::int64_t* out = complex.connectivity.data();
+  for (const Cell& cell : cells)
   {
-    this->polyhedron.eachTriangle(
-      [&](std::uint32_t t, std::size_t piece)
-      {
-        const Triangle& triangle = this->polyhedron.triangles[t];
-        if (triangle.index == 0)
-        {
-          const std::uint32_t* v = triangle.v;
-          const std::uint32_t a = this->rank[v[0]];
-          const std::uint32_t b = this->rank[v[1]];
-          const std::uint32_t c = this->rank[v[2]];
-          const int e = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
-          use(v[e], v[nextCorner(e)], v[previousCorner(e)], piece);
-        }
-      });
-  }
-
-  /// The other facets' fans: use(vertices, number of pieces), one after another.
-  template <class Use>
-  void eachFanTriangle(Use&& use) const
-  {
-    for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+    if (!isPolygon(cell))
     {
-      const std::uint32_t* corner = this->polygons->first(p);
-      for (std::size_t i = 2; i < this->polygons->size(p); ++i)
-      {
-        use(corner[0], corner[i - 1], corner[i], this->polyhedron.pieces.size());
-      }
+      out = std::copy(cell.corner, cell.corner + 3, out);
+      continue;
     }
+    const std::uint32_t* first = polygons.first(number(cell));
+    out = std::transform(first, first + polygons.size(number(cell)), out,
+      [&rank](std::uint32_t v) { return static_cast<std::int64_t>(rank[v]); });
   }
-
-  static void writeTriangles(const Buffer<Cell>& cells, Hull& hull)
-  {
-    hull.cellSize = 3;
-    hull.connectivity.allocate(3 * cells.size());
-    tbb::parallel_for(std::size_t(0), runCount(cells.size()),
-      [&](std::size_t run)
-      {
-        const std::size_t end = std::min(cells.size(), (run + 1) * Run);
-        for (std::size_t i = run * Run; i < end; ++i)
-        {
-          std::copy(cells[i].corner, cells[i].corner + 3, hull.connectivity.begin() + 3 * i);
-        }
-      });
-  }
-
-  void writeMixed(const Buffer<Cell>& cells, std::uint32_t pointCount, Hull& hull) const
-  {
-    const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
-    const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
-    hull.cellSize = 0;
-    hull.offsets.allocate(cells.size() + 1);
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-    {
-      hull.offsets[i] = static_cast<std::int64_t>(at);
-      at += isPolygon(cells[i]) ? this->polygons->size(number(cells[i])) : 3;
-    }
-    hull.offsets[cells.size()] = static_cast<std::int64_t>(at);
-    hull.connectivity.allocate(at);
-    std::int64_t* out = hull.connectivity.data();
-    for (const Cell& cell : cells)
-    {
-      if (!isPolygon(cell))
-      {
-        out = std::copy(cell.corner, cell.corner + 3, out);
-        continue;
-      }
-      const std::uint32_t* first = this->polygons->first(number(cell));
-      out = std::transform(first, first + this->polygons->size(number(cell)), out,
-        [this](std::uint32_t v) { return static_cast<std::int64_t>(this->rank[v]); });
-    }
-  }
-
-  const Polyhedron& polyhedron;
-  const Buffer<std::uint32_t>& rank;              ///< by vertex
-  const std::unique_ptr<const Polygons> polygons; ///< null: no edge is flat
-};
+}
 
 }
 
-void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
-  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, const CoordinateRange& range,
-  int exponent, FacetMode facets, Monitor& monitor, Hull& hull)
+CanonicalForm::CanonicalForm(const Polyhedron& mesh, bool anyFlat,
+  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
+  Buffer<std::int64_t>& pointIds)
+  : polyhedron(mesh)
+  , rank(rankVertices(mesh, duplicates, pointCount, pointIds))
+  , polygons(anyFlat ? new FacetPolygons(mesh, this->rank) : nullptr)
 {
-  hull.dimension = 3;
-  const Buffer<std::uint32_t> rank =
-    rankVertices(polyhedron, duplicates, pointCount, hull.pointIds);
-  const Writer writer(polyhedron, rank, anyFlat);
+}
+
+CanonicalForm::~CanonicalForm() = default;
+
+/// Facets that are one triangle: use(its vertices, the one of lowest rank first, piece), in
+/// parallel.
+template <class Use>
+void CanonicalForm::eachTriangle(Use&& use) const
+{
+  this->polyhedron.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece)
+    {
+      const Triangle& triangle = this->polyhedron.triangles[t];
+      if (triangle.index == 0)
+      {
+        const std::uint32_t* v = triangle.v;
+        const std::uint32_t a = this->rank[v[0]];
+        const std::uint32_t b = this->rank[v[1]];
+        const std::uint32_t c = this->rank[v[2]];
+        if (a == NoIndex || b == NoIndex || c == NoIndex)
+        {
+          return;
+        }
+        const int e = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
+        use(v[e], v[nextCorner(e)], v[previousCorner(e)], piece);
+      }
+    });
+}
+
+/// The other facets' fans: use(vertices, number of pieces), one after another.
+template <class Use>
+void CanonicalForm::eachFanTriangle(Use&& use) const
+{
+  for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+  {
+    const std::uint32_t* corner = this->polygons->first(p);
+    for (std::size_t i = 2; i < this->polygons->size(p); ++i)
+    {
+      use(corner[0], corner[i - 1], corner[i], this->polyhedron.pieces.size());
+    }
+  }
+}
+
+void CanonicalForm::writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex) const
+{
+  const bool fans = facets == FacetMode::Triangles;
+  const auto pointCount = static_cast<std::uint32_t>(complex.pointIds.size());
+  const auto eachCell = [&](auto&& use)
+  {
+    const auto useTriangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                               std::size_t piece) {
+      use(piece, Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
+    };
+    this->eachTriangle(useTriangle);
+    if (fans)
+    {
+      this->eachFanTriangle(useTriangle);
+      return;
+    }
+    for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+    {
+      const std::uint32_t* corner = this->polygons->first(p);
+      use(this->polyhedron.pieces.size(),
+        Cell{ { this->rank[corner[0]], this->rank[corner[1]],
+          pointCount + static_cast<std::uint32_t>(p) } });
+    }
+  };
+  CellSort sort(pointCount, this->polyhedron.pieces.size() + 1);
+  eachCell([&](std::size_t piece, const Cell& cell) { sort.count(piece, cell.corner[0]); });
+  sort.endCounting();
   monitor.poll();
-  writer.writeCells(facets, monitor, hull);
+  eachCell([&](std::size_t piece, const Cell& cell) { sort.put(piece, cell); });
   monitor.poll();
-  writer.writeMeasure(range, exponent, hull);
+  const Buffer<Cell>& cells = sort.sort();
+  monitor.poll();
+  if (fans || !this->polygons)
+  {
+    writeTriangles(cells, complex);
+  }
+  else
+  {
+    writeMixed(cells, this->rank, *this->polygons, pointCount, complex);
+  }
+}
+
+void CanonicalForm::writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const
+{
+  const Buffer<Vertex>& vertices = this->polyhedron.vertices;
+  const auto first = std::find(this->rank.begin(), this->rank.end(), 0u) - this->rank.begin();
+  Measure total(range, exponent, vertices[static_cast<std::size_t>(first)].x);
+  std::vector<Measure> parts(this->polyhedron.pieces.size() + 1, total);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
+  { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); };
+  this->eachTriangle(add);
+  this->eachFanTriangle(add);
+  for (const Measure& part : parts)
+  {
+    total.add(part);
+  }
+  total.write(hull);
 }
 
 }

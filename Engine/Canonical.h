@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The finish, second part: the one canonical form of a hull (see Hull.h).
+/// The finish, second part: the one canonical form of a result (see CellComplex.h).
 #ifndef flipflop_Canonical_h
 #define flipflop_Canonical_h
 
+#include "CellComplex.h"
 #include "CoordinateRange.h"
 #include "Duplicate.h"
 #include "Hull.h"
@@ -13,23 +14,48 @@
 #include "Polyhedron.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace flipflop
 {
 
-/// @param polyhedron strictly extreme vertices only; bit e of a triangle's index tells that its
-/// edge e is flat
-/// @param anyFlat    whether there is a flat edge at all
-/// @param duplicates pairs of ids at one position
-/// @param pointCount ids are below this
-/// @param range      of the scaled coordinates
-/// @param exponent   coordinates are scaled by 2^exponent
-/// Fills in all of @p hull but its statistics.
-/// @throw Error Aborted, between its passes
-void writeCanonical(const Polyhedron& polyhedron, bool anyFlat,
-  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, const CoordinateRange& range,
-  int exponent, FacetMode facets, Monitor& monitor, Hull& hull);
+class FacetPolygons;
+
+/// What touches the virtual vertex is left out: it is no facet of the result, and no point.
+class CanonicalForm
+{
+public:
+  /// @param polyhedron strictly extreme vertices only; bit e of a triangle's index tells that its
+  ///                   edge e is flat. It must outlive this.
+  /// @param anyFlat    whether there is a flat edge at all
+  /// @param duplicates pairs of ids at one position
+  /// @param pointCount ids are below this
+  /// @param pointIds   is filled in
+  CanonicalForm(const Polyhedron& polyhedron, bool anyFlat,
+    const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
+    Buffer<std::int64_t>& pointIds);
+  ~CanonicalForm();
+
+  /// The facets, in their order.
+  /// @throw Error Aborted, between its passes
+  void writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex) const;
+
+  /// Volume and area. Both facet modes measure the same triangles.
+  /// @param range    of the scaled coordinates
+  /// @param exponent coordinates are scaled by 2^exponent
+  void writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const;
+
+private:
+  template <class Use>
+  void eachTriangle(Use&& use) const;
+  template <class Use>
+  void eachFanTriangle(Use&& use) const;
+
+  const Polyhedron& polyhedron;
+  Buffer<std::uint32_t> rank;                    ///< by vertex; NoIndex: no point of the result
+  std::unique_ptr<const FacetPolygons> polygons; ///< null: no edge is flat
+};
 
 }
 

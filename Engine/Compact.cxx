@@ -67,7 +67,7 @@ Polyhedron compact(Polyhedron&& old)
     {
       const std::uint32_t index = vertexNext[run]++;
       result.vertices[index] = vertex;
-      result.vertices[index].flags = VertexAlive;
+      result.vertices[index].flags = vertex.flags & (VertexAlive | VertexVirtual);
       vertex.flags = index;
     });
 

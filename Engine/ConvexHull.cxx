@@ -10,7 +10,7 @@ namespace flipflop
 Hull convexHull(const PointView& points, const Options& options)
 {
   HullRun run(points, options);
-  return run.execute([&run](Hull& hull) { run.hullOfPoints(hull); });
+  return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); });
 }
 
 }

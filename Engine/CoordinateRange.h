@@ -3,32 +3,42 @@
 /// @file
 /// The range of the coordinates, and what follows from it for the arithmetic.
 ///
-/// Products of three differences must neither overflow nor lose bits to underflow where expansions
+/// Products of differences must neither overflow nor lose bits to underflow where expansions
 /// decide. Scaling by a power of two is exact and moves most inputs there. What still does not fit
-/// (1e-300 beside 1e300) is scaled without loss and decided in wide integers.
+/// (1e-300 beside 1e300) is decided in wide integers.
 #ifndef flipflop_CoordinateRange_h
 #define flipflop_CoordinateRange_h
 
 namespace flipflop
 {
 
-/// Over the finite points.
+/// Over the finite points, by axis. The third axis is z, or the weight.
 struct CoordinateRange
 {
   double low[3];
   double high[3];
-  double largest;  ///< largest magnitude of a coordinate
-  double smallest; ///< smallest non-zero magnitude, or infinity
+  double smallest[3]; ///< smallest non-zero magnitude, or infinity
+
+  double largest(int axis) const
+  {
+    const double a = this->low[axis] < 0 ? -this->low[axis] : this->low[axis];
+    const double b = this->high[axis] < 0 ? -this->high[axis] : this->high[axis];
+    return a > b ? a : b;
+  }
 };
 
 struct Arithmetic
 {
-  int scaleExponent = 0; ///< coordinates are multiplied by 2^scaleExponent, without loss
+  int scaleExponent = 0; ///< coordinates are multiplied by 2^scaleExponent, weights by its square,
+                         ///< without loss
   bool wide = false;     ///< expansions do not carry the range: decide in wide integers
 };
 
-/// The scaling for a range.
+/// The scaling for points in space.
 Arithmetic chooseArithmetic(const CoordinateRange& range);
+
+/// The scaling for weighted points in the plane.
+Arithmetic chooseLiftedArithmetic(const CoordinateRange& range);
 
 }
 

@@ -186,7 +186,7 @@ Hull flipFlop(const PointView& points, const TriangleView& triangles, const doub
   const UsedPoints used = withTypedErrors([&] { return gatherUsed(points, triangles); });
   HullRun run(
     PointView(used.coordinates.data(), static_cast<std::int64_t>(used.ids.size())), options);
-  Hull hull = run.execute(
+  Hull hull = run.execute<Hull>(
     [&](Hull& result)
     {
       if (!run.inspect(result, kernel))

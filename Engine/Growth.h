@@ -72,8 +72,8 @@ bool isAbove(const Geometry& geometry, const Vertex& a, const Vertex& b, const V
   {
     return sign > 0;
   }
-  // In a flat cone "on the plane" does not mean "on the triangle": there the perturbation tells.
-  return geometry.beneathKernel(a, b, c) == 0 && geometry.perturbedAbove(a, b, c, p) > 0;
+  // Where "on the plane" does not mean "on the triangle", the perturbation tells.
+  return !geometry.coversCone(a, b, c) && geometry.perturbedAbove(a, b, c, p) > 0;
 }
 
 template <class Geometry>

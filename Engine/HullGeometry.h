@@ -9,7 +9,8 @@
 ///   above(a, b, c, p)          is p beyond the triangle abc, seen from s? Exact: -1, 0, 1
 ///   beneathKernel(a, b, c)     does abc turn its outer side away from s? Exact: -1, 0, 1
 ///   perturbedAbove, perturbedBeneathKernel     the same, never 0 (Simulation of Simplicity by id)
-///   Cone, Split, Plane         their tests, prepared for many points: a value and its error
+///   coversCone(a, b, c)        is all of the plane of abc that its cone holds on abc itself?
+///   Split, Plane, Locator      their tests, prepared for many points: a value and its error
 ///
 /// Triangles are counter-clockwise seen from outside, so beneathKernel > 0 for every triangle of a
 /// polyhedron that is star-shaped from s. Seen from s, p lies in the cone of abc when
@@ -40,6 +41,13 @@ constexpr double DeterminantError = 48.1 * 1.1102230246251565e-16;
 /// Largest magnitudes between which no underflow spoils the filter.
 constexpr double FilterFloor = 1e-97;
 constexpr double FilterCeiling = 1e102;
+
+/// What a geometry counts while it answers. It is copied for each task.
+struct PredicateCounts
+{
+  std::int64_t exact = 0; ///< signs that the floating-point filter left undecided
+  std::int64_t ties = 0;  ///< signs of "above" that only the perturbation decides
+};
 
 class HullCone;
 class HullLocator;
@@ -141,7 +149,19 @@ public:
   FF_HD int perturbedAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     const int sign = this->above(a, b, c, p);
-    return sign ? sign : this->tieAbove(a, b, c, p);
+    if (sign)
+    {
+      return sign;
+    }
+    ++this->counts.ties;
+    return this->tieAbove(a, b, c, p);
+  }
+
+  /// Is a point in the cone and on the plane of abc on the triangle itself? Not where the cone is
+  /// flat.
+  FF_HD bool coversCone(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->beneathKernel(a, b, c) != 0;
   }
 
   /// Sign of det[a - s; b - s; c - s].
@@ -194,7 +214,7 @@ public:
   /// The second step alone.
   FF_HD int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    ++this->exactCalls;
+    ++this->counts.exact;
     const Row<1> last = { { p.x } };
 #if !defined(__CUDA_ARCH__)
     if (this->wide)
@@ -207,7 +227,7 @@ public:
 
   FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    ++this->exactCalls;
+    ++this->counts.exact;
     return this->symbolic ? this->exactBeneath(a, b, c, this->symbolicRow())
                           : this->exactBeneath(a, b, c, this->plainRow());
   }
@@ -220,7 +240,7 @@ public:
     {
       return sign;
     }
-    ++this->exactCalls;
+    ++this->counts.exact;
     const Row<1> last = { { c.x } };
     return this->wide ? WideSigns::orient2(a.x, b.x, last, p, q)
                       : ExpansionSigns::orient2(a.x, b.x, last, p, q);
@@ -245,10 +265,9 @@ public:
     return this->wide;
   }
 
-  /// How often the filter could not tell.
-  std::int64_t exactCallCount() const
+  const PredicateCounts& predicateCounts() const
   {
-    return this->exactCalls;
+    return this->counts;
   }
 
   /// Error bound of det[u; v; p - q] for any two input points p, q and differences u, v of input
@@ -341,34 +360,14 @@ private:
   template <int Count>
   FF_HD int tie(const Vertex& r0, const Vertex& r1, const Vertex& r2, const Row<Count>& last) const
   {
+    const double* const rows[3] = { r0.x, r1.x, r2.x };
 #if !defined(__CUDA_ARCH__)
     if (this->wide)
     {
-      return perturbedSign<WideSigns>(r0.x, r1.x, r2.x, last);
+      return perturbedSign<WideSigns, MovedByPoint>(rows, last);
     }
 #endif
-    return perturbedSign<ExpansionSigns>(r0.x, r1.x, r2.x, last);
-  }
-
-  /// Sort rows by id; -1 when that takes an odd number of exchanges, else 1.
-  template <int Count>
-  FF_HD static int sortById(const Vertex* (&row)[Count])
-  {
-    int sign = 1;
-    for (int end = Count - 1; end > 0; --end)
-    {
-      for (int i = 0; i < end; ++i)
-      {
-        if (row[i]->id > row[i + 1]->id)
-        {
-          const Vertex* other = row[i];
-          row[i] = row[i + 1];
-          row[i + 1] = other;
-          sign = -sign;
-        }
-      }
-    }
-    return sign;
+    return perturbedSign<ExpansionSigns, MovedByPoint>(rows, last);
   }
 
   FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
@@ -402,7 +401,7 @@ private:
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;
-  mutable std::int64_t exactCalls = 0;
+  mutable PredicateCounts counts;
 };
 
 }

@@ -311,7 +311,7 @@ private:
   void finishNode(Node& node, PatchFlipper& flipper, const Geometry& local)
   {
     flipper.addTo(node.tally.statistics);
-    node.tally.statistics.exactCalls = local.exactCallCount() - this->geometry.exactCallCount();
+    node.tally.addPredicates(local, this->geometry);
     node.tally.duplicates.insert(
       node.tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
     node.deferred = std::move(flipper.deferred);

@@ -1,70 +1,95 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Simulation of Simplicity for the 3D orientation (H. Edelsbrunner, E. P. Mucke, 1990).
+/// Simulation of Simplicity for orientations (H. Edelsbrunner, E. P. Mucke, 1990).
 ///
-/// Coordinate j of the point with rank i (by id) is moved by e^(2^(3i + j)), e infinitesimal. The
-/// perturbed determinant of the rows (x, y, z, 1) is a polynomial in e; its sign is that of the
-/// first non-zero coefficient, and a coefficient is a minor: the rows and columns of the moved
-/// entries are struck out. Read as bits 3i + j, the moved entries of the terms in order of size are
-/// the integers 0, 1, 2, ... that strike no row or column twice. The one that strikes rows 0, 1, 2
-/// leaves the constant 1, so the last row is never moved: the kernel point may stand there as it
-/// is.
+/// Every coordinate of every point is moved by a power of e, infinitesimal, each so much smaller
+/// than the one before that it counts for less than any product of those. The perturbed determinant
+/// of the rows (coordinates, 1) is a polynomial in e; its sign is that of the first non-zero
+/// coefficient, and a coefficient is a minor: the rows and columns of the moved entries are struck
+/// out. With the moved entries numbered by size, and read as bits, the terms in order of size are
+/// the integers 0, 1, 2, ... that strike no row or column twice. The term that strikes all columns
+/// is constant; no later one is needed. Where it leaves the last row, that row need not be moved at
+/// all: the kernel point may stand there as it is.
+///
+/// Which coordinate is moved more than which is an Order's choice; rows are ranked by id.
 #ifndef flipflop_Perturbation_h
 #define flipflop_Perturbation_h
 
 #include "ExactSigns.h"
 #include "HostDevice.h"
+#include "Vertex.h"
 
 #include <cstdint>
 
 namespace flipflop
 {
 
+/// Points in space: coordinate j of rank i is moved by e^(2^(3i + j)).
+struct MovedByPoint
+{
+  static constexpr int Columns = 3;
+  static constexpr int row(int entry) { return entry / 3; }
+  static constexpr int column(int entry) { return entry % 3; }
+};
+
+/// Points in the plane: coordinate j of rank i by e^(2^(2i + j)).
+struct MovedInPlane
+{
+  static constexpr int Columns = 2;
+  static constexpr int row(int entry) { return entry / 2; }
+  static constexpr int column(int entry) { return entry % 2; }
+};
+
+/// Lifted points: all heights are moved more than any place in the plane, and the places as in
+/// MovedInPlane. So ties between places in general position are decided by orientations in the
+/// plane.
+struct MovedByHeight
+{
+  static constexpr int Columns = 3;
+  static constexpr int row(int entry) { return entry < 4 ? entry : MovedInPlane::row(entry - 4); }
+  static constexpr int column(int entry) { return entry < 4 ? 2 : MovedInPlane::column(entry - 4); }
+};
+
 namespace detail
 {
 
 struct PerturbationTerm
 {
-  std::int8_t rows[3];    ///< rows that remain (of 4), -1 behind the last
+  std::int8_t rows[3];    ///< rows that remain, -1 behind the last
   std::int8_t columns[2]; ///< coordinates that remain, -1 behind the last
   std::int8_t sign;
 };
 
 struct PerturbationTable
 {
-  PerturbationTerm term[17] = {};
+  PerturbationTerm term[20] = {};
   int count = 0;
 };
 
+template <class Order>
 constexpr PerturbationTable makePerturbationTable()
 {
+  constexpr int Size = Order::Columns + 1;
   PerturbationTable table;
   for (int mask = 1;; ++mask)
   {
-    bool rowUsed[4] = {};
-    bool columnUsed[3] = {};
-    bool valid = true;
-    int sign = 1;
+    bool struckRow[Size] = {};
+    bool struckColumn[Size] = {};
+    int columnOf[Size] = {};
     int struck = 0;
-    for (int row = 0; row < 3; ++row)
+    bool valid = true;
+    for (int entry = 0; mask >> entry; ++entry)
     {
-      for (int column = 0; column < 3; ++column)
+      if (mask >> entry & 1)
       {
-        if (mask >> (3 * row + column) & 1)
-        {
-          valid = valid && !rowUsed[row] && !columnUsed[column];
-          // Position of the entry in what the earlier strikes left.
-          int place = row - struck;
-          for (int c = 0; c < column; ++c)
-          {
-            place += columnUsed[c] ? 0 : 1;
-          }
-          sign = place % 2 ? -sign : sign;
-          rowUsed[row] = true;
-          columnUsed[column] = true;
-          ++struck;
-        }
+        const int row = Order::row(entry);
+        const int column = Order::column(entry);
+        valid = valid && !struckRow[row] && !struckColumn[column];
+        struckRow[row] = true;
+        struckColumn[column] = true;
+        columnOf[row] = column;
+        ++struck;
       }
     }
     if (!valid)
@@ -74,53 +99,98 @@ constexpr PerturbationTable makePerturbationTable()
     PerturbationTerm& term = table.term[table.count++];
     term.rows[0] = term.rows[1] = term.rows[2] = -1;
     term.columns[0] = term.columns[1] = -1;
-    term.sign = static_cast<std::int8_t>(sign);
+    // Strike row by row; an entry's position counts in what the earlier strikes left.
+    bool left[Size] = {};
+    int sign = 1;
+    int above = 0;
     int n = 0;
-    for (int row = 0; row < 4; ++row)
+    for (int row = 0; row < Size; ++row)
     {
-      if (!rowUsed[row])
+      if (!struckRow[row])
       {
         term.rows[n++] = static_cast<std::int8_t>(row);
+        continue;
       }
+      int place = row - above++;
+      for (int c = 0; c < columnOf[row]; ++c)
+      {
+        place += left[c] ? 0 : 1;
+      }
+      left[columnOf[row]] = true;
+      sign = place % 2 ? -sign : sign;
     }
     n = 0;
-    for (int column = 0; column < 3; ++column)
+    for (int column = 0; column < Order::Columns; ++column)
     {
-      if (!columnUsed[column])
+      if (!struckColumn[column])
       {
         term.columns[n++] = static_cast<std::int8_t>(column);
       }
     }
-    if (struck == 3)
+    term.sign = static_cast<std::int8_t>(sign);
+    if (struck == Order::Columns)
     {
       return table;
     }
   }
 }
 
+/// The minor of one term. @p last is the determinant's last row, and remains unless it is struck.
+template <class Signs, int Count>
+FF_HD int minorSign(const PerturbationTerm& term, const double* const* rows, const Row<Count>& last)
+{
+  if (term.columns[1] >= 0)
+  {
+    return Signs::orient2(
+      rows[term.rows[0]], rows[term.rows[1]], last, term.columns[0], term.columns[1]);
+  }
+  if (term.columns[0] >= 0)
+  {
+    return Signs::compare(rows[term.rows[0]], last, term.columns[0]);
+  }
+  return 1; // the empty minor: a row's one
 }
 
-/// Sign of the perturbed det of the rows (r0, 1), (r1, 1), (r2, 1), last, whose unperturbed value
-/// is zero. The rows are in ascending order of id; never zero.
-template <class Signs, int Count>
-FF_HD int perturbedSign(
-  const double* r0, const double* r1, const double* r2, const Row<Count>& last)
+}
+
+/// Sort rows by id; -1 when that takes an odd number of exchanges, else 1.
+template <int Count>
+FF_HD int sortById(const Vertex* (&row)[Count])
 {
-  constexpr detail::PerturbationTable table = detail::makePerturbationTable();
-  const double* rows[3] = { r0, r1, r2 };
+  int sign = 1;
+  for (int end = Count - 1; end > 0; --end)
+  {
+    for (int i = 0; i < end; ++i)
+    {
+      if (row[i]->id > row[i + 1]->id)
+      {
+        const Vertex* other = row[i];
+        row[i] = row[i + 1];
+        row[i + 1] = other;
+        sign = -sign;
+      }
+    }
+  }
+  return sign;
+}
+
+/// Sign of the perturbed determinant of the rows (r, 1) and last, whose unperturbed value is zero.
+/// Never zero.
+/// @tparam Order Columns + 1 rows
+/// @param rows   all but the last, in ascending order of id
+template <class Signs, class Order, int Count>
+FF_HD int perturbedSign(const double* const* rows, const Row<Count>& last)
+{
+  constexpr detail::PerturbationTable table = detail::makePerturbationTable<Order>();
+  constexpr int Last = Order::Columns;
   for (int i = 0; i < table.count; ++i)
   {
     const detail::PerturbationTerm& term = table.term[i];
-    int sign = 1; // the empty minor: the last row's one
-    if (term.columns[1] >= 0)
-    {
-      sign = Signs::orient2(
-        rows[term.rows[0]], rows[term.rows[1]], last, term.columns[0], term.columns[1]);
-    }
-    else if (term.columns[0] >= 0)
-    {
-      sign = Signs::compare(rows[term.rows[0]], last, term.columns[0]);
-    }
+    const int remaining = term.columns[1] >= 0 ? 3 : (term.columns[0] >= 0 ? 2 : 1);
+    const int lowest = term.rows[remaining - 1];
+    const int sign = lowest == Last
+      ? detail::minorSign<Signs>(term, rows, last)
+      : detail::minorSign<Signs>(term, rows, Row<1>{ { rows[lowest] } });
     if (sign != 0)
     {
       return term.sign * sign;

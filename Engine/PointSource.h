@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The caller's points as the engine reads them: doubles, scaled by a power of two where the range
-/// asks.
+/// The caller's points as the engine reads them: three doubles each, x, y and z or the weight,
+/// scaled by a power of two where the range asks.
 #ifndef flipflop_PointSource_h
 #define flipflop_PointSource_h
 
@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 
 namespace flipflop
 {
@@ -21,60 +20,77 @@ namespace flipflop
 class PointSource
 {
 public:
+  /// Points in space.
   explicit PointSource(const PointView& view)
-    : view(view)
+    : pointCount(view.count)
+    , type(view.type)
+    , data(view.data)
+    , stride(view.stride)
+    , thirdType(view.type)
+    , thirdStride(view.stride)
+    , thirdPower(1)
+  {
+    this->third = this->data && this->type == ScalarType::Float32
+      ? static_cast<const void*>(static_cast<const float*>(this->data) + 2)
+      : (this->data ? static_cast<const double*>(this->data) + 2 : nullptr);
+  }
+
+  /// Weighted points in the plane. Without weights the third coordinate is zero.
+  PointSource(const PointView& view, const WeightView& weights)
+    : pointCount(view.count)
+    , type(view.type)
+    , data(view.data)
+    , stride(view.stride)
+    , third(weights.data)
+    , thirdType(weights.type)
+    , thirdStride(weights.stride)
+    , thirdPower(2)
   {
   }
 
-  void setArithmetic(const Arithmetic& arithmetic) { this->exponent = arithmetic.scaleExponent; }
+  void setArithmetic(const Arithmetic& arithmetic)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->exponent[axis] = (axis == 2 ? this->thirdPower : 1) * arithmetic.scaleExponent;
+    }
+    this->scaled = arithmetic.scaleExponent != 0;
+  }
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(this->view.count); }
+  /// The same points with zero for the third coordinate, or NaN where that is not finite.
+  PointSource flattened() const
+  {
+    PointSource result = *this;
+    result.flat = true;
+    return result;
+  }
+
+  /// The axis is scaled by 2^ this.
+  int scaleExponent(int axis) const { return this->exponent[axis]; }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(this->pointCount); }
 
   /// Coordinates of point @p id. Scaling is exact: chooseArithmetic sees to it.
-  void load(std::uint32_t id, double* x) const
-  {
-    const std::size_t at =
-      static_cast<std::size_t>(id) * static_cast<std::size_t>(this->view.stride);
-    if (this->view.type == ScalarType::Float32)
-    {
-      const float* p = static_cast<const float*>(this->view.data) + at;
-      x[0] = p[0];
-      x[1] = p[1];
-      x[2] = p[2];
-    }
-    else
-    {
-      const double* p = static_cast<const double*>(this->view.data) + at;
-      x[0] = p[0];
-      x[1] = p[1];
-      x[2] = p[2];
-    }
-    if (this->exponent)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        x[i] = std::ldexp(x[i], this->exponent);
-      }
-    }
-  }
+  void load(std::uint32_t id, double* x) const { this->load(id, 1, x, x + 1, x + 2); }
 
   /// Coordinates of @p n points from @p first on, axis by axis.
   void load(std::uint32_t first, int n, double* x, double* y, double* z) const
   {
-    if (this->view.type == ScalarType::Float32)
+    read(this->data, this->type, this->stride, 0, first, n, x);
+    read(this->data, this->type, this->stride, 1, first, n, y);
+    read(this->third, this->thirdType, this->thirdStride, 0, first, n, z);
+    if (this->scaled)
     {
-      this->loadAs<float>(first, n, x, y, z);
-    }
-    else
-    {
-      this->loadAs<double>(first, n, x, y, z);
-    }
-    for (double* const axis : { x, y, z })
-    {
-      for (int i = 0; this->exponent && i < n; ++i)
+      for (int i = 0; i < n; ++i)
       {
-        axis[i] = std::ldexp(axis[i], this->exponent);
+        x[i] = std::ldexp(x[i], this->exponent[0]);
+        y[i] = std::ldexp(y[i], this->exponent[1]);
+        z[i] = std::ldexp(z[i], this->exponent[2]);
       }
+    }
+    for (int i = 0; this->flat && i < n; ++i)
+    {
+      z[i] *= 0.0;
     }
   }
 
@@ -87,24 +103,57 @@ public:
     return v;
   }
 
-  const PointView& points() const { return this->view; }
+  /// The scalars, when all lie as x y z x y z ...; else null.
+  const void* packed() const
+  {
+    return this->stride == 3 && this->thirdPower == 1 ? this->data : nullptr;
+  }
+  ScalarType scalarType() const { return this->type; }
 
 private:
-  template <class Scalar>
-  void loadAs(std::uint32_t first, int n, double* x, double* y, double* z) const
+  static void read(const void* from, ScalarType type, std::int64_t stride, int offset,
+    std::uint32_t first, int n, double* to)
   {
-    const std::size_t step = static_cast<std::size_t>(this->view.stride);
-    const Scalar* p = static_cast<const Scalar*>(this->view.data) + first * step;
-    for (int i = 0; i < n; ++i, p += step)
+    if (!from)
     {
-      x[i] = p[0];
-      y[i] = p[1];
-      z[i] = p[2];
+      for (int i = 0; i < n; ++i)
+      {
+        to[i] = 0.0;
+      }
+    }
+    else if (type == ScalarType::Float32)
+    {
+      readAs(static_cast<const float*>(from) + offset, stride, first, n, to);
+    }
+    else
+    {
+      readAs(static_cast<const double*>(from) + offset, stride, first, n, to);
     }
   }
 
-  PointView view;
-  int exponent = 0;
+  template <class Scalar>
+  static void readAs(
+    const Scalar* from, std::int64_t stride, std::uint32_t first, int n, double* to)
+  {
+    const std::size_t step = static_cast<std::size_t>(stride);
+    const Scalar* p = from + first * step;
+    for (int i = 0; i < n; ++i, p += step)
+    {
+      to[i] = *p;
+    }
+  }
+
+  std::int64_t pointCount;
+  ScalarType type;
+  const void* data;
+  std::int64_t stride;
+  const void* third = nullptr;
+  ScalarType thirdType;
+  std::int64_t thirdStride;
+  int thirdPower; ///< of the scale
+  int exponent[3] = { 0, 0, 0 };
+  bool scaled = false;
+  bool flat = false;
 };
 
 inline bool isFinite(const double* x)

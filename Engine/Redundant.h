@@ -47,6 +47,10 @@ public:
   /// @return whether there is any flat edge
   bool remove()
   {
+    if (this->tally.ties == 0)
+    {
+      return false;
+    }
     for (;;)
     {
       const std::vector<std::uint32_t> flat = this->flatEdges();
@@ -97,8 +101,7 @@ private:
     for (std::size_t piece = 0; piece < pieceCount; ++piece)
     {
       flat.insert(flat.end(), found[piece].begin(), found[piece].end());
-      this->tally.statistics.exactCalls +=
-        local[piece].exactCallCount() - this->geometry.exactCallCount();
+      this->tally.addPredicates(local[piece], this->geometry);
     }
     return flat;
   }
@@ -149,21 +152,20 @@ private:
     }
     constexpr std::size_t Run = 1 << 10;
     std::vector<std::uint8_t> redundant(ends.size());
-    std::vector<std::int64_t> exactCalls((ends.size() + Run - 1) / Run);
-    tbb::parallel_for(std::size_t(0), exactCalls.size(),
+    std::vector<Geometry> locals((ends.size() + Run - 1) / Run, this->geometry);
+    tbb::parallel_for(std::size_t(0), locals.size(),
       [&](std::size_t run)
       {
-        const Geometry local = this->geometry;
+        const Geometry& local = locals[run];
         for (std::size_t i = run * Run; i < std::min(ends.size(), (run + 1) * Run); ++i)
         {
           redundant[i] = isStrictlyExtreme(local, mesh, ends[i]) ? 0 : 1;
         }
-        exactCalls[run] = local.exactCallCount() - this->geometry.exactCallCount();
         this->monitor.poll();
       });
-    for (const std::int64_t calls : exactCalls)
+    for (const Geometry& local : locals)
     {
-      this->tally.statistics.exactCalls += calls;
+      this->tally.addPredicates(local, this->geometry);
     }
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < ends.size(); ++i)
@@ -189,7 +191,7 @@ private:
     flipper.addTo(this->tally.statistics);
     this->tally.duplicates.insert(
       this->tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
-    this->tally.statistics.exactCalls += local.exactCallCount() - this->geometry.exactCallCount();
+    this->tally.addPredicates(local, this->geometry);
   }
 
   void markFlat(const std::vector<std::uint32_t>& flat)

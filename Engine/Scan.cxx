@@ -28,9 +28,8 @@ ScanResult emptyScan()
   {
     result.range.low[i] = Infinity;
     result.range.high[i] = -Infinity;
+    result.range.smallest[i] = Infinity;
   }
-  result.range.largest = 0;
-  result.range.smallest = Infinity;
   return result;
 }
 
@@ -40,9 +39,8 @@ void merge(ScanResult& into, const ScanResult& from)
   {
     into.range.low[i] = std::min(into.range.low[i], from.range.low[i]);
     into.range.high[i] = std::max(into.range.high[i], from.range.high[i]);
+    into.range.smallest[i] = std::min(into.range.smallest[i], from.range.smallest[i]);
   }
-  into.range.largest = std::max(into.range.largest, from.range.largest);
-  into.range.smallest = std::min(into.range.smallest, from.range.smallest);
   into.nonFinite += from.nonFinite;
   if (into.firstNonFinite < 0)
   {
@@ -54,13 +52,15 @@ void merge(ScanResult& into, const ScanResult& from)
   }
 }
 
-/// Ranges over a run of scalars that lie as x y z x y z ..., eight points at a time: slot k sees
-/// axis k % 3.
+/// Slots are accumulators of their own, so that a loop over them fills vector registers; slot k
+/// sees axis k % Axes.
+constexpr int Slots = 24;
+
+/// Ranges over values that lie axis by axis in turn: x y z x y z ..., or one axis alone.
 /// @return false when one of them is not finite: then the results are worthless
-template <class Scalar>
-inline bool scanPacked(const Scalar* p, std::size_t groups, ScanResult& result)
+template <int Axes, class Scalar>
+inline bool scanSlots(const Scalar* p, std::size_t groups, int firstAxis, CoordinateRange& range)
 {
-  constexpr int Slots = 24;
   double low[Slots], high[Slots], smallest[Slots], notFinite[Slots];
   for (int k = 0; k < Slots; ++k)
   {
@@ -85,25 +85,31 @@ inline bool scanPacked(const Scalar* p, std::size_t groups, ScanResult& result)
   double sum = 0;
   for (int k = 0; k < Slots; ++k)
   {
-    CoordinateRange& range = result.range;
-    range.low[k % 3] = std::min(range.low[k % 3], low[k]);
-    range.high[k % 3] = std::max(range.high[k % 3], high[k]);
-    range.smallest = std::min(range.smallest, smallest[k]);
+    const int axis = firstAxis + k % Axes;
+    range.low[axis] = std::min(range.low[axis], low[k]);
+    range.high[axis] = std::max(range.high[axis], high[k]);
+    range.smallest[axis] = std::min(range.smallest[axis], smallest[k]);
     sum += notFinite[k];
   }
   return sum == 0.0;
 }
 
 FF_VECTOR_CLONES
-bool scanDoubles(const double* p, std::size_t groups, ScanResult& result)
+bool scanDoubles(const double* p, std::size_t groups, CoordinateRange& range)
 {
-  return scanPacked(p, groups, result);
+  return scanSlots<3>(p, groups, 0, range);
 }
 
 FF_VECTOR_CLONES
-bool scanFloats(const float* p, std::size_t groups, ScanResult& result)
+bool scanFloats(const float* p, std::size_t groups, CoordinateRange& range)
 {
-  return scanPacked(p, groups, result);
+  return scanSlots<3>(p, groups, 0, range);
+}
+
+FF_VECTOR_CLONES
+bool scanAxis(const double* p, std::size_t groups, int axis, CoordinateRange& range)
+{
+  return scanSlots<1>(p, groups, axis, range);
 }
 
 /// Point by point, for any stride and whatever is not finite.
@@ -126,31 +132,61 @@ void scanOneByOne(
       const double magnitude = std::fabs(x[i]);
       result.range.low[i] = std::min(result.range.low[i], x[i]);
       result.range.high[i] = std::max(result.range.high[i], x[i]);
-      result.range.smallest =
-        magnitude > 0 ? std::min(result.range.smallest, magnitude) : result.range.smallest;
+      result.range.smallest[i] =
+        magnitude > 0 ? std::min(result.range.smallest[i], magnitude) : result.range.smallest[i];
     }
   }
+}
+
+/// As the points lie in memory.
+/// @return how many were looked at; 0 also when one of them is not finite
+std::uint32_t scanPacked(
+  const PointSource& source, std::uint32_t begin, std::uint32_t end, CoordinateRange& range)
+{
+  const void* packed = source.packed();
+  const std::size_t groups = packed ? std::size_t(3) * (end - begin) / Slots : 0;
+  const std::size_t at = std::size_t(3) * begin;
+  const bool finite = groups > 0 &&
+    (source.scalarType() == ScalarType::Float64
+        ? scanDoubles(static_cast<const double*>(packed) + at, groups, range)
+        : scanFloats(static_cast<const float*>(packed) + at, groups, range));
+  return finite ? static_cast<std::uint32_t>(groups * Slots / 3) : 0;
+}
+
+/// Axis by axis, copied out in blocks that stay in the cache.
+/// @return as scanPacked
+std::uint32_t scanAxes(
+  const PointSource& source, std::uint32_t begin, std::uint32_t end, CoordinateRange& range)
+{
+  constexpr int Block = 16 * Slots;
+  double x[3][Block];
+  std::uint32_t done = 0;
+  for (; end - begin - done >= Block; done += Block)
+  {
+    source.load(begin + done, Block, x[0], x[1], x[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!scanAxis(x[axis], Block / Slots, axis, range))
+      {
+        return 0;
+      }
+    }
+  }
+  return done;
 }
 
 void scanRange(
   const PointSource& source, std::uint32_t begin, std::uint32_t end, ScanResult& result)
 {
-  const PointView& view = source.points();
-  const std::size_t groups = (end - begin) / 8;
-  if (view.stride == 3 && groups > 0)
+  ScanResult quick = emptyScan();
+  const std::uint32_t done = source.packed() ? scanPacked(source, begin, end, quick.range)
+                                             : scanAxes(source, begin, end, quick.range);
+  if (done > 0)
   {
-    ScanResult packed = emptyScan();
-    const std::size_t at = std::size_t(3) * begin;
-    if (view.type == ScalarType::Float64
-        ? scanDoubles(static_cast<const double*>(view.data) + at, groups, packed)
-        : scanFloats(static_cast<const float*>(view.data) + at, groups, packed))
-    {
-      packed.firstFinite = begin;
-      merge(result, packed);
-      begin += static_cast<std::uint32_t>(8 * groups);
-    }
+    quick.firstFinite = begin;
+    merge(result, quick);
   }
-  scanOneByOne(source, begin, end, result);
+  scanOneByOne(source, begin + done, end, result);
 }
 
 }
@@ -182,11 +218,6 @@ ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
   {
     merge(result, chunk);
   }
-  for (int i = 0; i < 3; ++i)
-  {
-    result.range.largest = std::max(
-      { result.range.largest, std::fabs(result.range.low[i]), std::fabs(result.range.high[i]) });
-  }
   if (result.firstFinite < 0)
   {
     result.range = CoordinateRange{};
@@ -194,25 +225,9 @@ ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
   return result;
 }
 
-bool isOnLattice(const PointSource& source, const CoordinateRange& range, bool checkFinite)
+bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite)
 {
-  // Differences below 2^16 units make products of three sums of six below 2^53.
-  double extent = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    extent = std::max(extent, range.high[i] - range.low[i]);
-  }
-  if (!(extent > 1e-80 && extent < 1e80))
-  {
-    return false;
-  }
-  const int unitExponent = std::ilogb(extent) - 15;
-  const double perUnit = std::ldexp(1.0, -unitExponent);
-  const auto isMultiple = [perUnit](double x)
-  {
-    const double units = x * perUnit;
-    return units == std::nearbyint(units);
-  };
+  const double perUnit[3] = { 1 / unit[0], 1 / unit[1], 1 / unit[2] };
   const std::uint32_t count = source.count();
   // A few points spread over the input tell nearly always.
   for (int pass = 0; pass < 2; ++pass)
@@ -226,9 +241,13 @@ bool isOnLattice(const PointSource& source, const CoordinateRange& range, bool c
       {
         continue;
       }
-      if (!isMultiple(x[0]) || !isMultiple(x[1]) || !isMultiple(x[2]))
+      for (int i = 0; i < 3; ++i)
       {
-        return false;
+        const double units = x[i] * perUnit[i];
+        if (units != std::nearbyint(units))
+        {
+          return false;
+        }
       }
     }
   }
@@ -243,10 +262,11 @@ namespace
 class SpanSearch
 {
 public:
-  SpanSearch(
-    const HullGeometry& geometry, const PointSource& source, bool checkFinite, Monitor& monitor)
+  SpanSearch(const HullGeometry& geometry, const PointSource& source, int most, bool checkFinite,
+    Monitor& monitor)
     : geometry(geometry)
     , source(source)
+    , most(most)
     , checkFinite(checkFinite)
     , monitor(monitor)
   {
@@ -257,7 +277,7 @@ public:
   /// Extend the span by points among @p ids (null: all).
   void extend(const std::uint32_t* ids, std::uint32_t count)
   {
-    while (this->span.dimension < 3 && this->extendOnce(ids, count))
+    while (this->span.dimension < this->most && this->extendOnce(ids, count))
     {
     }
   }
@@ -341,6 +361,7 @@ private:
 
   const HullGeometry& geometry;
   const PointSource& source;
+  int most;
   bool checkFinite;
   Monitor& monitor;
   Vertex corner[4] = {};
@@ -349,11 +370,11 @@ private:
 }
 
 Span findSpan(const HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids,
-  std::uint32_t count, bool checkFinite, Monitor& monitor)
+  std::uint32_t count, int most, bool checkFinite, Monitor& monitor)
 {
-  SpanSearch search(geometry, source, checkFinite, monitor);
+  SpanSearch search(geometry, source, most, checkFinite, monitor);
   search.extend(ids, count);
-  if (search.span.dimension < 3)
+  if (search.span.dimension < most && ids)
   {
     search.extend(nullptr, source.count());
   }

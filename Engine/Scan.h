@@ -25,10 +25,10 @@ struct ScanResult
 /// One parallel pass over unscaled points.
 ScanResult scan(const PointSource& source, int threads, Monitor& monitor);
 
-/// Are all coordinates multiples of a power of two so large that determinants of differences are
-/// exact in double? Then the predicates need no bound. True for pixel and voxel grids, small
-/// integers, many models.
-bool isOnLattice(const PointSource& source, const CoordinateRange& range, bool checkFinite);
+/// Are all coordinates multiples of a unit, by axis (a power of two)? Where units are large enough
+/// that determinants of differences are exact in double, the predicates need no bound: so it is for
+/// pixel and voxel grids, small integers, many models.
+bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite);
 
 /// Points that span the input, as far apart as a few looks find: dimension + 1 of them, affinely
 /// independent.
@@ -41,10 +41,10 @@ struct Span
 class HullGeometry;
 
 /// @param ids, count a sample to choose from first; all points are searched only where it spans
-/// less than
-///                   three dimensions.
+///                   less
+/// @param most       the dimension that the points can have: with 2, z must be zero
 Span findSpan(const HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids,
-  std::uint32_t count, bool checkFinite, Monitor& monitor);
+  std::uint32_t count, int most, bool checkFinite, Monitor& monitor);
 
 }
 

@@ -8,6 +8,7 @@
 #include "Duplicate.h"
 #include "Statistics.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace flipflop
@@ -18,6 +19,15 @@ struct Tally
 {
   Statistics statistics;
   std::vector<Duplicate> duplicates;
+  std::int64_t ties = 0; ///< none: no edge of the mesh is flat, for its check would have met one
+
+  /// Count what a task's copy of a geometry has answered.
+  template <class Geometry>
+  void addPredicates(const Geometry& task, const Geometry& from)
+  {
+    this->statistics.exactCalls += task.predicateCounts().exact - from.predicateCounts().exact;
+    this->ties += task.predicateCounts().ties - from.predicateCounts().ties;
+  }
 
   void add(Tally&& other)
   {
@@ -34,6 +44,7 @@ struct Tally
     s.culled += o.culled;
     s.secondsGrow += o.secondsGrow;
     s.secondsFlip += o.secondsFlip;
+    this->ties += other.ties;
     this->duplicates.insert(
       this->duplicates.end(), other.duplicates.begin(), other.duplicates.end());
   }

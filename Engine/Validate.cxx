@@ -384,7 +384,7 @@ private:
       ids.push_back(v.id);
     }
     const Span span = findSpan(this->run.geometry, this->run.source, ids.data(),
-      static_cast<std::uint32_t>(ids.size()), false, this->run.monitor);
+      static_cast<std::uint32_t>(ids.size()), 3, false, this->run.monitor);
     if (span.dimension < 3)
     {
       return false;
@@ -505,7 +505,7 @@ Validation validate(const PointView& points, const Hull& hull, int threads)
   {
     return result;
   }
-  run.execute(
+  run.execute<Hull>(
     [&](Hull& scratch)
     {
       if (!run.inspect(scratch))

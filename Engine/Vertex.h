@@ -12,15 +12,16 @@ namespace flipflop
 
 struct alignas(32) Vertex
 {
-  double x[3];
+  double x[3];         ///< x, y, and z or the weight; NaN for the virtual vertex
   std::uint32_t id;    ///< position in the input: perturbation and ties go by it
   std::uint32_t flags; ///< VertexFlags
 };
 
 enum VertexFlags : std::uint32_t
 {
-  VertexAlive = 1,   ///< a vertex of the polyhedron
-  VertexLabelled = 2 ///< labelled non-extreme (paper, section 2.3): to be removed
+  VertexAlive = 1,    ///< a vertex of the polyhedron
+  VertexLabelled = 2, ///< labelled non-extreme (paper, section 2.3): to be removed
+  VertexVirtual = 4   ///< the vertex at infinity (paper, section 4): no point, never removed
 };
 
 inline bool samePosition(const Vertex& a, const Vertex& b)

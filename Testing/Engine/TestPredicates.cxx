@@ -167,7 +167,7 @@ TEST(Predicates, OnALatticeDoublesAreExact)
     }
     const HullGeometry geometry = geometryOf(v, true);
     ASSERT_EQ(geometry.above(v[0], v[1], v[2], v[3]), exactAbove(v[0], v[1], v[2], v[3]));
-    ASSERT_EQ(geometry.exactCallCount(), 0);
+    ASSERT_EQ(geometry.predicateCounts().exact, 0);
   }
 }
 

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HullStart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// Is the kernel point strictly beneath every triangle that has an area? Exact.
+bool seesAll(const HullGeometry& geometry, const Polyhedron& polyhedron)
+{
+  for (const Triangle& t : polyhedron.triangles)
+  {
+    const Vertex& a = polyhedron.vertices[t.v[0]];
+    const Vertex& b = polyhedron.vertices[t.v[1]];
+    const Vertex& c = polyhedron.vertices[t.v[2]];
+    const int sign = geometry.beneathKernel(a, b, c);
+    if (sign < 0 || (sign == 0 && !geometry.collinear(a, b, c)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+}
+
+Polyhedron makeTetrahedron(const Vertex* corner)
+{
+  Polyhedron result(4, 4);
+  std::copy(corner, corner + 4, result.vertices.begin());
+  static constexpr std::uint32_t corners[4][3] = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 },
+    { 2, 3, 0 } };
+  for (std::uint32_t t = 0; t < 4; ++t)
+  {
+    std::copy(corners[t], corners[t] + 3, result.triangles[t].v);
+    result.triangles[t].flags = 0;
+    result.triangles[t].index = 0;
+  }
+  const Mesh mesh = result.mesh();
+  for (std::uint32_t h = 0; h < 16; ++h)
+  {
+    for (std::uint32_t other = 0; other < 16 && cornerOf(h) < 3; ++other)
+    {
+      if (cornerOf(other) < 3 && mesh.origin(h) == mesh.origin(nextHalfEdge(other)) &&
+        mesh.origin(other) == mesh.origin(nextHalfEdge(h)))
+      {
+        mesh.triangles[triangleOf(h)].twin[cornerOf(h)] = other;
+      }
+    }
+  }
+  return result;
+}
+
+Polyhedron startingTetrahedron(
+  HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids)
+{
+  Vertex corner[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    corner[i] = source.vertex(ids[i]);
+    corner[i].flags = VertexAlive;
+  }
+  if (geometry.above(corner[0], corner[1], corner[2], corner[3]) > 0)
+  {
+    std::swap(corner[1], corner[2]);
+  }
+  Polyhedron result = makeTetrahedron(corner);
+
+  // Unequal weights keep the kernel off the planes of a grid.
+  static constexpr double weight[4] = { 0.2718281828, 0.2414213562, 0.2236067977, 0.2631436633 };
+  double s[3] = { 0, 0, 0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      s[i] += weight[k] * corner[k].x[i];
+    }
+  }
+  geometry.setKernel(s);
+  bool inside = true;
+  for (const Triangle& t : result.triangles)
+  {
+    inside = inside &&
+      geometry.beneathKernel(
+        result.vertices[t.v[0]], result.vertices[t.v[1]], result.vertices[t.v[2]]) > 0;
+  }
+  if (!inside)
+  {
+    geometry.setSymbolicKernel(corner);
+  }
+  return result;
+}
+
+void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron)
+{
+  // Weights without a pattern, so that on grids the kernel is in no plane of grid points.
+  double weight = 0;
+  double s[3] = { 0, 0, 0 };
+  const double share = 1.0 / static_cast<double>(polyhedron.vertexCount());
+  double jitter = 0.5;
+  for (const Vertex& v : polyhedron.vertices)
+  {
+    jitter += 0.6180339887498949;
+    jitter -= std::floor(jitter);
+    const double w = (0.75 + 0.5 * jitter) * share;
+    weight += w;
+    for (int i = 0; i < 3; ++i)
+    {
+      s[i] += w * v.x[i];
+    }
+  }
+  for (double& coordinate : s)
+  {
+    coordinate /= weight;
+  }
+  HullGeometry candidate = geometry;
+  candidate.setKernel(s);
+  if (isFinite(s) && seesAll(candidate, polyhedron))
+  {
+    geometry = candidate;
+  }
+}
+
+}

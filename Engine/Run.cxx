@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Run.h"
+
+#include "Mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// Threads that a run may use: as asked for, or all the machine has.
+int threadCount(int asked)
+{
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}
+
+Run::Run(
+  const PointView& points, std::int64_t least, const PointSource& read, const Options& chosen)
+  : options(chosen)
+  , threads(threadCount(chosen.threads))
+  , monitor(chosen)
+  , source(read)
+{
+  if (points.count < 0 || (points.count > 0 && (!points.data || points.stride < least)))
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  if (points.count > static_cast<std::int64_t>(NoIndex) - 1)
+  {
+    throw Error(ErrorCode::TooManyPoints, -1, points.count);
+  }
+}
+
+bool Run::look(Statistics& statistics)
+{
+  statistics.points = this->source.count();
+  statistics.threads = this->threads;
+  this->monitor.stage(0.0, 0.1, statistics.points);
+  const ScanResult found = scan(this->source, this->threads, this->monitor);
+  statistics.nonFinite = found.nonFinite;
+  if (found.nonFinite && this->options.nonFinite == NonFinitePolicy::Error)
+  {
+    throw Error(ErrorCode::NonFinite, found.firstNonFinite, found.nonFinite);
+  }
+  this->checkFinite = found.nonFinite != 0;
+  this->range = found.range;
+  return found.firstFinite >= 0;
+}
+
+void Run::setArithmetic(const Arithmetic& chosen)
+{
+  this->arithmetic = chosen;
+  this->source.setArithmetic(chosen);
+  for (int i = 0; i < 3; ++i)
+  {
+    const int exponent = this->source.scaleExponent(i);
+    this->range.low[i] = std::ldexp(this->range.low[i], exponent);
+    this->range.high[i] = std::ldexp(this->range.high[i], exponent);
+    this->range.smallest[i] = std::ldexp(this->range.smallest[i], exponent);
+  }
+}
+
+double Run::latticeUnit(int axes, int bits) const
+{
+  double extent = 0;
+  for (int i = 0; i < axes; ++i)
+  {
+    extent = std::max(extent, this->range.high[i] - this->range.low[i]);
+  }
+  return !this->arithmetic.wide && extent > 1e-60 && extent < 1e60
+    ? std::ldexp(1.0, std::ilogb(extent) + 1 - bits)
+    : 0.0;
+}
+
+void Run::report(const Tally& tally, Statistics& statistics)
+{
+  const Statistics& work = tally.statistics;
+  statistics.culled = work.culled;
+  statistics.insertions = work.insertions;
+  statistics.flips22 = work.flips22;
+  statistics.flips31 = work.flips31;
+  statistics.flipsV = work.flipsV;
+  statistics.flipsD = work.flipsD;
+  statistics.labelled = work.labelled;
+  statistics.edgeChecks = work.edgeChecks;
+  statistics.exactCalls = work.exactCalls;
+  statistics.secondsGrow = work.secondsGrow;
+  statistics.secondsFlip = work.secondsFlip;
+}
+
+}

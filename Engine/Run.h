@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What every run of the engine begins and ends with: threads, errors, a first look at all points,
+/// statistics.
+#ifndef flipflop_Run_h
+#define flipflop_Run_h
+
+#include "Monitor.h"
+#include "Options.h"
+#include "PointSource.h"
+#include "Scan.h"
+#include "Statistics.h"
+#include "Stopwatch.h"
+#include "Tally.h"
+
+#include <tbb/task_arena.h>
+
+#include <new>
+#include <utility>
+
+namespace flipflop
+{
+
+/// What @p work returns; any shortage of memory becomes OutOfMemory.
+template <class Work>
+auto withTypedErrors(Work&& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::OutOfMemory);
+  }
+}
+
+class Run
+{
+public:
+  /// @param least the shortest stride that holds a point
+  /// @throw Error BadArgument, TooManyPoints
+  Run(
+    const PointView& points, std::int64_t least, const PointSource& source, const Options& options);
+
+  /// Run @p body (Result&) on the run's threads; see withTypedErrors.
+  template <class Result, class Body>
+  Result execute(Body&& body)
+  {
+    return withTypedErrors(
+      [&]
+      {
+        Result result;
+        Stopwatch watch;
+        tbb::task_arena arena(this->threads);
+        arena.execute(
+          [&]
+          {
+            body(result);
+            this->monitor.stage(1.0, 1.0, 1);
+          });
+        result.statistics.secondsTotal = watch.lap();
+        return result;
+      });
+  }
+
+  const Options options;
+  const int threads;
+  Monitor monitor;
+  PointSource source;
+  CoordinateRange range{}; ///< of the scaled coordinates
+  Arithmetic arithmetic;
+  bool checkFinite = false; ///< there are points to ignore
+
+protected:
+  /// Look at all points: their range, the non-finite ones by policy. False: none is finite.
+  /// @throw Error NonFinite
+  bool look(Statistics& statistics);
+
+  /// Scale the points, and what is known of their range.
+  void setArithmetic(const Arithmetic& chosen);
+
+  /// A unit for isOnLattice: the largest power of two of which the points, if multiples, are so
+  /// few that their differences in the first @p axes axes are below 2^bits. 0: there is none.
+  double latticeUnit(int axes, int bits) const;
+
+  /// Hand on what the stages counted.
+  static void report(const Tally& tally, Statistics& statistics);
+};
+
+}
+
+#endif
