@@ -36,6 +36,12 @@ FF_HD inline Expansion<8> offset(const Row<4>& row, const double* origin, int ax
     sum(difference(row.point[2][axis], o), difference(row.point[3][axis], o)));
 }
 
+/// The minor of two rows in the columns p, q.
+FF_HD inline Expansion<16> minor(const Expansion<2>* u, const Expansion<2>* v, int p, int q)
+{
+  return sum(product(u[p], v[q]), product(u[q], v[p]), -1.0);
+}
+
 /// Signs in expansions, for coordinates within their range.
 struct ExpansionSigns
 {
@@ -138,11 +144,6 @@ private:
     // Six terms; each passes fewer than 16 roundings of 2^-102 each.
     bound *= 0x1p-95;
     return det.high > bound ? 1 : (det.high < -bound ? -1 : 0);
-  }
-
-  FF_HD static Expansion<16> minor(const Expansion<2>* u, const Expansion<2>* v, int p, int q)
-  {
-    return sum(product(u[p], v[q]), product(u[q], v[p]), -1.0);
   }
 };
 

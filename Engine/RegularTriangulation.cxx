@@ -2,12 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegularTriangulation.h"
 
+#include "TriangulationRun.h"
+
 namespace flipflop
 {
 
-Triangulation regularTriangulation(const PointView&, const WeightView&, const Options&)
+namespace
 {
-  throw Error(ErrorCode::BadArgument);
+
+template <bool Weighted>
+Triangulation triangulate(
+  const PointView& points, const WeightView& weights, const Options& options)
+{
+  TriangulationRun<Weighted> run(points, weights, options);
+  return run.template execute<Triangulation>(
+    [&run](Triangulation& result) { run.triangulate(result); });
+}
+
+}
+
+Triangulation regularTriangulation(
+  const PointView& points, const WeightView& weights, const Options& options)
+{
+  return weights.data ? triangulate<true>(points, weights, options)
+                      : triangulate<false>(points, weights, options);
 }
 
 }

@@ -43,6 +43,28 @@ Integer wideOffset(const Row<Count>& row, const double* origin, int axis)
   return result;
 }
 
+/// p - a in one coordinate, in units of 2^-1074; heights in units of the square of that.
+Integer liftedOffset(const double* p, const double* a, int axis)
+{
+  if (axis < 2)
+  {
+    return wideOffset(p, a, axis);
+  }
+  Integer height = wideOffset(p, a, 2) << 1074;
+  for (int i = 0; i < 2; ++i)
+  {
+    height -= wideOffset(p, a, i) * (toInteger(p[i]) + toInteger(a[i]));
+  }
+  return height;
+}
+
+int signOfDeterminant(const Integer* u, const Integer* v, const Integer* w)
+{
+  const Integer det = (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
+    (u[0] * v[1] - u[1] * v[0]) * w[2];
+  return det.sign();
+}
+
 template <int Count>
 int wideOrient3(const double* a, const double* b, const double* c, const Row<Count>& d)
 {
@@ -53,9 +75,7 @@ int wideOrient3(const double* a, const double* b, const double* c, const Row<Cou
     v[i] = wideOffset(c, a, i);
     w[i] = wideOffset(d, a, i);
   }
-  const Integer det = (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
-    (u[0] * v[1] - u[1] * v[0]) * w[2];
-  return det.sign();
+  return signOfDeterminant(u, v, w);
 }
 
 template <int Count>
@@ -96,6 +116,31 @@ int WideSigns::compare(const double* a, const Row<1>& b, int p)
 int WideSigns::compare(const double* a, const Row<4>& b, int p)
 {
   return -wideOffset(b, a, p).sign();
+}
+
+int WideLiftedSigns::orient3(const double* a, const double* b, const double* c, const Row<1>& d)
+{
+  Integer u[3], v[3], w[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = liftedOffset(b, a, i);
+    v[i] = liftedOffset(c, a, i);
+    w[i] = liftedOffset(d.point[0], a, i);
+  }
+  return signOfDeterminant(u, v, w);
+}
+
+int WideLiftedSigns::orient2(const double* a, const double* b, const Row<1>& c, int p, int q)
+{
+  const double* const d = c.point[0];
+  const Integer det =
+    liftedOffset(b, a, p) * liftedOffset(d, a, q) - liftedOffset(b, a, q) * liftedOffset(d, a, p);
+  return det.sign();
+}
+
+int WideLiftedSigns::compare(const double* a, const Row<1>& b, int p)
+{
+  return -liftedOffset(b.point[0], a, p).sign();
 }
 
 }

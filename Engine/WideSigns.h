@@ -22,6 +22,14 @@ struct WideSigns
   static int compare(const double* a, const Row<4>& b, int p);
 };
 
+/// The same for LiftedSigns. Where points are unweighted their weights are zeros.
+struct WideLiftedSigns
+{
+  static int orient3(const double* a, const double* b, const double* c, const Row<1>& d);
+  static int orient2(const double* a, const double* b, const Row<1>& c, int p, int q);
+  static int compare(const double* a, const Row<1>& b, int p);
+};
+
 }
 
 #endif

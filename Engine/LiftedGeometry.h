@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the algorithms may ask of space when they build a regular triangulation in the plane.
+///
+/// The second model of the geometry concept (see HullGeometry). A weighted point (x, y, w) is
+/// lifted to the height h = w - x^2 - y^2, and the triangulation is the upper hull of the lifted
+/// points (the paper's section 4 upside down). The lower hull never exists: the kernel point and a
+/// virtual vertex lie at height -infinity, the virtual vertex below the kernel point. So
+///
+///   beneathKernel(a, b, c)   of points is their orientation in the plane
+///   above(a, b, c, p)        of points tells whether p is nearer to the power center of a
+///                            counter-clockwise triangle abc than its corners are
+///   above, with the virtual vertex in place of one of the four, is the orientation of the others
+///   beneathKernel, with it in place of one of the three, is the orientation of the others and the
+///                            kernel point's place in the plane, s
+///
+/// Triangles of points are counter-clockwise; virtual triangles join the border's edges, turned
+/// around, to the virtual vertex. The perturbation moves heights more than places (MovedByHeight),
+/// so a tie of points in general position is decided by orientations.
+#ifndef flipflop_LiftedGeometry_h
+#define flipflop_LiftedGeometry_h
+
+#include "CoordinateRange.h"
+#include "HullGeometry.h"
+#include "LiftedSigns.h"
+#include "Perturbation.h"
+#include "Vertex.h"
+#include "WideSigns.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace flipflop
+{
+
+/// Error of the determinant of three rows (x, y, height) of rounded differences, against the
+/// product of the columns' largest entries: six terms, each off by 13 roundings of 2^-53, rounded
+/// up. A height counts with the sum of its parts' magnitudes.
+constexpr double LiftedError = 80.0 * 1.1102230246251565e-16;
+
+/// Error of an orientation in the plane, against the sum of its two products' magnitudes.
+constexpr double PlaneError = 4.01 * 1.1102230246251565e-16;
+
+/// Largest magnitudes in the plane between which neither underflow nor overflow spoils the filter.
+constexpr double LiftedFloor = 1e-70;
+constexpr double LiftedCeiling = 1e70;
+
+template <bool Weighted>
+class LiftedLocator;
+template <bool Weighted>
+class LiftedPlane;
+template <bool Weighted>
+class LiftedSplit;
+
+/// @tparam Weighted false: all weights are zero, and cost nothing
+template <bool Weighted>
+class LiftedGeometry
+{
+public:
+  using Locator = LiftedLocator<Weighted>;
+  using Plane = LiftedPlane<Weighted>;
+  using Split = LiftedSplit<Weighted>;
+
+  LiftedGeometry() = default;
+
+  /// @param range      of the scaled coordinates and weights
+  /// @param arithmetic how they were scaled
+  /// @param onLattice  all are multiples of units so large that determinants of differences are
+  ///                   exact in double
+  LiftedGeometry(const CoordinateRange& range, const Arithmetic& arithmetic, bool onLattice)
+    : wide(arithmetic.wide)
+    , exactInDouble(onLattice)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->reach[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
+    }
+    this->inRange = this->reach[0] <= LiftedCeiling && this->reach[1] <= LiftedCeiling &&
+      this->reach[2] <= LiftedCeiling * LiftedCeiling;
+  }
+
+  /// Use a point of the plane as kernel point's place, as it is. Whether it is inside is for the
+  /// signs to tell.
+  void setKernel(const double* point)
+  {
+    this->symbolic = false;
+    this->s[0] = point[0];
+    this->s[1] = point[1];
+  }
+
+  /// Use the exact centroid of four points, which no double need be.
+  void setSymbolicKernel(const Vertex* corners)
+  {
+    this->symbolic = true;
+    for (int i = 0; i < 2; ++i)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        this->corner[k][i] = corners[k].x[i];
+      }
+      this->s[i] = (0.25 * corners[0].x[i] + 0.25 * corners[1].x[i]) +
+        (0.25 * corners[2].x[i] + 0.25 * corners[3].x[i]);
+    }
+  }
+
+  /// The kernel point's place, rounded when it is symbolic.
+  const double* kernel() const { return this->s; }
+  bool kernelIsSymbolic() const { return this->symbolic; }
+
+  FF_HD int above(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    int sign;
+    return this->filterAbove(a, b, c, p, sign) ? sign : this->exactAbove(a, b, c, p);
+  }
+
+  FF_HD int perturbedAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    const int sign = this->above(a, b, c, p);
+    if (sign)
+    {
+      return sign;
+    }
+    ++this->counts.ties;
+    return this->tieAbove(a, b, c, p);
+  }
+
+  /// A point on the plane of a triangle of points is on the triangle; one on the vertical plane of
+  /// a virtual triangle may be beyond its edge.
+  FF_HD bool coversCone(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return !((a.flags | b.flags | c.flags) & VertexVirtual) && this->beneathKernel(a, b, c) != 0;
+  }
+
+  FF_HD int beneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    int sign;
+    return this->filterBeneathKernel(a, b, c, sign) ? sign : this->exactBeneathKernel(a, b, c);
+  }
+
+  FF_HD int perturbedBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    const int sign = this->beneathKernel(a, b, c);
+    return sign ? sign : this->tieBeneathKernel(a, b, c);
+  }
+
+  /// The first step alone: false when it cannot tell.
+  FF_HD bool filterAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
+  {
+    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    {
+      const Turn turn = turnAbove(a, b, c, p);
+      return this->filterTurn(turn, sign);
+    }
+    const double ux = b.x[0] - a.x[0], uy = b.x[1] - a.x[1];
+    const double vx = c.x[0] - a.x[0], vy = c.x[1] - a.x[1];
+    const double wx = p.x[0] - a.x[0], wy = p.x[1] - a.x[1];
+    double uh = ux * ux + uy * uy, vh = vx * vx + vy * vy, wh = wx * wx + wy * wy;
+    double height = HullGeometry::largestOf(uh, vh, wh);
+    if (Weighted)
+    {
+      const double uw = b.x[2] - a.x[2], vw = c.x[2] - a.x[2], ww = p.x[2] - a.x[2];
+      height += HullGeometry::largestOf(uw, vw, ww);
+      uh -= uw;
+      vh -= vw;
+      wh -= ww;
+    }
+    const double det =
+      (uy * vx - ux * vy) * wh + (vy * wx - vx * wy) * uh + (wy * ux - wx * uy) * vh;
+    sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
+    if (this->exactInDouble)
+    {
+      return true;
+    }
+    const double x = HullGeometry::largestOf(ux, vx, wx);
+    const double y = HullGeometry::largestOf(uy, vy, wy);
+    const double error = LiftedError * x * y * height;
+    if (det > error || det < -error)
+    {
+      return this->inRange ? x >= LiftedFloor && y >= LiftedFloor
+                           : isOrdinary(x) && isOrdinary(y) && height <= 1e140;
+    }
+    // A column of exact zeros: so is the determinant.
+    sign = 0;
+    return x == 0.0 || y == 0.0;
+  }
+
+  FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
+  {
+    const Turn turn = turnBeneath(a, b, c);
+    return turn.c || !this->symbolic ? this->filterTurn(turn, sign) : false;
+  }
+
+  /// The second step alone.
+  FF_HD int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    {
+      return this->exactTurn(turnAbove(a, b, c, p));
+    }
+    ++this->counts.exact;
+    const Row<1> last = { { p.x } };
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return WideLiftedSigns::orient3(a.x, b.x, c.x, last);
+    }
+#endif
+    return LiftedSigns<Weighted>::orient3(a.x, b.x, c.x, last);
+  }
+
+  FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->exactTurn(turnBeneath(a, b, c));
+  }
+
+  /// Orientation of three points in the plane. Exact.
+  int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    const Turn turn = { &a, &b, &c, 1 };
+    int sign;
+    return this->filterTurn(turn, sign) ? sign : this->exactTurn(turn);
+  }
+
+  /// Is b, on the line of a and c and between them, strictly above them? Exact.
+  bool isAboveChord(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    // In the coordinate in which they differ, and the height.
+    const int axis = a.x[0] != c.x[0] ? 0 : 1;
+    const int side = a.x[axis] < c.x[axis] ? 1 : -1;
+    return side * this->upright(a, c, b, axis, 2) > 0;
+  }
+
+  /// Do the three lifted points lie on a line? Exact.
+  bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      const Vertex& p = a.flags & VertexVirtual ? b : a;
+      const Vertex& q = c.flags & VertexVirtual ? b : c;
+      return p.x[0] == q.x[0] && p.x[1] == q.x[1];
+    }
+    return this->orient(a, b, c) == 0 && this->upright(a, b, c, 1, 2) == 0 &&
+      this->upright(a, b, c, 2, 0) == 0;
+  }
+
+  const PredicateCounts& predicateCounts() const
+  {
+    return this->counts;
+  }
+
+  /// No two points are further apart, by coordinate; infinite where floating-point bounds do not
+  /// hold.
+  double reachOf(int axis) const
+  {
+    return this->inRange ? this->reach[axis] : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  /// sign times the orientation of three places in the plane; null stands for s.
+  struct Turn
+  {
+    const Vertex* a;
+    const Vertex* b;
+    const Vertex* c;
+    int sign;
+  };
+
+  static FF_HD Turn turnAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    if (p.flags & VertexVirtual)
+    {
+      return { &a, &b, &c, -1 };
+    }
+    return { a.flags & VertexVirtual ? &p : &a, b.flags & VertexVirtual ? &p : &b,
+      c.flags & VertexVirtual ? &p : &c, 1 };
+  }
+
+  static FF_HD Turn turnBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
+  {
+    if (a.flags & VertexVirtual)
+    {
+      return { &b, &c, nullptr, -1 };
+    }
+    if (b.flags & VertexVirtual)
+    {
+      return { &c, &a, nullptr, -1 };
+    }
+    return c.flags & VertexVirtual ? Turn{ &a, &b, nullptr, -1 } : Turn{ &a, &b, &c, 1 };
+  }
+
+  FF_HD bool filterTurn(const Turn& turn, int& sign) const
+  {
+    const bool known = ExpansionSigns::filterOrient2(
+                         turn.a->x, turn.b->x, turn.c ? turn.c->x : this->s, 0, 1, sign) ||
+      (turn.c && this->exactInDouble);
+    sign *= turn.sign;
+    return known;
+  }
+
+  FF_HD int exactTurn(const Turn& turn) const
+  {
+    ++this->counts.exact;
+    if (turn.c)
+    {
+      return turn.sign * this->exactOrient(*turn.a, *turn.b, Row<1>{ { turn.c->x } });
+    }
+    return turn.sign *
+      (this->symbolic ? this->exactOrient(*turn.a, *turn.b, this->symbolicRow())
+                      : this->exactOrient(*turn.a, *turn.b, this->plainRow()));
+  }
+
+  template <int Count>
+  FF_HD int exactOrient(const Vertex& a, const Vertex& b, const Row<Count>& last) const
+  {
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return WideSigns::orient2(a.x, b.x, last, 0, 1);
+    }
+#endif
+    return ExpansionSigns::orient2(a.x, b.x, last, 0, 1);
+  }
+
+  /// Orientation in two coordinates of which one is the height.
+  int upright(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
+  {
+    ++this->counts.exact;
+    const Row<1> last = { { c.x } };
+    return this->wide ? WideLiftedSigns::orient2(a.x, b.x, last, p, q)
+                      : LiftedSigns<Weighted>::orient2(a.x, b.x, last, p, q);
+  }
+
+  FF_HD Row<1> plainRow() const
+  {
+    return { { this->s } };
+  }
+  FF_HD Row<4> symbolicRow() const
+  {
+    return { { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } };
+  }
+
+  static FF_HD bool isOrdinary(double x)
+  {
+    return x >= LiftedFloor && x <= LiftedCeiling;
+  }
+
+  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    {
+      return this->tieTurn(turnAbove(a, b, c, p));
+    }
+    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
+    const Vertex* row[4] = { &a, &b, &c, &p };
+    const int sign = -sortById(row);
+    const double* const rows[3] = { row[0]->x, row[1]->x, row[2]->x };
+    const Row<1> last = { { row[3]->x } };
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return sign * perturbedSign<WideLiftedSigns, MovedByHeight>(rows, last);
+    }
+#endif
+    return sign * perturbedSign<LiftedSigns<Weighted>, MovedByHeight>(rows, last);
+  }
+
+  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->tieTurn(turnBeneath(a, b, c));
+  }
+
+  FF_HD int tieTurn(const Turn& turn) const
+  {
+    // s is the last of all ids.
+    if (!turn.c)
+    {
+      const Vertex* row[2] = { turn.a, turn.b };
+      const int sign = turn.sign * sortById(row);
+      return sign *
+        (this->symbolic ? this->tieOrient(*row[0], *row[1], this->symbolicRow())
+                        : this->tieOrient(*row[0], *row[1], this->plainRow()));
+    }
+    const Vertex* row[3] = { turn.a, turn.b, turn.c };
+    const int sign = turn.sign * sortById(row);
+    return sign * this->tieOrient(*row[0], *row[1], Row<1>{ { row[2]->x } });
+  }
+
+  template <int Count>
+  FF_HD int tieOrient(const Vertex& a, const Vertex& b, const Row<Count>& last) const
+  {
+    const double* const rows[2] = { a.x, b.x };
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return perturbedSign<WideSigns, MovedInPlane>(rows, last);
+    }
+#endif
+    return perturbedSign<ExpansionSigns, MovedInPlane>(rows, last);
+  }
+
+  double s[2] = { 0, 0 };
+  double corner[4][2] = {};
+  double reach[3] = { 0, 0, 0 };
+  bool symbolic = false;
+  bool wide = false;
+  bool inRange = false;
+  bool exactInDouble = false;
+  mutable PredicateCounts counts;
+};
+
+}
+
+#endif
