@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace flipflop
 {
@@ -79,7 +80,8 @@ Arithmetic chooseLiftedArithmetic(const CoordinateRange& range)
   // Expansions carry x * y * (x^2 + y^2 - w), four coordinates to the product, when its lowest bit
   // is above 2^-1074 and it stays below 2^1023 with some room for sums.
   constexpr int lowestProduct = -1000;
-  constexpr int highestTop = 200;
+  // Far from one either way the filters tell less.
+  constexpr int ordinaryTop = 40;
 
   Arithmetic result;
   Bits place = { 0, 0 };
@@ -98,7 +100,7 @@ Arithmetic chooseLiftedArithmetic(const CoordinateRange& range)
   }
   const int top = std::max(place.top, (weight.top + 1) / 2 + 1);
   const int product = 2 * place.bottom + std::min(2 * place.bottom, weight.bottom);
-  if (top <= highestTop && product >= lowestProduct)
+  if (std::abs(top) <= ordinaryTop && product >= lowestProduct)
   {
     return result;
   }

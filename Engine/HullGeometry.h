@@ -303,11 +303,12 @@ public:
     return this->kernelError;
   }
 
+  /// Without branches: the signs of differences are anyone's guess.
   static FF_HD double largestOf(double a, double b, double c)
   {
-    a = a < 0 ? -a : a;
-    b = b < 0 ? -b : b;
-    c = c < 0 ? -c : c;
+    a = std::fabs(a);
+    b = std::fabs(b);
+    c = std::fabs(c);
     const double ab = a > b ? a : b;
     return ab > c ? ab : c;
   }

@@ -53,7 +53,7 @@ struct LiftedNormal
     const double my = std::fmax(std::fabs(u.y), std::fabs(v.y));
     const double bound = LiftedError * mx * my * (mx * mx + my * my + weightReach);
     return { u.y * v.h - u.h * v.y, u.h * v.x - u.x * v.h, u.x * v.y - u.y * v.x,
-      mx >= LiftedFloor && my >= LiftedFloor ? bound : std::numeric_limits<double>::infinity() };
+      bound >= LiftedUnderflow ? bound : std::numeric_limits<double>::infinity() };
   }
 
   /// Upright over an edge's direction: positive to its left. Points are as far as @p reach.

@@ -43,9 +43,12 @@ constexpr double LiftedError = 80.0 * 1.1102230246251565e-16;
 /// Error of an orientation in the plane, against the sum of its two products' magnitudes.
 constexpr double PlaneError = 4.01 * 1.1102230246251565e-16;
 
-/// Largest magnitudes in the plane between which neither underflow nor overflow spoils the filter.
-constexpr double LiftedFloor = 1e-70;
+/// Largest magnitude in the plane, and its square that of heights, below which nothing overflows.
 constexpr double LiftedCeiling = 1e70;
+
+/// Underflow costs a determinant less than 1e-183 then: nothing beside an error bound as large as
+/// this.
+constexpr double LiftedUnderflow = 1e-170;
 
 template <bool Weighted>
 class LiftedLocator;
@@ -177,10 +180,11 @@ public:
     const double x = HullGeometry::largestOf(ux, vx, wx);
     const double y = HullGeometry::largestOf(uy, vy, wy);
     const double error = LiftedError * x * y * height;
-    if (det > error || det < -error)
+    if (std::fabs(det) > error)
     {
-      return this->inRange ? x >= LiftedFloor && y >= LiftedFloor
-                           : isOrdinary(x) && isOrdinary(y) && height <= 1e140;
+      return error >= LiftedUnderflow &&
+        (this->inRange ||
+          (x <= LiftedCeiling && y <= LiftedCeiling && height <= LiftedCeiling * LiftedCeiling));
     }
     // A column of exact zeros: so is the determinant.
     sign = 0;
@@ -340,11 +344,6 @@ private:
   FF_HD Row<4> symbolicRow() const
   {
     return { { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } };
-  }
-
-  static FF_HD bool isOrdinary(double x)
-  {
-    return x >= LiftedFloor && x <= LiftedCeiling;
   }
 
   FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
