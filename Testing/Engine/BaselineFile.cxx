@@ -36,6 +36,22 @@ Cloud readRaw(const std::string& name)
   return cloud;
 }
 
+/// A real cloud with the weight factor * z^power; z^0 is 1.
+template <class T>
+Input realInput(std::string name, const std::string& file, double factor, int power)
+{
+  return { std::move(name), 0,
+    [=]()
+    {
+      Cloud cloud = readRaw<T>(file);
+      for (Point& p : cloud)
+      {
+        p[2] = power == 2 ? factor * (p[2] * p[2]) : power == 1 ? factor * p[2] : factor;
+      }
+      return cloud;
+    } };
+}
+
 /// The next line's rest, after the word that it must begin with.
 std::istringstream expectLine(std::istream& file, const std::string& word)
 {
@@ -78,6 +94,50 @@ std::vector<Input> baselineInputs()
   return inputs;
 }
 
+std::vector<Input> realWeightedInputs()
+{
+  const std::string autzen = "autzen_thin_las.f64";
+  const std::string helens = "sainthelens_step3.f32";
+  return {
+    realInput<double>("autzenPlain", autzen, 0, 0),
+    realInput<double>("autzenHeights", autzen, 20, 1),
+    realInput<double>("autzenSquares", autzen, 1, 2),
+    realInput<float>("helensPlain", helens, 0, 0),
+    realInput<float>("helensHeights", helens, 1, 1),
+    realInput<float>("helensSquares", helens, 8, 2),
+  };
+}
+
+std::vector<Input> weightedBaselineInputs()
+{
+  std::vector<Input> inputs;
+  for (const Input& input : realWeightedInputs())
+  {
+    if (input.name == "autzenSquares" || input.name == "helensSquares")
+    {
+      inputs.push_back(input);
+    }
+  }
+  inputs.push_back({ "circle160225", 0, []() { return cocircularIntegers(160225); } });
+  inputs.push_back(
+    { "squareGrid30rounded", 0, []() { return scaled(squareGrid(30), 0.1, 0.1, 1); } });
+  for (const char* name : { "uniformHiding", "smallIntegers", "coplanarLiftsAlmost" })
+  {
+    inputs.push_back(fromWeightedFamily(name, 20000, 600));
+  }
+  for (const char* name :
+    { "uniformHeavy", "gridOfManyWeights", "clusters", "far15", "lineAlongX" })
+  {
+    inputs.push_back(fromWeightedFamily(name, 2500, 601));
+  }
+  for (Input& input : inputs)
+  {
+    // Some families have the name of one of hulls.
+    input.name = "weighted_" + input.name;
+  }
+  return inputs;
+}
+
 std::string hashOf(const Cloud& cloud)
 {
   std::uint64_t hash = 0xcbf29ce484222325u;
@@ -98,11 +158,12 @@ std::string hashOf(const Cloud& cloud)
   return text;
 }
 
-void writeBaseline(const std::string& path, const Input& input, const ReferenceHull& hull)
+void writeBaseline(
+  const std::string& path, const std::string& kind, const Input& input, const ReferenceHull& hull)
 {
   const Cloud cloud = input.make();
   std::ofstream file(path, std::ios::binary);
-  file << "hull " << input.name << "\npoints " << cloud.size() << "\nhash " << hashOf(cloud)
+  file << kind << " " << input.name << "\npoints " << cloud.size() << "\nhash " << hashOf(cloud)
        << "\ndimension " << hull.dimension << "\ncells " << hull.cells.size() << "\n";
   for (const Cell& cell : hull.cells)
   {
@@ -123,7 +184,13 @@ Baseline readBaseline(const std::string& path)
   }
   Baseline result;
   std::size_t cells = 0;
-  expectLine(file, "hull");
+  file >> result.kind >> std::ws;
+  if (result.kind != "hull" && result.kind != "triangulation")
+  {
+    throw std::runtime_error(path + " is no baseline");
+  }
+  std::string name;
+  std::getline(file, name);
   expectLine(file, "points") >> result.points;
   expectLine(file, "hash") >> result.hash;
   expectLine(file, "dimension") >> result.hull.dimension;

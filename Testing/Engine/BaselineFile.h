@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Hulls kept in text files, and the inputs that they belong to.
+/// Hulls and triangulations kept in text files, and the inputs that they belong to.
 #ifndef flipflop_test_BaselineFile_h
 #define flipflop_test_BaselineFile_h
 
-#include "Inputs.h"
+#include "InputsWeighted.h"
 #include "Reference.h"
 
 #include <string>
@@ -16,9 +16,10 @@ namespace flipflop
 namespace test
 {
 
-/// A hull and what it was made of.
+/// A hull, or a triangulation, and what it was made of.
 struct Baseline
 {
+  std::string kind; ///< hull or triangulation
   std::int64_t points = 0;
   std::string hash; ///< of the input's coordinates, bit by bit
   ReferenceHull hull;
@@ -28,11 +29,18 @@ struct Baseline
 /// come out the same bit for bit on every machine.
 std::vector<Input> baselineInputs();
 
+/// The same for triangulations, few visible points each.
+std::vector<Input> weightedBaselineInputs();
+
+/// Testing/Data in the plane, whole: with heights for weights, or with none.
+std::vector<Input> realWeightedInputs();
+
 /// FNV-1a over the coordinates as doubles.
 std::string hashOf(const Cloud& cloud);
 
 /// @throw std::runtime_error when the file cannot be written, or read, or is not a baseline.
-void writeBaseline(const std::string& path, const Input& input, const ReferenceHull& hull);
+void writeBaseline(
+  const std::string& path, const std::string& kind, const Input& input, const ReferenceHull& hull);
 Baseline readBaseline(const std::string& path);
 
 }

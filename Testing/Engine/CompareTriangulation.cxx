@@ -201,6 +201,12 @@ void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& re
       {
         for (const Layout& layout : layouts.all())
         {
+          // Mixed types once; nothing else depends on them.
+          const bool mixed = layout.floatPoints != layout.floatWeights && !layout.weightless;
+          if (mixed && (threads != 1 || vBiased))
+          {
+            continue;
+          }
           Options options;
           options.threads = threads;
           options.facets = facets;

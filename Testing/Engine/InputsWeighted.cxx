@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputsWeighted.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -387,11 +388,17 @@ Cloud squareGrid(int side)
 Cloud cocircularIntegers(int squaredRadius)
 {
   Cloud cloud;
-  for (const Point& p : cosphericalIntegers(squaredRadius))
+  const int r = static_cast<int>(std::sqrt(static_cast<double>(squaredRadius))) + 1;
+  for (int x = -r; x <= r; ++x)
   {
-    if (p[2] == 0)
+    const int y = static_cast<int>(std::lround(std::sqrt(std::max(0, squaredRadius - x * x))));
+    if (x * x + y * y == squaredRadius)
     {
-      cloud.push_back(p);
+      cloud.push_back({ double(x), double(-y), 0 });
+      if (y != 0)
+      {
+        cloud.push_back({ double(x), double(y), 0 });
+      }
     }
   }
   return cloud;

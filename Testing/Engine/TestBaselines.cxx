@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Real data and a choice of families against the hulls kept in Testing/Data/Baseline.
+/// Real data and a choice of families against what is kept in Testing/Data/Baseline.
 #include "BaselineFile.h"
-#include "Compare.h"
+#include "CompareTriangulation.h"
 
 #include <cstdio>
 #include <stdexcept>
@@ -29,6 +29,7 @@ TEST_P(Baselines, AreTheEnginesHulls)
 {
   const Cloud cloud = this->GetParam().make();
   const Baseline baseline = readBaseline(pathOf(this->GetParam()));
+  ASSERT_EQ(baseline.kind, "hull");
   ASSERT_EQ(baseline.points, static_cast<std::int64_t>(cloud.size()));
   ASSERT_EQ(baseline.hash, hashOf(cloud)) << "the input differs from the baseline's";
   expectHull(cloud, baseline.hull);
@@ -44,6 +45,31 @@ TEST_P(Baselines, AreInCanonicalForm)
 }
 
 INSTANTIATE_TEST_SUITE_P(ConvexHull, Baselines, ::testing::ValuesIn(baselineInputs()),
+  [](const auto& given) { return given.param.name; });
+
+class WeightedBaselines : public ::testing::TestWithParam<Input>
+{
+};
+
+TEST_P(WeightedBaselines, AreTheEnginesTriangulations)
+{
+  const Cloud cloud = this->GetParam().make();
+  const Baseline baseline = readBaseline(pathOf(this->GetParam()));
+  ASSERT_EQ(baseline.kind, "triangulation");
+  ASSERT_EQ(baseline.points, static_cast<std::int64_t>(cloud.size()));
+  ASSERT_EQ(baseline.hash, hashOf(cloud)) << "the input differs from the baseline's";
+  expectTriangulation(cloud, baseline.hull);
+}
+
+TEST_P(WeightedBaselines, AreCgals)
+{
+  const Cloud cloud = this->GetParam().make();
+  EXPECT_TRUE(cgalTriangulation(cloud, kernelForWeighted(cloud)) ==
+    readBaseline(pathOf(this->GetParam())).hull);
+}
+
+INSTANTIATE_TEST_SUITE_P(RegularTriangulation, WeightedBaselines,
+  ::testing::ValuesIn(weightedBaselineInputs()),
   [](const auto& given) { return given.param.name; });
 
 TEST(BaselinesMadeAnew, AreTheSame)
@@ -66,9 +92,10 @@ TEST(BaselinesMadeAnew, AFileSaysWhatWasWritten)
   const Input input = { "cube", 0, []() { return integerGrid(2); } };
   const ReferenceHull hull = bruteForceHull(input.make());
   const std::string path = ::testing::TempDir() + "flipflop_baseline_cube.txt";
-  writeBaseline(path, input, hull);
+  writeBaseline(path, "hull", input, hull);
   const Baseline baseline = readBaseline(path);
   EXPECT_TRUE(baseline.hull == hull);
+  EXPECT_EQ(baseline.kind, "hull");
   EXPECT_EQ(baseline.points, 8);
   EXPECT_EQ(baseline.hash, hashOf(input.make()));
   std::remove(path.c_str());

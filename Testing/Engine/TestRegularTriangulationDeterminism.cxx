@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The same bits on any number of threads, run after run, at sizes that keep all of them busy.
+#include "CompareTriangulation.h"
+#include "InputsWeighted.h"
+
+#include <thread>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+struct Sized
+{
+  const char* family;
+  int count;
+
+  friend void PrintTo(const Sized& sized, std::ostream* out)
+  {
+    *out << sized.family << ", " << sized.count;
+  }
+};
+
+Triangulation run(const Cloud& weighted, const Options& options)
+{
+  return regularTriangulation(viewOf(weighted), weightsOf(weighted), options);
+}
+
+class Determinism : public ::testing::TestWithParam<Sized>
+{
+};
+
+TEST_P(Determinism, AnyNumberOfThreadsGivesTheSameBits)
+{
+  const Sized sized = this->GetParam();
+  const Input input = fromWeightedFamily(sized.family, effort(sized.count), 2024);
+  SCOPED_TRACE(input.name + ", seed " + std::to_string(input.seed));
+  const Cloud cloud = input.make();
+  for (FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+  {
+    Options options;
+    options.facets = facets;
+    options.threads = 1;
+    const Triangulation first = run(cloud, options);
+    const Validation valid = validate(viewOf(cloud), weightsOf(cloud), first);
+    ASSERT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
+    for (int threads : { 0, 2, 3, 4, 8, 2 })
+    {
+      options.threads = threads;
+      const Triangulation found = run(cloud, options);
+      EXPECT_EQ(bitDifference(found, first), "") << threads << " threads";
+      if (threads > 0)
+      {
+        EXPECT_EQ(found.statistics.threads, threads);
+      }
+    }
+    options.vBiased = true;
+    options.threads = 4;
+    EXPECT_EQ(bitDifference(run(cloud, options), first), "") << "V-biased";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RegularTriangulation, Determinism,
+  ::testing::Values(Sized{ "uniform", 60000 }, Sized{ "uniformHeavy", 150000 },
+    Sized{ "uniformHiding", 200000 }, Sized{ "gridOfTwoWeights", 40000 },
+    Sized{ "smallIntegers", 60000 }, Sized{ "doubled", 50000 }, Sized{ "clusters", 50000 },
+    Sized{ "wheel", 20000 }, Sized{ "far15", 40000 }, Sized{ "coplanarLiftsAlmost", 60000 }),
+  [](const auto& given) { return std::string(given.param.family); });
+
+TEST(RegularTriangulationDeterminism, DegenerateInputsGiveTheSameBits)
+{
+  for (const Input& input : largeWeightedInputs())
+  {
+    SCOPED_TRACE(input.name);
+    const Cloud cloud = input.make();
+    Options options;
+    options.threads = 1;
+    const Triangulation first = run(cloud, options);
+    for (int threads : { 3, 8 })
+    {
+      options.threads = threads;
+      EXPECT_EQ(bitDifference(run(cloud, options), first), "") << threads;
+    }
+  }
+}
+
+TEST(RegularTriangulationDeterminism, CallersMayRunAtOnce)
+{
+  // The engine keeps no state of its own: callers on several threads do not meet.
+  const Cloud a = fromWeightedFamily("uniformHeavy", effort(10000), 1).make();
+  const Cloud b = squareGrid(50);
+  Options options;
+  options.threads = 2;
+  const Triangulation ofA = run(a, options);
+  const Triangulation ofB = run(b, options);
+  std::vector<std::thread> callers;
+  std::vector<std::string> faults(4);
+  for (int i = 0; i < 4; ++i)
+  {
+    callers.emplace_back(
+      [&, i]()
+      {
+        for (int k = 0; k < 5; ++k)
+        {
+          const bool even = (i + k) % 2 == 0;
+          faults[i] += bitDifference(run(even ? a : b, options), even ? ofA : ofB);
+        }
+      });
+  }
+  for (std::thread& caller : callers)
+  {
+    caller.join();
+  }
+  EXPECT_EQ(faults, std::vector<std::string>(4));
+}
+
+}
+}
+}
