@@ -68,12 +68,7 @@ bool isAbove(const Geometry& geometry, const Vertex& a, const Vertex& b, const V
     }
   }
   const int sign = geometry.above(a, b, c, p);
-  if (sign != 0)
-  {
-    return sign > 0;
-  }
-  // Where "on the plane" does not mean "on the triangle", the perturbation tells.
-  return !geometry.coversCone(a, b, c) && geometry.perturbedAbove(a, b, c, p) > 0;
+  return sign > 0 || (sign == 0 && geometry.mayAppearOn(a, b, c, p));
 }
 
 template <class Geometry>

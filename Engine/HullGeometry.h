@@ -9,8 +9,8 @@
 ///   above(a, b, c, p)          is p beyond the triangle abc, seen from s? Exact: -1, 0, 1
 ///   beneathKernel(a, b, c)     does abc turn its outer side away from s? Exact: -1, 0, 1
 ///   perturbedAbove, perturbedBeneathKernel     the same, never 0 (Simulation of Simplicity by id)
-///   coversCone(a, b, c)        is all of the plane of abc that its cone holds on abc itself?
-///   Split, Plane, Locator      their tests, prepared for many points: a value and its error
+///   mayAppearOn(a, b, c, p)    can p, in the cone and on the plane of abc, be a vertex all the
+///   same? Split, Plane, Locator      their tests, prepared for many points: a value and its error
 ///
 /// Triangles are counter-clockwise seen from outside, so beneathKernel > 0 for every triangle of a
 /// polyhedron that is star-shaped from s. Seen from s, p lies in the cone of abc when
@@ -157,11 +157,11 @@ public:
     return this->tieAbove(a, b, c, p);
   }
 
-  /// Is a point in the cone and on the plane of abc on the triangle itself? Not where the cone is
-  /// flat.
-  FF_HD bool coversCone(const Vertex& a, const Vertex& b, const Vertex& c) const
+  /// Can p, in the cone and on the plane of abc, be a vertex all the same? On the triangle it
+  /// cannot; where the cone is flat, the perturbation tells.
+  FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    return this->beneathKernel(a, b, c) != 0;
+    return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
   }
 
   /// Sign of det[a - s; b - s; c - s].

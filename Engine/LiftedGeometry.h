@@ -129,11 +129,17 @@ public:
     return this->tieAbove(a, b, c, p);
   }
 
-  /// A point on the plane of a triangle of points is on the triangle; one on the vertical plane of
-  /// a virtual triangle may be beyond its edge.
-  FF_HD bool coversCone(const Vertex& a, const Vertex& b, const Vertex& c) const
+  /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
+  /// it cannot, unless that is flat. On a border's line it can: above the chord of the edge.
+  FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    return !((a.flags | b.flags | c.flags) & VertexVirtual) && this->beneathKernel(a, b, c) != 0;
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      const Vertex& first = a.flags & VertexVirtual ? b : a;
+      const Vertex& second = c.flags & VertexVirtual ? b : c;
+      return this->isAboveChord(first, p, second);
+    }
+    return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
   }
 
   FF_HD int beneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
@@ -229,7 +235,7 @@ public:
   }
 
   /// Is b, on the line of a and c and between them, strictly above them? Exact.
-  bool isAboveChord(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD bool isAboveChord(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     // In the coordinate in which they differ, and the height.
     const int axis = a.x[0] != c.x[0] ? 0 : 1;
@@ -329,12 +335,17 @@ private:
   }
 
   /// Orientation in two coordinates of which one is the height.
-  int upright(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
+  FF_HD int upright(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
   {
     ++this->counts.exact;
     const Row<1> last = { { c.x } };
-    return this->wide ? WideLiftedSigns::orient2(a.x, b.x, last, p, q)
-                      : LiftedSigns<Weighted>::orient2(a.x, b.x, last, p, q);
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return WideLiftedSigns::orient2(a.x, b.x, last, p, q);
+    }
+#endif
+    return LiftedSigns<Weighted>::orient2(a.x, b.x, last, p, q);
   }
 
   FF_HD Row<1> plainRow() const

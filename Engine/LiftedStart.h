@@ -9,7 +9,6 @@
 #include "HullStart.h"
 #include "LiftedGeometry.h"
 
-#include <limits>
 #include <utility>
 
 namespace flipflop
@@ -31,9 +30,7 @@ Polyhedron startingTetrahedron(
   {
     std::swap(corner[1], corner[2]);
   }
-  corner[3].x[0] = corner[3].x[1] = corner[3].x[2] = std::numeric_limits<double>::quiet_NaN();
-  corner[3].id = NoIndex;
-  corner[3].flags = VertexAlive | VertexVirtual;
+  corner[3] = virtualVertex();
   Polyhedron result = makeTetrahedron(corner);
 
   // Unequal weights keep the kernel off the lines of a grid.

@@ -59,56 +59,6 @@ private:
 
 }
 
-StarFault findStarFault(const HullGeometry& geometry, const Polyhedron& polyhedron)
-{
-  StarFault fault;
-  const auto note = [&fault](std::uint32_t t)
-  { fault.triangle = fault.count++ ? fault.triangle : static_cast<std::int64_t>(t); };
-  const Vertex* v = polyhedron.vertices.data();
-  for (std::uint32_t t = 0; t < polyhedron.triangleCount(); ++t)
-  {
-    const std::uint32_t* corner = polyhedron.triangles[t].v;
-    if (geometry.beneathKernel(v[corner[0]], v[corner[1]], v[corner[2]]) <= 0)
-    {
-      note(t);
-    }
-  }
-  if (fault.count)
-  {
-    return fault;
-  }
-
-  // Each triangle covers its directions once, so the surface covers all directions equally often:
-  // one direction tells. Perturbed, it is on no cone's border.
-  Vertex probe{};
-  const std::uint32_t* first = polyhedron.triangles[0].v;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double a = v[first[0]].x[i];
-    const double b = v[first[1]].x[i];
-    const double c = v[first[2]].x[i];
-    // In the bounding box, however it is rounded.
-    probe.x[i] = std::max(
-      std::min({ a, b, c }), std::min(0.5 * a + (0.25 * b + 0.25 * c), std::max({ a, b, c })));
-  }
-  probe.id = NoIndex;
-  std::int64_t covered = 0;
-  for (std::uint32_t t = 0; t < polyhedron.triangleCount(); ++t)
-  {
-    const std::uint32_t* corner = polyhedron.triangles[t].v;
-    const Vertex& a = v[corner[0]];
-    const Vertex& b = v[corner[1]];
-    const Vertex& c = v[corner[2]];
-    if (geometry.perturbedBeneathKernel(a, b, probe) > 0 &&
-      geometry.perturbedBeneathKernel(b, c, probe) > 0 &&
-      geometry.perturbedBeneathKernel(c, a, probe) > 0 && covered++ > 0)
-    {
-      note(t);
-    }
-  }
-  return fault;
-}
-
 bool isInsideOut(const Polyhedron& polyhedron)
 {
   const UnitCube unit(polyhedron);

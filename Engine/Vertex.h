@@ -6,6 +6,7 @@
 #define flipflop_Vertex_h
 
 #include <cstdint>
+#include <limits>
 
 namespace flipflop
 {
@@ -23,6 +24,13 @@ enum VertexFlags : std::uint32_t
   VertexLabelled = 2, ///< labelled non-extreme (paper, section 2.3): to be removed
   VertexVirtual = 4   ///< the vertex at infinity (paper, section 4): no point, never removed
 };
+
+/// The vertex at infinity: nowhere, and behind all ids.
+inline Vertex virtualVertex()
+{
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  return { { nowhere, nowhere, nowhere }, 0xFFFFFFFFu, VertexAlive | VertexVirtual };
+}
 
 inline bool samePosition(const Vertex& a, const Vertex& b)
 {
