@@ -125,6 +125,7 @@ private:
 
   struct Node
   {
+    bool done = false;                   ///< false: its task was cancelled
     std::vector<std::uint32_t> border;   ///< base half-edges on the patch's border
     std::vector<std::uint32_t> deferred; ///< edges that this patch may not finish
     Tally tally;
@@ -172,6 +173,12 @@ private:
     Node left, right;
     tbb::parallel_invoke(
       [&] { left = this->visit(first, low); }, [&] { right = this->visit(low, last); });
+    // Another task threw, and this one's context was cancelled with all below it: then the call
+    // above returns though not all is done. What was thrown there is what the caller will see.
+    if (!left.done || !right.done)
+    {
+      throw Error(ErrorCode::Aborted);
+    }
     return this->join(std::move(left), std::move(right), first, last);
   }
 
@@ -304,6 +311,7 @@ private:
     this->finishNode(own, flipper, local);
     own.tally.statistics.secondsFlip = watch.lap();
     node.deferred = std::move(own.deferred);
+    node.done = true;
     node.tally.add(std::move(own.tally));
     return node;
   }
@@ -315,6 +323,7 @@ private:
     node.tally.duplicates.insert(
       node.tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
     node.deferred = std::move(flipper.deferred);
+    node.done = true;
   }
 
   void addLeaf(const Leaf& leaf)
