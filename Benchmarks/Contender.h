@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What runs side by side: one hull algorithm behind one interface.
+/// What runs side by side: one algorithm behind one interface.
 #ifndef flipflop_Contender_h
 #define flipflop_Contender_h
 
@@ -9,6 +9,7 @@
 #include "Statistics.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -31,7 +32,7 @@ public:
   /// Bring the points into the form that the library takes. Not timed; its memory is input.
   virtual void prepare(const Coordinates& xyz) = 0;
 
-  /// The hull, complete. This alone is timed.
+  /// The result, complete. This alone is timed.
   virtual void run() = 0;
 
   /// Not timed.
@@ -41,18 +42,7 @@ public:
   virtual std::string judge() const { return {}; }
 };
 
-/// This engine: one canonical hull of true facets, triangulated.
-std::unique_ptr<Contender> makeFlipFlop(int threads);
-
-/// Qhull's reentrant library, option "Qt" (triangulated output). Single-threaded.
-std::unique_ptr<Contender> makeQhull();
-
-/// CGAL's convex_hull_3 with exact predicates (Epick). Single-threaded.
-std::unique_ptr<Contender> makeCgal();
-
-/// The libraries' versions, for the report.
-std::string qhullVersion();
-std::string cgalVersion();
+using ContenderFactory = std::function<std::unique_ptr<Contender>()>;
 
 }
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <functional>
 #include <stdexcept>
+#include <vector>
 
 namespace flipflop
 {
@@ -158,6 +159,69 @@ void rotate(Coordinates& points)
   }
 }
 
+Coordinates squareGrid(std::int64_t count, double weight)
+{
+  const auto side = std::max<std::int64_t>(2, std::llround(std::sqrt(static_cast<double>(count))));
+  std::int64_t i = 0;
+  return sample(side * side,
+    [&]
+    {
+      const Point p = { static_cast<double>(i % side), static_cast<double>(i / side), weight };
+      ++i;
+      return p;
+    });
+}
+
+Point onCircle(Random& random)
+{
+  for (;;)
+  {
+    const double x = 2 * random.uniform() - 1;
+    const double y = 2 * random.uniform() - 1;
+    const double square = x * x + y * y;
+    if (square > 1e-2 && square <= 1)
+    {
+      const double length = 2 * std::sqrt(square);
+      return { 0.5 + x / length, 0.5 + y / length, 0 };
+    }
+  }
+}
+
+Coordinates clusters(Random& random, std::int64_t count)
+{
+  const Coordinates centers = sample(100, [&] { return random.inCube(); });
+  return sample(count,
+    [&]
+    {
+      const std::size_t i = random.next() % 100 * 3;
+      // Box and Muller, 1958
+      const double radius = 0.01 * std::sqrt(-2 * std::log(1 - random.uniform()));
+      const double angle = 2 * 3.14159265358979323846 * random.uniform();
+      return Point{ centers[i] + radius * std::cos(angle),
+        centers[i + 1] + radius * std::sin(angle), 0 };
+    });
+}
+
+Coordinates scanLines(Random& random, std::int64_t count)
+{
+  // Half a metre from point to point along a line, and from line to line.
+  const auto side = std::max<std::int64_t>(2, std::llround(std::sqrt(static_cast<double>(count))));
+  std::int64_t i = 0;
+  const auto centimetres = [](double x) { return 0.01 * std::round(100 * x); };
+  return sample(count,
+    [&]
+    {
+      // The scanner turns on while the plane flies: lines lie askew, every second the other way.
+      const std::int64_t line = i / side;
+      const std::int64_t place = line % 2 ? side - 1 - i % side : i % side;
+      const double along = 0.5 * (static_cast<double>(place) + 0.4 * random.uniform());
+      const double across =
+        0.5 * (static_cast<double>(i) / static_cast<double>(side)) + 0.1 * random.uniform();
+      ++i;
+      return Point{ 480000 + centimetres(along), 4420000 + centimetres(across), 0 };
+    });
+}
+
 Coordinates duplicates(Random& random, std::int64_t count)
 {
   const std::int64_t different = std::max<std::int64_t>(4, count / 100);
@@ -174,19 +238,22 @@ Coordinates duplicates(Random& random, std::int64_t count)
 
 std::string Distribution::label() const
 {
-  if (!this->hasThickness())
+  if (!this->hasParameter())
   {
     return this->name;
   }
   char text[64];
-  std::snprintf(text, sizeof(text), "%s:%g", this->name.c_str(), this->thickness);
+  std::snprintf(text, sizeof(text), "%s:%g", this->name.c_str(), this->parameter);
   return text;
 }
 
-Distribution Distribution::parse(const std::string& text)
+Distribution Distribution::parse(const std::string& text, Family family)
 {
-  static const std::array<const char*, 8> names = { "cube", "ball", "box", "shell", "grid",
+  static const std::vector<std::string> space = { "cube", "ball", "box", "shell", "grid",
     "surface-grid", "rotated-grid", "duplicates" };
+  static const std::vector<std::string> plane = { "uniform", "square-grid", "weighted-grid",
+    "circle", "clusters", "scan" };
+  const std::vector<std::string>& names = family == Family::Space ? space : plane;
   Distribution result;
   const std::size_t colon = text.find(':');
   result.name = text.substr(0, colon);
@@ -194,16 +261,17 @@ Distribution Distribution::parse(const std::string& text)
   {
     throw std::invalid_argument("unknown distribution: " + text);
   }
-  result.thickness = result.hasThickness() ? 0.01 : 0;
+  const bool thick = result.hasParameter() && family == Family::Space;
+  result.parameter = thick ? 0.01 : 0;
   if (colon != std::string::npos)
   {
     std::size_t used = 0;
     const std::string value = text.substr(colon + 1);
-    result.thickness = value.empty() ? -1 : std::stod(value, &used);
-    if (!result.hasThickness() || used != value.size() || !(result.thickness >= 0) ||
-      result.thickness > 0.5 || (result.name == "box" && result.thickness == 0))
+    result.parameter = value.empty() ? -1 : std::stod(value, &used);
+    if (!result.hasParameter() || used != value.size() || !(result.parameter >= 0) ||
+      result.parameter > (thick ? 0.5 : 1e6) || (result.name == "box" && result.parameter == 0))
     {
-      throw std::invalid_argument("not a thickness: " + text);
+      throw std::invalid_argument("not a parameter: " + text);
     }
   }
   return result;
@@ -212,7 +280,31 @@ Distribution Distribution::parse(const std::string& text)
 Coordinates makePoints(const Distribution& distribution, std::int64_t count, std::uint64_t seed)
 {
   Random random(seed);
-  const double thickness = distribution.thickness;
+  const double thickness = distribution.parameter;
+  if (distribution.name == "uniform")
+  {
+    const double most = distribution.parameter / static_cast<double>(count);
+    return sample(count,
+      [&] {
+        return Point{ random.uniform(), random.uniform(), most > 0 ? most * random.uniform() : 0 };
+      });
+  }
+  if (distribution.name == "square-grid" || distribution.name == "weighted-grid")
+  {
+    return squareGrid(count, distribution.isWeighted() ? 1 : 0);
+  }
+  if (distribution.name == "circle")
+  {
+    return sample(count, [&] { return onCircle(random); });
+  }
+  if (distribution.name == "clusters")
+  {
+    return clusters(random, count);
+  }
+  if (distribution.name == "scan")
+  {
+    return scanLines(random, count);
+  }
   if (distribution.name == "cube")
   {
     return sample(count, [&] { return random.inCube(); });

@@ -16,6 +16,20 @@
 /// | duplicates     | shell:0, but only n / 100 different points, each drawn about 100 times  |
 ///
 /// The first four are those of Gao et al. (gHull, 2012) and of the Flip-Flop paper.
+///
+/// In the plane, z is the point's weight:
+///
+/// | name           | points                                                                  |
+/// |----------------|-------------------------------------------------------------------------|
+/// | uniform:W      | uniform in the unit square, weights uniform in [0, W / n] (W = 0: none)  |
+/// | square-grid    | a square of integer points, in raster order                             |
+/// | weighted-grid  | the same, all of weight 1                                               |
+/// | circle         | on a circle of radius 0.5, rounded                                      |
+/// | clusters       | a hundred normal distributions of deviation 0.01                        |
+/// | scan           | scan lines, noisy, in whole centimetres as airborne LiDAR has them      |
+///
+/// uniform:27 keeps about a fifth of its points, uniform:0.19 all but a hundredth: those are the
+/// Flip-Flop paper's.
 #ifndef flipflop_Distributions_h
 #define flipflop_Distributions_h
 
@@ -27,23 +41,38 @@
 namespace flipflop
 {
 
+enum class Family
+{
+  Space,
+  Plane
+};
+
 struct Distribution
 {
   std::string name;
-  double thickness = 0; ///< of box and shell; 0 for the others
+  double parameter = 0; ///< of box and shell: thickness; of uniform: W; 0 for the others
 
-  bool hasThickness() const { return this->name == "box" || this->name == "shell"; }
+  bool hasParameter() const
+  {
+    return this->name == "box" || this->name == "shell" || this->name == "uniform";
+  }
+
+  /// Have the points weights?
+  bool isWeighted() const
+  {
+    return this->name == "weighted-grid" || (this->name == "uniform" && this->parameter > 0);
+  }
 
   /// As the command line gives it: "cube", "shell:0.01".
   std::string label() const;
 
-  /// The reverse of label().
+  /// The reverse of label(), for one family's names.
   /// @throw std::invalid_argument
-  static Distribution parse(const std::string& text);
+  static Distribution parse(const std::string& text, Family family);
 };
 
-/// x y z of @p count points, a function of the arguments alone. The grids have the size nearest to
-/// @p count that their shape allows.
+/// x y z (or weight) of @p count points, a function of the arguments alone. The grids have the size
+/// nearest to @p count that their shape allows.
 /// @throw std::invalid_argument
 Coordinates makePoints(const Distribution& distribution, std::int64_t count, std::uint64_t seed);
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredRun.h"
 
-#include "Distributions.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -96,11 +94,11 @@ void touchMemory(const Coordinates& xyz)
   }
 }
 
-Measurement runHere(const Coordinates& xyz, const ContenderFactory& factory, bool judge)
+Measurement runHere(
+  const Coordinates& xyz, const Coordinates& few, const ContenderFactory& factory, bool judge)
 {
   Measurement result;
   {
-    const Coordinates few = makePoints(Distribution::parse("ball"), 1000, 1);
     const std::unique_ptr<Contender> warm = factory();
     warm->prepare(few);
     warm->run();
@@ -130,13 +128,13 @@ Measurement runHere(const Coordinates& xyz, const ContenderFactory& factory, boo
   return result;
 }
 
-[[noreturn]] void child(
-  int pipe, const Coordinates& xyz, const ContenderFactory& factory, bool judge)
+[[noreturn]] void child(int pipe, const Coordinates& xyz, const Coordinates& few,
+  const ContenderFactory& factory, bool judge)
 {
   Measurement result;
   try
   {
-    result = runHere(xyz, factory, judge);
+    result = runHere(xyz, few, factory, judge);
   }
   catch (const std::exception& error)
   {
@@ -165,8 +163,8 @@ const char* name(Status status)
   return "unknown";
 }
 
-Measurement measure(
-  const Coordinates& xyz, const ContenderFactory& factory, double limitSeconds, bool judge)
+Measurement measure(const Coordinates& xyz, const Coordinates& few, const ContenderFactory& factory,
+  double limitSeconds, bool judge)
 {
   Measurement result;
   int ends[2];
@@ -187,7 +185,7 @@ Measurement measure(
   if (process == 0)
   {
     close(ends[0]);
-    child(ends[1], xyz, factory, judge);
+    child(ends[1], xyz, few, factory, judge);
   }
   close(ends[1]);
 

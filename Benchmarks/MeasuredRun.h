@@ -11,8 +11,6 @@
 
 #include "Contender.h"
 
-#include <functional>
-
 namespace flipflop
 {
 
@@ -35,17 +33,15 @@ struct Measurement
   char message[160] = {};
 };
 
-using ContenderFactory = std::function<std::unique_ptr<Contender>()>;
-
 /// Run one contender on @p xyz.
 ///
-/// Before the clock starts, the child runs the same contender on a thousand points: libraries are
-/// then bound and threads started, for all alike.
+/// Before the clock starts, the child runs the same contender on @p few points: libraries are then
+/// bound and threads started, for all alike.
 ///
 /// @param limitSeconds end the run after so long; 0: never.
 /// @param judge        have the contender judge its result (not timed).
-Measurement measure(
-  const Coordinates& xyz, const ContenderFactory& factory, double limitSeconds, bool judge);
+Measurement measure(const Coordinates& xyz, const Coordinates& few, const ContenderFactory& factory,
+  double limitSeconds, bool judge);
 
 }
 

@@ -11,10 +11,6 @@ namespace flipflop
 namespace
 {
 
-const char* const defaultDistributions = "cube,ball,box,shell:0.1,shell:0.01,shell:0.001,"
-                                         "shell:0.0001,shell:0,grid,surface-grid,rotated-grid,"
-                                         "duplicates";
-
 std::vector<std::string> split(const std::string& text)
 {
   std::vector<std::string> parts;
@@ -51,12 +47,12 @@ double number(const std::string& text, double least, double most)
   return value;
 }
 
-std::vector<Distribution> distributions(const std::string& text)
+std::vector<Distribution> distributions(const std::string& text, Family family)
 {
   std::vector<Distribution> result;
   for (const std::string& part : split(text))
   {
-    result.push_back(Distribution::parse(part));
+    result.push_back(Distribution::parse(part, family));
   }
   return result;
 }
@@ -82,33 +78,41 @@ std::vector<int> threads(const std::string& text)
   return result;
 }
 
-void peers(Plan& plan, const std::string& text)
+std::vector<Peer> peers(const std::string& text, const Suite& suite)
 {
-  plan.qhull = false;
-  plan.cgal = false;
+  std::vector<Peer> result;
   for (const std::string& part : split(text))
   {
-    if (part == "qhull")
-    {
-      plan.qhull = true;
-    }
-    else if (part == "cgal")
-    {
-      plan.cgal = true;
-    }
-    else if (part != "none")
+    const Peer* peer = suite.find(part);
+    if (!peer && part != "none")
     {
       throw std::invalid_argument("unknown peer: " + part);
     }
+    if (peer)
+    {
+      result.push_back(*peer);
+    }
   }
+  return result;
+}
+
+std::string peerNames(const Suite& suite, const char* between)
+{
+  std::string result;
+  for (const Peer& peer : suite.peers)
+  {
+    result += (result.empty() ? "" : between) + peer.name;
+  }
+  return result;
 }
 
 }
 
-Plan Plan::parse(int argc, const char* const* argv)
+Plan Plan::parse(const Suite& suite, int argc, const char* const* argv)
 {
   Plan plan;
-  plan.distributions = flipflop::distributions(defaultDistributions);
+  plan.distributions = flipflop::distributions(suite.distributions, suite.family);
+  plan.peers = suite.peers;
   plan.sizes = { 100000, 1000000, 10000000 };
   for (int i = 1; i < argc; ++i)
   {
@@ -140,7 +144,7 @@ Plan Plan::parse(int argc, const char* const* argv)
     }
     if (option == "--distributions")
     {
-      plan.distributions = flipflop::distributions(value);
+      plan.distributions = flipflop::distributions(value, suite.family);
     }
     else if (option == "--sizes")
     {
@@ -152,7 +156,7 @@ Plan Plan::parse(int argc, const char* const* argv)
     }
     else if (option == "--peers")
     {
-      peers(plan, value);
+      plan.peers = flipflop::peers(value, suite);
     }
     else if (option == "--repetitions")
     {
@@ -186,16 +190,16 @@ Plan Plan::parse(int argc, const char* const* argv)
   return plan;
 }
 
-const char* Plan::usage()
+std::string Plan::usage(const Suite& suite)
 {
-  return R"(hull-benchmark: convex hulls by FlipFlop, Qhull and CGAL, side by side
+  return suite.program + ": " + suite.what + R"(, side by side
 
-  --distributions LIST    of cube, ball, box:T, shell:T, grid, surface-grid, rotated-grid,
-                          duplicates; T: thickness, 0.01 if not given; shell:0: on the sphere
-                          (all of them; shells of 0.1, 0.01, 0.001, 0.0001 and 0)
+  --distributions LIST    )" +
+    suite.distributionHelp + R"(
   --sizes LIST            numbers of points (1e5,1e6,1e7)
   --threads LIST          thread counts to run FlipFlop with (1,2)
-  --peers LIST            of qhull, cgal; or none (qhull,cgal)
+  --peers LIST            of )" +
+    peerNames(suite, ", ") + "; or none (" + peerNames(suite, ",") + R"()
   --repetitions N         rounds of each case; a round runs every contender once (5)
   --max-peer-seconds S    end a peer's run after so long, and skip the peer at a size where its time
                           at the size before lets expect more; 0: no limit (120)

@@ -5,7 +5,7 @@
 #ifndef flipflop_Plan_h
 #define flipflop_Plan_h
 
-#include "Distributions.h"
+#include "Suite.h"
 
 #include <cstdint>
 #include <string>
@@ -19,8 +19,7 @@ struct Plan
   std::vector<Distribution> distributions;
   std::vector<std::int64_t> sizes; ///< ascending
   std::vector<int> threads = { 1, 2 };
-  bool qhull = true;
-  bool cgal = true;
+  std::vector<Peer> peers;
   int repetitions = 5;
   double maxPeerSeconds = 120;
   double maxCaseSeconds = 0; ///< 0: no limit
@@ -32,9 +31,9 @@ struct Plan
   bool help = false;
 
   /// @throw std::invalid_argument
-  static Plan parse(int argc, const char* const* argv);
+  static Plan parse(const Suite& suite, int argc, const char* const* argv);
 
-  static const char* usage();
+  static std::string usage(const Suite& suite);
 };
 
 }

@@ -39,8 +39,6 @@ constexpr std::array<Stage, 5> stages = { {
   { "seconds_finish", &Statistics::secondsFinish },
 } };
 
-constexpr std::array<const char*, 2> peers = { "qhull", "cgal" };
-
 /// The median over the rounds of a stage's time.
 double stageSeconds(const Row& row, double Statistics::*stage)
 {
@@ -112,7 +110,7 @@ std::string processor()
   return result;
 }
 
-void jsonRow(std::FILE* file, const Row& row, const Case& one)
+void jsonRow(std::FILE* file, const Suite& suite, const Row& row, const Case& one)
 {
   const Summary time = Summary::of(row.seconds);
   std::fprintf(file, "        {\"contender\": \"%s\", \"threads\": %d, \"status\": \"%s\"",
@@ -137,12 +135,12 @@ void jsonRow(std::FILE* file, const Row& row, const Case& one)
       file, "peak_bytes", row.peakBytes < 0 ? std::nan("") : static_cast<double>(row.peakBytes));
     if (row.contender == "flipflop")
     {
-      for (const char* peer : peers)
+      for (const Peer& peer : suite.peers)
       {
-        const Row* other = one.find(peer);
+        const Row* other = one.find(peer.name);
         if (other && !other->seconds.empty())
         {
-          jsonNumber(file, (std::string("ratio_") + peer).c_str(), row.ratio(*other).median);
+          jsonNumber(file, ("ratio_" + peer.name).c_str(), row.ratio(*other).median);
         }
       }
       for (const Count& count : counts)
@@ -157,6 +155,21 @@ void jsonRow(std::FILE* file, const Row& row, const Case& one)
     }
   }
   std::fputc('}', file);
+}
+
+int nameWidth(const Suite& suite)
+{
+  std::size_t width = 10;
+  for (const Peer& peer : suite.peers)
+  {
+    width = std::max(width, peer.name.size());
+  }
+  return static_cast<int>(width);
+}
+
+int ratioWidth(const Peer& peer)
+{
+  return static_cast<int>(std::max<std::size_t>(8, peer.title.size() + 2));
 }
 
 }
@@ -212,14 +225,18 @@ const Row* Case::find(const std::string& contender) const
   return found == this->rows.end() ? nullptr : &*found;
 }
 
-void printHeader(std::FILE* file)
+void printHeader(std::FILE* file, const Suite& suite)
 {
-  std::fprintf(file, "%-13s %10s  %-10s %9s %9s %9s %8s %8s %10s %10s %9s  %s\n", "points", "n",
-    "contender", "median s", "min", "max", "x Qhull", "x CGAL", "vertices", "facets", "B/point",
-    "status");
+  std::fprintf(file, "%-13s %10s  %-*s %9s %9s %9s", "points", "n", nameWidth(suite), "contender",
+    "median s", "min", "max");
+  for (const Peer& peer : suite.peers)
+  {
+    std::fprintf(file, " %*s", ratioWidth(peer), ("x " + peer.title).c_str());
+  }
+  std::fprintf(file, " %10s %10s %9s  %s\n", "vertices", "facets", "B/point", "status");
 }
 
-void printCase(std::FILE* file, const Case& one)
+void printCase(std::FILE* file, const Suite& suite, const Case& one)
 {
   for (const Row& row : one.rows)
   {
@@ -228,33 +245,40 @@ void printCase(std::FILE* file, const Case& one)
     {
       contender += " " + std::to_string(row.threads);
     }
-    std::fprintf(file, "%-13s %10lld  %-10s", one.distribution.label().c_str(),
-      static_cast<long long>(one.points), contender.c_str());
-    if (row.seconds.empty())
+    std::fprintf(file, "%-13s %10lld  %-*s", one.distribution.label().c_str(),
+      static_cast<long long>(one.points), nameWidth(suite), contender.c_str());
+    const bool done = !row.seconds.empty();
+    if (done)
     {
-      std::fprintf(
-        file, " %9s %9s %9s %8s %8s %10s %10s %9s", "-", "-", "-", "", "", "-", "-", "-");
+      const Summary time = Summary::of(row.seconds);
+      std::fprintf(file, " %9.4f %9.4f %9.4f", time.median, time.least, time.greatest);
     }
     else
     {
-      const Summary time = Summary::of(row.seconds);
-      const Outcome& outcome = row.typical();
-      std::fprintf(file, " %9.4f %9.4f %9.4f", time.median, time.least, time.greatest);
-      for (const char* peer : peers)
+      std::fprintf(file, " %9s %9s %9s", "-", "-", "-");
+    }
+    for (const Peer& peer : suite.peers)
+    {
+      const Row* other = one.find(peer.name);
+      if (done && row.contender == "flipflop" && other && !other->seconds.empty())
       {
-        const Row* other = one.find(peer);
-        if (row.contender == "flipflop" && other && !other->seconds.empty())
-        {
-          std::fprintf(file, " %8.2f", row.ratio(*other).median);
-        }
-        else
-        {
-          std::fprintf(file, " %8s", "");
-        }
+        std::fprintf(file, " %*.2f", ratioWidth(peer), row.ratio(*other).median);
       }
+      else
+      {
+        std::fprintf(file, " %*s", ratioWidth(peer), "");
+      }
+    }
+    if (done)
+    {
+      const Outcome& outcome = row.typical();
       std::fprintf(file, " %10lld %10lld %9.1f", static_cast<long long>(outcome.vertices),
         static_cast<long long>(outcome.facets),
         static_cast<double>(row.peakBytes) / static_cast<double>(one.points));
+    }
+    else
+    {
+      std::fprintf(file, " %10s %10s %9s", "-", "-", "-");
     }
     std::fprintf(
       file, "  %s%s%s\n", name(row.status), row.message.empty() ? "" : ": ", row.message.c_str());
@@ -262,14 +286,15 @@ void printCase(std::FILE* file, const Case& one)
   std::fflush(file);
 }
 
-void writeCsv(std::FILE* file, const std::vector<Case>& cases)
+void writeCsv(std::FILE* file, const Suite& suite, const std::vector<Case>& cases)
 {
   std::fprintf(file,
-    "distribution,thickness,n,contender,threads,status,rounds,seconds_median,seconds_min,"
+    "distribution,parameter,n,contender,threads,status,rounds,seconds_median,seconds_min,"
     "seconds_max");
-  for (const char* peer : peers)
+  for (const Peer& peer : suite.peers)
   {
-    std::fprintf(file, ",ratio_%s,ratio_%s_min,ratio_%s_max", peer, peer, peer);
+    const char* of = peer.name.c_str();
+    std::fprintf(file, ",ratio_%s,ratio_%s_min,ratio_%s_max", of, of, of);
   }
   std::fprintf(file, ",vertices,facets,peak_bytes,bytes_per_point");
   for (const Count& count : counts)
@@ -289,16 +314,16 @@ void writeCsv(std::FILE* file, const std::vector<Case>& cases)
       const bool ours = row.contender == "flipflop";
       const bool done = !row.seconds.empty();
       std::fprintf(file, "%s", one.distribution.name.c_str());
-      csvNumber(file, one.distribution.hasThickness() ? one.distribution.thickness : std::nan(""));
+      csvNumber(file, one.distribution.hasParameter() ? one.distribution.parameter : std::nan(""));
       std::fprintf(file, ",%lld,%s,%d,%s,%zu", static_cast<long long>(one.points),
         row.contender.c_str(), row.threads, name(row.status), row.seconds.size());
       const Summary time = Summary::of(row.seconds);
       csvNumber(file, time.median);
       csvNumber(file, time.least);
       csvNumber(file, time.greatest);
-      for (const char* peer : peers)
+      for (const Peer& peer : suite.peers)
       {
-        const Row* other = one.find(peer);
+        const Row* other = one.find(peer.name);
         const Summary ratio = ours && other ? row.ratio(*other) : Summary::of({});
         csvNumber(file, ratio.median);
         csvNumber(file, ratio.least);
@@ -340,25 +365,30 @@ void writeCsv(std::FILE* file, const std::vector<Case>& cases)
   }
 }
 
-void writeJson(std::FILE* file, const std::vector<Case>& cases, const Plan& plan)
+void writeJson(
+  std::FILE* file, const Suite& suite, const std::vector<Case>& cases, const Plan& plan)
 {
   std::fprintf(file, "{\n  \"processor\": %s,\n  \"cores\": %u,\n  \"compiler\": %s,\n",
     quoted(processor()).c_str(), std::thread::hardware_concurrency(), quoted(__VERSION__).c_str());
-  std::fprintf(file, "  \"qhull\": %s,\n  \"cgal\": %s,\n  \"seed\": %llu,\n  \"cases\": [\n",
-    quoted(qhullVersion()).c_str(), quoted(cgalVersion()).c_str(),
-    static_cast<unsigned long long>(plan.seed));
+  for (const auto& version : suite.versions)
+  {
+    std::fprintf(
+      file, "  %s: %s,\n", quoted(version.first).c_str(), quoted(version.second).c_str());
+  }
+  std::fprintf(
+    file, "  \"seed\": %llu,\n  \"cases\": [\n", static_cast<unsigned long long>(plan.seed));
   for (std::size_t c = 0; c < cases.size(); ++c)
   {
     const Case& one = cases[c];
     std::fprintf(file, "    {\"distribution\": \"%s\"", one.distribution.name.c_str());
-    if (one.distribution.hasThickness())
+    if (one.distribution.hasParameter())
     {
-      jsonNumber(file, "thickness", one.distribution.thickness);
+      jsonNumber(file, "parameter", one.distribution.parameter);
     }
     std::fprintf(file, ", \"n\": %lld, \"rows\": [\n", static_cast<long long>(one.points));
     for (std::size_t r = 0; r < one.rows.size(); ++r)
     {
-      jsonRow(file, one.rows[r], one);
+      jsonRow(file, suite, one.rows[r], one);
       std::fprintf(file, "%s\n", r + 1 < one.rows.size() ? "," : "");
     }
     std::fprintf(file, "    ]}%s\n", c + 1 < cases.size() ? "," : "");

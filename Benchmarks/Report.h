@@ -56,10 +56,11 @@ struct Case
   const Row* find(const std::string& contender) const;
 };
 
-void printHeader(std::FILE* file);
-void printCase(std::FILE* file, const Case& one);
-void writeCsv(std::FILE* file, const std::vector<Case>& cases);
-void writeJson(std::FILE* file, const std::vector<Case>& cases, const Plan& plan);
+void printHeader(std::FILE* file, const Suite& suite);
+void printCase(std::FILE* file, const Suite& suite, const Case& one);
+void writeCsv(std::FILE* file, const Suite& suite, const std::vector<Case>& cases);
+void writeJson(
+  std::FILE* file, const Suite& suite, const std::vector<Case>& cases, const Plan& plan);
 
 }
 

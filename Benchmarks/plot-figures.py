@@ -46,10 +46,10 @@ FEW_EXTREME = 60
 
 def label(row):
     """The points' name as the command line gives it."""
-    thickness = row["thickness"]
-    if thickness == "":
+    parameter = row["parameter"]
+    if parameter == "":
         return row["distribution"]
-    number = float(thickness)
+    number = float(parameter)
     text = f"{number:.6f}".rstrip("0").rstrip(".") if number else "0"
     return f"{row['distribution']}:{text}"
 
