@@ -129,9 +129,18 @@ public:
       shift >= 0 ? n <<= shift : d <<= -shift;
       Integer quotient, remainder;
       divide_qr(n, d, quotient, remainder);
-      const std::uint64_t bits =
-        static_cast<std::uint64_t>(quotient) | static_cast<std::uint64_t>(remainder != 0 ? 1 : 0);
-      const double size = std::ldexp(static_cast<double>(bits), this->exponent - shift);
+      std::uint64_t bits = static_cast<std::uint64_t>(quotient);
+      bool rest = remainder != 0;
+      int binary = this->exponent - shift;
+      // Of a subnormal number fewer bits are kept: the others must not be rounded before.
+      const int drop = std::min(-1074 - 2 - binary, 63);
+      if (drop > 0)
+      {
+        rest = rest || (bits & ((std::uint64_t(1) << drop) - 1)) != 0;
+        bits >>= drop;
+        binary += drop;
+      }
+      const double size = std::ldexp(static_cast<double>(bits | (rest ? 1u : 0u)), binary);
       result = negative ? -size : size;
     }
     return true;

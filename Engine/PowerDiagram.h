@@ -15,11 +15,17 @@ namespace flipflop
 {
 
 /// Convex polygons, counter-clockwise, one for each visible site whose power cell meets the inside
-/// of the box. Neighbours share their corners: the diagram has no gap and no overlap but for the
-/// rounding of coordinates.
+/// of the box. Every corner is the true one, each coordinate rounded to the nearest double; the
+/// diagram has no gap and no overlap but for that. Corners that round to one position are one, so
+/// no edge has no length; a cell that rounding leaves no inside is left out.
+///
+/// A cell starts at the corner of its site's lowest facet (at the border of the triangulation: of
+/// the first facet counter-clockwise), or at the first corner after it that is in the box. Corners
+/// come in the order in which the cells first use them.
 struct PowerDiagram
 {
-  /// #corners by 2: x, y of every corner. Corners are shared.
+  /// #corners by 2: x, y of every corner. Neighbours share their corners: no position is listed
+  /// twice.
   Buffer<double> corners;
 
   /// Corners of every cell, one after another: indices into corners (pairs).
@@ -34,12 +40,18 @@ struct PowerDiagram
 
 /// The power diagram of the sites that @p triangulation shows. Which cells meet where is taken from
 /// the exact triangulation (cocircular sites meet in one corner, without edges of no length); only
-/// the corners' coordinates are rounded.
+/// the corners' coordinates are rounded. Takes time and memory in proportion to the triangulation,
+/// on one thread.
 ///
 /// @param points, weights as they were triangulated
-/// @param triangulation   of them: with FacetMode::Polygons
+/// @param triangulation   of them: with FacetMode::Polygons. Fans of triangles cannot be told from
+///                        polygons; as equal centers round alike, they give the same cells, which
+///                        may start elsewhere.
 /// @param box             x least, x greatest, y least, y greatest; finite, least below greatest
-/// @throw Error           BadArgument, OutOfMemory
+/// @throw Error           BadArgument (also for a complex that is no triangulation of these points,
+///                        where that shows: an index or id out of range, a facet that is not
+///                        counter-clockwise, facets that form no ring), WeightCount, TooManyPoints,
+///                        OutOfMemory. Whether its power circles are empty is not looked at.
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box);
 

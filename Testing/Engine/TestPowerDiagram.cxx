@@ -369,6 +369,17 @@ TEST(PowerDiagram, SmallLatticesAreFullOfTies)
   }
 }
 
+TEST(PowerDiagram, FansOfTrianglesGiveTheSameCells)
+{
+  for (const Cloud& sites : { gridSites(9), randomSites(200, 0.01, 2) })
+  {
+    const Box box = { { -0.25, 6.75, -0.5, 9 } };
+    const Triangulation fans = regularTriangulation(viewOf(sites), weightsOf(sites));
+    EXPECT_EQ(polygonsOf(diagramOf(sites, fans, box)),
+      polygonsOf(diagramOf(sites, triangulate(sites), box)));
+  }
+}
+
 TEST(PowerDiagram, OneSiteHasTheBox)
 {
   Cloud sites;
