@@ -105,7 +105,7 @@ void vtkFFProjection::ToXY(const flipflop::PointView& points)
 vtkFFProjection::Plane vtkFFProjection::FitPlane(
   const flipflop::PointView& points, double* start) const
 {
-  // Measured from one of the points, in a unit that is about their extent: nothing overflows, and
+  // Measured from one of the points, in a unit near the largest coordinate: nothing overflows, and
   // a flat set far from the origin stays flat.
   const auto count = static_cast<vtkIdType>(points.count);
   double finite = 0.0;
@@ -124,22 +124,18 @@ vtkFFProjection::Plane vtkFFProjection::FitPlane(
       }
     });
   const double unit = toUnit(largest);
-  double extent = 0.0;
   double mean[3] = { 0.0, 0.0, 0.0 };
   visitPoints(points, 0, count,
     [&](vtkIdType, const double* p)
     {
       for (int k = 0; isFinite(p) && k < 3; ++k)
       {
-        const double d = p[k] * unit - start[k] * unit;
-        extent = std::max(extent, std::fabs(d));
-        mean[k] += d;
+        mean[k] += p[k] * unit - start[k] * unit;
       }
     });
-  const double zoom = toUnit(extent);
   for (double& m : mean)
   {
-    m = finite > 0.0 ? m / finite * zoom : 0.0;
+    m = finite > 0.0 ? m / finite : 0.0;
   }
   double spread[3][3] = {};
   visitPoints(points, 0, count,
@@ -150,7 +146,7 @@ vtkFFProjection::Plane vtkFFProjection::FitPlane(
         double d[3];
         for (int k = 0; k < 3; ++k)
         {
-          d[k] = (p[k] * unit - start[k] * unit) * zoom - mean[k];
+          d[k] = (p[k] * unit - start[k] * unit) - mean[k];
         }
         for (int i = 0; i < 3; ++i)
         {
@@ -194,7 +190,7 @@ vtkFFProjection::Plane vtkFFProjection::FitPlane(
   const double height = vtkMath::Dot(mean, normal);
   for (int k = 0; k < 3; ++k)
   {
-    plane.Origin[k] = finite > 0.0 ? start[k] + height * normal[k] / zoom / unit : 0.0;
+    plane.Origin[k] = finite > 0.0 ? start[k] + height * normal[k] / unit : 0.0;
   }
   return plane;
 }

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -14,6 +15,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -231,17 +233,13 @@ vtkSmartPointer<vtkDoubleArray> doubles(vtkPointSet* data)
   return array;
 }
 
-/// The engine's hull that the output stands for.
-flipflop::Hull toHull(vtkPolyData* output, int dimension)
+/// What the engine gave for the output to come out.
+void toComplex(vtkPolyData* output, int dimension, flipflop::CellComplex& complex)
 {
-  flipflop::Hull hull;
-  hull.dimension = dimension;
+  complex.dimension = dimension;
   const auto ids = originalIds(output);
-  hull.pointIds.allocate(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    hull.pointIds[i] = ids[i];
-  }
+  complex.pointIds.allocate(ids.size());
+  std::copy(ids.begin(), ids.end(), complex.pointIds.begin());
   vtkCellArray* cells = dimension == 0 ? output->GetVerts()
     : dimension == 1                   ? output->GetLines()
                                        : output->GetPolys();
@@ -257,24 +255,22 @@ flipflop::Hull toHull(vtkPolyData* output, int dimension)
     }
     offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
-  hull.connectivity.allocate(connectivity.size());
-  std::copy(connectivity.begin(), connectivity.end(), hull.connectivity.begin());
+  complex.connectivity.allocate(connectivity.size());
+  std::copy(connectivity.begin(), connectivity.end(), complex.connectivity.begin());
   if (cells->IsHomogeneous() > 0)
   {
-    hull.cellSize = cells->IsHomogeneous();
+    complex.cellSize = cells->IsHomogeneous();
   }
   else
   {
-    hull.offsets.allocate(offsets.size());
-    std::copy(offsets.begin(), offsets.end(), hull.offsets.begin());
+    complex.offsets.allocate(offsets.size());
+    std::copy(offsets.begin(), offsets.end(), complex.offsets.begin());
   }
-  return hull;
 }
 
-}
-
-//------------------------------------------------------------------------------
-bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension)
+/// Whether the output's points are those of the input that its ids name, in type and bits, and
+/// whether it has cells of the dimension alone.
+bool hasPointsOf(vtkPointSet* input, vtkPolyData* output, int dimension)
 {
   const auto from = doubles(input);
   const auto to = doubles(output);
@@ -306,14 +302,94 @@ bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension)
     std::cerr << "the output has cells of another kind than its dimension asks for\n";
     return false;
   }
-  const flipflop::PointView view(from->GetPointer(0), from->GetNumberOfTuples());
-  const auto verdict = flipflop::validate(view, toHull(output, dimension));
+  return true;
+}
+
+bool isValid(const flipflop::Validation& verdict)
+{
   if (!verdict)
   {
-    std::cerr << "not the hull: " << flipflop::describe(verdict.fault) << ", index "
-              << verdict.index << "\n";
+    std::cerr << "not valid: " << flipflop::describe(verdict.fault) << ", index " << verdict.index
+              << "\n";
   }
   return static_cast<bool>(verdict);
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension)
+{
+  if (!hasPointsOf(input, output, dimension))
+  {
+    return false;
+  }
+  const auto points = doubles(input);
+  flipflop::Hull hull;
+  toComplex(output, dimension, hull);
+  const flipflop::PointView view(points->GetPointer(0), points->GetNumberOfTuples());
+  return isValid(flipflop::validate(view, hull));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> makeWeighted(
+  const std::vector<Point>& points, const std::vector<double>& weights, int type, const char* name)
+{
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(weights.size()));
+  for (std::size_t i = 0; i < weights.size(); ++i)
+  {
+    array->SetTuple1(static_cast<vtkIdType>(i), weights[i]);
+  }
+  auto data = makePoints(points);
+  data->GetPointData()->AddArray(array);
+  return data;
+}
+
+//------------------------------------------------------------------------------
+void useWeights(vtkFFRegularTriangulationFilter* filter, const char* name)
+{
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+//------------------------------------------------------------------------------
+bool isTriangulationOf(
+  vtkPointSet* input, const char* weights, vtkFFRegularTriangulationFilter* filter, int dimension)
+{
+  vtkPolyData* output = filter->GetOutput();
+  vtkPolyData* hidden = filter->GetHiddenPointsOutput();
+  if (filter->GetDimension() != dimension)
+  {
+    std::cerr << "the dimension is " << filter->GetDimension() << "\n";
+    return false;
+  }
+  if (!hasPointsOf(input, output, dimension) || !hasPointsOf(input, hidden, 0))
+  {
+    return false;
+  }
+  if (hidden->GetNumberOfVerts() != hidden->GetNumberOfPoints() ||
+    filter->GetNumberOfHiddenPoints() != hidden->GetNumberOfPoints())
+  {
+    std::cerr << "hidden points are not a vertex cell each\n";
+    return false;
+  }
+  const auto points = doubles(input);
+  vtkNew<vtkDoubleArray> values;
+  flipflop::WeightView weightView;
+  if (weights)
+  {
+    values->DeepCopy(input->GetPointData()->GetArray(weights));
+    weightView = flipflop::WeightView(values->GetPointer(0), values->GetNumberOfTuples());
+  }
+  flipflop::Triangulation triangulation;
+  toComplex(output, dimension, triangulation);
+  const auto ids = originalIds(hidden);
+  triangulation.hiddenIds.allocate(ids.size());
+  std::copy(ids.begin(), ids.end(), triangulation.hiddenIds.begin());
+  const flipflop::PointView view(points->GetPointer(0), points->GetNumberOfTuples());
+  return isValid(flipflop::validate(view, weightView, triangulation));
 }
 
 namespace

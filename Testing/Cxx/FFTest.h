@@ -16,7 +16,7 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkFFAlgorithm;
+class vtkFFRegularTriangulationFilter;
 class vtkPointSet;
 
 namespace fftest
@@ -95,6 +95,19 @@ std::vector<Point> cubeCorners();
 /// Whether the filter's output is the hull of the points: exactly, in canonical form, with ids and
 /// with points of the same type and bits.
 bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension);
+
+/// The same points with an array of weights, of the type.
+vtkSmartPointer<vtkPolyData> makeWeighted(const std::vector<Point>& points,
+  const std::vector<double>& weights, int type = VTK_DOUBLE, const char* name = "weights");
+
+/// Have the filter take its weights from the point array.
+void useWeights(vtkFFRegularTriangulationFilter* filter, const char* name = "weights");
+
+/// Whether the first two outputs of a filter that ran are the regular triangulation of its input in
+/// the XY plane: exactly, in canonical form, with ids and with points of the same type and bits.
+/// Null: no weights.
+bool isTriangulationOf(vtkPointSet* input, const char* weights,
+  vtkFFRegularTriangulationFilter* filter, int dimension = 2);
 
 /// Whether two outputs are the same, bit for bit: points, cells and original ids.
 bool isSame(vtkPolyData* a, vtkPolyData* b);

@@ -170,5 +170,6 @@ int TestFFHullFilterTypes(int, char*[])
   testLargeIntegers();
   testWideIntegers<vtkTypeInt64Array>();
   testWideIntegers<vtkUnsignedLongLongArray>();
+  testWideIntegers<vtkSOADataArrayTemplate<vtkTypeInt64>>();
   return result();
 }
