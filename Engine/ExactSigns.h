@@ -12,6 +12,7 @@
 
 #include "DoubleDouble.h"
 #include "Expansion.h"
+#include "FixedSigns.h"
 
 #include <cmath>
 
@@ -46,12 +47,13 @@ FF_HD inline Expansion<16> minor(const Expansion<2>* u, const Expansion<2>* v, i
 struct ExpansionSigns
 {
   /// Sign of det[b - a; c - a; d - a]. Most of what the floating-point filter leaves open is not
-  /// zero, only small: twice its precision tells, at a fraction of the expansions' cost.
+  /// zero, only small: twice its precision tells, at a fraction of the expansions' cost. What is
+  /// zero mostly fits integers of fixed size.
   template <int Count>
   FF_HD static int orient3(const double* a, const double* b, const double* c, const Row<Count>& d)
   {
-    const int sign = roundedOrient3(a, b, c, d);
-    if (sign != 0)
+    int sign = roundedOrient3(a, b, c, d);
+    if (sign != 0 || (Count == 1 && fixedOrient3(a, b, c, d.point[0], sign)))
     {
       return sign;
     }

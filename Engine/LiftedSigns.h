@@ -23,8 +23,8 @@ struct LiftedSigns
   FF_HD static int orient3(const double* a, const double* b, const double* c, const Row<1>& d)
   {
     const double* const row[3] = { b, c, d.point[0] };
-    const int sign = roundedOrient3(a, row);
-    if (sign != 0)
+    int sign = roundedOrient3(a, row);
+    if (sign != 0 || fixedLiftedOrient3<Weighted>(a, b, c, d.point[0], sign))
     {
       return sign;
     }
