@@ -62,6 +62,9 @@ public:
   using Plane = HullPlane;
   using Split = HullSplit;
 
+  /// Are all points vertices but for duplicates?
+  static constexpr bool AllExtreme = false;
+
   HullGeometry() = default;
 
   /// @param range      of the scaled coordinates

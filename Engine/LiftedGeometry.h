@@ -66,6 +66,9 @@ public:
   using Plane = LiftedPlane<Weighted>;
   using Split = LiftedSplit<Weighted>;
 
+  /// Are all points vertices but for duplicates? All are, on a paraboloid.
+  static constexpr bool AllExtreme = !Weighted;
+
   LiftedGeometry() = default;
 
   /// @param range      of the scaled coordinates and weights

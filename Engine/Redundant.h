@@ -57,12 +57,13 @@ public:
       std::vector<std::uint32_t> redundant = this->duplicates(flat);
       if (redundant.empty())
       {
-        redundant = this->notStrictlyExtreme(flat);
-      }
-      if (redundant.empty())
-      {
-        this->markFlat(flat);
-        return !flat.empty();
+        this->markFlat(flat, true);
+        redundant = Geometry::AllExtreme ? redundant : this->notStrictlyExtreme(flat);
+        if (redundant.empty())
+        {
+          return !flat.empty();
+        }
+        this->markFlat(flat, false);
       }
       this->flipAway(redundant);
     }
@@ -159,7 +160,7 @@ private:
         const Geometry& local = locals[run];
         for (std::size_t i = run * Run; i < std::min(ends.size(), (run + 1) * Run); ++i)
         {
-          redundant[i] = isStrictlyExtreme(local, mesh, ends[i]) ? 0 : 1;
+          redundant[i] = hasSharpEdges(local, mesh, ends[i]) ? 0 : 1;
         }
         this->monitor.poll();
       });
@@ -194,16 +195,37 @@ private:
     this->tally.addPredicates(local, this->geometry);
   }
 
-  void markFlat(const std::vector<std::uint32_t>& flat)
+  void markFlat(const std::vector<std::uint32_t>& flat, bool isFlat)
   {
     const Mesh mesh = this->polyhedron.mesh();
     for (const std::uint32_t h : flat)
     {
       for (const std::uint32_t side : { h, mesh.twin(h) })
       {
-        mesh.triangles[triangleOf(side)].index |= 1u << cornerOf(side);
+        Triangle& triangle = mesh.triangles[triangleOf(side)];
+        triangle.index = isFlat ? triangle.index | 1u << cornerOf(side) : 0;
       }
     }
+  }
+
+  /// isStrictlyExtreme by the marks of flat edges: between triangles that have an area, the plane
+  /// changes at every other edge.
+  static bool hasSharpEdges(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
+  {
+    int sharp = 0;
+    std::uint32_t spoke = h;
+    do
+    {
+      const Triangle& triangle = mesh.triangles[triangleOf(spoke)];
+      if (geometry.collinear(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
+            mesh.vertices[triangle.v[2]]))
+      {
+        return isStrictlyExtreme(geometry, mesh, h);
+      }
+      sharp += triangle.index >> cornerOf(spoke) & 1 ? 0 : 1;
+      spoke = mesh.twin(previousHalfEdge(spoke));
+    } while (spoke != h);
+    return sharp >= 3;
   }
 
 public:

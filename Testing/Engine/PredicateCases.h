@@ -67,18 +67,19 @@ inline int exactBeneath(const Vertex& a, const Vertex& b, const Vertex& c, const
 inline HullGeometry geometryOf(std::vector<Vertex>& points, bool onLattice = false)
 {
   CoordinateRange range;
-  range.largest = 0;
-  range.smallest = HUGE_VAL;
   for (int i = 0; i < 3; ++i)
   {
     range.low[i] = HUGE_VAL;
     range.high[i] = -HUGE_VAL;
+    range.smallest[i] = HUGE_VAL;
     for (const Vertex& v : points)
     {
       range.low[i] = std::fmin(range.low[i], v.x[i]);
       range.high[i] = std::fmax(range.high[i], v.x[i]);
-      range.largest = std::fmax(range.largest, std::fabs(v.x[i]));
-      range.smallest = v.x[i] != 0 ? std::fmin(range.smallest, std::fabs(v.x[i])) : range.smallest;
+      if (v.x[i] != 0)
+      {
+        range.smallest[i] = std::fmin(range.smallest[i], std::fabs(v.x[i]));
+      }
     }
   }
   const Arithmetic arithmetic = chooseArithmetic(range);
