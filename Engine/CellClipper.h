@@ -143,10 +143,6 @@ inline bool hasArea(const CellPolygon& cell)
       least = std::min(least, corner.x[i]);
       most = std::max(most, corner.x[i]);
     }
-    if (least == most)
-    {
-      return false;
-    }
     // Brought to about 1, each axis by itself, the area neither overflows nor vanishes. Halves
     // first: their difference is a double always.
     int exponent = 0;

@@ -157,6 +157,15 @@ TEST(PowerCorners, AreCorrectlyRounded)
   }
 }
 
+TEST(PowerCorners, SubnormalsAreRoundedOnce)
+{
+  // Half of an odd number of smallest units and 2^-31 more: up, though 53 bits show but the half.
+  const double unit = std::numeric_limits<double>::denorm_min();
+  const double odd = (0x1p30 + 1) * unit;
+  const double y = powerCrossing({ { 0, 0 }, 0 }, { { unit, odd }, 0 }, 0, 0);
+  EXPECT_EQ(y, (0x1p29 + 1) * unit);
+}
+
 }
 }
 }

@@ -287,7 +287,6 @@ TEST(PowerDiagram, CocircularSitesMeetInOneCorner)
       }
     }
   }
-  ASSERT_EQ(sites.size(), 36u);
   const PowerDiagram diagram = diagramOf(sites, triangulate(sites), { { 0, 200, 10, 190 } });
   EXPECT_EQ(diagram.siteIds.size(), 36u);
   const auto degrees = degreesOf(diagram);
@@ -538,6 +537,35 @@ TEST(PowerDiagram, NearlyCocircularSites)
       area += areaOf(diagram, c);
     }
     EXPECT_NEAR(static_cast<double>(area), 1.0, 1e-12);
+  }
+}
+
+TEST(PowerDiagram, CellsBelowTheUnitOfTheLastPlaceVanish)
+{
+  // Here doubles are whole numbers, and so are corners, but sites are neighbours.
+  const double origin = 0x1p52;
+  Random random(14);
+  for (int round = 0; round < 50; ++round)
+  {
+    Cloud sites;
+    for (int i = 0; i < 300; ++i)
+    {
+      sites.push_back(
+        { origin + random.integer(0, 25), origin + random.integer(0, 25), random.uniform(-3, 3) });
+    }
+    const Triangulation triangulation = triangulate(sites);
+    const double box[] = { origin, origin + 25, origin, origin + 25 };
+    const PowerDiagram diagram = powerDiagram(viewOf(sites), weightsOf(sites), triangulation, box);
+    EXPECT_LT(diagram.siteIds.size(), triangulation.pointIds.size());
+    std::set<std::array<double, 2>> positions;
+    for (std::size_t i = 0; i < diagram.corners.size(); i += 2)
+    {
+      EXPECT_TRUE(positions.insert({ diagram.corners[i], diagram.corners[i + 1] }).second);
+    }
+    for (std::size_t c = 0; c < diagram.siteIds.size(); ++c)
+    {
+      EXPECT_GT(areaOf(diagram, c), 0);
+    }
   }
 }
 
