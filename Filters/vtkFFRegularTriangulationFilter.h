@@ -123,7 +123,8 @@ public:
    * - TRANSFORM_PLANE: the points are transformed by Transform, and z is left out. Weights are
    *   squared lengths after the transform.
    * - BEST_FITTING_PLANE: the points are projected to the plane through their centroid with the
-   *   least sum of squared distances. Its normal is turned so that the component of largest
+   *   least sum of squared distances; all finite points count alike, whatever their weight. Its
+   *   normal is turned so that the component of largest
    *   magnitude (the last one, of equals) is positive; seen from the normal's tip, triangles are
    *   counter-clockwise. Positions in the plane are measured from the first finite point. The first
    *   axis is a coordinate axis laid into the plane: x if the normal is mostly along z, y if along
@@ -158,7 +159,7 @@ public:
    *
    * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
    * for BEST_FITTING_PLANE, and for TRANSFORM_PLANE where the inverse transform takes z = 0; a
-   * transform without an inverse is an error then.
+   * transform without an inverse is an error then. The seconds reported are the triangulation's.
    */
   vtkSetMacro(GeneratePowerDiagram, bool);
   vtkGetMacro(GeneratePowerDiagram, bool);
