@@ -30,8 +30,8 @@ Cloud magnified(Cloud weighted, double factor);
 Cloud smallIntegerSites(
   int count, int lowest, int highest, int lightest, int heaviest, Random& random);
 
-/// An integer cloud whose points, joined in the order of their ids and three to a new triangle,
-/// leave flipping alone stuck: see InputsWeightedSpecial.cxx.
+/// Integer points in general position on which flipping by the V-criterion alone gets stuck, in the
+/// way of Edelsbrunner and Shah's example.
 Cloud stuckSites();
 
 /// Inputs without a size, few points each.

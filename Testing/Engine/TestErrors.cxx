@@ -206,9 +206,9 @@ TEST(Errors, TooManyPointsBeforeAnythingIsRead)
 TEST(Errors, WordsForEveryCode)
 {
   const ErrorCode codes[] = { ErrorCode::NonFinite, ErrorCode::TooManyPoints,
-    ErrorCode::OutOfMemory, ErrorCode::Aborted, ErrorCode::BadArgument, ErrorCode::BadTriangle,
-    ErrorCode::NotClosed, ErrorCode::NotManifold, ErrorCode::NotOriented, ErrorCode::NotStarShaped,
-    ErrorCode::NoKernel };
+    ErrorCode::OutOfMemory, ErrorCode::Aborted, ErrorCode::BadArgument, ErrorCode::WeightCount,
+    ErrorCode::BadTriangle, ErrorCode::NotClosed, ErrorCode::NotManifold, ErrorCode::NotOriented,
+    ErrorCode::NotStarShaped, ErrorCode::NoKernel };
   std::vector<std::string> words;
   for (ErrorCode code : codes)
   {

@@ -5,10 +5,8 @@
 #include "Compare.h"
 #include "FlipFlop.h"
 #include "Inputs.h"
+#include "ProgressWatch.h"
 #include "Surfaces.h"
-
-#include <chrono>
-#include <thread>
 
 namespace flipflop
 {
@@ -17,47 +15,6 @@ namespace test
 
 namespace
 {
-
-/// What the progress function saw. It runs on the calling thread alone, so plain values do:
-/// TSan would tell otherwise.
-struct Watch
-{
-  std::thread::id caller = std::this_thread::get_id();
-  std::vector<double> fractions;
-  bool elsewhere = false;
-  int stopAt = 0; ///< the call that asks to stop; 0: none
-  std::chrono::steady_clock::time_point stopped;
-
-  static bool see(double fraction, void* context)
-  {
-    Watch& watch = *static_cast<Watch*>(context);
-    watch.elsewhere = watch.elsewhere || std::this_thread::get_id() != watch.caller;
-    watch.fractions.push_back(fraction);
-    watch.stopped = std::chrono::steady_clock::now();
-    return static_cast<int>(watch.fractions.size()) != watch.stopAt;
-  }
-
-  Options options(int threads)
-  {
-    Options result;
-    result.threads = threads;
-    result.progress = see;
-    result.progressContext = this;
-    return result;
-  }
-
-  void expectOrder() const
-  {
-    EXPECT_FALSE(this->elsewhere) << "called on another thread";
-    double last = 0;
-    for (double fraction : this->fractions)
-    {
-      EXPECT_GE(fraction, last);
-      EXPECT_LE(fraction, 1);
-      last = fraction;
-    }
-  }
-};
 
 class ProgressOf : public ::testing::TestWithParam<const char*>
 {

@@ -258,6 +258,18 @@ TEST(RegularTriangulationRandom, ManyIntegers)
     });
 }
 
+TEST(RegularTriangulationRandom, ManyDuplicates)
+{
+  // So many that a sample has a place's later ids, and not its lowest.
+  runMany(150,
+    [](Random& r, Cloud& cloud)
+    {
+      const int side = r.integer(1, 5);
+      const int weight = r.integer(0, 3) * r.integer(0, side * side);
+      cloud = smallIntegerSites(r.integer(2000, 4000), -side, side, -weight, weight, r);
+    });
+}
+
 TEST(RegularTriangulationRandom, ManyOfAnyWeight)
 {
   runMany(150,
