@@ -35,10 +35,9 @@ inline std::vector<Vertex> bestAlongLine(
       points.push_back(v);
     }
   }
-  const auto samePlace = [](const Vertex& a, const Vertex& b)
-  { return a.x[0] == b.x[0] && a.x[1] == b.x[1]; };
+  const auto samePlace = LiftedGeometry<true>::samePlace;
   std::sort(points.begin(), points.end(),
-    [&](const Vertex& a, const Vertex& b)
+    [samePlace](const Vertex& a, const Vertex& b)
     {
       if (!samePlace(a, b))
       {

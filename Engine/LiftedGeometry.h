@@ -140,6 +140,11 @@ public:
     {
       const Vertex& first = a.flags & VertexVirtual ? b : a;
       const Vertex& second = c.flags & VertexVirtual ? b : c;
+      if (samePlace(first, second))
+      {
+        // An edge between weights of one place: a ray's width.
+        return !samePlace(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
+      }
       return this->isAboveChord(first, p, second);
     }
     return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
@@ -237,6 +242,11 @@ public:
     return this->filterTurn(turn, sign) ? sign : this->exactTurn(turn);
   }
 
+  static FF_HD bool samePlace(const Vertex& a, const Vertex& b)
+  {
+    return a.x[0] == b.x[0] && a.x[1] == b.x[1];
+  }
+
   /// Is b, on the line of a and c and between them, strictly above them? Exact.
   FF_HD bool isAboveChord(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
@@ -253,7 +263,7 @@ public:
     {
       const Vertex& p = a.flags & VertexVirtual ? b : a;
       const Vertex& q = c.flags & VertexVirtual ? b : c;
-      return p.x[0] == q.x[0] && p.x[1] == q.x[1];
+      return samePlace(p, q);
     }
     return this->orient(a, b, c) == 0 && this->upright(a, b, c, 1, 2) == 0 &&
       this->upright(a, b, c, 2, 0) == 0;

@@ -72,11 +72,6 @@ public:
   }
 
 private:
-  static bool samePlace(const Vertex& a, const Vertex& b)
-  {
-    return a.x[0] == b.x[0] && a.x[1] == b.x[1];
-  }
-
   /// The order along a line.
   static bool precedes(const Vertex& a, const Vertex& b)
   {
@@ -116,7 +111,7 @@ private:
   {
     const Vertex& only = this->corner[0];
     return this->eachPoint([&only](const Geometry&, const Vertex& p)
-      { return samePlace(only, p) ? compareWeights(only, p) : Fault::WrongDimension; });
+      { return Geometry::samePlace(only, p) ? compareWeights(only, p) : Fault::WrongDimension; });
   }
 
   /// The corners along their line, joined in turn, each above the chord of its neighbours.
@@ -134,7 +129,7 @@ private:
     const Geometry& geometry = this->run.geometry;
     for (std::size_t i = 1; i < along.size(); ++i)
     {
-      if (samePlace(at(i - 1), at(i)))
+      if (Geometry::samePlace(at(i - 1), at(i)))
       {
         return faultAt(Fault::NotExtreme, along[i]);
       }
@@ -165,7 +160,7 @@ private:
           return Fault::PointOutside;
         }
         const Vertex& right = this->corner[*after];
-        if (samePlace(right, p))
+        if (Geometry::samePlace(right, p))
         {
           return compareWeights(right, p);
         }
