@@ -51,8 +51,8 @@ std::vector<Sized> sizedFamilies()
   }
   for (const char* name : { "uniform", "uniformHeavy", "uniformHiding", "oneGiant", "grid",
          "gridOfTwoWeights", "smallIntegers", "smallIntegersLight", "doubled", "wheel", "parabola",
-         "lineAlongY", "diagonalRounded", "twoLines", "coplanarLiftsAlmost", "creasedLifts",
-         "clusters", "far8", "far15", "thin" })
+         "lineAlongY", "diagonalRounded", "coplanarLiftsAlmost", "creasedLifts", "clusters", "far8",
+         "far15", "thin" })
   {
     all.push_back({ name, 12000 });
   }

@@ -39,7 +39,7 @@ class TriangulationProgress : public ::testing::TestWithParam<const char*>
 
 TEST_P(TriangulationProgress, GrowsFrom0To1OnTheCallersThread)
 {
-  const Cloud cloud = fromWeightedFamily(this->GetParam(), effort(150000), 61).make();
+  const Cloud cloud = fromWeightedFamily(this->GetParam(), effort(80000), 61).make();
   for (int threads : { 1, 2, 4 })
   {
     Watch watch;
@@ -54,7 +54,7 @@ TEST_P(TriangulationProgress, GrowsFrom0To1OnTheCallersThread)
 
 TEST_P(TriangulationProgress, StopsWhenAsked)
 {
-  const Cloud cloud = fromWeightedFamily(this->GetParam(), effort(150000), 62).make();
+  const Cloud cloud = fromWeightedFamily(this->GetParam(), effort(80000), 62).make();
   for (int threads : { 1, 2, 4 })
   {
     Watch all;
@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(RegularTriangulation, TriangulationProgress,
 
 TEST(TriangulationProgress, LongRunsReportManyTimes)
 {
-  const Cloud cloud = fromWeightedFamily("uniformLight", effort(300000), 63).make();
+  const Cloud cloud = fromWeightedFamily("uniformLight", effort(200000), 63).make();
   for (int threads : { 1, 2 })
   {
     Watch watch;
