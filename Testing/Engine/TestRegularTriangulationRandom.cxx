@@ -270,6 +270,54 @@ TEST(RegularTriangulationRandom, ManyDuplicates)
     });
 }
 
+TEST(RegularTriangulationRandom, ManyOnALineButFew)
+{
+  // A sample is likely on the line, or in one place.
+  runMany(30,
+    [](Random& r, Cloud& cloud)
+    {
+      const int count = r.integer(1500, 4000);
+      const int range = r.integer(0, 2) * r.integer(1, count);
+      const int weight = r.integer(0, 3) * r.integer(0, 50);
+      const int u = r.integer(-2, 2);
+      const int v = r.integer(1, 2);
+      for (int i = 0; i < count; ++i)
+      {
+        const int t = r.integer(-range, range);
+        cloud.push_back({ double(t * u), double(t * v), double(r.integer(0, weight)) });
+      }
+      for (int few = r.integer(0, 4); few > 0; --few)
+      {
+        Point& p = cloud[r.integer(0, count - 1)];
+        p[0] += r.integer(-1, 1);
+        p[1] += r.integer(-1, 1) * r.integer(1, 1 + range);
+      }
+    });
+}
+
+TEST(RegularTriangulationRandom, ManyOfMixedScales)
+{
+  // Few values of any size, so that there are ties and duplicates at all scales.
+  runMany(6,
+    [](Random& r, Cloud& cloud)
+    {
+      const int least = r.integer(0, 1) ? -1074 : -60;
+      const int greatest = r.integer(0, 1) ? 1022 : 60;
+      double values[40] = { 0 };
+      for (double& x : values)
+      {
+        x = std::ldexp(r.integer(-4, 4), r.integer(least, greatest - 2));
+      }
+      const int count = r.integer(1000, 2600);
+      for (int i = 0; i < count; ++i)
+      {
+        const double x = values[r.integer(0, 39)];
+        const double y = values[r.integer(0, 39)];
+        cloud.push_back({ x, y, values[r.integer(0, 39)] });
+      }
+    });
+}
+
 TEST(RegularTriangulationRandom, ManyOfAnyWeight)
 {
   runMany(150,
