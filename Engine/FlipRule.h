@@ -41,6 +41,15 @@ enum EdgeDegree : std::uint8_t
   EdgeDegreeThreeB = 2
 };
 
+/// Can the rule ask for anything at all? Only at an edge that is reflex, or near a labelled vertex.
+template <class Geometry>
+FF_HD bool isOfConcern(
+  const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
+{
+  return ((a.flags | b.flags | c.flags | d.flags) & VertexLabelled) != 0 ||
+    geometry.perturbedAbove(a, b, c, d) > 0;
+}
+
 /// @param degree EdgeDegree bits; both set: the polyhedron is a tetrahedron.
 template <class Geometry>
 FF_HD FlipDecision decideFlip(const Geometry& geometry, const Vertex& a, const Vertex& b,

@@ -61,6 +61,24 @@ public:
     this->stack.push_back(h);
   }
 
+  /// Let those of a few edges be checked that the rule can be concerned with. Their tests do not
+  /// wait for each other, nor for what comes of them: most are quiet, and cost little so.
+  void pushConcerned(const std::uint32_t* edges, int count)
+  {
+    bool concerned[4];
+    for (int i = 0; i < count; ++i)
+    {
+      concerned[i] = this->isConcerned(edges[i]);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      if (concerned[i])
+      {
+        this->push(edges[i]);
+      }
+    }
+  }
+
   /// Check edges, and flip, until none is left to check.
   void run()
   {
@@ -103,10 +121,7 @@ public:
         std::uint32_t outer[4];
         this->mesh.flip22(h, outer);
         ++this->flips22;
-        for (const std::uint32_t o : outer)
-        {
-          this->push(o);
-        }
+        this->pushConcerned(outer, 4);
         break;
       }
       case FlipAction::RemoveA:
@@ -120,10 +135,7 @@ public:
         std::uint32_t outer[3];
         this->mesh.flip31(removed, outer);
         ++this->flips31;
-        for (const std::uint32_t o : outer)
-        {
-          this->push(o);
-        }
+        this->pushConcerned(outer, 3);
         break;
       }
       case FlipAction::LabelA:
@@ -169,6 +181,22 @@ public:
   }
 
 private:
+  bool isConcerned(std::uint32_t h)
+  {
+    const Triangle& first = this->mesh.triangles[triangleOf(h)];
+    const std::uint32_t twin = first.twin[cornerOf(h)];
+    if (this->mesh.isBorder(twin))
+    {
+      return false;
+    }
+    ++this->checks;
+    const Triangle& second = this->mesh.triangles[triangleOf(twin)];
+    const int e = cornerOf(h);
+    const Vertex* v = this->mesh.vertices;
+    return isOfConcern(this->geometry, v[first.v[e]], v[first.v[nextCorner(e)]],
+      v[first.v[previousCorner(e)]], v[second.v[previousCorner(cornerOf(twin))]]);
+  }
+
   FlipDecision decide(std::uint32_t h, std::uint32_t& twin) const
   {
     const Triangle& first = this->mesh.triangles[triangleOf(h)];

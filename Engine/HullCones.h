@@ -139,15 +139,17 @@ public:
     const double f1 = detail::dot(this->sector[1], q);
     const double f2 = detail::dot(this->sector[2], q);
     const double g = this->coneBound;
-    if (!((f0 > g || f0 < -g) && (f1 > g || f1 < -g) && (f2 > g || f2 < -g)))
-    {
-      return -1;
-    }
-    return childOf(f0 > 0, f1 > 0, f2 > 0);
+    const double least = std::fmin(std::fabs(f0), std::fmin(std::fabs(f1), std::fabs(f2)));
+    return least > g ? childOf(f0 > 0, f1 > 0, f2 > 0) : -1;
   }
 
   /// The child for the signs of det[v - s; corner - s; p - s].
-  static int childOf(bool s0, bool s1, bool s2) { return s0 && !s1 ? 0 : (s1 && !s2 ? 1 : 2); }
+  static int childOf(bool s0, bool s1, bool s2)
+  {
+    const int first = static_cast<int>(s0) & static_cast<int>(!s1);
+    const int second = static_cast<int>(s1) & static_cast<int>(!s2);
+    return (1 - first) * (2 - second); // no branch: which child is anyone's guess
+  }
 
   /// How far p lies above a child, times twice its area.
   double height(int child, const double* p) const

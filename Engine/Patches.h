@@ -252,18 +252,20 @@ private:
   {
     for (std::uint32_t t = first; t < last; ++t)
     {
+      const Triangle& triangle = this->mesh.triangles[t];
+      std::uint32_t edges[3];
+      int count = 0;
       for (int e = 0; e < 3; ++e)
       {
-        const std::uint32_t h = halfEdge(t, e);
-        const Triangle& triangle = this->mesh.triangles[t];
-        if (!(triangle.flags & TriangleDead) && triangle.twin[e] > h)
+        if (!(triangle.flags & TriangleDead) && triangle.twin[e] > halfEdge(t, e))
         {
-          flipper.push(h);
-          if (!this->vBiased)
-          {
-            flipper.run();
-          }
+          edges[count++] = halfEdge(t, e);
         }
+      }
+      flipper.pushConcerned(edges, count);
+      if (!this->vBiased)
+      {
+        flipper.run();
       }
     }
   }
