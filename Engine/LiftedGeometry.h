@@ -168,8 +168,12 @@ public:
   {
     if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
     {
-      const Turn turn = turnAbove(a, b, c, p);
-      return this->filterTurn(turn, sign);
+      if ((p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual))
+      {
+        sign = 0; // it is one and the same
+        return true;
+      }
+      return this->filterTurn(turnAbove(a, b, c, p), sign);
     }
     const double ux = b.x[0] - a.x[0], uy = b.x[1] - a.x[1];
     const double vx = c.x[0] - a.x[0], vy = c.x[1] - a.x[1];

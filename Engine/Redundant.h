@@ -144,7 +144,7 @@ private:
       for (const std::uint32_t side : { h, mesh.twin(h) })
       {
         const std::uint32_t v = mesh.origin(side);
-        if (!seen[v])
+        if (!seen[v] && !(mesh.vertices[v].flags & VertexVirtual))
         {
           seen[v] = true;
           ends.push_back(side);
