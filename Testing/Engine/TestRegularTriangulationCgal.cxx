@@ -56,7 +56,7 @@ std::vector<Sized> sizedFamilies()
   {
     all.push_back({ name, 12000 });
   }
-  for (const char* name : { "uniform", "uniformHeavy", "gridOfManyWeights" })
+  for (const char* name : { "uniform", "uniformHeavy" })
   {
     all.push_back({ name, 50000 });
   }
