@@ -83,6 +83,28 @@ public:
     this->count = size;
   }
 
+  /// A buffer of @p size uninitialised values in the memory of another, where that is enough: what
+  /// is used already need not be had anew. The rest of it goes back.
+  template <class Other>
+  static Buffer recycle(Buffer<Other>&& other, std::size_t size)
+  {
+    const std::size_t had = other.size() * sizeof(Other);
+    const std::size_t wanted = size * sizeof(T);
+    Buffer result;
+    if (size == 0 || wanted > had)
+    {
+      other = Buffer<Other>();
+      result.allocate(size);
+      return result;
+    }
+    void* const memory = other.release();
+    // Shrinking can fail; then the memory stays as large as it is.
+    void* const kept = had - wanted > had / 8 ? std::realloc(memory, wanted) : nullptr;
+    result.first = static_cast<T*>(kept ? kept : memory);
+    result.count = size;
+    return result;
+  }
+
   /// Forget the values past @p size; the memory stays.
   void truncate(std::size_t size)
   {

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Canonical.h"
 
+#include "CellSort.h"
+#include "FacetPolygons.h"
 #include "Measure.h"
 
 #include <tbb/parallel_for.h>
 
+#include <atomic>
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -73,7 +78,11 @@ public:
   {
   }
 
-  void insert(std::uint32_t id) { this->bits[id / 64] |= std::uint64_t(1) << (id % 64); }
+  /// By any thread.
+  void insert(std::uint32_t id)
+  {
+    this->bits[id / 64].fetch_or(std::uint64_t(1) << (id % 64), std::memory_order_relaxed);
+  }
 
   /// After all are inserted; the ids in ascending order go to @p sorted.
   void count(std::int64_t* sorted)
@@ -82,7 +91,7 @@ public:
     for (std::size_t word = 0; word < this->bits.size(); ++word)
     {
       this->before[word] = total;
-      for (std::uint64_t rest = this->bits[word]; rest; rest &= rest - 1)
+      for (std::uint64_t rest = this->word(word); rest; rest &= rest - 1)
       {
         // The lowest bit's place is the number of bits below it.
         sorted[total++] = static_cast<std::int64_t>(64 * word + bitCount((rest & -rest) - 1));
@@ -92,11 +101,13 @@ public:
 
   std::uint32_t rank(std::uint32_t id) const
   {
-    const std::uint64_t lower = this->bits[id / 64] & ((std::uint64_t(1) << (id % 64)) - 1);
+    const std::uint64_t lower = this->word(id / 64) & ((std::uint64_t(1) << (id % 64)) - 1);
     return this->before[id / 64] + bitCount(lower);
   }
 
 private:
+  std::uint64_t word(std::size_t i) const { return this->bits[i].load(std::memory_order_relaxed); }
+
   static std::uint32_t bitCount(std::uint64_t word)
   {
     word -= (word >> 1) & 0x5555555555555555ull;
@@ -105,13 +116,27 @@ private:
     return static_cast<std::uint32_t>(word * 0x0101010101010101ull >> 56);
   }
 
-  std::vector<std::uint64_t> bits;
+  std::vector<std::atomic<std::uint64_t>> bits;
   std::vector<std::uint32_t> before;
 };
 
 bool isPoint(const Vertex& vertex)
 {
   return (vertex.flags & (VertexAlive | VertexVirtual)) == VertexAlive;
+}
+
+/// use(vertex) for every slot of the vertex array, in parallel by runs.
+template <class Use>
+void eachSlot(std::uint32_t slots, Use&& use)
+{
+  tbb::parallel_for(std::size_t(0), runCount(slots),
+    [&](std::size_t run)
+    {
+      for (std::size_t v = run * Run; v < std::min<std::size_t>(slots, (run + 1) * Run); ++v)
+      {
+        use(v, run);
+      }
+    });
 }
 
 /// The rank of every vertex among the result's points, by its lowest id; the ids themselves.
@@ -121,17 +146,23 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
 {
   const std::uint32_t slots = polyhedron.vertexCount();
   Buffer<std::uint32_t> rank(slots); // until then the lowest id
-  LowestIds lowest(duplicates);
-  std::uint32_t count = 0;
-  for (std::uint32_t v = 0; v < slots; ++v)
-  {
-    rank[v] = NoIndex;
-    if (isPoint(polyhedron.vertices[v]))
+  std::vector<std::uint32_t> counts(runCount(slots));
+  eachSlot(slots,
+    [&](std::size_t v, std::size_t run)
     {
-      rank[v] = lowest.of(polyhedron.vertices[v].id);
-      ++count;
+      const Vertex& vertex = polyhedron.vertices[v];
+      rank[v] = isPoint(vertex) ? vertex.id : NoIndex;
+      counts[run] += isPoint(vertex) ? 1 : 0;
+    });
+  if (!duplicates.empty())
+  {
+    LowestIds lowest(duplicates);
+    for (std::uint32_t& id : rank)
+    {
+      id = id == NoIndex ? NoIndex : lowest.of(id);
     }
   }
+  const std::uint32_t count = std::accumulate(counts.begin(), counts.end(), 0u);
   pointIds.allocate(count);
 
   // A result that is a small part of the input is sorted; else no sort is needed.
@@ -156,197 +187,26 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     return rank;
   }
   IdSet set(pointCount);
-  for (const std::uint32_t id : rank)
-  {
-    if (id != NoIndex)
+  eachSlot(slots,
+    [&](std::size_t v, std::size_t)
     {
-      set.insert(id);
-    }
-  }
-  set.count(pointIds.data());
-  tbb::parallel_for(std::size_t(0), runCount(slots),
-    [&](std::size_t run)
-    {
-      for (std::size_t v = run * Run; v < std::min<std::size_t>(slots, (run + 1) * Run); ++v)
+      if (rank[v] != NoIndex)
       {
-        rank[v] = rank[v] == NoIndex ? NoIndex : set.rank(rank[v]);
+        set.insert(rank[v]);
       }
     });
+  set.count(pointIds.data());
+  eachSlot(slots,
+    [&](std::size_t v, std::size_t)
+    { rank[v] = rank[v] == NoIndex ? NoIndex : set.rank(rank[v]); });
   return rank;
 }
 
-/// A triangle, lowest corner first; or a polygon's first two corners and, past all corners, its
-/// number.
-struct Cell
-{
-  std::uint32_t corner[3];
-};
-
-/// Brings cells into lexicographic order. A directed edge is in one cell only, so the first two
-/// corners tell.
-///
-/// Two passes over the cells, by pieces that may run in parallel: the first counts, the second
-/// moves each cell to a bucket of neighbouring first corners. A bucket then is sorted in the cache.
-class CellSort
-{
-public:
-  CellSort(std::size_t pointCount, std::size_t pieceCount)
-    : shift(12)
-  {
-    while (pointCount >> this->shift > 512)
-    {
-      ++this->shift;
-    }
-    this->bucketCount = (pointCount >> this->shift) + 1;
-    this->next.assign(this->bucketCount * pieceCount, 0);
-  }
-
-  void count(std::size_t piece, std::uint32_t first) { ++this->cursor(piece, first); }
-
-  void endCounting()
-  {
-    std::uint32_t total = 0;
-    for (std::size_t bucket = 0; bucket < this->bucketCount; ++bucket)
-    {
-      this->bucketBegin.push_back(total);
-      for (std::size_t at = bucket; at < this->next.size(); at += this->bucketCount)
-      {
-        const std::uint32_t n = this->next[at];
-        this->next[at] = total;
-        total += n;
-      }
-    }
-    this->bucketBegin.push_back(total);
-    this->cells.allocate(total);
-  }
-
-  void put(std::size_t piece, const Cell& cell)
-  {
-    this->cells[this->cursor(piece, cell.corner[0])++] = cell;
-  }
-
-  /// After all are put.
-  const Buffer<Cell>& sort()
-  {
-    tbb::parallel_for(
-      std::size_t(0), this->bucketCount, [&](std::size_t bucket) { this->sortBucket(bucket); });
-    return this->cells;
-  }
-
-private:
-  std::uint32_t& cursor(std::size_t piece, std::uint32_t first)
-  {
-    return this->next[piece * this->bucketCount + (first >> this->shift)];
-  }
-
-  void sortBucket(std::size_t bucket)
-  {
-    const std::size_t lowest = bucket << this->shift;
-    Cell* const begin = this->cells.begin() + this->bucketBegin[bucket];
-    Cell* const end = this->cells.begin() + this->bucketBegin[bucket + 1];
-    const std::vector<Cell> unsorted(begin, end);
-    std::vector<std::uint32_t> place((std::size_t(1) << this->shift) + 1);
-    for (const Cell& cell : unsorted)
-    {
-      ++place[cell.corner[0] - lowest + 1];
-    }
-    for (std::size_t v = 1; v < place.size(); ++v)
-    {
-      place[v] += place[v - 1];
-    }
-    for (const Cell& cell : unsorted)
-    {
-      begin[place[cell.corner[0] - lowest]++] = cell;
-    }
-    std::uint32_t from = 0;
-    for (const std::uint32_t to : place)
-    {
-      std::sort(begin + from, begin + std::max(from, to),
-        [](const Cell& a, const Cell& b) { return a.corner[1] < b.corner[1]; });
-      from = to;
-    }
-  }
-
-  int shift; ///< a bucket has 2^shift first corners
-  std::size_t bucketCount;
-  std::vector<std::uint32_t>
-    next; ///< by piece, then bucket: how many cells, then where the next goes
-  std::vector<std::uint32_t> bucketBegin;
-  Buffer<Cell> cells;
-};
-
-}
-
-/// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
-/// first.
-class FacetPolygons
-{
-public:
-  FacetPolygons(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank)
-  {
-    std::vector<std::uint8_t> visited(polyhedron.triangleCount());
-    const auto isFlat = [&](std::uint32_t h)
-    { return (polyhedron.triangles[triangleOf(h)].index >> cornerOf(h) & 1) != 0; };
-    const auto trace = [&](std::uint32_t start)
-    {
-      const std::size_t first = this->corners.size();
-      std::uint32_t h = start;
-      do
-      {
-        visited[triangleOf(h)] |= static_cast<std::uint8_t>(1 << cornerOf(h));
-        this->corners.push_back(polyhedron.triangles[triangleOf(h)].v[cornerOf(h)]);
-        h = nextHalfEdge(h);
-        while (isFlat(h))
-        {
-          h = nextHalfEdge(polyhedron.triangles[triangleOf(h)].twin[cornerOf(h)]);
-        }
-      } while (h != start);
-      const auto begin = this->corners.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto end = this->corners.end();
-      if (std::any_of(begin, end, [&rank](std::uint32_t v) { return rank[v] == NoIndex; }))
-      {
-        this->corners.resize(first);
-        return;
-      }
-      std::rotate(begin,
-        std::min_element(
-          begin, end, [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; }),
-        end);
-      this->begin.push_back(this->corners.size());
-    };
-    for (const Piece& piece : polyhedron.pieces)
-    {
-      for (std::uint32_t t = piece.begin; t < piece.end; ++t)
-      {
-        const Triangle& triangle = polyhedron.triangles[t];
-        const bool joined = !(triangle.flags & TriangleDead) && triangle.index != 0;
-        for (int e = 0; joined && e < 3; ++e)
-        {
-          if (!isFlat(halfEdge(t, e)) && !(visited[t] >> e & 1))
-          {
-            trace(halfEdge(t, e));
-          }
-        }
-      }
-    }
-  }
-
-  std::size_t count() const { return this->begin.size() - 1; }
-  const std::uint32_t* first(std::size_t p) const { return this->corners.data() + this->begin[p]; }
-  std::size_t size(std::size_t p) const { return this->begin[p + 1] - this->begin[p]; }
-
-private:
-  std::vector<std::uint32_t> corners;
-  std::vector<std::size_t> begin{ 0 };
-};
-
-namespace
-{
-
-void writeTriangles(const Buffer<Cell>& cells, CellComplex& complex)
+/// @param memory for the connectivity, where it is enough
+void writeTriangles(const Buffer<Cell>& cells, Buffer<Triangle>&& memory, CellComplex& complex)
 {
   complex.cellSize = 3;
-  complex.connectivity.allocate(3 * cells.size());
+  complex.connectivity = Buffer<std::int64_t>::recycle(std::move(memory), 3 * cells.size());
   tbb::parallel_for(std::size_t(0), runCount(cells.size()),
     [&](std::size_t run)
     {
@@ -389,7 +249,24 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
 
 }
 
-CanonicalForm::CanonicalForm(const Polyhedron& mesh, bool anyFlat,
+namespace
+{
+
+/// The corner of lowest rank.
+int lowestOf(const std::uint32_t* r)
+{
+  return r[0] < r[1] ? (r[0] < r[2] ? 0 : 2) : (r[1] < r[2] ? 1 : 2);
+}
+
+/// Are all corners points of the result?
+bool isCell(const std::uint32_t* r)
+{
+  return r[0] != NoIndex && r[1] != NoIndex && r[2] != NoIndex;
+}
+
+}
+
+CanonicalForm::CanonicalForm(Polyhedron& mesh, bool anyFlat,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
   Buffer<std::int64_t>& pointIds)
   : polyhedron(mesh)
@@ -412,14 +289,8 @@ void CanonicalForm::eachTriangle(Use&& use) const
       if (triangle.index == 0)
       {
         const std::uint32_t* v = triangle.v;
-        const std::uint32_t a = this->rank[v[0]];
-        const std::uint32_t b = this->rank[v[1]];
-        const std::uint32_t c = this->rank[v[2]];
-        if (a == NoIndex || b == NoIndex || c == NoIndex)
-        {
-          return;
-        }
-        const int e = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
+        const std::uint32_t r[3] = { this->rank[v[0]], this->rank[v[1]], this->rank[v[2]] };
+        const int e = lowestOf(r);
         use(v[e], v[nextCorner(e)], v[previousCorner(e)], piece);
       }
     });
@@ -439,41 +310,63 @@ void CanonicalForm::eachFanTriangle(Use&& use) const
   }
 }
 
-void CanonicalForm::writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex) const
+void CanonicalForm::writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex)
 {
   const bool fans = facets == FacetMode::Triangles;
   const auto pointCount = static_cast<std::uint32_t>(complex.pointIds.size());
-  const auto eachCell = [&](auto&& use)
+  const std::size_t pieceCount = this->polyhedron.pieces.size();
+  const auto eachLargeCell = [&](auto&& use)
   {
-    const auto useTriangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                               std::size_t piece) {
-      use(piece, Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
-    };
-    this->eachTriangle(useTriangle);
     if (fans)
     {
-      this->eachFanTriangle(useTriangle);
+      this->eachFanTriangle(
+        [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t) {
+          use(Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
+        });
       return;
     }
     for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
     {
       const std::uint32_t* corner = this->polygons->first(p);
-      use(this->polyhedron.pieces.size(),
-        Cell{ { this->rank[corner[0]], this->rank[corner[1]],
-          pointCount + static_cast<std::uint32_t>(p) } });
+      use(Cell{ { this->rank[corner[0]], this->rank[corner[1]],
+        pointCount + static_cast<std::uint32_t>(p) } });
     }
   };
-  CellSort sort(pointCount, this->polyhedron.pieces.size() + 1);
-  eachCell([&](std::size_t piece, const Cell& cell) { sort.count(piece, cell.corner[0]); });
-  sort.endCounting();
+
+  // Triangles become cells in their place: the second pass need not look their ranks up again.
+  CellSort sort(pointCount, pieceCount + 1);
+  Buffer<Triangle>& triangles = this->polyhedron.triangles;
+  this->polyhedron.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece)
+    {
+      Triangle& triangle = triangles[t];
+      const std::uint32_t r[3] = { this->rank[triangle.v[0]], this->rank[triangle.v[1]],
+        this->rank[triangle.v[2]] };
+      if (triangle.index != 0 || !isCell(r))
+      {
+        triangle.flags = TriangleDead;
+        return;
+      }
+      const int e = lowestOf(r);
+      triangle.v[0] = r[e];
+      triangle.v[1] = r[nextCorner(e)];
+      triangle.v[2] = r[previousCorner(e)];
+      sort.count(piece, r[e]);
+    });
+  eachLargeCell([&](const Cell& cell) { sort.count(pieceCount, cell.corner[0]); });
   monitor.poll();
-  eachCell([&](std::size_t piece, const Cell& cell) { sort.put(piece, cell); });
+  sort.endCounting(std::move(this->polyhedron.vertices));
+  this->polyhedron.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece) {
+      sort.put(piece, Cell{ { triangles[t].v[0], triangles[t].v[1], triangles[t].v[2] } });
+    });
+  eachLargeCell([&](const Cell& cell) { sort.put(pieceCount, cell); });
   monitor.poll();
   const Buffer<Cell>& cells = sort.sort();
   monitor.poll();
   if (fans || !this->polygons)
   {
-    writeTriangles(cells, complex);
+    writeTriangles(cells, std::move(triangles), complex);
   }
   else
   {

@@ -32,19 +32,18 @@ public:
   /// @param duplicates pairs of ids at one position
   /// @param pointCount ids are below this
   /// @param pointIds   is filled in
-  CanonicalForm(const Polyhedron& polyhedron, bool anyFlat,
-    const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
-    Buffer<std::int64_t>& pointIds);
+  CanonicalForm(Polyhedron& polyhedron, bool anyFlat, const std::vector<Duplicate>& duplicates,
+    std::uint32_t pointCount, Buffer<std::int64_t>& pointIds);
   ~CanonicalForm();
 
-  /// The facets, in their order.
-  /// @throw Error Aborted, between its passes
-  void writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex) const;
-
-  /// Volume and area. Both facet modes measure the same triangles.
+  /// Volume and area of a hull. Both facet modes measure the same triangles.
   /// @param range    of the scaled coordinates
   /// @param exponent coordinates are scaled by 2^exponent
   void writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const;
+
+  /// The facets, in their order. The last call: the polyhedron's memory becomes theirs.
+  /// @throw Error Aborted, between its passes
+  void writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex);
 
 private:
   template <class Use>
@@ -52,7 +51,7 @@ private:
   template <class Use>
   void eachFanTriangle(Use&& use) const;
 
-  const Polyhedron& polyhedron;
+  Polyhedron& polyhedron;
   Buffer<std::uint32_t> rank;                    ///< by vertex; NoIndex: no point of the result
   std::unique_ptr<const FacetPolygons> polygons; ///< null: no edge is flat
 };

@@ -11,6 +11,9 @@
 
 #include "HullGeometry.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace flipflop
 {
 
@@ -139,7 +142,7 @@ public:
     const double f1 = detail::dot(this->sector[1], q);
     const double f2 = detail::dot(this->sector[2], q);
     const double g = this->coneBound;
-    const double least = std::fmin(std::fabs(f0), std::fmin(std::fabs(f1), std::fabs(f2)));
+    const double least = std::min({ std::fabs(f0), std::fabs(f1), std::fabs(f2) });
     return least > g ? childOf(f0 > 0, f1 > 0, f2 > 0) : -1;
   }
 

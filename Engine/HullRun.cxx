@@ -90,13 +90,12 @@ void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)
   this->monitor.stage(0.9, 1.0, 1);
   const bool anyFlat =
     RedundantVertices<HullGeometry>(this->geometry, polyhedron, tally, this->monitor).remove();
-  const CanonicalForm form(
-    polyhedron, anyFlat, tally.duplicates, this->source.count(), hull.pointIds);
+  CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(), hull.pointIds);
   this->monitor.poll();
   hull.dimension = 3;
-  form.writeCells(this->options.facets, this->monitor, hull);
-  this->monitor.poll();
   form.writeMeasure(this->range, this->arithmetic.scaleExponent, hull);
+  this->monitor.poll();
+  form.writeCells(this->options.facets, this->monitor, hull);
   this->report(tally, hull.statistics);
   hull.statistics.exactCalls += this->geometry.predicateCounts().exact;
   hull.statistics.secondsFinish = watch.lap();

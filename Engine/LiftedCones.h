@@ -12,6 +12,7 @@
 
 #include "LiftedGeometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,8 +50,8 @@ struct LiftedNormal
   /// Of two offsets; points of the cone are within them.
   static LiftedNormal across(const LiftedOffset& u, const LiftedOffset& v, double weightReach)
   {
-    const double mx = std::fmax(std::fabs(u.x), std::fabs(v.x));
-    const double my = std::fmax(std::fabs(u.y), std::fabs(v.y));
+    const double mx = std::max(std::fabs(u.x), std::fabs(v.x));
+    const double my = std::max(std::fabs(u.y), std::fabs(v.y));
     const double bound = LiftedError * mx * my * (mx * mx + my * my + weightReach);
     return { u.y * v.h - u.h * v.y, u.h * v.x - u.x * v.h, u.x * v.y - u.y * v.x,
       bound >= LiftedUnderflow ? bound : std::numeric_limits<double>::infinity() };
@@ -148,8 +149,8 @@ public:
       }
       this->sector[i][0] = offset[i].x;
       this->sector[i][1] = offset[i].y;
-      most[0] = std::fmax(most[0], std::fabs(offset[i].x));
-      most[1] = std::fmax(most[1], std::fabs(offset[i].y));
+      most[0] = std::max(most[0], std::fabs(offset[i].x));
+      most[1] = std::max(most[1], std::fabs(offset[i].y));
     }
     if (isVirtual)
     {
@@ -187,7 +188,7 @@ public:
     const double f1 = this->sector[1][0] * dy - this->sector[1][1] * dx;
     const double f2 = this->sector[2][0] * dy - this->sector[2][1] * dx;
     const double g = this->sectorError;
-    const double least = std::fmin(std::fabs(f0), std::fmin(std::fabs(f1), std::fabs(f2)));
+    const double least = std::min({ std::fabs(f0), std::fabs(f1), std::fabs(f2) });
     return least > g ? childOf(f0 > 0, f1 > 0, f2 > 0) : -1;
   }
 

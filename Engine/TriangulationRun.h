@@ -111,7 +111,7 @@ public:
     this->monitor.stage(0.9, 1.0, 1);
     const bool anyFlat =
       RedundantVertices<Geometry>(this->geometry, polyhedron, tally, this->monitor).remove();
-    const CanonicalForm form(polyhedron, anyFlat, tally.duplicates, count, result.pointIds);
+    CanonicalForm form(polyhedron, anyFlat, tally.duplicates, count, result.pointIds);
     this->monitor.poll();
     result.dimension = 2;
     form.writeCells(this->options.facets, this->monitor, result);
