@@ -37,17 +37,24 @@ inline Row4 rowOf(const Vertex& v)
   return { mpq_class(v.x[0]), mpq_class(v.x[1]), mpq_class(v.x[2]), mpq_class(1) };
 }
 
-inline mpq_class det3(const Row4& a, const Row4& b, const Row4& c, int i, int j, int k)
+template <class Number>
+using RowOf = std::array<Number, 4>;
+
+template <class Number>
+Number det3(
+  const RowOf<Number>& a, const RowOf<Number>& b, const RowOf<Number>& c, int i, int j, int k)
 {
   return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
     a[k] * (b[i] * c[j] - b[j] * c[i]);
 }
 
 /// The determinant of four homogeneous rows, by its first row.
-inline mpq_class det4(const Row4& a, const Row4& b, const Row4& c, const Row4& d)
+template <class Number>
+Number det4(
+  const RowOf<Number>& a, const RowOf<Number>& b, const RowOf<Number>& c, const RowOf<Number>& d)
 {
-  return a[0] * det3(b, c, d, 1, 2, 3) - a[1] * det3(b, c, d, 0, 2, 3) +
-    a[2] * det3(b, c, d, 0, 1, 3) - a[3] * det3(b, c, d, 0, 1, 2);
+  return a[0] * det3<Number>(b, c, d, 1, 2, 3) - a[1] * det3<Number>(b, c, d, 0, 2, 3) +
+    a[2] * det3<Number>(b, c, d, 0, 1, 3) - a[3] * det3<Number>(b, c, d, 0, 1, 2);
 }
 
 /// Sign of det[b - a; c - a; p - a].
@@ -62,9 +69,7 @@ inline int exactBeneath(const Vertex& a, const Vertex& b, const Vertex& c, const
   return sgn(det4(rowOf(a), rowOf(b), rowOf(c), s));
 }
 
-/// The geometry that a run on these points (and a kernel point) would use; scales them as the run
-/// would.
-inline HullGeometry geometryOf(std::vector<Vertex>& points, bool onLattice = false)
+inline CoordinateRange rangeOf(const std::vector<Vertex>& points)
 {
   CoordinateRange range;
   for (int i = 0; i < 3; ++i)
@@ -82,6 +87,14 @@ inline HullGeometry geometryOf(std::vector<Vertex>& points, bool onLattice = fal
       }
     }
   }
+  return range;
+}
+
+/// The geometry that a run on these points (and a kernel point) would use; scales them as the run
+/// would.
+inline HullGeometry geometryOf(std::vector<Vertex>& points, bool onLattice = false)
+{
+  CoordinateRange range = rangeOf(points);
   const Arithmetic arithmetic = chooseArithmetic(range);
   for (Vertex& v : points)
   {
