@@ -1,10 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of points and their convex hull.
-
-Every point is drawn, then the hull around them: what faces the camera as a veil with crisp edges,
-what is behind as faint edges only. From outside, a convex hull has no other hidden parts.
-"""
+"""What all pictures share: views, actors, captions, the camera, and files."""
 import numpy
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 (text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (drawing)
@@ -39,11 +35,6 @@ VIEWS = {
 }
 DEFAULT_VIEW = {"from": (0.7, -1.0, 0.6), "up": (0, 0, 1), "heights": 1.0}
 
-VEIL = (0.45, 0.66, 0.93)
-EDGE = (0.07, 0.24, 0.50)
-CORNER = (0.86, 0.28, 0.08)
-# Far to near, for points without heights.
-DEPTHS = [(0.0, (196, 186, 178)), (1.0, (84, 58, 42))]
 # Low to high: forest, meadow, rock, ash, snow.
 HEIGHTS = [(0.0, (52, 98, 74)), (0.3, (120, 146, 92)), (0.55, (168, 142, 104)),
            (0.8, (176, 160, 150)), (1.0, (206, 208, 222))]  # fmt: skip
@@ -64,27 +55,18 @@ def coordinates(data, heights):
     return xyz * (1, 1, heights)
 
 
+def exaggerated(view):
+    return f"heights x {view['heights']:g}" if view["heights"] != 1 else ""
+
+
 def cells_of(cell_array):
     offsets = vtk_to_numpy(cell_array.GetOffsetsArray())
     corners = vtk_to_numpy(cell_array.GetConnectivityArray())
     return [corners[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
 
 
-def facing(xyz, facet, towards):
-    """Whether a facet's outside is turned to the camera."""
-    p = xyz[facet]
-    normal = numpy.cross(p, numpy.roll(p, -1, axis=0)).sum(axis=0)
-    return float(normal @ towards) > 0
-
-
-def edges_of(facets):
-    return sorted({tuple(sorted(e)) for f in facets for e in zip(f, numpy.roll(f, -1))})
-
-
-def actor_of(xyz, cells, kind):
-    """An actor for cells of one kind: "verts", "lines" or "polys"."""
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(xyz), deep=True))
+def array_of(cells):
+    """The vtkCellArray of lists of ids."""
     sizes = [len(cell) for cell in cells]
     offsets = numpy.concatenate([[0], numpy.cumsum(sizes)]).astype(numpy.int64)
     corners = numpy.concatenate([numpy.asarray(c) for c in cells] or [[]]).astype(numpy.int64)
@@ -92,6 +74,14 @@ def actor_of(xyz, cells, kind):
     array.SetData(
         numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(corners, deep=True)
     )
+    return array
+
+
+def actor_of(xyz, cells, kind):
+    """An actor for cells of one kind: "verts", "lines" or "polys"."""
+    array = cells if isinstance(cells, vtkCellArray) else array_of(cells)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(xyz), deep=True))
     data = vtkPolyData()
     data.SetPoints(points)
     {"verts": data.SetVerts, "lines": data.SetLines, "polys": data.SetPolys}[kind](array)
@@ -100,6 +90,14 @@ def actor_of(xyz, cells, kind):
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
+    return actor
+
+
+def dots_actor(xyz, ids, colour, size):
+    actor = actor_of(xyz, [numpy.asarray(ids)], "verts")
+    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetPointSize(size)
+    actor.GetProperty().RenderPointsAsSpheresOn()
     return actor
 
 
@@ -114,54 +112,14 @@ def colour_table(stops):
     return table
 
 
-def cloud_actor(points, xyz, towards, size):
-    """All points, coloured by their heights or, without such, by their depth."""
-    actor = actor_of(xyz, [numpy.arange(len(xyz))], "verts")
-    actor.GetProperty().SetPointSize(size)
-    actor.GetProperty().RenderPointsAsSpheresOn()
-    scalars = points.GetPointData().GetArray("Elevation")
-    stops = HEIGHTS if scalars else DEPTHS
-    scalars = scalars or numpy_to_vtk(xyz @ towards, deep=True)
+def colour_points(actor, values, stops):
     mapper = actor.GetMapper()
-    mapper.GetInput().GetPointData().SetScalars(scalars)
+    mapper.GetInput().GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
     mapper.SetLookupTable(colour_table(stops))
     # A few outliers, such as birds in a scan, do not take the colours from the rest.
-    mapper.SetScalarRange(*numpy.percentile(vtk_to_numpy(scalars), [1, 99]))
+    low, high = numpy.percentile(values, [1, 99])
+    mapper.SetScalarRange(*((low, high) if low < high else (low - 1, high + 1)))
     mapper.UseLookupTableScalarRangeOff()
-    return actor
-
-
-def hull_actors(hull, xyz, towards, scale):
-    facets = cells_of(hull.GetPolys())
-    solid = len(facets) > 1
-    front = [f for f in facets if not solid or facing(xyz, f, towards)]
-    lines = edges_of(front) + [tuple(line) for line in cells_of(hull.GetLines())]
-    seen = sorted({i for line in lines for i in line} | {i for f in front for i in f})
-    hidden = sorted(set(edges_of(facets)) - set(lines))
-
-    back = actor_of(xyz, hidden, "lines")
-    back.GetProperty().SetColor(*EDGE)
-    back.GetProperty().SetOpacity(0.18)
-    back.GetProperty().SetLineWidth(0.8 * scale)
-
-    veil = actor_of(xyz, front, "polys")
-    look = veil.GetProperty()
-    look.SetColor(*VEIL)
-    look.SetOpacity(0.24)
-    look.LightingOn()
-    look.SetInterpolationToFlat()
-    look.SetAmbient(0.45)
-    look.SetDiffuse(0.65)
-
-    edges = actor_of(xyz, lines, "lines")
-    edges.GetProperty().SetColor(*EDGE)
-    edges.GetProperty().SetLineWidth(1.1 * scale)
-
-    corners = actor_of(xyz, [numpy.array(seen or range(len(xyz)))], "verts")
-    corners.GetProperty().SetColor(*CORNER)
-    corners.GetProperty().SetPointSize(5 * scale)
-    corners.GetProperty().RenderPointsAsSpheresOn()
-    return [back, veil, edges, corners]
 
 
 def caption(text, size):
@@ -173,16 +131,17 @@ def caption(text, size):
     look.SetFontSize(size)
     look.SetColor(0.15, 0.15, 0.15)
     look.SetJustificationToCentered()
+    look.SetLineSpacing(1.25)
     return actor
 
 
-def fit_camera(camera, xyz, axes, aspect):
-    """A parallel view that just holds all points, with room for the caption below."""
+def fit_camera(camera, xyz, axes, aspect, room):
+    """A parallel view that just holds all points, with room, a share, for the caption below."""
     seen = xyz @ axes.T
     low, high = seen.min(axis=0), seen.max(axis=0)
     width, height, depth = numpy.maximum(high - low, 1e-9 * ((high - low).max() or 1e9))
-    half = 0.5 * max(height / 0.84, width / aspect / 0.94)
-    centre = (low + high) / 2 - (0, 0.05 * 2 * half, 0)
+    half = 0.5 * max(height / (0.94 - room), width / aspect / 0.94)
+    centre = (low + high) / 2 - (0, room * half, 0)
     camera.ParallelProjectionOn()
     camera.SetParallelScale(half)
     camera.SetFocalPoint(*(centre @ axes))
@@ -192,41 +151,30 @@ def fit_camera(camera, xyz, axes, aspect):
     camera.SetClippingRange(0.4 * half, distance + depth)
 
 
-def scene(name, points, hull, aspect, scale):
-    """A renderer with everything in it."""
-    view = VIEWS.get(name, DEFAULT_VIEW)
-    axes = camera_axes(view)
-    cloud = coordinates(points, view["heights"])
-    finite = numpy.isfinite(cloud).all(axis=1)
-    origin = cloud[finite].mean(axis=0)
-    cloud = numpy.where(finite[:, None], cloud - origin, 0)
-
+def renderer_of(actors, text, scale, xyz, axes, aspect):
+    """A renderer of the actors, which shows all of xyz, and the text below."""
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(cloud_actor(points, cloud, axes[2], 3.2 * scale))
-    corners = coordinates(hull, view["heights"]) - origin
-    for actor in hull_actors(hull, corners, axes[2], scale):
+    for actor in actors:
         renderer.AddActor(actor)
-    text = f"{view.get('title', name)}: {len(cloud):,} points, {len(corners):,} on the hull"
-    if view["heights"] != 1:
-        text += f" (heights x {view['heights']:g})"
     renderer.AddActor(caption(text, int(21 * scale)))
     renderer.SetUseDepthPeeling(True)
     renderer.SetMaximumNumberOfPeels(8)
     renderer.SetUseFXAA(True)
-    fit_camera(renderer.GetActiveCamera(), cloud, axes, aspect)
+    fit_camera(renderer.GetActiveCamera(), xyz, axes, aspect, 0.05 + 0.05 * len(text.split("\n")))
     return renderer
 
 
-def write_picture(path, renderers, width, height):
+def write_picture(path, renderers, widths, height):
     """One PNG, the renderers side by side in it."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetAlphaBitPlanes(True)
     window.SetMultiSamples(0)
-    window.SetSize(width, height)
-    for i, renderer in enumerate(renderers):
-        renderer.SetViewport(i / len(renderers), 0, (i + 1) / len(renderers), 1)
+    window.SetSize(sum(widths), height)
+    ends = numpy.cumsum([0, *widths]) / sum(widths)
+    for renderer, left, right in zip(renderers, ends[:-1], ends[1:]):
+        renderer.SetViewport(left, 0, right, 1)
         window.AddRenderer(renderer)
     window.Render()
     image = vtkWindowToImageFilter()
