@@ -79,6 +79,15 @@ double shareOf(double value, const mpq_class& exact, double bound)
   return mpq_class(abs(mpq_class(value) - exact) / mpq_class(bound)).get_d();
 }
 
+/// A place in a triangle off its middle.
+void kernelIn(const Vertex* base, double* s)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    s[i] = 0.3718281828 * base[0].x[i] + 0.3414213562 * base[1].x[i] + 0.286750461 * base[2].x[i];
+  }
+}
+
 template <bool Weighted>
 class Prepared
 {
@@ -136,9 +145,8 @@ private:
   void setKernel(bool symbolic)
   {
     const Vertex* base = &this->points[5];
-    const double s[2] = { 0.3718281828 * base[0].x[0] + 0.3414213562 * base[1].x[0] +
-        0.286750461 * base[2].x[0],
-      0.3718281828 * base[0].x[1] + 0.3414213562 * base[1].x[1] + 0.286750461 * base[2].x[1] };
+    double s[2];
+    kernelIn(base, s);
     const Vertex place = makeVertex(s[0], s[1], 0, 9);
     this->exact.setKernel(s);
     const int turn = this->exact.orient(base[0], base[1], base[2]);
@@ -337,7 +345,8 @@ Scene makeScene(std::mt19937_64& random, Kind kind, bool weighted, bool withVirt
   if (kind == Tiny)
   {
     // With points far away, of sizes from where bounds hold to where they do not.
-    const int exponent = -below(random, 40);
+    const int limit[3] = { 40, 240, 970 };
+    const int exponent = -below(random, limit[random() % 3]);
     for (Vertex& v : scene.v)
     {
       v.x[0] = std::ldexp(v.x[0], exponent);
@@ -352,8 +361,8 @@ Scene makeScene(std::mt19937_64& random, Kind kind, bool weighted, bool withVirt
     scene.symbolic = random() % 3 == 0;
     // Both points beyond the edge, seen from the middle of the base triangle.
     const Vertex* base = &scene.v[5];
-    const double s[2] = { (base[0].x[0] + base[1].x[0] + base[2].x[0]) / 3,
-      (base[0].x[1] + base[1].x[1] + base[2].x[1]) / 3 };
+    double s[2];
+    kernelIn(base, s);
     Vertex& first = scene.v[static_cast<std::size_t>((scene.virtualCorner + 1) % 3)];
     Vertex& second = scene.v[static_cast<std::size_t>((scene.virtualCorner + 2) % 3)];
     const double turn =
@@ -367,6 +376,19 @@ Scene makeScene(std::mt19937_64& random, Kind kind, bool weighted, bool withVirt
     const double stretch[3] = { 1.0, 1 + std::fabs(uniform(random)), 30.0 };
     scene.v[3] = mixture(random, edge, 3, size, weighted, stretch[random() % 3], s);
     scene.v[4] = mixture(random, edge, 4, size, weighted, stretch[random() % 3], s);
+    if (random() % 3 == 0)
+    {
+      // On the line from the kernel point through the apex, or next to it.
+      if (scene.symbolic)
+      {
+        for (int i = 0; i < 2; ++i)
+        {
+          s[i] = 0.5 * base[0].x[i] + 0.25 * base[1].x[i] + 0.25 * base[2].x[i];
+        }
+      }
+      const Vertex line[3] = { scene.v[3], scene.v[3], scene.v[3] };
+      scene.v[4] = mixture(random, line, 4, size, weighted, stretch[random() % 3], s);
+    }
     return scene;
   }
   const double turn = (scene.v[1].x[0] - scene.v[0].x[0]) * (scene.v[2].x[1] - scene.v[0].x[1]) -
