@@ -4,8 +4,8 @@
 /// In which cone of a regular triangulation does a point lie: in which triangle of the plane, or in
 /// which wedge beyond the border?
 ///
-/// A grid of cells over the triangulation tells where to start; from there the point walks from
-/// triangle to triangle, by exact signs. Such walks end: seen from the kernel point, the triangles
+/// A grid tells a triangle near it; from there the point walks from triangle to triangle, by exact
+/// signs. Such walks end: seen from the kernel point, the triangles
 /// of a convex polyhedron hide each other in no circle.
 #ifndef flipflop_LiftedLocator_h
 #define flipflop_LiftedLocator_h
@@ -13,10 +13,13 @@
 #include "Buffer.h"
 #include "LiftedCones.h"
 #include "Mesh.h"
+#include "PlaceGrid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace flipflop
 {
@@ -31,7 +34,7 @@ public:
   struct Block
   {
     double x[3][BlockSize];
-    std::int32_t cell[BlockSize];   ///< of the grid
+    std::uint32_t cell[BlockSize];  ///< of the grid
     std::int32_t inside[BlockSize]; ///< certainly hidden: never told here
   };
 
@@ -70,34 +73,20 @@ public:
   /// Fill in the block's results for the first @p n points.
   void classify(Block& block, int n) const
   {
-    const float last = static_cast<float>(this->resolution - 1);
     for (int i = 0; i < n; ++i)
     {
-      const float column = static_cast<float>((block.x[0][i] - this->low[0]) * this->perCell[0]);
-      const float row = static_cast<float>((block.x[1][i] - this->low[1]) * this->perCell[1]);
-      // Any cell will do for what is not a number.
-      const float c = column > 0 ? (column < last ? column : last) : 0;
-      const float r = row > 0 ? (row < last ? row : last) : 0;
-      block.cell[i] =
-        static_cast<std::int32_t>(r) * this->resolution + static_cast<std::int32_t>(c);
+      block.cell[i] = this->grid.cellOf(block.x[0][i], block.x[1][i]);
       block.inside[i] = 0;
     }
   }
 
   /// The cell of one point.
-  std::int32_t cellOf(const double* p) const
-  {
-    Block block;
-    block.x[0][0] = p[0];
-    block.x[1][0] = p[1];
-    this->classify(block, 1);
-    return block.cell[0];
-  }
+  std::uint32_t cellOf(const double* p) const { return this->grid.cellOf(p[0], p[1]); }
 
   /// The triangle in whose cone p lies, exactly (by perturbation, at a border).
-  std::uint32_t locate(const Geometry& geometry, const Vertex& p, std::int32_t cell) const
+  std::uint32_t locate(const Geometry& geometry, const Vertex& p, std::uint32_t cell) const
   {
-    std::uint32_t t = this->hints[static_cast<std::size_t>(cell)];
+    std::uint32_t t = this->grid.valueAt(cell, p.x[0], p.x[1]);
     int entry = 3; // the side we came through
     for (;;)
     {
@@ -157,55 +146,41 @@ private:
     }
   };
 
+  /// Of each vertex, its place and a triangle at it.
   void buildGrid()
   {
-    const std::size_t count = this->cones.size();
-    double high[2] = { -HUGE_VAL, -HUGE_VAL };
-    this->low[0] = this->low[1] = HUGE_VAL;
-    for (const Cone& cone : this->cones)
+    std::uint32_t last = 0;
+    for (std::uint32_t t = 0; t < this->cones.size(); ++t)
     {
-      for (int i = 0; i < 3; ++i)
+      const std::uint32_t* v = this->triangles[t].v;
+      last = std::max({ last, v[0], v[1], v[2] });
+    }
+    std::vector<std::uint32_t> at(std::size_t(last) + 1, NoIndex);
+    for (std::uint32_t t = 0; t < this->cones.size(); ++t)
+    {
+      for (int i = 0; i < 3 && this->cones[t].virtualCorner == 3; ++i)
       {
-        this->low[0] = std::min(this->low[0], cone.x[i]);
-        this->low[1] = std::min(this->low[1], cone.y[i]);
-        high[0] = std::max(high[0], cone.x[i]);
-        high[1] = std::max(high[1], cone.y[i]);
+        at[this->triangles[t].v[i]] = t;
       }
     }
-    this->resolution = 1;
-    while (this->resolution < 4096 &&
-      static_cast<std::size_t>(this->resolution) * static_cast<std::size_t>(this->resolution) <
-        count)
+    std::vector<ValuedPlace> places;
+    for (std::size_t v = 0; v < at.size(); ++v)
     {
-      this->resolution *= 2;
-    }
-    double cell[2];
-    for (int i = 0; i < 2; ++i)
-    {
-      cell[i] = (high[i] - this->low[i]) / this->resolution;
-      this->perCell[i] = 1 / cell[i];
-    }
-    const auto side = static_cast<std::size_t>(this->resolution);
-    this->hints.allocate(side * side);
-    std::uint32_t t = 0;
-    for (std::size_t row = 0; row < side; ++row)
-    {
-      for (std::size_t i = 0; i < side; ++i)
+      if (at[v] != NoIndex)
       {
-        // Forth and back, so that each walk starts next to where it ends.
-        const std::size_t column = row % 2 ? side - 1 - i : i;
-        t = this->walkTo(this->low[0] + (static_cast<double>(column) + 0.5) * cell[0],
-          this->low[1] + (static_cast<double>(row) + 0.5) * cell[1], t);
-        this->hints[row * side + column] = t;
+        places.push_back({ { this->vertices[v].x[0], this->vertices[v].x[1] }, at[v] });
       }
     }
+    this->grid.build(std::move(places),
+      [this](double x, double y, std::uint32_t t) { return this->walkTo(x, y, t); });
   }
 
-  /// About the triangle of a place.
+  /// About the triangle of a place, if that is near.
   std::uint32_t walkTo(double px, double py, std::uint32_t start) const
   {
+    constexpr int MostSteps = 24;
     std::uint32_t t = start;
-    for (std::size_t step = 0; step < this->cones.size(); ++step)
+    for (int step = 0; step < MostSteps; ++step)
     {
       const Cone& cone = this->cones[t];
       int out = 3;
@@ -227,10 +202,7 @@ private:
   const Vertex* vertices;
   Buffer<Cone> cones;
   Buffer<LiftedPlane<Weighted>> planes;
-  Buffer<std::uint32_t> hints; ///< by cell
-  double low[2];
-  double perCell[2];
-  std::int32_t resolution = 1; ///< cells along a side of the grid
+  PlaceGrid grid; ///< of triangles
 };
 
 }
