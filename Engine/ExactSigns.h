@@ -70,18 +70,38 @@ struct ExpansionSigns
     return sum(sum(x, y), z).sign();
   }
 
-  /// Sign of det[b - a; c - a] in the coordinates p, q.
+  /// Sign of det[b - a; c - a] in the coordinates p, q, in the same steps.
   template <int Count>
   FF_HD static int orient2(const double* a, const double* b, const Row<Count>& c, int p, int q)
   {
     int sign;
-    if (Count == 1 && filterOrient2(a, b, c.point[0], p, q, sign))
+    if (Count == 1 &&
+      (filterOrient2(a, b, c.point[0], p, q, sign) ||
+        signOfMinor(doubleDifference(b[p], a[p]), doubleDifference(b[q], a[q]),
+          doubleDifference(c.point[0][p], a[p]), doubleDifference(c.point[0][q], a[q]), 0.0, 0.0,
+          sign)))
     {
       return sign;
     }
     const auto left = product(offset(c, a, q), difference(b[p], a[p]));
     const auto right = product(offset(c, a, p), difference(b[q], a[q]));
     return sum(left, right, -1.0).sign();
+  }
+
+  /// Sign of x1 * y2 - y1 * x2 in double-double; false when its error bound leaves it open.
+  /// @param error1, error2 of y1 and y2
+  FF_HD static bool signOfMinor(const DoubleDouble& x1, const DoubleDouble& y1,
+    const DoubleDouble& x2, const DoubleDouble& y2, double error1, double error2, int& sign)
+  {
+    const DoubleDouble left = x1 * y2;
+    const DoubleDouble right = y1 * x2;
+    const DoubleDouble det = left - right;
+    const double most = std::fabs(left.high) + std::fabs(right.high);
+    // Two products and a sum; below the floor their low parts are lost.
+    const double bound =
+      8 * 0x1p-102 * most + 1.01 * (std::fabs(x1.high) * error2 + std::fabs(x2.high) * error1);
+    sign = det.high > 0 ? 1 : -1;
+    return most > 1e-250 && most < 1e300 && std::fabs(det.high) > bound;
   }
 
   /// The same in double; false when the error bound leaves it open. The sign is that of the rounded

@@ -48,6 +48,16 @@ struct LiftedSigns
       return ExpansionSigns::orient2(a, b, c, p, q);
     }
     const double* const d = c.point[0];
+    const int axis = p < 2 ? p : q;
+    double error1, error2;
+    const DoubleDouble height1 = roundedHeight(b, a, error1);
+    const DoubleDouble height2 = roundedHeight(d, a, error2);
+    int sign;
+    if (ExpansionSigns::signOfMinor(doubleDifference(b[axis], a[axis]), height1,
+          doubleDifference(d[axis], a[axis]), height2, error1, error2, sign))
+    {
+      return p < 2 ? sign : -sign;
+    }
     const auto left = product(offsetOf(d, a, q), offsetOf(b, a, p));
     const auto right = product(offsetOf(d, a, p), offsetOf(b, a, q));
     return sum(left, right, -1.0).sign();
@@ -88,7 +98,21 @@ private:
     return sum(weightOffset(a, p), sum(x, y), -1.0);
   }
 
-  /// Sign of the same determinant in double-double, or 0 when its error bound leaves it open.
+  /// Height of p over a.
+  FF_HD static DoubleDouble roundedHeight(const double* p, const double* a, double& error)
+  {
+    const DoubleDouble x = doubleDifference(p[0], a[0]) * doubleDifference(p[0], -a[0]);
+    const DoubleDouble y = doubleDifference(p[1], a[1]) * doubleDifference(p[1], -a[1]);
+    DoubleDouble weight = { 0.0, 0.0 };
+    if (Weighted)
+    {
+      weight = doubleDifference(p[2], a[2]);
+    }
+    error = 8 * 0x1p-102 * (std::fabs(x.high) + std::fabs(y.high) + std::fabs(weight.high));
+    return weight - (x + y);
+  }
+
+  /// Sign of the determinant of orient3 in double-double, or 0 when its error bound leaves it open.
   FF_HD static int roundedOrient3(const double* a, const double* const* row)
   {
     DoubleDouble u[3][3];
