@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # demo.sh [FILE.vtp...]: install what is missing, build, and take the convex hulls of the files (by
-# default all of Data/) through the VTK filter. Hulls and pictures go to demo-output/.
+# default all of Data/) and the triangulations of those that are terrain, through the VTK filters.
+# What comes out, and pictures of it, goes to demo-output/.
 set -euo pipefail
 here=$PWD
 source "$(dirname "${BASH_SOURCE[0]}")/Scripts/common.sh"
@@ -22,6 +23,6 @@ configure_and_build default demo -DFLIPFLOP_BUILD_TESTING=OFF -DFLIPFLOP_BUILD_E
 
 trap stop_display EXIT
 start_display
-say "Convex hulls"
+say "Convex hulls and triangulations"
 PYTHONPATH="$(python_path "$top/build/demo")" \
   "$python" "$top/Scripts/demo.py" --output "$top/demo-output" "${inputs[@]}"
