@@ -3,12 +3,12 @@
 /// @file
 /// ffHull's two stages (paper, Algorithm 2), in rounds on growing samples.
 ///
-/// A stratified sample of n^(2/3) points (or more, see Geometry::MostPerSample) has a hull that
-/// nearly all other points lie inside of, and whose cones cut the others into small, even portions.
-/// So each round takes the hull of a sample of its points, built the same way, as the polyhedron to
-/// start from: it associates its other points to the cones, grows, and flips. The innermost sample
-/// starts from a tetrahedron. Any star-shaped start is right; this one makes every cone small
-/// enough for the cache, and gives the threads independent work from the first pass on.
+/// A stratified sample of n^(2/3) points (or more: see the geometry's MostPerSample) has a hull
+/// that nearly all other points lie inside of, and whose cones cut the others into small, even
+/// portions. So each round takes the hull of a sample of its points, built the same way, as the
+/// polyhedron to start from: it associates its other points to the cones, grows, and flips. The
+/// innermost sample starts from a tetrahedron. Any star-shaped start is right; this one makes every
+/// cone small enough for the cache, and gives the threads independent work from the first pass on.
 #ifndef flipflop_Builder_h
 #define flipflop_Builder_h
 

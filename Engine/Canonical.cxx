@@ -267,33 +267,58 @@ bool isCell(const std::uint32_t* r)
 }
 
 CanonicalForm::CanonicalForm(Polyhedron& mesh, bool anyFlat,
-  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
+  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, FacetMode facetMode,
   Buffer<std::int64_t>& pointIds)
-  : polyhedron(mesh)
+  : facets(facetMode)
+  , polyhedron(mesh)
   , rank(rankVertices(mesh, duplicates, pointCount, pointIds))
-  , polygons(anyFlat ? new FacetPolygons(mesh, this->rank) : nullptr)
+  , polygons(
+      anyFlat ? new FacetPolygons(mesh, this->rank, facetMode == FacetMode::Polygons) : nullptr)
 {
 }
 
 CanonicalForm::~CanonicalForm() = default;
 
-/// Facets that are one triangle: use(its vertices, the one of lowest rank first, piece), in
-/// parallel.
+/// use(triangle, vertices, the one of lowest rank first) for a facet that is one triangle; or,
+/// where polygons leave them out, for each of the fan's of a facet that is this one and a later.
 template <class Use>
-void CanonicalForm::eachTriangle(Use&& use) const
+void CanonicalForm::useTriangle(std::uint32_t t, Use&& use) const
 {
-  this->polyhedron.eachTriangle(
-    [&](std::uint32_t t, std::size_t piece)
+  const Triangle& triangle = this->polyhedron.triangles[t];
+  const std::uint32_t* v = triangle.v;
+  if (triangle.index == 0)
+  {
+    const std::uint32_t r[3] = { this->rank[v[0]], this->rank[v[1]], this->rank[v[2]] };
+    const int e = lowestOf(r);
+    if (isCell(r))
     {
-      const Triangle& triangle = this->polyhedron.triangles[t];
-      if (triangle.index == 0)
-      {
-        const std::uint32_t* v = triangle.v;
-        const std::uint32_t r[3] = { this->rank[v[0]], this->rank[v[1]], this->rank[v[2]] };
-        const int e = lowestOf(r);
-        use(v[e], v[nextCorner(e)], v[previousCorner(e)], piece);
-      }
-    });
+      use(t, v[e], v[nextCorner(e)], v[previousCorner(e)]);
+    }
+    return;
+  }
+  const std::uint32_t other =
+    this->facets == FacetMode::Triangles ? otherOfPair(this->polyhedron, t) : NoIndex;
+  if (other == NoIndex || other < t)
+  {
+    return;
+  }
+  // The flat edge is ab; around the facet: a, d, b, c.
+  const int e = triangle.index == 1 ? 0 : (triangle.index == 2 ? 1 : 2);
+  const std::uint32_t d =
+    this->polyhedron.triangles[other].v[previousCorner(cornerOf(triangle.twin[e]))];
+  const std::uint32_t ring[4] = { v[e], d, v[nextCorner(e)], v[previousCorner(e)] };
+  int lowest = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (this->rank[ring[i]] == NoIndex)
+    {
+      return;
+    }
+    lowest = this->rank[ring[i]] < this->rank[ring[lowest]] ? i : lowest;
+  }
+  const auto at = [&](int i) { return ring[(lowest + i) % 4]; };
+  use(t, at(0), at(1), at(2));
+  use(other, at(0), at(2), at(3));
 }
 
 /// The other facets' fans: use(vertices, number of pieces), one after another.
@@ -310,9 +335,9 @@ void CanonicalForm::eachFanTriangle(Use&& use) const
   }
 }
 
-void CanonicalForm::writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex)
+void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
 {
-  const bool fans = facets == FacetMode::Triangles;
+  const bool fans = this->facets == FacetMode::Triangles;
   const auto pointCount = static_cast<std::uint32_t>(complex.pointIds.size());
   const std::size_t pieceCount = this->polyhedron.pieces.size();
   const auto eachLargeCell = [&](auto&& use)
@@ -339,26 +364,35 @@ void CanonicalForm::writeCells(FacetMode facets, Monitor& monitor, CellComplex& 
   this->polyhedron.eachTriangle(
     [&](std::uint32_t t, std::size_t piece)
     {
-      Triangle& triangle = triangles[t];
-      const std::uint32_t r[3] = { this->rank[triangle.v[0]], this->rank[triangle.v[1]],
-        this->rank[triangle.v[2]] };
-      if (triangle.index != 0 || !isCell(r))
-      {
-        triangle.flags = TriangleDead;
-        return;
-      }
-      const int e = lowestOf(r);
-      triangle.v[0] = r[e];
-      triangle.v[1] = r[nextCorner(e)];
-      triangle.v[2] = r[previousCorner(e)];
-      sort.count(piece, r[e]);
+      bool used = false;
+      this->useTriangle(t,
+        [&](std::uint32_t cell, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+        {
+          std::uint32_t* v = triangles[cell].v;
+          v[0] = this->rank[a];
+          v[1] = this->rank[b];
+          v[2] = this->rank[c];
+          sort.count(piece, v[0]);
+          used = true;
+        });
+      triangles[t].flags = used ? 0 : TriangleDead;
     });
   eachLargeCell([&](const Cell& cell) { sort.count(pieceCount, cell.corner[0]); });
   monitor.poll();
   sort.endCounting(std::move(this->polyhedron.vertices));
   this->polyhedron.eachTriangle(
-    [&](std::uint32_t t, std::size_t piece) {
-      sort.put(piece, Cell{ { triangles[t].v[0], triangles[t].v[1], triangles[t].v[2] } });
+    [&](std::uint32_t t, std::size_t piece)
+    {
+      const auto put = [&](std::uint32_t cell)
+      {
+        const std::uint32_t* v = triangles[cell].v;
+        sort.put(piece, Cell{ { v[0], v[1], v[2] } });
+      };
+      put(t);
+      if (triangles[t].index != 0)
+      {
+        put(otherOfPair(this->polyhedron, t));
+      }
     });
   eachLargeCell([&](const Cell& cell) { sort.put(pieceCount, cell); });
   monitor.poll();
@@ -382,7 +416,13 @@ void CanonicalForm::writeMeasure(const CoordinateRange& range, int exponent, Hul
   std::vector<Measure> parts(this->polyhedron.pieces.size() + 1, total);
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
   { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); };
-  this->eachTriangle(add);
+  this->polyhedron.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece)
+    {
+      this->useTriangle(t,
+        [&](std::uint32_t, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+        { add(a, b, c, piece); });
+    });
   this->eachFanTriangle(add);
   for (const Measure& part : parts)
   {

@@ -31,9 +31,10 @@ public:
   /// @param anyFlat    whether there is a flat edge at all
   /// @param duplicates pairs of ids at one position
   /// @param pointCount ids are below this
+  /// @param facets     what writeCells will write
   /// @param pointIds   is filled in
   CanonicalForm(Polyhedron& polyhedron, bool anyFlat, const std::vector<Duplicate>& duplicates,
-    std::uint32_t pointCount, Buffer<std::int64_t>& pointIds);
+    std::uint32_t pointCount, FacetMode facets, Buffer<std::int64_t>& pointIds);
   ~CanonicalForm();
 
   /// Volume and area of a hull. Both facet modes measure the same triangles.
@@ -43,14 +44,15 @@ public:
 
   /// The facets, in their order. The last call: the polyhedron's memory becomes theirs.
   /// @throw Error Aborted, between its passes
-  void writeCells(FacetMode facets, Monitor& monitor, CellComplex& complex);
+  void writeCells(Monitor& monitor, CellComplex& complex);
 
 private:
   template <class Use>
-  void eachTriangle(Use&& use) const;
+  void useTriangle(std::uint32_t t, Use&& use) const;
   template <class Use>
   void eachFanTriangle(Use&& use) const;
 
+  const FacetMode facets;
   Polyhedron& polyhedron;
   Buffer<std::uint32_t> rank;                    ///< by vertex; NoIndex: no point of the result
   std::unique_ptr<const FacetPolygons> polygons; ///< null: no edge is flat

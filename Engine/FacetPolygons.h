@@ -15,12 +15,28 @@
 namespace flipflop
 {
 
+/// The other triangle of a true facet that is just two; else NoIndex. Grids are full of them, and
+/// as triangles they need no walk.
+inline std::uint32_t otherOfPair(const Polyhedron& polyhedron, std::uint32_t t)
+{
+  const Triangle& triangle = polyhedron.triangles[t];
+  const int e = triangle.index == 1 ? 0 : (triangle.index == 2 ? 1 : 2);
+  if (triangle.index != 1u << e)
+  {
+    return NoIndex;
+  }
+  const std::uint32_t twin = triangle.twin[e];
+  const bool pair = polyhedron.triangles[triangleOf(twin)].index == 1u << cornerOf(twin);
+  return pair ? triangleOf(twin) : NoIndex;
+}
+
 /// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
 /// first.
 class FacetPolygons
 {
 public:
-  FacetPolygons(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank)
+  /// @param pairs also those of two triangles?
+  FacetPolygons(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank, bool pairs)
   {
     std::vector<std::uint8_t> visited(polyhedron.triangleCount());
     const auto isFlat = [&](std::uint32_t h)
@@ -57,7 +73,8 @@ public:
       for (std::uint32_t t = piece.begin; t < piece.end; ++t)
       {
         const Triangle& triangle = polyhedron.triangles[t];
-        const bool joined = !(triangle.flags & TriangleDead) && triangle.index != 0;
+        const bool joined = !(triangle.flags & TriangleDead) && triangle.index != 0 &&
+          (pairs || otherOfPair(polyhedron, t) == NoIndex);
         for (int e = 0; joined && e < 3; ++e)
         {
           if (!isFlat(halfEdge(t, e)) && !(visited[t] >> e & 1))

@@ -90,12 +90,13 @@ void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)
   this->monitor.stage(0.9, 1.0, 1);
   const bool anyFlat =
     RedundantVertices<HullGeometry>(this->geometry, polyhedron, tally, this->monitor).remove();
-  CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(), hull.pointIds);
+  CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
+    this->options.facets, hull.pointIds);
   this->monitor.poll();
   hull.dimension = 3;
   form.writeMeasure(this->range, this->arithmetic.scaleExponent, hull);
   this->monitor.poll();
-  form.writeCells(this->options.facets, this->monitor, hull);
+  form.writeCells(this->monitor, hull);
   this->report(tally, hull.statistics);
   hull.statistics.exactCalls += this->geometry.predicateCounts().exact;
   hull.statistics.secondsFinish = watch.lap();

@@ -111,10 +111,11 @@ public:
     this->monitor.stage(0.9, 1.0, 1);
     const bool anyFlat =
       RedundantVertices<Geometry>(this->geometry, polyhedron, tally, this->monitor).remove();
-    CanonicalForm form(polyhedron, anyFlat, tally.duplicates, count, result.pointIds);
+    CanonicalForm form(
+      polyhedron, anyFlat, tally.duplicates, count, this->options.facets, result.pointIds);
     this->monitor.poll();
     result.dimension = 2;
-    form.writeCells(this->options.facets, this->monitor, result);
+    form.writeCells(this->monitor, result);
     this->monitor.poll();
     this->listHidden(result);
     this->report(tally, result.statistics);
