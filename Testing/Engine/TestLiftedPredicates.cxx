@@ -35,7 +35,7 @@ class Signs
 public:
   using Geometry = LiftedGeometry<Weighted>;
 
-  /// @param given four points
+  /// @param given four points; others are in the range
   Signs(const Points& given, bool onLattice, Seen& counts)
     : points(given)
     , geometry(liftedGeometryOf<Weighted>(this->points, onLattice, &this->isWide))
@@ -445,6 +445,20 @@ TEST(LiftedPredicates, ExtremeRanges)
   };
   EXPECT_GT(checkAll<true>(make, Seed + 15, 1200).wide, 500);
   EXPECT_GT(checkAll<false>(make, Seed + 16, 1200).wide, 300);
+}
+
+TEST(LiftedPredicates, SmallBesideLarge)
+{
+  // Products of four differences underflow; nothing but the range tells.
+  const Maker make = [](std::mt19937_64& random)
+  {
+    const Maker makers[4] = { randomPoints, cocircular, collinear, integers };
+    Points v = scaledBy(makers[random() % 4](random), -220 - below(random, 60));
+    v.push_back(makeVertex(1, -1, 2, 4));
+    return v;
+  };
+  EXPECT_GT(checkAll<true>(make, Seed + 19, 1000).wide, 500);
+  EXPECT_GT(checkAll<false>(make, Seed + 20, 1000).wide, 500);
 }
 
 TEST(LiftedPredicates, EasyInputsAreDecidedInDouble)
