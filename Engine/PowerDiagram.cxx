@@ -8,6 +8,7 @@
 
 #include "CellClipper.h"
 #include "FacetRings.h"
+#include "Monitor.h"
 #include "PowerCorners.h"
 
 #include <algorithm>
@@ -288,9 +289,19 @@ void addBox(Diagram& diagram, std::int64_t id, const double* box)
   diagram.add(id, cell);
 }
 
+/// Tell of progress now and then.
+void advance(Monitor& monitor, std::size_t done)
+{
+  constexpr std::size_t Step = 1024;
+  if (done % Step == 0)
+  {
+    monitor.advance(done ? Step : 0);
+  }
+}
+
 /// Sites on a line: strips. A strip's two lines are given by a point each, which is no corner.
-void addStrips(
-  Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>& sites, const double* box)
+void addStrips(Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>& sites,
+  const double* box, Monitor& monitor)
 {
   Buffer<std::array<Index, 2>> neighbours(sites.size());
   std::fill(neighbours.begin(), neighbours.end(), std::array<Index, 2>{ NoIndex, NoIndex });
@@ -308,6 +319,7 @@ void addStrips(
   CellPolygon cell;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
+    advance(monitor, i);
     if (neighbours[i][0] == NoIndex)
     {
       refuse(t.pointIds[i]);
@@ -351,12 +363,13 @@ void addStrips(
   }
 }
 
-void addCells(
-  Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>& sites, const double* box)
+void addCells(Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>& sites,
+  const double* box, Monitor& monitor)
 {
   Buffer<std::array<double, 2>> centers(static_cast<std::size_t>(t.cellCount()));
   for (std::size_t f = 0; f < centers.size(); ++f)
   {
+    advance(monitor, f);
     facetCenter(t, sites, static_cast<std::int64_t>(f), centers[f].data());
   }
   FacetRings rings(t);
@@ -365,6 +378,7 @@ void addCells(
   CellPolygon cell;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
+    advance(monitor, i);
     const bool closed = rings.walk(static_cast<Index>(i), ring);
     bool inside = closed;
     cell.clear();
@@ -397,9 +411,12 @@ void addCells(
 }
 
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
-  const Triangulation& triangulation, const double* box)
+  const Triangulation& triangulation, const double* box, const Options& options)
 try
 {
+  Monitor monitor(options);
+  monitor.stage(
+    0.0, 1.0, triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()));
   if (!box || !(box[0] < box[1] && box[2] < box[3]))
   {
     refuse();
@@ -426,13 +443,15 @@ try
   }
   else if (dimension == 1)
   {
-    addStrips(diagram, triangulation, sites, box);
+    addStrips(diagram, triangulation, sites, box, monitor);
   }
   else if (dimension == 2)
   {
-    addCells(diagram, triangulation, sites, box);
+    addCells(diagram, triangulation, sites, box, monitor);
   }
-  return diagram.finish();
+  PowerDiagram result = diagram.finish();
+  monitor.stage(1.0, 1.0, 1);
+  return result;
 }
 catch (const std::bad_alloc&)
 {

@@ -6,6 +6,7 @@
 #define flipflop_PowerDiagram_h
 
 #include "Buffer.h"
+#include "Options.h"
 #include "PointView.h"
 #include "Triangulation.h"
 
@@ -48,12 +49,14 @@ struct PowerDiagram
 ///                        polygons; as equal centers round alike, they give the same cells, which
 ///                        may start elsewhere.
 /// @param box             x least, x greatest, y least, y greatest; finite, least below greatest
+/// @param options         only the progress function counts
 /// @throw Error           BadArgument (also for a complex that is no triangulation of these points,
 ///                        where that shows: an index or id out of range, a facet that is not
 ///                        counter-clockwise, facets that form no ring), WeightCount, TooManyPoints,
-///                        OutOfMemory. Whether its power circles are empty is not looked at.
+///                        OutOfMemory, Aborted. Whether its power circles are empty is not looked
+///                        at.
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
-  const Triangulation& triangulation, const double* box);
+  const Triangulation& triangulation, const double* box, const Options& options = Options());
 
 }
 

@@ -333,22 +333,19 @@ bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArr
     if (this->GeneratePowerDiagram)
     {
       options.facets = flipflop::FacetMode::Polygons;
-      this->SetProgressRange(0.0, 0.9);
+      this->SetProgressRange(0.0, 0.4);
     }
     flipflop::Triangulation triangulation =
       flipflop::regularTriangulation(projection.GetView(), weightSource.GetView(), options);
 
     if (this->GeneratePowerDiagram)
     {
-      this->BuildPowerDiagram(projection, weightSource.GetView(), triangulation, input, diagram);
+      this->SetProgressRange(0.4, 1.0);
+      this->BuildPowerDiagram(
+        projection, weightSource.GetView(), triangulation, options, input, diagram);
       if (chosen.facets == flipflop::FacetMode::Triangles)
       {
         fanPolygons(triangulation);
-      }
-      this->UpdateProgress(1.0);
-      if (this->IsAbortRequested())
-      {
-        throw flipflop::Error(flipflop::ErrorCode::Aborted);
       }
     }
     this->AddToReport(triangulation);
@@ -374,7 +371,7 @@ bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArr
 //------------------------------------------------------------------------------
 void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& projection,
   const flipflop::WeightView& weights, const flipflop::Triangulation& triangulation,
-  vtkPointSet* input, vtkPolyData* output)
+  const flipflop::Options& options, vtkPointSet* input, vtkPolyData* output)
 {
   flipflop::PowerDiagram diagram;
   if (triangulation.dimension >= 0)
@@ -382,7 +379,7 @@ void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& p
     const bool given = this->PowerDiagramBoxMode == BOX_OF_BOUNDS;
     const auto bounds = boxOf(projection.GetView(), triangulation.pointIds);
     diagram = flipflop::powerDiagram(projection.GetView(), weights, triangulation,
-      given ? this->PowerDiagramBounds : bounds.data());
+      given ? this->PowerDiagramBounds : bounds.data(), options);
   }
 
   const auto count = static_cast<vtkIdType>(diagram.corners.size() / 2);

@@ -238,7 +238,8 @@ private:
     vtkPolyData* hidden, vtkPolyData* diagram);
   void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
   void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
-    const flipflop::Triangulation& triangulation, vtkPointSet* input, vtkPolyData* output);
+    const flipflop::Triangulation& triangulation, const flipflop::Options& options,
+    vtkPointSet* input, vtkPolyData* output);
 #endif
 
   vtkIdType NumberOfHiddenPoints;

@@ -155,7 +155,7 @@ void testProgress()
 void testAbort()
 {
   const auto input = weightedPoints(200000);
-  for (const double mark : { 0.01, 0.5, 1.0 })
+  for (const double mark : { 0.01, 0.2, 0.5, 1.0 })
   {
     vtkNew<vtkFFRegularTriangulationFilter> filter;
     const auto errors = ErrorObserver::Of(filter);

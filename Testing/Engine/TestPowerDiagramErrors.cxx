@@ -4,11 +4,14 @@
 /// Power diagrams of boxes that are none, or of another's triangulation, are refused.
 #include "CompareTriangulation.h"
 
+#include "Inputs.h"
 #include "PowerDiagram.h"
+#include "RegularTriangulation.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace flipflop
 {
@@ -102,6 +105,56 @@ TEST(PowerDiagramErrors, BadArguments)
   Cloud broken = sites;
   broken[2][1] = nan;
   expectError(bad, viewOf(broken), weightsOf(broken), good, box);
+}
+
+/// The progress told, and when to stop.
+struct Watch
+{
+  std::vector<double> told;
+  double stopAt = 2.0;
+
+  static bool hear(double fraction, void* self)
+  {
+    auto* watch = static_cast<Watch*>(self);
+    watch->told.push_back(fraction);
+    return fraction < watch->stopAt;
+  }
+};
+
+TEST(PowerDiagramErrors, TellsProgressAndStops)
+{
+  Random random(5);
+  Cloud sites(20000);
+  for (Point& site : sites)
+  {
+    site = { random.uniform(), random.uniform(), 0 };
+  }
+  Options options;
+  options.facets = FacetMode::Polygons;
+  const Triangulation triangulation = regularTriangulation(viewOf(sites), WeightView(), options);
+  const double box[] = { 0, 1, 0, 1 };
+  Watch watch;
+  options.progress = &Watch::hear;
+  options.progressContext = &watch;
+  powerDiagram(viewOf(sites), WeightView(), triangulation, box, options);
+  ASSERT_GE(watch.told.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(watch.told.begin(), watch.told.end()));
+  EXPECT_EQ(watch.told.front(), 0.0);
+  EXPECT_EQ(watch.told.back(), 1.0);
+
+  for (const double mark : { 0.0, 1.0 })
+  {
+    watch.stopAt = mark;
+    try
+    {
+      powerDiagram(viewOf(sites), WeightView(), triangulation, box, options);
+      ADD_FAILURE() << "not stopped at " << mark;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.code(), ErrorCode::Aborted);
+    }
+  }
 }
 
 }
