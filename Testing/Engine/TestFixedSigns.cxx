@@ -248,6 +248,43 @@ TEST(FixedSigns, TheyTellForGrids)
   EXPECT_GT(ties, 2000);
 }
 
+TEST(FixedSigns, TheLastBitCounts)
+{
+  SCOPED_TRACE(Seed + 4);
+  std::mt19937_64 random(Seed + 4);
+  int told = 0;
+  int left = 0;
+  for (int i = 0; i < 60000; ++i)
+  {
+    // Small integers around the first point, at zero, where differences are exact; one of the
+    // others' zeros is a little more.
+    const int limit = i % 8 ? 3 : 9;
+    Points v = { makeVertex(0, 0, 0, 0) };
+    for (std::uint32_t k = 1; k < 4; ++k)
+    {
+      const auto coordinate = [&] { return below(random, limit) - limit / 2; };
+      v[k] = makeVertex(coordinate(), coordinate(), coordinate(), k);
+    }
+    const bool isTie = exactAbove(v[0], v[1], v[2], v[3]) == 0;
+    const bool isLiftedTie = exactLifted<true>(v) == 0;
+    double& x = v[1 + random() % 3].x[random() % 3];
+    if (x != 0 || !(isTie || isLiftedTie))
+    {
+      continue;
+    }
+    x = std::ldexp(random() % 2 ? 1.0 : -1.0, -55 - below(random, i % 2 ? 10 : 80));
+    bool isTold = checkSpace(v);
+    isTold = checkLifted<true>(v) && isTold;
+    if (testing::Test::HasFailure())
+    {
+      FAIL() << "case " << i;
+    }
+    (isTold ? told : left) += 1;
+  }
+  EXPECT_GT(told, 500);
+  EXPECT_GT(left, 500);
+}
+
 #endif
 
 TEST(FixedSigns, WhatTheyTellIsExact)
