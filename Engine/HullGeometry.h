@@ -23,6 +23,7 @@
 
 #include "CoordinateRange.h"
 #include "Perturbation.h"
+#include "PredicateSteps.h"
 #include "Vertex.h"
 #include "WideSigns.h"
 
@@ -42,19 +43,12 @@ constexpr double DeterminantError = 48.1 * 1.1102230246251565e-16;
 constexpr double FilterFloor = 1e-97;
 constexpr double FilterCeiling = 1e102;
 
-/// What a geometry counts while it answers. It is copied for each task.
-struct PredicateCounts
-{
-  std::int64_t exact = 0; ///< signs that the floating-point filter left undecided
-  std::int64_t ties = 0;  ///< signs of "above" that only the perturbation decides
-};
-
 class HullCone;
 class HullLocator;
 class HullPlane;
 class HullSplit;
 
-class HullGeometry
+class HullGeometry : public PredicateSteps<HullGeometry>
 {
 public:
   using Cone = HullCone;
@@ -145,24 +139,6 @@ public:
   const double* kernel() const { return this->s; }
   bool kernelIsSymbolic() const { return this->symbolic; }
 
-  /// Sign of det[b - a; c - a; p - a].
-  FF_HD int above(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
-  {
-    int sign;
-    return this->filterAbove(a, b, c, p, sign) ? sign : this->exactAbove(a, b, c, p);
-  }
-
-  FF_HD int perturbedAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
-  {
-    const int sign = this->above(a, b, c, p);
-    if (sign)
-    {
-      return sign;
-    }
-    ++this->counts.ties;
-    return this->tieAbove(a, b, c, p);
-  }
-
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On the triangle it
   /// cannot; where the cone is flat, the perturbation tells.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
@@ -170,20 +146,7 @@ public:
     return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
   }
 
-  /// Sign of det[a - s; b - s; c - s].
-  FF_HD int beneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
-  {
-    int sign;
-    return this->filterBeneathKernel(a, b, c, sign) ? sign : this->exactBeneathKernel(a, b, c);
-  }
-
-  FF_HD int perturbedBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
-  {
-    const int sign = this->beneathKernel(a, b, c);
-    return sign ? sign : this->tieBeneathKernel(a, b, c);
-  }
-
-  /// The first step alone: false when it cannot tell.
+  /// The first step alone, of det[b - a; c - a; p - a]: false when it cannot tell.
   FF_HD bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
@@ -201,6 +164,7 @@ public:
       largestOf(ux, vx, wx), largestOf(uy, vy, wy), largestOf(uz, vz, wz), det, sign);
   }
 
+  /// The same, of det[a - s; b - s; c - s].
   FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
     const double ux = a.x[0] - this->s[0], uy = a.x[1] - this->s[1], uz = a.x[2] - this->s[2];
@@ -238,6 +202,27 @@ public:
                           : this->exactBeneath(a, b, c, this->plainRow());
   }
 
+  /// The third step alone, where the exact sign is zero. Never zero.
+  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
+    const Vertex* row[4] = { &a, &b, &c, &p };
+    const int sign = -sortById(row);
+    const Row<1> last = { { row[3]->x } };
+    return sign * this->tie(*row[0], *row[1], *row[2], last);
+  }
+
+  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    // det[a - s; b - s; c - s] = det of the rows (a, 1), (b, 1), (c, 1), (s, 1); s is the last of
+    // all ids.
+    const Vertex* row[3] = { &a, &b, &c };
+    const int sign = sortById(row);
+    return sign *
+      (this->symbolic ? this->tie(*row[0], *row[1], *row[2], this->symbolicRow())
+                      : this->tie(*row[0], *row[1], *row[2], this->plainRow()));
+  }
+
   /// Sign of det[b - a; c - a] in the coordinates p, q: the orientation of a projection.
   int planar(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
   {
@@ -269,11 +254,6 @@ public:
   bool isWide() const
   {
     return this->wide;
-  }
-
-  const PredicateCounts& predicateCounts() const
-  {
-    return this->counts;
   }
 
   /// Error bound of det[u; v; p - q] for any two input points p, q and differences u, v of input
@@ -377,26 +357,6 @@ private:
     return perturbedSign<ExpansionSigns, MovedByPoint>(rows, last);
   }
 
-  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
-  {
-    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
-    const Vertex* row[4] = { &a, &b, &c, &p };
-    const int sign = -sortById(row);
-    const Row<1> last = { { row[3]->x } };
-    return sign * this->tie(*row[0], *row[1], *row[2], last);
-  }
-
-  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
-  {
-    // det[a - s; b - s; c - s] = det of the rows (a, 1), (b, 1), (c, 1), (s, 1); s is the last of
-    // all ids.
-    const Vertex* row[3] = { &a, &b, &c };
-    const int sign = sortById(row);
-    return sign *
-      (this->symbolic ? this->tie(*row[0], *row[1], *row[2], this->symbolicRow())
-                      : this->tie(*row[0], *row[1], *row[2], this->plainRow()));
-  }
-
   double s[3] = { 0, 0, 0 };
   double corner[4][3] = {};
   double low[3] = { 0, 0, 0 }; ///< of the points
@@ -408,7 +368,6 @@ private:
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;
-  mutable PredicateCounts counts;
 };
 
 }

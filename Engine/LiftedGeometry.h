@@ -25,6 +25,7 @@
 #include "HullGeometry.h"
 #include "LiftedSigns.h"
 #include "Perturbation.h"
+#include "PredicateSteps.h"
 #include "Vertex.h"
 #include "WideSigns.h"
 
@@ -59,7 +60,7 @@ class LiftedSplit;
 
 /// @tparam Weighted false: all weights are zero, and cost nothing
 template <bool Weighted>
-class LiftedGeometry
+class LiftedGeometry : public PredicateSteps<LiftedGeometry<Weighted>>
 {
 public:
   using Locator = LiftedLocator<Weighted>;
@@ -119,23 +120,6 @@ public:
   const double* kernel() const { return this->s; }
   bool kernelIsSymbolic() const { return this->symbolic; }
 
-  FF_HD int above(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
-  {
-    int sign;
-    return this->filterAbove(a, b, c, p, sign) ? sign : this->exactAbove(a, b, c, p);
-  }
-
-  FF_HD int perturbedAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
-  {
-    const int sign = this->above(a, b, c, p);
-    if (sign)
-    {
-      return sign;
-    }
-    ++this->counts.ties;
-    return this->tieAbove(a, b, c, p);
-  }
-
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
   /// it cannot, unless that is flat. On a border's line it can: above the chord of the edge.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
@@ -152,18 +136,6 @@ public:
       return this->isAboveChord(first, p, second);
     }
     return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
-  }
-
-  FF_HD int beneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
-  {
-    int sign;
-    return this->filterBeneathKernel(a, b, c, sign) ? sign : this->exactBeneathKernel(a, b, c);
-  }
-
-  FF_HD int perturbedBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
-  {
-    const int sign = this->beneathKernel(a, b, c);
-    return sign ? sign : this->tieBeneathKernel(a, b, c);
   }
 
   /// The first step alone: false when it cannot tell.
@@ -242,6 +214,32 @@ public:
     return this->exactTurn(turnBeneath(a, b, c));
   }
 
+  /// The third step alone, where the exact sign is zero. Never zero.
+  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    {
+      return this->tieTurn(turnAbove(a, b, c, p));
+    }
+    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
+    const Vertex* row[4] = { &a, &b, &c, &p };
+    const int sign = -sortById(row);
+    const double* const rows[3] = { row[0]->x, row[1]->x, row[2]->x };
+    const Row<1> last = { { row[3]->x } };
+#if !defined(__CUDA_ARCH__)
+    if (this->wide)
+    {
+      return sign * perturbedSign<WideLiftedSigns, MovedByHeight>(rows, last);
+    }
+#endif
+    return sign * perturbedSign<LiftedSigns<Weighted>, MovedByHeight>(rows, last);
+  }
+
+  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->tieTurn(turnBeneath(a, b, c));
+  }
+
   /// Orientation of three points in the plane. Exact.
   int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
@@ -275,11 +273,6 @@ public:
     }
     return this->orient(a, b, c) == 0 && this->upright(a, b, c, 1, 2) == 0 &&
       this->upright(a, b, c, 2, 0) == 0;
-  }
-
-  const PredicateCounts& predicateCounts() const
-  {
-    return this->counts;
   }
 
   /// No two points are further apart, by coordinate; infinite where floating-point bounds do not
@@ -378,31 +371,6 @@ private:
     return { { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } };
   }
 
-  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
-  {
-    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
-    {
-      return this->tieTurn(turnAbove(a, b, c, p));
-    }
-    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
-    const Vertex* row[4] = { &a, &b, &c, &p };
-    const int sign = -sortById(row);
-    const double* const rows[3] = { row[0]->x, row[1]->x, row[2]->x };
-    const Row<1> last = { { row[3]->x } };
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return sign * perturbedSign<WideLiftedSigns, MovedByHeight>(rows, last);
-    }
-#endif
-    return sign * perturbedSign<LiftedSigns<Weighted>, MovedByHeight>(rows, last);
-  }
-
-  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
-  {
-    return this->tieTurn(turnBeneath(a, b, c));
-  }
-
   FF_HD int tieTurn(const Turn& turn) const
   {
     // s is the last of all ids.
@@ -439,7 +407,6 @@ private:
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;
-  mutable PredicateCounts counts;
 };
 
 }
