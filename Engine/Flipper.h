@@ -106,8 +106,10 @@ public:
   /// Check one edge now.
   void check(std::uint32_t h)
   {
-    if ((++this->checks & 0xFFFF) == 0)
+    ++this->checks;
+    if (++this->sincePoll == 0x4000)
     {
+      this->sincePoll = 0;
       this->monitor.poll();
     }
     std::uint32_t twin;
@@ -300,6 +302,7 @@ private:
   Monitor& monitor;
   std::vector<std::uint32_t> stack;
   std::vector<std::uint32_t> pending;
+  std::uint32_t sincePoll = 0;
   std::int64_t checks = 0;
   std::int64_t flips22 = 0;
   std::int64_t flips31 = 0;
