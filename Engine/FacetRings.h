@@ -6,17 +6,15 @@
 #define flipflop_FacetRings_h
 
 #include "Triangulation.h"
+#include "Vertex.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace flipflop
 {
-
-constexpr std::uint32_t NoIndex = std::numeric_limits<std::uint32_t>::max();
 
 /// A half-edge is a place in the connectivity: it leaves the corner there. All indices must be in
 /// range, and below NoIndex; whatever else is wrong with a complex, walk() finds.

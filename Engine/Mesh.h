@@ -20,8 +20,6 @@
 namespace flipflop
 {
 
-constexpr std::uint32_t NoIndex = 0xFFFFFFFFu;
-
 struct alignas(32) Triangle
 {
   std::uint32_t v[3];    ///< corners, counter-clockwise from outside

@@ -11,6 +11,9 @@
 namespace flipflop
 {
 
+/// No vertex, no triangle, no id.
+constexpr std::uint32_t NoIndex = 0xFFFFFFFFu;
+
 struct alignas(32) Vertex
 {
   double x[3];         ///< x, y, and z or the weight; NaN for the virtual vertex
@@ -29,7 +32,7 @@ enum VertexFlags : std::uint32_t
 inline Vertex virtualVertex()
 {
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-  return { { nowhere, nowhere, nowhere }, 0xFFFFFFFFu, VertexAlive | VertexVirtual };
+  return { { nowhere, nowhere, nowhere }, NoIndex, VertexAlive | VertexVirtual };
 }
 
 inline bool samePosition(const Vertex& a, const Vertex& b)

@@ -60,8 +60,8 @@
  * is not finite if its z is not, even where z does not matter.
  *
  * @warning
- * At most 2^32 - 2 points can be given. For composite input the pipeline runs the filter once for
- * each block; what it reports is then of the last block.
+ * At most 2^32 - 2 points can be given, about 5e8 where nearly all are visible. For composite input
+ * the pipeline runs the filter once for each block; what it reports is then of the last block.
  *
  * @sa
  * vtkFFAlgorithm vtkFFHullFilter vtkDelaunay2D vtkVoronoi2D
