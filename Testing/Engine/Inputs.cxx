@@ -331,9 +331,10 @@ const std::vector<Family>& families()
   return all;
 }
 
-Input fromFamily(const std::string& name, int count, std::uint64_t seed)
+Input fromFamilies(
+  const std::vector<Family>& list, const std::string& name, int count, std::uint64_t seed)
 {
-  for (const Family& family : families())
+  for (const Family& family : list)
   {
     if (name == family.name)
     {
@@ -347,6 +348,27 @@ Input fromFamily(const std::string& name, int count, std::uint64_t seed)
     }
   }
   throw std::invalid_argument("no family " + name);
+}
+
+Input fromFamily(const std::string& name, int count, std::uint64_t seed)
+{
+  return fromFamilies(families(), name, count, seed);
+}
+
+Cloud withUlps(double ulp, int odds, Random& random)
+{
+  Cloud cloud;
+  for (int n = random.integer(1, 12); n > 0; --n)
+  {
+    Point p;
+    for (double& x : p)
+    {
+      x = 1 + random.integer(0, 2) * 0.25;
+      x += random.integer(1, odds) == 1 ? ulp * random.integer(-1, 2) : 0;
+    }
+    cloud.push_back(p);
+  }
+  return cloud;
 }
 
 Cloud integerGrid(int side)

@@ -70,10 +70,15 @@ struct Family
   Cloud (*make)(int count, Random& random);
 };
 const std::vector<Family>& families();
-/// The family of that name, at that size; @p name is known or the call throws.
+/// The family of that name in a list, at that size; @p name is known or the call throws.
+Input fromFamilies(
+  const std::vector<Family>& list, const std::string& name, int count, std::uint64_t seed);
 Input fromFamily(const std::string& name, int count, std::uint64_t seed);
 
 // Single clouds and changes to a cloud.
+/// Up to 12 points from 1, 1.25 and 1.5, with some units @p ulp of the last place at one coordinate
+/// of @p odds.
+Cloud withUlps(double ulp, int odds, Random& random);
 Cloud integerGrid(int side);
 Cloud cubeSurfaceGrid(int side);
 /// Points of the cloud in another frame: rotated by a fixed skew rotation, rounded to doubles.

@@ -361,20 +361,7 @@ const std::vector<Family>& weightedFamilies()
 
 Input fromWeightedFamily(const std::string& name, int count, std::uint64_t seed)
 {
-  for (const Family& family : weightedFamilies())
-  {
-    if (name == family.name)
-    {
-      const auto make = family.make;
-      return { name + "_" + std::to_string(count), seed,
-        [make, count, seed]()
-        {
-          Random random(seed);
-          return make(count, random);
-        } };
-    }
-  }
-  throw std::invalid_argument("no weighted family " + name);
+  return fromFamilies(weightedFamilies(), name, count, seed);
 }
 
 Cloud squareGrid(int side)

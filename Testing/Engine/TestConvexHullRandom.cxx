@@ -110,34 +110,25 @@ TEST(ConvexHullRandom, IntegersMany)
 }
 
 /// Integers with a unit of the last place here and there.
-ReferenceHull withUlps(double ulp, int odds, Random& r, Cloud& cloud)
+ReferenceHull ofUlps(double ulp, int odds, Random& r, Cloud& cloud)
 {
-  for (int n = r.integer(1, 12); n > 0; --n)
-  {
-    Point p;
-    for (double& x : p)
-    {
-      x = 1 + r.integer(0, 2) * 0.25;
-      x += r.integer(1, odds) == 1 ? ulp * r.integer(-1, 2) : 0;
-    }
-    cloud.push_back(p);
-  }
+  cloud = withUlps(ulp, odds, r);
   return bruteForceHull(cloud);
 }
 
 TEST(ConvexHullRandom, FloatUlps)
 {
-  runCases(40000, [](Random& r, Cloud& cloud) { return withUlps(0x1p-23, 4, r, cloud); });
+  runCases(40000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-23, 4, r, cloud); });
 }
 
 TEST(ConvexHullRandom, DoubleUlps)
 {
-  runCases(6000, [](Random& r, Cloud& cloud) { return withUlps(0x1p-52, 4, r, cloud); });
+  runCases(6000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 4, r, cloud); });
 }
 
 TEST(ConvexHullRandom, DoubleUlpsFew)
 {
-  runCases(6000, [](Random& r, Cloud& cloud) { return withUlps(0x1p-52, 12, r, cloud); });
+  runCases(6000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 12, r, cloud); });
 }
 
 TEST(ConvexHullRandom, CollinearTriples)

@@ -117,34 +117,25 @@ TEST(RegularTriangulationRandom, FewLifts)
 }
 
 /// Integers with a unit of the last place here and there, in weights too.
-ReferenceTriangulation withUlps(double ulp, int odds, Random& r, Cloud& cloud)
+ReferenceTriangulation ofUlps(double ulp, int odds, Random& r, Cloud& cloud)
 {
-  for (int n = r.integer(1, 12); n > 0; --n)
-  {
-    Point p;
-    for (double& x : p)
-    {
-      x = 1 + r.integer(0, 2) * 0.25;
-      x += r.integer(1, odds) == 1 ? ulp * r.integer(-1, 2) : 0;
-    }
-    cloud.push_back(p);
-  }
+  cloud = withUlps(ulp, odds, r);
   return bruteForceTriangulation(cloud);
 }
 
 TEST(RegularTriangulationRandom, FloatUlps)
 {
-  runCases(10000, [](Random& r, Cloud& cloud) { return withUlps(0x1p-23, 4, r, cloud); });
+  runCases(10000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-23, 4, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, DoubleUlps)
 {
-  runCases(4000, [](Random& r, Cloud& cloud) { return withUlps(0x1p-52, 4, r, cloud); });
+  runCases(4000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 4, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, DoubleUlpsFew)
 {
-  runCases(4000, [](Random& r, Cloud& cloud) { return withUlps(0x1p-52, 12, r, cloud); });
+  runCases(4000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 12, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, MixedScales)
