@@ -350,56 +350,56 @@ TEST(LiftedPredicates, Random)
 
 TEST(LiftedPredicates, NearlyDegenerate)
 {
-  Seen seen = checkAll<true>(cocircular, Seed + 2, 3000);
-  EXPECT_GT(seen.undecided, 2000);
-  seen = checkAll<false>(cocircular, Seed + 3, 3000);
-  EXPECT_GT(seen.undecided, 2000);
-  seen = checkAll<true>(collinear, Seed + 4, 3000);
-  EXPECT_GT(seen.undecided, 2000);
-  EXPECT_GT(seen.flat, 20);
-  seen = checkAll<false>(collinear, Seed + 5, 3000);
-  EXPECT_GT(seen.undecided, 2000);
-  EXPECT_GT(seen.flat, 20);
+  Seen seen = checkAll<true>(cocircular, Seed + 2, 1500);
+  EXPECT_GT(seen.undecided, 800);
+  seen = checkAll<false>(cocircular, Seed + 3, 1500);
+  EXPECT_GT(seen.undecided, 800);
+  seen = checkAll<true>(collinear, Seed + 4, 1500);
+  EXPECT_GT(seen.undecided, 800);
+  EXPECT_GT(seen.flat, 8);
+  seen = checkAll<false>(collinear, Seed + 5, 1500);
+  EXPECT_GT(seen.undecided, 800);
+  EXPECT_GT(seen.flat, 8);
 }
 
 TEST(LiftedPredicates, Decimals)
 {
-  Seen seen = checkAll<true>(decimals, Seed + 6, 4000);
-  EXPECT_GT(seen.undecided, 2000);
-  EXPECT_GT(seen.zero, 1000);
-  EXPECT_GT(seen.appearing, 100);
-  seen = checkAll<false>(decimals, Seed + 7, 4000);
-  EXPECT_GT(seen.undecided, 2000);
-  EXPECT_GT(seen.zero, 1000);
+  Seen seen = checkAll<true>(decimals, Seed + 6, 2000);
+  EXPECT_GT(seen.undecided, 800);
+  EXPECT_GT(seen.zero, 400);
+  EXPECT_GT(seen.appearing, 40);
+  seen = checkAll<false>(decimals, Seed + 7, 2000);
+  EXPECT_GT(seen.undecided, 800);
+  EXPECT_GT(seen.zero, 400);
 }
 
 TEST(LiftedPredicates, ExactlyDegenerate)
 {
   for (const bool onLattice : { false, true })
   {
-    Seen seen = checkAll<true>(integers, Seed + 8, 4000, onLattice);
-    EXPECT_GT(seen.zero, 4000);
-    EXPECT_GT(seen.flat, 1000);
-    EXPECT_GT(seen.chords, 200);
-    EXPECT_GT(seen.appearing, 200);
+    Seen seen = checkAll<true>(integers, Seed + 8, 2000, onLattice);
+    EXPECT_GT(seen.zero, 1600);
+    EXPECT_GT(seen.flat, 400);
+    EXPECT_GT(seen.chords, 80);
+    EXPECT_GT(seen.appearing, 80);
     EXPECT_EQ(seen.undecided > 0, !onLattice);
-    seen = checkAll<false>(integers, Seed + 9, 3000, onLattice);
-    EXPECT_GT(seen.zero, 3000);
-    EXPECT_GT(seen.appearing, 100);
+    seen = checkAll<false>(integers, Seed + 9, 1500, onLattice);
+    EXPECT_GT(seen.zero, 1200);
+    EXPECT_GT(seen.appearing, 40);
     EXPECT_EQ(seen.undecided > 0, !onLattice);
   }
-  Seen seen = checkAll<true>(onAnAxis, Seed + 10, 2000);
-  EXPECT_GT(seen.flat, 3000);
-  EXPECT_GT(seen.chords, 500);
-  seen = checkAll<false>(onAnAxis, Seed + 11, 2000);
-  EXPECT_GT(seen.flat, 3000);
+  Seen seen = checkAll<true>(onAnAxis, Seed + 10, 1000);
+  EXPECT_GT(seen.flat, 1200);
+  EXPECT_GT(seen.chords, 200);
+  seen = checkAll<false>(onAnAxis, Seed + 11, 1000);
+  EXPECT_GT(seen.flat, 1200);
 }
 
 TEST(LiftedPredicates, GiantWeights)
 {
-  const Seen seen = checkAll<true>(giantWeights, Seed + 12, 3000);
-  EXPECT_GT(seen.zero, 1000);
-  EXPECT_GT(seen.undecided, 500);
+  const Seen seen = checkAll<true>(giantWeights, Seed + 12, 1500);
+  EXPECT_GT(seen.zero, 400);
+  EXPECT_GT(seen.undecided, 200);
 }
 
 TEST(LiftedPredicates, AnyScale)
