@@ -61,7 +61,7 @@ public:
     }
     if (size > SIZE_MAX / sizeof(T))
     {
-      throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(size));
+      throw Error(ErrorCode::OutOfMemory, -1, INT64_MAX);
     }
     // Aligned for records of half a cache line. Large arrays are read and written all over: in huge
     // pages, where the system has them, that costs a fraction of the page faults and look-ups.

@@ -247,11 +247,6 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
   }
 }
 
-}
-
-namespace
-{
-
 /// The corner of lowest rank.
 int lowestOf(const std::uint32_t* r)
 {

@@ -86,9 +86,9 @@ public:
   /// @return false when it is no multiple of the unit
   FF_HD bool convert(double value, std::int64_t& result) const
   {
-    const double scaled = value * this->perUnit;
+    const double scaled = this->known ? value * this->perUnit : 0.0;
     result = static_cast<std::int64_t>(scaled);
-    return this->known && static_cast<double>(result) == scaled;
+    return isWhole(scaled, static_cast<double>(result), value);
   }
 
   /// The same for values of at most the square of the largest, in squares of the unit.
@@ -97,12 +97,18 @@ public:
     const double scaled = value * this->perUnit * this->perUnit;
     const bool fits = this->known && std::fabs(scaled) < 0x1p124;
     result = fits ? static_cast<Int128>(scaled) : 0;
-    return fits && static_cast<double>(result) == scaled;
+    return fits && isWhole(scaled, static_cast<double>(result), value);
   }
 
 private:
+  /// What vanished in scaling is no multiple of the unit.
+  FF_HD static bool isWhole(double scaled, double rounded, double value)
+  {
+    return rounded == scaled && (scaled != 0.0 || value == 0.0);
+  }
+
   double perUnit;
-  bool known;
+  bool known; ///< in reach of the exponents
 };
 
 /// b - a, where that is exact.

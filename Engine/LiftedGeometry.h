@@ -214,12 +214,15 @@ public:
     return this->exactTurn(turnBeneath(a, b, c));
   }
 
-  /// The third step alone, where the exact sign is zero. Never zero.
+  /// The third step alone, where the exact sign is zero. Never zero, but for a vertex against
+  /// itself.
   FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
     {
-      return this->tieTurn(turnAbove(a, b, c, p));
+      const bool twice =
+        (p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual);
+      return twice ? 0 : this->tieTurn(turnAbove(a, b, c, p));
     }
     // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
     const Vertex* row[4] = { &a, &b, &c, &p };

@@ -16,8 +16,9 @@ enum class ScalarType
   Float64
 };
 
-/// A read-only view of @c count points: x, y, z at data[i * stride + 0, 1, 2], counted in scalars.
-/// float values are taken as they are (each is a double exactly); nothing is copied.
+/// A read-only view of @c count points: x, y, z at data[i * stride + 0, 1, 2], counted in scalars;
+/// of points in the plane only x and y are read. float values are taken as they are (each is a
+/// double exactly); nothing is copied.
 struct PointView
 {
   const void* data = nullptr;

@@ -244,7 +244,7 @@ bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite
       for (int i = 0; i < 3; ++i)
       {
         const double units = x[i] * perUnit[i];
-        if (units != std::nearbyint(units))
+        if (units != std::nearbyint(units) || (units == 0 && x[i] != 0))
         {
           return false;
         }

@@ -280,13 +280,13 @@ const char* describe(Fault fault)
     case Fault::Structure:
       return "sizes, indices or order are wrong";
     case Fault::NotClosed:
-      return "the surface is not closed";
+      return "the surface is not closed, or the triangulation has a gap";
     case Fault::NotConvex:
-      return "the surface is not convex, or a facet is not whole";
+      return "an edge is not convex (not regular), or a facet is not whole";
     case Fault::NotExtreme:
-      return "a point of the result is not strictly extreme";
+      return "a point of the result is not strictly extreme: it should be hidden";
     case Fault::PointOutside:
-      return "a point is outside";
+      return "a point is outside, or should not be hidden";
     case Fault::WrongId:
       return "a duplicate with a lower id is passed over";
     case Fault::WrongDimension:

@@ -3,6 +3,9 @@
 /// @file
 /// The oracle: is this the convex hull, or the regular triangulation, of these points, in canonical
 /// form?
+///
+/// It shares the exact predicates and the locator's walk with the engine, and nothing of how
+/// results are found; the predicates themselves are tested against rationals.
 #ifndef flipflop_Validate_h
 #define flipflop_Validate_h
 

@@ -318,7 +318,8 @@ public:
     return this->eachPoint(
       [&](const Geometry& local, const Vertex& p)
       {
-        // The grid only tells where to start; inside or not is decided by signs.
+        // The locator only tells where to start; inside or not is decided by signs. Its walk ends
+        // on fans too: they are a regular refinement of the convex surface that has been checked.
         const Buffer<std::int64_t>& ids = this->complex.pointIds;
         if (std::binary_search(ids.begin(), ids.end(), static_cast<std::int64_t>(p.id)))
         {

@@ -228,7 +228,8 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
     case ErrorCode::TooManyPoints:
       return count + " points are more than 32-bit indices can name.";
     case ErrorCode::OutOfMemory:
-      return "There is not enough memory for this input: " + count + " bytes were refused.";
+      return "There is not enough memory for this input" +
+        (error.count() > 0 ? ": " + count + " bytes were refused." : std::string("."));
     case ErrorCode::Aborted:
       return "The run was aborted.";
     case ErrorCode::BadArgument:
