@@ -3,12 +3,13 @@
 /// @file
 /// ffHull's two stages (paper, Algorithm 2), in rounds on growing samples.
 ///
-/// A stratified sample of n^(2/3) points (or more: see the geometry's MostPerSample) has a hull
-/// that nearly all other points lie inside of, and whose cones cut the others into small, even
-/// portions. So each round takes the hull of a sample of its points, built the same way, as the
-/// polyhedron to start from: it associates its other points to the cones, grows, and flips. The
-/// innermost sample starts from a tetrahedron. Any star-shaped start is right; this one makes every
-/// cone small enough for the cache, and gives the threads independent work from the first pass on.
+/// A stratified sample of n^(2/3) points has a hull that nearly all other points lie inside of, and
+/// whose cones cut the others into small, even portions. So each round takes the hull of a sample
+/// of its points, built the same way, as the polyhedron to start from: it associates its other
+/// points to the cones, grows, and flips. The innermost sample starts from a tetrahedron. Any
+/// star-shaped start is right; this one makes every cone small enough for the cache, and gives the
+/// threads independent work from the first pass on. Larger samples would spare points on lines many
+/// flips, but a polyhedron to locate in that does not fit the cache costs all others more.
 #ifndef flipflop_Builder_h
 #define flipflop_Builder_h
 
@@ -73,8 +74,7 @@ public:
     std::vector<std::vector<std::uint32_t>> samples;
     while (count > LeastSampled)
     {
-      const double each = std::min(std::cbrt(static_cast<double>(count)), Geometry::MostPerSample);
-      const auto size = static_cast<std::uint32_t>(count / each);
+      const auto size = static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));
       std::vector<std::uint32_t> next = sample(count, size);
       if (!samples.empty())
       {

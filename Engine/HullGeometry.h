@@ -59,9 +59,6 @@ public:
   /// Are all points vertices but for duplicates?
   static constexpr bool AllExtreme = false;
 
-  /// Points to one of a sample, at most: as many as Builder likes.
-  static constexpr double MostPerSample = std::numeric_limits<double>::infinity();
-
   HullGeometry() = default;
 
   /// @param range      of the scaled coordinates

@@ -70,10 +70,6 @@ public:
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
 
-  /// Points to one of a sample, at most. Points on lines (roads, contours, scan lines) take flips
-  /// in proportion to how many of them share a cone.
-  static constexpr double MostPerSample = 32;
-
   LiftedGeometry() = default;
 
   /// @param range      of the scaled coordinates and weights
