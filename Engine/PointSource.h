@@ -7,6 +7,7 @@
 #define flipflop_PointSource_h
 
 #include "CoordinateRange.h"
+#include "Error.h"
 #include "PointView.h"
 #include "Vertex.h"
 
@@ -16,6 +17,33 @@
 
 namespace flipflop
 {
+
+/// @param least the shortest stride that holds a point
+/// @throw Error BadArgument, TooManyPoints
+inline void requireValid(const PointView& points, std::int64_t least)
+{
+  if (points.count < 0 || (points.count > 0 && (!points.data || points.stride < least)))
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  if (points.count > static_cast<std::int64_t>(NoIndex) - 1)
+  {
+    throw Error(ErrorCode::TooManyPoints, -1, points.count);
+  }
+}
+
+/// @throw Error BadArgument, WeightCount
+inline void requireValid(const WeightView& weights, std::int64_t pointCount)
+{
+  if (weights.count < 0 || (weights.data ? weights.stride < 1 : weights.count > 0))
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  if (weights.data && weights.count != pointCount)
+  {
+    throw Error(ErrorCode::WeightCount, -1, weights.count);
+  }
+}
 
 class PointSource
 {

@@ -165,7 +165,7 @@ private:
 };
 
 /// The exponents of some numbers.
-class Span
+class ExponentRange
 {
 public:
   void add(const PowerSite& site)
@@ -215,11 +215,11 @@ using HeapInteger = boost::multiprecision::number<boost::multiprecision::cpp_int
 
 /// Run @p recipe in the cheapest arithmetic that can.
 template <class Recipe>
-void decide(const Span& span, const Recipe& recipe)
+void decide(const ExponentRange& range, const Recipe& recipe)
 {
-  const bool done = span.bits() <= MostBits
-    ? recipe(IntegerArithmetic<StackInteger>(span.exponent()))
-    : recipe(IntegerArithmetic<HeapInteger>(span.exponent()));
+  const bool done = range.bits() <= MostBits
+    ? recipe(IntegerArithmetic<StackInteger>(range.exponent()))
+    : recipe(IntegerArithmetic<HeapInteger>(range.exponent()));
   if (!done)
   {
     throw Error(ErrorCode::BadArgument);
@@ -277,11 +277,11 @@ void powerCenter(const PowerSite& a, const PowerSite& b, const PowerSite& c, dou
 {
   if (!center(BoundedArithmetic(), a, b, c, result))
   {
-    Span span;
-    span.add(a);
-    span.add(b);
-    span.add(c);
-    decide(span, [&](const auto& k) { return center(k, a, b, c, result); });
+    ExponentRange range;
+    range.add(a);
+    range.add(b);
+    range.add(c);
+    decide(range, [&](const auto& k) { return center(k, a, b, c, result); });
   }
 }
 
@@ -289,10 +289,10 @@ void powerMiddle(const PowerSite& a, const PowerSite& b, double* result)
 {
   if (!middle(BoundedArithmetic(), a, b, result))
   {
-    Span span;
-    span.add(a);
-    span.add(b);
-    decide(span, [&](const auto& k) { return middle(k, a, b, result); });
+    ExponentRange range;
+    range.add(a);
+    range.add(b);
+    decide(range, [&](const auto& k) { return middle(k, a, b, result); });
   }
 }
 
@@ -301,11 +301,11 @@ double powerCrossing(const PowerSite& a, const PowerSite& b, int axis, double at
   double result = 0.0;
   if (!crossing(BoundedArithmetic(), a, b, axis, at, result))
   {
-    Span span;
-    span.add(a);
-    span.add(b);
-    span.add(at);
-    decide(span, [&](const auto& k) { return crossing(k, a, b, axis, at, result); });
+    ExponentRange range;
+    range.add(a);
+    range.add(b);
+    range.add(at);
+    decide(range, [&](const auto& k) { return crossing(k, a, b, axis, at, result); });
   }
   return result;
 }

@@ -9,14 +9,15 @@
 #include "CellClipper.h"
 #include "FacetRings.h"
 #include "Monitor.h"
+#include "PointSource.h"
 #include "PowerCorners.h"
+#include "TypedErrors.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <new>
 #include <vector>
 
 namespace flipflop
@@ -33,33 +34,13 @@ using Index = std::uint32_t;
 
 // ---- The input ---------------------------------------------------------------------------------
 
-template <class Scalar>
-double scalarAt(const void* data, std::int64_t at)
-{
-  return static_cast<const Scalar*>(data)[at];
-}
-
-double load(const void* data, ScalarType type, std::int64_t at)
-{
-  return type == ScalarType::Float32 ? scalarAt<float>(data, at) : scalarAt<double>(data, at);
-}
-
 /// The visible sites, by their index in the triangulation.
 Buffer<PowerSite> loadSites(
   const PointView& points, const WeightView& weights, const Triangulation& triangulation)
 {
-  if (points.count < 0 || (points.count > 0 && !points.data) || points.stride < 2)
-  {
-    refuse();
-  }
-  if (weights.data && weights.count != points.count)
-  {
-    throw Error(ErrorCode::WeightCount, -1, weights.count);
-  }
-  if (weights.data && weights.stride < 1)
-  {
-    refuse();
-  }
+  requireValid(points, 2);
+  requireValid(weights, points.count);
+  const PointSource source(points, weights);
   Buffer<PowerSite> sites(triangulation.pointIds.size());
   std::int64_t last = -1;
   for (std::size_t i = 0; i < sites.size(); ++i)
@@ -70,14 +51,13 @@ Buffer<PowerSite> loadSites(
       refuse(id);
     }
     last = id;
-    PowerSite& site = sites[i];
-    site.x[0] = load(points.data, points.type, id * points.stride);
-    site.x[1] = load(points.data, points.type, id * points.stride + 1);
-    site.weight = weights.data ? load(weights.data, weights.type, id * weights.stride) : 0.0;
-    if (!std::isfinite(site.x[0]) || !std::isfinite(site.x[1]) || !std::isfinite(site.weight))
+    double x[3];
+    source.load(static_cast<std::uint32_t>(id), x);
+    if (!isFinite(x))
     {
       refuse(id);
     }
+    sites[i] = { { x[0], x[1] }, x[2] };
   }
   return sites;
 }
@@ -408,11 +388,8 @@ void addCells(Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>&
   }
 }
 
-}
-
-PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
+PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options)
-try
 {
   Monitor monitor(options);
   monitor.stage(
@@ -453,9 +430,14 @@ try
   monitor.stage(1.0, 1.0, 1);
   return result;
 }
-catch (const std::bad_alloc&)
+
+}
+
+PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const double* box, const Options& options)
 {
-  throw Error(ErrorCode::OutOfMemory);
+  return withTypedErrors(
+    [&] { return diagramInBox(points, weights, triangulation, box, options); });
 }
 
 }

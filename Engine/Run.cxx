@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Run.h"
 
-#include "Mesh.h"
-
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -29,14 +27,7 @@ Run::Run(
   , monitor(chosen)
   , source(read)
 {
-  if (points.count < 0 || (points.count > 0 && (!points.data || points.stride < least)))
-  {
-    throw Error(ErrorCode::BadArgument);
-  }
-  if (points.count > static_cast<std::int64_t>(NoIndex) - 1)
-  {
-    throw Error(ErrorCode::TooManyPoints, -1, points.count);
-  }
+  requireValid(points, least);
 }
 
 bool Run::look(Statistics& statistics)

@@ -13,28 +13,14 @@
 #include "Statistics.h"
 #include "Stopwatch.h"
 #include "Tally.h"
+#include "TypedErrors.h"
 
 #include <tbb/task_arena.h>
 
-#include <new>
 #include <utility>
 
 namespace flipflop
 {
-
-/// What @p work returns; any shortage of memory becomes OutOfMemory.
-template <class Work>
-auto withTypedErrors(Work&& work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw Error(ErrorCode::OutOfMemory);
-  }
-}
 
 class Run
 {

@@ -34,14 +34,7 @@ public:
   TriangulationRun(const PointView& points, const WeightView& weights, const Options& options)
     : Run(points, 2, PointSource(points, weights), options)
   {
-    if (weights.count < 0 || (weights.data ? weights.stride < 1 : weights.count > 0))
-    {
-      throw Error(ErrorCode::BadArgument);
-    }
-    if (weights.data && weights.count != points.count)
-    {
-      throw Error(ErrorCode::WeightCount, -1, weights.count);
-    }
+    requireValid(weights, points.count);
   }
 
   /// Look at all points, and choose the arithmetic. False: there is no finite point.
