@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HullRun.h"
 
-#include "Builder.h"
-#include "Canonical.h"
-#include "HullCones.h"
-#include "HullLocator.h"
-#include "HullStart.h"
 #include "Planar.h"
-#include "Redundant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,48 +52,28 @@ void HullRun::hullOfPoints(Hull& hull)
   {
     return;
   }
-  using HullBuilder = Builder<HullGeometry>;
-  const std::uint32_t count = this->source.count();
-  const auto samples = HullBuilder::nestedSamples(count);
-  const Span span = samples.empty()
-    ? findSpan(this->geometry, this->source, nullptr, count, 3, this->checkFinite, this->monitor)
-    : findSpan(this->geometry, this->source, samples.back().data(),
-        static_cast<std::uint32_t>(samples.back().size()), 3, this->checkFinite, this->monitor);
-  hull.statistics.secondsScan = watch.lap();
-  if (span.dimension < 3)
+  const auto spanOf = [this](const std::uint32_t* ids, std::uint32_t count) {
+    return findSpan(this->geometry, this->source, ids, count, 3, this->checkFinite, this->monitor);
+  };
+  const auto lowerHull = [&](const Span& span)
   {
     lowDimensionalHull(this->geometry, this->source, span, this->checkFinite, this->range,
       this->arithmetic.scaleExponent, this->options.facets, this->monitor, hull);
-    hull.statistics.exactCalls = this->geometry.predicateCounts().exact;
-    hull.statistics.secondsFinish = watch.lap();
-    return;
-  }
-
-  Tally tally;
-  Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
-  HullBuilder builder(
-    this->geometry, this->source, this->checkFinite, this->options, this->threads, this->monitor);
-  Polyhedron polyhedron = builder.build(samples, std::move(start), tally);
-  hull.statistics.secondsLocate = builder.secondsLocate;
-  this->finish(std::move(polyhedron), std::move(tally), hull);
+  };
+  this->grow(hull, 3, watch, spanOf, lowerHull,
+    [&](const CanonicalForm& form) { this->measure(form, hull); });
 }
 
 void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)
 {
-  Stopwatch watch;
-  this->monitor.stage(0.9, 1.0, 1);
-  const bool anyFlat =
-    RedundantVertices<HullGeometry>(this->geometry, polyhedron, tally, this->monitor).remove();
-  CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
-    this->options.facets, hull.pointIds);
-  this->monitor.poll();
   hull.dimension = 3;
+  GeometryRun::finish(std::move(polyhedron), std::move(tally), hull,
+    [&](const CanonicalForm& form) { this->measure(form, hull); });
+}
+
+void HullRun::measure(const CanonicalForm& form, Hull& hull) const
+{
   form.writeMeasure(this->range, this->arithmetic.scaleExponent, hull);
-  this->monitor.poll();
-  form.writeCells(this->monitor, hull);
-  this->report(tally, hull.statistics);
-  hull.statistics.exactCalls += this->geometry.predicateCounts().exact;
-  hull.statistics.secondsFinish = watch.lap();
 }
 
 }

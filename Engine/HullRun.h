@@ -5,20 +5,22 @@
 #ifndef flipflop_HullRun_h
 #define flipflop_HullRun_h
 
+#include "GeometryRun.h"
 #include "Hull.h"
+#include "HullCones.h"
 #include "HullGeometry.h"
-#include "Polyhedron.h"
-#include "Run.h"
+#include "HullLocator.h"
+#include "HullStart.h"
 
 namespace flipflop
 {
 
-class HullRun : public Run
+class HullRun : public GeometryRun<HullGeometry>
 {
 public:
   /// @throw Error BadArgument, TooManyPoints
   HullRun(const PointView& points, const Options& options)
-    : Run(points, 3, PointSource(points), options)
+    : GeometryRun(points, 3, PointSource(points), options)
   {
   }
 
@@ -33,7 +35,8 @@ public:
   /// From a hull of perturbed points to the true one, in canonical form.
   void finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull);
 
-  HullGeometry geometry;
+private:
+  void measure(const CanonicalForm& form, Hull& hull) const;
 };
 
 }

@@ -5,34 +5,27 @@
 #ifndef flipflop_TriangulationRun_h
 #define flipflop_TriangulationRun_h
 
-#include "Builder.h"
-#include "Canonical.h"
 #include "Chain.h"
+#include "GeometryRun.h"
 #include "LiftedLocator.h"
 #include "LiftedStart.h"
-#include "Redundant.h"
-#include "Run.h"
 #include "Triangulation.h"
 
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <utility>
-#include <vector>
+#include <cstdint>
 
 namespace flipflop
 {
 
 /// @tparam Weighted false: there are no weights
 template <bool Weighted>
-class TriangulationRun : public Run
+class TriangulationRun : public GeometryRun<LiftedGeometry<Weighted>>
 {
 public:
   using Geometry = LiftedGeometry<Weighted>;
 
   /// @throw Error BadArgument, WeightCount, TooManyPoints
   TriangulationRun(const PointView& points, const WeightView& weights, const Options& options)
-    : Run(points, 2, PointSource(points, weights), options)
+    : GeometryRun<Geometry>(points, 2, PointSource(points, weights), options)
   {
     requireValid(weights, points.count);
   }
@@ -77,46 +70,16 @@ public:
     {
       return;
     }
-    using LiftedBuilder = Builder<Geometry>;
-    const std::uint32_t count = this->source.count();
-    const auto samples = LiftedBuilder::nestedSamples(count);
-    const Span span = samples.empty()
-      ? this->spanOf(nullptr, count)
-      : this->spanOf(samples.back().data(), static_cast<std::uint32_t>(samples.back().size()));
-    result.statistics.secondsScan = watch.lap();
-    if (span.dimension < 2)
+    const auto chain = [&](const Span&)
     {
       chainOfPoints(this->geometry, this->source, this->checkFinite, this->monitor, result);
       this->listHidden(result);
-      result.statistics.exactCalls = this->geometry.predicateCounts().exact;
-      result.statistics.secondsFinish = watch.lap();
-      return;
-    }
-
-    Tally tally;
-    Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
-    LiftedBuilder builder(
-      this->geometry, this->source, this->checkFinite, this->options, this->threads, this->monitor);
-    Polyhedron polyhedron = builder.build(samples, std::move(start), tally);
-    result.statistics.secondsLocate = builder.secondsLocate;
-
-    watch.lap();
-    this->monitor.stage(0.9, 1.0, 1);
-    const bool anyFlat =
-      RedundantVertices<Geometry>(this->geometry, polyhedron, tally, this->monitor).remove();
-    CanonicalForm form(
-      polyhedron, anyFlat, tally.duplicates, count, this->options.facets, result.pointIds);
-    this->monitor.poll();
-    result.dimension = 2;
-    form.writeCells(this->monitor, result);
-    this->monitor.poll();
-    this->listHidden(result);
-    this->report(tally, result.statistics);
-    result.statistics.exactCalls += this->geometry.predicateCounts().exact;
-    result.statistics.secondsFinish = watch.lap();
+    };
+    this->grow(
+      result, 2, watch,
+      [this](const std::uint32_t* ids, std::uint32_t count) { return this->spanOf(ids, count); },
+      chain, [&](const CanonicalForm&) { this->listHidden(result); });
   }
-
-  Geometry geometry;
 
 private:
   /// All finite points that do not appear.

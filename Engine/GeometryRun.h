@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A run over one geometry: from points to the perturbed result, and from there to the true one in
+/// its canonical form. Hulls and triangulations do all of this alike.
+#ifndef flipflop_GeometryRun_h
+#define flipflop_GeometryRun_h
+
+#include "Builder.h"
+#include "Canonical.h"
+#include "CellComplex.h"
+#include "Polyhedron.h"
+#include "Redundant.h"
+#include "Run.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace flipflop
+{
+
+/// @tparam Model a model of the geometry concept (see HullGeometry), for which
+///               startingTetrahedron(Model&, const PointSource&, const std::uint32_t*) starts from
+///               points that span
+template <class Model>
+class GeometryRun : public Run
+{
+public:
+  using Run::Run;
+
+  Model geometry;
+
+  /// The result of all points, after a look at them.
+  /// @param dimension    of the space: as many and one points span it
+  /// @param spanOf       Span (ids, count): points that span what a sample (null: all points) does,
+  ///                     or what all do where that is more
+  /// @param lowerResult  void (const Span&): fill in the result of points that span less
+  /// @param moreOf       see finish
+  /// @param watch        since the run began
+  template <class SpanOf, class LowerResult, class MoreOf>
+  void grow(CellComplex& result, int dimension, Stopwatch& watch, SpanOf&& spanOf,
+    LowerResult&& lowerResult, MoreOf&& moreOf)
+  {
+    using ModelBuilder = Builder<Model>;
+    const std::uint32_t count = this->source.count();
+    const auto samples = ModelBuilder::nestedSamples(count);
+    const Span span = samples.empty()
+      ? spanOf(nullptr, count)
+      : spanOf(samples.back().data(), static_cast<std::uint32_t>(samples.back().size()));
+    result.statistics.secondsScan = watch.lap();
+    if (span.dimension < dimension)
+    {
+      lowerResult(span);
+      result.statistics.exactCalls = this->geometry.predicateCounts().exact;
+      result.statistics.secondsFinish = watch.lap();
+      return;
+    }
+    Tally tally;
+    Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
+    ModelBuilder builder(
+      this->geometry, this->source, this->checkFinite, this->options, this->threads, this->monitor);
+    Polyhedron polyhedron = builder.build(samples, std::move(start), tally);
+    result.statistics.secondsLocate = builder.secondsLocate;
+    result.dimension = dimension;
+    this->finish(std::move(polyhedron), std::move(tally), result, moreOf);
+  }
+
+  /// From a hull of perturbed points to the true one, in canonical form.
+  /// @param moreOf void (const CanonicalForm&): fill in what the result has besides points and
+  ///               cells; its points are known
+  template <class MoreOf>
+  void finish(Polyhedron&& polyhedron, Tally&& tally, CellComplex& result, MoreOf&& moreOf)
+  {
+    Stopwatch watch;
+    this->monitor.stage(0.9, 1.0, 1);
+    const bool anyFlat =
+      RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove();
+    CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
+      this->options.facets, result.pointIds);
+    this->monitor.poll();
+    moreOf(form);
+    this->monitor.poll();
+    form.writeCells(this->monitor, result);
+    this->report(tally, result.statistics);
+    result.statistics.exactCalls += this->geometry.predicateCounts().exact;
+    result.statistics.secondsFinish = watch.lap();
+  }
+};
+
+}
+
+#endif
