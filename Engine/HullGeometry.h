@@ -22,6 +22,7 @@
 #define flipflop_HullGeometry_h
 
 #include "CoordinateRange.h"
+#include "KernelPoint.h"
 #include "Perturbation.h"
 #include "PredicateSteps.h"
 #include "Vertex.h"
@@ -93,11 +94,10 @@ public:
   /// Use a point as kernel point, as it is. Whether it is inside is for the signs to tell.
   void setKernel(const double* point)
   {
-    this->symbolic = false;
+    this->kernelPoint.set(point);
     bool inBox = this->inRange;
     for (int i = 0; i < 3; ++i)
     {
-      this->s[i] = point[i];
       inBox = inBox && point[i] >= this->low[i] && point[i] <= this->high[i];
     }
     // In the bounding box no point is further from it than the extent.
@@ -109,17 +109,8 @@ public:
   /// Use the exact centroid of four points, which no double need be.
   void setSymbolicKernel(const Vertex* corners)
   {
-    this->symbolic = true;
+    this->kernelPoint.setCentroid(corners);
     double slack = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        this->corner[k][i] = corners[k].x[i];
-      }
-      this->s[i] = (0.25 * corners[0].x[i] + 0.25 * corners[1].x[i]) +
-        (0.25 * corners[2].x[i] + 0.25 * corners[3].x[i]);
-    }
     // The determinant is linear in s, with coefficients below 2 * (extent * extent).
     for (int i = 0; i < 3; ++i)
     {
@@ -133,8 +124,8 @@ public:
   }
 
   /// The kernel point, rounded when it is symbolic.
-  const double* kernel() const { return this->s; }
-  bool kernelIsSymbolic() const { return this->symbolic; }
+  const double* kernel() const { return this->kernelPoint.place(); }
+  bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On the triangle it
   /// cannot; where the cone is flat, the perturbation tells.
@@ -164,9 +155,10 @@ public:
   /// The same, of det[a - s; b - s; c - s].
   FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
-    const double ux = a.x[0] - this->s[0], uy = a.x[1] - this->s[1], uz = a.x[2] - this->s[2];
-    const double vx = b.x[0] - this->s[0], vy = b.x[1] - this->s[1], vz = b.x[2] - this->s[2];
-    const double wx = c.x[0] - this->s[0], wy = c.x[1] - this->s[1], wz = c.x[2] - this->s[2];
+    const double* const s = this->kernelPoint.place();
+    const double ux = a.x[0] - s[0], uy = a.x[1] - s[1], uz = a.x[2] - s[2];
+    const double vx = b.x[0] - s[0], vy = b.x[1] - s[1], vz = b.x[2] - s[2];
+    const double wx = c.x[0] - s[0], wy = c.x[1] - s[1], wz = c.x[2] - s[2];
     const double det =
       (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
     sign = det > 0.0 ? 1 : -1;
@@ -174,7 +166,7 @@ public:
     {
       return true;
     }
-    return !this->symbolic &&
+    return !this->kernelPoint.isSymbolic() &&
       semiStatic(largestOf(ux, vx, wx), largestOf(uy, vy, wy), largestOf(uz, vz, wz), det, sign);
   }
 
@@ -182,21 +174,14 @@ public:
   FF_HD int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     ++this->counts.exact;
-    const Row<1> last = { { p.x } };
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return WideSigns::orient3(a.x, b.x, c.x, last);
-    }
-#endif
-    return ExpansionSigns::orient3(a.x, b.x, c.x, last);
+    return this->orient(a, b, c, Row<1>{ { p.x } });
   }
 
   FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     ++this->counts.exact;
-    return this->symbolic ? this->exactBeneath(a, b, c, this->symbolicRow())
-                          : this->exactBeneath(a, b, c, this->plainRow());
+    // det[a - s; b - s; c - s] = -det[b - a; c - a; s - a].
+    return -this->kernelPoint.asRow([&](const auto& s) { return this->orient(a, b, c, s); });
   }
 
   /// The third step alone, where the exact sign is zero. Never zero.
@@ -216,8 +201,8 @@ public:
     const Vertex* row[3] = { &a, &b, &c };
     const int sign = sortById(row);
     return sign *
-      (this->symbolic ? this->tie(*row[0], *row[1], *row[2], this->symbolicRow())
-                      : this->tie(*row[0], *row[1], *row[2], this->plainRow()));
+      this->kernelPoint.asRow(
+        [&](const auto& s) { return this->tie(*row[0], *row[1], *row[2], s); });
   }
 
   /// Sign of det[b - a; c - a] in the coordinates p, q: the orientation of a projection.
@@ -230,8 +215,8 @@ public:
     }
     ++this->counts.exact;
     const Row<1> last = { { c.x } };
-    return this->wide ? WideSigns::orient2(a.x, b.x, last, p, q)
-                      : ExpansionSigns::orient2(a.x, b.x, last, p, q);
+    return inArithmetic<ExpansionSigns, WideSigns>(
+      this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
   }
 
   /// The first step alone: false when it cannot tell.
@@ -248,10 +233,7 @@ public:
       this->planar(a, b, c, 2, 0) == 0;
   }
 
-  bool isWide() const
-  {
-    return this->wide;
-  }
+  bool isWide() const { return this->wide; }
 
   /// Error bound of det[u; v; p - q] for any two input points p, q and differences u, v of input
   /// points.
@@ -281,10 +263,7 @@ public:
   }
 
   /// Error bound of det[a - s; b - s; p - s] for any three input points.
-  double coneError() const
-  {
-    return this->kernelError;
-  }
+  double coneError() const { return this->kernelError; }
 
   /// Without branches: the signs of differences are anyone's guess.
   static FF_HD double largestOf(double a, double b, double c)
@@ -317,27 +296,12 @@ private:
     return det > error || det < -error;
   }
 
-  FF_HD Row<1> plainRow() const
-  {
-    return { { this->s } };
-  }
-  FF_HD Row<4> symbolicRow() const
-  {
-    return { { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } };
-  }
-
-  // det[a - s; b - s; c - s] = -det[b - a; c - a; s - a].
+  /// Sign of det[b - a; c - a; last - a].
   template <int Count>
-  FF_HD int exactBeneath(
-    const Vertex& a, const Vertex& b, const Vertex& c, const Row<Count>& row) const
+  FF_HD int orient(const Vertex& a, const Vertex& b, const Vertex& c, const Row<Count>& last) const
   {
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return -WideSigns::orient3(a.x, b.x, c.x, row);
-    }
-#endif
-    return -ExpansionSigns::orient3(a.x, b.x, c.x, row);
+    return inArithmetic<ExpansionSigns, WideSigns>(
+      this->wide, [&](auto signs) { return signs.orient3(a.x, b.x, c.x, last); });
   }
 
   /// Perturbed sign of the 4 by 4 determinant of rows (point, 1), the last one the greatest id.
@@ -345,23 +309,16 @@ private:
   FF_HD int tie(const Vertex& r0, const Vertex& r1, const Vertex& r2, const Row<Count>& last) const
   {
     const double* const rows[3] = { r0.x, r1.x, r2.x };
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return perturbedSign<WideSigns, MovedByPoint>(rows, last);
-    }
-#endif
-    return perturbedSign<ExpansionSigns, MovedByPoint>(rows, last);
+    return inArithmetic<ExpansionSigns, WideSigns>(this->wide,
+      [&](auto signs) { return perturbedSign<decltype(signs), MovedByPoint>(rows, last); });
   }
 
-  double s[3] = { 0, 0, 0 };
-  double corner[4][3] = {};
+  KernelPoint<3> kernelPoint;
   double low[3] = { 0, 0, 0 }; ///< of the points
   double high[3] = { 0, 0, 0 };
   double reach[3] = { 0, 0, 0 }; ///< no two points, nor a point and s, are further apart
   double pointError = 0.0;
   double kernelError = 0.0;
-  bool symbolic = false;
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;

@@ -23,6 +23,7 @@
 
 #include "CoordinateRange.h"
 #include "HullGeometry.h"
+#include "KernelPoint.h"
 #include "LiftedSigns.h"
 #include "Perturbation.h"
 #include "PredicateSteps.h"
@@ -90,31 +91,14 @@ public:
 
   /// Use a point of the plane as kernel point's place, as it is. Whether it is inside is for the
   /// signs to tell.
-  void setKernel(const double* point)
-  {
-    this->symbolic = false;
-    this->s[0] = point[0];
-    this->s[1] = point[1];
-  }
+  void setKernel(const double* point) { this->kernelPoint.set(point); }
 
   /// Use the exact centroid of four points, which no double need be.
-  void setSymbolicKernel(const Vertex* corners)
-  {
-    this->symbolic = true;
-    for (int i = 0; i < 2; ++i)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        this->corner[k][i] = corners[k].x[i];
-      }
-      this->s[i] = (0.25 * corners[0].x[i] + 0.25 * corners[1].x[i]) +
-        (0.25 * corners[2].x[i] + 0.25 * corners[3].x[i]);
-    }
-  }
+  void setSymbolicKernel(const Vertex* corners) { this->kernelPoint.setCentroid(corners); }
 
   /// The kernel point's place, rounded when it is symbolic.
-  const double* kernel() const { return this->s; }
-  bool kernelIsSymbolic() const { return this->symbolic; }
+  const double* kernel() const { return this->kernelPoint.place(); }
+  bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
   /// it cannot, unless that is flat. On a border's line it can: above the chord of the edge.
@@ -184,7 +168,7 @@ public:
   FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
     const Turn turn = turnBeneath(a, b, c);
-    return turn.c || !this->symbolic ? this->filterTurn(turn, sign) : false;
+    return (turn.c || !this->kernelPoint.isSymbolic()) && this->filterTurn(turn, sign);
   }
 
   /// The second step alone.
@@ -196,13 +180,8 @@ public:
     }
     ++this->counts.exact;
     const Row<1> last = { { p.x } };
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return WideLiftedSigns::orient3(a.x, b.x, c.x, last);
-    }
-#endif
-    return LiftedSigns<Weighted>::orient3(a.x, b.x, c.x, last);
+    return inArithmetic<Signs, WideLiftedSigns>(
+      this->wide, [&](auto signs) { return signs.orient3(a.x, b.x, c.x, last); });
   }
 
   FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
@@ -225,13 +204,9 @@ public:
     const int sign = -sortById(row);
     const double* const rows[3] = { row[0]->x, row[1]->x, row[2]->x };
     const Row<1> last = { { row[3]->x } };
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return sign * perturbedSign<WideLiftedSigns, MovedByHeight>(rows, last);
-    }
-#endif
-    return sign * perturbedSign<LiftedSigns<Weighted>, MovedByHeight>(rows, last);
+    return sign *
+      inArithmetic<Signs, WideLiftedSigns>(this->wide,
+        [&](auto signs) { return perturbedSign<decltype(signs), MovedByHeight>(rows, last); });
   }
 
   FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
@@ -282,6 +257,8 @@ public:
   }
 
 private:
+  using Signs = LiftedSigns<Weighted>;
+
   /// sign times the orientation of three places in the plane; null stands for s.
   struct Turn
   {
@@ -316,8 +293,8 @@ private:
 
   FF_HD bool filterTurn(const Turn& turn, int& sign) const
   {
-    const bool known = ExpansionSigns::filterOrient2(
-                         turn.a->x, turn.b->x, turn.c ? turn.c->x : this->s, 0, 1, sign) ||
+    const bool known = ExpansionSigns::filterOrient2(turn.a->x, turn.b->x,
+                         turn.c ? turn.c->x : this->kernelPoint.place(), 0, 1, sign) ||
       (turn.c && this->exactInDouble);
     sign *= turn.sign;
     return known;
@@ -326,25 +303,13 @@ private:
   FF_HD int exactTurn(const Turn& turn) const
   {
     ++this->counts.exact;
-    if (turn.c)
+    const auto orientTo = [&](const auto& last)
     {
-      return turn.sign * this->exactOrient(*turn.a, *turn.b, Row<1>{ { turn.c->x } });
-    }
+      return inArithmetic<ExpansionSigns, WideSigns>(
+        this->wide, [&](auto signs) { return signs.orient2(turn.a->x, turn.b->x, last, 0, 1); });
+    };
     return turn.sign *
-      (this->symbolic ? this->exactOrient(*turn.a, *turn.b, this->symbolicRow())
-                      : this->exactOrient(*turn.a, *turn.b, this->plainRow()));
-  }
-
-  template <int Count>
-  FF_HD int exactOrient(const Vertex& a, const Vertex& b, const Row<Count>& last) const
-  {
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return WideSigns::orient2(a.x, b.x, last, 0, 1);
-    }
-#endif
-    return ExpansionSigns::orient2(a.x, b.x, last, 0, 1);
+      (turn.c ? orientTo(Row<1>{ { turn.c->x } }) : this->kernelPoint.asRow(orientTo));
   }
 
   /// Orientation in two coordinates of which one is the height.
@@ -352,57 +317,33 @@ private:
   {
     ++this->counts.exact;
     const Row<1> last = { { c.x } };
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return WideLiftedSigns::orient2(a.x, b.x, last, p, q);
-    }
-#endif
-    return LiftedSigns<Weighted>::orient2(a.x, b.x, last, p, q);
-  }
-
-  FF_HD Row<1> plainRow() const
-  {
-    return { { this->s } };
-  }
-  FF_HD Row<4> symbolicRow() const
-  {
-    return { { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } };
+    return inArithmetic<Signs, WideLiftedSigns>(
+      this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
   }
 
   FF_HD int tieTurn(const Turn& turn) const
   {
-    // s is the last of all ids.
-    if (!turn.c)
+    const auto orientTo = [&](const Vertex& a, const Vertex& b, const auto& last)
     {
-      const Vertex* row[2] = { turn.a, turn.b };
+      const double* const rows[2] = { a.x, b.x };
+      return inArithmetic<ExpansionSigns, WideSigns>(this->wide,
+        [&](auto signs) { return perturbedSign<decltype(signs), MovedInPlane>(rows, last); });
+    };
+    if (turn.c)
+    {
+      const Vertex* row[3] = { turn.a, turn.b, turn.c };
       const int sign = turn.sign * sortById(row);
-      return sign *
-        (this->symbolic ? this->tieOrient(*row[0], *row[1], this->symbolicRow())
-                        : this->tieOrient(*row[0], *row[1], this->plainRow()));
+      return sign * orientTo(*row[0], *row[1], Row<1>{ { row[2]->x } });
     }
-    const Vertex* row[3] = { turn.a, turn.b, turn.c };
+    // s is the last of all ids.
+    const Vertex* row[2] = { turn.a, turn.b };
     const int sign = turn.sign * sortById(row);
-    return sign * this->tieOrient(*row[0], *row[1], Row<1>{ { row[2]->x } });
+    return sign *
+      this->kernelPoint.asRow([&](const auto& s) { return orientTo(*row[0], *row[1], s); });
   }
 
-  template <int Count>
-  FF_HD int tieOrient(const Vertex& a, const Vertex& b, const Row<Count>& last) const
-  {
-    const double* const rows[2] = { a.x, b.x };
-#if !defined(__CUDA_ARCH__)
-    if (this->wide)
-    {
-      return perturbedSign<WideSigns, MovedInPlane>(rows, last);
-    }
-#endif
-    return perturbedSign<ExpansionSigns, MovedInPlane>(rows, last);
-  }
-
-  double s[2] = { 0, 0 };
-  double corner[4][2] = {};
+  KernelPoint<2> kernelPoint;
   double reach[3] = { 0, 0, 0 };
-  bool symbolic = false;
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;

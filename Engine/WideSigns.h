@@ -30,6 +30,21 @@ struct WideLiftedSigns
   static int compare(const double* a, const Row<1>& b, int p);
 };
 
+/// use (signs): with the signs that carry the range. The device leaves wide ranges to the host.
+template <class Narrow, class Wide, class Use>
+FF_HD int inArithmetic(bool wide, Use&& use)
+{
+#if defined(__CUDA_ARCH__)
+  (void)wide;
+#else
+  if (wide)
+  {
+    return use(Wide());
+  }
+#endif
+  return use(Narrow());
+}
+
 }
 
 #endif
