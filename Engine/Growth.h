@@ -16,6 +16,7 @@
 #define flipflop_Growth_h
 
 #include "Buffer.h"
+#include "ConeChild.h"
 #include "Duplicate.h"
 #include "Mesh.h"
 #include "Monitor.h"
@@ -175,7 +176,7 @@ private:
       }
       else if (k < 0)
       {
-        k = Split::childOf(this->geometry.perturbedBeneathKernel(v, *corners[0], p) > 0,
+        k = childOf(this->geometry.perturbedBeneathKernel(v, *corners[0], p) > 0,
           this->geometry.perturbedBeneathKernel(v, *corners[1], p) > 0,
           this->geometry.perturbedBeneathKernel(v, *corners[2], p) > 0);
       }

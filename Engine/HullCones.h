@@ -9,10 +9,8 @@
 #ifndef flipflop_HullCones_h
 #define flipflop_HullCones_h
 
+#include "ConeChild.h"
 #include "HullGeometry.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace flipflop
 {
@@ -141,17 +139,7 @@ public:
     const double f0 = detail::dot(this->sector[0], q);
     const double f1 = detail::dot(this->sector[1], q);
     const double f2 = detail::dot(this->sector[2], q);
-    const double g = this->coneBound;
-    const double least = std::min({ std::fabs(f0), std::fabs(f1), std::fabs(f2) });
-    return least > g ? childOf(f0 > 0, f1 > 0, f2 > 0) : -1;
-  }
-
-  /// The child for the signs of det[v - s; corner - s; p - s].
-  static int childOf(bool s0, bool s1, bool s2)
-  {
-    const int first = static_cast<int>(s0) & static_cast<int>(!s1);
-    const int second = static_cast<int>(s1) & static_cast<int>(!s2);
-    return (1 - first) * (2 - second); // no branch: which child is anyone's guess
+    return childOf(f0, f1, f2, this->coneBound);
   }
 
   /// How far p lies above a child, times twice its area.

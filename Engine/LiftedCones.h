@@ -10,6 +10,7 @@
 #ifndef flipflop_LiftedCones_h
 #define flipflop_LiftedCones_h
 
+#include "ConeChild.h"
 #include "LiftedGeometry.h"
 
 #include <algorithm>
@@ -187,17 +188,7 @@ public:
     const double f0 = this->sector[0][0] * dy - this->sector[0][1] * dx;
     const double f1 = this->sector[1][0] * dy - this->sector[1][1] * dx;
     const double f2 = this->sector[2][0] * dy - this->sector[2][1] * dx;
-    const double g = this->sectorError;
-    const double least = std::min({ std::fabs(f0), std::fabs(f1), std::fabs(f2) });
-    return least > g ? childOf(f0 > 0, f1 > 0, f2 > 0) : -1;
-  }
-
-  /// The child for the signs of beneathKernel(v, corner, p).
-  static int childOf(bool s0, bool s1, bool s2)
-  {
-    const int first = static_cast<int>(s0) & static_cast<int>(!s1);
-    const int second = static_cast<int>(s1) & static_cast<int>(!s2);
-    return (1 - first) * (2 - second); // no branch: which child is anyone's guess
+    return childOf(f0, f1, f2, this->sectorError);
   }
 
   /// How far p lies above a child.
