@@ -4,6 +4,7 @@
 
 #include "Validate.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -60,6 +61,26 @@ void ErrorObserver::Execute(vtkObject*, unsigned long, void* data)
 }
 
 //------------------------------------------------------------------------------
+void ProgressObserver::Execute(vtkObject* caller, unsigned long, void* data)
+{
+  this->Values.push_back(*static_cast<double*>(data));
+  if (this->Values.back() >= this->AbortAt)
+  {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  }
+}
+
+void checkProgress(const std::vector<double>& values)
+{
+  FF_CHECK(values.size() >= 4);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    FF_CHECK(values[i] >= 0.0 && values[i] <= 1.0);
+    FF_CHECK(i == 0 || values[i] >= values[i - 1]);
+  }
+  FF_CHECK(!values.empty() && values.back() == 1.0);
+}
+
 bool ErrorObserver::Has(const std::string& part) const
 {
   for (const std::string& message : this->Messages)

@@ -69,6 +69,22 @@ public:
   std::vector<std::string> Messages;
 };
 
+/// Keeps the progress reported, and asks the filter to stop once it reaches a mark.
+class ProgressObserver : public vtkCommand
+{
+public:
+  static ProgressObserver* New() { return new ProgressObserver; }
+  vtkTypeMacro(ProgressObserver, vtkCommand);
+
+  void Execute(vtkObject* caller, unsigned long event, void* data) override;
+
+  double AbortAt = 2.0;
+  std::vector<double> Values;
+};
+
+/// It goes from somewhere to 1, in some steps, and never back.
+void checkProgress(const std::vector<double>& values);
+
 using Point = std::array<double, 3>;
 
 /// A poly data of points without cells, in an array of the type (VTK_DOUBLE, VTK_FLOAT,

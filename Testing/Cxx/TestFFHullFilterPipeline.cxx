@@ -38,23 +38,6 @@ private:
   vtkNew<vtkCallbackCommand> Command;
 };
 
-/// Keeps the progress reported, and asks the filter to stop once it reaches a mark.
-class ProgressObserver : public vtkCommand
-{
-public:
-  static ProgressObserver* New() { return new ProgressObserver; }
-  void Execute(vtkObject* caller, unsigned long, void* data) override
-  {
-    this->Values.push_back(*static_cast<double*>(data));
-    if (this->Values.back() >= this->AbortAt)
-    {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    }
-  }
-  double AbortAt = 2.0;
-  std::vector<double> Values;
-};
-
 std::vector<Point> onSphere(int count)
 {
   auto points = randomPoints(count, 41);
@@ -64,17 +47,6 @@ std::vector<Point> onSphere(int count)
     p = { p[0] / length, p[1] / length, p[2] / length };
   }
   return points;
-}
-
-void checkProgress(const std::vector<double>& values)
-{
-  FF_CHECK(values.size() >= 4);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    FF_CHECK(values[i] >= 0.0 && values[i] <= 1.0);
-    FF_CHECK(i == 0 || values[i] >= values[i - 1]);
-  }
-  FF_CHECK(!values.empty() && values.back() == 1.0);
 }
 
 void testProgress()
