@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace flipflop
@@ -522,6 +525,43 @@ Cloud permuted(const Cloud& cloud, const std::vector<int>& order)
   for (int i : order)
   {
     result.push_back(cloud[i]);
+  }
+  return result;
+}
+
+std::vector<int> orderOf(const Cloud& cloud, std::uint64_t which)
+{
+  std::vector<int> order(cloud.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (which == 0)
+  {
+    std::reverse(order.begin(), order.end());
+  }
+  else if (which == 1)
+  {
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return cloud[i] < cloud[j]; });
+  }
+  else
+  {
+    Random(which).shuffle(order);
+  }
+  return order;
+}
+
+Cloud withNonFinite(const Cloud& cloud, Random& random, std::vector<std::int64_t>& places)
+{
+  Cloud result;
+  for (const Point& p : cloud)
+  {
+    while (random.integer(0, 3) == 0)
+    {
+      Point q = p;
+      q[random.integer(0, 2)] = random.integer(0, 1) ? std::numeric_limits<double>::quiet_NaN()
+                                                     : -std::numeric_limits<double>::infinity();
+      result.push_back(q);
+    }
+    places.push_back(static_cast<std::int64_t>(result.size()));
+    result.push_back(p);
   }
   return result;
 }

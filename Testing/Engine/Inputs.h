@@ -70,6 +70,18 @@ struct Family
   Cloud (*make)(int count, Random& random);
 };
 const std::vector<Family>& families();
+/// A family by its name, at a size: for parameters of tests.
+struct Sized
+{
+  const char* family;
+  int count;
+
+  friend void PrintTo(const Sized& sized, std::ostream* out)
+  {
+    *out << sized.family << ", " << sized.count;
+  }
+};
+
 /// The family of that name in a list, at that size; @p name is known or the call throws.
 Input fromFamilies(
   const std::vector<Family>& list, const std::string& name, int count, std::uint64_t seed);
@@ -94,6 +106,11 @@ Cloud repeated(const Cloud& cloud, int times, Random& random);
 Cloud scaled(Cloud cloud, double x, double y, double z);
 Cloud moved(Cloud cloud, double x, double y, double z);
 Cloud permuted(const Cloud& cloud, const std::vector<int>& order);
+/// An order for permuted(): backwards, sorted, or shuffled, by @p which from 0 on.
+std::vector<int> orderOf(const Cloud& cloud, std::uint64_t which);
+/// Points in between that are not finite in one coordinate. @p places: where the cloud's points are
+/// now.
+Cloud withNonFinite(const Cloud& cloud, Random& random, std::vector<std::int64_t>& places);
 Cloud roundedToFloat(Cloud cloud);
 bool isFloat(const Cloud& cloud);
 Cloud joined(Cloud a, const Cloud& b);

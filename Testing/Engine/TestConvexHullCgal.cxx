@@ -24,17 +24,6 @@ CgalKernel kernelFor(const Cloud& cloud)
   return cloud.size() > 6000 && scale.bits < 100 ? CgalKernel::Inexact : CgalKernel::Lazy;
 }
 
-struct Sized
-{
-  const char* family;
-  int count;
-
-  friend void PrintTo(const Sized& sized, std::ostream* out)
-  {
-    *out << sized.family << ", " << sized.count;
-  }
-};
-
 class LargeFamily : public ::testing::TestWithParam<Sized>
 {
 };

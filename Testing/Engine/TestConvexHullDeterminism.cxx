@@ -15,17 +15,6 @@ namespace test
 namespace
 {
 
-struct Sized
-{
-  const char* family;
-  int count;
-
-  friend void PrintTo(const Sized& sized, std::ostream* out)
-  {
-    *out << sized.family << ", " << sized.count;
-  }
-};
-
 class Determinism : public ::testing::TestWithParam<Sized>
 {
 };

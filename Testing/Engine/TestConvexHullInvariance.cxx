@@ -48,23 +48,9 @@ TEST_P(Invariance, UnderPermutation)
   const Cloud cloud = this->GetParam().make();
   const std::vector<Cell> wanted = cellsOf(convexHull(viewOf(cloud), polygons()));
   const std::vector<std::int64_t> lowest = lowestIds(cloud);
-  std::vector<int> order(cloud.size());
-  std::iota(order.begin(), order.end(), 0);
   for (std::uint64_t seed = 0; seed < 4; ++seed)
   {
-    Random random(seed);
-    if (seed == 0)
-    {
-      std::reverse(order.begin(), order.end());
-    }
-    else if (seed == 1)
-    {
-      std::sort(order.begin(), order.end(), [&](int i, int j) { return cloud[i] < cloud[j]; });
-    }
-    else
-    {
-      random.shuffle(order);
-    }
+    const std::vector<int> order = orderOf(cloud, seed);
     std::vector<std::int64_t> names(cloud.size());
     for (std::size_t i = 0; i < order.size(); ++i)
     {

@@ -6,9 +6,9 @@
 /// FLIPFLOP_TEST_SEED starts the cases elsewhere, FLIPFLOP_TEST_CASES makes more of them.
 #include "Compare.h"
 #include "Inputs.h"
+#include "RandomCases.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace flipflop
 {
@@ -18,41 +18,14 @@ namespace test
 namespace
 {
 
-std::int64_t fromEnvironment(const char* name, std::int64_t otherwise)
-{
-  const char* text = std::getenv(name);
-  return text ? std::atoll(text) : otherwise;
-}
-
 using IntegerPoint = std::array<std::int64_t, 3>;
 
-/// Each case is a function of its seed alone. Stops at the third failure.
 template <class Make>
 void runCases(int cases, const Make& make)
 {
-  const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
-  int failures = 0;
-  int dimensions[5] = {};
-  for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
-  {
-    Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
-    Cloud cloud;
-    const ReferenceHull wanted = make(random, cloud);
-    ++dimensions[wanted.dimension + 1];
-    const std::string fault = quickFault(cloud, wanted,
-      seed % 2 ? FacetMode::Polygons : FacetMode::Triangles, seed % 16 ? 1 : 2, seed % 3 == 0);
-    if (!fault.empty())
-    {
-      ++failures;
-      ADD_FAILURE() << "seed " << seed << ": " << fault << "\n" << toString(cloud);
-    }
-  }
-  // Every dimension was there.
-  for (int d = 1; d < 5 && count >= 5000; ++d)
-  {
-    EXPECT_GT(dimensions[d], 0) << "dimension " << d - 1;
-  }
+  runRandomCases(cases, 3, make,
+    [](const Cloud& cloud, const ReferenceHull& wanted, const Options& options)
+    { return quickFault(cloud, wanted, options.facets, options.threads, options.vBiased); });
 }
 
 /// n points with integer coordinates low to high.

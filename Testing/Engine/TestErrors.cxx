@@ -105,21 +105,9 @@ TEST(Errors, IgnoredNonFinitePointsChangeNothingElse)
   {
     const Cloud clean = fromFamily("shell1e2", count, 19).make();
     Random random(20);
-    Cloud dirty;
     std::vector<std::int64_t> names;
-    std::int64_t bad = 0;
-    for (const Point& p : clean)
-    {
-      while (random.integer(0, 3) == 0)
-      {
-        Point q = p;
-        q[random.integer(0, 2)] = random.integer(0, 1) ? nan : -infinity;
-        dirty.push_back(q);
-        ++bad;
-      }
-      names.push_back(static_cast<std::int64_t>(dirty.size()));
-      dirty.push_back(p);
-    }
+    const Cloud dirty = withNonFinite(clean, random, names);
+    const auto bad = static_cast<std::int64_t>(dirty.size() - clean.size());
     const ReferenceHull reference = cgalHull(clean);
     std::vector<Cell> wanted = reference.cells;
     for (Cell& cell : wanted)

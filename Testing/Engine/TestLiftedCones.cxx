@@ -206,7 +206,7 @@ private:
         ASSERT_NE(sign, 0);
         side[i] = sign > 0;
       }
-      ASSERT_EQ(told, LiftedSplit<Weighted>::childOf(side[0], side[1], side[2]));
+      ASSERT_EQ(told, childOf(side[0], side[1], side[2]));
       ASSERT_TRUE(side[told]);
       ASSERT_FALSE(side[(told + 1) % 3]);
     }

@@ -14,17 +14,6 @@ namespace test
 namespace
 {
 
-struct Sized
-{
-  const char* family;
-  int count;
-
-  friend void PrintTo(const Sized& sized, std::ostream* out)
-  {
-    *out << sized.family << ", " << sized.count;
-  }
-};
-
 class LargeFamily : public ::testing::TestWithParam<Sized>
 {
 };

@@ -7,9 +7,9 @@
 /// FLIPFLOP_TEST_SEED starts the cases elsewhere, FLIPFLOP_TEST_CASES makes more of them.
 #include "CompareTriangulation.h"
 #include "InputsWeighted.h"
+#include "RandomCases.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace flipflop
 {
@@ -19,42 +19,12 @@ namespace test
 namespace
 {
 
-std::int64_t fromEnvironment(const char* name, std::int64_t otherwise)
-{
-  const char* text = std::getenv(name);
-  return text ? std::atoll(text) : otherwise;
-}
-
-/// Each case is a function of its seed alone. Stops at the third failure.
 template <class Make>
 void runCases(int cases, const Make& make)
 {
-  const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
-  int failures = 0;
-  int dimensions[4] = {};
-  for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
-  {
-    Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
-    Cloud cloud;
-    const ReferenceTriangulation wanted = make(random, cloud);
-    ++dimensions[wanted.dimension + 1];
-    Options options;
-    options.facets = seed % 2 ? FacetMode::Polygons : FacetMode::Triangles;
-    options.threads = seed % 16 ? 1 : 2;
-    options.vBiased = seed % 3 == 0;
-    const std::string fault = quickFault(cloud, wanted, options);
-    if (!fault.empty())
-    {
-      ++failures;
-      ADD_FAILURE() << "seed " << seed << ": " << fault << "\n" << toString(cloud);
-    }
-  }
-  // Every dimension was there.
-  for (int d = 0; d < 3 && count >= 5000; ++d)
-  {
-    EXPECT_GT(dimensions[d + 1], 0) << "dimension " << d;
-  }
+  runRandomCases(cases, 2, make,
+    [](const Cloud& cloud, const ReferenceTriangulation& wanted, const Options& options)
+    { return quickFault(cloud, wanted, options); });
 }
 
 /// n points with integer coordinates 0 to @p side and weights up to @p weight either way.
