@@ -16,8 +16,8 @@
 #include "Associate.h"
 #include "Compact.h"
 #include "Monitor.h"
-#include "Options.h"
 #include "Patches.h"
+#include "PolyhedronBuilder.h"
 #include "Scan.h"
 #include "Stopwatch.h"
 
@@ -31,69 +31,55 @@
 namespace flipflop
 {
 
+/// Below this many points no sample is taken.
+constexpr std::uint32_t LeastSampled = 2048;
+
+/// A sample of @p count points, one from each of @p size strata, chosen by a hash: ascending
+/// places.
+inline std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size)
+{
+  std::vector<std::uint32_t> places(size);
+  for (std::uint32_t i = 0; i < size; ++i)
+  {
+    const std::uint64_t begin = static_cast<std::uint64_t>(count) * i / size;
+    const std::uint64_t end = static_cast<std::uint64_t>(count) * (i + 1) / size;
+    std::uint64_t hash = (i + 1) * 0x9E3779B97F4A7C15ull;
+    hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
+    places[i] = static_cast<std::uint32_t>(begin + (hash >> 32) % (end - begin));
+  }
+  return places;
+}
+
+/// The nested samples of an input, largest first; empty for a small one.
+inline std::vector<std::vector<std::uint32_t>> nestedSamples(std::uint32_t count)
+{
+  std::vector<std::vector<std::uint32_t>> samples;
+  while (count > LeastSampled)
+  {
+    const auto size = static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));
+    std::vector<std::uint32_t> next = sample(count, size);
+    if (!samples.empty())
+    {
+      for (std::uint32_t& place : next)
+      {
+        place = samples.back()[place];
+      }
+    }
+    samples.push_back(std::move(next));
+    count = size;
+  }
+  return samples;
+}
+
 /// @tparam Geometry a model of the geometry concept (see HullGeometry), for which
 ///                  centerKernel(Geometry&, const Polyhedron&) may move the kernel point after a
 ///                  round
 template <class Geometry>
-class Builder
+class Builder : public PolyhedronBuilder<Geometry>
 {
 public:
-  Builder(Geometry& geometry, const PointSource& source, bool checkFinite, const Options& options,
-    int threads, Monitor& monitor)
-    : geometry(geometry)
-    , source(source)
-    , checkFinite(checkFinite)
-    , vBiased(options.vBiased)
-    , threads(threads)
-    , monitor(monitor)
-  {
-  }
-
-  /// Below this many points no sample is taken.
-  static constexpr std::uint32_t LeastSampled = 2048;
-
-  /// A sample of @p count points, one from each of @p size strata, chosen by a hash: ascending
-  /// places.
-  static std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size)
-  {
-    std::vector<std::uint32_t> places(size);
-    for (std::uint32_t i = 0; i < size; ++i)
-    {
-      const std::uint64_t begin = static_cast<std::uint64_t>(count) * i / size;
-      const std::uint64_t end = static_cast<std::uint64_t>(count) * (i + 1) / size;
-      std::uint64_t hash = (i + 1) * 0x9E3779B97F4A7C15ull;
-      hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
-      places[i] = static_cast<std::uint32_t>(begin + (hash >> 32) % (end - begin));
-    }
-    return places;
-  }
-
-  /// The nested samples of an input, largest first; empty for a small one.
-  static std::vector<std::vector<std::uint32_t>> nestedSamples(std::uint32_t count)
-  {
-    std::vector<std::vector<std::uint32_t>> samples;
-    while (count > LeastSampled)
-    {
-      const auto size = static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));
-      std::vector<std::uint32_t> next = sample(count, size);
-      if (!samples.empty())
-      {
-        for (std::uint32_t& place : next)
-        {
-          place = samples.back()[place];
-        }
-      }
-      samples.push_back(std::move(next));
-      count = size;
-    }
-    return samples;
-  }
-
-  /// The (perturbed) hull of all points, with gaps.
-  /// @param samples as nestedSamples gives them
-  /// @param start   a tetrahedron; the geometry's kernel point is inside
-  Polyhedron build(
-    const std::vector<std::vector<std::uint32_t>>& samples, Polyhedron&& start, Tally& tally)
+  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override
   {
     std::vector<std::uint32_t> corners;
     for (const Vertex& v : start.vertices)
@@ -107,58 +93,49 @@ public:
 
     Polyhedron current = std::move(start);
     std::vector<std::uint32_t> taken = corners;
-    for (std::size_t round = samples.size() + 1; round-- > 0;)
+    for (std::size_t round = task.samples.size() + 1; round-- > 0;)
     {
+      const std::vector<std::uint32_t>* const ids = round ? &task.samples[round - 1] : nullptr;
       PointSubset subset;
-      subset.ids = round ? samples[round - 1].data() : nullptr;
-      subset.count =
-        round ? static_cast<std::uint32_t>(samples[round - 1].size()) : this->source.count();
+      subset.ids = ids ? ids->data() : nullptr;
+      subset.count = ids ? static_cast<std::uint32_t>(ids->size()) : task.source.count();
       subset.taken = taken.data();
       subset.takenCount = static_cast<std::uint32_t>(taken.size());
-      subset.checkFinite = this->checkFinite;
-      current = this->insert(std::move(current), subset, tally);
-      if (round)
+      subset.checkFinite = task.checkFinite;
+      current = insert(task, std::move(current), subset, tally, statistics);
+      if (ids)
       {
         current = compact(std::move(current));
-        const std::vector<std::uint32_t>& ids = samples[round - 1];
         taken.clear();
         std::set_union(
-          ids.begin(), ids.end(), corners.begin(), corners.end(), std::back_inserter(taken));
-        centerKernel(this->geometry, current);
+          ids->begin(), ids->end(), corners.begin(), corners.end(), std::back_inserter(taken));
+        centerKernel(task.geometry, current);
       }
     }
     return current;
   }
 
-  double secondsLocate = 0;
-
 private:
-  Polyhedron insert(Polyhedron&& base, const PointSubset& subset, Tally& tally)
+  static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& base,
+    const PointSubset& subset, Tally& tally, Statistics& statistics)
   {
     Stopwatch watch;
     Assignment assignment;
     {
       const bool last = !subset.ids;
-      this->monitor.stage(last ? 0.15 : 0.1, last ? 0.5 : 0.15, subset.count);
+      task.monitor.stage(last ? 0.15 : 0.1, last ? 0.5 : 0.15, subset.count);
       Association<Geometry> association(
-        this->geometry, this->source, base, this->threads, this->monitor);
+        task.geometry, task.source, base, task.threads, task.monitor);
       assignment = association.run(subset, tally);
-      this->secondsLocate += watch.lap();
-      this->monitor.stage(last ? 0.5 : 0.15, last ? 0.9 : 0.15,
+      statistics.secondsLocate += watch.lap();
+      task.monitor.stage(last ? 0.5 : 0.15, last ? 0.9 : 0.15,
         static_cast<std::int64_t>(assignment.vertices.size()));
     }
     Patches<Geometry> patches(
-      this->geometry, std::move(base), std::move(assignment), this->vBiased, this->monitor);
+      task.geometry, std::move(base), std::move(assignment), task.options.vBiased, task.monitor);
     tally.add(patches.run());
     return patches.take();
   }
-
-  Geometry& geometry;
-  const PointSource& source;
-  bool checkFinite;
-  bool vBiased;
-  int threads;
-  Monitor& monitor;
 };
 
 }

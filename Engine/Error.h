@@ -26,7 +26,10 @@ enum class ErrorCode
   NotOriented, ///< index: first triangle whose neighbour runs the shared edge the same way
   NotStarShaped, ///< index: first triangle not seen from inside by the kernel point; count: how
                  ///< many
-  NoKernel       ///< no kernel point was given and none was found
+  NoKernel,      ///< no kernel point was given and none was found
+  NoDevice,      ///< the CUDA engine was asked for, and there is no device for it
+  DeviceMemory,  ///< count: bytes asked for of the device
+  DeviceFailed   ///< index: the CUDA runtime's error number
 };
 
 /// The engine's exception. What() is a constant sentence: callers compose their own from the parts.
@@ -74,6 +77,12 @@ public:
         return "the surface is not star-shaped from the kernel point";
       case ErrorCode::NoKernel:
         return "no kernel point was found";
+      case ErrorCode::NoDevice:
+        return "there is no device for the CUDA engine";
+      case ErrorCode::DeviceMemory:
+        return "the device is out of memory";
+      case ErrorCode::DeviceFailed:
+        return "the device failed";
     }
     return "unknown error";
   }

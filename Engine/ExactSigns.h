@@ -50,7 +50,8 @@ struct ExpansionSigns
   /// zero, only small: twice its precision tells, at a fraction of the expansions' cost. What is
   /// zero mostly fits integers of fixed size.
   template <int Count>
-  FF_HD static int orient3(const double* a, const double* b, const double* c, const Row<Count>& d)
+  FF_HD FF_OUTLINED static int orient3(
+    const double* a, const double* b, const double* c, const Row<Count>& d)
   {
     int sign = roundedOrient3(a, b, c, d);
     if (sign != 0 || (Count == 1 && fixedOrient3(a, b, c, d.point[0], sign)))
@@ -64,15 +65,18 @@ struct ExpansionSigns
       u[i] = difference(b[i], a[i]);
       v[i] = difference(c[i], a[i]);
     }
-    const auto x = product(minor(u, v, 1, 2), offset(d, a, 0));
-    const auto y = product(minor(u, v, 2, 0), offset(d, a, 1));
-    const auto z = product(minor(u, v, 0, 1), offset(d, a, 2));
-    return sum(sum(x, y), z).sign();
+    ProductSum det;
+    for (int i = 0; i < 3; ++i)
+    {
+      det.add(minor(u, v, (i + 1) % 3, (i + 2) % 3), offset(d, a, i));
+    }
+    return det.sign();
   }
 
   /// Sign of det[b - a; c - a] in the coordinates p, q, in the same steps.
   template <int Count>
-  FF_HD static int orient2(const double* a, const double* b, const Row<Count>& c, int p, int q)
+  FF_HD FF_OUTLINED static int orient2(
+    const double* a, const double* b, const Row<Count>& c, int p, int q)
   {
     int sign;
     if (Count == 1 &&
@@ -83,9 +87,10 @@ struct ExpansionSigns
     {
       return sign;
     }
-    const auto left = product(offset(c, a, q), difference(b[p], a[p]));
-    const auto right = product(offset(c, a, p), difference(b[q], a[q]));
-    return sum(left, right, -1.0).sign();
+    ProductSum det;
+    det.add(offset(c, a, q), difference(b[p], a[p]));
+    det.add(offset(c, a, p), difference(b[q], a[q]), -1.0);
+    return det.sign();
   }
 
   /// Sign of x1 * y2 - y1 * x2 in double-double; false when its error bound leaves it open.
@@ -128,7 +133,7 @@ struct ExpansionSigns
 
   /// Sign of a - b in the coordinate p.
   template <int Count>
-  FF_HD static int compare(const double* a, const Row<Count>& b, int p)
+  FF_HD FF_OUTLINED static int compare(const double* a, const Row<Count>& b, int p)
   {
     return -offset(b, a, p).sign();
   }
@@ -136,7 +141,7 @@ struct ExpansionSigns
 private:
   /// The same in double-double, or 0 when its error bound leaves it open.
   template <int Count>
-  FF_HD static int roundedOrient3(
+  FF_HD FF_OUTLINED static int roundedOrient3(
     const double* a, const double* b, const double* c, const Row<Count>& d)
   {
     DoubleDouble u[3], v[3], w[3];

@@ -77,29 +77,33 @@ FF_HD inline Expansion<2> difference(double a, double b)
   return result;
 }
 
-/// e + factor * f, for factor 1 or -1.
-template <int A, int B>
-FF_HD Expansion<A + B> sum(const Expansion<A>& e, const Expansion<B>& f, double factor = 1.0)
+namespace detail
 {
-  Expansion<A + B> result;
+
+/// h = e + factor * f, for factor 1 or -1; h has room for both.
+/// @return the length of h
+FF_HD FF_OUTLINED inline int sumInto(
+  const double* e, int eLength, const double* f, int fLength, double factor, double* h)
+{
   double carry = 0.0;
+  int length = 0;
   int i = 0;
   int j = 0;
-  while (i < e.length || j < f.length)
+  while (i < eLength || j < fLength)
   {
     double next;
-    if (j == f.length)
+    if (j == fLength)
     {
-      next = e.component[i++];
+      next = e[i++];
     }
-    else if (i == e.length)
+    else if (i == eLength)
     {
-      next = factor * f.component[j++];
+      next = factor * f[j++];
     }
     else
     {
-      const double fromE = e.component[i];
-      const double fromF = factor * f.component[j];
+      const double fromE = e[i];
+      const double fromF = factor * f[j];
       const bool takeE = (fromE < 0 ? -fromE : fromE) < (fromF < 0 ? -fromF : fromF);
       next = takeE ? fromE : fromF;
       i += takeE ? 1 : 0;
@@ -107,10 +111,88 @@ FF_HD Expansion<A + B> sum(const Expansion<A>& e, const Expansion<B>& f, double 
     }
     double high, low;
     twoSum(carry, next, high, low);
-    result.append(low);
+    h[length] = low;
+    length += low != 0.0 ? 1 : 0;
     carry = high;
   }
-  result.append(carry);
+  if (carry != 0.0)
+  {
+    h[length++] = carry;
+  }
+  return length;
+}
+
+/// h = e * b; h has room for twice as many.
+/// @return the length of h
+FF_HD FF_OUTLINED inline int scaleInto(const double* e, int eLength, double b, double* h)
+{
+  double carry = 0.0;
+  int length = 0;
+  for (int i = 0; i < eLength; ++i)
+  {
+    double high, low, middle, tail;
+    twoProduct(e[i], b, high, low);
+    twoSum(carry, low, middle, tail);
+    h[length] = tail;
+    length += tail != 0.0 ? 1 : 0;
+    twoSum(high, middle, carry, tail);
+    h[length] = tail;
+    length += tail != 0.0 ? 1 : 0;
+  }
+  if (carry != 0.0)
+  {
+    h[length++] = carry;
+  }
+  return length;
+}
+
+/// The same value with each component as large as it can be: 53 bits or more between neighbours.
+/// @return the length
+FF_HD FF_OUTLINED inline int compress(double* e, int length)
+{
+  if (length == 0)
+  {
+    return 0;
+  }
+  double sum = e[length - 1];
+  int bottom = length - 1;
+  for (int i = length - 2; i >= 0; --i)
+  {
+    double high, low;
+    twoSum(sum, e[i], high, low);
+    sum = high;
+    if (low != 0.0)
+    {
+      e[bottom--] = high;
+      sum = low;
+    }
+  }
+  int top = 0;
+  for (int i = bottom + 1; i < length; ++i)
+  {
+    double high, low;
+    twoSum(e[i], sum, high, low);
+    e[top] = low;
+    top += low != 0.0 ? 1 : 0;
+    sum = high;
+  }
+  if (sum != 0.0)
+  {
+    e[top++] = sum;
+  }
+  return top;
+}
+
+}
+
+/// e + factor * f, for factor 1 or -1.
+template <int A, int B>
+FF_HD FF_OUTLINED Expansion<A + B> sum(
+  const Expansion<A>& e, const Expansion<B>& f, double factor = 1.0)
+{
+  Expansion<A + B> result;
+  result.length =
+    detail::sumInto(e.component, e.length, f.component, f.length, factor, result.component);
   return result;
 }
 
@@ -119,53 +201,65 @@ template <int A>
 FF_HD Expansion<2 * A> scale(const Expansion<A>& e, double b)
 {
   Expansion<2 * A> result;
-  double carry = 0.0;
-  for (int i = 0; i < e.length; ++i)
-  {
-    double high, low, middle, tail;
-    twoProduct(e.component[i], b, high, low);
-    twoSum(carry, low, middle, tail);
-    result.append(tail);
-    twoSum(high, middle, carry, tail);
-    result.append(tail);
-  }
-  result.append(carry);
+  result.length = detail::scaleInto(e.component, e.length, b, result.component);
   return result;
 }
 
-namespace detail
+/// e * f.
+FF_HD FF_OUTLINED inline Expansion<8> product(const Expansion<2>& e, const Expansion<2>& f)
 {
-/// e * (f[first] + ... + f[first + Count - 1]), by halves.
-template <int Count, int A, int B>
-struct PartialProduct
-{
-  FF_HD static Expansion<2 * A * Count> of(const Expansion<A>& e, const Expansion<B>& f, int first)
-  {
-    if (first >= f.length)
-    {
-      return Expansion<2 * A * Count>();
-    }
-    const auto low = PartialProduct<Count / 2, A, B>::of(e, f, first);
-    const auto high = PartialProduct<Count - Count / 2, A, B>::of(e, f, first + Count / 2);
-    return sum(low, high);
-  }
-};
-template <int A, int B>
-struct PartialProduct<1, A, B>
-{
-  FF_HD static Expansion<2 * A> of(const Expansion<A>& e, const Expansion<B>& f, int first)
-  {
-    return first < f.length ? scale(e, f.component[first]) : Expansion<2 * A>();
-  }
-};
+  return sum(f.length > 0 ? scale(e, f.component[0]) : Expansion<4>(),
+    f.length > 1 ? scale(e, f.component[1]) : Expansion<4>());
 }
 
-/// e * f.
-template <int A, int B>
-FF_HD Expansion<2 * A * B> product(const Expansion<A>& e, const Expansion<B>& f)
+/// A sum of products of expansions. It is compressed at every step: all bits of a double's range
+/// are no more than 40 components, however long the expansions are that a product would be at its
+/// worst. So it needs little memory, which counts where many threads hold one.
+class ProductSum
 {
-  return detail::PartialProduct<B, A, B>::of(e, f, 0);
-}
+public:
+  /// The longest factor.
+  static constexpr int Longest = 18;
+
+  /// Add factor * e * f, for factor 1 or -1.
+  template <int A, int B>
+  FF_HD void add(const Expansion<A>& e, const Expansion<B>& f, double factor = 1.0)
+  {
+    static_assert(A <= Longest && B <= Longest, "the steps have no room for so long a factor");
+    this->addProduct(e.component, e.length, f.component, f.length, factor);
+  }
+
+  FF_HD int sign() const
+  {
+    return this->length == 0 ? 0 : (this->component[this->length - 1] > 0.0 ? 1 : -1);
+  }
+
+  FF_HD int size() const { return this->length; }
+  FF_HD double operator[](int i) const { return this->component[i]; }
+
+private:
+  static constexpr int Most = 42;
+
+  FF_HD FF_OUTLINED void addProduct(
+    const double* e, int eLength, const double* f, int fLength, double factor)
+  {
+    double term[2 * Longest];
+    double wider[Most + 2 * Longest];
+    for (int j = 0; j < fLength; ++j)
+    {
+      const int termLength = detail::scaleInto(e, eLength, f[j], term);
+      this->length = detail::compress(
+        wider, detail::sumInto(this->component, this->length, term, termLength, factor, wider));
+      for (int i = 0; i < this->length; ++i)
+      {
+        this->component[i] = wider[i];
+      }
+    }
+  }
+
+  double component[Most];
+  int length = 0;
+};
 
 }
 

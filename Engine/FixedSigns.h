@@ -134,7 +134,7 @@ FF_HD inline int fixedDeterminant(
 }
 
 /// Sign of det[b - a; c - a; d - a], where it can be told so.
-FF_HD inline bool fixedOrient3(
+FF_HD FF_OUTLINED inline bool fixedOrient3(
   const double* a, const double* b, const double* c, const double* d, int& sign)
 {
   const double* const row[3] = { b, c, d };
@@ -167,7 +167,7 @@ FF_HD inline bool fixedOrient3(
 
 /// The same with heights w - x^2 - y^2 for the last column.
 template <bool Weighted>
-FF_HD bool fixedLiftedOrient3(
+FF_HD FF_OUTLINED bool fixedLiftedOrient3(
   const double* a, const double* b, const double* c, const double* d, int& sign)
 {
   const double* const row[3] = { b, c, d };

@@ -10,6 +10,7 @@
 #define flipflop_FlipRule_h
 
 #include "HostDevice.h"
+#include "Mesh.h"
 #include "Vertex.h"
 
 #include <cstdint>
@@ -33,13 +34,10 @@ struct FlipDecision
   bool byDegree = false; ///< D-criterion, else V-criterion
 };
 
-/// What the edge's triangles say about its ends: three triangles around a (b) make it a 3-1 edge.
-enum EdgeDegree : std::uint8_t
+FF_HD inline std::uint32_t leastOf(std::uint32_t x, std::uint32_t y)
 {
-  EdgeDegreeAny = 0,
-  EdgeDegreeThreeA = 1,
-  EdgeDegreeThreeB = 2
-};
+  return x < y ? x : y;
+}
 
 /// Can the rule ask for anything at all? Only at an edge that is reflex, or near a labelled vertex.
 template <class Geometry>
@@ -50,11 +48,15 @@ FF_HD bool isOfConcern(
     geometry.perturbedAbove(a, b, c, d) > 0;
 }
 
-/// @param degree EdgeDegree bits; both set: the polyhedron is a tetrahedron.
+/// @param vertices the mesh's
 template <class Geometry>
-FF_HD FlipDecision decideFlip(const Geometry& geometry, const Vertex& a, const Vertex& b,
-  const Vertex& c, const Vertex& d, int degree)
+FF_HD FlipDecision decideFlip(
+  const Geometry& geometry, const Vertex* vertices, const EdgeSurroundings& edge)
 {
+  const Vertex& a = vertices[edge.a];
+  const Vertex& b = vertices[edge.b];
+  const Vertex& c = vertices[edge.c];
+  const Vertex& d = vertices[edge.d];
   FlipDecision decision;
   const bool reflex = geometry.perturbedAbove(a, b, c, d) > 0;
   const std::uint32_t labels = (a.flags | b.flags | c.flags | d.flags) & VertexLabelled;
@@ -63,33 +65,28 @@ FF_HD FlipDecision decideFlip(const Geometry& geometry, const Vertex& a, const V
     return decision;
   }
 
-  if (degree == (EdgeDegreeThreeA | EdgeDegreeThreeB))
+  if (edge.threeAtA && edge.threeAtB)
   {
-    return decision;
+    return decision; // a tetrahedron
   }
-  if (degree)
+  if (edge.threeAtA || edge.threeAtB)
   {
-    const bool removeA = degree == EdgeDegreeThreeA;
-    const bool labelled = ((removeA ? a : b).flags & VertexLabelled) != 0;
+    const bool labelled = ((edge.threeAtA ? a : b).flags & VertexLabelled) != 0;
     if (labelled || reflex)
     {
-      decision.action = removeA ? FlipAction::RemoveA : FlipAction::RemoveB;
+      decision.action = edge.threeAtA ? FlipAction::RemoveA : FlipAction::RemoveB;
       decision.byDegree = labelled;
     }
     return decision;
   }
 
-  // The labelled vertex of lowest id, if any.
-  const Vertex* least = nullptr;
-  if (labels)
-  {
-    const Vertex* candidates[4] = { &a, &b, &c, &d };
-    for (const Vertex* v : candidates)
-    {
-      least = (v->flags & VertexLabelled) && (!least || v->id < least->id) ? v : least;
-    }
-  }
-  const bool reducesDegree = least == &a || least == &b;
+  // Is the labelled vertex of lowest id, if there is one, an end of the edge? No id is NoIndex but
+  // the virtual vertex's, which is never labelled.
+  const auto idIfLabelled = [](const Vertex& v)
+  { return v.flags & VertexLabelled ? v.id : NoIndex; };
+  const std::uint32_t leastEnd = leastOf(idIfLabelled(a), idIfLabelled(b));
+  const std::uint32_t leastLink = leastOf(idIfLabelled(c), idIfLabelled(d));
+  const bool reducesDegree = leastEnd < leastLink;
   if (!reducesDegree && !reflex)
   {
     return decision;
@@ -102,7 +99,7 @@ FF_HD FlipDecision decideFlip(const Geometry& geometry, const Vertex& a, const V
   const bool cutsB = geometry.perturbedBeneathKernel(d, b, c) < 0;
   if (!cutsA && !cutsB)
   {
-    if (reducesDegree || !least)
+    if (reducesDegree || !labels)
     {
       decision.action = FlipAction::Flip22;
       decision.byDegree = reducesDegree;

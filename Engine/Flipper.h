@@ -120,10 +120,10 @@ public:
         return;
       case FlipAction::Flip22:
       {
-        std::uint32_t outer[4];
-        this->mesh.flip22(h, outer);
+        const FlipPlan plan = planFlip22(this->mesh, h);
+        flip(this->mesh, plan);
         ++this->flips22;
-        this->pushConcerned(outer, 4);
+        this->pushConcerned(plan.to, 4);
         break;
       }
       case FlipAction::RemoveA:
@@ -134,10 +134,10 @@ public:
         {
           this->noteDuplicate(removed);
         }
-        std::uint32_t outer[3];
-        this->mesh.flip31(removed, outer);
+        const FlipPlan plan = planFlip31(this->mesh, removed);
+        flip(this->mesh, plan);
         ++this->flips31;
-        this->pushConcerned(outer, 3);
+        this->pushConcerned(plan.to, 3);
         break;
       }
       case FlipAction::LabelA:
@@ -201,27 +201,9 @@ private:
 
   FlipDecision decide(std::uint32_t h, std::uint32_t& twin) const
   {
-    const Triangle& first = this->mesh.triangles[triangleOf(h)];
-    twin = first.twin[cornerOf(h)];
-    const Triangle& second = this->mesh.triangles[triangleOf(twin)];
-    const int e = cornerOf(h);
-    const int g = cornerOf(twin);
-    const Vertex* v = this->mesh.vertices;
-    int degree = EdgeDegreeAny;
-    // Triangles at a border are in different patches, hence never the same one.
-    const auto same = [this](std::uint32_t x, std::uint32_t y) {
-      return triangleOf(x) == triangleOf(y) && !this->mesh.isBorder(x) && !this->mesh.isBorder(y);
-    };
-    if (same(first.twin[previousCorner(e)], second.twin[nextCorner(g)]))
-    {
-      degree |= EdgeDegreeThreeA;
-    }
-    if (same(first.twin[nextCorner(e)], second.twin[previousCorner(g)]))
-    {
-      degree |= EdgeDegreeThreeB;
-    }
-    return decideFlip(this->geometry, v[first.v[e]], v[first.v[nextCorner(e)]],
-      v[first.v[previousCorner(e)]], v[second.v[previousCorner(g)]], degree);
+    const EdgeSurroundings edge = surroundingsOf(this->mesh, h);
+    twin = edge.twin;
+    return decideFlip(this->geometry, this->mesh.vertices, edge);
   }
 
   void wantLabel(std::uint32_t h)

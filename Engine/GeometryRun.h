@@ -10,6 +10,7 @@
 #include "Canonical.h"
 #include "CellComplex.h"
 #include "Polyhedron.h"
+#include "PolyhedronBuilder.h"
 #include "Redundant.h"
 #include "Run.h"
 
@@ -30,6 +31,9 @@ public:
 
   Model geometry;
 
+  /// The engine; null: Builder, on the run's threads.
+  PolyhedronBuilder<Model>* engine = nullptr;
+
   /// The result of all points, after a look at them.
   /// @param dimension    of the space: as many and one points span it
   /// @param spanOf       Span (ids, count): points that span what a sample (null: all points) does,
@@ -41,9 +45,8 @@ public:
   void grow(CellComplex& result, int dimension, Stopwatch& watch, SpanOf&& spanOf,
     LowerResult&& lowerResult, MoreOf&& moreOf)
   {
-    using ModelBuilder = Builder<Model>;
     const std::uint32_t count = this->source.count();
-    const auto samples = ModelBuilder::nestedSamples(count);
+    const auto samples = nestedSamples(count);
     const Span span = samples.empty()
       ? spanOf(nullptr, count)
       : spanOf(samples.back().data(), static_cast<std::uint32_t>(samples.back().size()));
@@ -57,10 +60,11 @@ public:
     }
     Tally tally;
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
-    ModelBuilder builder(
-      this->geometry, this->source, this->checkFinite, this->options, this->threads, this->monitor);
-    Polyhedron polyhedron = builder.build(samples, std::move(start), tally);
-    result.statistics.secondsLocate = builder.secondsLocate;
+    Builder<Model> onThreads;
+    Polyhedron polyhedron = (this->engine ? *this->engine : onThreads)
+                              .build({ this->geometry, this->source, this->checkFinite,
+                                       this->options, this->threads, this->monitor, samples },
+                                std::move(start), tally, result.statistics);
     result.dimension = dimension;
     this->finish(std::move(polyhedron), std::move(tally), result, moreOf);
   }

@@ -16,8 +16,8 @@
 #define flipflop_Growth_h
 
 #include "Buffer.h"
-#include "ConeChild.h"
 #include "Duplicate.h"
+#include "GrowthRule.h"
 #include "Mesh.h"
 #include "Monitor.h"
 
@@ -51,25 +51,20 @@ struct Furthest
   }
 };
 
-/// Is p strictly above the triangle in whose cone it is? Exact; for heights that a bound leaves
-/// open. A point on the triangle is dropped, and noted where it duplicates a corner.
+/// isAbove(), with a point's corner noted where it may stand for the corner's lower id.
 template <class Geometry>
 bool isAbove(const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c,
   const Vertex& p, std::vector<Duplicate>& duplicates)
 {
-  for (const Vertex* corner : { &a, &b, &c })
-  {
-    if (samePosition(*corner, p))
+  return isAbove(geometry, a, b, c, p,
+    [&](int i)
     {
-      if (p.id < corner->id)
+      const std::uint32_t id = (i == 0 ? a : i == 1 ? b : c).id;
+      if (p.id < id)
       {
-        duplicates.push_back({ corner->id, p.id });
+        duplicates.push_back({ id, p.id });
       }
-      return false;
-    }
-  }
-  const int sign = geometry.above(a, b, c, p);
-  return sign > 0 || (sign == 0 && geometry.mayAppearOn(a, b, c, p));
+    });
 }
 
 template <class Geometry>
@@ -170,15 +165,9 @@ private:
     {
       const Vertex p = points[i];
       int k = split.child(p.x);
-      if (k < 0 && samePosition(p, v))
+      if (k < 0)
       {
-        k = 0; // it is dropped as a duplicate, whichever child it comes to
-      }
-      else if (k < 0)
-      {
-        k = childOf(this->geometry.perturbedBeneathKernel(v, *corners[0], p) > 0,
-          this->geometry.perturbedBeneathKernel(v, *corners[1], p) > 0,
-          this->geometry.perturbedBeneathKernel(v, *corners[2], p) > 0);
+        k = childOf(this->geometry, v, *corners[0], *corners[1], *corners[2], p);
       }
       const double height = split.height(k, p.x);
       const double error = split.heightError(k);

@@ -9,7 +9,7 @@
 #ifndef flipflop_HullCones_h
 #define flipflop_HullCones_h
 
-#include "ConeChild.h"
+#include "GrowthRule.h"
 #include "HullGeometry.h"
 
 namespace flipflop

@@ -134,40 +134,38 @@ public:
     return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
   }
 
+  /// How far p lies above abc, times twice its area; rounded. For choosing the furthest point.
+  static FF_HD double heightAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    return Rows(b.x, c.x, p.x, a.x).determinant();
+  }
+
   /// The first step alone, of det[b - a; c - a; p - a]: false when it cannot tell.
   FF_HD bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
-    const double ux = b.x[0] - a.x[0], uy = b.x[1] - a.x[1], uz = b.x[2] - a.x[2];
-    const double vx = c.x[0] - a.x[0], vy = c.x[1] - a.x[1], vz = c.x[2] - a.x[2];
-    const double wx = p.x[0] - a.x[0], wy = p.x[1] - a.x[1], wz = p.x[2] - a.x[2];
-    const double det =
-      (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+    const Rows rows(b.x, c.x, p.x, a.x);
+    const double det = rows.determinant();
     sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
     if (det > this->pointError || det < -this->pointError || this->exactInDouble)
     {
       return true;
     }
-    return semiStatic(
-      largestOf(ux, vx, wx), largestOf(uy, vy, wy), largestOf(uz, vz, wz), det, sign);
+    return semiStatic(rows, det, sign);
   }
 
   /// The same, of det[a - s; b - s; c - s].
   FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
-    const double* const s = this->kernelPoint.place();
-    const double ux = a.x[0] - s[0], uy = a.x[1] - s[1], uz = a.x[2] - s[2];
-    const double vx = b.x[0] - s[0], vy = b.x[1] - s[1], vz = b.x[2] - s[2];
-    const double wx = c.x[0] - s[0], wy = c.x[1] - s[1], wz = c.x[2] - s[2];
-    const double det =
-      (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+    const Rows rows(a.x, b.x, c.x, this->kernelPoint.place());
+    const double det = rows.determinant();
     sign = det > 0.0 ? 1 : -1;
     if (det > this->kernelError || det < -this->kernelError)
     {
       return true;
     }
-    return !this->kernelPoint.isSymbolic() &&
-      semiStatic(largestOf(ux, vx, wx), largestOf(uy, vy, wy), largestOf(uz, vz, wz), det, sign);
+    return !this->kernelPoint.isSymbolic() && semiStatic(rows, det, sign);
   }
 
   /// The second step alone.
@@ -276,9 +274,34 @@ public:
   }
 
 private:
-  /// The error bound from the entries themselves, by columns.
-  static FF_HD bool semiStatic(double x, double y, double z, double det, int& sign)
+  /// Three points relative to an origin, rounded.
+  struct Rows
   {
+    FF_HD Rows(const double* p, const double* q, const double* r, const double* origin)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        this->u[i] = p[i] - origin[i];
+        this->v[i] = q[i] - origin[i];
+        this->w[i] = r[i] - origin[i];
+      }
+    }
+
+    FF_HD double determinant() const
+    {
+      return (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
+        (u[0] * v[1] - u[1] * v[0]) * w[2];
+    }
+
+    FF_HD double largest(int column) const { return largestOf(u[column], v[column], w[column]); }
+
+    double u[3], v[3], w[3];
+  };
+
+  /// The error bound from the entries themselves, by columns.
+  static FF_HD bool semiStatic(const Rows& rows, double det, int& sign)
+  {
+    const double x = rows.largest(0), y = rows.largest(1), z = rows.largest(2);
     // A column of exact zeros: so is the determinant, whatever the others are.
     if (x == 0.0 || y == 0.0 || z == 0.0)
     {

@@ -10,7 +10,7 @@
 #ifndef flipflop_LiftedCones_h
 #define flipflop_LiftedCones_h
 
-#include "ConeChild.h"
+#include "GrowthRule.h"
 #include "LiftedGeometry.h"
 
 #include <algorithm>

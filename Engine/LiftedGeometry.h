@@ -118,41 +118,38 @@ public:
     return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
   }
 
+  /// How far p lies above abc, times twice its area (of a virtual triangle: beyond its edge, times
+  /// the edge's length); rounded. For choosing the furthest point.
+  static FF_HD double heightAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      const Turn<Place> turn = placesAbove(a, b, c, p);
+      return (turn.b.x[0] - turn.a.x[0]) * (turn.c.x[1] - turn.a.x[1]) -
+        (turn.b.x[1] - turn.a.x[1]) * (turn.c.x[0] - turn.a.x[0]);
+    }
+    return Rows(a.x, b.x, c.x, p.x).determinant();
+  }
+
   /// The first step alone: false when it cannot tell.
   FF_HD bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
     if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
     {
-      if ((p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual))
-      {
-        sign = 0; // it is one and the same
-        return true;
-      }
-      return this->filterTurn(turnAbove(a, b, c, p), sign);
+      return this->filterVirtualAbove(a, b, c, p, sign);
     }
-    const double ux = b.x[0] - a.x[0], uy = b.x[1] - a.x[1];
-    const double vx = c.x[0] - a.x[0], vy = c.x[1] - a.x[1];
-    const double wx = p.x[0] - a.x[0], wy = p.x[1] - a.x[1];
-    double uh = ux * ux + uy * uy, vh = vx * vx + vy * vy, wh = wx * wx + wy * wy;
-    double height = HullGeometry::largestOf(uh, vh, wh);
-    if (Weighted)
-    {
-      const double uw = b.x[2] - a.x[2], vw = c.x[2] - a.x[2], ww = p.x[2] - a.x[2];
-      height += HullGeometry::largestOf(uw, vw, ww);
-      uh -= uw;
-      vh -= vw;
-      wh -= ww;
-    }
-    const double det =
-      (uy * vx - ux * vy) * wh + (vy * wx - vx * wy) * uh + (wy * ux - wx * uy) * vh;
+    const Rows rows(a.x, b.x, c.x, p.x);
+    const double det = rows.determinant();
     sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
     if (this->exactInDouble)
     {
       return true;
     }
-    const double x = HullGeometry::largestOf(ux, vx, wx);
-    const double y = HullGeometry::largestOf(uy, vy, wy);
+    const double x = HullGeometry::largestOf(rows.ux, rows.vx, rows.wx);
+    const double y = HullGeometry::largestOf(rows.uy, rows.vy, rows.wy);
+    const double height = rows.largestHeight;
     const double error = LiftedError * x * y * height;
     if (std::fabs(det) > error)
     {
@@ -167,8 +164,11 @@ public:
 
   FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
-    const Turn turn = turnBeneath(a, b, c);
-    return (turn.c || !this->kernelPoint.isSymbolic()) && this->filterTurn(turn, sign);
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      return this->filterVirtualBeneath(a, b, c, sign);
+    }
+    return this->filterOrient(a.x, b.x, c.x, sign);
   }
 
   /// The second step alone.
@@ -176,7 +176,7 @@ public:
   {
     if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
     {
-      return this->exactTurn(turnAbove(a, b, c, p));
+      return this->exactTurn(verticesAbove(a, b, c, p));
     }
     ++this->counts.exact;
     const Row<1> last = { { p.x } };
@@ -186,7 +186,7 @@ public:
 
   FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    return this->exactTurn(turnBeneath(a, b, c));
+    return this->exactTurn(verticesBeneath(a, b, c));
   }
 
   /// The third step alone, where the exact sign is zero. Never zero, but for a vertex against
@@ -197,7 +197,7 @@ public:
     {
       const bool twice =
         (p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual);
-      return twice ? 0 : this->tieTurn(turnAbove(a, b, c, p));
+      return twice ? 0 : this->tieTurn(verticesAbove(a, b, c, p));
     }
     // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
     const Vertex* row[4] = { &a, &b, &c, &p };
@@ -211,15 +211,14 @@ public:
 
   FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    return this->tieTurn(turnBeneath(a, b, c));
+    return this->tieTurn(verticesBeneath(a, b, c));
   }
 
   /// Orientation of three points in the plane. Exact.
   int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    const Turn turn = { &a, &b, &c, 1 };
     int sign;
-    return this->filterTurn(turn, sign) ? sign : this->exactTurn(turn);
+    return this->filterOrient(a.x, b.x, c.x, sign) ? sign : this->exactTurn({ &a, &b, &c, 1 });
   }
 
   static FF_HD bool samePlace(const Vertex& a, const Vertex& b)
@@ -249,6 +248,8 @@ public:
       this->upright(a, b, c, 2, 0) == 0;
   }
 
+  bool isWide() const { return this->wide; }
+
   /// No two points are further apart, by coordinate; infinite where floating-point bounds do not
   /// hold.
   double reachOf(int axis) const
@@ -259,48 +260,138 @@ public:
 private:
   using Signs = LiftedSigns<Weighted>;
 
-  /// sign times the orientation of three places in the plane; null stands for s.
+  /// Three points relative to a, rounded: their places, and how deep they lie below a's tangent
+  /// plane of the paraboloid.
+  struct Rows
+  {
+    FF_HD Rows(const double* a, const double* b, const double* c, const double* p)
+      : ux(b[0] - a[0])
+      , uy(b[1] - a[1])
+      , vx(c[0] - a[0])
+      , vy(c[1] - a[1])
+      , wx(p[0] - a[0])
+      , wy(p[1] - a[1])
+      , ud(ux * ux + uy * uy)
+      , vd(vx * vx + vy * vy)
+      , wd(wx * wx + wy * wy)
+      , largestHeight(HullGeometry::largestOf(ud, vd, wd))
+    {
+      if (Weighted)
+      {
+        const double uw = b[2] - a[2], vw = c[2] - a[2], ww = p[2] - a[2];
+        this->largestHeight += HullGeometry::largestOf(uw, vw, ww);
+        this->ud -= uw;
+        this->vd -= vw;
+        this->wd -= ww;
+      }
+    }
+
+    FF_HD double determinant() const
+    {
+      return (uy * vx - ux * vy) * wd + (vy * wx - vx * wy) * ud + (wy * ux - wx * uy) * vd;
+    }
+
+    double ux, uy, vx, vy, wx, wy;
+    double ud, vd, wd;    ///< depths
+    double largestHeight; ///< the sum of its parts' magnitudes
+  };
+
+  /// A place in the plane. By value: a filter that kept the address of a point would force it out
+  /// of the registers.
+  struct Place
+  {
+    double x[2];
+    static FF_HD Place of(const double* p) { return { { p[0], p[1] } }; }
+  };
+
+  /// sign times the orientation of three places in the plane.
+  /// @tparam Seat Place, or const Vertex*, for which null stands for s
+  template <class Seat>
   struct Turn
   {
-    const Vertex* a;
-    const Vertex* b;
-    const Vertex* c;
+    Seat a, b, c;
     int sign;
   };
 
-  static FF_HD Turn turnAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  /// What above() comes to when one of the four, by their flags, is the virtual vertex.
+  template <class Seat>
+  static FF_HD Turn<Seat> turnAbove(std::uint32_t flagsA, std::uint32_t flagsB,
+    std::uint32_t flagsC, std::uint32_t flagsP, Seat a, Seat b, Seat c, Seat p)
   {
-    if (p.flags & VertexVirtual)
+    if (flagsP & VertexVirtual)
     {
-      return { &a, &b, &c, -1 };
+      return { a, b, c, -1 };
     }
-    return { a.flags & VertexVirtual ? &p : &a, b.flags & VertexVirtual ? &p : &b,
-      c.flags & VertexVirtual ? &p : &c, 1 };
+    return { flagsA & VertexVirtual ? p : a, flagsB & VertexVirtual ? p : b,
+      flagsC & VertexVirtual ? p : c, 1 };
   }
 
-  static FF_HD Turn turnBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
+  /// What beneathKernel() comes to when one of the three is the virtual vertex: c, if not a or b.
+  template <class Seat>
+  static FF_HD Turn<Seat> turnBeneath(
+    std::uint32_t flagsA, std::uint32_t flagsB, Seat a, Seat b, Seat c, Seat s)
   {
-    if (a.flags & VertexVirtual)
-    {
-      return { &b, &c, nullptr, -1 };
-    }
-    if (b.flags & VertexVirtual)
-    {
-      return { &c, &a, nullptr, -1 };
-    }
-    return c.flags & VertexVirtual ? Turn{ &a, &b, nullptr, -1 } : Turn{ &a, &b, &c, 1 };
+    const bool isA = (flagsA & VertexVirtual) != 0;
+    const bool isB = (flagsB & VertexVirtual) != 0;
+    return { isA ? b : isB ? c : a, isA ? c : isB ? a : b, s, -1 };
   }
 
-  FF_HD bool filterTurn(const Turn& turn, int& sign) const
+  static FF_HD Turn<Place> placesAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
   {
-    const bool known = ExpansionSigns::filterOrient2(turn.a->x, turn.b->x,
-                         turn.c ? turn.c->x : this->kernelPoint.place(), 0, 1, sign) ||
-      (turn.c && this->exactInDouble);
+    return turnAbove(a.flags, b.flags, c.flags, p.flags, Place::of(a.x), Place::of(b.x),
+      Place::of(c.x), Place::of(p.x));
+  }
+
+  using VertexTurn = Turn<const Vertex*>;
+
+  static FF_HD VertexTurn verticesAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    return turnAbove(a.flags, b.flags, c.flags, p.flags, &a, &b, &c, &p);
+  }
+
+  static FF_HD VertexTurn verticesBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      return turnBeneath<const Vertex*>(a.flags, b.flags, &a, &b, &c, nullptr);
+    }
+    return { &a, &b, &c, 1 };
+  }
+
+  /// With the virtual vertex among them.
+  FF_HD FF_RARE bool filterVirtualAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
+  {
+    if ((p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual))
+    {
+      sign = 0; // it is one and the same
+      return true;
+    }
+    const Turn<Place> turn = placesAbove(a, b, c, p);
+    const bool known = this->filterOrient(turn.a.x, turn.b.x, turn.c.x, sign);
     sign *= turn.sign;
     return known;
   }
+  FF_HD FF_RARE bool filterVirtualBeneath(
+    const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
+  {
+    // The kernel point's place is on no lattice.
+    const Turn<Place> turn = turnBeneath(a.flags, b.flags, Place::of(a.x), Place::of(b.x),
+      Place::of(c.x), Place::of(this->kernelPoint.place()));
+    const bool known = ExpansionSigns::filterOrient2(turn.a.x, turn.b.x, turn.c.x, 0, 1, sign);
+    sign = -sign;
+    return known && !this->kernelPoint.isSymbolic();
+  }
 
-  FF_HD int exactTurn(const Turn& turn) const
+  /// Of three points in the plane.
+  FF_HD bool filterOrient(const double* a, const double* b, const double* c, int& sign) const
+  {
+    return ExpansionSigns::filterOrient2(a, b, c, 0, 1, sign) || this->exactInDouble;
+  }
+
+  FF_HD int exactTurn(const VertexTurn& turn) const
   {
     ++this->counts.exact;
     const auto orientTo = [&](const auto& last)
@@ -321,7 +412,7 @@ private:
       this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
   }
 
-  FF_HD int tieTurn(const Turn& turn) const
+  FF_HD int tieTurn(const VertexTurn& turn) const
   {
     const auto orientTo = [&](const Vertex& a, const Vertex& b, const auto& last)
     {

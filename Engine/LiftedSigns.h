@@ -20,7 +20,8 @@ template <bool Weighted>
 struct LiftedSigns
 {
   /// Sign of det[b - a; c - a; d - a].
-  FF_HD static int orient3(const double* a, const double* b, const double* c, const Row<1>& d)
+  FF_HD FF_OUTLINED static int orient3(
+    const double* a, const double* b, const double* c, const Row<1>& d)
   {
     const double* const row[3] = { b, c, d.point[0] };
     int sign = roundedOrient3(a, row);
@@ -34,14 +35,19 @@ struct LiftedSigns
       u[i][0] = difference(row[i][0], a[0]);
       u[i][1] = difference(row[i][1], a[1]);
     }
-    const auto first = product(minor(u[0], u[1], 0, 1), heightOver(a, row[2], u[2]));
-    const auto second = product(minor(u[1], u[2], 0, 1), heightOver(a, row[0], u[0]));
-    const auto third = product(minor(u[2], u[0], 0, 1), heightOver(a, row[1], u[1]));
-    return sum(sum(first, second), third).sign();
+    ProductSum det;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      det.add(minor(u[i], u[j], 0, 1), heightOver(a, row[k], u[k]));
+    }
+    return det.sign();
   }
 
   /// Sign of det[b - a; c - a] in the coordinates p, q.
-  FF_HD static int orient2(const double* a, const double* b, const Row<1>& c, int p, int q)
+  FF_HD FF_OUTLINED static int orient2(
+    const double* a, const double* b, const Row<1>& c, int p, int q)
   {
     if (p < 2 && q < 2)
     {
@@ -58,13 +64,14 @@ struct LiftedSigns
     {
       return p < 2 ? sign : -sign;
     }
-    const auto left = product(offsetOf(d, a, q), offsetOf(b, a, p));
-    const auto right = product(offsetOf(d, a, p), offsetOf(b, a, q));
-    return sum(left, right, -1.0).sign();
+    ProductSum det;
+    det.add(offsetOf(d, a, q), offsetOf(b, a, p));
+    det.add(offsetOf(d, a, p), offsetOf(b, a, q), -1.0);
+    return det.sign();
   }
 
   /// Sign of a - b in the coordinate p.
-  FF_HD static int compare(const double* a, const Row<1>& b, int p)
+  FF_HD FF_OUTLINED static int compare(const double* a, const Row<1>& b, int p)
   {
     return -offsetOf(b.point[0], a, p).sign();
   }
@@ -86,7 +93,7 @@ private:
   }
 
   /// p - a in one coordinate.
-  FF_HD static Height offsetOf(const double* p, const double* a, int axis)
+  FF_HD FF_OUTLINED static Height offsetOf(const double* p, const double* a, int axis)
   {
     if (axis < 2)
     {
@@ -113,7 +120,7 @@ private:
   }
 
   /// Sign of the determinant of orient3 in double-double, or 0 when its error bound leaves it open.
-  FF_HD static int roundedOrient3(const double* a, const double* const* row)
+  FF_HD FF_OUTLINED static int roundedOrient3(const double* a, const double* const* row)
   {
     DoubleDouble u[3][3];
     double size[3] = { 0.0, 0.0, 0.0 };

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A triangulated sphere with half-edges, and the two flips on it.
+/// A triangulated sphere with half-edges, and the two flips on it. A flip is a plan first: one
+/// thread carries it out at once (flip), many in rounds of their own (Cuda/FlipKernels.h).
 ///
 /// Half-edge h = 4 * t + e runs from corner e of triangle t to corner e + 1; corner e + 2 is its
 /// apex. A triangle is 32 bytes, so that half-edges need shifts only and no triangle straddles a
@@ -13,6 +14,7 @@
 #ifndef flipflop_Mesh_h
 #define flipflop_Mesh_h
 
+#include "HostDevice.h"
 #include "Vertex.h"
 
 #include <cstdint>
@@ -30,31 +32,31 @@ struct alignas(32) Triangle
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;
 
-constexpr int nextCorner(int e)
+FF_HD constexpr int nextCorner(int e)
 {
   return e == 2 ? 0 : e + 1;
 }
-constexpr int previousCorner(int e)
+FF_HD constexpr int previousCorner(int e)
 {
   return e == 0 ? 2 : e - 1;
 }
-constexpr std::uint32_t halfEdge(std::uint32_t triangle, int e)
+FF_HD constexpr std::uint32_t halfEdge(std::uint32_t triangle, int e)
 {
   return triangle << 2 | static_cast<std::uint32_t>(e);
 }
-constexpr std::uint32_t triangleOf(std::uint32_t h)
+FF_HD constexpr std::uint32_t triangleOf(std::uint32_t h)
 {
   return h >> 2;
 }
-constexpr int cornerOf(std::uint32_t h)
+FF_HD constexpr int cornerOf(std::uint32_t h)
 {
   return static_cast<int>(h & 3);
 }
-constexpr std::uint32_t nextHalfEdge(std::uint32_t h)
+FF_HD constexpr std::uint32_t nextHalfEdge(std::uint32_t h)
 {
   return (h & 3) == 2 ? h - 2 : h + 1;
 }
-constexpr std::uint32_t previousHalfEdge(std::uint32_t h)
+FF_HD constexpr std::uint32_t previousHalfEdge(std::uint32_t h)
 {
   return (h & 3) == 0 ? h + 2 : h - 1;
 }
@@ -67,10 +69,10 @@ struct Mesh
   std::uint32_t* border = nullptr;     ///< border slots: the half-edge at each
   std::uint32_t borderBegin = NoIndex; ///< twins from here on are border slots
 
-  bool isBorder(std::uint32_t twin) const { return twin >= this->borderBegin; }
+  FF_HD bool isBorder(std::uint32_t twin) const { return twin >= this->borderBegin; }
 
-  std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
-  std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
+  FF_HD std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
+  FF_HD std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
 
   /// Make h and other (a half-edge or a border slot) each other's opposite.
   void link(std::uint32_t h, std::uint32_t other) const
@@ -85,77 +87,123 @@ struct Mesh
       this->triangles[other >> 2].twin[other & 3] = h;
     }
   }
-
-  /// Replace the edge ab of h, with the link c, d, by cd. The triangle of h becomes adc, its
-  /// opposite dbc.
-  /// @return the four outer half-edges: ad, ca, db, bc.
-  void flip22(std::uint32_t h, std::uint32_t outer[4]) const
-  {
-    const std::uint32_t g = this->twin(h);
-    const std::uint32_t bc = this->twin(nextHalfEdge(h));
-    const std::uint32_t ca = this->twin(previousHalfEdge(h));
-    const std::uint32_t ad = this->twin(nextHalfEdge(g));
-    const std::uint32_t db = this->twin(previousHalfEdge(g));
-    Triangle& first = this->triangles[triangleOf(h)];
-    Triangle& second = this->triangles[triangleOf(g)];
-    const std::uint32_t a = first.v[cornerOf(h)];
-    const std::uint32_t b = second.v[cornerOf(g)];
-    const std::uint32_t c = first.v[cornerOf(previousHalfEdge(h))];
-    const std::uint32_t d = second.v[cornerOf(previousHalfEdge(g))];
-    const std::uint32_t s = triangleOf(h);
-    const std::uint32_t t = triangleOf(g);
-    setCorners(first, a, d, c);
-    setCorners(second, d, b, c);
-    outer[0] = halfEdge(s, 0);
-    outer[1] = halfEdge(s, 2);
-    outer[2] = halfEdge(t, 0);
-    outer[3] = halfEdge(t, 1);
-    this->link(outer[0], ad);
-    this->link(outer[1], ca);
-    this->link(outer[2], db);
-    this->link(outer[3], bc);
-    this->link(halfEdge(s, 1), halfEdge(t, 2));
-  }
-
-  /// Remove the origin a of h, which has three triangles: abc (of h), adb and acd become dbc, in
-  /// the triangle of h.
-  /// @return the three half-edges: db, bc, cd.
-  void flip31(std::uint32_t h, std::uint32_t outer[3]) const
-  {
-    const std::uint32_t g = this->twin(h);                   // ba of bad
-    const std::uint32_t k = this->twin(previousHalfEdge(h)); // ac of acd
-    const std::uint32_t bc = this->twin(nextHalfEdge(h));
-    const std::uint32_t db = this->twin(previousHalfEdge(g));
-    const std::uint32_t cd = this->twin(nextHalfEdge(k));
-    const std::uint32_t s = triangleOf(h);
-    Triangle& first = this->triangles[s];
-    Triangle& second = this->triangles[triangleOf(g)];
-    Triangle& third = this->triangles[triangleOf(k)];
-    const std::uint32_t a = first.v[cornerOf(h)];
-    const std::uint32_t b = second.v[cornerOf(g)];
-    const std::uint32_t c = first.v[cornerOf(previousHalfEdge(h))];
-    const std::uint32_t d = second.v[cornerOf(previousHalfEdge(g))];
-    this->vertices[a].flags = 0;
-    second.flags = TriangleDead;
-    third.flags = TriangleDead;
-    setCorners(first, d, b, c);
-    outer[0] = halfEdge(s, 0);
-    outer[1] = halfEdge(s, 1);
-    outer[2] = halfEdge(s, 2);
-    this->link(outer[0], db);
-    this->link(outer[1], bc);
-    this->link(outer[2], cd);
-  }
-
-private:
-  static void setCorners(Triangle& t, std::uint32_t a, std::uint32_t b, std::uint32_t c)
-  {
-    t.v[0] = a;
-    t.v[1] = b;
-    t.v[2] = c;
-    t.flags = 0;
-  }
 };
+
+/// What a flip does, told from the mesh before it: which triangles are replaced, by which, and
+/// where their outer half-edges go.
+struct FlipPlan
+{
+  int outerCount;              ///< 4, or 3 for a 3-1 flip
+  std::uint32_t from[4];       ///< the outer half-edges as they are
+  std::uint32_t to[4];         ///< and as they will be
+  int triangleCount;           ///< as many as there are: 2, or 3 for a 3-1 flip
+  std::uint32_t triangle[3];   ///< the first, for a 2-2 flip the second too, stay
+  std::uint32_t corners[2][3]; ///< of those that stay
+  std::uint32_t removed;       ///< the vertex that goes in a 3-1 flip; NoIndex
+};
+
+/// The flip of the edge ab of h, with the link c, d, to cd. The triangle of h becomes adc, its
+/// opposite dbc; the outer half-edges are ad, ca, db, bc.
+FF_HD inline FlipPlan planFlip22(const Mesh& mesh, std::uint32_t h)
+{
+  const std::uint32_t g = mesh.twin(h);
+  const std::uint32_t s = triangleOf(h);
+  const std::uint32_t t = triangleOf(g);
+  const std::uint32_t a = mesh.origin(h);
+  const std::uint32_t b = mesh.origin(g);
+  const std::uint32_t c = mesh.origin(previousHalfEdge(h));
+  const std::uint32_t d = mesh.origin(previousHalfEdge(g));
+  return { 4, { nextHalfEdge(g), previousHalfEdge(h), previousHalfEdge(g), nextHalfEdge(h) },
+    { halfEdge(s, 0), halfEdge(s, 2), halfEdge(t, 0), halfEdge(t, 1) }, 2, { s, t, NoIndex },
+    { { a, d, c }, { d, b, c } }, NoIndex };
+}
+
+/// The removal of the origin a of h, which has three triangles: abc (of h), bad and acd become dbc,
+/// in the triangle of h; the outer half-edges are db, bc, cd.
+FF_HD inline FlipPlan planFlip31(const Mesh& mesh, std::uint32_t h)
+{
+  const std::uint32_t g = mesh.twin(h);                   // ba of bad
+  const std::uint32_t k = mesh.twin(previousHalfEdge(h)); // ac of acd
+  const std::uint32_t s = triangleOf(h);
+  const std::uint32_t b = mesh.origin(g);
+  const std::uint32_t c = mesh.origin(previousHalfEdge(h));
+  const std::uint32_t d = mesh.origin(previousHalfEdge(g));
+  return { 3, { previousHalfEdge(g), nextHalfEdge(h), nextHalfEdge(k), NoIndex },
+    { halfEdge(s, 0), halfEdge(s, 1), halfEdge(s, 2), NoIndex }, 3,
+    { s, triangleOf(g), triangleOf(k) }, { { d, b, c }, { NoIndex, NoIndex, NoIndex } },
+    mesh.origin(h) };
+}
+
+/// The plan's triangles anew, but for the opposites of its outer half-edges.
+FF_HD inline void replaceTriangles(const Mesh& mesh, const FlipPlan& plan)
+{
+  const int staying = plan.outerCount == 4 ? 2 : 1;
+  for (int i = 0; i < 2; ++i)
+  {
+    if (i < staying)
+    {
+      Triangle& triangle = mesh.triangles[plan.triangle[i]];
+      triangle.v[0] = plan.corners[i][0];
+      triangle.v[1] = plan.corners[i][1];
+      triangle.v[2] = plan.corners[i][2];
+      triangle.flags = 0;
+    }
+  }
+  if (staying == 2)
+  {
+    mesh.triangles[plan.triangle[0]].twin[1] = halfEdge(plan.triangle[1], 2);
+    mesh.triangles[plan.triangle[1]].twin[2] = halfEdge(plan.triangle[0], 1);
+    return;
+  }
+  mesh.vertices[plan.removed].flags = 0;
+  mesh.triangles[plan.triangle[1]].flags = TriangleDead;
+  mesh.triangles[plan.triangle[2]].flags = TriangleDead;
+}
+
+/// Flip at once: for one thread in a patch of its own.
+inline void flip(const Mesh& mesh, const FlipPlan& plan)
+{
+  std::uint32_t other[4];
+  for (int i = 0; i < plan.outerCount; ++i)
+  {
+    other[i] = mesh.twin(plan.from[i]);
+  }
+  replaceTriangles(mesh, plan);
+  for (int i = 0; i < plan.outerCount; ++i)
+  {
+    mesh.link(plan.to[i], other[i]);
+  }
+}
+
+/// An edge and what is around it: the half-edge h runs from a to b, its triangle is abc, its
+/// opposite's bad.
+struct EdgeSurroundings
+{
+  std::uint32_t twin;
+  std::uint32_t a, b, c, d;
+  bool threeAtA; ///< three triangles in all are around a
+  bool threeAtB;
+};
+
+FF_HD inline EdgeSurroundings surroundingsOf(const Mesh& mesh, std::uint32_t h)
+{
+  const Triangle& first = mesh.triangles[triangleOf(h)];
+  const int e = cornerOf(h);
+  const std::uint32_t twin = first.twin[e];
+  const Triangle& second = mesh.triangles[triangleOf(twin)];
+  const int g = cornerOf(twin);
+  const std::uint32_t ac = first.twin[previousCorner(e)];
+  const std::uint32_t cb = first.twin[nextCorner(e)];
+  const std::uint32_t da = second.twin[nextCorner(g)];
+  const std::uint32_t bd = second.twin[previousCorner(g)];
+  // Triangles at a border are in different patches, hence never the same one.
+  const bool threeAtA =
+    triangleOf(ac) == triangleOf(da) && !mesh.isBorder(ac) && !mesh.isBorder(da);
+  const bool threeAtB =
+    triangleOf(cb) == triangleOf(bd) && !mesh.isBorder(cb) && !mesh.isBorder(bd);
+  return { twin, first.v[e], first.v[nextCorner(e)], first.v[previousCorner(e)],
+    second.v[previousCorner(g)], threeAtA, threeAtB };
+}
 
 }
 

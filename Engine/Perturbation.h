@@ -137,7 +137,8 @@ constexpr PerturbationTable makePerturbationTable()
 
 /// The minor of one term. @p last is the determinant's last row, and remains unless it is struck.
 template <class Signs, int Count>
-FF_HD int minorSign(const PerturbationTerm& term, const double* const* rows, const Row<Count>& last)
+FF_HD FF_OUTLINED int minorSign(
+  const PerturbationTerm& term, const double* const* rows, const Row<Count>& last)
 {
   if (term.columns[1] >= 0)
   {
@@ -179,7 +180,7 @@ FF_HD int sortById(const Vertex* (&row)[Count])
 /// @tparam Order Columns + 1 rows
 /// @param rows   all but the last, in ascending order of id
 template <class Signs, class Order, int Count>
-FF_HD int perturbedSign(const double* const* rows, const Row<Count>& last)
+FF_HD FF_OUTLINED int perturbedSign(const double* const* rows, const Row<Count>& last)
 {
   constexpr detail::PerturbationTable table = detail::makePerturbationTable<Order>();
   constexpr int Last = Order::Columns;

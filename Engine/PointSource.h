@@ -8,6 +8,7 @@
 
 #include "CoordinateRange.h"
 #include "Error.h"
+#include "HostDevice.h"
 #include "PointView.h"
 #include "Vertex.h"
 
@@ -99,10 +100,10 @@ public:
   std::uint32_t count() const { return static_cast<std::uint32_t>(this->pointCount); }
 
   /// Coordinates of point @p id. Scaling is exact: chooseArithmetic sees to it.
-  void load(std::uint32_t id, double* x) const { this->load(id, 1, x, x + 1, x + 2); }
+  FF_HD void load(std::uint32_t id, double* x) const { this->load(id, 1, x, x + 1, x + 2); }
 
   /// Coordinates of @p n points from @p first on, axis by axis.
-  void load(std::uint32_t first, int n, double* x, double* y, double* z) const
+  FF_HD void load(std::uint32_t first, int n, double* x, double* y, double* z) const
   {
     read(this->data, this->type, this->stride, 0, first, n, x);
     read(this->data, this->type, this->stride, 1, first, n, y);
@@ -122,7 +123,7 @@ public:
     }
   }
 
-  Vertex vertex(std::uint32_t id) const
+  FF_HD Vertex vertex(std::uint32_t id) const
   {
     Vertex v;
     this->load(id, v.x);
@@ -139,7 +140,7 @@ public:
   ScalarType scalarType() const { return this->type; }
 
 private:
-  static void read(const void* from, ScalarType type, std::int64_t stride, int offset,
+  FF_HD static void read(const void* from, ScalarType type, std::int64_t stride, int offset,
     std::uint32_t first, int n, double* to)
   {
     if (!from)
@@ -160,7 +161,7 @@ private:
   }
 
   template <class Scalar>
-  static void readAs(
+  FF_HD static void readAs(
     const Scalar* from, std::int64_t stride, std::uint32_t first, int n, double* to)
   {
     const std::size_t step = static_cast<std::size_t>(stride);
@@ -184,7 +185,7 @@ private:
   bool flat = false;
 };
 
-inline bool isFinite(const double* x)
+FF_HD inline bool isFinite(const double* x)
 {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }

@@ -59,7 +59,7 @@ public:
     return sign ? sign : this->model().tieBeneathKernel(a, b, c);
   }
 
-  const PredicateCounts& predicateCounts() const { return this->counts; }
+  FF_HD const PredicateCounts& predicateCounts() const { return this->counts; }
 
 protected:
   mutable PredicateCounts counts;

@@ -5,6 +5,8 @@
 #ifndef flipflop_Vertex_h
 #define flipflop_Vertex_h
 
+#include "HostDevice.h"
+
 #include <cstdint>
 #include <limits>
 
@@ -35,7 +37,7 @@ inline Vertex virtualVertex()
   return { { nowhere, nowhere, nowhere }, NoIndex, VertexAlive | VertexVirtual };
 }
 
-inline bool samePosition(const Vertex& a, const Vertex& b)
+FF_HD inline bool samePosition(const Vertex& a, const Vertex& b)
 {
   return a.x[0] == b.x[0] && a.x[1] == b.x[1] && a.x[2] == b.x[2];
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -22,6 +23,16 @@ mpq_class valueOf(const Expansion<Capacity>& e)
   for (int i = 0; i < e.length; ++i)
   {
     value += mpq_class(e.component[i]);
+  }
+  return value;
+}
+
+mpq_class valueOf(const ProductSum& sum)
+{
+  mpq_class value = 0;
+  for (int i = 0; i < sum.size(); ++i)
+  {
+    value += mpq_class(sum[i]);
   }
   return value;
 }
@@ -79,10 +90,16 @@ TEST(Expansion, SumsAndProductsAreExact)
     ASSERT_EQ(valueOf(s), valueOf(e) - valueOf(f));
     const auto p = product(e, f);
     ASSERT_EQ(valueOf(p), valueOf(e) * valueOf(f));
-    const auto q = sum(product(p, s), product(s, e));
-    ASSERT_EQ(valueOf(q), valueOf(p) * valueOf(s) + valueOf(s) * valueOf(e));
-    ASSERT_EQ(q.sign(), sgn(valueOf(q)));
+    const auto q = sum(p, s);
     ASSERT_EQ(valueOf(scale(q, d)), valueOf(q) * mpq_class(d));
+    ProductSum total;
+    total.add(q, s);
+    total.add(s, e);
+    total.add(p, f, -1.0);
+    const mpq_class value =
+      valueOf(q) * valueOf(s) + valueOf(s) * valueOf(e) - valueOf(p) * valueOf(f);
+    ASSERT_EQ(valueOf(total), value);
+    ASSERT_EQ(total.sign(), sgn(value));
     if (i % 500 == 0)
     {
       expectOrdered(s);
@@ -90,6 +107,50 @@ TEST(Expansion, SumsAndProductsAreExact)
       expectOrdered(q);
     }
   }
+}
+
+TEST(Expansion, ASumOfProductsIsExactAndShort)
+{
+  constexpr unsigned seed = 20260102;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  // As long as factors come, of components that lie far apart: much is left out when the next
+  // product cancels it, and all of a double's range is in use.
+  const auto longOne = [&random](int lowest, int highest)
+  {
+    Expansion<18> result;
+    for (int i = 0; i < 18; ++i)
+    {
+      const int exponent = lowest + (highest - lowest) * i / 18;
+      const double mantissa =
+        random() % 2 ? 1.0 : 1.0 + static_cast<double>(random() % 1024) * 0x1p-10;
+      result.append(
+        random() % 5 == 0 ? 0.0 : std::ldexp(random() % 2 ? mantissa : -mantissa, exponent));
+    }
+    return result;
+  };
+  int longest = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const auto a = longOne(-400, 480), b = longOne(-480, 400);
+    const auto c = longOne(-200, 220), d = random() % 2 ? a : longOne(-480, 480);
+    ProductSum total;
+    total.add(a, b);
+    total.add(c, d);
+    total.add(d, b, -1.0);
+    const mpq_class value =
+      valueOf(a) * valueOf(b) + valueOf(c) * valueOf(d) - valueOf(d) * valueOf(b);
+    ASSERT_EQ(valueOf(total), value);
+    ASSERT_EQ(total.sign(), sgn(value));
+    longest = std::max(longest, total.size());
+    total.add(a, b, -1.0);
+    total.add(c, d, -1.0);
+    total.add(d, b);
+    ASSERT_EQ(total.sign(), 0);
+  }
+  // 53 bits a component and more: a double's range has no room for more than 40.
+  EXPECT_LE(longest, 40);
+  EXPECT_GE(longest, 20);
 }
 
 TEST(Expansion, WhatCancelsIsZero)
