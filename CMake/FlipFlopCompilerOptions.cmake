@@ -4,15 +4,18 @@
 
 function(flipflop_compile_options target)
   # A contracted a*b-c*d is no longer antisymmetric: the predicates' signs would depend on the compiler.
+  # (CUDA sources: see FlipFlopCuda.cmake.)
+  set(gcc_like $<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>)
+  set(msvc $<COMPILE_LANG_AND_ID:CXX,MSVC>)
   target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>
-    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wconversion -Wno-sign-conversion>
+    $<${gcc_like}:-ffp-contract=off>
+    $<${gcc_like}:-Wall -Wextra -Wconversion -Wno-sign-conversion>
     # A constructor's parameter may have the name of the member it sets.
-    $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wshadow>
-    $<$<CXX_COMPILER_ID:MSVC>:/fp:precise /W4>)
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wshadow=local>
+    $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wshadow>
+    $<${msvc}:/fp:precise /W4>)
   if(FLIPFLOP_WARNINGS_AS_ERRORS)
-    target_compile_options(${target} PRIVATE
-      $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Werror> $<$<CXX_COMPILER_ID:MSVC>:/WX>)
+    target_compile_options(${target} PRIVATE $<${gcc_like}:-Werror> $<${msvc}:/WX>)
   endif()
 endfunction()
 

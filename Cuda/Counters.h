@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the rounds count, in the executor's memory: how long each list is, how many slots are
+/// taken, and what was done. Kernels take their item counts from here, so no round waits for the
+/// host.
+///
+/// A list that one round fills and the next one reads takes turns: its count for round r is at r
+/// modulo the number of turns, and the turn after next is cleared meanwhile.
+#ifndef flipflop_Counters_h
+#define flipflop_Counters_h
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+struct Counters
+{
+  // Slots taken.
+  std::uint32_t triangles = 0;
+  std::uint32_t vertices = 0;
+
+  // Growth.
+  std::uint32_t live[2] = { 0, 0 }; ///< points still above the polyhedron, by turns
+  std::uint32_t candidates = 0;     ///< triangles that may have points
+  std::uint32_t inserted = 0;       ///< vertices, in the last round
+
+  // Flip-Flop.
+  std::uint32_t active[3] = { 0, 0, 0 }; ///< triangles to check, by turns
+  std::uint32_t flips[2] = { 0, 0 };     ///< flips of a round, by turns
+  std::uint32_t proposing = 0;           ///< the last round in which any triangle proposed a flip
+
+  // Both.
+  std::uint32_t undecided[2] = { 0, 0 }; ///< items left to a round's exact kernel, by turns
+  std::uint32_t duplicates = 0;          ///< vertices with something to tell of duplicates
+
+  // Sums over all rounds.
+  std::uint64_t exactItems = 0; ///< items that exact kernels took
+  std::uint64_t exactCalls = 0;
+  std::uint64_t ties = 0;
+  std::uint64_t insertions = 0;
+  std::uint64_t edgeChecks = 0;
+  std::uint64_t flips22 = 0;
+  std::uint64_t flips31 = 0;
+  std::uint64_t flipsD = 0;
+  std::uint64_t labelled = 0;
+};
+
+}
+
+#endif

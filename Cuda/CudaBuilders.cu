@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CudaBuilders.h"
+
+#include "Builder.h"
+#include "CudaExecutor.h"
+#include "HullCones.h"
+#include "HullLocator.h"
+#include "HullStart.h"
+#include "LiftedLocator.h"
+#include "LiftedStart.h"
+#include "RoundsBuilder.h"
+
+#include <cstdio>
+
+namespace flipflop
+{
+
+namespace
+{
+
+template <class Geometry>
+class DeviceBuilder : public CudaBuilder<Geometry>
+{
+public:
+  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override
+  {
+    if (task.geometry.isWide())
+    {
+      // Integers of any size are the host's.
+      return Builder<Geometry>().build(task, std::move(start), tally, statistics);
+    }
+    RoundsBuilder<CudaExecutor, Geometry> rounds(this->executor);
+    Polyhedron result = rounds.build(task, std::move(start), tally, statistics);
+    this->ran = true;
+    return result;
+  }
+
+private:
+  CudaExecutor executor;
+};
+
+}
+
+CudaStatus findCudaDevice()
+{
+  CudaStatus status;
+  status.built = true;
+  const auto fail = [&status](const char* what, cudaError_t error)
+  {
+    cudaGetLastError();
+    std::snprintf(
+      status.problem, sizeof(status.problem), "%s: %s", what, cudaGetErrorString(error));
+    return status;
+  };
+  int count = 0;
+  cudaError_t error = cudaGetDeviceCount(&count);
+  if (error != cudaSuccess)
+  {
+    return fail("there is no CUDA device", error);
+  }
+  int device = 0;
+  cudaDeviceProp properties;
+  error = cudaGetDevice(&device);
+  error = error == cudaSuccess ? cudaGetDeviceProperties(&properties, device) : error;
+  if (error != cudaSuccess)
+  {
+    return fail("the CUDA device does not answer", error);
+  }
+  std::snprintf(status.device, sizeof(status.device), "%s", properties.name);
+  // Is there code for it? Asking for a kernel's attributes loads it.
+  cudaFuncAttributes attributes;
+  error = cudaFuncGetAttributes(&attributes, runKernel<Mark>);
+  if (error != cudaSuccess)
+  {
+    return fail("this build has no code for the CUDA device", error);
+  }
+  int pools = 0;
+  error = cudaDeviceGetAttribute(&pools, cudaDevAttrMemoryPoolsSupported, device);
+  if (error != cudaSuccess || !pools)
+  {
+    return fail("the CUDA device has no memory pools", error);
+  }
+  status.present = true;
+  return status;
+}
+
+template <class Geometry>
+std::unique_ptr<CudaBuilder<Geometry>> makeCudaBuilder()
+{
+  return std::make_unique<DeviceBuilder<Geometry>>();
+}
+
+template std::unique_ptr<CudaBuilder<HullGeometry>> makeCudaBuilder();
+template std::unique_ptr<CudaBuilder<LiftedGeometry<true>>> makeCudaBuilder();
+template std::unique_ptr<CudaBuilder<LiftedGeometry<false>>> makeCudaBuilder();
+
+}

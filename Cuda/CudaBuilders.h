@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What Engines.cxx needs of a device. Two sources offer it: CudaBuilders.cu, and CudaAbsent.cxx
+/// where there is no CUDA compiler.
+#ifndef flipflop_CudaBuilders_h
+#define flipflop_CudaBuilders_h
+
+#include "Engines.h"
+#include "HullGeometry.h"
+#include "LiftedGeometry.h"
+#include "PolyhedronBuilder.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace flipflop
+{
+
+CudaStatus findCudaDevice();
+
+/// The rounds on the present device.
+template <class Geometry>
+class CudaBuilder : public PolyhedronBuilder<Geometry>
+{
+public:
+  bool ran = false; ///< a device has built the last polyhedron
+};
+
+/// @throw Error NoDevice, DeviceMemory, DeviceFailed
+template <class Geometry>
+std::unique_ptr<CudaBuilder<Geometry>> makeCudaBuilder();
+
+}
+
+#endif

@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CudaExecutor.h"
+
+#include <cub/device/device_scan.cuh>
+
+#include <tbb/parallel_for.h>
+
+#include <cstring>
+#include <mutex>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// A piece of a large copy: long enough to pay, short enough to stay in the processor's cache.
+constexpr std::size_t PieceBytes = std::size_t(4) << 20;
+
+}
+
+void requireCuda(cudaError_t error, std::int64_t bytes)
+{
+  if (error == cudaSuccess)
+  {
+    return;
+  }
+  cudaGetLastError(); // or the next call would report it again
+  if (error == cudaErrorMemoryAllocation)
+  {
+    throw Error(ErrorCode::DeviceMemory, -1, bytes);
+  }
+  throw Error(ErrorCode::DeviceFailed, static_cast<std::int64_t>(error));
+}
+
+struct CudaSession
+{
+  int device = 0;
+  cudaStream_t stream = nullptr;
+  cudaMemPool_t pool = nullptr;
+  void* piece[2] = { nullptr, nullptr }; ///< pinned
+  cudaEvent_t pieceDone[2] = { nullptr, nullptr };
+  Counters* records = nullptr; ///< pinned
+  cudaEvent_t recordDone[CudaExecutor::Records] = {};
+  cudaEvent_t timing[2] = { nullptr, nullptr };
+
+  CudaSession()
+  {
+    try
+    {
+      requireCuda(cudaGetDevice(&this->device));
+      requireCuda(cudaStreamCreateWithFlags(&this->stream, cudaStreamNonBlocking));
+      cudaMemPoolProps properties;
+      std::memset(&properties, 0, sizeof(properties));
+      properties.allocType = cudaMemAllocationTypePinned; // CUDA's word for device memory, too
+      properties.handleTypes = cudaMemHandleTypeNone;
+      properties.location.type = cudaMemLocationTypeDevice;
+      properties.location.id = this->device;
+      requireCuda(cudaMemPoolCreate(&this->pool, &properties));
+      std::uint64_t keepAll = UINT64_MAX;
+      requireCuda(cudaMemPoolSetAttribute(this->pool, cudaMemPoolAttrReleaseThreshold, &keepAll));
+      for (int i = 0; i < 2; ++i)
+      {
+        requireCuda(cudaMallocHost(&this->piece[i], PieceBytes));
+        requireCuda(cudaEventCreateWithFlags(&this->pieceDone[i], cudaEventDisableTiming));
+        requireCuda(cudaEventCreate(&this->timing[i]));
+      }
+      void* memory = nullptr;
+      requireCuda(cudaMallocHost(&memory, CudaExecutor::Records * sizeof(Counters)));
+      this->records = static_cast<Counters*>(memory);
+      for (cudaEvent_t& event : this->recordDone)
+      {
+        requireCuda(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
+      }
+    }
+    catch (...)
+    {
+      this->close();
+      throw;
+    }
+  }
+  CudaSession(const CudaSession&) = delete;
+  CudaSession& operator=(const CudaSession&) = delete;
+  ~CudaSession() { this->close(); }
+
+private:
+  void close() noexcept
+  {
+    const auto drop = [](cudaEvent_t event)
+    {
+      if (event)
+      {
+        cudaEventDestroy(event);
+      }
+    };
+    for (int i = 0; i < 2; ++i)
+    {
+      drop(this->pieceDone[i]);
+      drop(this->timing[i]);
+      cudaFreeHost(this->piece[i]);
+    }
+    for (const cudaEvent_t event : this->recordDone)
+    {
+      drop(event);
+    }
+    cudaFreeHost(this->records);
+    if (this->stream)
+    {
+      cudaStreamDestroy(this->stream);
+    }
+    if (this->pool)
+    {
+      cudaMemPoolDestroy(this->pool);
+    }
+    cudaGetLastError();
+  }
+};
+
+namespace
+{
+
+/// Sessions that no run uses now.
+struct IdleSessions
+{
+  std::mutex mutex;
+  std::vector<std::unique_ptr<CudaSession>> sessions;
+
+  /// Never destroyed: at the process's end the driver may be gone first.
+  static IdleSessions& get()
+  {
+    static auto* const idle = new IdleSessions;
+    return *idle;
+  }
+
+  std::unique_ptr<CudaSession> take()
+  {
+    int device = 0;
+    requireCuda(cudaGetDevice(&device));
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      for (std::unique_ptr<CudaSession>& session : this->sessions)
+      {
+        if (session->device == device)
+        {
+          std::swap(session, this->sessions.back());
+          std::unique_ptr<CudaSession> found = std::move(this->sessions.back());
+          this->sessions.pop_back();
+          return found;
+        }
+      }
+    }
+    return std::make_unique<CudaSession>();
+  }
+};
+
+}
+
+void releaseCudaMemory()
+{
+  IdleSessions& idle = IdleSessions::get();
+  const std::lock_guard<std::mutex> lock(idle.mutex);
+  idle.sessions.clear();
+}
+
+CudaExecutor::CudaExecutor()
+  : session(IdleSessions::get().take())
+  , stream(session->stream)
+{
+  int count = 1;
+  requireCuda(
+    cudaDeviceGetAttribute(&count, cudaDevAttrMultiProcessorCount, this->session->device));
+  this->multiprocessors = static_cast<std::uint32_t>(count);
+}
+
+CudaExecutor::~CudaExecutor()
+{
+  this->release(this->scratch, this->scratchBytes);
+  // What a broken stream is good for is not known: it is not kept.
+  if (cudaStreamSynchronize(this->stream) == cudaSuccess)
+  {
+    IdleSessions& idle = IdleSessions::get();
+    const std::lock_guard<std::mutex> lock(idle.mutex);
+    idle.sessions.push_back(std::move(this->session));
+  }
+}
+
+void* CudaExecutor::allocate(std::size_t bytes)
+{
+  void* memory = nullptr;
+  requireCuda(cudaMallocFromPoolAsync(
+                &memory, std::max<std::size_t>(bytes, 1), this->session->pool, this->stream),
+    static_cast<std::int64_t>(bytes));
+  this->bytesNow += static_cast<std::int64_t>(bytes);
+  this->bytesMost = std::max(this->bytesMost, this->bytesNow);
+  return memory;
+}
+
+void CudaExecutor::release(void* memory, std::size_t bytes) noexcept
+{
+  if (memory)
+  {
+    this->bytesNow -= static_cast<std::int64_t>(bytes);
+    cudaFreeAsync(memory, this->stream);
+  }
+}
+
+void CudaExecutor::fill(void* to, int byte, std::size_t bytes)
+{
+  requireCuda(cudaMemsetAsync(to, byte, bytes, this->stream));
+}
+
+void CudaExecutor::copy(void* to, const void* from, std::size_t bytes)
+{
+  requireCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, this->stream));
+}
+
+void CudaExecutor::fromHost(void* to, const void* from, std::size_t bytes)
+{
+  // From pageable memory: the runtime has a copy when this returns.
+  requireCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, this->stream));
+}
+
+void CudaExecutor::toHost(void* to, const void* from, std::size_t bytes)
+{
+  const Timing timing = this->before();
+  const std::size_t pieces = (bytes + PieceBytes - 1) / PieceBytes;
+  const auto sizeOf = [&](std::size_t i) { return std::min(PieceBytes, bytes - i * PieceBytes); };
+  const auto fetch = [&](std::size_t i)
+  {
+    requireCuda(
+      cudaMemcpyAsync(this->session->piece[i & 1], static_cast<const char*>(from) + i * PieceBytes,
+        sizeOf(i), cudaMemcpyDeviceToHost, this->stream));
+    requireCuda(cudaEventRecord(this->session->pieceDone[i & 1], this->stream));
+  };
+  for (std::size_t i = 0; i < pieces; ++i)
+  {
+    if (i == 0)
+    {
+      fetch(0);
+    }
+    if (i + 1 < pieces)
+    {
+      fetch(i + 1);
+    }
+    requireCuda(cudaEventSynchronize(this->session->pieceDone[i & 1]));
+    std::memcpy(static_cast<char*>(to) + i * PieceBytes, this->session->piece[i & 1], sizeOf(i));
+  }
+  this->after(timing, "to the host", nullptr, 1, static_cast<std::int64_t>(bytes));
+}
+
+void CudaExecutor::finish()
+{
+  requireCuda(cudaStreamSynchronize(this->stream));
+}
+
+void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
+{
+  std::size_t bytes = 0;
+  requireCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, values, values, n, this->stream));
+  if (bytes > this->scratchBytes)
+  {
+    this->release(this->scratch, this->scratchBytes);
+    this->scratch = nullptr;
+    this->scratchBytes = 0;
+    this->scratch = this->allocate(2 * bytes);
+    this->scratchBytes = 2 * bytes;
+  }
+  const Timing timing = this->before();
+  bytes = this->scratchBytes;
+  requireCuda(cub::DeviceScan::ExclusiveSum(this->scratch, bytes, values, values, n, this->stream));
+  this->after(timing, "prefix sum", nullptr, n, 2 * sizeof(std::uint32_t));
+}
+
+PointSource CudaExecutor::resident(const PointSource& points, Residence& residence)
+{
+  const std::uint32_t count = points.count();
+  residence.bytes = std::size_t(count) * 3 * sizeof(double);
+  residence.memory = static_cast<double*>(this->allocate(residence.bytes));
+  const Timing timing = this->before();
+  constexpr std::uint32_t Piece = PieceBytes / (3 * sizeof(double));
+  std::uint32_t piece = 0;
+  for (std::uint32_t begin = 0; begin < count; begin += Piece, ++piece)
+  {
+    const std::uint32_t end = std::min(count, begin + Piece);
+    const cudaEvent_t done = this->session->pieceDone[piece & 1];
+    if (piece >= 2)
+    {
+      requireCuda(cudaEventSynchronize(done));
+    }
+    auto* const packed = static_cast<double*>(this->session->piece[piece & 1]);
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, 1u << 13),
+      [&](const tbb::blocked_range<std::uint32_t>& range)
+      {
+        for (std::uint32_t i = range.begin(); i < range.end(); ++i)
+        {
+          points.load(i, packed + 3 * std::size_t(i - begin));
+        }
+      });
+    requireCuda(cudaMemcpyAsync(residence.memory + 3 * std::size_t(begin), packed,
+      3 * std::size_t(end - begin) * sizeof(double), cudaMemcpyHostToDevice, this->stream));
+    requireCuda(cudaEventRecord(done, this->stream));
+  }
+  // The pieces are free again for the next copy.
+  for (const cudaEvent_t done : this->session->pieceDone)
+  {
+    requireCuda(cudaEventSynchronize(done));
+  }
+  this->after(timing, "from the host", nullptr, 1, static_cast<std::int64_t>(residence.bytes));
+
+  PointView view;
+  view.data = residence.memory;
+  view.count = count;
+  view.stride = 3;
+  view.type = ScalarType::Float64;
+  return PointSource(view);
+}
+
+CudaExecutor::Residence::~Residence()
+{
+  this->executor.release(this->memory, this->bytes);
+}
+
+void CudaExecutor::record(const Counters* counters, int slot)
+{
+  requireCuda(cudaMemcpyAsync(&this->session->records[slot], counters, sizeof(Counters),
+    cudaMemcpyDeviceToHost, this->stream));
+  requireCuda(cudaEventRecord(this->session->recordDone[slot], this->stream));
+}
+
+const Counters& CudaExecutor::recorded(int slot)
+{
+  requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));
+  return this->session->records[slot];
+}
+
+CudaExecutor::Timing CudaExecutor::before()
+{
+  Timing timing;
+  if (this->measuring)
+  {
+    timing = { this->session->timing[0], this->session->timing[1] };
+    requireCuda(cudaEventRecord(timing.begin, this->stream));
+  }
+  return timing;
+}
+
+void CudaExecutor::after(const Timing& timing, const char* name, const std::uint32_t* count,
+  std::uint32_t most, std::int64_t bytesPerItem)
+{
+  Tally& tally = this->kernels[name];
+  ++tally.launches;
+  if (!this->measuring)
+  {
+    return;
+  }
+  requireCuda(cudaEventRecord(timing.end, this->stream));
+  std::uint32_t items = most;
+  if (count)
+  {
+    std::uint32_t counted = 0;
+    requireCuda(
+      cudaMemcpyAsync(&counted, count, sizeof(counted), cudaMemcpyDeviceToHost, this->stream));
+    requireCuda(cudaStreamSynchronize(this->stream));
+    items = std::min(most, counted);
+  }
+  requireCuda(cudaEventSynchronize(timing.end));
+  float milliseconds = 0;
+  requireCuda(cudaEventElapsedTime(&milliseconds, timing.begin, timing.end));
+  tally.items += items;
+  tally.bytes += items * bytesPerItem;
+  tally.seconds += 1e-3 * milliseconds;
+}
+
+}

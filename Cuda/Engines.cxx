@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Engines.h"
+
+#include "CudaBuilders.h"
+#include "HullRun.h"
+#include "TriangulationRun.h"
+
+#include <cstdio>
+
+namespace flipflop
+{
+
+namespace
+{
+
+void setReason(EngineReport& report, EngineChoice used, const char* reason, const char* more = "")
+{
+  report.used = used;
+  std::snprintf(report.reason, sizeof(report.reason), "%.100s%.150s", reason, more);
+}
+
+/// Does the choice come to CUDA? Says why, if not.
+/// @throw Error NoDevice
+bool wantsCuda(const EngineOptions& engine, std::int64_t pointCount, EngineReport& report)
+{
+  if (engine.choice == EngineChoice::CPU)
+  {
+    setReason(report, EngineChoice::CPU, "the CPU engine was asked for");
+    return false;
+  }
+  const CudaStatus& status = cudaStatus();
+  if (!status.present)
+  {
+    setReason(report, EngineChoice::CPU, status.problem);
+    if (engine.choice == EngineChoice::CUDA)
+    {
+      throw Error(ErrorCode::NoDevice);
+    }
+    return false;
+  }
+  if (engine.choice == EngineChoice::CUDA)
+  {
+    setReason(report, EngineChoice::CUDA, "the CUDA engine was asked for: ", status.device);
+    return true;
+  }
+  if (engine.cudaFrom == CudaPaysNever)
+  {
+    setReason(report, EngineChoice::CPU,
+      "no measurement tells yet from how many points on the CUDA engine pays");
+    return false;
+  }
+  if (pointCount < engine.cudaFrom)
+  {
+    setReason(report, EngineChoice::CPU, "there are too few points for the CUDA engine to pay");
+    return false;
+  }
+  setReason(report, EngineChoice::CUDA, "there is a device, and enough points: ", status.device);
+  return true;
+}
+
+/// @tparam Run   a GeometryRun
+/// @param make   Run (): anew for each try
+/// @param work   Result (Run&)
+template <class Model, class Result, class Make, class Work>
+Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineReport& report,
+  Make&& make, Work&& work)
+{
+  if (wantsCuda(engine, pointCount, report))
+  {
+    try
+    {
+      const auto builder = makeCudaBuilder<Model>();
+      auto run = make();
+      run->engine = builder.get();
+      Result result = work(*run);
+      if (!builder->ran)
+      {
+        setReason(report, EngineChoice::CPU,
+          run->arithmetic.wide
+            ? "the coordinates' range needs integers of any size, which are the CPU's"
+            : "the points span too little for an engine to have work");
+      }
+      return result;
+    }
+    catch (const Error& error)
+    {
+      const bool device = error.code() == ErrorCode::DeviceMemory ||
+        error.code() == ErrorCode::DeviceFailed || error.code() == ErrorCode::NoDevice;
+      if (!device || engine.choice == EngineChoice::CUDA)
+      {
+        throw;
+      }
+      setReason(report, EngineChoice::CPU, "the CUDA engine gave up: ", error.what());
+    }
+  }
+  return work(*make());
+}
+
+}
+
+const CudaStatus& cudaStatus()
+{
+  static const CudaStatus status = findCudaDevice();
+  return status;
+}
+
+Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
+  EngineReport& report)
+{
+  return runEngine<HullGeometry, Hull>(
+    engine, points.count, report, [&] { return std::make_unique<HullRun>(points, options); },
+    [](HullRun& run) { return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); }); });
+}
+
+namespace
+{
+
+template <bool Weighted>
+Triangulation triangulate(const PointView& points, const WeightView& weights,
+  const Options& options, const EngineOptions& engine, EngineReport& report)
+{
+  using Run = TriangulationRun<Weighted>;
+  return runEngine<LiftedGeometry<Weighted>, Triangulation>(
+    engine, points.count, report, [&] { return std::make_unique<Run>(points, weights, options); },
+    [](Run& run)
+    {
+      return run.template execute<Triangulation>(
+        [&run](Triangulation& result) { run.triangulate(result); });
+    });
+}
+
+}
+
+Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
+  const Options& options, const EngineOptions& engine, EngineReport& report)
+{
+  return weights.data ? triangulate<true>(points, weights, options, engine, report)
+                      : triangulate<false>(points, weights, options, engine, report);
+}
+
+}

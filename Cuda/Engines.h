@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Hulls and triangulations by a chosen engine: the CPU's, or CUDA's where this build and this
+/// machine have it. The result is the same bit for bit.
+#ifndef flipflop_Engines_h
+#define flipflop_Engines_h
+
+#include "ConvexHull.h"
+#include "RegularTriangulation.h"
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+enum class EngineChoice
+{
+  Automatic, ///< the CUDA engine where there is a device and the input is large enough to pay, else
+             ///< the CPU's
+  CPU,
+  CUDA ///< or an error
+};
+
+/// From how many points on the CUDA engine pays is for a measurement to tell, and none has been
+/// made.
+constexpr std::int64_t CudaPaysNever = INT64_MAX;
+
+struct EngineOptions
+{
+  EngineChoice choice = EngineChoice::Automatic;
+
+  /// Automatic takes the CUDA engine from so many points on.
+  std::int64_t cudaFrom = CudaPaysNever;
+};
+
+/// Which engine ran, and why that one.
+struct EngineReport
+{
+  EngineChoice used = EngineChoice::CPU; ///< CPU or CUDA
+  char reason[256] = "";                 ///< a clause without a full stop
+};
+
+struct CudaStatus
+{
+  bool built = false;     ///< this build has kernels for a device
+  bool present = false;   ///< and there is a device that can run them
+  char device[256] = "";  ///< its name
+  char problem[256] = ""; ///< why there is none
+};
+
+/// Looks once, at the first call.
+const CudaStatus& cudaStatus();
+
+/// As convexHull(points, options).
+/// @throw Error the same; NoDevice, DeviceMemory, DeviceFailed where CUDA is chosen (Automatic
+/// leaves
+///              such a run to the CPU)
+Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
+  EngineReport& report);
+
+/// As regularTriangulation(points, weights, options).
+/// @throw Error the same, and as above
+Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
+  const Options& options, const EngineOptions& engine, EngineReport& report);
+
+}
+
+#endif
