@@ -274,6 +274,10 @@ void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
 
 PointSource CudaExecutor::resident(const PointSource& points, Residence& residence)
 {
+  if (points.isOnDevice())
+  {
+    return points.onDevice();
+  }
   const std::uint32_t count = points.count();
   residence.bytes = std::size_t(count) * 3 * sizeof(double);
   residence.memory = static_cast<double*>(this->allocate(residence.bytes));

@@ -55,13 +55,13 @@ public:
     , type(view.type)
     , data(view.data)
     , stride(view.stride)
+    , third(pastTwo(view.data, view.type))
     , thirdType(view.type)
     , thirdStride(view.stride)
     , thirdPower(1)
+    , deviceData(view.deviceData)
+    , deviceThird(pastTwo(view.deviceData, view.type))
   {
-    this->third = this->data && this->type == ScalarType::Float32
-      ? static_cast<const void*>(static_cast<const float*>(this->data) + 2)
-      : (this->data ? static_cast<const double*>(this->data) + 2 : nullptr);
   }
 
   /// Weighted points in the plane. Without weights the third coordinate is zero.
@@ -74,6 +74,8 @@ public:
     , thirdType(weights.type)
     , thirdStride(weights.stride)
     , thirdPower(2)
+    , deviceData(view.deviceData)
+    , deviceThird(weights.deviceData)
   {
   }
 
@@ -91,6 +93,18 @@ public:
   {
     PointSource result = *this;
     result.flat = true;
+    return result;
+  }
+
+  /// Do the scalars lie in a device's memory as well?
+  bool isOnDevice() const { return this->deviceData && (!this->third || this->deviceThird); }
+
+  /// The same points, to be read by the device.
+  PointSource onDevice() const
+  {
+    PointSource result = *this;
+    result.data = this->deviceData;
+    result.third = this->third ? this->deviceThird : nullptr;
     return result;
   }
 
@@ -140,6 +154,17 @@ public:
   ScalarType scalarType() const { return this->type; }
 
 private:
+  static const void* pastTwo(const void* scalars, ScalarType type)
+  {
+    if (!scalars)
+    {
+      return nullptr;
+    }
+    return type == ScalarType::Float32
+      ? static_cast<const void*>(static_cast<const float*>(scalars) + 2)
+      : static_cast<const double*>(scalars) + 2;
+  }
+
   FF_HD static void read(const void* from, ScalarType type, std::int64_t stride, int offset,
     std::uint32_t first, int n, double* to)
   {
@@ -176,10 +201,12 @@ private:
   ScalarType type;
   const void* data;
   std::int64_t stride;
-  const void* third = nullptr;
+  const void* third;
   ScalarType thirdType;
   std::int64_t thirdStride;
   int thirdPower; ///< of the scale
+  const void* deviceData;
+  const void* deviceThird;
   int exponent[3] = { 0, 0, 0 };
   bool scaled = false;
   bool flat = false;

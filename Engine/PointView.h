@@ -26,6 +26,10 @@ struct PointView
   std::int64_t count = 0;
   std::int64_t stride = 3;
 
+  /// The same scalars, laid out alike, in the memory of the CUDA device; null: they are not there.
+  /// An engine on the device reads them in place; all else is read from data.
+  const void* deviceData = nullptr;
+
   PointView() = default;
   PointView(const float* xyz, std::int64_t n, std::int64_t step = 3)
     : data(xyz)
@@ -50,6 +54,7 @@ struct WeightView
   ScalarType type = ScalarType::Float64;
   std::int64_t count = 0;
   std::int64_t stride = 1;
+  const void* deviceData = nullptr; ///< as PointView's
 
   WeightView() = default;
   WeightView(const float* weights, std::int64_t n, std::int64_t step = 1)
