@@ -28,13 +28,15 @@ public:
   FF_HD int perturbedAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     int sign = 0;
-    return this->checked(this->geometry.filterAbove(a, b, c, p, sign), sign);
+    const bool known = this->geometry.filterAbove(a, b, c, p, sign);
+    return this->checked(known, sign);
   }
 
   FF_HD int perturbedBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     int sign = 0;
-    return this->checked(this->geometry.filterBeneathKernel(a, b, c, sign), sign);
+    const bool known = this->geometry.filterBeneathKernel(a, b, c, sign);
+    return this->checked(known, sign);
   }
 
   mutable bool undecided = false;
