@@ -36,7 +36,6 @@ struct Counters
   std::uint32_t duplicates = 0;          ///< vertices with something to tell of duplicates
 
   // Sums over all rounds.
-  std::uint64_t exactItems = 0; ///< items that exact kernels took
   std::uint64_t exactCalls = 0;
   std::uint64_t ties = 0;
   std::uint64_t insertions = 0;

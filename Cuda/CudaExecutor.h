@@ -98,7 +98,8 @@ public:
     std::size_t bytes = 0;
   };
 
-  /// In place, where the device has them; else packed as x y z x y z ..., as PointSource reads them.
+  /// In place, where the device has them; else packed as x y z x y z ..., as PointSource reads
+  /// them.
   PointSource resident(const PointSource& points, Residence& residence);
 
   void record(const Counters* counters, int slot);

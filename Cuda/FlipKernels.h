@@ -250,11 +250,6 @@ struct CheckExact : Kernel
   {
     growth::addCounts(local, this->data.geometry, this->data.counters);
   }
-  FF_HD void once() const
-  {
-    Counters& counters = *this->data.counters;
-    counters.exactItems += counters.undecided[this->round & 1];
-  }
 };
 
 /// Over the active triangles.

@@ -258,7 +258,6 @@ struct AssociateExact : Kernel
   {
     growth::addCounts(local, this->data.geometry, this->data.counters);
   }
-  FF_HD void once() const { this->data.counters->exactItems += this->data.counters->undecided[0]; }
 };
 
 /// Over the room for the sums: all places of a list of at most so many candidates, and one more.
@@ -419,11 +418,6 @@ struct RelocateExact : Kernel
   FF_HD void end(const Geometry& local) const
   {
     growth::addCounts(local, this->data.geometry, this->data.counters);
-  }
-  FF_HD void once() const
-  {
-    Counters& counters = *this->data.counters;
-    counters.exactItems += counters.undecided[(this->round & 1) ^ 1];
   }
 };
 
