@@ -15,6 +15,16 @@
 namespace flipflop
 {
 
+/// What a round of flips adds to the sums. Apart, for a warp's 32-bit additions are one.
+struct RoundCounts
+{
+  std::uint32_t edgeChecks = 0;
+  std::uint32_t flips22 = 0;
+  std::uint32_t flips31 = 0;
+  std::uint32_t flipsD = 0;
+  std::uint32_t labelled = 0;
+};
+
 struct Counters
 {
   // Slots taken.
@@ -30,6 +40,7 @@ struct Counters
   std::uint32_t active[3] = { 0, 0, 0 }; ///< triangles to check, by turns
   std::uint32_t flips[2] = { 0, 0 };     ///< flips of a round, by turns
   std::uint32_t proposing = 0;           ///< the last round in which any triangle proposed a flip
+  RoundCounts round;                     ///< of the round under way
 
   // Both.
   std::uint32_t undecided[2] = { 0, 0 }; ///< items left to a round's exact kernel, by turns

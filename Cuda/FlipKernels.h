@@ -219,13 +219,23 @@ struct Check : Kernel
   }
   FF_HD void end(Local checks) const
   {
-    atomics::add(&this->data.counters->edgeChecks, static_cast<std::uint64_t>(checks));
+    atomics::add(&this->data.counters->round.edgeChecks, checks);
   }
   FF_HD void once() const
   {
     Counters& counters = *this->data.counters;
     counters.active[(this->round & 1) ^ 1] = 0;
     counters.flips[this->round & 1] = 0;
+    // The round before is over. One without work comes after the last, so nothing is lost.
+    RoundCounts& counts = counters.round;
+    counters.flips22 += counts.flips22;
+    counters.flips31 += counts.flips31;
+    counters.flipsD += counts.flipsD;
+    counters.labelled += counts.labelled;
+    counts.flips22 = 0;
+    counts.flips31 = 0;
+    counts.flipsD = 0;
+    counts.labelled = 0;
   }
 };
 
@@ -302,9 +312,16 @@ struct Resolve : Kernel
   }
   FF_HD void end(Local labelled) const
   {
-    atomics::add(&this->data.counters->labelled, static_cast<std::uint64_t>(labelled));
+    atomics::add(&this->data.counters->round.labelled, labelled);
   }
-  FF_HD void once() const { this->data.counters->undecided[(this->round & 1) ^ 1] = 0; }
+  /// Check has counted.
+  FF_HD void once() const
+  {
+    Counters& counters = *this->data.counters;
+    counters.undecided[(this->round & 1) ^ 1] = 0;
+    counters.edgeChecks += counters.round.edgeChecks;
+    counters.round.edgeChecks = 0;
+  }
 
 private:
   /// Label the origin of h, and wake its triangles.
@@ -423,10 +440,10 @@ struct Relink : Kernel
   }
   FF_HD void end(const Local& local) const
   {
-    Counters* const counters = this->data.counters;
-    atomics::add(&counters->flips22, static_cast<std::uint64_t>(local.flips22));
-    atomics::add(&counters->flips31, static_cast<std::uint64_t>(local.flips31));
-    atomics::add(&counters->flipsD, static_cast<std::uint64_t>(local.byDegree));
+    RoundCounts& counts = this->data.counters->round;
+    atomics::add(&counts.flips22, local.flips22);
+    atomics::add(&counts.flips31, local.flips31);
+    atomics::add(&counts.flipsD, local.byDegree);
   }
 };
 

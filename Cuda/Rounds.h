@@ -362,8 +362,8 @@ private:
     this->download(v, this->vertices);
     const bool flipping = stage == RoundReport::Stage::Flip;
     (*this->observer)({ stage, round, flipping ? c.active[(round & 1) ^ 1] : c.live[round & 1],
-      c.triangles, c.vertices, flipping ? c.flips[round & 1] : c.inserted, c.labelled,
-      hashOf(t.data(), c.triangles, v.data(), c.vertices) });
+      c.triangles, c.vertices, flipping ? c.flips[round & 1] : c.inserted,
+      c.labelled + c.round.labelled, hashOf(t.data(), c.triangles, v.data(), c.vertices) });
   }
 
   static void addTo(Tally& tally, const Counters& counted)
