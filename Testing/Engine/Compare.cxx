@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Compare.h"
 #include "Inputs.h"
+#include "RoundsOnHost.h"
 
 #include <algorithm>
 #include <cstring>
@@ -283,6 +284,21 @@ void expectHull(const Cloud& cloud, const ReferenceHull& reference)
         }
       }
     }
+    for (const RoundsVariant& variant : roundsVariants(count, facets))
+    {
+      Options options;
+      options.threads = 1;
+      options.facets = facets;
+      options.vBiased = variant.vBiased;
+      SCOPED_TRACE("rounds " + variant.how.toString() + (variant.vBiased ? ", V-biased" : "") +
+        (facets == FacetMode::Polygons ? ", polygons" : ", triangles"));
+      const bool single = variant.vBiased && !floats.empty();
+      const PointView view = single ? PointView(floats.data(), count) : viewOf(cloud);
+      Hull hull;
+      ASSERT_NO_THROW(hull = hullByRounds(view, options, variant.how));
+      ASSERT_EQ(bitDifference(hull, first), "");
+      ASSERT_EQ(statisticsFault(hull, count), "");
+    }
   }
 }
 
@@ -300,6 +316,15 @@ std::string quickFault(
     if (!fault.empty())
     {
       return fault;
+    }
+    HostOrder how;
+    if (drawOrder(cloud, how))
+    {
+      const std::string between = bitDifference(hullByRounds(viewOf(cloud), options, how), hull);
+      if (!between.empty())
+      {
+        return "rounds " + how.toString() + ": " + between;
+      }
     }
     const Validation valid = validate(viewOf(cloud), hull, 1);
     return valid ? "" : std::string("validate: ") + describe(valid.fault);

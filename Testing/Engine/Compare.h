@@ -52,11 +52,12 @@ std::string bitDifference(const Hull& a, const Hull& b);
 std::string statisticsFault(const CellComplex& complex, std::int64_t points);
 
 /// Run every variant of the engine on the cloud: threads 1, 2, 4; double, and float where the
-/// cloud is; triangles and polygons; V-biased or not. All must be the reference, be equal bit for
-/// bit, and pass validate.
+/// cloud is; triangles and polygons; V-biased or not; and the CUDA engine's rounds on the host, in
+/// several orders. All must be the reference, be equal bit for bit, and pass validate.
 void expectHull(const Cloud& cloud, const ReferenceHull& reference);
 
-/// One plain run, for loops over very many clouds: the reference, and validate.
+/// One plain run, for loops over very many clouds: the reference, and validate. Now and then one by
+/// the rounds too.
 /// @return what is wrong; empty when nothing is.
 std::string quickFault(
   const Cloud& cloud, const ReferenceHull& reference, FacetMode facets, int threads, bool vBiased);

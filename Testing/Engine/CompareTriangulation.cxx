@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CompareTriangulation.h"
 #include "Inputs.h"
+#include "RoundsOnHost.h"
 
 #include <algorithm>
 #include <limits>
@@ -242,6 +243,21 @@ void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& re
         }
       }
     }
+    for (const RoundsVariant& variant : roundsVariants(count, facets))
+    {
+      Options options;
+      options.threads = 1;
+      options.facets = facets;
+      options.vBiased = variant.vBiased;
+      const Layout& layout = variant.vBiased ? layouts.all().back() : layouts.all().front();
+      SCOPED_TRACE("rounds " + variant.how.toString() + (variant.vBiased ? ", V-biased, " : ", ") +
+        layout.toString() + (facets == FacetMode::Polygons ? ", polygons" : ", triangles"));
+      Triangulation found;
+      ASSERT_NO_THROW(found = triangulationByRounds(
+                        layouts.points(layout), layouts.weights(layout), options, variant.how));
+      ASSERT_EQ(bitDifference(found, first), "");
+      ASSERT_EQ(statisticsFault(found, count), "");
+    }
   }
 }
 
@@ -257,6 +273,16 @@ std::string quickFault(
     if (!fault.empty())
     {
       return fault;
+    }
+    HostOrder how;
+    if (drawOrder(weighted, how))
+    {
+      const std::string between = bitDifference(
+        triangulationByRounds(viewOf(weighted), weightsOf(weighted), options, how), found);
+      if (!between.empty())
+      {
+        return "rounds " + how.toString() + ": " + between;
+      }
     }
     const Validation valid = validate(viewOf(weighted), weightsOf(weighted), found, 1);
     return valid ? "" : std::string("validate: ") + describe(valid.fault);

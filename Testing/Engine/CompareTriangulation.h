@@ -33,11 +33,13 @@ std::string bitDifference(const Triangulation& a, const Triangulation& b);
 std::string statisticsFault(const Triangulation& triangulation, std::int64_t points);
 
 /// Run every variant on the weighted cloud: threads 1, 2, 4; double, and float where points or
-/// weights are; triangles and polygons; V-biased or not; without weights where all are zero. All
-/// must be the reference, be equal bit for bit, and pass validate.
+/// weights are; triangles and polygons; V-biased or not; without weights where all are zero; and
+/// the CUDA engine's rounds on the host, in several orders. All must be the reference, be equal bit
+/// for bit, and pass validate.
 void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& reference);
 
-/// One plain run, for loops over very many clouds: the reference, and validate.
+/// One plain run, for loops over very many clouds: the reference, and validate. Now and then one by
+/// the rounds too.
 /// @return what is wrong; empty when nothing is.
 std::string quickFault(
   const Cloud& weighted, const ReferenceTriangulation& reference, const Options& options);
