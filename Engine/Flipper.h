@@ -21,6 +21,7 @@
 #include "Monitor.h"
 #include "Statistics.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -120,10 +121,10 @@ public:
         return;
       case FlipAction::Flip22:
       {
-        const FlipPlan plan = planFlip22(this->mesh, h);
-        flip(this->mesh, plan);
+        std::uint32_t outer[4];
+        this->flip22(h, outer);
         ++this->flips22;
-        this->pushConcerned(plan.to, 4);
+        this->pushConcerned(outer, 4);
         break;
       }
       case FlipAction::RemoveA:
@@ -134,10 +135,10 @@ public:
         {
           this->noteDuplicate(removed);
         }
-        const FlipPlan plan = planFlip31(this->mesh, removed);
-        flip(this->mesh, plan);
+        std::uint32_t outer[4];
+        this->flip31(removed, outer);
         ++this->flips31;
-        this->pushConcerned(plan.to, 3);
+        this->pushConcerned(outer, 3);
         break;
       }
       case FlipAction::LabelA:
@@ -183,6 +184,19 @@ public:
   }
 
 private:
+  FF_APART void flip22(std::uint32_t h, std::uint32_t* outer) const
+  {
+    const FlipPlan plan = planFlip22(this->mesh, h);
+    flip(this->mesh, plan);
+    std::copy(plan.to, plan.to + 4, outer);
+  }
+  FF_APART void flip31(std::uint32_t h, std::uint32_t* outer) const
+  {
+    const FlipPlan plan = planFlip31(this->mesh, h);
+    flip(this->mesh, plan);
+    std::copy(plan.to, plan.to + 3, outer);
+  }
+
   bool isConcerned(std::uint32_t h)
   {
     const Triangle& first = this->mesh.triangles[triangleOf(h)];

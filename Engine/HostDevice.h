@@ -19,12 +19,19 @@
 #define FF_OUTLINED
 #endif
 
-/// A rare case, kept out of its caller: what it needs of registers is not paid for by the others.
-/// Not so for a device, where a call costs a stack.
-#if defined(__GNUC__) && !defined(__CUDACC__)
-#define FF_RARE __attribute__((noinline, cold))
+/// Inlined, for what it makes is to stay in registers.
+#if defined(__GNUC__)
+#define FF_INLINE inline __attribute__((always_inline))
 #else
-#define FF_RARE
+#define FF_INLINE inline
+#endif
+
+/// Kept out of its caller, which then does not pay for the registers that it needs. Not so for a
+/// device, where a call costs a stack.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FF_APART __attribute__((noinline))
+#else
+#define FF_APART
 #endif
 
 #endif

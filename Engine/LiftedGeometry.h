@@ -361,7 +361,7 @@ private:
   }
 
   /// With the virtual vertex among them.
-  FF_HD FF_RARE bool filterVirtualAbove(
+  FF_HD FF_APART bool filterVirtualAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
     if ((p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual))
@@ -374,7 +374,7 @@ private:
     sign *= turn.sign;
     return known;
   }
-  FF_HD FF_RARE bool filterVirtualBeneath(
+  FF_HD FF_APART bool filterVirtualBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
     // The kernel point's place is on no lattice.

@@ -104,7 +104,7 @@ struct FlipPlan
 
 /// The flip of the edge ab of h, with the link c, d, to cd. The triangle of h becomes adc, its
 /// opposite dbc; the outer half-edges are ad, ca, db, bc.
-FF_HD inline FlipPlan planFlip22(const Mesh& mesh, std::uint32_t h)
+FF_HD FF_INLINE FlipPlan planFlip22(const Mesh& mesh, std::uint32_t h)
 {
   const std::uint32_t g = mesh.twin(h);
   const std::uint32_t s = triangleOf(h);
@@ -120,7 +120,7 @@ FF_HD inline FlipPlan planFlip22(const Mesh& mesh, std::uint32_t h)
 
 /// The removal of the origin a of h, which has three triangles: abc (of h), bad and acd become dbc,
 /// in the triangle of h; the outer half-edges are db, bc, cd.
-FF_HD inline FlipPlan planFlip31(const Mesh& mesh, std::uint32_t h)
+FF_HD FF_INLINE FlipPlan planFlip31(const Mesh& mesh, std::uint32_t h)
 {
   const std::uint32_t g = mesh.twin(h);                   // ba of bad
   const std::uint32_t k = mesh.twin(previousHalfEdge(h)); // ac of acd
@@ -135,7 +135,7 @@ FF_HD inline FlipPlan planFlip31(const Mesh& mesh, std::uint32_t h)
 }
 
 /// The plan's triangles anew, but for the opposites of its outer half-edges.
-FF_HD inline void replaceTriangles(const Mesh& mesh, const FlipPlan& plan)
+FF_HD FF_INLINE void replaceTriangles(const Mesh& mesh, const FlipPlan& plan)
 {
   const int staying = plan.outerCount == 4 ? 2 : 1;
   for (int i = 0; i < 2; ++i)
@@ -161,7 +161,7 @@ FF_HD inline void replaceTriangles(const Mesh& mesh, const FlipPlan& plan)
 }
 
 /// Flip at once: for one thread in a patch of its own.
-inline void flip(const Mesh& mesh, const FlipPlan& plan)
+FF_INLINE void flip(const Mesh& mesh, const FlipPlan& plan)
 {
   std::uint32_t other[4];
   for (int i = 0; i < plan.outerCount; ++i)
