@@ -96,7 +96,7 @@ public:
       {
         break;
       }
-      Bounds before = { then.triangles, then.vertices, then.candidates, alive };
+      Bounds before(then, alive);
       for (std::uint32_t r = known + 1; r < round; ++r)
       {
         before = before.afterRound();
@@ -224,14 +224,29 @@ private:
   /// No more than this is there.
   struct Bounds
   {
-    std::uint64_t triangles, vertices, candidates, alive;
+    explicit Bounds(const Counters& known, std::uint32_t pointsAlive)
+      : triangles(known.triangles)
+      , vertices(known.vertices)
+      , candidates(known.candidates)
+      , alive(pointsAlive)
+      , allVertices(vertices + alive)
+    {
+    }
 
-    std::uint64_t inserts() const { return std::min(this->candidates, this->alive); }
+    /// A round inserts a point into each candidate that has one, and makes three of it. In all
+    /// there are no more vertices than points alive.
     Bounds afterRound() const
     {
-      const std::uint64_t n = this->inserts();
-      return { this->triangles + 2 * n, this->vertices + n, 3 * n, this->alive };
+      Bounds result = *this;
+      const std::uint64_t inserted =
+        std::min({ this->candidates, this->alive, this->allVertices - this->vertices });
+      result.triangles += 2 * inserted;
+      result.vertices += inserted;
+      result.candidates = 3 * std::min(this->candidates, this->alive);
+      return result;
     }
+
+    std::uint64_t triangles, vertices, candidates, alive, allVertices;
   };
 
   Mesh mesh()
@@ -278,7 +293,6 @@ private:
     const Bounds after = before.afterRound();
     if (4 * after.triangles >= NoIndex)
     {
-      // Bounds may be generous: look at what there really is.
       throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(after.vertices));
     }
     this->triangles.reserve(after.triangles, before.triangles);
