@@ -1,4 +1,4 @@
-# What find_package(FlipFlop) needs, in the build tree and installed; and the engine's own install rules.
+# What find_package(FlipFlop) needs, in the build tree and installed; and the engines' own install rules.
 include(CMakePackageConfigHelpers)
 
 set(FlipFlop_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/FlipFlop")
@@ -21,24 +21,28 @@ set(engine_headers
   Validate.h)
 list(TRANSFORM engine_headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/Engine/")
 
-set_target_properties(FlipFlopEngine PROPERTIES
-  EXPORT_NAME Engine
-  INTERFACE_INCLUDE_DIRECTORIES
-    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Engine>;$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
-install(TARGETS FlipFlopEngine EXPORT FlipFlopEngine
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
-install(FILES ${engine_headers}
+set(cuda_headers "${CMAKE_CURRENT_SOURCE_DIR}/Cuda/Engines.h")
+install(FILES ${engine_headers} ${cuda_headers}
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/flipflop" COMPONENT development)
 
-# vtk_module_build() exports and installs the filters' targets in the same way.
-install(EXPORT FlipFlopEngine
-  NAMESPACE FlipFlop::
-  FILE FlipFlopEngine-targets.cmake
-  DESTINATION "${FlipFlop_CMAKE_DESTINATION}"
-  COMPONENT development)
-export(EXPORT FlipFlopEngine
-  NAMESPACE FlipFlop::
-  FILE "${config_dir}/FlipFlopEngine-targets.cmake")
+# An export set each: who wants the CPU engine alone needs no CUDA toolkit. vtk_module_build() exports and
+# installs the filters' targets in the same way.
+foreach(engine IN ITEMS Engine Cuda)
+  set_target_properties(FlipFlop${engine} PROPERTIES
+    EXPORT_NAME ${engine}
+    INTERFACE_INCLUDE_DIRECTORIES
+      "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${engine}>;$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  install(TARGETS FlipFlop${engine} EXPORT FlipFlop${engine}
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+  install(EXPORT FlipFlop${engine}
+    NAMESPACE FlipFlop::
+    FILE FlipFlop${engine}-targets.cmake
+    DESTINATION "${FlipFlop_CMAKE_DESTINATION}"
+    COMPONENT development)
+  export(EXPORT FlipFlop${engine}
+    NAMESPACE FlipFlop::
+    FILE "${config_dir}/FlipFlop${engine}-targets.cmake")
+endforeach()
 
 configure_package_config_file(CMake/FlipFlopConfig.cmake.in "${config_dir}/FlipFlopConfig.cmake"
   INSTALL_DESTINATION "${FlipFlop_CMAKE_DESTINATION}")

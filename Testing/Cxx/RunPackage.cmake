@@ -1,5 +1,5 @@
 # Installs the build tree into a folder, then configures, builds and tests users of the installed package:
-# the C++ examples, and a program that wants the engine alone.
+# the C++ examples, and programs that want an engine without VTK.
 #
 #   cmake -D BINARY_DIR=... -D SOURCE_DIR=... -D WORK_DIR=... -D GENERATOR=... -D LIBDIR=... -P RunPackage.cmake
 function(run)
