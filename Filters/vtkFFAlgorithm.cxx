@@ -3,6 +3,7 @@
 #include "vtkFFAlgorithm.h"
 
 #include "CellComplex.h"
+#include "Engines.h"
 #include "Error.h"
 #include "Options.h"
 #include "vtkFFExactValues.h"
@@ -25,6 +26,7 @@
 //------------------------------------------------------------------------------
 vtkFFAlgorithm::vtkFFAlgorithm()
   : Engine(ENGINE_AUTOMATIC)
+  , CUDAThreshold(VTK_ID_MAX)
   , NumberOfThreads(0)
   , FacetMode(FACETS_AS_TRIANGLES)
   , NonFinitePoints(NON_FINITE_ERROR)
@@ -105,28 +107,19 @@ void vtkFFAlgorithm::ReportError(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::ChooseEngine()
+void vtkFFAlgorithm::AddEngineToReport(const flipflop::EngineReport& report)
 {
-  if (this->Engine == ENGINE_CUDA)
+  const int used = report.used == flipflop::EngineChoice::CUDA ? ENGINE_CUDA : ENGINE_CPU;
+  if (used >= this->EngineUsed)
   {
-    this->EngineReason = "the CUDA engine was asked for, and this build has none";
-    this->ReportError("The CUDA engine was asked for, but this build of FlipFlop has none. Use "
-                      "SetEngineToAutomatic() or SetEngineToCPU().");
-    return false;
+    this->EngineUsed = used;
+    this->EngineReason = report.reason;
   }
-  this->EngineUsed = ENGINE_CPU;
-  this->EngineReason = this->Engine == ENGINE_CPU ? "the CPU engine was asked for"
-                                                  : "this build has no other engine than the CPU's";
-  return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::RunEngine(const std::function<void(const flipflop::Options&)>& work)
+bool vtkFFAlgorithm::RunEngine(const EngineWork& work)
 {
-  if (!this->ChooseEngine())
-  {
-    return false;
-  }
   try
   {
     flipflop::Options options;
@@ -140,7 +133,15 @@ bool vtkFFAlgorithm::RunEngine(const std::function<void(const flipflop::Options&
     options.vBiased = this->VBiased;
     options.progress = &vtkFFAlgorithm::ForwardProgress;
     options.progressContext = this;
-    work(options);
+    flipflop::EngineOptions engine;
+    engine.choice = this->Engine == ENGINE_CUDA ? flipflop::EngineChoice::CUDA
+      : this->Engine == ENGINE_CPU              ? flipflop::EngineChoice::CPU
+                                                : flipflop::EngineChoice::Automatic;
+    engine.cudaFrom =
+      this->CUDAThreshold == VTK_ID_MAX ? flipflop::CudaPaysNever : this->CUDAThreshold;
+    flipflop::EngineReport report;
+    work(options, engine, report);
+    this->AddEngineToReport(report);
     return true;
   }
   catch (const flipflop::Error& error)
@@ -256,8 +257,35 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
     case ErrorCode::NoKernel:
       return "The surface is not star-shaped, or no point was found from which it is. Give one "
              "with SetKernelPoint() and UseKernelPointOn().";
+    case ErrorCode::NoDevice:
+      return std::string("The CUDA engine was asked for, but ") + GetCUDAProblem() +
+        ". Use SetEngineToAutomatic() or SetEngineToCPU().";
+    case ErrorCode::DeviceMemory:
+      return "The CUDA device has not enough memory for this input: " + count +
+        " bytes were refused. Use SetEngineToAutomatic() or SetEngineToCPU().";
+    case ErrorCode::DeviceFailed:
+      return "The CUDA device failed: error " + std::to_string(index) +
+        " of the CUDA runtime. Use SetEngineToAutomatic() or SetEngineToCPU().";
   }
   return error.what();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::IsCUDAAvailable()
+{
+  return flipflop::cudaStatus().present;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetCUDADeviceName()
+{
+  return flipflop::cudaStatus().device;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetCUDAProblem()
+{
+  return flipflop::cudaStatus().problem;
 }
 
 //------------------------------------------------------------------------------
@@ -291,6 +319,7 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 
   const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
   os << indent << "Engine: " << this->GetEngineAsString() << "\n";
+  os << indent << "CUDAThreshold: " << this->CUDAThreshold << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "FacetMode: " << this->GetFacetModeAsString() << "\n";
   os << indent << "NonFinitePoints: " << this->GetNonFinitePointsAsString() << "\n";

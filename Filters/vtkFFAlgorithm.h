@@ -34,14 +34,17 @@
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // For std::string
+
 #ifndef __VTK_WRAP__
 #include <functional> // For std::function
-#include <string>     // For std::string
 
 namespace flipflop
 {
 class Error;
 struct CellComplex;
+struct EngineOptions;
+struct EngineReport;
 struct Options;
 }
 #endif
@@ -83,9 +86,18 @@ public:
 
   ///@{
   /**
-   * Set/Get the engine. ENGINE_AUTOMATIC (the default) takes the fastest one that can do the work.
-   * Asking for an engine that this build does not have is an error, and gives an empty output.
-   * Whatever engine runs, the output is the same.
+   * Set/Get the engine. Whatever engine runs, the output is the same, bit for bit.
+   *
+   * - ENGINE_AUTOMATIC (the default): the CUDA engine for inputs of CUDAThreshold points or more
+   *   where IsCUDAAvailable(), else the CPU engine. Should the device fail, or its memory not
+   *   suffice, the CPU engine does the work.
+   * - ENGINE_CPU: the CPU engine.
+   * - ENGINE_CUDA: the CUDA engine, for inputs of any size. It is an error, and gives an empty
+   *   output, where it is not available, fails or lacks memory. Points that span too little for an
+   *   engine to have work, and coordinates that only integers of any size can decide, are left to
+   *   the CPU engine all the same.
+   *
+   * vtkFFConvexifyFilter runs on the CPU engine only: asking it for the CUDA engine is an error.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_CUDA);
   vtkGetMacro(Engine, int);
@@ -97,12 +109,34 @@ public:
 
   ///@{
   /**
-   * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE where none ran), and
-   * why it was that one, in words.
+   * Set/Get from how many points on ENGINE_AUTOMATIC takes the CUDA engine. From how many on it
+   * pays is for a measurement to tell, and none has been made: the default is VTK_ID_MAX, which
+   * leaves all inputs to the CPU engine.
+   */
+  vtkSetClampMacro(CUDAThreshold, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(CUDAThreshold, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Get whether this build has a CUDA engine and this machine a device that can run it; the
+   * device's name (empty where there is none); and why there is none (empty where there is one).
+   * Looks once, at the first call.
+   */
+  static bool IsCUDAAvailable();
+  static const char* GetCUDADeviceName();
+  static const char* GetCUDAProblem();
+  ///@}
+
+  ///@{
+  /**
+   * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE where none gave a
+   * result), and why it was that one, in words. For several blocks with a result each: ENGINE_CUDA
+   * if any block used it, and the reason of the last block that used the same engine.
    */
   vtkGetMacro(EngineUsed, int);
   const char* GetEngineUsedAsString();
-  const char* GetEngineReason() { return this->EngineReason; }
+  const char* GetEngineReason() { return this->EngineReason.c_str(); }
   ///@}
 
   ///@{
@@ -180,19 +214,22 @@ public:
   ///@{
   /**
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
-   * each. 0 before a run.
+   * each. 0 before a run. Engines do the work in a different order, so from Culled points on the
+   * numbers differ between them, where the output does not. Of the CPU engine they do not depend on
+   * the number of threads.
    *
    * - InputPoints: points given
    * - NonFinitePoints: points left out (or, after an error, found) with a NaN or infinite
    * coordinate or weight
-   * - CulledPoints: points found inside without being associated to a triangle
+   * - CulledPoints: points found inside without being associated to a triangle (none by the CUDA
+   *   engine)
    * - Insertions: vertices inserted while growing (1-3 flips), over all levels
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
    * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume) and the D-criterion (degree)
    * - LabelledVertices: vertices labelled non-extreme
    * - EdgeChecks: edges examined for a flip
    * - ExactPredicates: predicates that the floating-point filter left undecided
-   * - ThreadsUsed: threads that the run was given
+   * - ThreadsUsed: CPU threads that the run was given
    */
   vtkGetMacro(NumberOfInputPoints, vtkIdType);
   vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
@@ -211,10 +248,12 @@ public:
   ///@{
   /**
    * Get the seconds that the last run took, by stage; sums for several blocks with a result each.
-   * Scan, Locate, Finish and Total are wall time; Grow and Flip are summed over the threads.
+   * Scan, Locate, Finish and Total are wall time; Grow and Flip are summed over the threads, of the
+   * CUDA engine they are wall time.
    *
    * - Scan: ranges, points that are not finite, the first polyhedron
-   * - Locate: culling, associating points to triangles
+   * - Locate: culling, associating points to triangles. The CUDA engine does that while it grows;
+   *   here it counts the time to bring its result back
    * - Grow: growing the star-shaped polyhedron (the paper's Algorithm 2)
    * - Flip: flipping it to convexity (the paper's Algorithm 1)
    * - Finish: true facets and the canonical order
@@ -244,10 +283,16 @@ protected:
   void AddToReport(const flipflop::CellComplex& cells);
 
   /**
+   * What a subclass has the engine do. Which engine ran, and why, goes into the report.
+   */
+  using EngineWork = std::function<void(
+    const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)>;
+
+  /**
    * Run @p work with the options set here, guarded: whatever it throws becomes an error (an abort
    * becomes none). False when it threw. No exception leaves this.
    */
-  bool RunEngine(const std::function<void(const flipflop::Options&)>& work);
+  bool RunEngine(const EngineWork& work);
 
   /**
    * Report an error: the message, and the error code that tells callers of the failure.
@@ -280,6 +325,7 @@ protected:
 #endif
 
   int Engine;
+  vtkIdType CUDAThreshold;
   int NumberOfThreads;
   int FacetMode;
   int NonFinitePoints;
@@ -292,12 +338,12 @@ private:
   void operator=(const vtkFFAlgorithm&) = delete;
 
 #ifndef __VTK_WRAP__
-  bool ChooseEngine();
+  void AddEngineToReport(const flipflop::EngineReport& report);
   static bool ForwardProgress(double fraction, void* self);
 #endif
 
   int EngineUsed;
-  const char* EngineReason;
+  std::string EngineReason;
   int Dimension;
 
   vtkIdType NumberOfInputPoints;

@@ -5,6 +5,7 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
+#include "Engines.h"
 #include "FlipFlop.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -20,6 +21,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 vtkStandardNewMacro(vtkFFConvexifyFilter);
@@ -144,6 +146,12 @@ bool vtkFFConvexifyFilter::CheckCells(vtkPolyData* input)
 //------------------------------------------------------------------------------
 bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
 {
+  if (this->Engine == ENGINE_CUDA)
+  {
+    this->ReportError("The CUDA engine was asked for, but this filter runs on the CPU. Use "
+                      "SetEngineToAutomatic() or SetEngineToCPU().");
+    return false;
+  }
   const double* kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
   if (kernel && !std::all_of(kernel, kernel + 3, [](double x) { return vtkMath::IsFinite(x); }))
   {
@@ -154,8 +162,13 @@ bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
     return false;
   }
 
-  const auto work = [&](const flipflop::Options& chosen)
+  const auto work = [&](const flipflop::Options& chosen, const flipflop::EngineOptions&,
+                      flipflop::EngineReport& report)
   {
+    report.used = flipflop::EngineChoice::CPU;
+    std::snprintf(report.reason, sizeof(report.reason), "%s",
+      this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "this filter runs on the CPU");
+
     flipflop::Options options = chosen;
     options.nonFinite = flipflop::NonFinitePolicy::Error;
 

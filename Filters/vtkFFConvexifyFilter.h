@@ -24,6 +24,9 @@
  * that is not star-shaped from the kernel point. A NaN or infinite coordinate of a used point is
  * always an error: without its point, a surface would not be closed.
  *
+ * This filter runs on the CPU engine, whatever GetCUDAThreshold() is. Asking it for the CUDA engine
+ * is an error.
+ *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkTriangleFilter vtkPolyDataNormals
  */

@@ -5,7 +5,7 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
-#include "ConvexHull.h"
+#include "Engines.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
@@ -174,7 +174,8 @@ bool vtkFFHullFilter::CollectBlocks(vtkDataObject* input, std::vector<Block>& bl
 bool vtkFFHullFilter::BuildHull(const std::vector<Block>& blocks, vtkPolyData* output)
 {
   this->CurrentBlocks = blocks;
-  const auto work = [&](const flipflop::Options& options)
+  const auto work = [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
+                      flipflop::EngineReport& report)
   {
     std::vector<vtkDataArray*> arrays;
     for (const Block& block : blocks)
@@ -183,7 +184,7 @@ bool vtkFFHullFilter::BuildHull(const std::vector<Block>& blocks, vtkPolyData* o
       arrays.push_back(points ? points->GetData() : nullptr);
     }
     const vtkFFPointSource source(arrays);
-    flipflop::Hull hull = flipflop::convexHull(source.GetView(), options);
+    flipflop::Hull hull = flipflop::convexHull(source.GetView(), options, engine, report);
     this->AddToReport(hull);
 
     std::vector<vtkFFOutput::Source> data;

@@ -7,9 +7,9 @@
 #include "vtkFFProjection.h"
 #include "vtkFFWeightSource.h"
 
+#include "Engines.h"
 #include "Error.h"
 #include "PowerDiagram.h"
-#include "RegularTriangulation.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkCellData.h"
@@ -319,7 +319,8 @@ void vtkFFRegularTriangulationFilter::Project(
 bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArray* weights,
   vtkPolyData* output, vtkPolyData* hidden, vtkPolyData* diagram)
 {
-  const auto work = [&](const flipflop::Options& chosen)
+  const auto work = [&](const flipflop::Options& chosen, const flipflop::EngineOptions& engine,
+                      flipflop::EngineReport& report)
   {
     vtkPoints* points = input->GetPoints();
     const vtkFFPointSource source(points ? points->GetData() : nullptr);
@@ -335,8 +336,8 @@ bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArr
       options.facets = flipflop::FacetMode::Polygons;
       this->SetProgressRange(0.0, 0.4);
     }
-    flipflop::Triangulation triangulation =
-      flipflop::regularTriangulation(projection.GetView(), weightSource.GetView(), options);
+    flipflop::Triangulation triangulation = flipflop::regularTriangulation(
+      projection.GetView(), weightSource.GetView(), options, engine, report);
 
     if (this->GeneratePowerDiagram)
     {

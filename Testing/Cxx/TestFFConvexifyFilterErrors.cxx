@@ -192,17 +192,6 @@ void testNumbers()
   FF_CHECK(isEmpty(convexify->GetOutput()));
 }
 
-void testCUDA()
-{
-  vtkNew<vtkFFConvexifyFilter> convexify;
-  const auto errors = ErrorObserver::Of(convexify);
-  convexify->SetEngineToCUDA();
-  convexify->SetInputData(makeVoxels({ { 0, 0, 0 } }));
-  convexify->Update();
-  FF_CHECK(errors->Has("CUDA"));
-  FF_CHECK(isEmpty(convexify->GetOutput()));
-}
-
 }
 
 int TestFFConvexifyFilterErrors(int, char*[])
@@ -214,6 +203,5 @@ int TestFFConvexifyFilterErrors(int, char*[])
   testNotOriented();
   testNotStarShaped();
   testNumbers();
-  testCUDA();
   return result();
 }

@@ -157,7 +157,6 @@ void testReport()
   hull->Update();
   FF_CHECK_EQUAL(hull->GetEngineUsed(), vtkFFAlgorithm::ENGINE_CPU);
   FF_CHECK(!strcmp(hull->GetEngineUsedAsString(), "CPU"));
-  FF_CHECK(std::string(hull->GetEngineReason()).find("no other engine") != std::string::npos);
   FF_CHECK(hull->GetNumberOfInsertions() > 0);
   FF_CHECK(hull->GetNumberOfFlips22() > 0);
   FF_CHECK(hull->GetNumberOfEdgeChecks() > 0);
@@ -167,9 +166,6 @@ void testReport()
   FF_CHECK(hull->GetSecondsToScan() >= 0.0 && hull->GetSecondsToLocate() >= 0.0 &&
     hull->GetSecondsToGrow() >= 0.0 && hull->GetSecondsToFlip() >= 0.0 &&
     hull->GetSecondsToFinish() >= 0.0);
-  hull->SetEngineToCPU();
-  hull->Update();
-  FF_CHECK(std::string(hull->GetEngineReason()).find("asked for") != std::string::npos);
 
   // A run reports itself alone.
   const vtkIdType insertions = hull->GetNumberOfInsertions();

@@ -80,34 +80,6 @@ void testNothingButNonFinite()
   FF_CHECK(isEmpty(hull->GetOutput()));
 }
 
-void testCUDA()
-{
-  const auto input = makePoints(cubeCorners());
-  vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
-  hull->SetInputData(input);
-  hull->Update();
-  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), 8);
-
-  hull->SetEngineToCUDA();
-  hull->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK(errors->Has("CUDA"));
-  FF_CHECK(errors->Has("SetEngineToCPU"));
-  FF_CHECK(isEmpty(hull->GetOutput()));
-  FF_CHECK_EQUAL(hull->GetEngineUsed(), vtkFFAlgorithm::ENGINE_NONE);
-  FF_CHECK_EQUAL(hull->GetDimension(), -1);
-  FF_CHECK_EQUAL(hull->GetVolume(), 0.0);
-  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 0);
-
-  errors->Clear();
-  hull->SetEngineToAutomatic();
-  hull->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), 8);
-  FF_CHECK_EQUAL(hull->GetErrorCode(), vtkErrorCode::NoError);
-}
-
 /// The pipeline itself refuses what is no point set.
 void testWrongInput()
 {
@@ -136,7 +108,6 @@ int TestFFHullFilterErrors(int, char*[])
   testNonFinite(VTK_DOUBLE);
   testNonFinite(VTK_FLOAT);
   testNothingButNonFinite();
-  testCUDA();
   testWrongInput();
   return result();
 }

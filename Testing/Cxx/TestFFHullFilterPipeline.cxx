@@ -225,7 +225,7 @@ void testPrint()
       }
     }
   };
-  const std::vector<std::string> common{ "Engine", "NumberOfThreads", "FacetMode",
+  const std::vector<std::string> common{ "Engine", "CUDAThreshold", "NumberOfThreads", "FacetMode",
     "NonFinitePoints", "PassPointData", "VisiblePointIds", "VBiased", "EngineUsed", "EngineReason",
     "Dimension", "Volume", "Area", "NumberOfInputPoints", "NumberOfNonFinitePoints",
     "NumberOfCulledPoints", "NumberOfInsertions", "NumberOfFlips22", "NumberOfFlips31",

@@ -148,14 +148,6 @@ void testSettings()
   }
   filter->SetPowerDiagramBounds(0, 1, 0, 1);
   checkSuccess(filter, errors);
-
-  filter->SetEngineToCUDA();
-  filter->Update();
-  checkFailure(filter, errors);
-  FF_CHECK(errors->Has("CUDA"));
-  FF_CHECK_EQUAL(filter->GetEngineUsed(), vtkFFAlgorithm::ENGINE_NONE);
-  filter->SetEngineToAutomatic();
-  checkSuccess(filter, errors);
 }
 
 /// A transform that flattens will do for a triangulation, but nothing leads back from it.

@@ -281,9 +281,9 @@ void testPrint()
   vtkNew<vtkTransform> transform;
   filter->SetTransform(transform);
   filter->Print(text);
-  for (const char* name :
-    { "Engine", "FacetMode", "Dimension", "NumberOfInputPoints", "ProjectionPlaneMode", "Transform",
-      "GeneratePowerDiagram", "PowerDiagramBoxMode", "PowerDiagramBounds", "NumberOfHiddenPoints" })
+  for (const char* name : { "Engine", "CUDAThreshold", "FacetMode", "Dimension",
+         "NumberOfInputPoints", "ProjectionPlaneMode", "Transform", "GeneratePowerDiagram",
+         "PowerDiagramBoxMode", "PowerDiagramBounds", "NumberOfHiddenPoints" })
   {
     if (text.str().find("\n  " + std::string(name) + ": ") == std::string::npos)
     {

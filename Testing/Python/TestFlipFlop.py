@@ -226,12 +226,6 @@ class TestHull(unittest.TestCase):
         self.assertEqual(hull.GetNumberOfNonFinitePoints(), 2)
         self.assertEqual(list(original_ids(hull.GetOutput())), [0, 1, 2, 3, 4, 6, 7, 13])
 
-        hull.SetEngineToCUDA()
-        hull.Update()
-        self.assertEqual(len(messages), 2)
-        self.assertIn("CUDA", messages[1])
-        self.assertEqual(hull.GetOutput().GetNumberOfPoints(), 0)
-
     def test_progress_and_abort(self):
         rng = np.random.default_rng(6)
         hull = vtkFFHullFilter()
