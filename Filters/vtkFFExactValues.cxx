@@ -8,9 +8,16 @@
 #include "vtkDataArrayRange.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkVariant.h"
+#include "vtkVersionMacros.h"
 
 #include <limits>
 #include <type_traits>
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#define VTK_FF_HAS_DEVICE_ARRAYS 1
+#else
+#define VTK_FF_HAS_DEVICE_ARRAYS 0
+#endif
 
 namespace
 {
@@ -106,6 +113,20 @@ template const float* vtkFFExactValues::Memory<float>(vtkDataArray*);
 template const double* vtkFFExactValues::Memory<double>(vtkDataArray*);
 
 //------------------------------------------------------------------------------
+const void* vtkFFExactValues::DeviceMemory(vtkDataArray* array)
+{
+#if VTK_FF_HAS_DEVICE_ARRAYS
+  if (array->GetMemorySpace() == vtkDataArray::CudaDeviceMemory)
+  {
+    return array->GetDeviceVoidPointer(0);
+  }
+#else
+  static_cast<void>(array);
+#endif
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 template <int Components, class Out>
 void vtkFFExactValues::Copy(vtkDataArray* array, const char* kind, vtkIdType begin, Out* to)
 {
@@ -126,4 +147,5 @@ void vtkFFExactValues::Copy(vtkDataArray* array, const char* kind, vtkIdType beg
 
 template void vtkFFExactValues::Copy<3>(vtkDataArray*, const char*, vtkIdType, float*);
 template void vtkFFExactValues::Copy<3>(vtkDataArray*, const char*, vtkIdType, double*);
+template void vtkFFExactValues::Copy<1>(vtkDataArray*, const char*, vtkIdType, float*);
 template void vtkFFExactValues::Copy<1>(vtkDataArray*, const char*, vtkIdType, double*);

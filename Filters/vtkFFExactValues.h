@@ -52,6 +52,12 @@ public:
   static const T* Memory(vtkDataArray* array);
 
   /**
+   * Where the values of an array lie on the CUDA device, tuple by tuple; null when they are not
+   * there, or when this VTK cannot tell (before 9.6).
+   */
+  static const void* DeviceMemory(vtkDataArray* array);
+
+  /**
    * Copy an array of that many components (1 or 3) to plain memory of float or double. Only arrays
    * of float may go to floats.
    *

@@ -101,6 +101,11 @@ vtkFFPointSource::vtkFFPointSource(const std::vector<vtkDataArray*>& arrays)
   {
     this->Convert(parts, count, this->Doubles);
   }
+  // After the copy to the host, which waits for whatever still writes to the device.
+  if (parts.size() == 1 && (this->OutputType == VTK_FLOAT || this->OutputType == VTK_DOUBLE))
+  {
+    this->View.deviceData = vtkFFExactValues::DeviceMemory(parts[0]);
+  }
 }
 
 //------------------------------------------------------------------------------

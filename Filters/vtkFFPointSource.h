@@ -7,8 +7,9 @@
  * vtkFFPointSource presents the points of one or several data sets to the engine as one
  * flipflop::PointView. A single array of float or double that lies in memory as the engine wants it
  * is not copied. All else is: float arrays of another layout, and several float arrays, to floats;
- * anything else to doubles. A value that no double holds (a 64-bit integer can be one) is refused:
- * results are exact or they are not given.
+ * anything else to doubles. Of a single array of float or double that lives on the CUDA device the
+ * view names that memory as well. A value that no double holds (a 64-bit integer can be one) is
+ * refused: results are exact or they are not given.
  *
  * It is also the way back: Gather() makes output points of the input's own type and bits.
  */

@@ -22,10 +22,26 @@ vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array)
   {
     this->View = flipflop::WeightView(doubles, count);
   }
+  else if (array->GetDataType() == VTK_FLOAT)
+  {
+    this->Convert(array, this->Floats);
+  }
   else
   {
-    this->Copy.allocate(static_cast<std::size_t>(count));
-    vtkFFExactValues::Copy<1>(array, "weight", 0, this->Copy.data());
-    this->View = flipflop::WeightView(this->Copy.data(), count);
+    this->Convert(array, this->Doubles);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class T>
+void vtkFFWeightSource::Convert(vtkDataArray* array, flipflop::Buffer<T>& copy)
+{
+  copy.allocate(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  vtkFFExactValues::Copy<1>(array, "weight", 0, copy.data());
+  this->View = flipflop::WeightView(copy.data(), array->GetNumberOfTuples());
+  // After the copy to the host, which waits for whatever still writes to the device.
+  if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
+  {
+    this->View.deviceData = vtkFFExactValues::DeviceMemory(array);
   }
 }

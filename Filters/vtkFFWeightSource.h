@@ -5,8 +5,9 @@
  * @brief   the weights of a VTK array as the engine reads them
  *
  * vtkFFWeightSource presents an array of one component to the engine. An array of float or double
- * that lies in memory as the engine wants it is not copied; anything else is, to doubles. A value
- * that no double holds is refused.
+ * that lies in memory as the engine wants it is not copied. All else is: float arrays of another
+ * layout to floats, anything else to doubles. Of an array of float or double that lives on the CUDA
+ * device the view names that memory as well. A value that no double holds is refused.
  */
 
 #ifndef vtkFFWeightSource_h
@@ -36,8 +37,12 @@ public:
   const flipflop::WeightView& GetView() const { return this->View; }
 
 private:
+  template <class T>
+  void Convert(vtkDataArray* array, flipflop::Buffer<T>& copy);
+
   flipflop::WeightView View;
-  flipflop::Buffer<double> Copy;
+  flipflop::Buffer<float> Floats;
+  flipflop::Buffer<double> Doubles;
 };
 
 #endif
