@@ -52,6 +52,18 @@ private:
   const Geometry& geometry;
 };
 
+/// Was the filter not enough? The geometry itself always is.
+template <class Geometry>
+FF_HD bool isUndecided(const FilteredGeometry<Geometry>& geometry)
+{
+  return geometry.undecided;
+}
+template <class Geometry>
+FF_HD bool isUndecided(const Geometry&)
+{
+  return false;
+}
+
 }
 
 #endif

@@ -26,9 +26,9 @@
 
 #include "Atomics.h"
 #include "Counters.h"
+#include "ExactKernel.h"
 #include "FilteredGeometry.h"
 #include "FlipRule.h"
-#include "GrowthKernels.h"
 #include "Kernel.h"
 #include "Mesh.h"
 
@@ -137,7 +137,7 @@ FF_HD Proposal propose(const FlipData<Geometry>& data, const Oracle& geometry, s
     ++checks;
     const FlipDecision decision =
       decideFlip(geometry, data.mesh.vertices, surroundingsOf(data.mesh, h));
-    if (decision.action != FlipAction::None || growth::isUndecided(geometry))
+    if (decision.action != FlipAction::None || isUndecided(geometry))
     {
       return { h, decision.action, decision.byDegree };
     }
@@ -155,7 +155,7 @@ FF_HD void check(const FlipData<Geometry>& data, const Oracle& geometry, std::ui
   if (!(data.mesh.triangles[t].flags & TriangleDead))
   {
     proposal = propose(data, geometry, round, t, checks);
-    if (growth::isUndecided(geometry))
+    if (isUndecided(geometry))
     {
       data.undecided[atomics::add(&data.counters->undecided[round & 1], 1u)] = i;
       return;
@@ -241,24 +241,16 @@ struct Check : Kernel
 
 /// Over the undecided of Check.
 template <class Geometry>
-struct CheckExact : Kernel
+struct CheckExact : ExactKernel<Geometry, FlipData<Geometry>>
 {
   static constexpr const char* Name = "check, exact";
   static constexpr int Bytes = Check<Geometry>::Bytes + 4;
-  static constexpr bool Exact = true;
-  using Local = Geometry;
-  FlipData<Geometry> data;
   std::uint32_t round;
 
-  FF_HD Geometry begin() const { return this->data.geometry; }
   FF_HD void operator()(std::uint32_t i, const Geometry& local) const
   {
     std::uint32_t checks = 0; // the fast kernel has counted them
     flips::check(this->data, local, this->round, this->data.undecided[i], checks);
-  }
-  FF_HD void end(const Geometry& local) const
-  {
-    growth::addCounts(local, this->data.geometry, this->data.counters);
   }
 };
 
@@ -330,7 +322,7 @@ private:
     const FlipData<Geometry>& d = this->data;
     flips::noteDuplicate(d, h);
     std::uint32_t* const flags = &d.mesh.vertices[d.mesh.origin(h)].flags;
-    if (atomics::setBits(flags, VertexLabelled) & VertexLabelled)
+    if (atomics::setBits(flags, std::uint32_t(VertexLabelled)) & VertexLabelled)
     {
       return; // another triangle has asked for it too
     }

@@ -23,6 +23,7 @@
 
 #include "Atomics.h"
 #include "Counters.h"
+#include "ExactKernel.h"
 #include "FilteredGeometry.h"
 #include "GrowthRule.h"
 #include "Kernel.h"
@@ -68,16 +69,6 @@ FF_HD inline std::uint32_t idOfKey(std::uint64_t key)
 namespace growth
 {
 
-/// The exact geometry of one thread, whose counts are added up at the end.
-template <class Geometry>
-FF_HD void addCounts(const Geometry& local, const Geometry& from, Counters* counters)
-{
-  const PredicateCounts& now = local.predicateCounts();
-  const PredicateCounts& then = from.predicateCounts();
-  atomics::add(&counters->exactCalls, static_cast<std::uint64_t>(now.exact - then.exact));
-  atomics::add(&counters->ties, static_cast<std::uint64_t>(now.ties - then.ties));
-}
-
 /// Let p, in the cone of t and above it, live on.
 template <class Geometry>
 FF_HD void keep(
@@ -107,17 +98,6 @@ FF_HD bool staysAbove(const GrowthData<Geometry>& data, const FilteredGeometry<G
 {
   const Vertex* const vertices = data.mesh.vertices;
   return geometry.perturbedAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p) > 0;
-}
-
-template <class Geometry>
-FF_HD bool isUndecided(const FilteredGeometry<Geometry>& geometry)
-{
-  return geometry.undecided;
-}
-template <class Geometry>
-FF_HD bool isUndecided(const Geometry&)
-{
-  return false;
 }
 
 /// Leave an item to the exact kernel.
@@ -241,22 +221,14 @@ struct Associate : Kernel
 
 /// Over the undecided of Associate.
 template <class Geometry>
-struct AssociateExact : Kernel
+struct AssociateExact : ExactKernel<Geometry, GrowthData<Geometry>>
 {
   static constexpr const char* Name = "associate, exact";
-  static constexpr int Bytes = 24 + 32 + 8 + 4;
-  static constexpr bool Exact = true;
-  using Local = Geometry;
-  GrowthData<Geometry> data;
+  static constexpr int Bytes = Associate<Geometry>::Bytes + 4;
 
-  FF_HD Geometry begin() const { return this->data.geometry; }
   FF_HD void operator()(std::uint32_t i, const Geometry& local) const
   {
     growth::associate(this->data, local, this->data.undecided[i]);
-  }
-  FF_HD void end(const Geometry& local) const
-  {
-    growth::addCounts(local, this->data.geometry, this->data.counters);
   }
 };
 
@@ -400,24 +372,16 @@ struct Relocate : Kernel
 
 /// Over the undecided of Relocate.
 template <class Geometry>
-struct RelocateExact : Kernel
+struct RelocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
 {
   static constexpr const char* Name = "relocate, exact";
   static constexpr int Bytes = Relocate<Geometry>::Bytes + 4;
-  static constexpr bool Exact = true;
-  using Local = Geometry;
-  GrowthData<Geometry> data;
   std::uint32_t round;
 
-  FF_HD Geometry begin() const { return this->data.geometry; }
   FF_HD void operator()(std::uint32_t i, const Geometry& local) const
   {
     growth::relocate(
       this->data, local, static_cast<int>((this->round & 1) ^ 1), this->data.undecided[i]);
-  }
-  FF_HD void end(const Geometry& local) const
-  {
-    growth::addCounts(local, this->data.geometry, this->data.counters);
   }
 };
 

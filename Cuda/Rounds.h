@@ -80,7 +80,7 @@ public:
       { live[0].data(), live[1].data() }, {}, nullptr, this->undecided.data(), c };
     this->share(data);
     this->executor.each(count, nullptr, Associate<Geometry>{ {}, data });
-    this->executor.each(count, &c->undecided[0], AssociateExact<Geometry>{ {}, data });
+    this->executor.each(count, &c->undecided[0], AssociateExact<Geometry>{ { {}, data } });
     this->executor.record(c, 0);
     this->observe(RoundReport::Stage::Associate, 0);
 
@@ -327,7 +327,7 @@ private:
     this->executor.each(candidates, &c->candidates, LinkSplits<Geometry>{ {}, data, round });
     this->executor.each(
       alive, &c->live[turn], Relocate<Geometry>{ {}, data, round, data.places + candidates });
-    this->executor.each(alive, &c->undecided[turn], RelocateExact<Geometry>{ {}, data, round });
+    this->executor.each(alive, &c->undecided[turn], RelocateExact<Geometry>{ { {}, data }, round });
   }
 
   void flipRound(const FlipData<Geometry>& data, std::uint32_t round, std::uint32_t most)
@@ -335,7 +335,7 @@ private:
     Counters* const c = data.counters;
     const std::uint32_t turn = round & 1;
     this->executor.each(most, &c->active[turn], Check<Geometry>{ {}, data, round });
-    this->executor.each(most, &c->undecided[turn], CheckExact<Geometry>{ {}, data, round });
+    this->executor.each(most, &c->undecided[turn], CheckExact<Geometry>{ { {}, data }, round });
     this->executor.each(most, &c->active[turn], Resolve<Geometry>{ {}, data, round });
     this->executor.each(most, &c->flips[turn], Publish<Geometry>{ {}, data, round });
     this->executor.each(most, &c->flips[turn], Relink<Geometry>{ {}, data, round });

@@ -52,12 +52,12 @@ MUTANTS = [
   if (proposal.action == FlipAction::LabelA || proposal.action == FlipAction::LabelB)
   {
     atomics::setBits(&data.mesh.vertices[data.mesh.origin(halfEdgeFromEnd(data.mesh, proposal))].flags,
-      VertexLabelled);
+      std::uint32_t(VertexLabelled));
   }
 """),
       ("FlipKernels.h",
-       "if (atomics::setBits(flags, VertexLabelled) & VertexLabelled)",
-       "if (!(atomics::setBits(flags, VertexLabelled) & VertexLabelled))")]),
+       "if (atomics::setBits(flags, std::uint32_t(VertexLabelled)) & VertexLabelled)",
+       "if (!(atomics::setBits(flags, std::uint32_t(VertexLabelled)) & VertexLabelled))")]),
     ("no-message-between-splits",
      "a new triangle takes its neighbour by its old number, though that was split too",
      [("GrowthKernels.h",
