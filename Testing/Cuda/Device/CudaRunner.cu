@@ -42,7 +42,12 @@ struct DeviceBlocks
 class CudaRunner : public RoundsRunner
 {
 public:
-  ~CudaRunner() override { releaseCudaMemory(); }
+  ~CudaRunner() override
+  {
+    // compute-sanitizer looks for leaks when the device's context goes.
+    releaseCudaMemory();
+    cudaDeviceReset();
+  }
 
   bool isOnDevice() const override { return true; }
 
@@ -106,6 +111,9 @@ public:
     {
       input.weights.deviceData = copies->addCopy(input.weights.data, bytesOf(input.weights, 1));
     }
+    // A copy from pageable memory may be under way still, and the engine's stream waits for no
+    // other.
+    requireCuda(cudaDeviceSynchronize());
     return copies;
   }
 
