@@ -142,18 +142,19 @@ void EngineRows::measure(const Subject& subject, const Points& points, const All
   }
   if (!points.plane && allowance.left() > 0)
   {
-    this->measureQhull(subject, points, all.median);
+    this->measureQhull(subject, points, all.median, allowance);
   }
 }
 
 #if defined(FLIPFLOP_HAVE_QHULL)
-void EngineRows::measureQhull(const Subject& subject, const Points& points, double cpuSeconds)
+void EngineRows::measureQhull(
+  const Subject& subject, const Points& points, double cpuSeconds, const Allowance& allowance)
 {
   const auto count = static_cast<double>(points.count());
   const auto before = this->qhullPerPoint.find(subject.label());
   // It takes somewhat more a point with each size.
   const double expected = before == this->qhullPerPoint.end() ? 0 : 1.3 * before->second * count;
-  if (expected > this->qhullLeft)
+  if (expected > std::min(this->qhullLeft, allowance.left()))
   {
     return;
   }
@@ -171,7 +172,7 @@ void EngineRows::measureQhull(const Subject& subject, const Points& points, doub
   this->add(subject, points, "qhull", 1, result, RunSeen(), cpuSeconds);
 }
 #else
-void EngineRows::measureQhull(const Subject&, const Points&, double) {}
+void EngineRows::measureQhull(const Subject&, const Points&, double, const Allowance&) {}
 #endif
 
 void EngineRows::add(const Subject& subject, const Points& points, const std::string& contender,

@@ -94,7 +94,8 @@ public:
   void measure(const Subject& subject, const Points& points, const Allowance& allowance);
 
 private:
-  void measureQhull(const Subject& subject, const Points& points, double cpuSeconds);
+  void measureQhull(
+    const Subject& subject, const Points& points, double cpuSeconds, const Allowance& allowance);
   void add(const Subject& subject, const Points& points, const std::string& contender, int threads,
     const Timed& result, const RunSeen& seen, double cpuSeconds);
 
