@@ -182,14 +182,17 @@ void vtkFFAlgorithm::SetProgressRange(double begin, double end)
 {
   this->ProgressBegin = begin;
   this->ProgressEnd = end;
+  this->ProgressReached = begin;
 }
 
 //------------------------------------------------------------------------------
 bool vtkFFAlgorithm::ForwardProgress(double fraction, void* self)
 {
   auto* filter = static_cast<vtkFFAlgorithm*>(self);
-  filter->UpdateProgress(
+  // Never back: a run that the CUDA engine gave up starts anew on the CPU.
+  filter->ProgressReached = std::max(filter->ProgressReached,
     filter->ProgressBegin + fraction * (filter->ProgressEnd - filter->ProgressBegin));
+  filter->UpdateProgress(filter->ProgressReached);
   return !filter->IsAbortRequested();
 }
 

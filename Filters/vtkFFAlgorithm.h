@@ -97,6 +97,10 @@ public:
    *   engine to have work, and coordinates that only integers of any size can decide, are left to
    *   the CPU engine all the same.
    *
+   * With VTK 9.6 or later, the CUDA engine reads a single array of float or double that lives on
+   * the device (a vtkmDataArray can) in place; it must be the current device. The host reads it,
+   * too.
+   *
    * vtkFFConvexifyFilter runs on the CPU engine only: asking it for the CUDA engine is an error.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_CUDA);
@@ -368,6 +372,7 @@ private:
 
   double ProgressBegin;
   double ProgressEnd;
+  double ProgressReached;
 };
 
 #endif

@@ -32,7 +32,9 @@ int main(int argc, char* argv[])
             << "vertices:  " << hull->GetOutput()->GetNumberOfPoints() << "\n"
             << "triangles: " << hull->GetOutput()->GetNumberOfPolys() << "\n"
             << "volume:    " << hull->GetVolume() << "\n"
-            << "seconds:   " << hull->GetSecondsTotal() << "\n";
+            << "seconds:   " << hull->GetSecondsTotal() << "\n"
+            << "engine:    " << hull->GetEngineUsedAsString() << ", since "
+            << hull->GetEngineReason() << "\n";
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(hull->GetOutputPort());
