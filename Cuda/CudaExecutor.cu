@@ -187,10 +187,23 @@ CudaExecutor::~CudaExecutor()
 
 void* CudaExecutor::allocate(std::size_t bytes)
 {
+  const auto take = [&](void** memory)
+  {
+    return cudaMallocFromPoolAsync(
+      memory, std::max<std::size_t>(bytes, 1), this->session->pool, this->stream);
+  };
   void* memory = nullptr;
-  requireCuda(cudaMallocFromPoolAsync(
-                &memory, std::max<std::size_t>(bytes, 1), this->session->pool, this->stream),
-    static_cast<std::int64_t>(bytes));
+  cudaError_t error = take(&memory);
+  if (error == cudaErrorMemoryAllocation)
+  {
+    // What is kept for later runs, and what this one has given back, may be enough.
+    cudaGetLastError();
+    releaseCudaMemory();
+    requireCuda(cudaStreamSynchronize(this->stream));
+    requireCuda(cudaMemPoolTrimTo(this->session->pool, 0));
+    error = take(&memory);
+  }
+  requireCuda(error, static_cast<std::int64_t>(bytes));
   this->bytesNow += static_cast<std::int64_t>(bytes);
   this->bytesMost = std::max(this->bytesMost, this->bytesNow);
   return memory;
@@ -272,9 +285,29 @@ void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
   this->after(timing, "prefix sum", nullptr, n, 2 * sizeof(std::uint32_t));
 }
 
+namespace
+{
+
+/// Can kernels on the current device read that memory?
+bool isReadable(const void* memory)
+{
+  int device = 0;
+  requireCuda(cudaGetDevice(&device));
+  cudaPointerAttributes attributes;
+  if (cudaPointerGetAttributes(&attributes, memory) != cudaSuccess)
+  {
+    cudaGetLastError();
+    return false;
+  }
+  return attributes.type == cudaMemoryTypeManaged ||
+    (attributes.type == cudaMemoryTypeDevice && attributes.device == device);
+}
+
+}
+
 PointSource CudaExecutor::resident(const PointSource& points, Residence& residence)
 {
-  if (points.isOnDevice())
+  if (points.isOnDevice(isReadable))
   {
     return points.onDevice();
   }

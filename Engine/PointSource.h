@@ -97,7 +97,13 @@ public:
   }
 
   /// Do the scalars lie in a device's memory as well?
-  bool isOnDevice() const { return this->deviceData && (!this->third || this->deviceThird); }
+  /// @param isReadable bool (const void*): by the device that is to read them
+  template <class IsReadable>
+  bool isOnDevice(IsReadable&& isReadable) const
+  {
+    return this->deviceData && isReadable(this->deviceData) &&
+      (!this->third || (this->deviceThird && isReadable(this->deviceThird)));
+  }
 
   /// The same points, to be read by the device.
   PointSource onDevice() const

@@ -26,8 +26,8 @@ struct PointView
   std::int64_t count = 0;
   std::int64_t stride = 3;
 
-  /// The same scalars, laid out alike, in the memory of the CUDA device; null: they are not there.
-  /// An engine on the device reads them in place; all else is read from data.
+  /// The same scalars, laid out alike, in the memory of the CUDA device, and all written; null:
+  /// they are not there. An engine on the device reads them in place; all else is read from data.
   const void* deviceData = nullptr;
 
   PointView() = default;
