@@ -15,6 +15,7 @@
 #include "Kernel.h"
 #include "Mesh.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace flipflop
@@ -104,7 +105,7 @@ struct GatherVertices : Kernel
 struct ListDuplicates : Kernel
 {
   static constexpr const char* Name = "list duplicates";
-  static constexpr int Bytes = 4 + 4 + 4;
+  static constexpr int Bytes = 4 + 4 + 12;
   Mesh mesh;
   const std::uint32_t* lowest;
   const std::uint32_t* sameAs;
@@ -113,18 +114,20 @@ struct ListDuplicates : Kernel
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    if (this->lowest[i] != this->mesh.vertices[i].id || this->sameAs[i] != NoIndex)
+    const std::uint32_t* const same = this->sameAs + 3 * std::size_t(i);
+    if (this->lowest[i] != this->mesh.vertices[i].id || (same[0] & same[1] & same[2]) != NoIndex)
     {
       this->list[atomics::add(&this->counters->duplicates, 1u)] = i;
     }
   }
 };
 
-/// Over the list: two pairs a vertex, of which one may say nothing.
+/// Over the list: four pairs a vertex, of which some may say nothing.
 struct GatherDuplicates : Kernel
 {
   static constexpr const char* Name = "gather duplicates";
-  static constexpr int Bytes = 4 + 4 + 4 + 4 + 16;
+  static constexpr int Pairs = 4; ///< a vertex
+  static constexpr int Bytes = 4 + 4 + 4 + 12 + Pairs * 8;
   Mesh mesh;
   const std::uint32_t* lowest;
   const std::uint32_t* sameAs;
@@ -135,8 +138,13 @@ struct GatherDuplicates : Kernel
   {
     const std::uint32_t v = this->list[i];
     const std::uint32_t id = this->mesh.vertices[v].id;
-    this->result[2 * i] = { id, this->lowest[v] };
-    this->result[2 * i + 1] = { id, this->sameAs[v] != NoIndex ? this->sameAs[v] : id };
+    Duplicate* const pairs = this->result + Pairs * std::size_t(i);
+    pairs[0] = { id, this->lowest[v] };
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::uint32_t same = this->sameAs[3 * std::size_t(v) + static_cast<std::size_t>(k)];
+      pairs[1 + k] = { id, same != NoIndex ? same : id };
+    }
   }
 };
 

@@ -5,8 +5,8 @@
 /// taken, and what was done. Kernels take their item counts from here, so no round waits for the
 /// host.
 ///
-/// A list that one round fills and the next one reads takes turns: its count for round r is at r
-/// modulo the number of turns, and the turn after next is cleared meanwhile.
+/// A list that one round fills and the next one reads takes turns: two counts, one of which is
+/// cleared before it is added to.
 #ifndef flipflop_Counters_h
 #define flipflop_Counters_h
 
@@ -37,10 +37,10 @@ struct Counters
   std::uint32_t inserted = 0;       ///< vertices, in the last round
 
   // Flip-Flop.
-  std::uint32_t active[3] = { 0, 0, 0 }; ///< triangles to check, by turns
-  std::uint32_t flips[2] = { 0, 0 };     ///< flips of a round, by turns
-  std::uint32_t proposing = 0;           ///< the last round in which any triangle proposed a flip
-  RoundCounts round;                     ///< of the round under way
+  std::uint32_t active[2] = { 0, 0 }; ///< triangles to check, by turns
+  std::uint32_t flips[2] = { 0, 0 };  ///< flips of a round, by turns
+  std::uint32_t proposing = 0;        ///< the last round in which any triangle proposed a flip
+  RoundCounts round;                  ///< of the round under way
 
   // Both.
   std::uint32_t undecided[2] = { 0, 0 }; ///< items left to a round's exact kernel, by turns

@@ -14,6 +14,8 @@ CudaStatus findCudaDevice()
   return status;
 }
 
+void releaseCudaMemory() {}
+
 template <class Geometry>
 std::unique_ptr<CudaBuilder<Geometry>> makeCudaBuilder()
 {

@@ -80,7 +80,8 @@ CudaStatus findCudaDevice()
   error = cudaDeviceGetAttribute(&pools, cudaDevAttrMemoryPoolsSupported, device);
   if (error != cudaSuccess || !pools)
   {
-    return fail("the CUDA device has no memory pools", error);
+    return fail(
+      "the CUDA device has no memory pools", error != cudaSuccess ? error : cudaErrorNotSupported);
   }
   status.present = true;
   return status;

@@ -27,7 +27,7 @@ public:
   bool ran = false; ///< a device has built the last polyhedron
 };
 
-/// @throw Error NoDevice, DeviceMemory, DeviceFailed
+/// @throw Error DeviceMemory, DeviceFailed; NoDevice where the build has no kernels
 template <class Geometry>
 std::unique_ptr<CudaBuilder<Geometry>> makeCudaBuilder();
 

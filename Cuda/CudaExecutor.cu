@@ -133,6 +133,19 @@ struct IdleSessions
     return *idle;
   }
 
+  /// For want of memory, it is closed instead.
+  void keep(std::unique_ptr<CudaSession> session) noexcept
+  {
+    try
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->sessions.push_back(std::move(session));
+    }
+    catch (const std::exception&)
+    {
+    }
+  }
+
   std::unique_ptr<CudaSession> take()
   {
     int device = 0;
@@ -167,6 +180,7 @@ CudaExecutor::CudaExecutor()
   : session(IdleSessions::get().take())
   , stream(session->stream)
 {
+  cudaGetLastError(); // another's error is not to be taken for one of ours
   int count = 1;
   requireCuda(
     cudaDeviceGetAttribute(&count, cudaDevAttrMultiProcessorCount, this->session->device));
@@ -179,9 +193,11 @@ CudaExecutor::~CudaExecutor()
   // What a broken stream is good for is not known: it is not kept.
   if (cudaStreamSynchronize(this->stream) == cudaSuccess)
   {
-    IdleSessions& idle = IdleSessions::get();
-    const std::lock_guard<std::mutex> lock(idle.mutex);
-    idle.sessions.push_back(std::move(this->session));
+    IdleSessions::get().keep(std::move(this->session));
+  }
+  else
+  {
+    cudaGetLastError();
   }
 }
 
@@ -214,7 +230,10 @@ void CudaExecutor::release(void* memory, std::size_t bytes) noexcept
   if (memory)
   {
     this->bytesNow -= static_cast<std::int64_t>(bytes);
-    cudaFreeAsync(memory, this->stream);
+    if (cudaFreeAsync(memory, this->stream) != cudaSuccess)
+    {
+      cudaGetLastError();
+    }
   }
 }
 
@@ -230,8 +249,15 @@ void CudaExecutor::copy(void* to, const void* from, std::size_t bytes)
 
 void CudaExecutor::fromHost(void* to, const void* from, std::size_t bytes)
 {
-  // From pageable memory: the runtime has a copy when this returns.
-  requireCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, this->stream));
+  for (std::size_t done = 0; done < bytes; done += PieceBytes)
+  {
+    const std::size_t size = std::min(PieceBytes, bytes - done);
+    std::memcpy(this->session->piece[0], static_cast<const char*>(from) + done, size);
+    requireCuda(cudaMemcpyAsync(static_cast<char*>(to) + done, this->session->piece[0], size,
+      cudaMemcpyHostToDevice, this->stream));
+    requireCuda(cudaEventRecord(this->session->pieceDone[0], this->stream));
+    requireCuda(cudaEventSynchronize(this->session->pieceDone[0]));
+  }
 }
 
 void CudaExecutor::toHost(void* to, const void* from, std::size_t bytes)
@@ -315,23 +341,23 @@ PointSource CudaExecutor::resident(const PointSource& points, Residence& residen
   residence.bytes = std::size_t(count) * 3 * sizeof(double);
   residence.memory = static_cast<double*>(this->allocate(residence.bytes));
   const Timing timing = this->before();
-  constexpr std::uint32_t Piece = PieceBytes / (3 * sizeof(double));
+  constexpr std::uint64_t Piece = PieceBytes / (3 * sizeof(double));
   std::uint32_t piece = 0;
-  for (std::uint32_t begin = 0; begin < count; begin += Piece, ++piece)
+  for (std::uint64_t begin = 0; begin < count; begin += Piece, ++piece)
   {
-    const std::uint32_t end = std::min(count, begin + Piece);
+    const std::uint64_t end = std::min<std::uint64_t>(count, begin + Piece);
     const cudaEvent_t done = this->session->pieceDone[piece & 1];
     if (piece >= 2)
     {
       requireCuda(cudaEventSynchronize(done));
     }
     auto* const packed = static_cast<double*>(this->session->piece[piece & 1]);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, 1u << 13),
-      [&](const tbb::blocked_range<std::uint32_t>& range)
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(begin, end, 1u << 13),
+      [&](const tbb::blocked_range<std::uint64_t>& range)
       {
-        for (std::uint32_t i = range.begin(); i < range.end(); ++i)
+        for (std::uint64_t i = range.begin(); i < range.end(); ++i)
         {
-          points.load(i, packed + 3 * std::size_t(i - begin));
+          points.load(static_cast<std::uint32_t>(i), packed + 3 * (i - begin));
         }
       });
     requireCuda(cudaMemcpyAsync(residence.memory + 3 * std::size_t(begin), packed,

@@ -11,6 +11,7 @@
 #define flipflop_CudaExecutor_h
 
 #include "Counters.h"
+#include "Engines.h"
 #include "Kernel.h"
 #include "PointSource.h"
 
@@ -45,7 +46,7 @@ class CudaExecutor
 public:
   static constexpr int Records = 4;
 
-  /// @throw Error NoDevice, DeviceFailed
+  /// On the device that is current for the thread. @throw Error DeviceMemory, DeviceFailed
   CudaExecutor();
   /// Waits for all.
   ~CudaExecutor();
@@ -69,7 +70,8 @@ public:
     {
       return;
     }
-    // Exact kernels have large stacks: few threads hold little memory by them.
+    // Exact kernels take many registers and a stack; for the latter the driver sets memory aside
+    // for as many threads as the device can hold, however few there are.
     const std::uint32_t block = K::Exact ? 64 : 256;
     const std::uint32_t blocksEach = K::Exact ? 4 : 8;
     const auto wanted = static_cast<std::uint32_t>((std::uint64_t(most) + block - 1) / block);
@@ -139,9 +141,6 @@ private:
   std::int64_t bytesNow = 0;
   std::int64_t bytesMost = 0;
 };
-
-/// Give back to the device what is kept for the next run.
-void releaseCudaMemory();
 
 }
 

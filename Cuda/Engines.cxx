@@ -7,6 +7,7 @@
 #include "TriangulationRun.h"
 
 #include <cstdio>
+#include <string>
 
 namespace flipflop
 {
@@ -17,7 +18,7 @@ namespace
 void setReason(EngineReport& report, EngineChoice used, const char* reason, const char* more = "")
 {
   report.used = used;
-  std::snprintf(report.reason, sizeof(report.reason), "%.100s%.150s", reason, more);
+  std::snprintf(report.reason, sizeof(report.reason), "%.250s%.250s", reason, more);
 }
 
 /// Does the choice come to CUDA? Says why, if not.
@@ -91,7 +92,13 @@ Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineRep
       {
         throw;
       }
-      setReason(report, EngineChoice::CPU, "the CUDA engine gave up: ", error.what());
+      char number[32] = "";
+      if (error.code() == ErrorCode::DeviceFailed)
+      {
+        std::snprintf(number, sizeof(number), " (CUDA error %d)", static_cast<int>(error.index()));
+      }
+      setReason(report, EngineChoice::CPU,
+        ("the CUDA engine gave up: " + std::string(error.what())).c_str(), number);
     }
   }
   return work(*make());

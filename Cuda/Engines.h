@@ -16,8 +16,7 @@ namespace flipflop
 
 enum class EngineChoice
 {
-  Automatic, ///< the CUDA engine where there is a device and the input is large enough to pay, else
-             ///< the CPU's
+  Automatic, ///< CUDA where there is a device and the input is large enough to pay, else CPU
   CPU,
   CUDA ///< or an error
 };
@@ -38,7 +37,7 @@ struct EngineOptions
 struct EngineReport
 {
   EngineChoice used = EngineChoice::CPU; ///< CPU or CUDA
-  char reason[256] = "";                 ///< a clause without a full stop
+  char reason[512] = "";                 ///< a clause without a full stop
 };
 
 struct CudaStatus
@@ -49,8 +48,11 @@ struct CudaStatus
   char problem[256] = ""; ///< why there is none
 };
 
-/// Looks once, at the first call.
+/// Looks once, at the first call, at the device that is current for the thread.
 const CudaStatus& cudaStatus();
+
+/// Give back to the device the memory that is kept for the next run.
+void releaseCudaMemory();
 
 /// As convexHull(points, options).
 /// @throw Error the same; NoDevice, DeviceMemory, DeviceFailed where CUDA is chosen (Automatic

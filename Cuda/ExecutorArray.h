@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace flipflop
 {
@@ -44,14 +45,15 @@ public:
     {
       this->clear();
     }
-    T* const memory = static_cast<T*>(this->executor.allocate(wanted * sizeof(T)));
+    ExecutorArray wider(this->executor);
+    wider.first = static_cast<T*>(this->executor.allocate(wanted * sizeof(T)));
+    wider.room = wanted;
     if (used)
     {
-      this->executor.copy(memory, this->first, std::min(used, this->room) * sizeof(T));
-      this->clear();
+      this->executor.copy(wider.first, this->first, std::min(used, this->room) * sizeof(T));
     }
-    this->first = memory;
-    this->room = wanted;
+    std::swap(this->first, wider.first);
+    std::swap(this->room, wider.room);
   }
 
   void clear() noexcept

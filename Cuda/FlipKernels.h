@@ -3,12 +3,12 @@
 /// @file
 /// Algorithm 1, Flip-Flop (paper, sections 2.3 and 3.2), as rounds of kernels.
 ///
-///   Check     each active triangle looks for an edge that the rule wants flipped, or labelled an
-///   end of,
-///             and votes for itself on all triangles of that flip
+///   Check     each active triangle looks for an edge that the rule wants flipped, or an end of it
+///             labelled, and votes for itself on all triangles of that flip
 ///   Resolve   a flip that has all its triangles' votes is on; who lost stays active; labels are
-///   set Publish   the flips that are on tell where their outer half-edges go Relink    they
-///   replace their triangles; a neighbour that flips too is found by what it told
+///             set
+///   Publish   the flips that are on tell where their outer half-edges go
+///   Relink    they replace their triangles; a neighbour that flips too is found by what it told
 ///
 /// A vote is the least of the keys (newest round first, half-edge), so it needs no reset, and the
 /// least key of all wins all its triangles: every round that proposes a flip makes one. Flips that
@@ -55,7 +55,7 @@ struct FlipData
   std::uint32_t* moved;   ///< by half-edge: where it goes in this round's flip
   std::uint32_t* flipped; ///< by triangle: the last round that flipped it
   std::uint32_t* queued;  ///< by triangle: the last round it is active in
-  std::uint32_t* sameAs;  ///< by vertex: the lowest id that it was seen to be a duplicate of
+  std::uint32_t* sameAs;  ///< three by vertex: ids at its position, when it was last seen to go
   std::uint32_t* active[2];
   Proposal* proposals; ///< by place in the active list
   Proposal* flips;     ///< those that are on
@@ -103,9 +103,10 @@ FF_HD void wake(const FlipData<Geometry>& data, std::uint32_t next, std::uint32_
 }
 
 /// The origin of h lies in the tetrahedron of s and the three others at its edge: an extreme
-/// position can only do so as a duplicate of one of them, which then stands for its id.
+/// position can only do so as a duplicate of some of them, which then stand for its id. All are
+/// noted: one may go next. For one item of a launch alone to call.
 template <class Geometry>
-FF_HD void noteDuplicate(const FlipData<Geometry>& data, std::uint32_t h)
+FF_HD void noteDuplicates(const FlipData<Geometry>& data, std::uint32_t h)
 {
   const Mesh& mesh = data.mesh;
   const std::uint32_t twin = mesh.twin(h);
@@ -116,7 +117,7 @@ FF_HD void noteDuplicate(const FlipData<Geometry>& data, std::uint32_t h)
   {
     if (samePosition(mesh.vertices[vertex], mesh.vertices[other[i]]))
     {
-      atomics::lower(&data.sameAs[vertex], mesh.vertices[other[i]].id);
+      data.sameAs[3 * vertex + static_cast<std::uint32_t>(i)] = mesh.vertices[other[i]].id;
     }
   }
 }
@@ -320,12 +321,12 @@ private:
   FF_HD void label(std::uint32_t h, Local& labelled) const
   {
     const FlipData<Geometry>& d = this->data;
-    flips::noteDuplicate(d, h);
     std::uint32_t* const flags = &d.mesh.vertices[d.mesh.origin(h)].flags;
     if (atomics::setBits(flags, std::uint32_t(VertexLabelled)) & VertexLabelled)
     {
       return; // another triangle has asked for it too
     }
+    flips::noteDuplicates(d, h);
     ++labelled;
     std::uint32_t spoke = h;
     do
@@ -397,7 +398,7 @@ struct Relink : Kernel
       ++local.flips31;
       if (!proposal.byDegree)
       {
-        flips::noteDuplicate(d, flips::halfEdgeFromEnd(d.mesh, proposal));
+        flips::noteDuplicates(d, flips::halfEdgeFromEnd(d.mesh, proposal));
       }
     }
     local.byDegree += proposal.byDegree ? 1 : 0;

@@ -10,8 +10,7 @@
 ///
 /// A round costs no wait: kernels take their counts from the executor's memory (Counters.h), and
 /// the host is a round ahead. It hands out round r knowing what round r - 2 left, which bounds how
-/// much memory round r can need; so there are up to two rounds with nothing to do at the end of
-/// each stage.
+/// much memory round r can need; so a stage ends with a round that has nothing to do.
 #ifndef flipflop_Rounds_h
 #define flipflop_Rounds_h
 
@@ -39,8 +38,8 @@ template <class Executor, class Geometry>
 class Rounds
 {
 public:
-  /// @param points   of the input, in the host's memory
-  /// @param observer may be null
+  /// @param points  of the input, as the host reads them
+  /// @param watcher may be null
   Rounds(Executor& where, const Geometry& chosen, const PointSource& points, bool skipNonFinite,
     bool vBiasedVariant, Monitor& watch, const RoundObserver* watcher = nullptr)
     : executor(where)
@@ -108,6 +107,8 @@ public:
       this->record(round);
       this->observe(RoundReport::Stage::Grow, round);
     }
+    this->places.clear();
+    this->undecided.clear();
   }
 
   /// Algorithm 1.
@@ -125,8 +126,8 @@ public:
     this->lists[0].reserve(t, 0);
     this->lists[1].reserve(t, 0);
     this->undecided.reserve(t, 0);
-    this->sameAs.reserve(v, 0);
-    this->executor.fill(this->sameAs.data(), 0xFF, v * sizeof(std::uint32_t));
+    this->sameAs.reserve(3 * std::size_t(v), 0);
+    this->executor.fill(this->sameAs.data(), 0xFF, 3 * std::size_t(v) * sizeof(std::uint32_t));
     this->executor.fill(this->keys.data(), 0xFF, t * sizeof(std::uint64_t));
     this->executor.fill(flipped.data(), 0, t * sizeof(std::uint32_t));
 
@@ -197,11 +198,12 @@ public:
     }
     if (counted.duplicates)
     {
-      Array<Duplicate> gathered(this->executor, 2 * std::size_t(counted.duplicates));
+      const std::size_t count = GatherDuplicates::Pairs * std::size_t(counted.duplicates);
+      Array<Duplicate> gathered(this->executor, count);
       this->executor.each(counted.duplicates, nullptr,
         GatherDuplicates{ {}, this->mesh(), this->lowest.data(), this->sameAs.data(), list.data(),
           gathered.data() });
-      Buffer<Duplicate> pairs(2 * std::size_t(counted.duplicates));
+      Buffer<Duplicate> pairs(count);
       this->download(pairs, gathered);
       std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(tally.duplicates),
         [](const Duplicate& d) { return d.first != d.second; });
@@ -408,7 +410,7 @@ private:
   Array<Vertex> vertices;
   Array<std::uint64_t> keys;     ///< by triangle: of the furthest point; then votes
   Array<std::uint32_t> lowest;   ///< by vertex
-  Array<std::uint32_t> sameAs;   ///< by vertex
+  Array<std::uint32_t> sameAs;   ///< three by vertex
   Array<std::uint32_t> places;   ///< by candidate
   Array<std::uint32_t> lists[2]; ///< candidates, then active triangles
   Array<std::uint32_t> undecided;

@@ -34,7 +34,7 @@ public:
     rounds.flip();
     tally.statistics.secondsFlip += watch.lap();
     Polyhedron result = rounds.compact(tally);
-    statistics.secondsLocate = watch.lap();
+    statistics.secondsCompact = watch.lap();
     this->growthRounds = rounds.growthRounds();
     this->flipRounds = rounds.flipRounds();
     return result;

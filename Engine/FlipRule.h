@@ -80,13 +80,16 @@ FF_HD FlipDecision decideFlip(
     return decision;
   }
 
-  // Is the labelled vertex of lowest id, if there is one, an end of the edge? No id is NoIndex but
-  // the virtual vertex's, which is never labelled.
-  const auto idIfLabelled = [](const Vertex& v)
-  { return v.flags & VertexLabelled ? v.id : NoIndex; };
-  const std::uint32_t leastEnd = leastOf(idIfLabelled(a), idIfLabelled(b));
-  const std::uint32_t leastLink = leastOf(idIfLabelled(c), idIfLabelled(d));
-  const bool reducesDegree = leastEnd < leastLink;
+  // Is the labelled vertex of lowest id an end of the edge? No id is NoIndex but the virtual
+  // vertex's, which is never labelled.
+  bool reducesDegree = false;
+  if (labels)
+  {
+    const auto idIfLabelled = [](const Vertex& v)
+    { return v.flags & VertexLabelled ? v.id : NoIndex; };
+    reducesDegree =
+      leastOf(idIfLabelled(a), idIfLabelled(b)) < leastOf(idIfLabelled(c), idIfLabelled(d));
+  }
   if (!reducesDegree && !reflex)
   {
     return decision;

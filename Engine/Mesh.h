@@ -27,7 +27,8 @@ struct alignas(32) Triangle
   std::uint32_t v[3];    ///< corners, counter-clockwise from outside
   std::uint32_t flags;   ///< TriangleDead, or bit e: half-edge e waits to be checked
   std::uint32_t twin[3]; ///< opposite half-edges, or border slots
-  std::uint32_t index;   ///< a new number, or which edges are flat; 0 until then
+  std::uint32_t
+    index; ///< a new number, which edges are flat, or the round of a split; 0 until then
 };
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;

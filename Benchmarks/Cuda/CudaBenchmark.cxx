@@ -187,6 +187,12 @@ int main(int argc, char** argv)
       ? countOnHost(arguments.settings)
       : measureOnDevice(arguments.settings, Allowance(arguments.maxSeconds));
   }
+  catch (const Error& error)
+  {
+    std::fprintf(stderr, "cuda-benchmark: %s (index %lld, count %lld)\n", error.what(),
+      static_cast<long long>(error.index()), static_cast<long long>(error.count()));
+    return 1;
+  }
   catch (const std::exception& error)
   {
     std::fprintf(stderr, "cuda-benchmark: %s\n", error.what());

@@ -186,7 +186,7 @@ void EngineRows::add(const Subject& subject, const Points& points, const std::st
   const Cell rest[] = { contender, threads, result.runs, result.median, result.least,
     result.greatest, cpuSeconds / result.median, result.vertices, result.cells,
     ours ? s.secondsScan : none, cpu ? s.secondsLocate : none, ours ? s.secondsGrow : none,
-    ours ? s.secondsFlip : none, device ? s.secondsLocate : none, ours ? s.secondsFinish : none,
+    ours ? s.secondsFlip : none, device ? s.secondsCompact : none, ours ? s.secondsFinish : none,
     device ? Cell(std::int64_t(seen.growthRounds)) : Cell(""),
     device ? Cell(std::int64_t(seen.flipRounds)) : Cell(""),
     device ? Cell(seen.mostBytes) : Cell(""),

@@ -77,6 +77,12 @@ bool runAll(const std::vector<test::Check>& checks, const test::Sides& sides)
     {
       check.run(sides);
     }
+    catch (const Error& error)
+    {
+      problem = std::string(": ") + error.what() + " (index " + std::to_string(error.index()) +
+        ", count " + std::to_string(error.count()) + ")";
+      ++failed;
+    }
     catch (const std::exception& error)
     {
       problem = std::string(": ") + error.what();
