@@ -86,8 +86,10 @@ Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineRep
     }
     catch (const Error& error)
     {
+      // The rounds count too many points from bounds, a little earlier than the CPU does.
       const bool device = error.code() == ErrorCode::DeviceMemory ||
-        error.code() == ErrorCode::DeviceFailed || error.code() == ErrorCode::NoDevice;
+        error.code() == ErrorCode::DeviceFailed || error.code() == ErrorCode::NoDevice ||
+        error.code() == ErrorCode::TooManyPoints;
       if (!device || engine.choice == EngineChoice::CUDA)
       {
         throw;
