@@ -21,8 +21,7 @@ enum class EngineChoice
   CUDA ///< or an error
 };
 
-/// From how many points on the CUDA engine pays is for a measurement to tell, and none has been
-/// made.
+/// From how many points on the CUDA engine pays is for measurements to tell; there are none yet.
 constexpr std::int64_t CudaPaysNever = INT64_MAX;
 
 struct EngineOptions
@@ -55,9 +54,8 @@ const CudaStatus& cudaStatus();
 void releaseCudaMemory();
 
 /// As convexHull(points, options).
-/// @throw Error the same; NoDevice, DeviceMemory, DeviceFailed where CUDA is chosen (Automatic
-/// leaves
-///              such a run to the CPU)
+/// @throw Error the same; NoDevice, DeviceMemory, DeviceFailed where CUDA is chosen
+///              (Automatic leaves such a run to the CPU)
 Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
   EngineReport& report);
 

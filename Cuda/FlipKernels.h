@@ -5,8 +5,7 @@
 ///
 ///   Check     each active triangle looks for an edge that the rule wants flipped, or an end of it
 ///             labelled, and votes for itself on all triangles of that flip
-///   Resolve   a flip that has all its triangles' votes is on; who lost stays active; labels are
-///             set
+///   Resolve   a flip with all its triangles' votes is on; who lost stays active; labels are set
 ///   Publish   the flips that are on tell where their outer half-edges go
 ///   Relink    they replace their triangles; a neighbour that flips too is found by what it told
 ///

@@ -9,8 +9,9 @@
 ///   above(a, b, c, p)          is p beyond the triangle abc, seen from s? Exact: -1, 0, 1
 ///   beneathKernel(a, b, c)     does abc turn its outer side away from s? Exact: -1, 0, 1
 ///   perturbedAbove, perturbedBeneathKernel     the same, never 0 (Simulation of Simplicity by id)
-///   mayAppearOn(a, b, c, p)    can p, in the cone and on the plane of abc, be a vertex all the
-///   same? Split, Plane, Locator      their tests, prepared for many points: a value and its error
+///   mayAppearOn(a, b, c, p)    can p, in the cone and on the plane of abc, still be a vertex?
+///   heightAbove(a, b, c, p)    how far p is above abc, rounded
+///   Split, Plane, Locator      their tests, prepared for many points: a value and its error
 ///
 /// Triangles are counter-clockwise seen from outside, so beneathKernel > 0 for every triangle of a
 /// polyhedron that is star-shaped from s. Seen from s, p lies in the cone of abc when
@@ -64,9 +65,8 @@ public:
 
   /// @param range      of the scaled coordinates
   /// @param arithmetic how they were scaled
-  /// @param onLattice  all are multiples of a power of two so large that determinants of
-  /// differences
-  ///                   are exact in double
+  /// @param onLattice  all are multiples of a power of two so large that determinants of their
+  ///                   differences are exact in double
   HullGeometry(const CoordinateRange& range, const Arithmetic& arithmetic, bool onLattice)
     : wide(arithmetic.wide)
   {

@@ -5,8 +5,8 @@
 /// which wedge beyond the border?
 ///
 /// A grid tells a triangle near it; from there the point walks from triangle to triangle, by exact
-/// signs. Such walks end: seen from the kernel point, the triangles
-/// of a convex polyhedron hide each other in no circle.
+/// signs. Such walks end: seen from the kernel point, the triangles of a convex polyhedron hide
+/// each other in no circle.
 #ifndef flipflop_LiftedLocator_h
 #define flipflop_LiftedLocator_h
 

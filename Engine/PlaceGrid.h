@@ -29,10 +29,9 @@ struct ValuedPlace
 class PlaceGrid
 {
 public:
-  /// @param refine std::uint32_t (double x, double y, std::uint32_t value): the value for the
-  /// middle
-  ///               of a cell that has the places of at most a few values, one of which is given; or
-  ///               none, then a neighbouring cell's value is
+  /// @param refine std::uint32_t (double x, double y, std::uint32_t value): what a cell holds, from
+  ///               its middle and the value of one of its places. A cell without places takes a
+  ///               neighbour's.
   template <class Refine>
   void build(std::vector<ValuedPlace> places, Refine&& refine)
   {
