@@ -186,7 +186,7 @@ struct EdgeSurroundings
   bool threeAtB;
 };
 
-FF_HD inline EdgeSurroundings surroundingsOf(const Mesh& mesh, std::uint32_t h)
+FF_HD FF_INLINE EdgeSurroundings surroundingsOf(const Mesh& mesh, std::uint32_t h)
 {
   const Triangle& first = mesh.triangles[triangleOf(h)];
   const int e = cornerOf(h);
