@@ -50,7 +50,7 @@ FF_HD bool isOfConcern(
 
 /// @param vertices the mesh's
 template <class Geometry>
-FF_HD FlipDecision decideFlip(
+FF_HD FF_INLINE FlipDecision decideFlip(
   const Geometry& geometry, const Vertex* vertices, const EdgeSurroundings& edge)
 {
   const Vertex& a = vertices[edge.a];
