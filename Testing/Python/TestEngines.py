@@ -16,6 +16,8 @@ from vtkflipflop import (
     vtkFFRegularTriangulationFilter,
 )
 
+from watching import errors_of
+
 AVAILABLE = vtkFFAlgorithm.IsCUDAAvailable()
 DEVICE = vtkFFAlgorithm.GetCUDADeviceName()
 PROBLEM = vtkFFAlgorithm.GetCUDAProblem()
@@ -28,18 +30,6 @@ def poly_data(count):
     data = vtkPolyData()
     data.SetPoints(points)
     return data
-
-
-def errors_of(algorithm):
-    """A list that will hold the messages of the algorithm's errors."""
-    messages = []
-
-    def observe(caller, event, message):
-        messages.append(message)
-
-    observe.CallDataType = "string0"
-    algorithm.AddObserver("ErrorEvent", observe)
-    return messages
 
 
 def result(algorithm):

@@ -17,6 +17,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 import vtkflipflop
 from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter
 
+from watching import errors_of
+
 CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=np.float64)
 
 
@@ -36,18 +38,6 @@ def surface(xyz, triangles):
         cells.InsertNextCell(len(triangle), [int(i) for i in triangle])
     data.SetPolys(cells)
     return data
-
-
-def errors_of(algorithm):
-    """A list that will hold the messages of the algorithm's errors."""
-    messages = []
-
-    def observe(caller, event, message):
-        messages.append(message)
-
-    observe.CallDataType = "string0"
-    algorithm.AddObserver("ErrorEvent", observe)
-    return messages
 
 
 def run(xyz, **settings):

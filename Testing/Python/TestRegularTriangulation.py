@@ -12,6 +12,8 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 
 from vtkflipflop import vtkFFRegularTriangulationFilter
 
+from watching import errors_of
+
 
 def poly_data(xyz, weights=None):
     """A vtkPolyData of the points, in space or in the plane, and their weights."""
@@ -33,18 +35,6 @@ def use_weights(triangulation, name="weights"):
     triangulation.SetInputArrayToProcess(
         0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name
     )
-
-
-def errors_of(algorithm):
-    """A list that will hold the messages of the algorithm's errors."""
-    messages = []
-
-    def observe(caller, event, message):
-        messages.append(message)
-
-    observe.CallDataType = "string0"
-    algorithm.AddObserver("ErrorEvent", observe)
-    return messages
 
 
 def run(xyz, weights=None, **settings):
