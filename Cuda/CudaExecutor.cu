@@ -411,7 +411,7 @@ CudaExecutor::Timing CudaExecutor::before()
 void CudaExecutor::after(const Timing& timing, const char* name, const std::uint32_t* count,
   std::uint32_t most, std::int64_t bytesPerItem)
 {
-  Tally& tally = this->kernels[name];
+  KernelTally& tally = this->kernels.of(name);
   ++tally.launches;
   if (!this->measuring)
   {

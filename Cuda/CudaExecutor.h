@@ -13,6 +13,7 @@
 #include "Counters.h"
 #include "Engines.h"
 #include "Kernel.h"
+#include "KernelTally.h"
 #include "PointSource.h"
 
 #include <cuda_runtime.h>
@@ -20,9 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace flipflop
@@ -107,18 +106,9 @@ public:
   void record(const Counters* counters, int slot);
   const Counters& recorded(int slot);
 
-  /// What launches of a kernel have come to.
-  struct Tally
-  {
-    std::int64_t launches = 0;
-    std::int64_t items = 0; ///< measured only
-    std::int64_t bytes = 0; ///< of the items, as the kernel declares them; of copies, really
-    double seconds = 0;     ///< on the device; measured only
-  };
-
   /// Measure each launch from now on: every one is waited for, so the whole takes longer.
   void measure(bool on) { this->measuring = on; }
-  const std::map<std::string, Tally>& tallies() const { return this->kernels; }
+  const KernelTallies::Map& tallies() const { return this->kernels.map(); }
   std::int64_t mostBytes() const { return this->bytesMost; }
 
 private:
@@ -137,7 +127,7 @@ private:
   void* scratch = nullptr; ///< for prefix sums
   std::size_t scratchBytes = 0;
   bool measuring = false;
-  std::map<std::string, Tally> kernels;
+  KernelTallies kernels;
   std::int64_t bytesNow = 0;
   std::int64_t bytesMost = 0;
 };

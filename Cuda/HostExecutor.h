@@ -21,6 +21,7 @@
 #include "Buffer.h"
 #include "Counters.h"
 #include "Kernel.h"
+#include "KernelTally.h"
 #include "PointSource.h"
 
 #include <algorithm>
@@ -28,24 +29,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <map>
 #include <numeric>
 #include <random>
-#include <string>
 #include <thread>
 #include <vector>
 
 namespace flipflop
 {
-
-/// What launches of one kernel have come to.
-struct KernelTally
-{
-  std::int64_t launches = 0;
-  std::int64_t items = 0;
-  std::int64_t bytes = 0; ///< read and written, as the kernel declares them
-  bool exact = false;
-};
 
 class HostExecutor
 {
@@ -117,7 +107,7 @@ public:
   const Counters& recorded(int slot) { return this->records[slot]; }
 
   /// By kernel name.
-  const std::map<std::string, KernelTally>& tallies() const { return this->kernels; }
+  const KernelTallies::Map& tallies() const { return this->kernels.map(); }
   std::int64_t mostBytes() const { return this->bytesMost; }
 
 protected:
@@ -126,11 +116,10 @@ protected:
   std::uint32_t log(std::uint32_t most, const std::uint32_t* count, const K&)
   {
     const std::uint32_t items = count ? std::min(most, *count) : most;
-    KernelTally& tally = this->kernels[K::Name];
+    KernelTally& tally = this->kernels.of(K::Name);
     ++tally.launches;
     tally.items += items;
     tally.bytes += static_cast<std::int64_t>(items) * K::Bytes;
-    tally.exact = K::Exact;
     return items;
   }
 
@@ -180,7 +169,7 @@ private:
   int threadCount;
   Counters records[Records];
   std::vector<std::uint32_t> items;
-  std::map<std::string, KernelTally> kernels;
+  KernelTallies kernels;
   std::int64_t bytesNow = 0;
   std::int64_t bytesMost = 0;
 };
