@@ -7,12 +7,26 @@
 #include "Error.h"
 #include "Options.h"
 #include "vtkFFExactValues.h"
+#include "vtkFFFailure.h"
+#include "vtkFFOutput.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -23,6 +37,18 @@
 #define VTK_FF_HAS_CHECK_ABORT 0
 #endif
 
+namespace
+{
+
+/// "point 7", and of which block unless that is the whole input.
+std::string describe(const char* kind, vtkIdType index, unsigned int flatIndex)
+{
+  return std::string(kind) + " " + std::to_string(index) +
+    (flatIndex ? " of the block of flat index " + std::to_string(flatIndex) : std::string());
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkFFAlgorithm::vtkFFAlgorithm()
   : Engine(ENGINE_AUTOMATIC)
@@ -32,6 +58,7 @@ vtkFFAlgorithm::vtkFFAlgorithm()
   , NonFinitePoints(NON_FINITE_ERROR)
   , PassPointData(true)
   , VisiblePointIds(false)
+  , ReportAsFieldData(false)
   , VBiased(false)
 {
   this->vtkFFAlgorithm::ResetReport();
@@ -72,9 +99,211 @@ void vtkFFAlgorithm::ResetReport()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::AddToReport(const flipflop::CellComplex& cells)
+int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  // The composite type comes first: it keeps the executive from running us block by block.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), this->GetLeafType());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkFFAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(request, inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* tree = vtkDataObjectTree::GetData(inputVector[0]);
+  const bool likeTree = tree && !this->CombinesBlocks();
+  const char* type = likeTree ? tree->GetClassName() : "vtkPolyData";
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkInformation* outInfo = outputVector->GetInformationObject(port);
+    vtkDataObject* output = vtkDataObject::GetData(outInfo);
+    if (!output || strcmp(output->GetClassName(), type) != 0)
+    {
+      vtkSmartPointer<vtkDataObject> created;
+      if (likeTree)
+      {
+        created.TakeReference(tree->NewInstance());
+      }
+      else
+      {
+        created.TakeReference(vtkPolyData::New());
+      }
+      outInfo->Set(vtkDataObject::DATA_OBJECT(), created);
+      this->GetOutputPortInformation(port)->Set(
+        vtkDataObject::DATA_EXTENT_TYPE(), created->GetExtentType());
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  std::vector<vtkDataObject*> outputs;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputs.push_back(vtkDataObject::GetData(outputVector, port));
+  }
+  this->ResetReport();
+
+  std::vector<Block> blocks;
+  bool done = this->CheckSettings();
+  if (done)
+  {
+    const bool collected = this->CollectBlocks(input, blocks);
+    done = this->SelectBlocks(collected, blocks);
+  }
+  if (done && vtkDataObjectTree::SafeDownCast(outputs[0]))
+  {
+    done = this->ExecuteEachBlock(blocks, input, outputs);
+  }
+  else if (done)
+  {
+    std::vector<vtkPolyData*> results;
+    for (vtkDataObject* output : outputs)
+    {
+      results.push_back(vtkPolyData::SafeDownCast(output));
+    }
+    this->CurrentBlocks = blocks;
+    done = this->Execute(blocks, results);
+  }
+  this->CurrentBlocks.clear();
+  if (!done)
+  {
+    for (vtkDataObject* output : outputs)
+    {
+      output->Initialize();
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  if (!tree)
+  {
+    if (!input->IsA(this->GetLeafType()))
+    {
+      this->ReportError(
+        std::string("The input is neither a ") + this->GetLeafType() + " nor a vtkDataObjectTree.");
+      return false;
+    }
+    auto* points = static_cast<vtkPointSet*>(input);
+    blocks.push_back({ points, 0, points->GetNumberOfPoints() });
+    return true;
+  }
+  vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
+  iterator.TakeReference(tree->NewTreeIterator());
+  iterator->SkipEmptyNodesOff();
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    const unsigned int flatIndex = iterator->GetCurrentFlatIndex();
+    vtkDataObject* leaf = iterator->GetCurrentDataObject();
+    if (leaf && !leaf->IsA(this->GetLeafType()))
+    {
+      this->ReportError("The block of flat index " + std::to_string(flatIndex) + " is a " +
+        leaf->GetClassName() + ", which is not a " + this->GetLeafType() + ".");
+      return false;
+    }
+    auto* points = static_cast<vtkPointSet*>(leaf);
+    blocks.push_back({ points, flatIndex, points ? points->GetNumberOfPoints() : 0 });
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::SelectBlocks(bool collected, std::vector<Block>& blocks)
+{
+  const auto isMissing = [](const Block& block) { return block.Points == nullptr; };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
+  return collected;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
+  const std::vector<vtkDataObject*>& outputs)
+{
+  auto* inputTree = vtkDataObjectTree::SafeDownCast(input);
+  double total = 1.0; // avoids 0 / 0 for blocks without a point
+  for (const Block& block : blocks)
+  {
+    total += static_cast<double>(block.NumberOfPoints);
+  }
+  for (vtkDataObject* output : outputs)
+  {
+    vtkDataObjectTree::SafeDownCast(output)->CopyStructure(inputTree);
+  }
+
+  vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
+  iterator.TakeReference(inputTree->NewTreeIterator());
+  iterator->SkipEmptyNodesOff();
+  iterator->InitTraversal();
+  double sum = 0.0;
+  for (const Block& block : blocks)
+  {
+    while (iterator->GetCurrentFlatIndex() != block.FlatIndex)
+    {
+      iterator->GoToNextItem();
+    }
+    const double begin = sum / total;
+    sum += static_cast<double>(block.NumberOfPoints);
+    this->SetProgressRange(begin, sum / total);
+
+    std::vector<vtkPolyData*> results;
+    for (vtkDataObject* output : outputs)
+    {
+      vtkNew<vtkPolyData> result;
+      if (block.Points)
+      {
+        result->GetFieldData()->PassData(block.Points->GetFieldData());
+      }
+      vtkDataObjectTree::SafeDownCast(output)->SetDataSet(iterator, result);
+      results.push_back(result);
+    }
+    this->CurrentBlocks = { block };
+    if (!this->Execute({ block }, results))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::AddToReport(
+  const flipflop::CellComplex& cells, const flipflop::EngineReport& engine, vtkPolyData* output)
 {
   this->Dimension = std::max(this->Dimension, cells.dimension);
+  const int used = engine.used == flipflop::EngineChoice::CUDA ? ENGINE_CUDA : ENGINE_CPU;
+  if (used >= this->EngineUsed)
+  {
+    this->EngineUsed = used;
+    this->EngineReason = engine.reason;
+  }
 
   const flipflop::Statistics& statistics = cells.statistics;
   const auto add = [](vtkIdType& sum, std::int64_t n) { sum += static_cast<vtkIdType>(n); };
@@ -97,6 +326,18 @@ void vtkFFAlgorithm::AddToReport(const flipflop::CellComplex& cells)
   this->SecondsToFlip += statistics.secondsFlip;
   this->SecondsToFinish += statistics.secondsFinish;
   this->SecondsTotal += statistics.secondsTotal;
+
+  if (this->ReportAsFieldData)
+  {
+    vtkFieldData* data = output->GetFieldData();
+    vtkFFOutput::AddValue(data, "FlipFlopDimension", cells.dimension);
+    vtkFFOutput::AddValue(data, "FlipFlopInputPoints", statistics.points);
+    vtkFFOutput::AddValue(data, "FlipFlopNonFinitePoints", statistics.nonFinite);
+    vtkFFOutput::AddValue(data, "FlipFlopEngine", used == ENGINE_CUDA ? "CUDA" : "CPU");
+    vtkFFOutput::AddValue(data, "FlipFlopEngineReason", engine.reason);
+    vtkFFOutput::AddValue(data, "FlipFlopThreads", statistics.threads);
+    vtkFFOutput::AddValue(data, "FlipFlopSeconds", statistics.secondsTotal);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -107,18 +348,31 @@ void vtkFFAlgorithm::ReportError(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::AddEngineToReport(const flipflop::EngineReport& report)
+void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure)
 {
-  const int used = report.used == flipflop::EngineChoice::CUDA ? ENGINE_CUDA : ENGINE_CPU;
-  if (used >= this->EngineUsed)
+  if (failure.Kind == vtkFFFailure::NonFinite)
   {
-    this->EngineUsed = used;
-    this->EngineReason = report.reason;
+    this->NumberOfNonFinitePoints = failure.Count;
+    this->ReportError(this->DescribeError(
+      flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));
+  }
+  else if (failure.Kind == vtkFFFailure::Other)
+  {
+    this->ReportError(failure.Message);
   }
 }
 
 //------------------------------------------------------------------------------
 bool vtkFFAlgorithm::RunEngine(const EngineWork& work)
+{
+  vtkFFFailure failure;
+  const bool done = this->TryEngine(work, failure);
+  this->ReportFailure(failure);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::TryEngine(const EngineWork& work, vtkFFFailure& failure)
 {
   try
   {
@@ -141,57 +395,74 @@ bool vtkFFAlgorithm::RunEngine(const EngineWork& work)
       this->CUDAThreshold == VTK_ID_MAX ? flipflop::CudaPaysNever : this->CUDAThreshold;
     flipflop::EngineReport report;
     work(options, engine, report);
-    this->AddEngineToReport(report);
     return true;
   }
   catch (const flipflop::Error& error)
   {
-    if (error.code() == flipflop::ErrorCode::NonFinite)
+    switch (error.code())
     {
-      this->NumberOfNonFinitePoints = static_cast<vtkIdType>(error.count());
-    }
-    if (error.code() != flipflop::ErrorCode::Aborted)
-    {
-      this->ReportError(this->DescribeError(error));
+      case flipflop::ErrorCode::NonFinite:
+        failure.Kind = vtkFFFailure::NonFinite;
+        failure.Place = this->GetPlaceOfPoint(static_cast<vtkIdType>(error.index()));
+        failure.Count = static_cast<vtkIdType>(error.count());
+        return false;
+      case flipflop::ErrorCode::Aborted:
+        failure.Kind = vtkFFFailure::Aborted;
+        return false;
+      default:
+        failure.Message = this->DescribeError(error);
+        break;
     }
   }
   catch (const vtkFFInexactValue& error)
   {
     const std::string kind = error.GetKind();
-    this->ReportError("A " + kind + " is a 64-bit integer that no double holds: first at " +
-      this->DescribePoint(error.GetIndex()) + ". Subtract an offset from every " + kind +
-      ": the result has the same shape.");
+    failure.Message = "A " + kind + " is a 64-bit integer that no double holds: first at " +
+      this->DescribePoint(this->GetPlaceOfPoint(error.GetIndex())) +
+      ". Subtract an offset from every " + kind + ": the result has the same shape.";
   }
   catch (const std::bad_alloc&)
   {
-    this->ReportError("There is not enough memory for this input.");
+    failure.Message = "There is not enough memory for this input.";
   }
   catch (const std::exception& error)
   {
-    this->ReportError(error.what());
+    failure.Message = error.what();
   }
   catch (...)
   {
-    this->ReportError("The engine failed for an unknown reason.");
+    failure.Message = "The engine failed for an unknown reason.";
   }
+  failure.Kind = vtkFFFailure::Other;
   return false;
 }
 
 //------------------------------------------------------------------------------
 void vtkFFAlgorithm::SetProgressRange(double begin, double end)
 {
-  this->ProgressBegin = begin;
-  this->ProgressEnd = end;
+  this->ProgressRange[0] = begin;
+  this->ProgressRange[1] = end;
+  this->SetProgressPart(0.0, 1.0);
   this->ProgressReached = begin;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::SetProgressPart(double begin, double end)
+{
+  this->ProgressPart[0] = begin;
+  this->ProgressPart[1] = end;
 }
 
 //------------------------------------------------------------------------------
 bool vtkFFAlgorithm::ForwardProgress(double fraction, void* self)
 {
   auto* filter = static_cast<vtkFFAlgorithm*>(self);
+  const double* range = filter->ProgressRange;
+  const double* part = filter->ProgressPart;
+  const double inRange = part[0] + fraction * (part[1] - part[0]);
   // Never back: a run that the CUDA engine gave up starts anew on the CPU.
-  filter->ProgressReached = std::max(filter->ProgressReached,
-    filter->ProgressBegin + fraction * (filter->ProgressEnd - filter->ProgressBegin));
+  filter->ProgressReached =
+    std::max(filter->ProgressReached, range[0] + inRange * (range[1] - range[0]));
   filter->UpdateProgress(filter->ProgressReached);
   return !filter->IsAbortRequested();
 }
@@ -207,15 +478,17 @@ bool vtkFFAlgorithm::IsAbortRequested()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::DescribePoint(vtkIdType index)
+std::string vtkFFAlgorithm::DescribePoint(vtkIdType place)
 {
-  return "point " + std::to_string(index);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::DescribeTriangle(vtkIdType index)
-{
-  return "cell " + std::to_string(index);
+  for (const Block& block : this->CurrentBlocks)
+  {
+    if (place < block.NumberOfPoints)
+    {
+      return describe("point", place, block.FlatIndex);
+    }
+    place -= block.NumberOfPoints;
+  }
+  return describe("point", place, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -224,6 +497,8 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
   using flipflop::ErrorCode;
   const auto index = static_cast<vtkIdType>(error.index());
   const std::string count = std::to_string(error.count());
+  const std::string cell =
+    describe("cell", index, this->CurrentBlocks.empty() ? 0 : this->CurrentBlocks[0].FlatIndex);
   switch (error.code())
   {
     case ErrorCode::NonFinite:
@@ -242,21 +517,21 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
       return "There are " + count + " weights, which is not the number of points.";
     case ErrorCode::BadTriangle:
       return "A triangle names a point that does not exist, or the same point twice: first at " +
-        this->DescribeTriangle(index) + ", " + count + " such triangle(s) in all.";
+        cell + ", " + count + " such triangle(s) in all.";
     case ErrorCode::NotClosed:
-      return "The surface is not closed: first at " + this->DescribeTriangle(index) +
+      return "The surface is not closed: first at " + cell +
         ", which has an edge that no other triangle shares; " + count + " such edge(s) in all.";
     case ErrorCode::NotManifold:
-      return "The surface is not a manifold: first at " + this->DescribeTriangle(index) +
+      return "The surface is not a manifold: first at " + cell +
         ", which has an edge of three or more triangles, or a vertex where several fans of "
         "triangles meet; " +
         count + " such edge(s) and vertices in all.";
     case ErrorCode::NotOriented:
-      return "The surface is not oriented consistently: first at " + this->DescribeTriangle(index) +
+      return "The surface is not oriented consistently: first at " + cell +
         ", whose neighbour runs their shared edge the same way. vtkPolyDataNormals can mend that.";
     case ErrorCode::NotStarShaped:
-      return "The surface is not star-shaped: the kernel point does not see the inside of " +
-        this->DescribeTriangle(index) + "; " + count + " such triangle(s) in all.";
+      return "The surface is not star-shaped: the kernel point does not see the inside of " + cell +
+        "; " + count + " such triangle(s) in all.";
     case ErrorCode::NoKernel:
       return "The surface is not star-shaped, or no point was found from which it is. Give one "
              "with SetKernelPoint() and UseKernelPointOn().";
@@ -328,6 +603,7 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NonFinitePoints: " << this->GetNonFinitePointsAsString() << "\n";
   os << indent << "PassPointData: " << onOff(this->PassPointData) << "\n";
   os << indent << "VisiblePointIds: " << onOff(this->VisiblePointIds) << "\n";
+  os << indent << "ReportAsFieldData: " << onOff(this->ReportAsFieldData) << "\n";
   os << indent << "VBiased: " << onOff(this->VBiased) << "\n";
   os << indent << "EngineUsed: " << this->GetEngineUsedAsString() << "\n";
   os << indent << "EngineReason: " << this->EngineReason << "\n";

@@ -24,6 +24,10 @@
  * Construction via Star-Shaped Polyhedron in 3D". Proceedings of the ACM SIGGRAPH Symposium on
  * Interactive 3D Graphics and Games (I3D), 2013.
  *
+ * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
+ * vtkDataObjectTrees) gives a result for each block, in a composite of the same structure on every
+ * port (get it by GetOutputDataObject()).
+ *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
  */
@@ -36,8 +40,14 @@
 
 #include <string> // For std::string
 
+class vtkDataObject;
+class vtkPointSet;
+
 #ifndef __VTK_WRAP__
 #include <functional> // For std::function
+#include <vector>     // For std::vector
+
+struct vtkFFFailure;
 
 namespace flipflop
 {
@@ -199,6 +209,19 @@ public:
 
   ///@{
   /**
+   * Set/Get whether what a run found is also given as field data of its output (of the first port,
+   * in each block): some applications show their users nothing else. Off by default. The arrays, of
+   * one value each, are FlipFlopDimension, FlipFlopInputPoints, FlipFlopNonFinitePoints,
+   * FlipFlopEngine and FlipFlopEngineReason (strings), FlipFlopThreads and FlipFlopSeconds; of a
+   * hull FlipFlopVolume and FlipFlopArea; of a triangulation FlipFlopHiddenPoints.
+   */
+  vtkSetMacro(ReportAsFieldData, bool);
+  vtkGetMacro(ReportAsFieldData, bool);
+  vtkBooleanMacro(ReportAsFieldData, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
    * 2.3), which flips by the volume criterion alone as long as it can. The output is the same; the
    * statistics are not. Off by default.
@@ -271,20 +294,82 @@ public:
   vtkGetMacro(SecondsTotal, double);
   ///@}
 
+  /**
+   * The output's type follows the input's.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkFFAlgorithm();
   ~vtkFFAlgorithm() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  virtual int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 #ifndef __VTK_WRAP__
   /**
-   * Forget what the last run reported. The first act of a subclass's RequestData.
+   * A leaf of the input: the data (null where there is none here), its flat index (0 where the
+   * input itself is the only leaf), and its number of points, wherever they are.
+   */
+  struct Block
+  {
+    vtkPointSet* Points;
+    unsigned int FlatIndex;
+    vtkIdType NumberOfPoints;
+  };
+
+  /**
+   * What a subclass does: one result from the points of @p blocks (of a single one, unless
+   * CombinesBlocks()), on all its ports. False when there was an error or an abort.
+   */
+  virtual bool Execute(
+    const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) = 0;
+
+  /**
+   * Whether one result is made of all blocks, which is no composite then.
+   */
+  virtual bool CombinesBlocks()
+  {
+    return false;
+  }
+
+  /**
+   * The type that a leaf of the input must have.
+   */
+  virtual const char* GetLeafType()
+  {
+    return "vtkPointSet";
+  }
+
+  /**
+   * Whether the settings go together; if not, the error is reported. For all by default.
+   */
+  virtual bool CheckSettings()
+  {
+    return true;
+  }
+
+  /**
+   * Leave the blocks that are to be worked on. @p collected is false where the input's blocks are
+   * wrong (the error is reported already); so is the result. By default, those with data.
+   */
+  virtual bool SelectBlocks(bool collected, std::vector<Block>& blocks);
+
+  /**
+   * Forget what the last run reported. The first act of RequestData.
    */
   virtual void ResetReport();
 
   /**
-   * Add a result to what this run reports.
+   * Add a result to what this run reports; and to the output's field data, if that was asked for.
    */
-  void AddToReport(const flipflop::CellComplex& cells);
+  void AddToReport(
+    const flipflop::CellComplex& cells, const flipflop::EngineReport& engine, vtkPolyData* output);
 
   /**
    * What a subclass has the engine do. Which engine ran, and why, goes into the report.
@@ -293,10 +378,20 @@ protected:
     const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)>;
 
   /**
-   * Run @p work with the options set here, guarded: whatever it throws becomes an error (an abort
-   * becomes none). False when it threw. No exception leaves this.
+   * Run @p work with the options set here, guarded: whatever it throws becomes a failure. False
+   * when it threw. No exception leaves this.
+   */
+  bool TryEngine(const EngineWork& work, vtkFFFailure& failure);
+
+  /**
+   * The same, and a failure becomes an error (an abort becomes none).
    */
   bool RunEngine(const EngineWork& work);
+
+  /**
+   * A failure becomes an error, unless it is an abort.
+   */
+  void ReportFailure(const vtkFFFailure& failure);
 
   /**
    * Report an error: the message, and the error code that tells callers of the failure.
@@ -304,28 +399,39 @@ protected:
   void ReportError(const std::string& message);
 
   /**
-   * Where progress of the next RunEngine() lies within the filter's own: the whole by default.
+   * Where progress of the next runs of the engine lies within what is being worked on, which is
+   * one of the blocks: the whole by default.
    */
-  void SetProgressRange(double begin, double end);
+  void SetProgressPart(double begin, double end);
 
   /**
    * Whether somebody asked this filter to stop.
    */
   bool IsAbortRequested();
 
-  ///@{
   /**
-   * The names under which errors speak of a point and of a triangle that the engine counts as
-   * @p index: "point 7", "cell 7". Subclasses know better what the engine was given.
+   * The place, among all points of CurrentBlocks, of the point that the engine counts as @p index:
+   * the same, unless a subclass gave the engine only some of them.
    */
-  virtual std::string DescribePoint(vtkIdType index);
-  virtual std::string DescribeTriangle(vtkIdType index);
-  ///@}
+  virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
+  {
+    return index;
+  }
+
+  /**
+   * How errors speak of a point of CurrentBlocks: "point 7 of the block of flat index 2".
+   */
+  std::string DescribePoint(vtkIdType place);
 
   /**
    * What is wrong, where, how often, and what helps: an engine's error as a sentence.
    */
   virtual std::string DescribeError(const flipflop::Error& error);
+
+  /**
+   * What is being worked on.
+   */
+  std::vector<Block> CurrentBlocks;
 #endif
 
   int Engine;
@@ -335,6 +441,7 @@ protected:
   int NonFinitePoints;
   bool PassPointData;
   bool VisiblePointIds;
+  bool ReportAsFieldData;
   bool VBiased;
 
 private:
@@ -342,7 +449,10 @@ private:
   void operator=(const vtkFFAlgorithm&) = delete;
 
 #ifndef __VTK_WRAP__
-  void AddEngineToReport(const flipflop::EngineReport& report);
+  bool CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks);
+  bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
+    const std::vector<vtkDataObject*>& outputs);
+  void SetProgressRange(double begin, double end);
   static bool ForwardProgress(double fraction, void* self);
 #endif
 
@@ -370,8 +480,8 @@ private:
   double SecondsToFinish;
   double SecondsTotal;
 
-  double ProgressBegin;
-  double ProgressEnd;
+  double ProgressRange[2]; // of what is being worked on
+  double ProgressPart[2];  // within that
   double ProgressReached;
 };
 

@@ -12,8 +12,6 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -74,24 +72,11 @@ vtkFFConvexifyFilter::vtkFFConvexifyFilter()
 vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
 
 //------------------------------------------------------------------------------
-int vtkFFConvexifyFilter::FillInputPortInformation(int, vtkInformation* info)
+bool vtkFFConvexifyFilter::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkFFConvexifyFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->ResetReport();
-  if (!this->CheckCells(input) || !this->Convexify(input, output))
-  {
-    output->Initialize();
-  }
-  return 1;
+  vtkPolyData* input = vtkPolyData::SafeDownCast(blocks[0].Points);
+  return this->CheckCells(input) && this->Convexify(input, outputs[0]);
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +165,7 @@ bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
     {
       hull = flipflop::flipFlop(source.GetView(), triangles.GetView(), kernel, options);
     }
-    this->AddToReport(hull);
+    this->AddToReport(hull, report, output);
 
     std::vector<vtkFFOutput::Source> data;
     if (this->PassPointData)

@@ -66,9 +66,13 @@ protected:
   vtkFFConvexifyFilter();
   ~vtkFFConvexifyFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+#ifndef __VTK_WRAP__
+  const char* GetLeafType() override
+  {
+    return "vtkPolyData";
+  }
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+#endif
 
   double KernelPoint[3];
   bool UseKernelPoint;

@@ -3,6 +3,9 @@
 #include "vtkFFHullAlgorithm.h"
 
 #include "Hull.h"
+#include "vtkFFOutput.h"
+
+#include "vtkPolyData.h"
 
 //------------------------------------------------------------------------------
 vtkFFHullAlgorithm::vtkFFHullAlgorithm()
@@ -23,11 +26,17 @@ void vtkFFHullAlgorithm::ResetReport()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::AddToReport(const flipflop::Hull& hull)
+void vtkFFHullAlgorithm::AddToReport(
+  const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output)
 {
-  this->Superclass::AddToReport(hull);
+  this->Superclass::AddToReport(hull, engine, output);
   this->Volume += hull.volume;
   this->Area += hull.area;
+  if (this->ReportAsFieldData)
+  {
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopVolume", hull.volume);
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopArea", hull.area);
+  }
 }
 
 //------------------------------------------------------------------------------

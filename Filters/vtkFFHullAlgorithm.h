@@ -47,9 +47,10 @@ protected:
   void ResetReport() override;
 
   /**
-   * Add a hull to what this run reports.
+   * Add a hull to what this run reports; and to the output's field data, if that was asked for.
    */
-  void AddToReport(const flipflop::Hull& hull);
+  void AddToReport(
+    const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output);
 #endif
 
 private:

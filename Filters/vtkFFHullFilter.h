@@ -38,17 +38,16 @@
  * |                            | or left out and counted: SetNonFinitePointsToIgnore()            |
  * | too many points, no memory | an error, and empty output                                       |
  *
- * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
- * vtkDataObjectTrees) gives a hull of each block, in a composite of the same structure (get it by
- * GetOutputDataObject(0)), or one hull of all blocks; see SetCompositeMode(). In the latter case
- * ids run on from block to block, and the point array BlockIndex (a vtkUnsignedIntArray) has the
- * flat index of each point's block.
+ * Composite input gives a hull of each block (see vtkFFAlgorithm), or one hull of all blocks; see
+ * SetCompositeMode(). In the latter case ids run on from block to block, and the point array
+ * BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's block.
  *
  * @warning
  * At most 2^32 - 2 points can be given.
  *
  * @sa
- * vtkFFHullAlgorithm vtkFFConvexifyFilter vtkFFRegularTriangulationFilter vtkDelaunay3D
+ * vtkFFHullAlgorithm vtkPFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
+ * vtkDelaunay3D
  */
 
 #ifndef vtkFFHullFilter_h
@@ -56,12 +55,6 @@
 
 #include "vtkFFHullAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
-
-#ifndef __VTK_WRAP__
-#include <vector> // For std::vector
-#endif
-
-class vtkPointSet;
 
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
 {
@@ -91,25 +84,31 @@ public:
   const char* GetCompositeModeAsString();
   ///@}
 
-  /**
-   * The output's type follows the input's and CompositeMode.
-   */
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 protected:
   vtkFFHullFilter();
   ~vtkFFHullFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  virtual int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector);
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 #ifndef __VTK_WRAP__
-  std::string DescribePoint(vtkIdType index) override;
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  bool CombinesBlocks() override
+  {
+    return this->CompositeMode == HULL_OF_ALL_BLOCKS;
+  }
+
+  /**
+   * The hull of the points of all @p pieces, one after another: points, cells, point data and ids
+   * of @p output are set. What is left in the hull is what to report.
+   *
+   * @throw vtkFFInexactValue, flipflop::Error.
+   */
+  flipflop::Hull TakeHull(const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options,
+    const flipflop::EngineOptions& engine, flipflop::EngineReport& report, vtkPolyData* output);
+
+  /**
+   * Add the array BlockIndex to the hull of all blocks, whose points are CurrentBlocks'. Nothing is
+   * to be done for an input that is no composite.
+   */
+  void AddBlockIndex(vtkPolyData* output);
 #endif
 
   int CompositeMode;
@@ -117,22 +116,6 @@ protected:
 private:
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;
   void operator=(const vtkFFHullFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  /**
-   * A leaf of the input; index 0 is the input itself when that is no composite.
-   */
-  struct Block
-  {
-    vtkPointSet* Points;
-    unsigned int FlatIndex;
-  };
-
-  bool CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks);
-  bool BuildHull(const std::vector<Block>& blocks, vtkPolyData* output);
-
-  std::vector<Block> CurrentBlocks; // what the engine is working on
-#endif
 };
 
 #endif

@@ -10,11 +10,15 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -47,6 +51,16 @@ vtkSmartPointer<ArrayT> adopt(flipflop::Buffer<std::int64_t>& buffer)
       [](std::int64_t value) { return static_cast<Value>(value); });
   }
   return array;
+}
+
+/// An array of one value.
+template <class ArrayT, class T>
+void addValue(vtkFieldData* output, const char* name, T value)
+{
+  vtkNew<ArrayT> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->AddArray(array);
 }
 
 /// A new array like this one: type, components, names, keys; room for count tuples.
@@ -234,4 +248,28 @@ void vtkFFOutput::CopyPointData(
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::AddValue(vtkFieldData* output, const char* name, int value)
+{
+  addValue<vtkIntArray>(output, name, value);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::AddValue(vtkFieldData* output, const char* name, std::int64_t value)
+{
+  addValue<vtkIdTypeArray>(output, name, static_cast<vtkIdType>(value));
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::AddValue(vtkFieldData* output, const char* name, double value)
+{
+  addValue<vtkDoubleArray>(output, name, value);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::AddValue(vtkFieldData* output, const char* name, const char* value)
+{
+  addValue<vtkStringArray>(output, name, value);
 }

@@ -21,6 +21,7 @@
 
 class vtkDataSetAttributes;
 class vtkFFPointSource;
+class vtkFieldData;
 class vtkIdTypeArray;
 class vtkPointData;
 class vtkPolyData;
@@ -74,6 +75,16 @@ public:
    */
   static void CopyPointData(
     const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
+
+  ///@{
+  /**
+   * Add an array of one value.
+   */
+  static void AddValue(vtkFieldData* output, const char* name, int value);
+  static void AddValue(vtkFieldData* output, const char* name, std::int64_t value);
+  static void AddValue(vtkFieldData* output, const char* name, double value);
+  static void AddValue(vtkFieldData* output, const char* name, const char* value);
+  ///@}
 };
 
 #endif

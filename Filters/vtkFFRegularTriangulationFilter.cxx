@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -173,13 +174,6 @@ vtkPolyData* vtkFFRegularTriangulationFilter::GetPowerDiagramOutput()
 }
 
 //------------------------------------------------------------------------------
-int vtkFFRegularTriangulationFilter::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 void vtkFFRegularTriangulationFilter::ResetReport()
 {
   this->Superclass::ResetReport();
@@ -187,26 +181,13 @@ void vtkFFRegularTriangulationFilter::ResetReport()
 }
 
 //------------------------------------------------------------------------------
-int vtkFFRegularTriangulationFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkFFRegularTriangulationFilter::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkPolyData* outputs[3];
-  for (int port = 0; port < 3; ++port)
-  {
-    outputs[port] = vtkPolyData::GetData(outputVector, port);
-  }
-  this->ResetReport();
+  vtkPointSet* input = blocks[0].Points;
   vtkDataArray* weights = nullptr;
-  if (!this->CheckSettings() || !this->FindWeights(input, weights) ||
-    !this->Triangulate(input, weights, outputs[0], outputs[1], outputs[2]))
-  {
-    for (vtkPolyData* output : outputs)
-    {
-      output->Initialize();
-    }
-  }
-  return 1;
+  return this->FindWeights(input, weights) &&
+    this->Triangulate(input, weights, outputs[0], outputs[1], outputs[2]);
 }
 
 //------------------------------------------------------------------------------
@@ -243,6 +224,10 @@ bool vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input, vtkDataArr
     return true;
   }
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  if (name && !strcmp(name, "None") && !input->GetPointData()->HasArray(name))
+  {
+    return true;
+  }
   const bool byName = name && *name;
   if (!byName && !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
   {
@@ -334,14 +319,14 @@ bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArr
     if (this->GeneratePowerDiagram)
     {
       options.facets = flipflop::FacetMode::Polygons;
-      this->SetProgressRange(0.0, 0.4);
+      this->SetProgressPart(0.0, 0.4);
     }
     flipflop::Triangulation triangulation = flipflop::regularTriangulation(
       projection.GetView(), weightSource.GetView(), options, engine, report);
 
     if (this->GeneratePowerDiagram)
     {
-      this->SetProgressRange(0.4, 1.0);
+      this->SetProgressPart(0.4, 1.0);
       this->BuildPowerDiagram(
         projection, weightSource.GetView(), triangulation, options, input, diagram);
       if (chosen.facets == flipflop::FacetMode::Triangles)
@@ -349,8 +334,13 @@ bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArr
         fanPolygons(triangulation);
       }
     }
-    this->AddToReport(triangulation);
-    this->NumberOfHiddenPoints = static_cast<vtkIdType>(triangulation.hiddenIds.size());
+    this->AddToReport(triangulation, report, output);
+    const auto hiddenPoints = static_cast<std::int64_t>(triangulation.hiddenIds.size());
+    this->NumberOfHiddenPoints += static_cast<vtkIdType>(hiddenPoints);
+    if (this->ReportAsFieldData)
+    {
+      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", hiddenPoints);
+    }
 
     std::vector<vtkFFOutput::Source> data;
     if (this->PassPointData)

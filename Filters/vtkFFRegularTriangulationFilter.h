@@ -13,7 +13,8 @@
  *
  *     filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
  *
- * None is set by default, nor by an empty name: all points then weigh the same. A weight is a
+ * None is set by default, nor by an empty name, nor by the name None where no array has it: all
+ * points then weigh the same. A weight is a
  * squared length and may be negative: the power distance of x from a point p of weight w is
  * |x - p|^2 - w, so a disk of radius r has the weight r^2. The same number added to all weights
  * changes nothing.
@@ -60,8 +61,7 @@
  * is not finite if its z is not, even where z does not matter.
  *
  * @warning
- * At most 2^32 - 2 points can be given, about 5e8 where nearly all are visible. For composite input
- * the pipeline runs the filter once for each block; what it reports is then of the last block.
+ * At most 2^32 - 2 points can be given, about 5e8 where nearly all are visible.
  *
  * @sa
  * vtkFFAlgorithm vtkFFHullFilter vtkDelaunay2D vtkVoronoi2D
@@ -199,7 +199,7 @@ public:
   ///@}
 
   /**
-   * Get the number of points that the last run found hidden.
+   * Get the number of points that the last run found hidden; the sum for several blocks.
    */
   vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
 
@@ -212,11 +212,9 @@ protected:
   vtkFFRegularTriangulationFilter();
   ~vtkFFRegularTriangulationFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 #ifndef __VTK_WRAP__
+  bool CheckSettings() override;
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   void ResetReport() override;
   std::string DescribeError(const flipflop::Error& error) override;
 #endif
@@ -233,7 +231,6 @@ private:
 
 #ifndef __VTK_WRAP__
   bool FindWeights(vtkPointSet* input, vtkDataArray*& weights);
-  bool CheckSettings();
   bool Triangulate(vtkPointSet* input, vtkDataArray* weights, vtkPolyData* output,
     vtkPolyData* hidden, vtkPolyData* diagram);
   void Project(const vtkFFPointSource& points, vtkFFProjection& projection);

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFFailure
+ * @brief   why a run gave no result
+ *
+ * vtkFFFailure is what a guarded run ends with that gave no result. It is kept apart from the error
+ * that users see, so that several processes can agree on one error before it is reported.
+ */
+
+#ifndef vtkFFFailure_h
+#define vtkFFFailure_h
+
+#include "vtkType.h"
+
+#include <string>
+
+struct vtkFFFailure
+{
+  enum KindType
+  {
+    None,
+    Aborted,
+    NonFinite,
+    Other
+  };
+
+  KindType Kind = None;
+  vtkIdType Place = -1; ///< NonFinite: of the first such point, among all of the current blocks
+  vtkIdType Count = 0;  ///< NonFinite: how many there are
+  std::string Message;  ///< Other: a sentence
+};
+
+#endif
