@@ -2,17 +2,16 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# test.sh [quick]: install what is missing, check the formatting, build and run every test: under the
-# sanitizers (not with quick), then with the filters and Python. The first failure ends it; what is
-# printed last is ctest's summary.
+# test.sh [quick|paraview]: install what is missing, check the formatting, build and run every test: under
+# the sanitizers (not with quick), then with the filters and Python. With paraview: those of the ParaView
+# plugin instead. The first failure ends it; what is printed last is ctest's summary.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/Scripts/common.sh"
 
-quick=
-case "${1:-}" in
-  "") ;;
-  quick) quick=yes ;;
-  *) echo "usage: test.sh [quick]" >&2; exit 2 ;;
+what=${1:-all}
+case "$what" in
+  all | quick | paraview) ;;
+  *) echo "usage: test.sh [quick|paraview]" >&2; exit 2 ;;
 esac
 
 # build_and_test PRESET [OPTION OF CMAKE]...
@@ -25,15 +24,23 @@ build_and_test() {
     --parallel "$(parallel_jobs)"
 }
 
+layout=()
+trap stop_display EXIT
+
+if [ "$what" = paraview ]; then
+  "$top/Scripts/install-dependencies.sh" paraview
+  "$top/Scripts/install-paraview.sh"
+  start_display
+  build_and_test paraview -DCMAKE_PREFIX_PATH="$paraview"
+  exit
+fi
+
 "$top/Scripts/install-dependencies.sh" test
 "$top/Scripts/check-format.sh"
-
-trap stop_display EXIT
 [ -n "${DISPLAY:-}" ] || start_display
 
 # The sanitizers' shadow memory does not fit every random layout that newer kernels choose.
-layout=()
-if [ -z "$quick" ]; then
+if [ "$what" = all ]; then
   if setarch "$(uname -m)" -R true 2>/dev/null; then
     layout=(setarch "$(uname -m)" -R)
   fi

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by the scripts: where things are, how to build, a display where there is none.
+# Sourced by the scripts: where things are, what to install, how to build, a display where there is none.
 
 top="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -20,6 +20,25 @@ parallel_jobs() {
 say() {
   printf '\n== %s\n' "$*"
 }
+
+# as_root COMMAND...: with sudo, where we are not root
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    echo "Not root, and there is no sudo: install them first." >&2
+    return 1
+  fi
+}
+
+apt_get() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq "$@"
+}
+
+# The prefix of the ParaView to build for: the user's, or what install-paraview.sh has put there.
+paraview=${PARAVIEW_ROOT:-$top/build/paraview-root/usr}
 
 # configure_and_build PRESET FOLDER [OPTION OF CMAKE]...: in build/FOLDER
 configure_and_build() {
@@ -57,10 +76,23 @@ stop_display() {
   display_process=
 }
 
+# cached BUILD NAME: what CMake keeps under that name
+cached() {
+  sed -n "s/^$2:INTERNAL=//p" "$1/CMakeCache.txt"
+}
+
 # python_path BUILD: the folder that holds the package vtkflipflop
 python_path() {
   local path
-  path=$(sed -n 's/^FLIPFLOP_PYTHONPATH:INTERNAL=//p' "$1/CMakeCache.txt")
+  path=$(cached "$1" FLIPFLOP_PYTHONPATH)
   [ -d "$path/vtkflipflop" ] || { echo "$1 holds no Python package vtkflipflop" >&2; return 1; }
+  echo "$path"
+}
+
+# plugin_path BUILD: the folder that holds the ParaView plugin
+plugin_path() {
+  local path
+  path=$(cached "$1" FLIPFLOP_PLUGIN_PATH)
+  [ -f "$path/FlipFlop.so" ] || { echo "$1 holds no ParaView plugin" >&2; return 1; }
   echo "$path"
 }

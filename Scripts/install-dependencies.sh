@@ -2,14 +2,21 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# install-dependencies.sh demo|test|benchmark...: install what is missing (Debian 12, Ubuntu 22.04 or
-# later). Where everything is there, nothing is done and no privilege is needed.
+# install-dependencies.sh demo|test|benchmark|paraview...: install what is missing (Debian 12, Ubuntu 22.04
+# or later). Where everything is there, nothing is done and no privilege is needed.
+#
+# paraview: what a build of the plugin needs beside ParaView itself, for which see install-paraview.sh.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 build=(g++ cmake ninja-build libtbb-dev libboost-dev)
 vtk=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy xvfb)
 peers=(libcgal-dev libqhull-dev)
 tests=(libgtest-dev libgmp-dev clang-format)
+# What the VTK within ParaView asks for when CMake looks for it, MPI, and the icons of the GUI.
+plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  libdouble-conversion-dev libeigen3-dev libexpat1-dev liblz4-dev liblzma-dev libutfcpp-dev zlib1g-dev
+  mpi-default-bin mpi-default-dev libqt5svg5 xvfb)
 
 packages=()
 for purpose in "$@"; do
@@ -17,7 +24,8 @@ for purpose in "$@"; do
     demo) packages+=("${build[@]}" "${vtk[@]}") ;;
     test) packages+=("${build[@]}" "${vtk[@]}" "${peers[@]}" "${tests[@]}") ;;
     benchmark) packages+=("${build[@]}" "${peers[@]}" python3-matplotlib) ;;
-    *) echo "usage: install-dependencies.sh demo|test|benchmark..." >&2; exit 2 ;;
+    paraview) packages+=("${build[@]}" "${plugin[@]}") ;;
+    *) echo "usage: install-dependencies.sh demo|test|benchmark|paraview..." >&2; exit 2 ;;
   esac
 done
 
@@ -30,11 +38,5 @@ done
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 echo "Installing: ${missing[*]}"
-as_root=()
-if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || { echo "Not root, and there is no sudo: install them first." >&2; exit 1; }
-  as_root=(sudo)
-fi
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -y -qq --no-install-recommends "${missing[@]}"
+apt_get update
+apt_get install -y --no-install-recommends "${missing[@]}"

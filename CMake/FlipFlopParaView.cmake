@@ -1,0 +1,32 @@
+# The plugin's tree: the module built against ParaView's own VTK, the plugin around it, and the Python
+# package for pvpython. A VTK build and this one exclude each other: every VTK has a tree of its own.
+find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager)
+
+include(FlipFlopModule)
+paraview_plugin_scan(
+  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  ENABLE_BY_DEFAULT ON
+  HIDE_PLUGINS_FROM_CACHE ON)
+# Pages of help would take Qt's development files; the texts are in the panels' tooltips as well.
+paraview_plugin_build(
+  PLUGINS ${plugins}
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS_FILE_NAME "flipflop.plugins.xml"
+  INSTALL_HEADERS OFF
+  DISABLE_XML_DOCUMENTATION ON)
+
+# PV_PLUGIN_PATH for the build tree; installed, it is the same folder below the prefix.
+set(FLIPFLOP_PLUGIN_PATH "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/FlipFlop"
+  CACHE INTERNAL "The folder that holds the plugin in the build tree")
+
+if(FLIPFLOP_WRAP_PYTHON)
+  add_subdirectory(Wrapping)
+endif()
+install(FILES LICENSE
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/FlipFlop"
+  COMPONENT runtime)
+
+if(FLIPFLOP_BUILD_TESTING)
+  add_subdirectory(Testing/ParaView)
+endif()

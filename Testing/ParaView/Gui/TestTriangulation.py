@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A mountain's triangulation by the menu: without weights as the panel comes up, then with some."""
+import os
+
+import gui
+import pictures
+from paraview import simple
+
+FROM, UP = (0.7, 0.9, 0.75), (0, 0, 1)
+
+
+def test(window):
+    yield from window.open_file(gui.data("sainthelens.vtp"))
+    cloud = simple.GetActiveSource()
+    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.apply()
+    hull = simple.GetActiveSource()
+    simple.Show(hull, Representation="Surface")
+    pictures.look_from(FROM, UP)
+    wrapped = pictures.draw(os.path.join(gui.output, "hull.png"))
+    simple.Hide(hull)
+
+    simple.SetActiveSource(cloud)
+    yield from window.add_filter("Flip-Flop", "Flip-Flop Regular Triangulation")
+    weights = window.property_box("Weights")
+    gui.check_equal(gui.choices(weights), ["None", "Elevation"])
+    gui.check_equal(weights.currentText(), "None")
+    yield from window.apply()
+    triangulation = simple.GetActiveSource()
+    display = simple.Show(triangulation, Representation="Surface")
+    simple.ColorBy(display, None)
+    pictures.look_from(FROM, UP)
+    pictures.check("triangulation.png", gui.output, {"the hull": wrapped})
+    counts, arrays = yield from window.information()
+    gui.check_range(arrays, "FlipFlopDimension", 2, 2)
+    gui.check_range(arrays, "FlipFlopHiddenPoints", 0, 0)
+    gui.check_equal(counts[0], "17,004 (float)")
+
+    # Heights as weights hide points; a port has them, and all points are on one of the two.
+    yield from window.show_properties()
+    weights.setCurrentText("Elevation")
+    yield from window.apply()
+    _, arrays = yield from window.information()
+    gui.check_range(arrays, "FlipFlopHiddenPoints", 1, 17003)
+    visible, hidden = (
+        simple.OutputPort(triangulation, port).GetDataInformation().GetNumberOfPoints()
+        for port in (0, 1)
+    )
+    gui.check_equal(visible + hidden, 17004)
+    gui.check_range(arrays, "FlipFlopHiddenPoints", hidden, hidden)
+    gui.check_equal(window.messages(), "")
+
+
+gui.run(test)

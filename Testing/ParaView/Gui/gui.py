@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""
+A hand on ParaView's window: menus, dialogs, buttons, panels, for scripts that run inside it.
+
+ParaView's own Python runs the script (paraview --script), and PyQt5 finds the widgets of the process
+that it is in. ParaView has the event loop, so a script is a generator, taken up by a timer: it yields
+a condition, and goes on once that holds. What opens a dialog is triggered by the event loop, too; the
+dialog's own loop runs the timer on.
+
+    def test(gui):
+        yield from gui.open_file("Data/spot.vtp")
+        yield from gui.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+        yield from gui.apply()
+
+    gui.run(test)
+"""
+import os
+import sys
+import time
+import traceback
+
+from PyQt5 import QtCore, QtTest, QtWidgets, sip
+
+PATIENCE = 30.0  # seconds that a condition may take to come true
+
+application = QtWidgets.QApplication.instance()
+output = os.environ["FLIPFLOP_GUI_OUTPUT"]
+data_folder = os.environ["FLIPFLOP_DATA"]
+_kept = []  # Qt does not keep Python's objects alive
+
+
+def kind(widget):
+    return widget.metaObject().className()
+
+
+def data(name):
+    return os.path.join(data_folder, name)
+
+
+def check_equal(found, wanted):
+    assert found == wanted, f"{found!r}, not {wanted!r}"
+
+
+def check_range(arrays, name, least, most):
+    """An array of one value, in the Information panel's rows: type, range."""
+    assert name in arrays, f"no array {name} in {sorted(arrays)}"
+    value = float(arrays[name][1])
+    assert least <= value <= most, f"{name} is {value}, not in [{least}, {most}]"
+
+
+def choices(box):
+    return [box.itemText(i) for i in range(box.count())]
+
+
+def plain(text):
+    """Of a label: without the mark of its shortcut."""
+    return text.replace("&", "")
+
+
+def click(widget):
+    assert widget.isEnabled() and widget.isVisible(), f"{widget.objectName()} cannot be clicked"
+    QtTest.QTest.mouseClick(widget, QtCore.Qt.LeftButton)
+
+
+def gone(widget):
+    return sip.isdeleted(widget) or not widget.isVisible()
+
+
+def rows(model):
+    """What a table shows: a list of texts for each row."""
+    return [
+        [model.index(row, column).data() for column in range(model.columnCount())]
+        for row in range(model.rowCount())
+    ]
+
+
+class Gui:
+    """ParaView's main window."""
+
+    def __init__(self):
+        self.window = next(
+            widget
+            for widget in application.topLevelWidgets()
+            if isinstance(widget, QtWidgets.QMainWindow) and widget.isVisible()
+        )
+        screen = application.primaryScreen().geometry()
+        self.window.setGeometry(screen)
+
+    def find(self, widget_class, name):
+        found = self.window.findChild(widget_class, name)
+        assert found is not None, f"ParaView has no {widget_class.__name__} named {name}"
+        return found
+
+    # -- menus and dialogs
+
+    def menu(self, *path):
+        """The menu of a path such as "Filters", "Flip-Flop"."""
+        menu = self.window.menuBar()
+        for name in path:
+            menu = next(a.menu() for a in menu.actions() if a.menu() and plain(a.text()) == name)
+            menu.aboutToShow.emit()  # some are filled only then
+        return menu
+
+    def entries(self, *path):
+        """What is enabled in a menu, and what is not: its entries by name."""
+        return {plain(action.text()): action for action in self.menu(*path).actions()}
+
+    def choose(self, *path):
+        """Choose an entry of a menu."""
+        found = []
+
+        def enabled():
+            action = self.entries(*path[:-1]).get(path[-1])
+            found[:] = [action]
+            return action is not None and action.isEnabled()
+
+        yield enabled
+        QtCore.QTimer.singleShot(0, found[0].trigger)
+
+    def dialog(self, name):
+        """Wait for the dialog of a class."""
+        yield lambda: application.activeModalWidget() is not None
+        dialog = application.activeModalWidget()
+        assert kind(dialog) == name, f"a {kind(dialog)} came up where a {name} should"
+        return dialog
+
+    def choose_file(self, path):
+        """Give a path to the file dialog that is coming up."""
+        dialog = yield from self.dialog("pqFileDialog")
+        name = dialog.findChild(QtWidgets.QLineEdit, "EntityName")
+        name.setText(path)
+        QtTest.QTest.keyClick(name, QtCore.Qt.Key_Return)
+        yield lambda: gone(dialog)
+
+    # -- the pipeline
+
+    def open_file(self, path):
+        yield from self.choose("File", "Open...")
+        yield from self.choose_file(path)
+        yield from self.apply()
+
+    def add_filter(self, category, name):
+        """Choose a filter from its category in the menu Filters."""
+        yield from self.choose("Filters", category, name)
+        yield self.find(QtWidgets.QPushButton, "Accept").isEnabled
+
+    def apply(self):
+        """Press Apply. The pipeline runs before the click returns."""
+        accept = self.find(QtWidgets.QPushButton, "Accept")
+        yield accept.isEnabled
+        click(accept)
+        yield lambda: not accept.isEnabled()
+
+    # -- what ParaView shows
+
+    def show_tab(self, name):
+        """Bring a panel to the front that shares its place with others."""
+        for tabs in self.window.findChildren(QtWidgets.QTabBar):
+            names = [plain(tabs.tabText(i)) for i in range(tabs.count())]
+            if name in names:
+                tabs.setCurrentIndex(names.index(name))
+
+    def show_properties(self):
+        self.show_tab("Properties")
+        yield self.find(QtWidgets.QWidget, "propertiesPanel").isVisible
+
+    def property_box(self, name):
+        """The list of choices of a property in the Properties panel."""
+        panel = self.find(QtWidgets.QWidget, "propertiesPanel")
+        return panel.findChild(QtWidgets.QWidget, name).findChild(QtWidgets.QComboBox)
+
+    def information(self):
+        """
+        What the Information panel shows of the active source: its counts of points and cells, and its
+        arrays, for each a list of texts by the array's name.
+        """
+        self.show_tab("Information")
+        table = self.find(QtWidgets.QTreeView, "dataArraysTable")
+        yield table.isVisible
+        counts = [self.find(QtWidgets.QLabel, name).text() for name in ("pointCount", "cellCount")]
+        return counts, {row[0]: row[1:] for row in rows(table.model())}
+
+    def messages(self):
+        """All that the window "Output Messages" holds, in full."""
+        return self.find(QtWidgets.QWidget, "outputWidget").findChild(QtWidgets.QTextEdit).toPlainText()
+
+    def clear_messages(self):
+        clear = self.find(QtWidgets.QWidget, "outputWidget").findChild(QtWidgets.QPushButton, "clearButton")
+        click(clear)
+        yield lambda: self.messages() == ""
+
+    def screen(self, name):
+        """Photograph the whole screen."""
+        path = os.path.join(output, name)
+        application.primaryScreen().grabWindow(0).save(path)
+        return path
+
+
+class Run:
+    """Takes a test's generator up again and again, until it ends or fails."""
+
+    def __init__(self, test):
+        self.test = test
+        self.condition = lambda: True
+        self.since = time.monotonic()
+        self.steps = None
+
+    def step(self):
+        try:
+            self.steps = self.steps or self.test(Gui())
+            if self.condition():
+                self.condition = next(self.steps)
+                self.since = time.monotonic()
+            elif time.monotonic() - self.since > PATIENCE:
+                self.steps.throw(TimeoutError(f"did not come true in {PATIENCE:g} seconds"))
+            QtCore.QTimer.singleShot(20, self.step)
+        except StopIteration:
+            open(os.path.join(output, "passed"), "w").close()
+            application.exit(0)
+        except BaseException:
+            traceback.print_exc(file=sys.__stderr__)
+            application.primaryScreen().grabWindow(0).save(os.path.join(output, "failed.png"))
+            application.exit(1)
+
+
+def run(test):
+    """Run a test once ParaView's window is up, and end ParaView."""
+    _kept.append(Run(test))
+    QtCore.QTimer.singleShot(0, _kept[-1].step)

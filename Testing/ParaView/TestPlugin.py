@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin as ParaView sees it: how it is loaded, and what its filters offer."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+
+from paraview import servermanager, simple
+
+PLUGIN = os.path.join(os.environ["PV_PLUGIN_PATH"], "FlipFlop.so")
+LABELS = {
+    "FlipFlopConvexHull": "Flip-Flop Convex Hull",
+    "FlipFlopConvexify": "Flip-Flop Convexify",
+    "FlipFlopRegularTriangulation": "Flip-Flop Regular Triangulation",
+}
+COMMON = {
+    "FacetMode": "Triangles",
+    "PassPointData": 1,
+    "VisiblePointIds": 0,
+    "NumberOfThreads": 0,
+    "VBiased": 0,
+}
+ENGINES = {"NonFinitePoints": "Report an Error", "Engine": "Automatic", "CUDAThreshold": 2**31 - 1}
+DEFAULTS = {
+    "FlipFlopConvexHull": {**COMMON, **ENGINES, "CompositeMode": "Hull of Each Block"},
+    "FlipFlopConvexify": {**COMMON, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
+    "FlipFlopRegularTriangulation": {
+        **COMMON,
+        **ENGINES,
+        "Weights": ["POINTS", "None"],
+        "ProjectionPlaneMode": "XY Plane",
+        "GeneratePowerDiagram": 0,
+        "PowerDiagramBoxMode": "Bounds of the Points",
+        "PowerDiagramBounds": [0.0, 1.0, 0.0, 1.0],
+    },
+}
+PORTS = {
+    "FlipFlopConvexHull": ["Hull"],
+    "FlipFlopConvexify": ["Hull"],
+    "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Power Diagram"],
+}
+FOUND = ["Dimension", "EngineUsed", "EngineReason", "NumberOfInputPoints", "NumberOfNonFinitePoints",
+         "NumberOfThreadsUsed", "NumberOfFlips22", "NumberOfFlips31", "SecondsTotal"]  # fmt: skip
+
+
+def definition(name):
+    """The XML of a filter, as ParaView holds it."""
+    manager = servermanager.ProxyManager().SMProxyManager.GetProxyDefinitionManager()
+    return manager.GetCollapsedProxyDefinition("filters", name, None, False)
+
+
+class TestLoading(unittest.TestCase):
+    """Each way of loading the plugin, in a process of its own without the others."""
+
+    # Whether the filter is there before and after.
+    SCRIPT = """
+from paraview import simple
+print("before", hasattr(simple, "FlipFlopConvexHull"))
+{load}
+print("after", hasattr(simple, "FlipFlopConvexHull"))
+hull = simple.FlipFlopConvexHull(Input=simple.Sphere())
+hull.UpdatePipeline()
+print("cells", hull.GetDataInformation().GetNumberOfCells())
+"""
+
+    def run_with(self, load="", **environment):
+        clean = {k: v for k, v in os.environ.items() if not k.startswith("PV_PLUGIN")}
+        with tempfile.TemporaryDirectory() as folder:
+            script = os.path.join(folder, "load.py")
+            with open(script, "w") as file:
+                file.write(self.SCRIPT.format(load=load))
+            for name, value in environment.items():
+                if name == "PV_PLUGIN_CONFIG_FILE":
+                    path = os.path.join(folder, "plugins.xml")
+                    with open(path, "w") as file:
+                        file.write(value)
+                    value = path
+                clean[name] = value
+            result = subprocess.run(
+                [os.environ["FLIPFLOP_PVPYTHON"], "--dr", script],
+                env=clean, capture_output=True, text=True, timeout=120,
+            )  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        return result.stdout.split("\n")[:-1]
+
+    def test_load_plugin(self):
+        load = f"simple.LoadPlugin({PLUGIN!r}, remote=False, ns=vars(simple))"
+        self.assertEqual(self.run_with(load), ["before False", "after True", "cells 96"])
+
+    def test_plugin_path(self):
+        lines = self.run_with(PV_PLUGIN_PATH=os.environ["PV_PLUGIN_PATH"])
+        self.assertEqual(lines, ["before True", "after True", "cells 96"])
+
+    def test_configuration_file(self):
+        plugins = f'<Plugins><Plugin name="FlipFlop" filename="{PLUGIN}"/></Plugins>'
+        lines = self.run_with(PV_PLUGIN_CONFIG_FILE=plugins)
+        self.assertEqual(lines, ["before True", "after True", "cells 96"])
+
+
+class TestProxies(unittest.TestCase):
+    def source(self, name):
+        return getattr(simple, name)(Input=simple.Sphere())
+
+    def test_defaults(self):
+        for name, defaults in DEFAULTS.items():
+            proxy = self.source(name)
+            for key, value in defaults.items():
+                got = proxy.GetPropertyValue(key)
+                got = list(got) if isinstance(value, list) else got
+                self.assertEqual(got, value, f"{name}.{key}")
+                self.assertEqual(getattr(proxy, key), proxy.GetPropertyValue(key))
+            settings = {
+                key
+                for key in proxy.ListProperties()
+                if not proxy.GetProperty(key).SMProperty.GetInformationOnly()
+            }
+            self.assertEqual(settings - {"Input", "Transform"}, set(defaults))
+        transform = self.source("FlipFlopRegularTriangulation").Transform
+        self.assertEqual(transform.GetXMLName(), "Transform3")
+
+    def test_ports(self):
+        for name, ports in PORTS.items():
+            proxy = self.source(name).SMProxy
+            self.assertEqual(proxy.GetNumberOfOutputPorts(), len(ports))
+            self.assertEqual([proxy.GetOutputPortName(i) for i in range(len(ports))], ports)
+
+    def test_what_a_run_found(self):
+        for name in LABELS:
+            proxy = self.source(name)
+            proxy.UpdatePipeline()
+            proxy.UpdatePropertyInformation()
+            for key in FOUND:
+                self.assertTrue(proxy.GetProperty(key).SMProperty.GetInformationOnly(), key)
+            self.assertEqual(proxy.NumberOfInputPoints, 50, name)
+            self.assertEqual(proxy.EngineUsed, "CPU")
+            self.assertNotEqual(proxy.EngineReason, "")
+            self.assertGreaterEqual(proxy.NumberOfThreadsUsed, 1)
+            self.assertGreater(proxy.SecondsTotal, 0.0)
+
+    def test_texts(self):
+        for name, label in LABELS.items():
+            proxy = self.source(name).SMProxy
+            self.assertEqual(proxy.GetXMLLabel(), label)
+            documentation = proxy.GetDocumentation()
+            self.assertGreater(len(documentation.GetShortHelp()), 20)
+            self.assertIn("exact", documentation.GetLongHelp())
+            self.assertGreater(len(documentation.GetDescription().split()), 80, name)
+            self.assertIn("error", documentation.GetDescription())
+            iterator = proxy.NewPropertyIterator()
+            iterator.Begin()
+            count = 0
+            while not iterator.IsAtEnd():
+                text = iterator.GetProperty().GetDocumentation()
+                self.assertTrue(text and text.GetDescription().strip(), iterator.GetKey())
+                count += 1
+                iterator.Next()
+            self.assertGreater(count, 20)
+
+    def test_menu(self):
+        for name in LABELS:
+            menu = definition(name).FindNestedElementByName("Hints").FindNestedElementByName("ShowInMenu")
+            self.assertEqual(menu.GetAttribute("category"), "Flip-Flop")
+
+
+if __name__ == "__main__":
+    unittest.main()
