@@ -2,12 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# demo.sh [FILE.vtp...]: install what is missing, build, and take the convex hulls of the files (by
-# default all of Data/) and the triangulations of those that are terrain, through the VTK filters.
-# What comes out, and pictures of it, goes to demo-output/.
+# demo.sh [paraview] [FILE.vtp...]: install what is missing, build, and take the convex hulls of the files
+# (by default all of Data/) and the triangulations of those that are terrain, through the VTK filters or, with
+# paraview, through the ParaView plugin. What comes out, and pictures of it, goes to demo-output/ or
+# demo-output/paraview/.
 set -euo pipefail
 here=$PWD
 source "$(dirname "${BASH_SOURCE[0]}")/Scripts/common.sh"
+
+plugin=
+if [ "${1:-}" = paraview ]; then
+  plugin=yes
+  shift
+fi
 
 inputs=()
 for file in "$@"; do
@@ -18,10 +25,26 @@ for file in "$@"; do
 done
 [ ${#inputs[@]} -gt 0 ] || inputs=("$top"/Data/*.vtp)
 
+trap stop_display EXIT
+if [ -n "$plugin" ]; then
+  "$top/Scripts/install-dependencies.sh" paraview
+  "$top/Scripts/install-paraview.sh"
+  configure_and_build paraview paraview -DCMAKE_PREFIX_PATH="$paraview"
+  start_display
+  say "Convex hulls and triangulations in ParaView"
+  export PV_PLUGIN_PATH PYTHONPATH
+  PV_PLUGIN_PATH=$(plugin_path "$top/build/paraview")
+  PYTHONPATH=$(python_path "$top/build/paraview")
+  "$paraview/bin/pvpython" --dr "$top/Scripts/demo_paraview.py" \
+    --output "$top/demo-output/paraview" "${inputs[@]}"
+  say "The GUI with the plugin"
+  echo "PV_PLUGIN_PATH=$PV_PLUGIN_PATH $paraview/bin/paraview"
+  echo "then open a file of Data/ and choose Filters > Flip-Flop"
+  exit
+fi
+
 "$top/Scripts/install-dependencies.sh" demo
 configure_and_build default demo -DFLIPFLOP_BUILD_TESTING=OFF -DFLIPFLOP_BUILD_EXAMPLES=OFF
-
-trap stop_display EXIT
 start_display
 say "Convex hulls and triangulations"
 PYTHONPATH="$(python_path "$top/build/demo")" \

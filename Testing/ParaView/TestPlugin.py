@@ -19,6 +19,7 @@ COMMON = {
     "FacetMode": "Triangles",
     "PassPointData": 1,
     "VisiblePointIds": 0,
+    "ReportAsFieldData": 1,
     "NumberOfThreads": 0,
     "VBiased": 0,
 }
