@@ -5,6 +5,7 @@
 #ifndef flipflop_Statistics_h
 #define flipflop_Statistics_h
 
+#include <algorithm>
 #include <cstdint>
 
 namespace flipflop
@@ -32,6 +33,31 @@ struct Statistics
   double secondsFinish = 0;  ///< wall time: true facets, canonical order
   double secondsTotal = 0;   ///< wall time of the whole run
   int threads = 0;           ///< threads that the run was given
+
+  /// Adds what another run did; of the threads, the most.
+  Statistics& operator+=(const Statistics& other)
+  {
+    this->points += other.points;
+    this->nonFinite += other.nonFinite;
+    this->culled += other.culled;
+    this->insertions += other.insertions;
+    this->flips22 += other.flips22;
+    this->flips31 += other.flips31;
+    this->flipsV += other.flipsV;
+    this->flipsD += other.flipsD;
+    this->labelled += other.labelled;
+    this->edgeChecks += other.edgeChecks;
+    this->exactCalls += other.exactCalls;
+    this->secondsScan += other.secondsScan;
+    this->secondsLocate += other.secondsLocate;
+    this->secondsGrow += other.secondsGrow;
+    this->secondsFlip += other.secondsFlip;
+    this->secondsCompact += other.secondsCompact;
+    this->secondsFinish += other.secondsFinish;
+    this->secondsTotal += other.secondsTotal;
+    this->threads = std::max(this->threads, other.threads);
+    return *this;
+  }
 };
 
 }

@@ -172,8 +172,9 @@ int vtkFFAlgorithm::RequestData(
   bool done = this->CheckSettings();
   if (done)
   {
-    const bool collected = this->CollectBlocks(input, blocks);
-    done = this->SelectBlocks(collected, blocks);
+    vtkFFFailure failure;
+    this->CollectBlocks(input, blocks, failure);
+    done = this->SelectBlocks(blocks, failure);
   }
   if (done && vtkDataObjectTree::SafeDownCast(outputs[0]))
   {
@@ -201,20 +202,21 @@ int vtkFFAlgorithm::RequestData(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks)
+void vtkFFAlgorithm::CollectBlocks(
+  vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(input);
   if (!tree)
   {
     if (!input->IsA(this->GetLeafType()))
     {
-      this->ReportError(
+      failure.Say(
         std::string("The input is neither a ") + this->GetLeafType() + " nor a vtkDataObjectTree.");
-      return false;
+      return;
     }
     auto* points = static_cast<vtkPointSet*>(input);
     blocks.push_back({ points, 0, points->GetNumberOfPoints() });
-    return true;
+    return;
   }
   vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
   iterator.TakeReference(tree->NewTreeIterator());
@@ -225,22 +227,22 @@ bool vtkFFAlgorithm::CollectBlocks(vtkDataObject* input, std::vector<Block>& blo
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
     if (leaf && !leaf->IsA(this->GetLeafType()))
     {
-      this->ReportError("The block of flat index " + std::to_string(flatIndex) + " is a " +
+      failure.Say("The block of flat index " + std::to_string(flatIndex) + " is a " +
         leaf->GetClassName() + ", which is not a " + this->GetLeafType() + ".");
-      return false;
+      return;
     }
     auto* points = static_cast<vtkPointSet*>(leaf);
     blocks.push_back({ points, flatIndex, points ? points->GetNumberOfPoints() : 0 });
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::SelectBlocks(bool collected, std::vector<Block>& blocks)
+bool vtkFFAlgorithm::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   const auto isMissing = [](const Block& block) { return block.Points == nullptr; };
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
-  return collected;
+  this->ReportFailure(failure);
+  return failure.Kind == vtkFFFailure::None;
 }
 
 //------------------------------------------------------------------------------
@@ -348,15 +350,23 @@ void vtkFFAlgorithm::ReportError(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure)
+void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
 {
-  if (failure.Kind == vtkFFFailure::NonFinite)
+  if (failure.Kind == vtkFFFailure::None || failure.Kind == vtkFFFailure::Aborted)
+  {
+    return;
+  }
+  if (!aloud)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  else if (failure.Kind == vtkFFFailure::NonFinite)
   {
     this->NumberOfNonFinitePoints = failure.Count;
     this->ReportError(this->DescribeError(
       flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));
   }
-  else if (failure.Kind == vtkFFFailure::Other)
+  else
   {
     this->ReportError(failure.Message);
   }
@@ -410,30 +420,29 @@ bool vtkFFAlgorithm::TryEngine(const EngineWork& work, vtkFFFailure& failure)
         failure.Kind = vtkFFFailure::Aborted;
         return false;
       default:
-        failure.Message = this->DescribeError(error);
+        failure.Say(this->DescribeError(error));
         break;
     }
   }
   catch (const vtkFFInexactValue& error)
   {
     const std::string kind = error.GetKind();
-    failure.Message = "A " + kind + " is a 64-bit integer that no double holds: first at " +
+    failure.Say("A " + kind + " is a 64-bit integer that no double holds: first at " +
       this->DescribePoint(this->GetPlaceOfPoint(error.GetIndex())) +
-      ". Subtract an offset from every " + kind + ": the result has the same shape.";
+      ". Subtract an offset from every " + kind + ": the result has the same shape.");
   }
   catch (const std::bad_alloc&)
   {
-    failure.Message = "There is not enough memory for this input.";
+    failure.Say("There is not enough memory for this input.");
   }
   catch (const std::exception& error)
   {
-    failure.Message = error.what();
+    failure.Say(error.what());
   }
   catch (...)
   {
-    failure.Message = "The engine failed for an unknown reason.";
+    failure.Say("The engine failed for an unknown reason.");
   }
-  failure.Kind = vtkFFFailure::Other;
   return false;
 }
 

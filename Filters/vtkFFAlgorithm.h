@@ -300,6 +300,19 @@ public:
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+#ifndef __VTK_WRAP__
+  /**
+   * A leaf of the input: the data (null where there is none here), its flat index (0 where the
+   * input itself is the only leaf), and its number of points, wherever they are.
+   */
+  struct Block
+  {
+    vtkPointSet* Points;
+    unsigned int FlatIndex;
+    vtkIdType NumberOfPoints;
+  };
+#endif
+
 protected:
   vtkFFAlgorithm();
   ~vtkFFAlgorithm() override;
@@ -312,17 +325,6 @@ protected:
     vtkInformationVector* outputVector) override;
 
 #ifndef __VTK_WRAP__
-  /**
-   * A leaf of the input: the data (null where there is none here), its flat index (0 where the
-   * input itself is the only leaf), and its number of points, wherever they are.
-   */
-  struct Block
-  {
-    vtkPointSet* Points;
-    unsigned int FlatIndex;
-    vtkIdType NumberOfPoints;
-  };
-
   /**
    * What a subclass does: one result from the points of @p blocks (of a single one, unless
    * CombinesBlocks()), on all its ports. False when there was an error or an abort.
@@ -355,10 +357,10 @@ protected:
   }
 
   /**
-   * Leave the blocks that are to be worked on. @p collected is false where the input's blocks are
-   * wrong (the error is reported already); so is the result. By default, those with data.
+   * Leave the blocks that are to be worked on: by default, those with data. False where there is
+   * a failure, here or already: it is reported.
    */
-  virtual bool SelectBlocks(bool collected, std::vector<Block>& blocks);
+  virtual bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure);
 
   /**
    * Forget what the last run reported. The first act of RequestData.
@@ -389,9 +391,10 @@ protected:
   bool RunEngine(const EngineWork& work);
 
   /**
-   * A failure becomes an error, unless it is an abort.
+   * A failure becomes an error, unless it is an abort. Where it is not for this process to say it,
+   * only the error code tells.
    */
-  void ReportFailure(const vtkFFFailure& failure);
+  void ReportFailure(const vtkFFFailure& failure, bool aloud = true);
 
   /**
    * Report an error: the message, and the error code that tells callers of the failure.
@@ -449,7 +452,7 @@ private:
   void operator=(const vtkFFAlgorithm&) = delete;
 
 #ifndef __VTK_WRAP__
-  bool CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks);
+  void CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
   bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
     const std::vector<vtkDataObject*>& outputs);
   void SetProgressRange(double begin, double end);

@@ -13,22 +13,49 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
 #include <string>
 
 struct vtkFFFailure
 {
+  /// The graver kinds come last.
   enum KindType
   {
     None,
-    Aborted,
     NonFinite,
-    Other
+    Other,
+    Aborted
   };
 
   KindType Kind = None;
   vtkIdType Place = -1; ///< NonFinite: of the first such point, among all of the current blocks
   vtkIdType Count = 0;  ///< NonFinite: how many there are
   std::string Message;  ///< Other: a sentence
+
+  /**
+   * A failure of the kind Other.
+   */
+  void Say(const std::string& message)
+  {
+    this->Kind = Other;
+    this->Message = message;
+  }
+
+  /**
+   * Both together: the graver one, of equals this one; points that are not finite are all counted.
+   */
+  void Add(const vtkFFFailure& other)
+  {
+    if (this->Kind == NonFinite && other.Kind == NonFinite)
+    {
+      this->Place = std::min(this->Place, other.Place);
+      this->Count += other.Count;
+    }
+    else if (other.Kind > this->Kind)
+    {
+      *this = other;
+    }
+  }
 };
 
 #endif

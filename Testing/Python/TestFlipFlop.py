@@ -321,6 +321,8 @@ class TestPackage(unittest.TestCase):
                 "vtkFFHullAlgorithm",
                 "vtkFFHullFilter",
                 "vtkFFRegularTriangulationFilter",
+                "vtkPFFHullFilter",
+                "vtkPFFRegularTriangulationFilter",
             ],
         )
         for name in vtkflipflop.__all__:

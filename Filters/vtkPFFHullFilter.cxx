@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPFFHullFilter.h"
+
+#include "vtkFFFailure.h"
+#include "vtkFFProcesses.h"
+
+#include "Engines.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <utility>
+
+vtkStandardNewMacro(vtkPFFHullFilter);
+vtkCxxSetObjectMacro(vtkPFFHullFilter, Controller, vtkMultiProcessController);
+
+struct vtkPFFHullFilter::Result
+{
+  vtkSmartPointer<vtkPolyData> Data = vtkSmartPointer<vtkPolyData>::New();
+  flipflop::Hull Hull; // its statistics are of all work so far
+  flipflop::EngineReport Engine;
+};
+
+namespace
+{
+
+vtkIdTypeArray* idsOf(vtkPolyData* hull)
+{
+  return vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
+}
+
+/// Gives the hull's points other ids; the visible array of ids shares the memory.
+template <class IdOf>
+void renumber(vtkPolyData* hull, IdOf&& idOf)
+{
+  vtkIdTypeArray* ids = idsOf(hull);
+  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+  {
+    ids->SetValue(i, idOf(ids->GetValue(i)));
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkPFFHullFilter::vtkPFFHullFilter()
+  : Controller(nullptr)
+  , PlaceOfPiece(0)
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkPFFHullFilter::~vtkPFFHullFilter()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
+{
+  vtkFFProcesses processes(this->Controller);
+  if (processes.GetCount() == 1)
+  {
+    return this->Superclass::SelectBlocks(blocks, failure);
+  }
+  const bool done = processes.SelectBlocks(!this->CombinesBlocks(), blocks, failure);
+  this->ReportFailure(failure, processes.GetRank() == 0);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
+{
+  vtkFFProcesses processes(this->Controller);
+  if (processes.GetCount() == 1)
+  {
+    return this->Superclass::Execute(blocks, outputs);
+  }
+
+  // The points are counted block by block, and within a block process by process.
+  std::vector<vtkSmartPointer<vtkPointSet>> pieces;
+  std::vector<vtkIdType> sizes;
+  for (const Block& block : blocks)
+  {
+    pieces.push_back(vtkFFProcesses::OwnPoints(block.Points));
+    sizes.push_back(pieces.back()->GetNumberOfPoints());
+  }
+  const std::vector<std::vector<vtkIdType>> sizesOfAll = processes.GatherLists(sizes);
+  std::vector<vtkIdType> places;
+  vtkIdType counted = 0;
+  this->CurrentBlocks = blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    const vtkIdType begin = counted;
+    for (int process = 0; process < processes.GetCount(); ++process)
+    {
+      if (process == processes.GetRank())
+      {
+        places.push_back(counted);
+      }
+      counted += sizesOfAll[static_cast<std::size_t>(process)][b];
+    }
+    this->CurrentBlocks[b].NumberOfPoints = counted - begin;
+  }
+
+  // Points that are not finite are counted to the last block before they are an error.
+  std::vector<Result> hulls(blocks.size());
+  vtkFFFailure failure;
+  for (std::size_t b = 0; b < blocks.size() && failure.Kind <= vtkFFFailure::NonFinite; ++b)
+  {
+    const auto count = static_cast<double>(blocks.size());
+    this->SetProgressPart(static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
+    this->PlaceOfPiece = places[b];
+    vtkFFFailure failureOfBlock;
+    this->TakeHullOfBlock(pieces[b], processes, hulls[b], failureOfBlock);
+    failure.Add(failureOfBlock);
+  }
+
+  const bool isFirst = processes.GetRank() == 0;
+  if (isFirst && failure.Kind == vtkFFFailure::None)
+  {
+    this->ReportHull(hulls, outputs[0], failure);
+  }
+  const bool done = processes.Share(failure);
+  this->ReportFailure(failure, isFirst);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+void vtkPFFHullFilter::ReportHull(
+  std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure)
+{
+  Result whole;
+  if (hulls.size() == 1)
+  {
+    whole = std::move(hulls[0]);
+  }
+  else if (!this->JoinHulls(hulls, whole, failure))
+  {
+    return;
+  }
+  whole.Data->SetFieldData(output->GetFieldData());
+  output->ShallowCopy(whole.Data);
+  if (this->CombinesBlocks())
+  {
+    this->AddBlockIndex(output);
+  }
+  this->AddToReport(whole.Hull, whole.Engine, output);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::TakeHullOfBlock(
+  vtkPointSet* piece, vtkFFProcesses& processes, Result& result, vtkFFFailure& failure)
+{
+  this->TryEngine(
+    [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
+      flipflop::EngineReport& report)
+    {
+      result.Hull = this->TakeHull({ piece }, options, engine, report, result.Data);
+      result.Engine = report;
+      renumber(result.Data, [&](vtkIdType id) { return this->PlaceOfPiece + id; });
+    },
+    failure);
+  if (!processes.Share(failure))
+  {
+    return false;
+  }
+  const flipflop::Statistics& own = result.Hull.statistics;
+  flipflop::Statistics all;
+  for (const auto& counts : processes.GatherLists(
+         { static_cast<vtkIdType>(own.points), static_cast<vtkIdType>(own.nonFinite) }))
+  {
+    all.points += counts[0];
+    all.nonFinite += counts[1];
+  }
+
+  // A binary tree: neighbours, then neighbours' neighbours. The lower one of a pair goes on.
+  for (int step = 1; step < processes.GetCount(); step *= 2)
+  {
+    const int rest = processes.GetRank() % (2 * step);
+    const int lower = processes.GetRank() - rest;
+    const int higher = lower + step;
+    const bool hasPart = (rest == 0 || rest == step) && higher < processes.GetCount();
+    std::vector<Result> pair(2);
+    if (!processes.Send(
+          result.Data, hasPart ? higher : -1, hasPart ? lower : -1, pair[1].Data, failure))
+    {
+      return false;
+    }
+    if (hasPart && rest == 0)
+    {
+      pair[0] = std::move(result);
+      result = Result();
+      this->JoinHulls(pair, result, failure);
+    }
+    if (!processes.Share(failure))
+    {
+      return false;
+    }
+  }
+  result.Hull.statistics.points = all.points;
+  result.Hull.statistics.nonFinite = all.nonFinite;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::JoinHulls(
+  const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure)
+{
+  return this->TryEngine(
+    [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
+      flipflop::EngineReport& report)
+    {
+      std::vector<vtkPointSet*> pieces;
+      std::vector<vtkIdType> ids;
+      for (const Result& hull : hulls)
+      {
+        if (hull.Data->GetNumberOfPoints() > 0)
+        {
+          pieces.push_back(hull.Data);
+          vtkIdTypeArray* own = idsOf(hull.Data);
+          for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
+          {
+            ids.push_back(own->GetValue(i));
+          }
+        }
+      }
+      joined.Hull = this->TakeHull(pieces, options, engine, report, joined.Data);
+      renumber(joined.Data, [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
+
+      // The points were counted where they came from, and most of the work was done there.
+      flipflop::Statistics& statistics = joined.Hull.statistics;
+      statistics.points = 0;
+      joined.Engine = hulls[0].Engine;
+      for (const Result& hull : hulls)
+      {
+        statistics += hull.Hull.statistics;
+        if (hull.Engine.used == flipflop::EngineChoice::CUDA)
+        {
+          joined.Engine = hull.Engine;
+        }
+      }
+    },
+    failure);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPFFHullFilter::GetPlaceOfPoint(vtkIdType index)
+{
+  return this->PlaceOfPiece + index;
+}
+
+//------------------------------------------------------------------------------
+void vtkPFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
+}

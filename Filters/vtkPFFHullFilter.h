@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPFFHullFilter
+ * @brief   the exact convex hull of points that are distributed over processes
+ *
+ * vtkPFFHullFilter is vtkFFHullFilter for data in pieces, one on each process of a
+ * vtkMultiProcessController: it gives the one hull of all pieces, on process 0. It is the hull that
+ * vtkFFHullFilter gives for the pieces of process 0, 1, 2... appended in this order, bit for bit:
+ * points, cells, point data and original ids, which count the points of all pieces. On the other
+ * processes the output is empty.
+ *
+ * Each process takes the hull of its piece. Hulls are then joined in pairs, in as many steps as a
+ * binary tree over the processes is high, each by the hull of their vertices. What leaves a process
+ * are its extreme points: few of a solid, nearly all of points on a thin shell.
+ *
+ * - Points that a piece marks as another's (the point data's array vtkGhostType,
+ *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted.
+ * - For composite input, the pieces of a block are what the processes have at its flat index. For
+ *   HULL_OF_EACH_BLOCK all processes must have the same structure, with or without data in it; if
+ *   not, that is an error. For HULL_OF_ALL_BLOCKS ids run on from block to block, within a block
+ *   from process to process.
+ * - An error on any process is an error of all; it is reported by process 0 and speaks of the
+ *   appended points. The other processes only set their error code.
+ * - Process 0 reports dimension, volume, area and the numbers of input points and of points that
+ *   are not finite for all pieces. All other statistics are of its own share of the work; the
+ *   others report nothing.
+ *
+ * All processes have to update the filter, with the same settings.
+ *
+ * @sa
+ * vtkFFHullFilter vtkPFFRegularTriangulationFilter vtkMultiProcessController
+ */
+
+#ifndef vtkPFFHullFilter_h
+#define vtkPFFHullFilter_h
+
+#include "vtkFFHullFilter.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+class vtkMultiProcessController;
+
+#ifndef __VTK_WRAP__
+class vtkFFProcesses;
+#endif
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
+{
+public:
+  static vtkPFFHullFilter* New();
+  vtkTypeMacro(vtkPFFHullFilter, vtkFFHullFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the controller of the processes that have the pieces; null for none but this one. By
+   * default the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkPFFHullFilter();
+  ~vtkPFFHullFilter() override;
+
+#ifndef __VTK_WRAP__
+  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
+#endif
+
+  vtkMultiProcessController* Controller;
+
+private:
+  vtkPFFHullFilter(const vtkPFFHullFilter&) = delete;
+  void operator=(const vtkPFFHullFilter&) = delete;
+
+#ifndef __VTK_WRAP__
+  /**
+   * A hull, and what is to be told of it.
+   */
+  struct Result;
+
+  /**
+   * The hull of what all processes have of a block; on process 0 it is whole in the end. False if
+   * there is a failure, on any process.
+   */
+  bool TakeHullOfBlock(
+    vtkPointSet* piece, vtkFFProcesses& processes, Result& result, vtkFFFailure& failure);
+
+  /**
+   * The hull of hulls, whose ids it takes over. False if there is a failure.
+   */
+  bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
+
+  /**
+   * The hull of the hulls of all blocks becomes the output, and is reported.
+   */
+  void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
+
+  vtkIdType PlaceOfPiece; // of this process's first point of the block that is worked on
+#endif
+};
+
+#endif

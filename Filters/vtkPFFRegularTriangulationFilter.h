@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPFFRegularTriangulationFilter
+ * @brief   the exact regular triangulation of points that are distributed over processes
+ *
+ * vtkPFFRegularTriangulationFilter is vtkFFRegularTriangulationFilter for data in pieces, one on
+ * each process of a vtkMultiProcessController: it gives the one triangulation of all pieces, on
+ * process 0. It is what vtkFFRegularTriangulationFilter gives for the pieces of process 0, 1, 2...
+ * appended in this order, bit for bit, with ids that count the points of all pieces. On the other
+ * processes the outputs are empty.
+ *
+ * Process 0 gathers all points and does all the work. Where several processes have points, a
+ * warning says so: its memory must hold them all.
+ *
+ * - Points that a piece marks as another's (the point data's array vtkGhostType,
+ *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted.
+ * - For composite input, the pieces of a block are what the processes have at its flat index. All
+ *   processes must have the same structure, with or without data in it; if not, that is an error.
+ * - An error is one of all processes; it is reported by process 0. The others only set their error
+ *   code, and report nothing else either.
+ *
+ * All processes have to update the filter, with the same settings.
+ *
+ * @sa
+ * vtkFFRegularTriangulationFilter vtkPFFHullFilter vtkMultiProcessController
+ */
+
+#ifndef vtkPFFRegularTriangulationFilter_h
+#define vtkPFFRegularTriangulationFilter_h
+
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+class vtkMultiProcessController;
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkPFFRegularTriangulationFilter
+  : public vtkFFRegularTriangulationFilter
+{
+public:
+  static vtkPFFRegularTriangulationFilter* New();
+  vtkTypeMacro(vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the controller of the processes that have the pieces; null for none but this one. By
+   * default the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkPFFRegularTriangulationFilter();
+  ~vtkPFFRegularTriangulationFilter() override;
+
+#ifndef __VTK_WRAP__
+  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+#endif
+
+  vtkMultiProcessController* Controller;
+
+private:
+  vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;
+  void operator=(const vtkPFFRegularTriangulationFilter&) = delete;
+};
+
+#endif
