@@ -11,7 +11,7 @@ def test(window):
     assert "Flip-Flop" not in window.entries("Filters"), "the plugin is there before it is loaded"
     yield from window.choose("Tools", "Manage Plugins...")
     manager = yield from window.dialog("pqPluginDialog")
-    gui.click(manager.findChild(QtWidgets.QPushButton, "loadLocal"))
+    gui.click_for_dialog(manager.findChild(QtWidgets.QPushButton, "loadLocal"))
     yield from window.choose_file(os.environ["FLIPFLOP_PLUGIN"])
     listed = manager.findChild(QtWidgets.QTreeWidget, "localPlugins")
     yield lambda: ["FlipFlop", "Loaded"] in gui.rows(listed.model())

@@ -26,7 +26,6 @@ PATIENCE = 30.0  # seconds that a condition may take to come true
 
 application = QtWidgets.QApplication.instance()
 output = os.environ["FLIPFLOP_GUI_OUTPUT"]
-data_folder = os.environ["FLIPFLOP_DATA"]
 _kept = []  # Qt does not keep Python's objects alive
 
 
@@ -35,7 +34,7 @@ def kind(widget):
 
 
 def data(name):
-    return os.path.join(data_folder, name)
+    return os.path.join(os.environ["FLIPFLOP_SOURCE"], "Data", name)
 
 
 def check_equal(found, wanted):
@@ -43,10 +42,10 @@ def check_equal(found, wanted):
 
 
 def check_range(arrays, name, least, most):
-    """An array of one value, in the Information panel's rows: type, range."""
+    """Of one value, which the Information panel shows as a type and a range such as [3, 3]."""
     assert name in arrays, f"no array {name} in {sorted(arrays)}"
-    value = float(arrays[name][1])
-    assert least <= value <= most, f"{name} is {value}, not in [{least}, {most}]"
+    low, value = (float(text) for text in arrays[name][1].strip("[]").split(","))
+    assert low == value and least <= value <= most, f"{name} is {value}, not in [{least}, {most}]"
 
 
 def choices(box):
@@ -61,6 +60,11 @@ def plain(text):
 def click(widget):
     assert widget.isEnabled() and widget.isVisible(), f"{widget.objectName()} cannot be clicked"
     QtTest.QTest.mouseClick(widget, QtCore.Qt.LeftButton)
+
+
+def click_for_dialog(widget):
+    """Click what opens a dialog: it returns only when that is closed."""
+    QtCore.QTimer.singleShot(0, lambda: click(widget))
 
 
 def gone(widget):

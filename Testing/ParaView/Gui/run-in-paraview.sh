@@ -11,7 +11,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../../Scripts/common.sh"
 paraview=$1 script=$2 seconds=${4:-120}
 rm -rf "$3"
 mkdir -p "$3/home"
-export FLIPFLOP_GUI_OUTPUT="$3" FLIPFLOP_DATA="$top/Data"
+export FLIPFLOP_GUI_OUTPUT="$3" FLIPFLOP_SOURCE="$top"
 export HOME="$3/home" XDG_CONFIG_HOME="$3/home/config" XDG_RUNTIME_DIR="$3/home"
 chmod 700 "$XDG_RUNTIME_DIR"
 export PYTHONPATH="$top/Testing/ParaView/Gui${PYTHONPATH:+:$PYTHONPATH}" PYTHONDONTWRITEBYTECODE=1

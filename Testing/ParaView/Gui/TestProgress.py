@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""
+A long run: the progress bar follows it, and it stops soon after it is asked to.
+
+ParaView 5.11 has a button beside the bar that could ask, but leaves it disabled while filters run and
+takes no input meanwhile. So the test asks the filter itself, from where such a button's click would be
+handled: between two progress events, in ParaView's own thread.
+"""
+import time
+
+import gui
+from paraview import simple
+from PyQt5 import QtCore, QtWidgets
+
+# Within rounding of a plane nearly every decision is a close call: long for the filter, little to draw.
+SCRIPT = """
+import numpy
+points = numpy.random.default_rng(1).random((1_200_000, 3))
+points[:, 2] = (points[:, 0] + points[:, 1]) / 3
+output.Points = points
+"""
+SOON = 1.0  # seconds from the request to the end of Apply, drawing included
+
+
+class ProgressWatch(QtCore.QObject):
+    """Sees each time that the progress bar is painted while the filter runs."""
+
+    def __init__(self, window):
+        super().__init__()
+        self.label = window.find(QtWidgets.QLabel, "ProgressBar")
+        self.button = window.find(QtWidgets.QToolButton, "AbortButton")
+        self.parts, self.enabled, self.on_progress = [], [], None
+        self.label.installEventFilter(self)
+
+    def eventFilter(self, watched, event):
+        if event.type() == QtCore.QEvent.Paint and self.label.text() == "FFHullFilter":
+            self.parts.append(self.filled_part())
+            self.enabled.append(self.button.isEnabled())
+            if self.on_progress:
+                self.on_progress()
+        return False
+
+    def filled_part(self):
+        """How much of the bar on the screen has the colour of its left end; the text is in the middle."""
+        corner = self.label.mapToGlobal(QtCore.QPoint(0, 0))
+        size = self.label.size()
+        image = gui.application.primaryScreen().grabWindow(
+            0, corner.x(), corner.y() + size.height() // 4, size.width(), 1
+        ).toImage()
+        blue = [image.pixelColor(x, 0).blue() - image.pixelColor(x, 0).red() > 60
+                for x in range(image.width())]
+        return sum(blue) / len(blue)
+
+
+def test(window):
+    plane = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=SCRIPT)
+    plane.UpdatePipeline()
+    simple.SetActiveSource(plane)
+    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    hull = simple.GetActiveSource()
+    hull.NumberOfThreads = 1
+    watch = ProgressWatch(window)
+    yield from window.apply()
+    parts = watch.parts[1:]  # the first is of what was on the screen before
+    assert len(parts) >= 5, f"the bar was painted {len(parts)} times: {parts}"
+    assert parts == sorted(parts), f"the bar went back: {parts}"
+    assert parts[0] < 0.3 and parts[-1] > 0.4, f"the bar showed {parts}"
+    assert not any(watch.enabled), "this ParaView can cancel: press its button here"
+    counts, _ = yield from window.information()
+    assert counts[1] != "0", counts
+
+    asked = []
+
+    def abort():
+        if not asked:
+            asked.append(time.monotonic())
+            hull.GetClientSideObject().SetAbortExecute(1)
+
+    yield from window.show_properties()
+    watch.on_progress = abort
+    window.property_box("FacetMode").setCurrentText("Polygons")
+    yield from window.apply()
+    waited = time.monotonic() - asked[0]
+    assert waited < SOON, f"it ran on for {waited:.2f} seconds"
+    counts, _ = yield from window.information()
+    gui.check_equal(counts[1], "0")
+    gui.check_equal(window.messages(), "")
+
+
+gui.run(test)
