@@ -66,6 +66,11 @@ class Picture:
             setattr(shown, key, value)
         return shown
 
+    def dots(self, source, colour, share, **properties):
+        """Show the source's points, with cells or without, as disks of a share of the picture."""
+        shown = self.show(source, "Point Gaussian", colour, ShaderPreset="Plain circle", **properties)
+        shown.GaussianRadius = share * numpy.ptp(numpy.concatenate(self.shown), axis=0).max()
+
     def colour(self, shown, association, name, stops):
         """Colour by an array, from its least value to its greatest."""
         simple.ColorBy(shown, (association, name))
@@ -97,11 +102,9 @@ def hull_of(name, points, folder):
     hull, seconds = updated(simple.FlipFlopConvexHull(Input=points, FacetMode="Polygons"))
     (count, _), (corners, facets) = size(points), size(hull)
     picture = Picture(name)
-    # The files hold points without cells, of which ParaView draws nothing; and edges of a translucent
-    # surface would be as faint as it is.
-    cloud = simple.ConvertToPointCloud(Input=points)
-    picture.show(cloud, "Points", CLOUD, PointSize=4.0, RenderPointsAsSpheres=1)
+    picture.dots(points, CLOUD, 0.13 / max(count, 1) ** 0.5)  # the more, the smaller
     picture.show(hull, "Surface", VEIL, Opacity=0.3, Interpolation="Flat")
+    # Edges of a translucent surface would be as faint as it is.
     edges = simple.FeatureEdges(Input=hull, FeatureAngle=0, ManifoldEdges=1, Coloring=0)
     picture.show(edges, "Surface", EDGE, LineWidth=2.0)
     picture.write(
@@ -132,8 +135,7 @@ def triangulation_of(name, points, folder, weights=None):
     if "Elevation" in triangulation.PointData.keys():
         picture.colour(surface, "POINTS", "Elevation", HEIGHTS)
     if weights:
-        hidden = simple.OutputPort(triangulation, 1)
-        picture.show(hidden, "Points", HIDDEN, PointSize=4.0, RenderPointsAsSpheres=1)
+        picture.dots(simple.OutputPort(triangulation, 1), HIDDEN, 0.0015)
         notes += [weights, f"{row[4]} points hidden (pink)"]
     picture.write(os.path.join(folder, f"{name}-{kind}.png"), *notes)
     return triangulation, row
@@ -169,8 +171,7 @@ def diagram_of(folder):
     # What is drawn later lies higher.
     picture.show(triangulation, "Wireframe", INK, LineWidth=1.5, Position=[0, 0, 0.01])
     hidden = simple.OutputPort(triangulation, 1)
-    picture.show(hidden, "Points", HIDDEN, PointSize=14.0, RenderPointsAsSpheres=1,
-                 Position=[0, 0, 0.02])  # fmt: skip
+    picture.dots(hidden, HIDDEN, 0.009, Position=[0, 0, 0.02])
     picture.write(
         os.path.join(folder, "power-diagram.png"),
         f"{size(triangulation, 2)[1]} cells, dark where disks are large",
