@@ -1,0 +1,229 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The triangulation's proxy: weights, planes, ports and the filter's other promises, through ParaView."""
+
+import unittest
+
+import numpy as np
+from paraview import simple
+
+from pipelines import (
+    IDS,
+    array,
+    baseline,
+    bits,
+    cells,
+    cells_by_ids,
+    cloud,
+    coordinates,
+    errors,
+    fetch,
+    poly_data,
+    producer,
+    real,
+    run,
+)
+
+# A square, its centre, and a light point near the centre.
+SQUARE = np.array([[0, 0, 7], [2, 0, 8], [2, 2, 9], [0, 2, 6], [1, 1, 5], [1.25, 1, 4]])
+WEIGHT = np.array([0, 0, 0, 0, 1, -3.0])
+
+
+def triangulation_of(source, **settings):
+    return run(simple.FlipFlopRegularTriangulation(Input=source, **settings))
+
+
+def port_sizes(proxy):
+    return [proxy[i].GetDataInformation().GetNumberOfPoints() for i in range(3)]
+
+
+class TestWeights(unittest.TestCase):
+    def test_real_data(self):
+        """Weights are made by ParaView's Calculator; 8 * z is exact, so z * z alone is rounded."""
+        for name, formula, facets in (
+            ("autzen", "coordsZ*coordsZ", "weighted_autzenSquares"),
+            ("sainthelens", "(8*coordsZ)*coordsZ", "weighted_helensSquares"),
+        ):
+            calculator = simple.Calculator(
+                Input=real(name), ResultArrayName="squares", Function=formula, ResultArrayType="Double"
+            )
+            triangulation = triangulation_of(
+                calculator, Weights=["POINTS", "squares"], FacetMode="Polygons"
+            )
+            output, hidden = fetch(triangulation), fetch(triangulation, 1)
+            self.assertEqual(cells_by_ids(output), baseline(facets), name)
+
+            shown = array(output.GetPointData(), IDS)
+            left_out = array(hidden.GetPointData(), IDS)
+            count = fetch(calculator).GetNumberOfPoints()
+            self.assertEqual(sorted([*shown, *left_out]), list(range(count)))
+            self.assertEqual(triangulation.NumberOfHiddenPoints, len(left_out))
+            self.assertGreater(len(left_out), 0)
+            xyz = coordinates(fetch(calculator))
+            np.testing.assert_array_equal(coordinates(output), xyz[shown])
+            np.testing.assert_array_equal(coordinates(hidden), xyz[left_out])
+            squares = array(fetch(calculator).GetPointData(), "squares")
+            np.testing.assert_array_equal(array(hidden.GetPointData(), "squares"), squares[left_out])
+
+    def test_none_by_default(self):
+        """ParaView offers the active scalars to a filter that wants an array; this one does not."""
+        data = poly_data(SQUARE, weight=WEIGHT, flat=np.zeros(6))
+        data.GetPointData().SetActiveScalars("weight")
+        source = producer(data)
+        triangulation = simple.FlipFlopRegularTriangulation(Input=source)
+        self.assertEqual(triangulation.Weights[1], "None")
+        plain = fetch(run(triangulation))
+        self.assertEqual(plain.GetNumberOfPoints(), 6)
+        choices = triangulation.GetProperty("Weights").SMProperty.GetDomain("array_list")
+        choices = [choices.GetString(i) for i in range(choices.GetNumberOfStrings())]
+        self.assertEqual(sorted(choices), ["None", "flat", "weight"])
+
+        triangulation.Weights = ["POINTS", "weight"]
+        self.assertEqual(port_sizes(run(triangulation)), [5, 1, 0])
+        triangulation.Weights = ["POINTS", "flat"]
+        self.assertEqual(cells(fetch(run(triangulation)).GetPolys()), cells(plain.GetPolys()))
+        triangulation.Weights = ["POINTS", "None"]
+        self.assertEqual(bits(fetch(run(triangulation))), bits(plain))
+
+    def test_missing(self):
+        source = cloud(SQUARE, weight=WEIGHT)
+        with errors() as lines:
+            triangulation = triangulation_of(source, Weights=["POINTS", "mass"])
+        self.assertEqual(len(lines), 1, lines)
+        self.assertIn('"mass" is missing', lines[0])
+        self.assertEqual(port_sizes(triangulation), [0, 0, 0])
+        triangulation.Weights = ["POINTS", "weight"]
+        with errors() as lines:
+            run(triangulation)
+        self.assertEqual(lines, [])
+        self.assertEqual(port_sizes(triangulation), [5, 1, 0])
+
+    def test_not_finite(self):
+        weight = WEIGHT.copy()
+        weight[2] = np.nan
+        source = cloud(SQUARE, weight=weight)
+        with errors() as lines:
+            triangulation = triangulation_of(source, Weights=["POINTS", "weight"])
+        self.assertEqual(len(lines), 1, lines)
+        self.assertIn("point 2,", lines[0])
+        self.assertEqual(port_sizes(triangulation), [0, 0, 0])
+        triangulation.NonFinitePoints = "Ignore"
+        # Without that corner of the square the light point is one of the border.
+        self.assertEqual(port_sizes(run(triangulation)), [5, 0, 0])
+        self.assertEqual(triangulation.NumberOfNonFinitePoints, 1)
+
+
+class TestPlanes(unittest.TestCase):
+    def test_against_delaunay_2d(self):
+        """Points in general position have one Delaunay triangulation: VTK's, which has gaps at the border."""
+        rng = np.random.default_rng(3)
+        source = cloud(np.column_stack([rng.random((2000, 2)), np.zeros(2000)]))
+        peer = simple.Delaunay2D(Input=source, Tolerance=0)
+        peer.UpdatePipeline()
+        expected = {frozenset(cell) for cell in cells(fetch(peer).GetPolys())}
+        found = {frozenset(cell) for cell in cells_by_ids(fetch(triangulation_of(source)))}
+        self.assertTrue(expected <= found, expected - found)
+        self.assertLess(len(found - expected), 0.02 * len(found))
+        # Euler: with c points on the border, all of them corners.
+        corners = run(simple.FlipFlopConvexHull(Input=source)).GetDataInformation().GetNumberOfPoints()
+        self.assertEqual(len(found), 2 * 2000 - 2 - corners)
+
+    def test_plane(self):
+        """A steep plane: from above the points lie on a line, in their own plane and turned they do not."""
+        rng = np.random.default_rng(4)
+        xy = rng.random((500, 2))
+        flat = cells_by_ids(fetch(triangulation_of(cloud(np.column_stack([xy, 0 * xy[:, 0]])))))
+        source = cloud(np.column_stack([xy[:, 0], 0 * xy[:, 0], xy[:, 1]]))
+        triangulation = triangulation_of(source)
+        self.assertEqual(triangulation.Dimension, 1)
+        self.assertEqual(fetch(triangulation).GetNumberOfLines(), 499)
+
+        triangulation.ProjectionPlaneMode = "Best-Fitting Plane"
+        fitted = fetch(run(triangulation))
+        self.assertEqual({frozenset(c) for c in cells_by_ids(fitted)}, {frozenset(c) for c in flat})
+
+        # About x by -90 degrees: z becomes y. The sine is 1 or so rounded, and 0 times 0 is 0.
+        triangulation.ProjectionPlaneMode = "Transform"
+        triangulation.Transform.Rotate = [-90, 0, 0]
+        turned = fetch(run(triangulation))
+        self.assertEqual(cells_by_ids(turned), flat)
+        np.testing.assert_array_equal(coordinates(turned), coordinates(fetch(source)))
+
+        # The transform counts: another one is another run.
+        triangulation.Transform.Rotate = [0, 0, 0]
+        self.assertEqual(run(triangulation).Dimension, 1)
+
+
+class TestPorts(unittest.TestCase):
+    def test_power_diagram(self):
+        source = cloud(SQUARE, weight=WEIGHT)
+        triangulation = triangulation_of(
+            source, Weights=["POINTS", "weight"], GeneratePowerDiagram=1, VisiblePointIds=1
+        )
+        diagram = fetch(triangulation, 2)
+        ids = array(diagram.GetCellData(), "OriginalPointIds")
+        self.assertEqual(list(ids), [0, 1, 2, 3, 4])
+        np.testing.assert_array_equal(array(diagram.GetCellData(), "weight"), WEIGHT[:5])
+        self.assertEqual(diagram.GetBounds(), (0.0, 2.0, 0.0, 2.0, 0.0, 0.0))
+        self.assertEqual([len(cell) for cell in cells(diagram.GetPolys())], [3, 3, 3, 3, 8])
+
+        triangulation.PowerDiagramBoxMode = "Bounds Given"
+        triangulation.PowerDiagramBounds = [-4, 4, -3, 3]
+        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (-4.0, 4.0, -3.0, 3.0, 0.0, 0.0))
+        with errors() as lines:
+            triangulation.PowerDiagramBounds = [1, 0, 0, 1]
+            run(triangulation)
+        self.assertEqual(len(lines), 1, lines)
+        self.assertIn("PowerDiagramBounds", lines[0])
+        self.assertEqual(port_sizes(triangulation), [0, 0, 0])
+
+    def test_further_ports_feed_filters(self):
+        rng = np.random.default_rng(5)
+        source = cloud(
+            np.column_stack([rng.random((300, 2)), np.zeros(300)]), weight=0.02 * rng.random(300)
+        )
+        triangulation = triangulation_of(source, Weights=["POINTS", "weight"], GeneratePowerDiagram=1)
+        hidden = run(simple.FlipFlopConvexHull(Input=simple.OutputPort(triangulation, "Hidden Points")))
+        self.assertEqual(hidden.NumberOfInputPoints, triangulation.NumberOfHiddenPoints)
+        self.assertGreater(hidden.NumberOfInputPoints, 0)
+        diagram = simple.OutputPort(triangulation, "Power Diagram")
+        area = simple.IntegrateVariables(Input=diagram)
+        area.UpdatePipeline()
+        low_x, high_x, low_y, high_y = fetch(source).GetBounds()[:4]
+        self.assertAlmostEqual(
+            array(fetch(area).GetCellData(), "Area")[0], (high_x - low_x) * (high_y - low_y), places=12
+        )
+
+    def test_degenerate(self):
+        for xyz, expected in (
+            (np.empty((0, 3)), (-1, 0, 0, 0)),
+            (np.tile([1, 2, 3], (4, 1)), (0, 1, 0, 0)),
+            (np.outer(np.arange(10), [1, -2, 3]), (1, 0, 9, 0)),
+        ):
+            with errors() as lines:
+                triangulation = triangulation_of(cloud(xyz))
+                output = fetch(triangulation)
+            self.assertEqual(lines, [])
+            found = (output.GetNumberOfVerts(), output.GetNumberOfLines(), output.GetNumberOfPolys())
+            self.assertEqual((triangulation.Dimension, *found), expected)
+
+    def test_blocks(self):
+        """Each block by itself, on every port."""
+        blocks = simple.GroupDatasets(
+            Input=[cloud(SQUARE, weight=WEIGHT), cloud(SQUARE[:4], weight=WEIGHT[:4])]
+        )
+        blocks.UpdatePipeline()
+        triangulation = triangulation_of(
+            blocks, Weights=["POINTS", "weight"], GeneratePowerDiagram=1, FacetMode="Polygons"
+        )
+        for port, points, polygons in ((0, 9, 5), (1, 1, 1), (2, None, 9)):
+            information = triangulation[port].GetDataInformation()
+            self.assertTrue(information.IsCompositeDataSet())
+            self.assertEqual(information.GetNumberOfCells(), polygons, port)
+            if points is not None:
+                self.assertEqual(information.GetNumberOfPoints(), points, port)
+        self.assertEqual(triangulation.NumberOfHiddenPoints, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
