@@ -1,32 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A file with a NaN: the filter's own words come up in Output Messages, and ParaView goes on."""
-import os
-
 import gui
 import numpy
 from PyQt5 import QtWidgets
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-
-def write_points(path, coordinates):
-    points, cloud = vtkPoints(), vtkPolyData()
-    points.SetData(numpy_to_vtk(coordinates, deep=True))
-    cloud.SetPoints(points)
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(path)
-    writer.SetInputData(cloud)
-    assert writer.Write()
-    return path
 
 
 def test(window):
     coordinates = numpy.random.default_rng(1).random((100, 3))
     coordinates[[7, 42], 1] = numpy.nan
-    yield from window.open_file(write_points(os.path.join(gui.output, "nan.vtp"), coordinates))
+    yield from window.open_file(gui.write_points("nan.vtp", coordinates))
     yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
     gui.check_equal(window.messages(), "")
     yield from window.apply()

@@ -34,7 +34,7 @@ class ProgressWatch(QtCore.QObject):
         self.label.installEventFilter(self)
 
     def eventFilter(self, watched, event):
-        if event.type() == QtCore.QEvent.Paint and self.label.text() == "FFHullFilter":
+        if event.type() == QtCore.QEvent.Paint and "FFHullFilter" in self.label.text():
             self.parts.append(self.filled_part())
             self.enabled.append(self.button.isEnabled())
             if self.on_progress:
@@ -43,11 +43,9 @@ class ProgressWatch(QtCore.QObject):
 
     def filled_part(self):
         """How much of the bar on the screen has the colour of its left end; the text is in the middle."""
-        corner = self.label.mapToGlobal(QtCore.QPoint(0, 0))
-        size = self.label.size()
-        image = gui.application.primaryScreen().grabWindow(
-            0, corner.x(), corner.y() + size.height() // 4, size.width(), 1
-        ).toImage()
+        area = QtCore.QRect(self.label.mapToGlobal(QtCore.QPoint(0, 0)), self.label.size())
+        area.setHeight(1)
+        image = gui.photograph(area.translated(0, self.label.height() // 4))
         blue = [image.pixelColor(x, 0).blue() - image.pixelColor(x, 0).red() > 60
                 for x in range(image.width())]
         return sum(blue) / len(blue)

@@ -20,7 +20,12 @@ import sys
 import time
 import traceback
 
+import numpy
 from PyQt5 import QtCore, QtTest, QtWidgets, sip
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 PATIENCE = 30.0  # seconds that a condition may take to come true
 
@@ -35,6 +40,18 @@ def kind(widget):
 
 def data(name):
     return os.path.join(os.environ["FLIPFLOP_SOURCE"], "Data", name)
+
+
+def write_points(name, coordinates):
+    """Write points to a file of the output folder; its path."""
+    points, cloud = vtkPoints(), vtkPolyData()
+    points.SetData(numpy_to_vtk(numpy.asarray(coordinates, float), deep=True))
+    cloud.SetPoints(points)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(os.path.join(output, name))
+    writer.SetInputData(cloud)
+    assert writer.Write()
+    return writer.GetFileName()
 
 
 def check_equal(found, wanted):
@@ -77,6 +94,12 @@ def rows(model):
         [model.index(row, column).data() for column in range(model.columnCount())]
         for row in range(model.rowCount())
     ]
+
+
+def photograph(area):
+    """The image of an area of the screen."""
+    screen = application.primaryScreen()
+    return screen.grabWindow(0, area.x(), area.y(), area.width(), area.height()).toImage()
 
 
 class Gui:
@@ -194,11 +217,23 @@ class Gui:
         click(clear)
         yield lambda: self.messages() == ""
 
-    def screen(self, name):
-        """Photograph the whole screen."""
-        path = os.path.join(output, name)
-        application.primaryScreen().grabWindow(0).save(path)
-        return path
+    def screen(self, name, area=None):
+        """Photograph the whole screen, or an area of it."""
+        area = area or application.primaryScreen().geometry()
+        photograph(area).save(os.path.join(output, name))
+
+    def stands_still(self, seconds=0.5):
+        """Wait until the screen has not changed for so long."""
+        area, last, since = application.primaryScreen().geometry(), None, 0.0
+
+        def still():
+            nonlocal last, since
+            now = photograph(area)
+            if now != last:
+                last, since = now, time.monotonic()
+            return time.monotonic() - since > seconds
+
+        yield still
 
 
 class Run:
@@ -224,7 +259,8 @@ class Run:
             application.exit(0)
         except BaseException:
             traceback.print_exc(file=sys.__stderr__)
-            application.primaryScreen().grabWindow(0).save(os.path.join(output, "failed.png"))
+            area = application.primaryScreen().geometry()
+            photograph(area).save(os.path.join(output, "failed.png"))
             application.exit(1)
 
 
