@@ -17,7 +17,8 @@ paraview_plugin_build(
   DISABLE_XML_DOCUMENTATION ON)
 
 # PV_PLUGIN_PATH for the build tree; installed, it is the same folder below the prefix.
-set(FLIPFLOP_PLUGIN_PATH "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/FlipFlop"
+set(FLIPFLOP_LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/FlipFlop")
+set(FLIPFLOP_PLUGIN_PATH "${CMAKE_BINARY_DIR}/${FLIPFLOP_LIBRARY_DESTINATION}"
   CACHE INTERNAL "The folder that holds the plugin in the build tree")
 
 if(FLIPFLOP_WRAP_PYTHON)

@@ -55,7 +55,7 @@ def definition(name):
 class TestLoading(unittest.TestCase):
     """Each way of loading the plugin, in a process of its own without the others."""
 
-    # Whether the filter is there before and after.
+    # Whether the filter is there before and after; where it comes from.
     SCRIPT = """
 from paraview import simple
 print("before", hasattr(simple, "FlipFlopConvexHull"))
@@ -66,26 +66,27 @@ hull.UpdatePipeline()
 print("cells", hull.GetDataInformation().GetNumberOfCells())
 """
 
-    def run_with(self, load="", **environment):
+    def execute(self, *command, **environment):
+        """What a command prints; it must succeed, and without a word of error."""
         clean = {k: v for k, v in os.environ.items() if not k.startswith("PV_PLUGIN")}
+        result = subprocess.run(
+            command, env={**clean, **environment}, capture_output=True, text=True, timeout=120
+        )
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        return result.stdout.splitlines()
+
+    def run_with(self, load="", plugins=None, **environment):
+        """The script's lines. Plugins are the text of a configuration file."""
         with tempfile.TemporaryDirectory() as folder:
             script = os.path.join(folder, "load.py")
             with open(script, "w") as file:
                 file.write(self.SCRIPT.format(load=load))
-            for name, value in environment.items():
-                if name == "PV_PLUGIN_CONFIG_FILE":
-                    path = os.path.join(folder, "plugins.xml")
-                    with open(path, "w") as file:
-                        file.write(value)
-                    value = path
-                clean[name] = value
-            result = subprocess.run(
-                [os.environ["FLIPFLOP_PVPYTHON"], "--dr", script],
-                env=clean, capture_output=True, text=True, timeout=120,
-            )  # fmt: skip
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(result.stderr, "")
-        return result.stdout.split("\n")[:-1]
+            if plugins:
+                environment["PV_PLUGIN_CONFIG_FILE"] = os.path.join(folder, "plugins.xml")
+                with open(environment["PV_PLUGIN_CONFIG_FILE"], "w") as file:
+                    file.write(plugins)
+            return self.execute(os.environ["FLIPFLOP_PVPYTHON"], "--dr", script, **environment)
 
     def test_load_plugin(self):
         load = f"simple.LoadPlugin({PLUGIN!r}, remote=False, ns=vars(simple))"
@@ -97,8 +98,36 @@ print("cells", hull.GetDataInformation().GetNumberOfCells())
 
     def test_configuration_file(self):
         plugins = f'<Plugins><Plugin name="FlipFlop" filename="{PLUGIN}"/></Plugins>'
-        lines = self.run_with(PV_PLUGIN_CONFIG_FILE=plugins)
+        lines = self.run_with(plugins=plugins)
         self.assertEqual(lines, ["before True", "after True", "cells 96"])
+
+    def test_installed(self):
+        """In a folder that was not known when it was built; so is the Python package, with and without it."""
+        build = os.environ["FLIPFLOP_BUILD"]
+        with tempfile.TemporaryDirectory() as prefix:
+            self.execute(os.environ["FLIPFLOP_CMAKE"], "--install", build, "--prefix", prefix)
+            here = os.path.join(prefix, os.path.relpath(os.environ["PV_PLUGIN_PATH"], build))
+            package = os.path.join(
+                prefix, os.path.relpath(os.environ["PYTHONPATH"].split(os.pathsep)[0], build)
+            )
+            mapped = """
+for line in open("/proc/self/maps"):
+    path = line.split(maxsplit=5)[5:]
+    if path and "FlipFlop" in path[0] and "r-x" in line:
+        print(path[0].strip())
+"""
+            lines = self.run_with(mapped, PV_PLUGIN_PATH=here, PYTHONPATH=package)
+            self.assertEqual([lines[0], *lines[-2:]], ["before True", "after True", "cells 96"])
+            self.assertEqual(len(lines), 5)
+            self.assertTrue(all(line.startswith(here) for line in lines[1:3]), lines)
+
+            lines = self.execute(
+                os.environ["FLIPFLOP_PVPYTHON"], "--dr", "-c",
+                "import vtkflipflop\nprint(vtkflipflop.__file__)" + mapped,
+                PYTHONPATH=package,
+            )  # fmt: skip
+            self.assertEqual(len(lines), 3)
+            self.assertTrue(all(line.startswith(prefix) for line in lines), lines)
 
 
 class TestProxies(unittest.TestCase):
