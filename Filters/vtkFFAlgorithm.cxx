@@ -169,13 +169,13 @@ int vtkFFAlgorithm::RequestData(
   this->ResetReport();
 
   std::vector<Block> blocks;
-  bool done = this->CheckSettings();
-  if (done)
+  vtkFFFailure failure;
+  this->CheckSettings(failure);
+  if (failure.Kind == vtkFFFailure::None)
   {
-    vtkFFFailure failure;
     this->CollectBlocks(input, blocks, failure);
-    done = this->SelectBlocks(blocks, failure);
   }
+  bool done = this->SelectBlocks(blocks, failure);
   if (done && vtkDataObjectTree::SafeDownCast(outputs[0]))
   {
     done = this->ExecuteEachBlock(blocks, input, outputs);

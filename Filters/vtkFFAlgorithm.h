@@ -349,12 +349,9 @@ protected:
   }
 
   /**
-   * Whether the settings go together; if not, the error is reported. For all by default.
+   * It is a failure if the settings do not go together. None by default.
    */
-  virtual bool CheckSettings()
-  {
-    return true;
-  }
+  virtual void CheckSettings(vtkFFFailure&) {}
 
   /**
    * Leave the blocks that are to be worked on: by default, those with data. False where there is

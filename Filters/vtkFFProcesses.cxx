@@ -4,6 +4,7 @@
 
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
+#include "vtkFFParcel.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -16,8 +17,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,36 +30,6 @@ namespace
 
 constexpr int tagOfSize = 7701;
 constexpr int tagOfData = 7702;
-
-/// Points and point data as a file in memory: the one form of VTK's that keeps every kind of array,
-/// its type and its bits.
-std::string encode(vtkPointSet* data)
-{
-  vtkNew<vtkPolyData> points;
-  points->SetPoints(data->GetPoints());
-  points->GetPointData()->ShallowCopy(data->GetPointData());
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(points);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToNone();
-  writer->SetHeaderTypeToUInt64();
-  writer->WriteToOutputStringOn();
-  if (!writer->Write())
-  {
-    throw std::bad_alloc();
-  }
-  return writer->GetOutputString();
-}
-
-vtkSmartPointer<vtkPolyData> decode(const std::string& file)
-{
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(file);
-  reader->Update();
-  return reader->GetOutput();
-}
 
 /// Runs work; what it throws becomes a failure.
 template <class Work>
@@ -199,10 +168,10 @@ bool vtkFFProcesses::SelectBlocks(
 bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
   vtkSmartPointer<vtkPolyData>& received, vtkFFFailure& failure)
 {
-  std::string file;
+  std::string parcel;
   if (from == this->Rank)
   {
-    guard(failure, "send points to another process", [&] { file = encode(data); });
+    guard(failure, "send points to another process", [&] { parcel = vtkFFParcel::Pack(data); });
   }
   if (!this->Share(failure))
   {
@@ -210,7 +179,7 @@ bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
   }
 
   // What comes in has its memory before it comes.
-  vtkIdType size = static_cast<vtkIdType>(file.size());
+  vtkIdType size = static_cast<vtkIdType>(parcel.size());
   if (from == this->Rank)
   {
     this->Controller->Send(&size, 1, to, tagOfSize);
@@ -219,7 +188,7 @@ bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
   {
     this->Controller->Receive(&size, 1, from, tagOfSize);
     guard(failure, "receive points of another process",
-      [&] { file.resize(static_cast<std::size_t>(size)); });
+      [&] { parcel.resize(static_cast<std::size_t>(size)); });
   }
   if (!this->Share(failure))
   {
@@ -228,12 +197,13 @@ bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
 
   if (from == this->Rank)
   {
-    this->Controller->Send(file.data(), size, to, tagOfData);
+    this->Controller->Send(parcel.data(), size, to, tagOfData);
   }
   else if (to == this->Rank)
   {
-    this->Controller->Receive(&file[0], size, from, tagOfData);
-    guard(failure, "receive points of another process", [&] { received = decode(file); });
+    this->Controller->Receive(&parcel[0], size, from, tagOfData);
+    guard(failure, "receive points of another process",
+      [&] { received = vtkFFParcel::Unpack(parcel); });
   }
   return this->Share(failure);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFRegularTriangulationFilter.h"
 
+#include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFProjection.h"
@@ -191,13 +192,14 @@ bool vtkFFRegularTriangulationFilter::Execute(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::CheckSettings()
+void vtkFFRegularTriangulationFilter::CheckSettings(vtkFFFailure& failure)
 {
   if (this->ProjectionPlaneMode == TRANSFORM_PLANE && !this->Transform)
   {
-    this->ReportError("The projection is to be a transform, and none is set. Use SetTransform() or "
-                      "another ProjectionPlaneMode.");
-    return false;
+    failure.Say(
+      "The projection is to be a transform, and none is set. Use SetTransform() or another "
+      "ProjectionPlaneMode.");
+    return;
   }
   const double* box = this->PowerDiagramBounds;
   const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
@@ -208,10 +210,8 @@ bool vtkFFRegularTriangulationFilter::CheckSettings()
     message << "The power diagram's box has no inside or is not finite: PowerDiagramBounds (xmin, "
                "xmax, ymin, ymax) is ("
             << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
-    this->ReportError(message.str());
-    return false;
+    failure.Say(message.str());
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------

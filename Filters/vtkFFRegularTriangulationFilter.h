@@ -213,7 +213,7 @@ protected:
   ~vtkFFRegularTriangulationFilter() override;
 
 #ifndef __VTK_WRAP__
-  bool CheckSettings() override;
+  void CheckSettings(vtkFFFailure& failure) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   void ResetReport() override;
   std::string DescribeError(const flipflop::Error& error) override;

@@ -7,14 +7,20 @@
 
 #include "Engines.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 vtkStandardNewMacro(vtkPFFHullFilter);
@@ -43,6 +49,27 @@ void renumber(vtkPolyData* hull, IdOf&& idOf)
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
   {
     ids->SetValue(i, idOf(ids->GetValue(i)));
+  }
+}
+
+/// Points that are not finite have a say in the type of the points and in what data is passed, even
+/// if none are left in their hull. One of their kind then speaks for them; it is left out again.
+void keepKind(vtkPolyData* data, const flipflop::Hull& hull)
+{
+  if (data->GetNumberOfPoints() > 0 || hull.statistics.nonFinite == 0)
+  {
+    return;
+  }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  data->GetPoints()->InsertNextPoint(nan, nan, nan);
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetPointData()->GetAbstractArray(i);
+    array->SetNumberOfTuples(1);
+    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    {
+      numbers->Fill(0.0);
+    }
   }
 }
 
@@ -125,11 +152,15 @@ bool vtkPFFHullFilter::Execute(
   }
 
   const bool isFirst = processes.GetRank() == 0;
-  if (isFirst && failure.Kind == vtkFFFailure::None)
+  bool done = failure.Kind == vtkFFFailure::None;
+  if (done)
   {
-    this->ReportHull(hulls, outputs[0], failure);
+    if (isFirst)
+    {
+      this->ReportHull(hulls, outputs[0], failure);
+    }
+    done = processes.Share(failure);
   }
-  const bool done = processes.Share(failure);
   this->ReportFailure(failure, isFirst);
   return done;
 }
@@ -143,11 +174,21 @@ void vtkPFFHullFilter::ReportHull(
   {
     whole = std::move(hulls[0]);
   }
-  else if (!this->JoinHulls(hulls, whole, failure))
+  else
   {
-    return;
+    if (!this->JoinHulls(hulls, whole, failure))
+    {
+      return;
+    }
+    whole.Hull.statistics.nonFinite = 0; // of the hulls, not of what was put in them
+    for (const Result& hull : hulls)
+    {
+      whole.Hull.statistics.nonFinite += hull.Hull.statistics.nonFinite;
+    }
   }
-  whole.Data->SetFieldData(output->GetFieldData());
+  vtkNew<vtkFieldData> fieldData; // a copy: what is copied to is cleared first
+  fieldData->ShallowCopy(output->GetFieldData());
+  whole.Data->SetFieldData(fieldData);
   output->ShallowCopy(whole.Data);
   if (this->CombinesBlocks())
   {
@@ -190,6 +231,7 @@ bool vtkPFFHullFilter::TakeHullOfBlock(
     const int higher = lower + step;
     const bool hasPart = (rest == 0 || rest == step) && higher < processes.GetCount();
     std::vector<Result> pair(2);
+    keepKind(result.Data, result.Hull);
     if (!processes.Send(
           result.Data, hasPart ? higher : -1, hasPart ? lower : -1, pair[1].Data, failure))
     {
@@ -215,6 +257,10 @@ bool vtkPFFHullFilter::TakeHullOfBlock(
 bool vtkPFFHullFilter::JoinHulls(
   const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure)
 {
+  for (const Result& hull : hulls)
+  {
+    keepKind(hull.Data, hull.Hull);
+  }
   return this->TryEngine(
     [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
       flipflop::EngineReport& report)
@@ -223,14 +269,11 @@ bool vtkPFFHullFilter::JoinHulls(
       std::vector<vtkIdType> ids;
       for (const Result& hull : hulls)
       {
-        if (hull.Data->GetNumberOfPoints() > 0)
+        pieces.push_back(hull.Data);
+        vtkIdTypeArray* own = idsOf(hull.Data);
+        for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
         {
-          pieces.push_back(hull.Data);
-          vtkIdTypeArray* own = idsOf(hull.Data);
-          for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
-          {
-            ids.push_back(own->GetValue(i));
-          }
+          ids.push_back(own->GetValue(i));
         }
       }
       joined.Hull = this->TakeHull(pieces, options, engine, report, joined.Data);
@@ -239,7 +282,7 @@ bool vtkPFFHullFilter::JoinHulls(
       // The points were counted where they came from, and most of the work was done there.
       flipflop::Statistics& statistics = joined.Hull.statistics;
       statistics.points = 0;
-      joined.Engine = hulls[0].Engine;
+      joined.Engine = hulls.empty() ? report : hulls[0].Engine;
       for (const Result& hull : hulls)
       {
         statistics += hull.Hull.statistics;

@@ -15,13 +15,16 @@
  * are its extreme points: few of a solid, nearly all of points on a thin shell.
  *
  * - Points that a piece marks as another's (the point data's array vtkGhostType,
- *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted.
+ *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted. Where there
+ *   is a single process, there is no other: this filter is its superclass then.
+ * - Arrays of numbers and strings travel, without the lookup tables and keys that they may have.
  * - For composite input, the pieces of a block are what the processes have at its flat index. For
  *   HULL_OF_EACH_BLOCK all processes must have the same structure, with or without data in it; if
  *   not, that is an error. For HULL_OF_ALL_BLOCKS ids run on from block to block, within a block
  *   from process to process.
  * - An error on any process is an error of all; it is reported by process 0 and speaks of the
- *   appended points. The other processes only set their error code.
+ *   appended points. The other processes only set their error code. To abort on one process is to
+ *   abort on all.
  * - Process 0 reports dimension, volume, area and the numbers of input points and of points that
  *   are not finite for all pieces. All other statistics are of its own share of the work; the
  *   others report nothing.

@@ -89,8 +89,15 @@ bool vtkPFFRegularTriangulationFilter::Execute(
   const bool isFirst = processes.GetRank() == 0;
   vtkSmartPointer<vtkPointSet> piece = vtkFFProcesses::OwnPoints(blocks[0].Points);
 
-  // Process 0 gathers the pieces that have a point; it is spared where they are all its own.
+  // The others can ask to abort until here.
   vtkFFFailure failure;
+  failure.Kind = this->IsAbortRequested() ? vtkFFFailure::Aborted : vtkFFFailure::None;
+  if (!processes.Share(failure))
+  {
+    return false;
+  }
+
+  // Process 0 gathers the pieces that have a point; it is spared where they are all its own.
   std::vector<vtkSmartPointer<vtkPointSet>> pieces;
   const std::vector<vtkIdType> sizes = processes.Gather({ piece->GetNumberOfPoints() });
   const auto senders =
