@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether two data objects are the same, bit for bit.
+#include "Twins.h"
+
+#include "vtkBitArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace fftest
+{
+namespace
+{
+
+/// Prints what differs; false.
+bool differs(const std::string& where, const std::string& how)
+{
+  std::cerr << where << ": " << how << "\n";
+  return false;
+}
+
+std::string text(const char* name)
+{
+  return name ? name : "(none)";
+}
+
+bool sameValues(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  if (a->GetNumberOfTuples() != b->GetNumberOfTuples())
+  {
+    return false;
+  }
+  const vtkIdType count = a->GetNumberOfValues();
+  if (auto* strings = vtkStringArray::SafeDownCast(a))
+  {
+    auto* others = vtkStringArray::SafeDownCast(b);
+    return std::equal(
+      strings->GetPointer(0), strings->GetPointer(0) + count, others->GetPointer(0));
+  }
+  if (auto* bits = vtkBitArray::SafeDownCast(a))
+  {
+    auto* others = vtkBitArray::SafeDownCast(b);
+    vtkIdType i = 0;
+    while (i < count && bits->GetValue(i) == others->GetValue(i))
+    {
+      ++i;
+    }
+    return i == count;
+  }
+  const auto bytes = static_cast<std::size_t>(count * a->GetDataTypeSize());
+  return bytes == 0 || std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;
+}
+
+bool sameArray(vtkAbstractArray* a, vtkAbstractArray* b, const std::string& where)
+{
+  if (text(a->GetName()) != text(b->GetName()))
+  {
+    return differs(where, "named " + text(a->GetName()) + ", not " + text(b->GetName()));
+  }
+  const std::string array = where + ", array " + text(a->GetName());
+  if (a->GetDataType() != b->GetDataType())
+  {
+    return differs(array, std::string("a ") + a->GetClassName() + ", not a " + b->GetClassName());
+  }
+  if (a->GetNumberOfComponents() != b->GetNumberOfComponents())
+  {
+    return differs(array, "another number of components");
+  }
+  for (int k = 0; k < a->GetNumberOfComponents(); ++k)
+  {
+    if (text(a->GetComponentName(k)) != text(b->GetComponentName(k)))
+    {
+      return differs(array, "another component name");
+    }
+  }
+  return sameValues(a, b) || differs(array, "other values");
+}
+
+/// What a run took depends on who ran.
+bool isMeasured(vtkAbstractArray* array)
+{
+  return text(array->GetName()) == "FlipFlopSeconds" || text(array->GetName()) == "FlipFlopThreads";
+}
+
+bool sameArrays(vtkFieldData* a, vtkFieldData* b, const std::string& where)
+{
+  if (a->GetNumberOfArrays() != b->GetNumberOfArrays())
+  {
+    return differs(where,
+      std::to_string(a->GetNumberOfArrays()) + " arrays, not " +
+        std::to_string(b->GetNumberOfArrays()));
+  }
+  for (int i = 0; i < a->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* one = a->GetAbstractArray(i);
+    if (!isMeasured(one) && !sameArray(one, b->GetAbstractArray(i), where))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool sameAttributes(vtkDataSetAttributes* a, vtkDataSetAttributes* b, const std::string& where)
+{
+  for (int k = 0; k < vtkDataSetAttributes::NUM_ATTRIBUTES; ++k)
+  {
+    vtkAbstractArray* one = a->GetAbstractAttribute(k);
+    vtkAbstractArray* other = b->GetAbstractAttribute(k);
+    if (!one != !other || (one && text(one->GetName()) != text(other->GetName())))
+    {
+      return differs(
+        where, std::string("other active ") + vtkDataSetAttributes::GetAttributeTypeAsString(k));
+    }
+  }
+  return sameArrays(a, b, where);
+}
+
+bool sameCells(vtkCellArray* a, vtkCellArray* b)
+{
+  bool same = a->GetNumberOfCells() == b->GetNumberOfCells();
+  for (vtkIdType i = 0; same && i < a->GetNumberOfCells(); ++i)
+  {
+    vtkIdType sizes[2] = { 0, 0 };
+    const vtkIdType* corners[2] = { nullptr, nullptr };
+    a->GetCellAtId(i, sizes[0], corners[0]);
+    b->GetCellAtId(i, sizes[1], corners[1]);
+    same = sizes[0] == sizes[1] && std::equal(corners[0], corners[0] + sizes[0], corners[1]);
+  }
+  return same;
+}
+
+bool samePolyData(vtkPolyData* a, vtkPolyData* b, const std::string& where)
+{
+  if (!a->GetPoints() != !b->GetPoints())
+  {
+    return differs(where, a->GetPoints() ? "has points" : "has no points");
+  }
+  if (a->GetPoints() &&
+    !sameArray(a->GetPoints()->GetData(), b->GetPoints()->GetData(), where + ", points"))
+  {
+    return false;
+  }
+  if (!sameCells(a->GetVerts(), b->GetVerts()) || !sameCells(a->GetLines(), b->GetLines()) ||
+    !sameCells(a->GetPolys(), b->GetPolys()) || !sameCells(a->GetStrips(), b->GetStrips()))
+  {
+    return differs(where, "other cells");
+  }
+  return sameAttributes(a->GetPointData(), b->GetPointData(), where + ", point data") &&
+    sameAttributes(a->GetCellData(), b->GetCellData(), where + ", cell data") &&
+    sameArrays(a->GetFieldData(), b->GetFieldData(), where + ", field data");
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::string& what)
+{
+  if (!found || !expected)
+  {
+    return (!found && !expected) || differs(what, found ? "is there" : "is not there");
+  }
+  if (strcmp(found->GetClassName(), expected->GetClassName()) != 0)
+  {
+    return differs(what, std::string("a ") + found->GetClassName());
+  }
+  if (auto* data = vtkPolyData::SafeDownCast(found))
+  {
+    return samePolyData(data, vtkPolyData::SafeDownCast(expected), what);
+  }
+
+  vtkSmartPointer<vtkDataObjectTreeIterator> iterators[2];
+  vtkDataObject* trees[2] = { found, expected };
+  for (int k = 0; k < 2; ++k)
+  {
+    iterators[k].TakeReference(vtkDataObjectTree::SafeDownCast(trees[k])->NewTreeIterator());
+    iterators[k]->SkipEmptyNodesOff();
+    iterators[k]->InitTraversal();
+  }
+  for (; !iterators[0]->IsDoneWithTraversal(); iterators[0]->GoToNextItem())
+  {
+    const unsigned int flatIndex = iterators[0]->GetCurrentFlatIndex();
+    if (iterators[1]->IsDoneWithTraversal() || iterators[1]->GetCurrentFlatIndex() != flatIndex)
+    {
+      return differs(what, "another structure");
+    }
+    if (!isIdentical(iterators[0]->GetCurrentDataObject(), iterators[1]->GetCurrentDataObject(),
+          what + ", block " + std::to_string(flatIndex)))
+    {
+      return false;
+    }
+    iterators[1]->GoToNextItem();
+  }
+  return iterators[1]->IsDoneWithTraversal() || differs(what, "another structure");
+}
+
+}

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The triangulation of points in pieces is that of all of them, on every port. A warning says when
+// one process has to hold what several had.
+#include "Twins.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPFFRegularTriangulationFilter.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <utility>
+
+using namespace fftest;
+
+namespace
+{
+
+using Filter = vtkFFRegularTriangulationFilter;
+
+Twins triangulations()
+{
+  return twins<vtkPFFRegularTriangulationFilter, Filter>();
+}
+
+int byTurns(int i)
+{
+  return i % processes();
+}
+
+/// With data of every kind, and weights that hide some points.
+Pieces makePieces(const std::vector<Point>& points, const std::function<int(int)>& owner = byTurns,
+  int type = VTK_DOUBLE)
+{
+  const Pieces pieces = split(points, owner, type);
+  decorate(pieces);
+  for (vtkPolyData* piece : pieces)
+  {
+    std::vector<double> weights;
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      weights.push_back(0.004 * static_cast<double>(i * i % 7));
+    }
+    piece->GetPointData()->AddArray(makeWeighted({}, weights)->GetPointData()->GetArray("weights"));
+  }
+  return pieces;
+}
+
+/// A warning on process 0 for each set of pieces of which several have points.
+void checkWarnings(const Twins& both, const std::vector<Pieces>& leaves)
+{
+  std::vector<std::string> expected;
+  for (const Pieces& pieces : leaves)
+  {
+    const auto filled = std::count_if(pieces.begin(), pieces.end(),
+      [](vtkPolyData* piece) { return piece && piece->GetNumberOfPoints() > 0; });
+    if (filled > 1 && rank() == 0)
+    {
+      expected.push_back("points of " + std::to_string(filled) + " processes are gathered");
+    }
+  }
+  FF_CHECK_EQUAL(both.Warnings->Messages.size(), expected.size());
+  for (std::size_t i = 0; i < std::min(expected.size(), both.Warnings->Messages.size()); ++i)
+  {
+    FF_CHECK(both.Warnings->Messages[i].find(expected[i]) != std::string::npos);
+  }
+}
+
+void run(Twins& both, const std::string& what, const Pieces& pieces)
+{
+  both.Run(what, pieces);
+  checkWarnings(both, { pieces });
+}
+
+void testPieces()
+{
+  Twins both = triangulations();
+  const std::vector<Point> random = randomPoints(1000, 101);
+  std::vector<Point> grid;
+  std::vector<Point> line;
+  for (int i = 0; i < 400; ++i)
+  {
+    grid.push_back({ 0.1 * (i % 20), 0.1 * (i / 20), 0.01 * (i % 3) });
+    line.push_back({ double(i % 37), 2.0 * (i % 37), 0.0 });
+  }
+  const std::vector<std::pair<std::string, std::vector<Point>>> shapes{ { "random", random },
+    { "grid", grid }, { "line", line }, { "one position", std::vector<Point>(9, Point{ 1, 2, 3 }) },
+    { "one point", { { 1, 2, 3 } } }, { "no point", {} } };
+  const int last = processes() - 1;
+  const std::vector<std::pair<std::string, std::function<int(int)>>> dealings{ { "by turns",
+                                                                                 byTurns },
+    { "to the first", [](int) { return 0; } }, { "to the last", [=](int) { return last; } },
+    { "not to the first", [=](int i) { return last == 0 ? 0 : 1 + i % last; } },
+    { "to first and last", [=](int i) { return i % 3 == 1 ? last : 0; } } };
+  const std::pair<std::string, void (*)(Filter*)> settings[] = {
+    { "without weights", [](Filter* filter) { useWeights(filter, ""); } },
+    { "weights None", [](Filter* filter) { useWeights(filter, "None"); } },
+    { "weights", [](Filter* filter) { useWeights(filter); } },
+    { "diagram", [](Filter* filter) { filter->GeneratePowerDiagramOn(); } },
+    { "best-fitting plane",
+      [](Filter* filter) { filter->SetProjectionPlaneModeToBestFittingPlane(); } },
+    { "polygons, visible ids, field data",
+      [](Filter* filter)
+      {
+        filter->SetFacetModeToPolygons();
+        filter->VisiblePointIdsOn();
+        filter->ReportAsFieldDataOn();
+      } },
+    { "no point data", [](Filter* filter) { filter->PassPointDataOff(); } },
+    { "plain again",
+      [](Filter* filter)
+      {
+        filter->SetProjectionPlaneModeToXYPlane();
+        filter->GeneratePowerDiagramOff();
+        filter->SetFacetModeToTriangles();
+        filter->VisiblePointIdsOff();
+        filter->ReportAsFieldDataOff();
+        filter->PassPointDataOn();
+      } },
+  };
+  for (const auto& shape : shapes)
+  {
+    for (const auto& dealing : dealings)
+    {
+      const Pieces pieces = makePieces(shape.second, dealing.second);
+      for (const auto& setting : settings)
+      {
+        both.Set<Filter>(setting.second);
+        run(both, shape.first + ", " + dealing.first + ", " + setting.first, pieces);
+      }
+    }
+  }
+  run(both, "hidden points", makePieces(random));
+  FF_CHECK(rank() > 0 || both.Distributed->GetOutput(1)->GetNumberOfPoints() > 0);
+}
+
+void testTypes()
+{
+  Twins both = triangulations();
+  both.Set<Filter>([](Filter* filter) { useWeights(filter); });
+  const auto points = randomPoints(500, 102);
+  run(both, "floats", makePieces(points, byTurns, VTK_FLOAT));
+  Pieces mixed = makePieces(points);
+  mixed[0] = makePieces(points, byTurns, VTK_FLOAT)[0];
+  run(both, "a float piece beside doubles", mixed);
+  // Nothing but duplicates of others' points, on one process.
+  if (processes() > 1)
+  {
+    Pieces pieces = makePieces(points);
+    const auto whole = append({ pieces.begin() + 1, pieces.end() });
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfValues(pieces[0]->GetNumberOfPoints());
+    ghosts->FillValue(vtkDataSetAttributes::DUPLICATEPOINT);
+    pieces[0]->GetPointData()->AddArray(ghosts);
+    both.Run("ghosts", pieces[static_cast<std::size_t>(rank())], whole);
+    pieces[0] = nullptr;
+    checkWarnings(both, { pieces });
+  }
+}
+
+void testBlocks()
+{
+  Twins both = triangulations();
+  both.Set<Filter>(
+    [](Filter* filter)
+    {
+      useWeights(filter);
+      filter->GeneratePowerDiagramOn();
+      filter->ReportAsFieldDataOn();
+    });
+  std::vector<Pieces> leaves;
+  for (unsigned int leaf = 0; leaf < 4; ++leaf)
+  {
+    leaves.push_back(makePieces(randomPoints(200 + 50 * static_cast<int>(leaf), 103 + leaf)));
+  }
+  both.Run("blocks", leaves);
+  checkWarnings(both, leaves);
+  const auto last = static_cast<std::size_t>(processes() - 1);
+  leaves[0][0] = nullptr;
+  leaves[1][last] = nullptr;
+  leaves[2].assign(leaves[2].size(), nullptr);
+  leaves[3].assign(leaves[3].size(), vtkSmartPointer<vtkPolyData>::New());
+  both.Run("missing blocks", leaves);
+  checkWarnings(both, leaves);
+
+  const auto piece = pieceOfBlocks(leaves);
+  if (processes() > 1) // one alone is like itself
+  {
+    piece->SetNumberOfBlocks(rank() == 1 ? 4 : 3);
+    both.Fails("another structure", piece, "not the same on all processes");
+    both.Run("afterwards", leaves);
+  }
+}
+
+}
+
+void testTriangulation()
+{
+  testPieces();
+  testTypes();
+  testBlocks();
+}

@@ -1,0 +1,451 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Twins.h"
+
+#include "vtkBitArray.h"
+#include "vtkCharArray.h"
+#include "vtkCommunicator.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFFHullAlgorithm.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkLongLongArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+namespace fftest
+{
+
+//------------------------------------------------------------------------------
+int rank()
+{
+  return vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
+}
+
+//------------------------------------------------------------------------------
+int processes()
+{
+  return vtkMultiProcessController::GetGlobalController()->GetNumberOfProcesses();
+}
+
+//------------------------------------------------------------------------------
+bool allWell()
+{
+  int own = failures();
+  int sum = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &own, &sum, 1, vtkCommunicator::SUM_OP);
+  if (own > 0)
+  {
+    std::cerr << "process " << rank() << ": " << own << " check(s) failed\n";
+  }
+  return sum == 0;
+}
+
+//------------------------------------------------------------------------------
+Pieces split(const std::vector<Point>& points, const std::function<int(int)>& owner, int type)
+{
+  std::vector<std::vector<Point>> parts(static_cast<std::size_t>(processes()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    parts.at(static_cast<std::size_t>(owner(static_cast<int>(i)))).push_back(points[i]);
+  }
+  Pieces pieces;
+  for (const auto& part : parts)
+  {
+    pieces.push_back(makePoints(part, type));
+  }
+  return pieces;
+}
+
+namespace
+{
+
+/// One array for a piece of so many points.
+template <class ArrayT>
+vtkSmartPointer<ArrayT> makeArray(const char* name, vtkIdType count, int components = 1)
+{
+  auto array = vtkSmartPointer<ArrayT>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+void decorate(vtkPolyData* piece, int number)
+{
+  const vtkIdType count = piece->GetNumberOfPoints();
+  const auto scalars = makeArray<vtkDoubleArray>("temperature", count);
+  const auto vectors = makeArray<vtkFloatArray>("velocity", count, 3);
+  const auto wides = makeArray<vtkIdTypeArray>("wide", count);
+  const auto names = makeArray<vtkStringArray>("names", count);
+  const auto chars = makeArray<vtkCharArray>("chars", count);
+  const auto longs = makeArray<vtkLongLongArray>("longs", count, 2);
+  const auto bits = makeArray<vtkBitArray>("bits", count);
+  const auto globals = makeArray<vtkIdTypeArray>("global", count);
+  vectors->SetComponentName(0, "u");
+  vectors->SetComponentName(2, "w");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = 1000.0 * number + 1.0 / (3.0 + static_cast<double>(i));
+    scalars->SetValue(i, i % 3 == 1 ? std::numeric_limits<double>::quiet_NaN() : value);
+    vectors->SetTuple3(i, value, -value, 0.5);
+    wides->SetValue(i, (vtkIdType(number + 1) << 40) + i);
+    // Texts of several lines, with every byte in them, and empty ones.
+    names->SetValue(i,
+      i % 4 == 3 ? std::string() : "<piece>\n" + std::to_string(number) + '\0' + std::to_string(i));
+    chars->SetValue(i, static_cast<char>(i % 100 - 50));
+    longs->SetTypedComponent(i, 1, (1LL << 60) + 7 * i + number);
+    longs->SetTypedComponent(i, 0, -i);
+    bits->SetValue(i, (i + number) % 3 == 0);
+    globals->SetValue(i, 1000000 * number + i);
+  }
+  vtkPointData* data = piece->GetPointData();
+  data->AddArray(wides);
+  data->SetScalars(scalars);
+  data->AddArray(names);
+  data->SetVectors(vectors);
+  data->AddArray(chars);
+  data->AddArray(longs);
+  data->AddArray(bits);
+  data->SetGlobalIds(globals);
+}
+
+/// All pieces' values, of one type.
+vtkSmartPointer<vtkAbstractArray> appendArrays(const std::vector<vtkAbstractArray*>& parts)
+{
+  vtkSmartPointer<vtkAbstractArray> whole;
+  whole.TakeReference(vtkAbstractArray::CreateArray(parts[0]->GetDataType()));
+  whole->SetName(parts[0]->GetName());
+  whole->SetNumberOfComponents(parts[0]->GetNumberOfComponents());
+  whole->CopyComponentNames(parts[0]);
+  for (vtkAbstractArray* part : parts)
+  {
+    for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
+    {
+      whole->InsertNextTuple(i, part);
+    }
+  }
+  return whole;
+}
+
+/// All pieces' points: of their type, or of doubles where they have several.
+vtkSmartPointer<vtkPoints> appendPoints(const Pieces& filled)
+{
+  int type = filled[0]->GetPoints()->GetDataType();
+  std::vector<vtkAbstractArray*> arrays;
+  for (vtkPolyData* piece : filled)
+  {
+    type = piece->GetPoints()->GetDataType() == type ? type : VTK_DOUBLE;
+    arrays.push_back(piece->GetPoints()->GetData());
+  }
+  std::vector<vtkSmartPointer<vtkDataArray>> converted;
+  for (vtkAbstractArray*& array : arrays)
+  {
+    if (array->GetDataType() != type)
+    {
+      converted.push_back(vtkSmartPointer<vtkDoubleArray>::New());
+      converted.back()->DeepCopy(array);
+      array = converted.back();
+    }
+  }
+  const auto whole = appendArrays(arrays);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(vtkDataArray::SafeDownCast(whole));
+  return points;
+}
+
+}
+
+//------------------------------------------------------------------------------
+void decorate(const Pieces& pieces)
+{
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    decorate(pieces[i], static_cast<int>(i));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> append(const Pieces& pieces)
+{
+  Pieces filled;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(filled),
+    [](vtkPolyData* piece) { return piece && piece->GetNumberOfPoints() > 0; });
+  if (filled.empty())
+  {
+    return pieces[0] ? pieces[0] : vtkSmartPointer<vtkPolyData>::New();
+  }
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  whole->SetPoints(appendPoints(filled));
+
+  vtkPointData* first = filled[0]->GetPointData();
+  for (int k = 0; k < first->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = first->GetAbstractArray(k);
+    std::vector<vtkAbstractArray*> parts;
+    for (vtkPolyData* piece : filled)
+    {
+      // What has no name has no like.
+      vtkAbstractArray* part = filled.size() == 1 ? array
+        : array->GetName() ? piece->GetPointData()->GetAbstractArray(array->GetName())
+                           : nullptr;
+      if (part && part->GetDataType() == array->GetDataType() &&
+        part->GetNumberOfComponents() == array->GetNumberOfComponents())
+      {
+        parts.push_back(part);
+      }
+    }
+    if (parts.size() < filled.size())
+    {
+      continue;
+    }
+    const int index = whole->GetPointData()->AddArray(appendArrays(parts));
+    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+    {
+      if (first->GetAbstractAttribute(attribute) == array)
+      {
+        whole->GetPointData()->SetActiveAttribute(index, attribute);
+      }
+    }
+  }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkMultiBlockDataSet> makeBlocks(const Pieces& leaves)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  vtkNew<vtkMultiBlockDataSet> nested;
+  blocks->SetNumberOfBlocks(3);
+  nested->SetNumberOfBlocks(2);
+  blocks->SetBlock(0, leaves.at(0));
+  nested->SetBlock(0, leaves.at(1));
+  nested->SetBlock(1, leaves.at(2));
+  blocks->SetBlock(1, nested);
+  blocks->SetBlock(2, leaves.at(3));
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkMultiBlockDataSet> appendBlocks(const std::vector<Pieces>& leaves)
+{
+  Pieces whole;
+  for (const Pieces& pieces : leaves)
+  {
+    Pieces there;
+    std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(there),
+      [](vtkPolyData* piece) { return piece != nullptr; });
+    whole.push_back(there.empty() ? nullptr : append(there));
+  }
+  return makeBlocks(whole);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkMultiBlockDataSet> pieceOfBlocks(const std::vector<Pieces>& leaves)
+{
+  Pieces own;
+  for (const Pieces& pieces : leaves)
+  {
+    own.push_back(pieces.at(static_cast<std::size_t>(rank())));
+  }
+  return makeBlocks(own);
+}
+
+namespace
+{
+
+/// Without the file, the line and the object that VTK puts before it.
+std::string sentence(const std::string& message)
+{
+  const std::size_t end = message.find("): ");
+  return end == std::string::npos ? message : message.substr(end + 3);
+}
+
+bool isNothing(vtkDataObject* output)
+{
+  auto* data = vtkPolyData::SafeDownCast(output);
+  return data ? isEmpty(data)
+              : output->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
+      output->GetNumberOfElements(vtkDataObject::CELL) == 0;
+}
+
+/// What a filter found, of all that does not depend on who did the work.
+std::vector<double> reportOf(vtkFFAlgorithm* filter)
+{
+  std::vector<double> values{ double(filter->GetEngineUsed()), double(filter->GetDimension()),
+    double(filter->GetNumberOfInputPoints()), double(filter->GetNumberOfNonFinitePoints()) };
+  if (auto* hull = vtkFFHullAlgorithm::SafeDownCast(filter))
+  {
+    values.push_back(hull->GetVolume());
+    values.push_back(hull->GetArea());
+  }
+  if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
+  {
+    values.push_back(static_cast<double>(triangulation->GetNumberOfHiddenPoints()));
+  }
+  return values;
+}
+
+}
+
+//------------------------------------------------------------------------------
+Twins::Twins(vtkFFAlgorithm* distributed, vtkFFAlgorithm* plain)
+  : Distributed(distributed)
+  , Plain(plain)
+{
+  distributed->AddObserver(vtkCommand::ErrorEvent, this->Errors);
+  distributed->AddObserver(vtkCommand::WarningEvent, this->Warnings);
+  plain->AddObserver(vtkCommand::ErrorEvent, this->PlainErrors);
+}
+
+//------------------------------------------------------------------------------
+bool Twins::Run(const std::string& what, const Pieces& pieces)
+{
+  return this->Run(what, pieces[static_cast<std::size_t>(rank())], append(pieces));
+}
+
+//------------------------------------------------------------------------------
+bool Twins::Run(const std::string& what, const std::vector<Pieces>& leaves)
+{
+  return this->Run(what, pieceOfBlocks(leaves), appendBlocks(leaves));
+}
+
+//------------------------------------------------------------------------------
+bool Twins::Run(const std::string& what, vtkDataObject* piece, vtkDataObject* whole)
+{
+  this->Errors->Clear();
+  this->Warnings->Clear();
+  this->PlainErrors->Clear();
+  this->Distributed->SetInputDataObject(piece);
+  this->Distributed->Modified();
+  this->Distributed->Update();
+  if (rank() == 0)
+  {
+    this->Plain->SetInputDataObject(whole);
+    this->Plain->Modified();
+    this->Plain->Update();
+  }
+  // What the plain filter's error code is, is for all.
+  auto code = static_cast<vtkIdType>(this->Plain->GetErrorCode());
+  vtkMultiProcessController::GetGlobalController()->Broadcast(&code, 1, 0);
+  bool good = static_cast<vtkIdType>(this->Distributed->GetErrorCode()) == code;
+  if (!good)
+  {
+    std::cerr << what << ": the error code is " << this->Distributed->GetErrorCode() << ", not "
+              << code << "\n";
+  }
+  good = this->CheckOutputs(what) && good;
+  good = this->CheckReports(what) && good;
+  if (!good)
+  {
+    std::cerr << "  (process " << rank() << " of " << processes() << ")\n";
+    ++failures();
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool Twins::Fails(const std::string& what, vtkDataObject* piece, const std::string& part)
+{
+  this->Errors->Clear();
+  this->Distributed->SetInputDataObject(piece);
+  this->Distributed->Modified();
+  this->Distributed->Update();
+  bool good = part.empty() == (this->Distributed->GetErrorCode() == vtkErrorCode::NoError);
+  for (int port = 0; port < this->Distributed->GetNumberOfOutputPorts(); ++port)
+  {
+    good = isNothing(this->Distributed->GetOutputDataObject(port)) && good;
+  }
+  const bool speaks = rank() == 0 && !part.empty();
+  good = this->Errors->Messages.size() == std::size_t(speaks) && good;
+  good = (!speaks || this->Errors->Has(part)) && good;
+  if (!good)
+  {
+    std::cerr << what << " does not fail as it should (process " << rank() << " of " << processes()
+              << ")\n";
+    ++failures();
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool Twins::CheckOutputs(const std::string& what)
+{
+  bool good = true;
+  for (int port = 0; port < this->Distributed->GetNumberOfOutputPorts(); ++port)
+  {
+    const std::string where = what + ", port " + std::to_string(port);
+    vtkDataObject* output = this->Distributed->GetOutputDataObject(port);
+    if (rank() > 0 || this->Distributed->GetErrorCode() != vtkErrorCode::NoError)
+    {
+      if (!isNothing(output))
+      {
+        std::cerr << where << " is not empty\n";
+        good = false;
+      }
+    }
+    if (rank() == 0)
+    {
+      good = isIdentical(output, this->Plain->GetOutputDataObject(port), where) && good;
+    }
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool Twins::CheckReports(const std::string& what)
+{
+  bool good = true;
+  std::vector<std::string> expected;
+  if (rank() == 0)
+  {
+    for (const std::string& message : this->PlainErrors->Messages)
+    {
+      expected.push_back(sentence(message));
+    }
+    if (std::string(this->Distributed->GetEngineReason()) != this->Plain->GetEngineReason())
+    {
+      std::cerr << what
+                << ": another reason for the engine: " << this->Distributed->GetEngineReason()
+                << "\n";
+      good = false;
+    }
+  }
+  std::vector<std::string> found;
+  for (const std::string& message : this->Errors->Messages)
+  {
+    found.push_back(sentence(message));
+  }
+  if (found != expected)
+  {
+    std::cerr << what << ": " << found.size() << " error(s), not " << expected.size() << ": "
+              << (found.empty() ? "-" : found[0]) << "; " << (expected.empty() ? "-" : expected[0])
+              << "\n";
+    good = false;
+  }
+  // On the other processes, the plain filter has not run and has nothing to report.
+  const auto report = reportOf(this->Distributed);
+  const auto expectedReport = reportOf(this->Plain);
+  for (std::size_t i = 0; i < report.size(); ++i)
+  {
+    if (report[i] != expectedReport[i])
+    {
+      std::cerr << what << ": value " << i << " of the report is " << report[i] << ", not "
+                << expectedReport[i] << "\n";
+      good = false;
+    }
+  }
+  return good;
+}
+
+}

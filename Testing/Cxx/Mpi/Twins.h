@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of several processes share: data in pieces, and a distributed filter beside its
+/// plain one, whose results, reports and errors must be the same.
+#ifndef Twins_h
+#define Twins_h
+
+#include "FFTest.h"
+
+#include "vtkCommand.h"
+#include "vtkFFAlgorithm.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkMultiBlockDataSet;
+
+namespace fftest
+{
+
+///@{
+/// Which process this is, and how many there are.
+int rank();
+int processes();
+///@}
+
+/// A piece for each process, the same on all: tests make all of them and use their own.
+using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+/// Points by an owner for each, as pieces of the type; some may be empty.
+Pieces split(
+  const std::vector<Point>& points, const std::function<int(int)>& owner, int type = VTK_DOUBLE);
+
+/// The pieces as arrays of arrays of every kind: attributes, names of components, strings, wide
+/// integers, NaN. Each value tells of piece and point.
+void decorate(const Pieces& pieces);
+
+/// The points of all pieces, one after another, with the point data that all have.
+vtkSmartPointer<vtkPolyData> append(const Pieces& pieces);
+
+/// A composite of four leaves, two of them nested (flat indices 1, 3, 4 and 5); any may be null.
+vtkSmartPointer<vtkMultiBlockDataSet> makeBlocks(const Pieces& leaves);
+
+/// What is in pieces by leaf (a process may have null for a leaf), as it is whole.
+vtkSmartPointer<vtkMultiBlockDataSet> appendBlocks(const std::vector<Pieces>& leaves);
+
+/// What a process has of it.
+vtkSmartPointer<vtkMultiBlockDataSet> pieceOfBlocks(const std::vector<Pieces>& leaves);
+
+/// Whether all is the same, bit for bit: class, structure, points, cells, point, cell and field
+/// data (of the reports in it, not the seconds and threads). Says what is not.
+bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::string& what);
+
+/// A distributed filter on each process, and on process 0 the plain one.
+class Twins
+{
+public:
+  /// Which takes over both.
+  Twins(vtkFFAlgorithm* distributed, vtkFFAlgorithm* plain);
+
+  /// Do the same to both.
+  template <class FilterT, class Change>
+  void Set(Change&& change)
+  {
+    for (vtkFFAlgorithm* filter : { this->Distributed.Get(), this->Plain.Get() })
+    {
+      change(FilterT::SafeDownCast(filter));
+    }
+  }
+
+  /// Runs both, the plain one for @p whole, and compares all that they give and report. Where the
+  /// plain filter has an error, it must be all processes' error. Collective.
+  bool Run(const std::string& what, vtkDataObject* piece, vtkDataObject* whole);
+  bool Run(const std::string& what, const Pieces& pieces);
+  bool Run(const std::string& what, const std::vector<Pieces>& leaves);
+
+  /// Runs the distributed filter alone, which must fail: one error on process 0 with this part, or
+  /// none for an empty part (an abort). Collective.
+  bool Fails(const std::string& what, vtkDataObject* piece, const std::string& part);
+
+  vtkSmartPointer<vtkFFAlgorithm> Distributed;
+  vtkSmartPointer<vtkFFAlgorithm> Plain;
+
+  /// Of the last run, of the distributed filter.
+  ///@{
+  vtkNew<ErrorObserver> Errors;
+  vtkNew<ErrorObserver> Warnings;
+  ///@}
+
+private:
+  bool CheckOutputs(const std::string& what);
+  bool CheckReports(const std::string& what);
+  vtkNew<ErrorObserver> PlainErrors;
+};
+
+/// The twins of a filter.
+template <class DistributedT, class PlainT>
+Twins twins()
+{
+  return Twins(vtkSmartPointer<DistributedT>::New(), vtkSmartPointer<PlainT>::New());
+}
+
+/// Whether no process has found anything wrong so far. Collective.
+bool allWell();
+
+}
+
+/// The tests, one a file. Collective.
+///@{
+void testHull();
+void testHullComposite();
+void testHullErrors();
+void testRandomPartitions();
+void testTriangulation();
+void testTriangulationErrors();
+///@}
+
+#endif
