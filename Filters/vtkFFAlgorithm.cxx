@@ -40,11 +40,10 @@
 namespace
 {
 
-/// "point 7", and of which block unless that is the whole input.
-std::string describe(const char* kind, vtkIdType index, unsigned int flatIndex)
+/// Empty for the block that is the whole input.
+std::string ofBlock(unsigned int flatIndex)
 {
-  return std::string(kind) + " " + std::to_string(index) +
-    (flatIndex ? " of the block of flat index " + std::to_string(flatIndex) : std::string());
+  return flatIndex ? " of the block of flat index " + std::to_string(flatIndex) : std::string();
 }
 
 }
@@ -493,11 +492,18 @@ std::string vtkFFAlgorithm::DescribePoint(vtkIdType place)
   {
     if (place < block.NumberOfPoints)
     {
-      return describe("point", place, block.FlatIndex);
+      return "point " + std::to_string(place) + ofBlock(block.FlatIndex);
     }
     place -= block.NumberOfPoints;
   }
-  return describe("point", place, 0);
+  return "point " + std::to_string(place);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFAlgorithm::OfBlock()
+{
+  return this->CurrentBlocks.size() == 1 ? ofBlock(this->CurrentBlocks[0].FlatIndex)
+                                         : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -506,8 +512,7 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
   using flipflop::ErrorCode;
   const auto index = static_cast<vtkIdType>(error.index());
   const std::string count = std::to_string(error.count());
-  const std::string cell =
-    describe("cell", index, this->CurrentBlocks.empty() ? 0 : this->CurrentBlocks[0].FlatIndex);
+  const std::string cell = "cell " + std::to_string(index) + this->OfBlock();
   switch (error.code())
   {
     case ErrorCode::NonFinite:
@@ -542,8 +547,9 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
       return "The surface is not star-shaped: the kernel point does not see the inside of " + cell +
         "; " + count + " such triangle(s) in all.";
     case ErrorCode::NoKernel:
-      return "The surface is not star-shaped, or no point was found from which it is. Give one "
-             "with SetKernelPoint() and UseKernelPointOn().";
+      return "The surface" + this->OfBlock() +
+        " is not star-shaped, or no point was found from which it is. Give one with "
+        "SetKernelPoint() and UseKernelPointOn().";
     case ErrorCode::NoDevice:
       return std::string("The CUDA engine was asked for, but ") + GetCUDAProblem() +
         ". Use SetEngineToAutomatic() or SetEngineToCPU().";

@@ -424,6 +424,12 @@ protected:
   std::string DescribePoint(vtkIdType place);
 
   /**
+   * How they tell the one block that is worked on: " of the block of flat index 2", or nothing
+   * where it is the whole input.
+   */
+  std::string OfBlock();
+
+  /**
    * What is wrong, where, how often, and what helps: an engine's error as a sentence.
    */
   virtual std::string DescribeError(const flipflop::Error& error);

@@ -115,7 +115,8 @@ bool vtkFFConvexifyFilter::CheckCells(vtkPolyData* input)
   if (kind)
   {
     std::ostringstream message;
-    message << "Every cell of the input must be a triangle, but cell " << cell << " is " << kind;
+    message << "Every cell of the input must be a triangle, but cell " << cell << this->OfBlock()
+            << " is " << kind;
     if (cell < polys->GetNumberOfCells() && input->GetNumberOfVerts() == 0 &&
       input->GetNumberOfLines() == 0)
     {

@@ -237,7 +237,7 @@ bool vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input, vtkDataArr
   vtkAbstractArray* array = nullptr;
   if (byName)
   {
-    what = std::string("The weights' array \"") + name + "\" ";
+    what = std::string("The weights' array \"") + name + "\"" + this->OfBlock() + " ";
     array = input->GetPointData()->GetAbstractArray(name);
   }
   else
@@ -245,7 +245,8 @@ bool vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input, vtkDataArr
     const int attribute = choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
     const char* label = vtkDataSetAttributes::GetAttributeTypeAsString(attribute);
     array = label ? input->GetPointData()->GetAbstractAttribute(attribute) : nullptr;
-    what = std::string("The weights' array, the point data's active ") + (label ? label : "array") +
+    what = "The weights' array" + this->OfBlock() + ", the point data's active " +
+      (label ? label : "array") +
       (array && array->GetName() ? std::string(" \"") + array->GetName() + "\", " : ", ");
   }
 

@@ -187,6 +187,30 @@ void testChoice()
   FF_CHECK(isSame(filter->GetOutput(), weighted));
 }
 
+/// None is no array, unless the input has one of that name.
+void testNone()
+{
+  const auto points = lattice();
+  const auto weights = smallIntegers(points.size());
+  const auto input = makeWeighted(points, weights);
+  vtkNew<vtkFFRegularTriangulationFilter> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  useWeights(filter, "None");
+  filter->SetInputData(input);
+  filter->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(isTriangulationOf(input, nullptr, filter));
+
+  const auto named = makeWeighted(points, weights, VTK_DOUBLE, "None");
+  FF_CHECK(isSame(triangulate(named, "None"), triangulate(input)));
+
+  // In cell data it is none either, and no error: points are what weights belong to.
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "None");
+  filter->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(isTriangulationOf(input, nullptr, filter));
+}
+
 void testWrongArrays()
 {
   const auto input = makePoints(randomPoints(10, 52));
@@ -262,6 +286,7 @@ int TestFFRegularTriangulationFilterWeights(int, char*[])
   testWideIntegers<vtkUnsignedLongLongArray>();
   testWideIntegers<vtkSOADataArrayTemplate<vtkTypeInt64>>();
   testChoice();
+  testNone();
   testWrongArrays();
   return result();
 }

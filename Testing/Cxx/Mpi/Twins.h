@@ -52,10 +52,6 @@ vtkSmartPointer<vtkMultiBlockDataSet> appendBlocks(const std::vector<Pieces>& le
 /// What a process has of it.
 vtkSmartPointer<vtkMultiBlockDataSet> pieceOfBlocks(const std::vector<Pieces>& leaves);
 
-/// Whether all is the same, bit for bit: class, structure, points, cells, point, cell and field
-/// data (of the reports in it, not the seconds and threads). Says what is not.
-bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::string& what);
-
 /// A distributed filter on each process, and on process 0 the plain one.
 class Twins
 {

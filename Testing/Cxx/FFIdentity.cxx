@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether two data objects are the same, bit for bit.
-#include "Twins.h"
+#include "FFTest.h"
 
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
