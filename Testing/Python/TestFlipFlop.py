@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 import vtkflipflop
-from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter
+from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter, vtkPFFHullFilter
 
 from watching import errors_of
 
@@ -238,6 +238,45 @@ class TestHull(unittest.TestCase):
         hull.Update()
         self.assertEqual(hull.GetOutput().GetNumberOfPoints(), 0)
         self.assertEqual(messages, [])
+
+    def test_report_as_field_data(self):
+        hull, output = run(CUBE)
+        self.assertEqual(output.GetFieldData().GetNumberOfArrays(), 0)
+        hull.ReportAsFieldDataOn()
+        hull.Update()
+        data = output.GetFieldData()
+        found = {data.GetArrayName(i): data.GetAbstractArray(i).GetValue(0) for i in range(9)}
+        self.assertEqual(data.GetNumberOfArrays(), 9)
+        self.assertEqual(
+            found,
+            {
+                "FlipFlopDimension": 3,
+                "FlipFlopInputPoints": 8,
+                "FlipFlopNonFinitePoints": 0,
+                "FlipFlopEngine": "CPU",
+                "FlipFlopEngineReason": hull.GetEngineReason(),
+                "FlipFlopThreads": hull.GetNumberOfThreadsUsed(),
+                "FlipFlopSeconds": hull.GetSecondsTotal(),
+                "FlipFlopVolume": 1.0,
+                "FlipFlopArea": 6.0,
+            },
+        )
+
+    def test_one_process(self):
+        """Without others, the filter for distributed data is the plain one."""
+        xyz = np.random.default_rng(7).standard_normal((5000, 3))
+        _, expected = run(xyz)
+        distributed = vtkPFFHullFilter()
+        distributed.SetInputData(poly_data(xyz))
+        for controller in (distributed.GetController(), None):
+            distributed.SetController(controller)
+            distributed.Update()
+            output = distributed.GetOutput()
+            self.assertEqual(coordinates(output).tobytes(), coordinates(expected).tobytes())
+            np.testing.assert_array_equal(original_ids(output), original_ids(expected))
+            np.testing.assert_array_equal(
+                corners(output.GetPolys(), 3), corners(expected.GetPolys(), 3)
+            )
 
     def test_pipeline(self):
         source = vtkTrivialProducer()

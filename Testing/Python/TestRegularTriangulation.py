@@ -7,10 +7,10 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
-from vtkflipflop import vtkFFRegularTriangulationFilter
+from vtkflipflop import vtkFFRegularTriangulationFilter, vtkPFFRegularTriangulationFilter
 
 from watching import errors_of
 
@@ -182,6 +182,44 @@ class TestTriangulation(unittest.TestCase):
         hidden = original_ids(triangulation.GetHiddenPointsOutput().GetPointData())
         self.assertGreater(len(hidden), 0)
         self.assertFalse(set(hidden) & set(sites))
+
+    def test_one_process_and_no_weights(self):
+        """Without others, the filter for distributed data is the plain one; None is no array."""
+        xy = np.random.default_rng(8).standard_normal((2000, 2))
+        expected = triangles(run(xy))
+        distributed = vtkPFFRegularTriangulationFilter()
+        messages = errors_of(distributed)
+        use_weights(distributed, "None")
+        distributed.SetInputData(poly_data(xy, np.arange(2000.0)))
+        distributed.Update()
+        self.assertEqual(messages, [])
+        np.testing.assert_array_equal(triangles(distributed), expected)
+
+    def test_blocks(self):
+        rng = np.random.default_rng(9)
+        clouds = [rng.standard_normal((n, 2)) for n in (100, 200)]
+        blocks = vtkMultiBlockDataSet()
+        for k, xy in enumerate(clouds):
+            blocks.SetBlock(k, poly_data(xy, 0.1 * rng.random(len(xy))))
+        triangulation = vtkFFRegularTriangulationFilter()
+        messages = errors_of(triangulation)
+        use_weights(triangulation)
+        triangulation.SetInputDataObject(blocks)
+        triangulation.Update()
+        self.assertEqual(messages, [])
+        self.assertEqual(triangulation.GetNumberOfInputPoints(), 300)
+        for k, xy in enumerate(clouds):
+            counts = [
+                triangulation.GetOutputDataObject(port).GetBlock(k).GetNumberOfPoints()
+                for port in range(2)
+            ]
+            self.assertEqual(sum(counts), len(xy))
+            self.assertGreater(counts[1], 0)
+        blocks.GetBlock(1).GetPointData().RemoveArray("weights")
+        blocks.Modified()
+        triangulation.Update()
+        self.assertEqual(len(messages), 1)
+        self.assertIn("of the block of flat index 2 is missing", messages[0])
 
     def test_errors(self):
         rng = np.random.default_rng(6)
