@@ -50,6 +50,7 @@ def write_points(name, coordinates):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(os.path.join(output, name))
     writer.SetInputData(cloud)
+    writer.SetCompressorTypeToNone()
     assert writer.Write()
     return writer.GetFileName()
 

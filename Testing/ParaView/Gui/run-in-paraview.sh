@@ -8,7 +8,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../../Scripts/common.sh"
 
-paraview=$1 script=$2 seconds=${4:-120}
+paraview=$1 script=$2 seconds=${4:-240}
 rm -rf "$3"
 mkdir -p "$3/home"
 export FLIPFLOP_GUI_OUTPUT="$3" FLIPFLOP_SOURCE="$top"
