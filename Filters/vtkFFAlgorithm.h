@@ -26,7 +26,8 @@
  *
  * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
  * vtkDataObjectTrees) gives a result for each block, in a composite of the same structure on every
- * port (get it by GetOutputDataObject()).
+ * port (get it by GetOutputDataObject()). A vtkPartitionedDataSet is one block: its partitions are
+ * pieces of one data set, appended in their order, and the result has a single partition.
  *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
@@ -302,12 +303,13 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * A leaf of the input: the data (null where there is none here), its flat index (0 where the
-   * input itself is the only leaf), and its number of points, wherever they are.
+   * A block of the input: a leaf, or a vtkPartitionedDataSet, whose partitions are the pieces of
+   * one data set. Its pieces here, its flat index (0 where the input itself is the only block), and
+   * its number of points, wherever they are.
    */
   struct Block
   {
-    vtkPointSet* Points;
+    std::vector<vtkPointSet*> Pieces;
     unsigned int FlatIndex;
     vtkIdType NumberOfPoints;
   };
@@ -456,6 +458,8 @@ private:
 
 #ifndef __VTK_WRAP__
   void CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
+  void AddBlock(
+    vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure);
   bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
     const std::vector<vtkDataObject*>& outputs);
   void SetProgressRange(double begin, double end);

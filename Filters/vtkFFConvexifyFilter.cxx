@@ -75,7 +75,24 @@ vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
 bool vtkFFConvexifyFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  vtkPolyData* input = vtkPolyData::SafeDownCast(blocks[0].Points);
+  vtkNew<vtkPolyData> none;
+  vtkPolyData* input = none;
+  std::size_t count = 0;
+  for (vtkPointSet* piece : blocks[0].Pieces)
+  {
+    if (piece->GetNumberOfCells() > 0)
+    {
+      input = vtkPolyData::SafeDownCast(piece);
+      ++count;
+    }
+  }
+  if (count > 1)
+  {
+    this->ReportError("The surface is spread over " + std::to_string(count) +
+      " partitions. Make one data set of them, such that they share the points where they meet: "
+      "vtkAppendPolyData and vtkCleanPolyData can do that.");
+    return false;
+  }
   return this->CheckCells(input) && this->Convexify(input, outputs[0]);
 }
 

@@ -40,7 +40,7 @@ bool vtkFFHullFilter::Execute(
       std::vector<vtkPointSet*> pieces;
       for (const Block& block : blocks)
       {
-        pieces.push_back(block.Points);
+        pieces.insert(pieces.end(), block.Pieces.begin(), block.Pieces.end());
       }
       const flipflop::Hull hull = this->TakeHull(pieces, options, engine, report, outputs[0]);
       if (this->CombinesBlocks())

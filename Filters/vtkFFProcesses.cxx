@@ -3,25 +3,15 @@
 #include "vtkFFProcesses.h"
 
 #include "vtkFFFailure.h"
-#include "vtkFFOutput.h"
 #include "vtkFFParcel.h"
 
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <exception>
-#include <map>
 #include <new>
 #include <string>
 
@@ -118,49 +108,48 @@ bool vtkFFProcesses::SelectBlocks(
   {
     return false;
   }
-  std::vector<vtkIdType> named;
-  std::vector<vtkIdType> filled;
+  // For each block its flat index, and whether there is data for it.
+  std::vector<vtkIdType> mine;
   for (const vtkFFAlgorithm::Block& block : blocks)
   {
-    named.push_back(block.FlatIndex);
-    if (block.Points)
-    {
-      filled.push_back(block.FlatIndex);
-    }
+    mine.push_back(block.FlatIndex);
+    mine.push_back(!block.Pieces.empty());
   }
-  const std::vector<std::vector<vtkIdType>> all = this->GatherLists(named);
-  for (std::size_t process = 1; alike && process < all.size(); ++process)
+  const std::vector<std::vector<vtkIdType>> all = this->GatherLists(mine);
+  std::size_t most = 0;
+  for (std::size_t process = 0; process < all.size(); ++process)
   {
-    if (all[process] != all[0])
+    most = std::max(most, all[process].size() / 2);
+    if (alike && all[process].size() != all[0].size())
     {
-      failure.Say("The input's blocks are not the same on all processes: process 0 has " +
-        std::to_string(all[0].size()) + " leaves, process " + std::to_string(process) + " has " +
-        std::to_string(all[process].size()) + ", or they have other places in the composite.");
+      failure.Say("Processes have different numbers of blocks: process 0 has " +
+        std::to_string(all[0].size() / 2) + ", process " + std::to_string(process) + " has " +
+        std::to_string(all[process].size() / 2) +
+        ". Give all the same, without data where there is none, or merge the blocks.");
       return false;
     }
   }
 
-  std::map<vtkIdType, vtkPointSet*> present;
-  for (const std::vector<vtkIdType>& list : this->GatherLists(filled))
+  std::vector<vtkFFAlgorithm::Block> selected;
+  for (std::size_t b = 0; b < most; ++b)
   {
-    for (const vtkIdType flatIndex : list)
+    // Without it here, the block is what the first process calls it that has it.
+    vtkFFAlgorithm::Block block{ {}, 0, 0 };
+    bool hasData = false;
+    for (auto list = all.rbegin(); list != all.rend(); ++list)
     {
-      present[flatIndex] = nullptr;
+      if (2 * b < list->size())
+      {
+        block.FlatIndex = static_cast<unsigned int>((*list)[2 * b]);
+        hasData = hasData || (*list)[2 * b + 1] != 0;
+      }
+    }
+    if (hasData)
+    {
+      selected.push_back(b < blocks.size() ? blocks[b] : block);
     }
   }
-  for (const vtkFFAlgorithm::Block& block : blocks)
-  {
-    if (block.Points)
-    {
-      present[block.FlatIndex] = block.Points;
-    }
-  }
-  blocks.clear();
-  for (const auto& entry : present)
-  {
-    blocks.push_back({ entry.second, static_cast<unsigned int>(entry.first),
-      entry.second ? entry.second->GetNumberOfPoints() : 0 });
-  }
+  blocks = selected;
   return true;
 }
 
@@ -206,38 +195,4 @@ bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
       [&] { received = vtkFFParcel::Unpack(parcel); });
   }
   return this->Share(failure);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPointSet> vtkFFProcesses::OwnPoints(vtkPointSet* points)
-{
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  if (!points)
-  {
-    return result;
-  }
-  vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
-  const vtkIdType count = ghosts ? points->GetNumberOfPoints() : 0;
-  vtkNew<vtkIdTypeArray> own;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    if (!(ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT))
-    {
-      own->InsertNextValue(i);
-    }
-  }
-  if (own->GetNumberOfValues() == count)
-  {
-    return points;
-  }
-
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(own->GetNumberOfValues());
-  std::copy_n(own->GetPointer(0), own->GetNumberOfValues(), ids->GetPointer(0));
-  vtkNew<vtkPoints> places;
-  places->SetDataType(points->GetPoints()->GetDataType());
-  points->GetPoints()->GetPoints(ids, places);
-  result->SetPoints(places);
-  vtkFFOutput::CopyPointData({ { points->GetPointData(), count } }, own, result->GetPointData());
-  return result;
 }

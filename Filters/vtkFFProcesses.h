@@ -57,9 +57,9 @@ public:
   bool Share(vtkFFFailure& failure);
 
   /**
-   * Leave the blocks, in the order of their flat indices, that any process has data for. It is a
-   * failure where processes name different blocks and they are to be @p alike. False if there is a
-   * failure, here or already on some process.
+   * Leave the blocks that any process has data for; blocks in the same place of their process's
+   * list are one. It is a failure where lists differ in length and are to be @p alike. False if
+   * there is a failure, here or already on some process.
    */
   bool SelectBlocks(bool alike, std::vector<vtkFFAlgorithm::Block>& blocks, vtkFFFailure& failure);
 
@@ -70,13 +70,6 @@ public:
    */
   bool Send(vtkPointSet* data, int from, int to, vtkSmartPointer<vtkPolyData>& received,
     vtkFFFailure& failure);
-
-  /**
-   * The points that are this process's own, with their point data: all, unless some are marked as
-   * duplicates of another process's (vtkDataSetAttributes::DUPLICATEPOINT). None of null. Not
-   * collective.
-   */
-  static vtkSmartPointer<vtkPointSet> OwnPoints(vtkPointSet* points);
 
 private:
   vtkMultiProcessController* Controller;

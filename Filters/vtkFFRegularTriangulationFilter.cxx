@@ -4,6 +4,7 @@
 
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
+#include "vtkFFPieces.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFProjection.h"
 #include "vtkFFWeightSource.h"
@@ -26,6 +27,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -185,9 +187,12 @@ void vtkFFRegularTriangulationFilter::ResetReport()
 bool vtkFFRegularTriangulationFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  vtkPointSet* input = blocks[0].Points;
+  vtkSmartPointer<vtkPointSet> input;
   vtkDataArray* weights = nullptr;
-  return this->FindWeights(input, weights) &&
+  return this->RunEngine(
+           [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
+           { input = vtkFFPieces::Append(blocks[0].Pieces); }) &&
+    this->FindWeights(input, weights) &&
     this->Triangulate(input, weights, outputs[0], outputs[1], outputs[2]);
 }
 

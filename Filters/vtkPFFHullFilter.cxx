@@ -3,6 +3,7 @@
 #include "vtkPFFHullFilter.h"
 
 #include "vtkFFFailure.h"
+#include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
 
 #include "Engines.h"
@@ -113,12 +114,17 @@ bool vtkPFFHullFilter::Execute(
   }
 
   // The points are counted block by block, and within a block process by process.
-  std::vector<vtkSmartPointer<vtkPointSet>> pieces;
-  std::vector<vtkIdType> sizes;
-  for (const Block& block : blocks)
+  std::vector<vtkSmartPointer<vtkPointSet>> owned;
+  std::vector<std::vector<vtkPointSet*>> pieces(blocks.size());
+  std::vector<vtkIdType> sizes(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b)
   {
-    pieces.push_back(vtkFFProcesses::OwnPoints(block.Points));
-    sizes.push_back(pieces.back()->GetNumberOfPoints());
+    for (vtkPointSet* piece : blocks[b].Pieces)
+    {
+      owned.push_back(vtkFFPieces::OwnPoints(piece));
+      pieces[b].push_back(owned.back());
+      sizes[b] += owned.back()->GetNumberOfPoints();
+    }
   }
   const std::vector<std::vector<vtkIdType>> sizesOfAll = processes.GatherLists(sizes);
   std::vector<vtkIdType> places;
@@ -151,18 +157,18 @@ bool vtkPFFHullFilter::Execute(
     failure.Add(failureOfBlock);
   }
 
+  // All know the same failure by now.
   const bool isFirst = processes.GetRank() == 0;
-  bool done = failure.Kind == vtkFFFailure::None;
-  if (done)
+  if (failure.Kind == vtkFFFailure::None)
   {
     if (isFirst)
     {
       this->ReportHull(hulls, outputs[0], failure);
     }
-    done = processes.Share(failure);
+    processes.Share(failure);
   }
   this->ReportFailure(failure, isFirst);
-  return done;
+  return failure.Kind == vtkFFFailure::None;
 }
 
 //------------------------------------------------------------------------------
@@ -198,14 +204,14 @@ void vtkPFFHullFilter::ReportHull(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::TakeHullOfBlock(
-  vtkPointSet* piece, vtkFFProcesses& processes, Result& result, vtkFFFailure& failure)
+bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
+  vtkFFProcesses& processes, Result& result, vtkFFFailure& failure)
 {
   this->TryEngine(
     [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
       flipflop::EngineReport& report)
     {
-      result.Hull = this->TakeHull({ piece }, options, engine, report, result.Data);
+      result.Hull = this->TakeHull(pieces, options, engine, report, result.Data);
       result.Engine = report;
       renumber(result.Data, [&](vtkIdType id) { return this->PlaceOfPiece + id; });
     },

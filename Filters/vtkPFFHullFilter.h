@@ -18,10 +18,11 @@
  *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted. Where there
  *   is a single process, there is no other: this filter is its superclass then.
  * - Arrays of numbers and strings travel, without the lookup tables and keys that they may have.
- * - For composite input, the pieces of a block are what the processes have at its flat index. For
- *   HULL_OF_EACH_BLOCK all processes must have the same structure, with or without data in it; if
- *   not, that is an error. For HULL_OF_ALL_BLOCKS ids run on from block to block, within a block
- *   from process to process.
+ * - For composite input, a block's pieces are what the processes have in its place: the first
+ *   block of each belong together, the second ones, and so on. A vtkPartitionedDataSet is one
+ *   block, of any number of partitions on each process. For HULL_OF_EACH_BLOCK all processes must
+ *   have equally many blocks, with or without data in them; if not, that is an error. For
+ *   HULL_OF_ALL_BLOCKS ids run on from block to block, within a block from process to process.
  * - An error on any process is an error of all; it is reported by process 0 and speaks of the
  *   appended points. The other processes only set their error code. To abort on one process is to
  *   abort on all.
@@ -89,8 +90,8 @@ private:
    * The hull of what all processes have of a block; on process 0 it is whole in the end. False if
    * there is a failure, on any process.
    */
-  bool TakeHullOfBlock(
-    vtkPointSet* piece, vtkFFProcesses& processes, Result& result, vtkFFFailure& failure);
+  bool TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces, vtkFFProcesses& processes,
+    Result& result, vtkFFFailure& failure);
 
   /**
    * The hull of hulls, whose ids it takes over. False if there is a failure.

@@ -3,52 +3,22 @@
 #include "vtkPFFRegularTriangulationFilter.h"
 
 #include "vtkFFFailure.h"
-#include "vtkFFOutput.h"
-#include "vtkFFPointSource.h"
+#include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
 
-#include "Buffer.h"
+#include "Engines.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <numeric>
 
 vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
 vtkCxxSetObjectMacro(vtkPFFRegularTriangulationFilter, Controller, vtkMultiProcessController);
-
-namespace
-{
-
-/// The points of all pieces, one piece after another.
-vtkSmartPointer<vtkPointSet> append(const std::vector<vtkSmartPointer<vtkPointSet>>& pieces)
-{
-  std::vector<vtkDataArray*> arrays;
-  std::vector<vtkFFOutput::Source> data;
-  vtkIdType count = 0;
-  for (vtkPointSet* piece : pieces)
-  {
-    arrays.push_back(piece->GetPoints()->GetData());
-    data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
-    count += piece->GetNumberOfPoints();
-  }
-  flipflop::Buffer<std::int64_t> all(static_cast<std::size_t>(count));
-  std::iota(all.begin(), all.end(), std::int64_t(0));
-
-  auto whole = vtkSmartPointer<vtkPolyData>::New();
-  whole->SetPoints(vtkFFPointSource(arrays).Gather(all.data(), count));
-  vtkFFOutput::CopyPointData(data, vtkFFOutput::AdoptIds(all), whole->GetPointData());
-  return whole;
-}
-
-}
 
 //------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()
@@ -87,18 +57,35 @@ bool vtkPFFRegularTriangulationFilter::Execute(
     return this->Superclass::Execute(blocks, outputs);
   }
   const bool isFirst = processes.GetRank() == 0;
-  vtkSmartPointer<vtkPointSet> piece = vtkFFProcesses::OwnPoints(blocks[0].Points);
 
   // The others can ask to abort until here.
   vtkFFFailure failure;
-  failure.Kind = this->IsAbortRequested() ? vtkFFFailure::Aborted : vtkFFFailure::None;
+  vtkSmartPointer<vtkPointSet> piece;
+  this->TryEngine(
+    [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
+    {
+      std::vector<vtkSmartPointer<vtkPointSet>> owned;
+      std::vector<vtkPointSet*> own;
+      for (vtkPointSet* part : blocks[0].Pieces)
+      {
+        owned.push_back(vtkFFPieces::OwnPoints(part));
+        own.push_back(owned.back());
+      }
+      piece = vtkFFPieces::Append(own);
+    },
+    failure);
+  if (failure.Kind == vtkFFFailure::None && this->IsAbortRequested())
+  {
+    failure.Kind = vtkFFFailure::Aborted;
+  }
   if (!processes.Share(failure))
   {
+    this->ReportFailure(failure, isFirst);
     return false;
   }
 
   // Process 0 gathers the pieces that have a point; it is spared where they are all its own.
-  std::vector<vtkSmartPointer<vtkPointSet>> pieces;
+  std::vector<vtkSmartPointer<vtkPointSet>> gathered;
   const std::vector<vtkIdType> sizes = processes.Gather({ piece->GetNumberOfPoints() });
   const auto senders =
     std::count_if(sizes.begin(), sizes.end(), [](vtkIdType size) { return size > 0; });
@@ -113,14 +100,15 @@ bool vtkPFFRegularTriangulationFilter::Execute(
     {
       break;
     }
-    pieces.push_back(piece);
+    gathered.push_back(piece);
     if (process > 0)
     {
-      pieces.back() = received;
+      gathered.back() = received;
     }
   }
 
   bool done = failure.Kind == vtkFFFailure::None;
+  this->ReportFailure(failure, isFirst);
   if (isFirst && done)
   {
     if (senders > 1)
@@ -128,16 +116,14 @@ bool vtkPFFRegularTriangulationFilter::Execute(
       vtkWarningMacro(<< "The points of " << senders << " processes are gathered on one, which "
                       << "triangulates them alone.");
     }
-    done = this->TryEngine(
-      [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&) {
-        piece = pieces.size() > 1 ? append(pieces) : pieces.empty() ? piece : pieces[0];
-      },
-      failure);
-  }
-  this->ReportFailure(failure, isFirst);
-  if (isFirst && done)
-  {
-    this->CurrentBlocks = { { piece, blocks[0].FlatIndex, piece->GetNumberOfPoints() } };
+    // Where there is no point at all, this piece tells the type of none.
+    Block whole{ { piece }, blocks[0].FlatIndex,
+      std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0)) };
+    if (!gathered.empty())
+    {
+      whole.Pieces.assign(gathered.begin(), gathered.end());
+    }
+    this->CurrentBlocks = { whole };
     done = this->Superclass::Execute(this->CurrentBlocks, outputs);
   }
   const std::vector<vtkIdType> end =

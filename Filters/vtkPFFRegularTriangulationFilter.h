@@ -17,8 +17,10 @@
  *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted. Where there
  *   is a single process, there is no other: this filter is its superclass then.
  * - Arrays of numbers and strings travel, without the lookup tables and keys that they may have.
- * - For composite input, the pieces of a block are what the processes have at its flat index. All
- *   processes must have the same structure, with or without data in it; if not, that is an error.
+ * - For composite input, a block's pieces are what the processes have in its place: the first
+ *   block of each belong together, the second ones, and so on. A vtkPartitionedDataSet is one
+ *   block, of any number of partitions on each process. All processes must have equally many
+ *   blocks, with or without data in them; if not, that is an error.
  * - An error is one of all processes; it is reported by process 0. The others only set their error
  *   code, and report nothing else either. All can be aborted on any process until process 0 begins
  *   its work, then on process 0.

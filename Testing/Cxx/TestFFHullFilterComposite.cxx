@@ -216,20 +216,6 @@ void testChangeOfType()
   hull->Update();
   FF_CHECK(vtkMultiBlockDataSet::SafeDownCast(hull->GetOutputDataObject(0)) != nullptr);
 
-  vtkNew<vtkPartitionedDataSetCollection> collection;
-  vtkNew<vtkPartitionedDataSet> parts;
-  parts->SetPartition(0, makeBlock(0.0));
-  parts->SetPartition(1, makeBlock(5.0));
-  collection->SetPartitionedDataSet(0, parts);
-  hull->SetInputData(collection);
-  hull->Update();
-  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(hull->GetOutputDataObject(0));
-  FF_CHECK(output && output->GetNumberOfPartitionedDataSets() == 1);
-  FF_CHECK(output && output->GetNumberOfPartitions(0) == 2);
-  FF_CHECK(
-    output && isHullOf(makeBlock(5.0), vtkPolyData::SafeDownCast(output->GetPartition(0, 1)), 3));
-  FF_CHECK_EQUAL(hull->GetVolume(), 2.0);
-
   hull->SetInputData(makeBlock(0.0));
   hull->Update();
   FF_CHECK(hull->GetOutput() && hull->GetOutput()->GetNumberOfPoints() == 8);
@@ -245,6 +231,83 @@ void testChangeOfType()
   }
   FF_CHECK(isEmpty(hull->GetOutput()));
   FF_CHECK(errors->Messages.empty());
+}
+
+/// Cubes at 0 and 5 as partitions of one data set, with one between that is not there.
+vtkSmartPointer<vtkPartitionedDataSet> makePartitions()
+{
+  auto partitions = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  partitions->SetNumberOfPartitions(3);
+  partitions->SetPartition(0, makeBlock(0.0, VTK_DOUBLE, true));
+  partitions->SetPartition(2, makeBlock(5.0));
+  return partitions;
+}
+
+/// Partitions are pieces of one data set: it has one hull.
+void testPartitions()
+{
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  const auto isOfBoth = [](vtkPartitionedDataSet* output)
+  {
+    auto* polygons =
+      output && output->GetNumberOfPartitions() == 1 ? output->GetPartition(0) : nullptr;
+    auto* found = vtkPolyData::SafeDownCast(polygons);
+    return found && originalIds(found) == std::vector<vtkIdType>{ 0, 2, 4, 6, 9, 11, 13, 15 } &&
+      found->GetPointData()->HasArray("value") && !found->GetPointData()->HasArray("extra");
+  };
+
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartitionedDataSet(0, makePartitions());
+  vtkNew<vtkPartitionedDataSet> none;
+  collection->SetPartitionedDataSet(1, none);
+  vtkNew<vtkPartitionedDataSet> single;
+  single->SetPartition(0, makeBlock(20.0));
+  collection->SetPartitionedDataSet(2, single);
+  hull->SetInputData(collection);
+  hull->Update();
+  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(hull->GetOutputDataObject(0));
+  if (!output || output->GetNumberOfPartitionedDataSets() != 3)
+  {
+    FF_CHECK(!"the output is not of the input's structure");
+    return;
+  }
+  FF_CHECK(isOfBoth(output->GetPartitionedDataSet(0)));
+  FF_CHECK_EQUAL(output->GetNumberOfPartitions(1), 0u);
+  FF_CHECK(isHullOf(makeBlock(20.0), vtkPolyData::SafeDownCast(output->GetPartition(2, 0)), 3));
+  FF_CHECK_EQUAL(hull->GetVolume(), 7.0);
+  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 24);
+
+  hull->SetInputData(makePartitions());
+  hull->Update();
+  FF_CHECK(isOfBoth(vtkPartitionedDataSet::SafeDownCast(hull->GetOutputDataObject(0))));
+  FF_CHECK_EQUAL(hull->GetVolume(), 6.0);
+
+  // Of all blocks: the flat index is the partitioned data set's.
+  hull->SetCompositeModeToAllBlocks();
+  hull->SetInputData(collection);
+  hull->Update();
+  auto* blocks =
+    vtkUnsignedIntArray::SafeDownCast(hull->GetOutput()->GetPointData()->GetArray("BlockIndex"));
+  FF_CHECK(blocks && blocks->GetNumberOfValues() == 8);
+  FF_CHECK(blocks && blocks->GetValue(0) == 1u && blocks->GetValue(7) == 6u);
+  FF_CHECK_EQUAL(hull->GetVolume(), 21.0);
+  FF_CHECK(errors->Messages.empty());
+
+  const auto bad = makePartitions();
+  vtkPolyData::SafeDownCast(bad->GetPartition(2))
+    ->GetPoints()
+    ->SetPoint(3, 0.0, std::numeric_limits<double>::infinity(), 0.0);
+  collection->SetPartitionedDataSet(0, bad);
+  hull->Update();
+  FF_CHECK(errors->Has("point 11 of the block of flat index 1"));
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  bad->SetPartition(1, image);
+  collection->Modified();
+  hull->Modified();
+  hull->Update();
+  FF_CHECK(errors->Has("flat index 1 has a partition that is a vtkImageData"));
 }
 
 /// Errors name the block.
@@ -307,6 +370,7 @@ int TestFFHullFilterComposite(int, char*[])
   testEachBlock();
   testAllBlocks();
   testChangeOfType();
+  testPartitions();
   testErrors();
   return result();
 }

@@ -192,7 +192,7 @@ void testBlocks()
   if (processes() > 1) // one alone is like itself
   {
     piece->SetNumberOfBlocks(rank() == 1 ? 4 : 3);
-    both.Fails("another structure", piece, "not the same on all processes");
+    both.Fails("another structure", piece, "different numbers of blocks");
     both.Run("afterwards", leaves);
   }
 }

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The way of vtkFFAlgorithm through the pipeline and through composites: its input taken apart into
+// blocks, its outputs put together from their results.
+#include "vtkFFAlgorithm.h"
+
+#include "vtkFFFailure.h"
+
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+
+/// Goes through the blocks of the input, those without data too, in the order of their flat
+/// indices. The partitions of a vtkPartitionedDataSet are no blocks.
+class BlockIterator
+{
+public:
+  explicit BlockIterator(vtkDataObject* input)
+    : Input(input)
+  {
+    auto* tree = vtkDataObjectTree::SafeDownCast(input);
+    if (tree && !vtkPartitionedDataSet::SafeDownCast(tree))
+    {
+      this->Nodes.TakeReference(tree->NewTreeIterator());
+      this->Nodes->SkipEmptyNodesOff();
+      this->Nodes->VisitOnlyLeavesOff();
+      this->Nodes->InitTraversal();
+      this->SkipInnerNodes();
+    }
+  }
+
+  bool IsDone() const { return this->Nodes ? this->Nodes->IsDoneWithTraversal() != 0 : this->Past; }
+
+  void GoToNext()
+  {
+    if (!this->Nodes)
+    {
+      this->Past = true;
+      return;
+    }
+    auto* partitions = vtkPartitionedDataSet::SafeDownCast(this->GetData());
+    for (unsigned int k = partitions ? partitions->GetNumberOfPartitions() : 0; k > 0; --k)
+    {
+      this->Nodes->GoToNextItem();
+    }
+    this->Nodes->GoToNextItem();
+    this->SkipInnerNodes();
+  }
+
+  unsigned int GetFlatIndex() const { return this->Nodes ? this->Nodes->GetCurrentFlatIndex() : 0; }
+  vtkDataObject* GetData() const
+  {
+    return this->Nodes ? this->Nodes->GetCurrentDataObject() : this->Input;
+  }
+
+  /// Put data in the place of this block, in a composite of the input's structure.
+  void SetData(vtkDataObject* composite, vtkDataObject* data) const
+  {
+    auto* tree = vtkDataObjectTree::SafeDownCast(composite);
+    vtkDataObject* place = this->Nodes ? tree->GetDataSet(this->Nodes) : tree;
+    if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(place))
+    {
+      partitions->SetNumberOfPartitions(1);
+      partitions->SetPartition(0, data);
+    }
+    else
+    {
+      tree->SetDataSet(this->Nodes, data);
+    }
+  }
+
+private:
+  void SkipInnerNodes()
+  {
+    while (!this->IsDone() && vtkDataObjectTree::SafeDownCast(this->GetData()) &&
+      !vtkPartitionedDataSet::SafeDownCast(this->GetData()))
+    {
+      this->Nodes->GoToNextItem();
+    }
+  }
+
+  vtkDataObject* Input;
+  vtkSmartPointer<vtkDataObjectTreeIterator> Nodes; // null where the input is the only block
+  bool Past = false;
+};
+
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  // The composite type comes first: it keeps the executive from running us block by block.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), this->GetLeafType());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkFFAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(request, inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* tree = vtkDataObjectTree::GetData(inputVector[0]);
+  const bool likeTree = tree && !this->CombinesBlocks();
+  const char* type = likeTree ? tree->GetClassName() : "vtkPolyData";
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkInformation* outInfo = outputVector->GetInformationObject(port);
+    vtkDataObject* output = vtkDataObject::GetData(outInfo);
+    if (!output || strcmp(output->GetClassName(), type) != 0)
+    {
+      vtkSmartPointer<vtkDataObject> created;
+      if (likeTree)
+      {
+        created.TakeReference(tree->NewInstance());
+      }
+      else
+      {
+        created.TakeReference(vtkPolyData::New());
+      }
+      outInfo->Set(vtkDataObject::DATA_OBJECT(), created);
+      this->GetOutputPortInformation(port)->Set(
+        vtkDataObject::DATA_EXTENT_TYPE(), created->GetExtentType());
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  std::vector<vtkDataObject*> outputs;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputs.push_back(vtkDataObject::GetData(outputVector, port));
+  }
+  this->ResetReport();
+
+  std::vector<Block> blocks;
+  vtkFFFailure failure;
+  this->CheckSettings(failure);
+  if (failure.Kind == vtkFFFailure::None)
+  {
+    this->CollectBlocks(input, blocks, failure);
+  }
+  bool done = this->SelectBlocks(blocks, failure);
+  if (done && vtkDataObjectTree::SafeDownCast(outputs[0]))
+  {
+    done = this->ExecuteEachBlock(blocks, input, outputs);
+  }
+  else if (done)
+  {
+    std::vector<vtkPolyData*> results;
+    for (vtkDataObject* output : outputs)
+    {
+      results.push_back(vtkPolyData::SafeDownCast(output));
+    }
+    this->CurrentBlocks = blocks;
+    done = this->Execute(blocks, results);
+  }
+  this->CurrentBlocks.clear();
+  if (!done)
+  {
+    for (vtkDataObject* output : outputs)
+    {
+      output->Initialize();
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::AddBlock(
+  vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure)
+{
+  std::vector<vtkDataObject*> pieces{ data };
+  if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(data))
+  {
+    pieces.clear();
+    for (unsigned int k = 0; k < partitions->GetNumberOfPartitions(); ++k)
+    {
+      pieces.push_back(partitions->GetPartitionAsDataObject(k));
+    }
+  }
+  Block block{ {}, flatIndex, 0 };
+  for (vtkDataObject* piece : pieces)
+  {
+    if (!piece)
+    {
+      continue;
+    }
+    if (!piece->IsA(this->GetLeafType()))
+    {
+      failure.Say((flatIndex ? "The block of flat index " + std::to_string(flatIndex)
+                             : std::string("The input")) +
+        (piece == data ? " is a " : " has a partition that is a ") + piece->GetClassName() +
+        ", which is not a " + this->GetLeafType() + ".");
+      return;
+    }
+    auto* points = static_cast<vtkPointSet*>(piece);
+    block.Pieces.push_back(points);
+    block.NumberOfPoints += points->GetNumberOfPoints();
+  }
+  blocks.push_back(block);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::CollectBlocks(
+  vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
+{
+  BlockIterator iterator(input);
+  for (; !iterator.IsDone() && failure.Kind == vtkFFFailure::None; iterator.GoToNext())
+  {
+    this->AddBlock(iterator.GetData(), iterator.GetFlatIndex(), blocks, failure);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
+{
+  const auto isMissing = [](const Block& block) { return block.Pieces.empty(); };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
+  this->ReportFailure(failure);
+  return failure.Kind == vtkFFFailure::None;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
+  const std::vector<vtkDataObject*>& outputs)
+{
+  auto* inputTree = vtkDataObjectTree::SafeDownCast(input);
+  double total = 1.0; // avoids 0 / 0 for blocks without a point
+  for (const Block& block : blocks)
+  {
+    total += static_cast<double>(block.NumberOfPoints);
+  }
+  for (vtkDataObject* output : outputs)
+  {
+    vtkDataObjectTree::SafeDownCast(output)->CopyStructure(inputTree);
+  }
+
+  BlockIterator iterator(input);
+  double sum = 0.0;
+  for (const Block& block : blocks)
+  {
+    while (iterator.GetFlatIndex() != block.FlatIndex)
+    {
+      iterator.GoToNext();
+    }
+    const double begin = sum / total;
+    sum += static_cast<double>(block.NumberOfPoints);
+    this->SetProgressRange(begin, sum / total);
+
+    std::vector<vtkPolyData*> results;
+    for (vtkDataObject* output : outputs)
+    {
+      vtkNew<vtkPolyData> result;
+      if (!block.Pieces.empty())
+      {
+        result->GetFieldData()->PassData(block.Pieces[0]->GetFieldData());
+      }
+      iterator.SetData(output, result);
+      results.push_back(result);
+    }
+    this->CurrentBlocks = { block };
+    if (!this->Execute({ block }, results))
+    {
+      return false;
+    }
+  }
+  return true;
+}
