@@ -1,0 +1,258 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""
+Data in pieces, and what one process makes of them.
+
+A programmable source calls fill() on each rank. append() joins what the ranks had, in their order, and
+serial() runs a filter's plain class on it: that is what the ranks together have to give, bit for bit.
+"""
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+from observing import arrays, leaves
+
+SOURCE = """
+import pieces
+pieces.fill(self, {kind!r})
+"""
+INFORMATION = """
+import pieces
+pieces.announce(self)
+"""
+
+
+def announce(source):
+    """Without this, only the first rank would be asked for data."""
+    information = source.GetExecutive().GetOutputInformation(0)
+    information.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
+
+
+def fill(source, kind):
+    controller = vtkMultiProcessController.GetGlobalController()
+    made = KINDS[kind](controller.GetLocalProcessId(), controller.GetNumberOfProcesses())
+    source.GetOutputDataObject(0).ShallowCopy(made)
+
+
+def cloud(points, **data):
+    """Points with data; strings become a vtkStringArray."""
+    poly = vtkPolyData()
+    poly.SetPoints(vtkPoints())
+    poly.GetPoints().SetData(numpy_to_vtk(numpy.ascontiguousarray(points), deep=True))
+    for name, column in data.items():
+        if isinstance(column, list):
+            array = vtkStringArray()
+            for value in column:
+                array.InsertNextValue(value)
+        else:
+            array = numpy_to_vtk(numpy.ascontiguousarray(column), deep=True)
+        array.SetName(name)
+        poly.GetPointData().AddArray(array)
+    return poly
+
+
+def random_of(rank):
+    return numpy.random.Generator(numpy.random.PCG64(1000 + rank))
+
+
+def ball(rank, ranks, count=3000):
+    random = random_of(rank)
+    points = random.normal(size=(count, 3)).astype(numpy.float32)
+    return cloud(
+        points,
+        Heat=random.random(count).astype(numpy.float32),
+        Rank=numpy.full(count, rank, numpy.int8),
+        Pair=random.random((count, 2)),
+        Tag=[f"{rank}/{i}" for i in range(count)],
+    )
+
+
+def shell(rank, ranks):
+    points = random_of(rank).normal(size=(1500, 3))
+    return cloud(points / numpy.linalg.norm(points, axis=1)[:, None], Rank=numpy.full(1500, rank))
+
+
+def lattice(rank, ranks):
+    """The same cube of integers on each rank, in another order: all ties and duplicates there are."""
+    points = numpy.indices((7, 7, 7)).reshape(3, -1).T.astype(float)
+    return cloud(random_of(rank).permutation(points), Rank=numpy.full(343, rank))
+
+
+def line(rank, ranks):
+    along = random_of(rank).integers(-1000, 1000, 50)
+    return cloud(numpy.outer(along, (1.0, 2.0, 3.0)))
+
+
+def plane(rank, ranks):
+    points = random_of(rank).integers(-30, 30, (400, 3)).astype(float)
+    points[:, 2] = points[:, 0] + points[:, 1]
+    return cloud(points)
+
+
+def one(rank, ranks):
+    return cloud(numpy.eye(3)[[rank % 3]] * (rank + 1))
+
+
+def last(rank, ranks):
+    return ball(rank, ranks) if rank == ranks - 1 else vtkPolyData()
+
+
+def nothing(rank, ranks):
+    return vtkPolyData()
+
+
+def unlike_arrays(rank, ranks):
+    """Points of float and of double, and an array that the first rank alone has."""
+    poly = shell(rank, ranks)
+    if rank == 0:
+        poly = cloud(
+            vtk_to_numpy(poly.GetPoints().GetData()).astype(numpy.float32),
+            Rank=numpy.full(1500, rank),
+            Own=numpy.arange(1500),
+        )
+    return poly
+
+
+def ghosts(rank, ranks):
+    """Every other point is another rank's, and lies farther out than its own points."""
+    random = random_of(rank)
+    points = random.normal(size=(2000, 3))
+    points[::2] *= 10
+    marks = numpy.zeros(2000, numpy.uint8)
+    marks[::2] = vtkDataSetAttributes.DUPLICATEPOINT
+    return cloud(points, **{vtkDataSetAttributes.GhostArrayName(): marks, "Rank": numpy.full(2000, rank)})
+
+
+def with_nan(rank, ranks):
+    """The 18th point of the last rank is not finite."""
+    points = vtk_to_numpy(ball(rank, ranks).GetPoints().GetData()).copy()
+    if rank == ranks - 1:
+        points[17, 1] = numpy.nan
+    return cloud(points, Rank=numpy.full(len(points), rank))
+
+
+def disks(rank, ranks):
+    """Disks around integer places, many of them cocircular, with weights that hide some."""
+    random = random_of(rank)
+    points = random.integers(0, 60, (1200, 3)).astype(float)
+    return cloud(points, Weight=random.integers(0, 12, 1200).astype(numpy.float32), Height=points[:, 2])
+
+
+def some_weights(rank, ranks):
+    """Weights on all ranks but the last."""
+    poly = disks(rank, ranks)
+    if rank == ranks - 1:
+        poly.GetPointData().RemoveArray("Weight")
+    return poly
+
+
+def blocks(rank, ranks):
+    """Blocks that every rank has, one has, none has, in two levels."""
+    inner = vtkMultiBlockDataSet()
+    inner.SetNumberOfBlocks(2)
+    inner.SetBlock(0, shell(rank + 10, ranks) if rank == 1 else None)
+    inner.SetBlock(1, lattice(rank, ranks))
+    outer = vtkMultiBlockDataSet()
+    outer.SetNumberOfBlocks(4)
+    outer.SetBlock(0, ball(rank, ranks))
+    outer.SetBlock(1, inner)
+    outer.SetBlock(2, None)
+    outer.SetBlock(3, ball(rank + 20, ranks) if rank == ranks - 1 else None)
+    return outer
+
+
+def unlike_blocks(rank, ranks):
+    """The last rank names a block more."""
+    data = vtkMultiBlockDataSet()
+    for block in range(2 + (rank == ranks - 1)):
+        data.SetBlock(block, shell(rank + 10 * block, ranks))
+    return data
+
+
+def star(rank, ranks):
+    """A closed star-shaped surface, of another size on each rank."""
+    sphere = vtkSphereSource()
+    sphere.SetThetaResolution(24 + 4 * rank)
+    sphere.SetPhiResolution(16)
+    sphere.Update()
+    poly = sphere.GetOutput()
+    points = vtk_to_numpy(poly.GetPoints().GetData())
+    points *= 1 + 0.3 * random_of(rank).random((len(points), 1)).astype(numpy.float32)
+    return poly
+
+
+KINDS = {
+    maker.__name__: maker
+    for maker in (ball, shell, lattice, line, plane, one, last, nothing, unlike_arrays, ghosts, with_nan,
+                  disks, some_weights, blocks, unlike_blocks, star)
+}  # fmt: skip
+
+
+def own_points(data):
+    """The points that are a rank's own, with their data, as a vtkPolyData."""
+    poly = vtkPolyData()
+    if data is None or data.GetNumberOfPoints() == 0:
+        return poly
+    ghosts_of = data.GetPointGhostArray()
+    own = numpy.ones(data.GetNumberOfPoints(), bool)
+    if ghosts_of:
+        own = (vtk_to_numpy(ghosts_of) & vtkDataSetAttributes.DUPLICATEPOINT) == 0
+    kept = vtkIdList()
+    for point in numpy.flatnonzero(own):
+        kept.InsertNextId(point)
+    poly.SetPoints(vtkPoints())
+    poly.GetPoints().SetDataType(data.GetPoints().GetDataType())
+    data.GetPoints().GetPoints(kept, poly.GetPoints())
+    for array in arrays(data.GetPointData()):
+        column = array.NewInstance()
+        column.SetName(array.GetName())
+        column.SetNumberOfComponents(array.GetNumberOfComponents())
+        column.InsertTuplesStartingAt(0, kept, array)
+        poly.GetPointData().AddArray(column)
+    return poly
+
+
+def append(datas):
+    """What the ranks have, as one: block by block, each rank's points after those of the rank before."""
+    first = datas[0]
+    of_ranks = [leaves(data) for data in datas]
+    joined = {}
+    for index in of_ranks[0]:
+        present = [rank[index] for rank in of_ranks if rank[index] is not None]
+        if present:
+            appended = vtkAppendPolyData()
+            for leaf in present:
+                appended.AddInputData(own_points(leaf))
+            appended.Update()
+            joined[index] = appended.GetOutput()
+    if not first.IsA("vtkDataObjectTree"):
+        return joined[0]
+    whole = first.NewInstance()
+    whole.CopyStructure(first)
+    iterator = first.NewTreeIterator()
+    iterator.SkipEmptyNodesOff()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        whole.SetDataSet(iterator, joined.get(iterator.GetCurrentFlatIndex()))
+        iterator.GoToNextItem()
+    return whole
+
+
+def serial(filter_class, data, settings):
+    """The filter's plain class, run on all of the data with the settings of the plugin's proxy."""
+    plain = filter_class()
+    plain.ReportAsFieldDataOn()
+    for name, value in settings.items():
+        if name == "Weights":
+            plain.SetInputArrayToProcess(0, 0, 0, 0, value[1])
+        else:
+            getattr(plain, f"Set{name}")(value)
+    plain.SetInputDataObject(data)
+    plain.Update()
+    return plain
