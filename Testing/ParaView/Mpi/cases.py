@@ -133,7 +133,9 @@ CASES = {
     "SomeWeights": Case(made("some_weights"), WEIGHTS, TRIANGULATION, fails=True),
     "NoWeights": Case(made("disks"), {"Weights": ["POINTS", "Missing"]}, TRIANGULATION, fails=True),
     "UnlikeBlocks": Case(made_blocks("unlike_blocks"), fails=True, says=UNLIKE),
-    "UnlikeBlocksInTriangulation": Case(made_blocks("unlike_blocks"), {}, TRIANGULATION, fails=True, says=UNLIKE),
+    "UnlikeBlocksInTriangulation": Case(
+        made_blocks("unlike_blocks"), {}, TRIANGULATION, fails=True, says=UNLIKE
+    ),
     # And after all of that:
     "BallAgain": Case(made("ball")),
 }
