@@ -38,8 +38,8 @@ GATHERED = "The points of {} processes are gathered on one, which triangulates t
 def warnings(datas):
     """What a triangulation says of each block that several ranks have points of."""
     told = []
-    for block in zip(*(observing.leaves(data).values() for data in datas)):
-        ranks_with_points = sum(leaf is not None and leaf.GetNumberOfPoints() > 0 for leaf in block)
+    for block in zip(*(pieces.blocks_of(data) for data in datas)):
+        ranks_with_points = sum(any(piece.GetNumberOfPoints() for piece in own) for own in block)
         if ranks_with_points > 1:
             told.append(["Warning", GATHERED.format(ranks_with_points)])
     return told

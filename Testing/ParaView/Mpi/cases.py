@@ -78,10 +78,14 @@ def made_blocks(kind):
     return made(kind, "vtkMultiblockDataSet")
 
 
+def made_partitions(kind):
+    return made(kind, "vtkPartitionedDataSetCollection")
+
+
 WEIGHTS = {"Weights": ["POINTS", "Weight"]}
 UNLIKE = (
-    "The input's blocks are not the same on all processes: process 0 has 2 leaves, process {last} has 3, "
-    "or they have other places in the composite."
+    "Processes have different numbers of blocks: process 0 has 2, process {last} has 3. Give all the same, "
+    "without data where there is none, or merge the blocks."
 )
 CASES = {
     # Sources that give pieces in ways of their own.
@@ -116,6 +120,9 @@ CASES = {
     "FileOfBlocks": Case(of_file("blocks.vtm"), ranks_with_points="some"),
     "FileOfPartitions": Case(of_file("partitions.vtpc"), ranks_with_points="some"),
     "FileOfPartitionsAsOne": Case(of_file("partitions.vtpc"), AS_ONE, ranks_with_points="some"),
+    "UnlikePartitions": Case(made_partitions("unlike_partitions")),
+    "UnlikePartitionsAsOne": Case(made_partitions("unlike_partitions"), AS_ONE),
+    "Partitions": Case(made("partitions", "vtkPartitionedDataSet")),
     # In the plane.
     "Disks": Case(made("disks"), {**WEIGHTS, "GeneratePowerDiagram": 1}, TRIANGULATION),
     "Delaunay": Case(made("disks"), {"GeneratePowerDiagram": 1, **POLYGONS}, TRIANGULATION),
@@ -125,6 +132,7 @@ CASES = {
     "TerrainOnOneRank": Case(real("autzen"), {}, TRIANGULATION, "one"),
     "BestPlane": Case(made("plane"), {"ProjectionPlaneMode": 2}, TRIANGULATION),
     "TriangulationOfBlocks": Case(made_blocks("blocks"), {}, TRIANGULATION),
+    "TriangulationOfUnlikePartitions": Case(made_partitions("unlike_partitions"), {}, TRIANGULATION),
     # A filter like any other: each rank has a result of its own.
     "Convexify": Case(made("star"), {}, CONVEXIFY),
     # What cannot be done.

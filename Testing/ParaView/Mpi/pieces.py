@@ -10,7 +10,13 @@ serial() runs a filter's plain class on it: that is what the ranks together have
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataSetAttributes,
+    vtkMultiBlockDataSet,
+    vtkPartitionedDataSet,
+    vtkPartitionedDataSetCollection,
+    vtkPolyData,
+)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -175,6 +181,26 @@ def unlike_blocks(rank, ranks):
     return data
 
 
+def partitions(rank, ranks):
+    """One data set, of which each rank has a partition more than the rank before."""
+    data = vtkPartitionedDataSet()
+    for partition in range(rank + 1):
+        data.SetPartition(partition, shell(10 * rank + partition, ranks))
+    return data
+
+
+def unlike_partitions(rank, ranks):
+    """Files of a simulation, dealt out unevenly, as ParaView's reader of Exodus files gives them."""
+    data = vtkPartitionedDataSetCollection()
+    data.SetPartitionedDataSet(0, partitions(rank, ranks))
+    data.SetPartitionedDataSet(1, vtkPartitionedDataSet())
+    alone = vtkPartitionedDataSet()
+    if rank == ranks - 1:
+        alone.SetPartition(0, lattice(rank, ranks))
+    data.SetPartitionedDataSet(2, alone)
+    return data
+
+
 def star(rank, ranks):
     """A closed star-shaped surface, of another size on each rank."""
     sphere = vtkSphereSource()
@@ -190,7 +216,7 @@ def star(rank, ranks):
 KINDS = {
     maker.__name__: maker
     for maker in (ball, shell, lattice, line, plane, one, last, nothing, unlike_arrays, ghosts, with_nan,
-                  disks, some_weights, blocks, unlike_blocks, star)
+                  disks, some_weights, blocks, unlike_blocks, partitions, unlike_partitions, star)
 }  # fmt: skip
 
 
@@ -218,28 +244,47 @@ def own_points(data):
     return poly
 
 
+def blocks_of(data):
+    """The pieces of each block, in the order of the blocks; partitions are pieces of one block."""
+    if data.IsA("vtkPartitionedDataSet"):
+        found = [data.GetPartition(k) for k in range(data.GetNumberOfPartitions())]
+        return [[piece for piece in found if piece is not None]]
+    if data.IsA("vtkPartitionedDataSetCollection"):
+        sets = [data.GetPartitionedDataSet(k) for k in range(data.GetNumberOfPartitionedDataSets())]
+        return [blocks_of(partitioned)[0] for partitioned in sets]
+    return [[leaf] if leaf is not None else [] for leaf in leaves(data).values()]
+
+
 def append(datas):
     """What the ranks have, as one: block by block, each rank's points after those of the rank before."""
-    first = datas[0]
-    of_ranks = [leaves(data) for data in datas]
-    joined = {}
-    for index in of_ranks[0]:
-        present = [rank[index] for rank in of_ranks if rank[index] is not None]
+    joined = []
+    for block in zip(*(blocks_of(data) for data in datas)):
+        present = [piece for pieces_of_rank in block for piece in pieces_of_rank]
+        appended = vtkAppendPolyData()
+        for piece in present:
+            appended.AddInputData(own_points(piece))
         if present:
-            appended = vtkAppendPolyData()
-            for leaf in present:
-                appended.AddInputData(own_points(leaf))
             appended.Update()
-            joined[index] = appended.GetOutput()
+        joined.append(appended.GetOutput() if present else None)
+
+    first = datas[0]
     if not first.IsA("vtkDataObjectTree"):
         return joined[0]
     whole = first.NewInstance()
     whole.CopyStructure(first)
+    if first.IsA("vtkPartitionedDataSet"):
+        whole.SetPartition(0, joined[0])
+        return whole
+    if first.IsA("vtkPartitionedDataSetCollection"):
+        for place, appended in enumerate(joined):
+            if appended is not None:
+                whole.SetPartition(place, 0, appended)
+        return whole
     iterator = first.NewTreeIterator()
     iterator.SkipEmptyNodesOff()
     iterator.InitTraversal()
-    while not iterator.IsDoneWithTraversal():
-        whole.SetDataSet(iterator, joined.get(iterator.GetCurrentFlatIndex()))
+    for appended in joined:
+        whole.SetDataSet(iterator, appended)
         iterator.GoToNextItem()
     return whole
 
