@@ -144,8 +144,17 @@ void vtkFFAlgorithm::ReportError(const std::string& message)
 //------------------------------------------------------------------------------
 void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
 {
-  if (failure.Kind == vtkFFFailure::None || failure.Kind == vtkFFFailure::Aborted)
+  if (failure.Kind == vtkFFFailure::None)
   {
+    return;
+  }
+  if (failure.Kind == vtkFFFailure::Aborted)
+  {
+    // The pipeline is to know that the output is not whole, where another process was aborted, too:
+    // all run again, or none.
+#if VTK_FF_HAS_CHECK_ABORT
+    this->SetAbortOutput(true);
+#endif
     return;
   }
   if (!aloud)
@@ -279,6 +288,15 @@ bool vtkFFAlgorithm::IsAbortRequested()
 }
 
 //------------------------------------------------------------------------------
+void vtkFFAlgorithm::NoteAbort(vtkFFFailure& failure)
+{
+  if (failure.Kind == vtkFFFailure::None && this->IsAbortRequested())
+  {
+    failure.Kind = vtkFFFailure::Aborted;
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkFFAlgorithm::DescribePoint(vtkIdType place)
 {
   for (const Block& block : this->CurrentBlocks)
@@ -310,7 +328,9 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
   {
     case ErrorCode::NonFinite:
       return "A coordinate is NaN or infinite: first at " + this->DescribePoint(index) + ", " +
-        count + " such point(s) in all. Remove them, or use SetNonFinitePointsToIgnore().";
+        count +
+        " such point(s) in all. Remove them, or have them ignored: NonFinitePoints, "
+        "SetNonFinitePointsToIgnore().";
     case ErrorCode::TooManyPoints:
       return count + " points are more than 32-bit indices can name.";
     case ErrorCode::OutOfMemory:

@@ -417,7 +417,8 @@ std::string vtkFFRegularTriangulationFilter::DescribeError(const flipflop::Error
       " or a weight is NaN or infinite: first at " +
       this->DescribePoint(static_cast<vtkIdType>(error.index())) + ", " +
       std::to_string(error.count()) +
-      " such point(s) in all. Remove them, or use SetNonFinitePointsToIgnore().";
+      " such point(s) in all. Remove them, or have them ignored: NonFinitePoints, "
+      "SetNonFinitePointsToIgnore().";
   }
   return this->Superclass::DescribeError(error);
 }

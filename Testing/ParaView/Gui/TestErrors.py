@@ -15,8 +15,10 @@ def test(window):
     yield from window.apply()
 
     said = "A coordinate is NaN or infinite: first at point 7, 2 such point(s) in all."
+    choice = "have them ignored: NonFinitePoints,"
     yield window.find(QtWidgets.QDockWidget, "outputWidgetDock").isVisible
     assert said in window.messages(), window.messages()
+    assert choice in window.messages(), window.messages()
     window.screen("error.png")
     counts, _ = yield from window.information()
     gui.check_equal(counts[1], "0")
