@@ -20,6 +20,7 @@ paraview_plugin_build(
 set(FLIPFLOP_LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/FlipFlop")
 set(FLIPFLOP_PLUGIN_PATH "${CMAKE_BINARY_DIR}/${FLIPFLOP_LIBRARY_DESTINATION}"
   CACHE INTERNAL "The folder that holds the plugin in the build tree")
+include(FlipFlopPluginCancel)
 
 if(FLIPFLOP_WRAP_PYTHON)
   add_subdirectory(Wrapping)
