@@ -144,8 +144,17 @@ void vtkFFAlgorithm::ReportError(const std::string& message)
 //------------------------------------------------------------------------------
 void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
 {
-  if (failure.Kind == vtkFFFailure::None || failure.Kind == vtkFFFailure::Aborted)
+  if (failure.Kind == vtkFFFailure::None)
   {
+    return;
+  }
+  if (failure.Kind == vtkFFFailure::Aborted)
+  {
+    // The pipeline is to know that the output is not whole, where another process was aborted, too:
+    // all run again, or none.
+#if VTK_FF_HAS_CHECK_ABORT
+    this->SetAbortOutput(true);
+#endif
     return;
   }
   if (!aloud)
@@ -276,6 +285,15 @@ bool vtkFFAlgorithm::IsAbortRequested()
 #else
   return this->GetAbortExecute() != 0;
 #endif
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::NoteAbort(vtkFFFailure& failure)
+{
+  if (failure.Kind == vtkFFFailure::None && this->IsAbortRequested())
+  {
+    failure.Kind = vtkFFFailure::Aborted;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -412,6 +412,11 @@ protected:
   bool IsAbortRequested();
 
   /**
+   * An abort, if somebody asked for one, is a failure; unless there is another.
+   */
+  void NoteAbort(vtkFFFailure& failure);
+
+  /**
    * The place, among all points of CurrentBlocks, of the point that the engine counts as @p index:
    * the same, unless a subclass gave the engine only some of them.
    */

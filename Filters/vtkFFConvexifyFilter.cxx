@@ -75,8 +75,7 @@ vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
 bool vtkFFConvexifyFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  vtkNew<vtkPolyData> none;
-  vtkPolyData* input = none;
+  vtkPolyData* input = vtkPolyData::SafeDownCast(blocks[0].Pieces.front());
   std::size_t count = 0;
   for (vtkPointSet* piece : blocks[0].Pieces)
   {

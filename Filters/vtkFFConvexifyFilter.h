@@ -15,6 +15,8 @@
  * SetKernelPoint() and UseKernelPointOn(), or have one sought (the default). Whether the surface is
  * star-shaped from it is decided exactly.
  *
+ * Of the partitions of a vtkPartitionedDataSet only one may have cells: it is the input.
+ *
  * The output is the exact hull in the same canonical form as vtkFFHullFilter's, with the same
  * arrays. Points that no triangle uses do not count. An input without cells gives an empty output.
  *

@@ -40,7 +40,8 @@
  *
  * Composite input gives a hull of each block (see vtkFFAlgorithm), or one hull of all blocks; see
  * SetCompositeMode(). In the latter case ids run on from block to block, and the point array
- * BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's block.
+ * BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's block. A
+ * vtkPartitionedDataSet by itself is a single block, and gets no such array.
  *
  * @warning
  * At most 2^32 - 2 points can be given.

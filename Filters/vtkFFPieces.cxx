@@ -25,9 +25,12 @@
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPointSet> vtkFFPieces::Append(const std::vector<vtkPointSet*>& pieces)
 {
-  if (pieces.size() == 1)
+  const auto hasPoints = [](vtkPointSet* piece) { return piece->GetNumberOfPoints() > 0; };
+  const auto first = std::find_if(pieces.begin(), pieces.end(), hasPoints);
+  if (pieces.size() == 1 ||
+    (first != pieces.end() && std::none_of(first + 1, pieces.end(), hasPoints)))
   {
-    return pieces[0];
+    return pieces.size() == 1 ? pieces[0] : *first;
   }
   std::vector<vtkDataArray*> arrays;
   std::vector<vtkFFOutput::Source> data;

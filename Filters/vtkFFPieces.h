@@ -21,7 +21,7 @@ class vtkFFPieces
 public:
   /**
    * The points of all @p pieces, one piece after another, with the point data that all have. A
-   * single piece is given back as it is.
+   * piece that has them all is given back as it is.
    *
    * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */

@@ -108,6 +108,7 @@ bool vtkPFFHullFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
   vtkFFProcesses processes(this->Controller);
+  this->PlaceOfPiece = 0;
   if (processes.GetCount() == 1)
   {
     return this->Superclass::Execute(blocks, outputs);
@@ -117,14 +118,26 @@ bool vtkPFFHullFilter::Execute(
   std::vector<vtkSmartPointer<vtkPointSet>> owned;
   std::vector<std::vector<vtkPointSet*>> pieces(blocks.size());
   std::vector<vtkIdType> sizes(blocks.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-  {
-    for (vtkPointSet* piece : blocks[b].Pieces)
+  vtkFFFailure failure;
+  this->TryEngine(
+    [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
     {
-      owned.push_back(vtkFFPieces::OwnPoints(piece));
-      pieces[b].push_back(owned.back());
-      sizes[b] += owned.back()->GetNumberOfPoints();
-    }
+      for (std::size_t b = 0; b < blocks.size(); ++b)
+      {
+        for (vtkPointSet* piece : blocks[b].Pieces)
+        {
+          owned.push_back(vtkFFPieces::OwnPoints(piece));
+          pieces[b].push_back(owned.back());
+          sizes[b] += owned.back()->GetNumberOfPoints();
+        }
+      }
+    },
+    failure);
+  const bool isFirst = processes.GetRank() == 0;
+  if (!processes.Share(failure))
+  {
+    this->ReportFailure(failure, isFirst);
+    return false;
   }
   const std::vector<std::vector<vtkIdType>> sizesOfAll = processes.GatherLists(sizes);
   std::vector<vtkIdType> places;
@@ -146,7 +159,6 @@ bool vtkPFFHullFilter::Execute(
 
   // Points that are not finite are counted to the last block before they are an error.
   std::vector<Result> hulls(blocks.size());
-  vtkFFFailure failure;
   for (std::size_t b = 0; b < blocks.size() && failure.Kind <= vtkFFFailure::NonFinite; ++b)
   {
     const auto count = static_cast<double>(blocks.size());
@@ -158,7 +170,6 @@ bool vtkPFFHullFilter::Execute(
   }
 
   // All know the same failure by now.
-  const bool isFirst = processes.GetRank() == 0;
   if (failure.Kind == vtkFFFailure::None)
   {
     if (isFirst)
@@ -216,6 +227,7 @@ bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
       renumber(result.Data, [&](vtkIdType id) { return this->PlaceOfPiece + id; });
     },
     failure);
+  this->NoteAbort(failure);
   if (!processes.Share(failure))
   {
     return false;
@@ -249,6 +261,7 @@ bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
       result = Result();
       this->JoinHulls(pair, result, failure);
     }
+    this->NoteAbort(failure);
     if (!processes.Share(failure))
     {
       return false;

@@ -8,7 +8,7 @@
  * vtkMultiProcessController: it gives the one hull of all pieces, on process 0. It is the hull that
  * vtkFFHullFilter gives for the pieces of process 0, 1, 2... appended in this order, bit for bit:
  * points, cells, point data and original ids, which count the points of all pieces. On the other
- * processes the output is empty.
+ * processes the output has no points.
  *
  * Each process takes the hull of its piece. Hulls are then joined in pairs, in as many steps as a
  * binary tree over the processes is high, each by the hull of their vertices. What leaves a process
@@ -30,7 +30,10 @@
  *   are not finite for all pieces. All other statistics are of its own share of the work; the
  *   others report nothing.
  *
- * All processes have to update the filter, with the same settings.
+ * - Field data is that of what process 0 has of a block.
+ *
+ * All processes have to update the filter, with the same settings: a change on one, of the flag
+ * that aborts too, is to be made on all.
  *
  * @sa
  * vtkFFHullFilter vtkPFFRegularTriangulationFilter vtkMultiProcessController

@@ -8,6 +8,7 @@
 
 #include "Engines.h"
 
+#include "vtkErrorCode.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -23,6 +24,7 @@ vtkCxxSetObjectMacro(vtkPFFRegularTriangulationFilter, Controller, vtkMultiProce
 //------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()
   : Controller(nullptr)
+  , PlaceOfPiece(0)
 {
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
@@ -52,58 +54,74 @@ bool vtkPFFRegularTriangulationFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
   vtkFFProcesses processes(this->Controller);
+  this->PlaceOfPiece = 0;
   if (processes.GetCount() == 1)
   {
     return this->Superclass::Execute(blocks, outputs);
   }
   const bool isFirst = processes.GetRank() == 0;
 
-  // The others can ask to abort until here.
+  // What each process has of the points.
   vtkFFFailure failure;
-  vtkSmartPointer<vtkPointSet> piece;
+  std::vector<vtkSmartPointer<vtkPointSet>> owned;
+  std::vector<vtkPointSet*> pieces;
+  vtkIdType size = 0;
   this->TryEngine(
     [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
     {
-      std::vector<vtkSmartPointer<vtkPointSet>> owned;
-      std::vector<vtkPointSet*> own;
-      for (vtkPointSet* part : blocks[0].Pieces)
+      for (vtkPointSet* piece : blocks[0].Pieces)
       {
-        owned.push_back(vtkFFPieces::OwnPoints(part));
-        own.push_back(owned.back());
+        owned.push_back(vtkFFPieces::OwnPoints(piece));
+        pieces.push_back(owned.back());
+        size += pieces.back()->GetNumberOfPoints();
       }
-      piece = vtkFFPieces::Append(own);
     },
     failure);
-  if (failure.Kind == vtkFFFailure::None && this->IsAbortRequested())
+  if (!processes.Share(failure))
   {
-    failure.Kind = vtkFFFailure::Aborted;
+    this->ReportFailure(failure, isFirst);
+    return false;
   }
+  const std::vector<vtkIdType> sizes = processes.Gather({ size });
+  const auto senders =
+    std::count_if(sizes.begin(), sizes.end(), [](vtkIdType count) { return count > 0; });
+  this->PlaceOfPiece =
+    std::accumulate(sizes.begin(), sizes.begin() + processes.GetRank(), vtkIdType(0));
+
+  // The others send theirs as one piece, and can be aborted until then.
+  if (!isFirst)
+  {
+    this->TryEngine(
+      [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
+      {
+        owned = { vtkFFPieces::Append(pieces) };
+        pieces = { owned[0] };
+      },
+      failure);
+  }
+  this->NoteAbort(failure);
   if (!processes.Share(failure))
   {
     this->ReportFailure(failure, isFirst);
     return false;
   }
 
-  // Process 0 gathers the pieces that have a point; it is spared where they are all its own.
-  std::vector<vtkSmartPointer<vtkPointSet>> gathered;
-  const std::vector<vtkIdType> sizes = processes.Gather({ piece->GetNumberOfPoints() });
-  const auto senders =
-    std::count_if(sizes.begin(), sizes.end(), [](vtkIdType size) { return size > 0; });
-  for (int process = 0; process < processes.GetCount(); ++process)
+  // Process 0 gathers what has a point.
+  for (int process = 1; process < processes.GetCount(); ++process)
   {
+    vtkSmartPointer<vtkPolyData> received;
     if (sizes[static_cast<std::size_t>(process)] == 0)
     {
       continue;
     }
-    vtkSmartPointer<vtkPolyData> received;
-    if (process > 0 && !processes.Send(piece, process, 0, received, failure))
+    if (!processes.Send(isFirst ? nullptr : pieces[0], process, 0, received, failure))
     {
       break;
     }
-    gathered.push_back(piece);
-    if (process > 0)
+    if (isFirst)
     {
-      gathered.back() = received;
+      owned.push_back(received);
+      pieces.push_back(received);
     }
   }
 
@@ -116,20 +134,28 @@ bool vtkPFFRegularTriangulationFilter::Execute(
       vtkWarningMacro(<< "The points of " << senders << " processes are gathered on one, which "
                       << "triangulates them alone.");
     }
-    // Where there is no point at all, this piece tells the type of none.
-    Block whole{ { piece }, blocks[0].FlatIndex,
+    this->PlaceOfPiece = 0;
+    const Block whole{ pieces, blocks[0].FlatIndex,
       std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0)) };
-    if (!gathered.empty())
-    {
-      whole.Pieces.assign(gathered.begin(), gathered.end());
-    }
     this->CurrentBlocks = { whole };
     done = this->Superclass::Execute(this->CurrentBlocks, outputs);
   }
+  // The others learn how it ended.
   const std::vector<vtkIdType> end =
     processes.Gather({ done, static_cast<vtkIdType>(this->GetErrorCode()) });
   this->SetErrorCode(static_cast<unsigned long>(end[1]));
+  if (end[0] == 0 && end[1] == vtkErrorCode::NoError)
+  {
+    failure.Kind = vtkFFFailure::Aborted;
+    this->ReportFailure(failure, isFirst);
+  }
   return end[0] != 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPFFRegularTriangulationFilter::GetPlaceOfPoint(vtkIdType index)
+{
+  return this->PlaceOfPiece + index;
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,7 @@
  * each process of a vtkMultiProcessController: it gives the one triangulation of all pieces, on
  * process 0. It is what vtkFFRegularTriangulationFilter gives for the pieces of process 0, 1, 2...
  * appended in this order, bit for bit, with ids that count the points of all pieces. On the other
- * processes the outputs are empty.
+ * processes the outputs have no points.
  *
  * Process 0 gathers all points and does all the work. Where several processes have points, a
  * warning says so: its memory must hold them all.
@@ -25,7 +25,10 @@
  *   code, and report nothing else either. All can be aborted on any process until process 0 begins
  *   its work, then on process 0.
  *
- * All processes have to update the filter, with the same settings.
+ * - Field data is that of what process 0 has of a block.
+ *
+ * All processes have to update the filter, with the same settings: a change on one, of the flag
+ * that aborts too, is to be made on all.
  *
  * @sa
  * vtkFFRegularTriangulationFilter vtkPFFHullFilter vtkMultiProcessController
@@ -63,6 +66,7 @@ protected:
 #ifndef __VTK_WRAP__
   bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 #endif
 
   vtkMultiProcessController* Controller;
@@ -70,6 +74,10 @@ protected:
 private:
   vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkPFFRegularTriangulationFilter&) = delete;
+
+#ifndef __VTK_WRAP__
+  vtkIdType PlaceOfPiece; // of this process's first point of the block that is worked on
+#endif
 };
 
 #endif

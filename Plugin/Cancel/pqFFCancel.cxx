@@ -136,10 +136,10 @@ void pqFFCancel::onProgress(vtkAlgorithm* filter)
     this->Cancelled = true;
     // Not by SetAbortExecute(), which is a modification: the filter would run again.
     filter->AbortExecute = 1;
-    if (auto* button = qobject_cast<QToolButton*>(this->Button.data()))
+    if (this->Button)
     {
-      button->setDown(true);
-      button->repaint();
+      this->Button->setDown(true);
+      this->Button->repaint();
     }
   }
 }
@@ -209,26 +209,30 @@ void pqFFCancel::offerApply(vtkAlgorithm* filter)
     // Once the Apply that is running is over, which takes its own mark away.
     QPointer<pqPipelineSource> cancelled(source);
     QTimer::singleShot(0, this,
-      [this, cancelled]
+      [cancelled]
       {
-        if (!cancelled || cancelled->modifiedState() != pqProxy::UNMODIFIED)
+        if (!cancelled)
         {
           return;
         }
-        cancelled->setModifiedState(pqProxy::MODIFIED);
-        auto* context = new QObject(cancelled); // so that it listens once
-        QObject::connect(cancelled, &pqProxy::modifiedStateChanged, context,
-          [cancelled, context]
+        if (cancelled->modifiedState() == pqProxy::UNMODIFIED)
+        {
+          cancelled->setModifiedState(pqProxy::MODIFIED);
+        }
+        auto* listener = new QObject(cancelled); // for one Apply
+        QObject::connect(cancelled, &pqProxy::modifiedStateChanged, listener,
+          [cancelled, listener]
           {
-            if (cancelled->modifiedState() == pqProxy::UNMODIFIED)
+            if (cancelled->modifiedState() != pqProxy::UNMODIFIED)
             {
-              context->deleteLater();
-              if (vtkAlgorithm* again = filterOf(cancelled))
-              {
-                again->Modified();
-                // So that what is shown of it asks for its output anew.
-                cancelled->getProxy()->MarkDirty(cancelled->getProxy());
-              }
+              return;
+            }
+            listener->deleteLater();
+            if (vtkAlgorithm* again = filterOf(cancelled))
+            {
+              again->Modified();
+              // So that what is shown of it asks for its output anew.
+              cancelled->getProxy()->MarkDirty(cancelled->getProxy());
             }
           });
       });
