@@ -144,6 +144,13 @@ class TestPieces(unittest.TestCase):
             self.assertEqual(result["messages"], [])
             self.assertEqual(result["error"], results[0]["error"])
 
+    def test_stop(self):
+        """What one rank aborts is aborted on all, until all may run again: none waits for another."""
+        first, *others = [result["stop"] for result in self.results]
+        self.assertEqual(first[:2], [0, 0])
+        self.assertGreater(first[2], 0)
+        self.assertEqual(others, [[0, 0, 0]] * len(others))
+
     def test_baseline(self):
         """The ranks' hull of real data, the same as the serial one, is that which CGAL found."""
         case = cases.CASES["RealOnOneRank"]

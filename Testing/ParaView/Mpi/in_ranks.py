@@ -11,6 +11,8 @@ import sys
 
 import cases
 import observing
+import pieces
+import vtkflipflop
 from vtkmodules.vtkCommonCore import vtkCharArray
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
@@ -44,10 +46,28 @@ def run(name, folder, rank, messages):
     }
 
 
+def stop(rank, ranks):
+    """Numbers of points: of a run that the last rank aborts, of the next update, and with the flag reset."""
+    hull = vtkflipflop.vtkPFFHullFilter()
+    hull.SetInputData(pieces.ball(rank, ranks))
+    counts = []
+    if rank == ranks - 1:
+        hull.AddObserver("ProgressEvent", lambda caller, event: counts or hull.SetAbortExecute(1))
+    for again in (False, False, True):
+        if again:
+            hull.SetAbortExecute(0)
+            hull.Modified()
+        hull.Update()
+        counts.append(hull.GetOutput().GetNumberOfPoints())
+    return counts
+
+
 def main(folder):
-    rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+    controller = vtkMultiProcessController.GetGlobalController()
+    rank = controller.GetLocalProcessId()
     messages = observing.Messages()
     results = {name: run(name, folder, rank, messages) for name in cases.CASES}
+    results["stop"] = stop(rank, controller.GetNumberOfProcesses())
     with open(os.path.join(folder, f"{rank}.json"), "w") as file:
         json.dump(results, file)
 
