@@ -29,7 +29,7 @@ trap stop_display EXIT
 if [ -n "$plugin" ]; then
   "$top/Scripts/install-dependencies.sh" paraview
   "$top/Scripts/install-paraview.sh"
-  configure_and_build paraview paraview -DCMAKE_PREFIX_PATH="$paraview"
+  configure_and_build paraview paraview "${plugin_options[@]}"
   start_display
   say "Convex hulls and triangulations in ParaView"
   export PV_PLUGIN_PATH PYTHONPATH

@@ -18,7 +18,7 @@ esac
 build_and_test() {
   local preset=$1
   shift
-  configure_and_build "$preset" "$preset" "$@"
+  configure_and_build "$preset" "$preset" -DFLIPFLOP_ALL_TESTS=ON "$@"
   say "Test: preset $preset"
   "${layout[@]}" ctest --test-dir "$top/build/$preset" --output-on-failure --no-tests=error \
     --parallel "$(parallel_jobs)"
@@ -31,7 +31,7 @@ if [ "$what" = paraview ]; then
   "$top/Scripts/install-dependencies.sh" paraview
   "$top/Scripts/install-paraview.sh"
   start_display
-  build_and_test paraview -DCMAKE_PREFIX_PATH="$paraview"
+  build_and_test paraview "${plugin_options[@]}"
   exit
 fi
 

@@ -38,7 +38,9 @@ apt_get() {
 }
 
 # The prefix of the ParaView to build for: the user's, or what install-paraview.sh has put there.
-paraview=${PARAVIEW_ROOT:-$top/build/paraview-root/usr}
+paraview=$(realpath -m "${PARAVIEW_ROOT:-$top/build/paraview-root/usr}")
+# The last one's place is in the build's cache.
+plugin_options=(-UParaView_DIR -UVTK_DIR "-DCMAKE_PREFIX_PATH=$paraview")
 
 # configure_and_build PRESET FOLDER [OPTION OF CMAKE]...: in build/FOLDER
 configure_and_build() {

@@ -9,16 +9,20 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-# It runs, so the libraries that it needs are there as well.
+# It runs, so the libraries that it needs are there as well; and it is not too old.
+check='
+import paraview.simple
+assert tuple(map(int, paraview.__version__.split(".")[:2])) >= (5, 11), "older than ParaView 5.11"
+'
 runs() {
-  [ -n "$(find "$paraview/lib" -maxdepth 4 -name paraview-config.cmake 2>/dev/null)" ] &&
-    "$paraview/bin/pvpython" -c 'import paraview.simple' >/dev/null 2>&1
+  [ -n "$(find "$paraview"/lib* -maxdepth 4 -name paraview-config.cmake 2>/dev/null)" ] &&
+    "$paraview/bin/pvpython" -c "$check" >/dev/null 2>&1
 }
 if runs; then
   exit 0
 fi
 if [ -n "${PARAVIEW_ROOT:-}" ]; then
-  echo "PARAVIEW_ROOT is $PARAVIEW_ROOT, and no ParaView with development files runs there" >&2
+  echo "PARAVIEW_ROOT is $PARAVIEW_ROOT, and no ParaView 5.11 with development files runs there" >&2
   exit 1
 fi
 
@@ -45,4 +49,4 @@ needed=$(for package in "$work"/*.deb; do
 done | tr ',' '\n' | sed 's/^ *//' | grep -Ev '^(paraview|paraview-dev|python3-paraview)( |$)' | sort -u | paste -sd,)
 apt_get satisfy -y --no-install-recommends "$needed"
 
-runs || { echo "ParaView does not run in $root" >&2; "$paraview/bin/pvpython" -c 'import paraview.simple'; exit 1; }
+runs || { echo "ParaView does not run in $root" >&2; "$paraview/bin/pvpython" -c "$check"; exit 1; }

@@ -9,10 +9,12 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../../Scripts/common.sh"
 
 paraview=$1 script=$2 seconds=${4:-240}
-rm -rf "$3"
-mkdir -p "$3/home"
-export FLIPFLOP_GUI_OUTPUT="$3" FLIPFLOP_SOURCE="$top"
-export HOME="$3/home" XDG_CONFIG_HOME="$3/home/config" XDG_RUNTIME_DIR="$3/home"
+mkdir -p "$3"
+output=$(realpath "$3")
+rm -rf "$output/home" "$output/passed" "$output/failed.png"
+mkdir "$output/home"
+export FLIPFLOP_GUI_OUTPUT="$output" FLIPFLOP_SOURCE="$top"
+export HOME="$output/home" XDG_CONFIG_HOME="$output/home/config" XDG_RUNTIME_DIR="$output/home"
 chmod 700 "$XDG_RUNTIME_DIR"
 export PYTHONPATH="$top/Testing/ParaView/Gui${PYTHONPATH:+:$PYTHONPATH}" PYTHONDONTWRITEBYTECODE=1
 
@@ -22,4 +24,4 @@ trap stop_display EXIT
 start_display
 # --dr: neither settings nor the welcome dialog. A ParaView that ends before its script does has failed.
 timeout --kill-after=5 "$seconds" "$paraview" --dr --script="$script"
-[ -e "$3/passed" ] || { echo "ParaView ended before $(basename "$script") had passed" >&2; exit 1; }
+[ -e "$output/passed" ] || { echo "ParaView ended before $(basename "$script") had passed" >&2; exit 1; }
