@@ -12,7 +12,7 @@ import numpy
 from paraview import simple
 from PyQt5 import QtCore, QtWidgets
 
-SOON = 1 / 3  # from the request to the end of Apply, drawing included: of the time of a whole run
+SOON = 1 / 2  # from the request to the end of Apply, drawing included: of the time of a whole run
 
 
 class ProgressWatch(QtCore.QObject):
