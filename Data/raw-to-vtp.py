@@ -5,7 +5,8 @@
 
     raw-to-vtp.py points.f32 points.vtp --elevation
 
-float32 (.f32) stays float and float64 (.f64) stays double, bit for bit.
+float32 (.f32) stays float and float64 (.f64) stays double, bit for bit. The data stands between its tags, not
+appended: ParaView 5.11 cannot read appended data where expat has the fix of CVE-2023-52425.
 """
 import argparse
 import os
@@ -40,8 +41,7 @@ def main():
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(arguments.vtp)
     writer.SetInputData(data)
-    writer.SetDataModeToAppended()
-    writer.EncodeAppendedDataOff()
+    writer.SetDataModeToBinary()
     writer.SetCompressorTypeToZLib()
     writer.SetCompressionLevel(9)
     if not writer.Write():

@@ -18,6 +18,7 @@ def write(data, path):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(path)
     writer.SetInputData(data)
+    writer.SetDataModeToBinary()  # what ParaView 5.11 can read with any expat
     if not writer.Write():
         raise SystemExit(f"cannot write {path}")
 

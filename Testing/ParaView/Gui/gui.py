@@ -51,6 +51,7 @@ def write_points(name, coordinates):
     writer.SetFileName(os.path.join(output, name))
     writer.SetInputData(cloud)
     writer.SetCompressorTypeToNone()
+    writer.SetDataModeToBinary()  # appended data cannot be read with every expat
     assert writer.Write()
     return writer.GetFileName()
 

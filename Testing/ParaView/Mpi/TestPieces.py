@@ -53,6 +53,7 @@ def write_files(folder):
     ):
         source.UpdatePipeline()
         writer.SetInputConnection(source.GetClientSideObject().GetOutputPort(0))
+        writer.SetDataModeToBinary()  # appended data cannot be read with every expat
         writer.SetNumberOfPieces(5)
         writer.SetEndPiece(4)
         writer.SetFileName(os.path.join(folder, name))
@@ -72,6 +73,7 @@ def write_files(folder):
         ("partitions.vtpc", collection, vtkXMLPartitionedDataSetCollectionWriter()),
     ):
         writer.SetInputDataObject(data)
+        writer.SetDataModeToBinary()
         writer.SetFileName(os.path.join(folder, name))
         writer.Write()
 
