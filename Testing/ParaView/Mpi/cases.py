@@ -46,17 +46,6 @@ def real(name):
     return lambda folder=None: pipelines.real(name)
 
 
-def spread(name):
-    """Real data, spread over the ranks by place. That takes cells, of one point each."""
-
-    def source(folder=None):
-        vertices = simple.MaskPoints(Input=real(name)(), OnRatio=1, MaximumNumberofPoints=10**6)
-        vertices.GenerateVertices = vertices.SingleVertexPerCell = 1
-        return simple.RedistributeDataSet(Input=vertices)
-
-    return source
-
-
 def sphere(folder=None):
     return simple.Sphere(ThetaResolution=60, PhiResolution=40)
 
@@ -70,8 +59,8 @@ def group(folder=None):
 
 
 def with_ghosts(folder=None):
-    """Real data as a surface, with a layer of cells of the other ranks."""
-    return simple.GhostCellsGenerator(Input=simple.RedistributeDataSet(Input=sphere()))
+    """A surface, with a layer of cells of the other ranks."""
+    return simple.GhostCellsGenerator(Input=sphere())
 
 
 def made_blocks(kind):
@@ -93,8 +82,8 @@ CASES = {
     "Grid": Case(grid),
     "GridPolygons": Case(grid, POLYGONS),
     "RealOnOneRank": Case(real("spot"), POLYGONS, ranks_with_points="one"),
-    "RealSpread": Case(spread("spot"), POLYGONS),
-    "RealGhosts": Case(with_ghosts),
+    "RealSpread": Case(made("spot"), POLYGONS),
+    "SphereGhosts": Case(with_ghosts),
     "FileOfPolyData": Case(of_file("sphere.pvtp")),
     "FileOfGrids": Case(of_file("grid.pvtu")),
     # Points made for each rank.
@@ -127,7 +116,7 @@ CASES = {
     "Disks": Case(made("disks"), {**WEIGHTS, "GeneratePowerDiagram": 1}, TRIANGULATION),
     "Delaunay": Case(made("disks"), {"GeneratePowerDiagram": 1, **POLYGONS}, TRIANGULATION),
     "Terrain": Case(
-        spread("sainthelens"), {"Weights": ["POINTS", "Elevation"], "GeneratePowerDiagram": 1}, TRIANGULATION
+        made("sainthelens"), {"Weights": ["POINTS", "Elevation"], "GeneratePowerDiagram": 1}, TRIANGULATION
     ),
     "TerrainOnOneRank": Case(real("autzen"), {}, TRIANGULATION, "one"),
     "BestPlane": Case(made("plane"), {"ProjectionPlaneMode": 2}, TRIANGULATION),

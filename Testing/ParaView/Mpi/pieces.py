@@ -7,6 +7,8 @@ A programmable source calls fill() on each rank. append() joins what the ranks h
 serial() runs a filter's plain class on it: that is what the ranks together have to give, bit for bit.
 """
 
+import os
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkStringArray
@@ -20,6 +22,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from observing import arrays, leaves
@@ -213,24 +216,46 @@ def star(rank, ranks):
     return poly
 
 
+def spot(rank, ranks):
+    return dealt("spot", rank, ranks)
+
+
+def sainthelens(rank, ranks):
+    return dealt("sainthelens", rank, ranks)
+
+
+def dealt(name, rank, ranks):
+    """Real data, dealt out to the ranks point by point."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(os.path.join(os.environ["FLIPFLOP_SOURCE"], "Data", f"{name}.vtp"))
+    reader.Update()
+    return select(reader.GetOutput(), range(rank, reader.GetOutput().GetNumberOfPoints(), ranks))
+
+
 KINDS = {
     maker.__name__: maker
     for maker in (ball, shell, lattice, line, plane, one, last, nothing, unlike_arrays, ghosts, with_nan,
-                  disks, some_weights, blocks, unlike_blocks, partitions, unlike_partitions, star)
+                  disks, some_weights, blocks, unlike_blocks, partitions, unlike_partitions, star,
+                  spot, sainthelens)
 }  # fmt: skip
 
 
 def own_points(data):
     """The points that are a rank's own, with their data, as a vtkPolyData."""
-    poly = vtkPolyData()
     if data is None or data.GetNumberOfPoints() == 0:
-        return poly
+        return vtkPolyData()
     ghosts_of = data.GetPointGhostArray()
     own = numpy.ones(data.GetNumberOfPoints(), bool)
     if ghosts_of:
         own = (vtk_to_numpy(ghosts_of) & vtkDataSetAttributes.DUPLICATEPOINT) == 0
+    return select(data, numpy.flatnonzero(own))
+
+
+def select(data, points):
+    """Some points of a data set, with their data, as a vtkPolyData."""
+    poly = vtkPolyData()
     kept = vtkIdList()
-    for point in numpy.flatnonzero(own):
+    for point in points:
         kept.InsertNextId(point)
     poly.SetPoints(vtkPoints())
     poly.GetPoints().SetDataType(data.GetPoints().GetDataType())
