@@ -14,10 +14,11 @@ vtk=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy xvfb)
 peers=(libcgal-dev libqhull-dev)
 tests=(libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-dev)
 # What the VTK within ParaView asks for when CMake looks for it, MPI, the GUI's icons; for FlipFlopCancel Qt and
-# XCB; PyQt and a pointer for the GUI's tests.
+# XCB; PyQt and a pointer for the GUI's tests, and what its window of traces asks for.
 plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libdouble-conversion-dev libeigen3-dev libexpat1-dev liblz4-dev liblzma-dev libutfcpp-dev zlib1g-dev
-  mpi-default-bin mpi-default-dev libqt5svg5 qtbase5-dev libxcb1-dev python3-pyqt5 xdotool xvfb)
+  mpi-default-bin mpi-default-dev libqt5svg5 qtbase5-dev libxcb1-dev python3-pygments python3-pyqt5
+  xdotool xvfb)
 
 packages=()
 for purpose in "$@"; do
