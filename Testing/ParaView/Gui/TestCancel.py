@@ -9,8 +9,6 @@ import sys
 import time
 
 import gui
-import numpy
-from paraview import simple
 from PyQt5 import QtCore, QtWidgets
 
 SOON = 1 / 2  # from the press to the end of Apply, drawing included: of the time of a whole run
@@ -44,13 +42,7 @@ class Pointer(QtCore.QObject):
 
 
 def test(window):
-    # Within rounding of a plane nearly every decision is a close call: long for the filter, little to draw.
-    points = numpy.random.default_rng(1).random((2_000_000, 3))
-    points[:, 2] = (points[:, 0] + points[:, 1]) / 3
-    yield from window.open_file(gui.write_points("plane.vtp", points))
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
-    hull = simple.GetActiveSource()
-    hull.NumberOfThreads = 1
+    hull = yield from gui.add_long_hull(window, 2_000_000)
     pointer, accept = Pointer(window), window.find(QtWidgets.QPushButton, "Accept")
     runs = []
 

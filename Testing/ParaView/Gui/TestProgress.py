@@ -8,8 +8,6 @@ Asked by the filter's own AbortExecute, between two progress events; TestCancel 
 import time
 
 import gui
-import numpy
-from paraview import simple
 from PyQt5 import QtCore, QtWidgets
 
 SOON = 1 / 2  # from the request to the end of Apply, drawing included: of the time of a whole run
@@ -42,13 +40,7 @@ class ProgressWatch(QtCore.QObject):
 
 
 def test(window):
-    # Within rounding of a plane nearly every decision is a close call: long for the filter, little to draw.
-    points = numpy.random.default_rng(1).random((1_200_000, 3))
-    points[:, 2] = (points[:, 0] + points[:, 1]) / 3
-    yield from window.open_file(gui.write_points("plane.vtp", points))
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
-    hull = simple.GetActiveSource()
-    hull.NumberOfThreads = 1
+    hull = yield from gui.add_long_hull(window, 1_200_000)
     watch = ProgressWatch(window)
     start = time.monotonic()
     yield from window.apply()

@@ -21,6 +21,7 @@ import time
 import traceback
 
 import numpy
+from paraview import simple
 from PyQt5 import QtCore, QtTest, QtWidgets, sip
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -54,6 +55,20 @@ def write_points(name, coordinates):
     writer.SetDataModeToBinary()  # appended data cannot be read with every expat
     assert writer.Write()
     return writer.GetFileName()
+
+
+def add_long_hull(window, count):
+    """
+    A filter that runs long, on one thread, and whose result is little to draw: of points within rounding of a
+    plane nearly every decision is a close call.
+    """
+    points = numpy.random.default_rng(1).random((count, 3))
+    points[:, 2] = (points[:, 0] + points[:, 1]) / 3
+    yield from window.open_file(write_points("plane.vtp", points))
+    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    hull = simple.GetActiveSource()
+    hull.NumberOfThreads = 1
+    return hull
 
 
 def check_equal(found, wanted):
