@@ -14,19 +14,21 @@
 namespace flipflop
 {
 
+/// Which engine is to do the work, or did it.
 enum class EngineChoice
 {
   Automatic, ///< CUDA where there is a device and the input is large enough to pay, else CPU
-  CPU,
-  CUDA ///< or an error
+  CPU,       ///< on this machine's cores
+  CUDA       ///< or an error
 };
 
 /// From how many points on the CUDA engine pays is for measurements to tell; there are none yet.
 constexpr std::int64_t CudaPaysNever = INT64_MAX;
 
+/// How the engine is chosen.
 struct EngineOptions
 {
-  EngineChoice choice = EngineChoice::Automatic;
+  EngineChoice choice = EngineChoice::Automatic; ///< what the caller asks for
 
   /// Automatic takes the CUDA engine from so many points on.
   std::int64_t cudaFrom = CudaPaysNever;
@@ -39,6 +41,7 @@ struct EngineReport
   char reason[512] = "";                 ///< a clause without a full stop
 };
 
+/// What this build and this machine have for the CUDA engine.
 struct CudaStatus
 {
   bool built = false;     ///< this build has kernels for a device

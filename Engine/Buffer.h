@@ -24,6 +24,8 @@
 namespace flipflop
 {
 
+/// The array: what results are made of.
+/// @tparam T trivially copyable
 template <class T>
 class Buffer
 {
@@ -37,11 +39,13 @@ public:
 
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
+  /// Takes the memory over; @p other is left empty.
   Buffer(Buffer&& other) noexcept
     : first(std::exchange(other.first, nullptr))
     , count(std::exchange(other.count, 0))
   {
   }
+  /// Exchanges the memory with @p other's.
   Buffer& operator=(Buffer&& other) noexcept
   {
     std::swap(this->first, other.first);
@@ -51,6 +55,7 @@ public:
   ~Buffer() { std::free(this->first); }
 
   /// Drop the contents and hold @p size uninitialised values.
+  /// @throw Error OutOfMemory
   void allocate(std::size_t size)
   {
     std::free(std::exchange(this->first, nullptr));
@@ -118,6 +123,9 @@ public:
     return std::exchange(this->first, nullptr);
   }
 
+  ///@{
+  /// The first value, aligned to 64 bytes at least where allocate() got the memory; null when
+  /// empty.
   T* data()
   {
     return this->first;
@@ -126,14 +134,22 @@ public:
   {
     return this->first;
   }
+  ///@}
+
+  /// How many values there are.
   std::size_t size() const
   {
     return this->count;
   }
+
+  /// Whether there are none.
   bool empty() const
   {
     return this->count == 0;
   }
+
+  ///@{
+  /// Value @p i, from 0 to size() - 1, which is not checked.
   T& operator[](std::size_t i)
   {
     return this->first[i];
@@ -142,6 +158,10 @@ public:
   {
     return this->first[i];
   }
+  ///@}
+
+  ///@{
+  /// From the first value to past the last, for loops over all.
   T* begin()
   {
     return this->first;
@@ -158,6 +178,7 @@ public:
   {
     return this->first + this->count;
   }
+  ///@}
 
 private:
   T* first = nullptr;

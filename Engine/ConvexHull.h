@@ -16,9 +16,12 @@ namespace flipflop
 /// decides anything. Duplicates are one point, their lowest id; points inside a facet or an edge
 /// are not part.
 ///
-/// At most 2^32 - 2 points; hulls with more than about 5e8 vertices are beyond 32-bit half-edges.
-///
-/// @throw Error NonFinite (by policy), TooManyPoints, OutOfMemory, Aborted, BadArgument.
+/// @param points  any number of them up to 2^32 - 2, of which about 5e8 may be vertices of the
+/// hull:
+///                cells are 32-bit half-edges
+/// @param options see Options
+/// @return the hull in its canonical form, which is the same for any number of threads
+/// @throw Error   NonFinite (by policy), TooManyPoints, OutOfMemory, Aborted, BadArgument
 Hull convexHull(const PointView& points, const Options& options = Options());
 
 }

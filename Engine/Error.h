@@ -11,6 +11,7 @@
 namespace flipflop
 {
 
+/// What went wrong; and what index() and count() of the Error then mean.
 enum class ErrorCode
 {
   NonFinite, ///< index: first point with a NaN or infinite coordinate or weight; count: how many
@@ -32,10 +33,11 @@ enum class ErrorCode
   DeviceFailed   ///< index: the CUDA runtime's error number
 };
 
-/// The engine's exception. What() is a constant sentence: callers compose their own from the parts.
+/// The engine's exception. what() is a constant sentence: callers compose their own from the parts.
 class Error : public std::exception
 {
 public:
+  /// What went wrong, where, and how often.
   explicit Error(ErrorCode code, std::int64_t index = -1, std::int64_t count = 0) noexcept
     : Code(code)
     , Index(index)
@@ -43,12 +45,14 @@ public:
   {
   }
 
+  /// What went wrong.
   ErrorCode code() const noexcept { return this->Code; }
   /// The first point or triangle at fault, -1 where there is none.
   std::int64_t index() const noexcept { return this->Index; }
   /// How many are at fault, or the size asked for.
   std::int64_t count() const noexcept { return this->Count; }
 
+  /// What went wrong, as a clause: "the surface is not closed".
   const char* what() const noexcept override
   {
     switch (this->Code)

@@ -14,11 +14,12 @@
 namespace flipflop
 {
 
-/// Triangles of a surface: corners[3 * i + 0, 1, 2] index the points.
+/// A read-only view of a surface's triangles.
 struct TriangleView
 {
+  /// Three for each triangle: corners[3 * i + 0, 1, 2] are indices of points.
   const std::int64_t* corners = nullptr;
-  std::int64_t count = 0;
+  std::int64_t count = 0; ///< triangles
 };
 
 /// The exact convex hull of a star-shaped polyhedron by flips (paper, Algorithm 1).
@@ -26,8 +27,9 @@ struct TriangleView
 /// @param points    the polyhedron's points; those that no triangle uses do not count.
 /// @param triangles a closed, consistently oriented manifold. Its orientation may be either.
 /// @param kernel    three coordinates of a point that strictly sees the inside of every triangle,
-/// or null:
-///                  then one is sought. Star-shapedness is decided exactly.
+///                  or null: then one is sought. Star-shapedness is decided exactly.
+/// @param options   see Options; NonFinitePolicy::Ignore is no help to a point that is used
+/// @return the hull in its canonical form, as convexHull gives it for the points that are used
 /// @throw Error BadTriangle, NotClosed, NotManifold, NotOriented, NotStarShaped, NoKernel, and what
 ///        convexHull throws.
 Hull flipFlop(const PointView& points, const TriangleView& triangles, const double* kernel,

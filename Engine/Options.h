@@ -26,14 +26,15 @@ enum class NonFinitePolicy
 /// which then throws ErrorCode::Aborted.
 using ProgressFunction = bool (*)(double fraction, void* context);
 
+/// The choices of one run.
 struct Options
 {
   int threads = 0; ///< 1 or more; 0: as many as the machine has. The output never depends on it.
-  FacetMode facets = FacetMode::Triangles;
-  NonFinitePolicy nonFinite = NonFinitePolicy::Error;
-  bool vBiased = false; ///< the V-biased Flip-Flop (paper, end of section 2.3)
-  ProgressFunction progress = nullptr;
-  void* progressContext = nullptr;
+  FacetMode facets = FacetMode::Triangles;            ///< how facets are given
+  NonFinitePolicy nonFinite = NonFinitePolicy::Error; ///< what NaN and infinity lead to
+  bool vBiased = false; ///< the V-biased Flip-Flop (paper, end of section 2.3): the same output
+  ProgressFunction progress = nullptr; ///< null: nobody is told, and nobody can stop the run
+  void* progressContext = nullptr;     ///< handed to progress as it is
 };
 
 }

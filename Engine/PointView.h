@@ -10,10 +10,11 @@
 namespace flipflop
 {
 
+/// The type of the numbers in memory.
 enum class ScalarType
 {
-  Float32,
-  Float64
+  Float32, ///< float
+  Float64  ///< double
 };
 
 /// A read-only view of @c count points: x, y, z at data[i * stride + 0, 1, 2], counted in scalars;
@@ -21,16 +22,20 @@ enum class ScalarType
 /// double exactly); nothing is copied.
 struct PointView
 {
-  const void* data = nullptr;
-  ScalarType type = ScalarType::Float64;
-  std::int64_t count = 0;
-  std::int64_t stride = 3;
+  const void* data = nullptr;            ///< the first point's x; null only if count is 0
+  ScalarType type = ScalarType::Float64; ///< of the coordinates
+  std::int64_t count = 0;                ///< points
+  std::int64_t stride = 3;               ///< scalars from a point's x to the next one's
 
   /// The same scalars, laid out alike, in the memory of the CUDA device, and all written; null:
   /// they are not there. An engine on the device reads them in place; all else is read from data.
   const void* deviceData = nullptr;
 
+  /// No point.
   PointView() = default;
+
+  ///@{
+  /// @p n points, of which the first begins at @p xyz, @p step scalars apart.
   PointView(const float* xyz, std::int64_t n, std::int64_t step = 3)
     : data(xyz)
     , type(ScalarType::Float32)
@@ -45,18 +50,23 @@ struct PointView
     , stride(step)
   {
   }
+  ///@}
 };
 
 /// A read-only view of one weight for each point: data[i * stride], counted in scalars.
 struct WeightView
 {
-  const void* data = nullptr; ///< null: no weights
-  ScalarType type = ScalarType::Float64;
-  std::int64_t count = 0;
-  std::int64_t stride = 1;
-  const void* deviceData = nullptr; ///< as PointView's
+  const void* data = nullptr;            ///< the first weight; null: no weights
+  ScalarType type = ScalarType::Float64; ///< of the weights
+  std::int64_t count = 0;                ///< weights: as many as points
+  std::int64_t stride = 1;               ///< scalars from a weight to the next
+  const void* deviceData = nullptr;      ///< as PointView's
 
+  /// No weights.
   WeightView() = default;
+
+  ///@{
+  /// @p n weights, of which the first is at @p weights, @p step scalars apart.
   WeightView(const float* weights, std::int64_t n, std::int64_t step = 1)
     : data(weights)
     , type(ScalarType::Float32)
@@ -71,6 +81,7 @@ struct WeightView
     , stride(step)
   {
   }
+  ///@}
 };
 
 }

@@ -25,17 +25,17 @@ namespace flipflop
 /// come in the order in which the cells first use them.
 struct PowerDiagram
 {
-  /// #corners by 2: x, y of every corner. Neighbours share their corners: no position is listed
+  /// Two for each corner: its x and y. Neighbours share their corners: no position is listed
   /// twice.
   Buffer<double> corners;
 
   /// Corners of every cell, one after another: indices into corners (pairs).
   Buffer<std::int64_t> connectivity;
 
-  /// #cells + 1 starts into connectivity.
+  /// One for each cell and one more: where the cell begins in connectivity, ascending from 0.
   Buffer<std::int64_t> offsets;
 
-  /// #cells: the id (position in the input) of each cell's site, ascending.
+  /// One for each cell: the id (position in the input) of its site, ascending.
   Buffer<std::int64_t> siteIds;
 };
 
@@ -44,12 +44,14 @@ struct PowerDiagram
 /// the corners' coordinates are rounded. Takes time and memory in proportion to the triangulation,
 /// on one thread.
 ///
-/// @param points, weights as they were triangulated
+/// @param points          as they were triangulated
+/// @param weights         as they were triangulated
 /// @param triangulation   of them: with FacetMode::Polygons. Fans of triangles cannot be told from
 ///                        polygons; as equal centers round alike, they give the same cells, which
 ///                        may start elsewhere.
 /// @param box             x least, x greatest, y least, y greatest; finite, least below greatest
 /// @param options         only the progress function counts
+/// @return the cells, by ascending id of their sites
 /// @throw Error           BadArgument (also for a complex that is no triangulation of these points,
 ///                        where that shows: an index or id out of range, a facet that is not
 ///                        counter-clockwise, facets that form no ring), WeightCount, TooManyPoints,

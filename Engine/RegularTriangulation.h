@@ -20,6 +20,8 @@ namespace flipflop
 /// @param weights one for each point, in units of squared length: the power distance of x from a
 ///                point p is |x - p|^2 - w. Any finite values, negative ones too. Without data: the
 ///                Delaunay triangulation.
+/// @param options see Options
+/// @return the triangulation in its canonical form, which is the same for any number of threads
 /// @throw Error   NonFinite (the first point whose coordinate or weight is not finite),
 ///                WeightCount, TooManyPoints, OutOfMemory, Aborted, BadArgument
 Triangulation regularTriangulation(const PointView& points,

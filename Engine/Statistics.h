@@ -11,6 +11,8 @@
 namespace flipflop
 {
 
+/// Counts and seconds of a run, or of several added up. Documentation/Statistics.md tells how to
+/// read them.
 struct Statistics
 {
   std::int64_t points = 0;     ///< points given

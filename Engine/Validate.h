@@ -18,9 +18,10 @@
 namespace flipflop
 {
 
+/// What is wrong with a result.
 enum class Fault
 {
-  None,
+  None,          ///< nothing
   Structure,     ///< sizes, indices, order of ids or cells; a cell not at its lowest corner; a
                  ///< facet's triangles not the fan from its lowest corner
   NotClosed,     ///< an edge without its opposite, or used twice
@@ -31,22 +32,34 @@ enum class Fault
   WrongDimension ///< the input spans another dimension
 };
 
+/// A judgement: the first fault that was found, if any.
 struct Validation
 {
-  Fault fault = Fault::None;
-  std::int64_t index = -1; ///< cell, hull point or input point at fault, by kind
+  Fault fault = Fault::None; ///< what is wrong
+  std::int64_t index = -1;   ///< cell, hull point or input point at fault, by kind
+  /// Whether all is right.
   explicit operator bool() const { return this->fault == Fault::None; }
 };
 
 /// Decide exactly whether @p hull is the convex hull of the finite ones among @p points, in the
 /// form that Hull promises. Near-linear in the number of points.
-/// @param threads as in Options.
+/// @param points  those that the hull was taken of
+/// @param hull    with facets as triangles or as polygons
+/// @param threads as in Options
+/// @return what is wrong first, or nothing
+/// @throw Error   TooManyPoints, OutOfMemory, BadArgument
 Validation validate(const PointView& points, const Hull& hull, int threads = 0);
 
 /// Decide exactly whether @p triangulation is the regular triangulation of the finite ones among
 /// the weighted points, in the form that Triangulation promises: every triangle counter-clockwise,
 /// every edge regular, the union convex, every hidden point really hidden. Here NotExtreme is a
 /// point that should be hidden, PointOutside one that should not be.
+/// @param points        those that were triangulated
+/// @param weights       as they were triangulated
+/// @param triangulation with facets as triangles or as polygons
+/// @param threads       as in Options
+/// @return what is wrong first, or nothing
+/// @throw Error         WeightCount, TooManyPoints, OutOfMemory, BadArgument
 Validation validate(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, int threads = 0);
 

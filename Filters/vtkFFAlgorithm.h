@@ -63,8 +63,13 @@ struct Options;
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
+  ///@{
+  /**
+   * Standard methods for type information and printing.
+   */
   vtkAbstractTypeMacro(vtkFFAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * The engines that can do the work. ENGINE_NONE is what GetEngineUsed() returns before a run.
@@ -248,7 +253,7 @@ public:
    *
    * - InputPoints: points given
    * - NonFinitePoints: points left out (or, after an error, found) with a NaN or infinite
-   * coordinate or weight
+   *   coordinate or weight
    * - CulledPoints: points found inside without being associated to a triangle (none by the CUDA
    *   engine)
    * - Insertions: vertices inserted while growing (1-3 flips), over all levels

@@ -42,9 +42,14 @@
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
+  ///@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
   static vtkFFConvexifyFilter* New();
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**

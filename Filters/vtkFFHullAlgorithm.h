@@ -27,8 +27,13 @@ struct Hull;
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
+  ///@{
+  /**
+   * Standard methods for type information and printing.
+   */
   vtkAbstractTypeMacro(vtkFFHullAlgorithm, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**

@@ -18,10 +18,10 @@
  * What comes out is the canonical form of the hull, a function of the input alone:
  *
  * - The points are the strictly extreme points, by ascending id. Points inside a facet or an edge
- * of the hull are not part; the lowest id stands for all points of one position. They have the type
- *   and the bits of the input's points (floats stay floats).
+ *   of the hull are not part; the lowest id stands for all points of one position. They have the
+ *   type and the bits of the input's points (floats stay floats).
  * - The cells are the true facets, counter-clockwise from outside: as triangles, or as one polygon
- * a facet (see SetFacetMode()). Each starts at its lowest id; all are in lexicographic order.
+ *   a facet (see SetFacetMode()). Each starts at its lowest id; all are in lexicographic order.
  * - The point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each point has in the
  *   input. The input's point data is passed, unless PassPointData is off.
  *
@@ -60,9 +60,14 @@
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
+  ///@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
   static vtkFFHullFilter* New();
   vtkTypeMacro(vtkFFHullFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * What a composite input gives.

@@ -91,9 +91,14 @@ struct WeightView;
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter : public vtkFFAlgorithm
 {
 public:
+  ///@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
   static vtkFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkFFRegularTriangulationFilter, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * The plane in which points are triangulated. The values are those of vtkDelaunay2D.

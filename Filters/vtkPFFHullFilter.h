@@ -54,9 +54,14 @@ class vtkFFProcesses;
 class VTKFILTERSFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
+  ///@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
   static vtkPFFHullFilter* New();
   vtkTypeMacro(vtkPFFHullFilter, vtkFFHullFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**

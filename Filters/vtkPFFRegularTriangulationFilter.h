@@ -46,9 +46,14 @@ class VTKFILTERSFLIPFLOP_EXPORT vtkPFFRegularTriangulationFilter
   : public vtkFFRegularTriangulationFilter
 {
 public:
+  ///@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
   static vtkPFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**

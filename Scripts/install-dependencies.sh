@@ -12,7 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 build=(g++ cmake ninja-build libtbb-dev libboost-dev)
 vtk=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy xvfb)
 peers=(libcgal-dev libqhull-dev)
-tests=(libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-dev)
+tests=(libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-dev doxygen graphviz)
 # What the VTK within ParaView asks for when CMake looks for it, MPI, the GUI's icons; for FlipFlopCancel Qt and
 # XCB; PyQt and a pointer for the GUI's tests, and what its window of traces asks for.
 plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev

@@ -1,0 +1,39 @@
+# The target `documentation`: the Markdown pages and the API of the public headers as HTML, by Doxygen, in
+# Documentation/html of the build tree; and its test.
+#
+# Public are the engines' installed headers (FlipFlopPackage), and of the filters' those whose class is exported.
+find_package(Doxygen 1.9.4 REQUIRED COMPONENTS dot)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+file(GLOB filter_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Filters/*.h")
+set(public_headers ${engine_headers} ${cuda_headers})
+foreach(header IN LISTS filter_headers)
+  file(STRINGS "${header}" exported REGEX "^class VTKFILTERSFLIPFLOP_EXPORT ")
+  if(exported)
+    list(APPEND public_headers "${header}")
+  endif()
+endforeach()
+
+file(GLOB pages CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/*.md"
+  "${PROJECT_SOURCE_DIR}/Documentation/*.md"
+  "${PROJECT_SOURCE_DIR}/Documentation/*.dox"
+  "${PROJECT_SOURCE_DIR}/Data/*.md")
+
+set(documentation_folder "${PROJECT_BINARY_DIR}/Documentation")
+set(documentation_input ${pages} ${public_headers})
+list(TRANSFORM documentation_input REPLACE "(.+)" "\"\\1\"")
+list(JOIN documentation_input " \\\n                         " documentation_input)
+configure_file("${PROJECT_SOURCE_DIR}/Documentation/Doxyfile.in" "${documentation_folder}/Doxyfile" @ONLY)
+
+set(write_documentation
+  "${CMAKE_COMMAND}" -E env PYTHONDONTWRITEBYTECODE=1
+  "${DOXYGEN_EXECUTABLE}" "${documentation_folder}/Doxyfile")
+add_custom_target(documentation
+  COMMAND ${write_documentation}
+  COMMENT "Writing ${documentation_folder}/html"
+  VERBATIM)
+if(FLIPFLOP_BUILD_TESTING)
+  add_test(NAME Documentation COMMAND ${write_documentation})
+  set_tests_properties(Documentation PROPERTIES LABELS "documentation" TIMEOUT 300)
+endif()
