@@ -1,5 +1,5 @@
 # The target `documentation`: the Markdown pages and the API of the public headers as HTML, by Doxygen, in
-# Documentation/html of the build tree; and its test.
+# Documentation/html of the build tree; and its tests.
 #
 # Public are the engines' installed headers (FlipFlopPackage), and of the filters' those whose class is exported.
 find_package(Doxygen 1.9.4 REQUIRED COMPONENTS dot)
@@ -35,5 +35,15 @@ add_custom_target(documentation
   VERBATIM)
 if(FLIPFLOP_BUILD_TESTING)
   add_test(NAME Documentation COMMAND ${write_documentation})
-  set_tests_properties(Documentation PROPERTIES LABELS "documentation" TIMEOUT 300)
+  add_test(NAME Documentation-TestHtml
+    COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Testing/Documentation/TestHtml.py" -v)
+  set_tests_properties(Documentation PROPERTIES
+    LABELS "documentation"
+    FIXTURES_SETUP html
+    TIMEOUT 300)
+  set_tests_properties(Documentation-TestHtml PROPERTIES
+    LABELS "documentation"
+    FIXTURES_REQUIRED html
+    ENVIRONMENT "FLIPFLOP_HTML=${documentation_folder}/html;PYTHONDONTWRITEBYTECODE=1"
+    TIMEOUT 60)
 endif()

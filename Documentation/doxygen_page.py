@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Doxygen's filter for our Markdown pages: python3 doxygen_page.py PAGE.md
 
-Doxygen 1.9.4 knows neither GitHub's names for headings nor links to headings of other pages. So each
-heading is given a label, <page>-<anchor>, and each link to a page becomes one to a label. Files that are no
-pages are not part of the HTML: a link to one becomes its path.
+Doxygen 1.9.4 knows neither GitHub's names for headings nor links to headings of other pages. So
+each heading is given a label, page-<page>-<anchor>, and each link to a page becomes one to a label.
+Files that are no pages are not part of the HTML: a link to one becomes its path.
 """
 
 import os

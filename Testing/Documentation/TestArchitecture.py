@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The architecture's picture is the tree: boxes are its folders, arrows tell which uses which."""
+
+import html
+import os
+import re
+import tempfile
+import unittest
+
+from dependencies import TOP, dependencies, folders
+
+# What a folder of the library may use of the others.
+PROMISED = {
+    "Engine": set(),
+    "Cuda": {"Engine"},
+    "Filters": {"Engine", "Cuda"},
+    "Plugin": {"Filters"},
+    "Wrapping": {"Filters"},
+}
+
+
+def read(*path):
+    with open(os.path.join(TOP, *path), encoding="utf-8") as file:
+        return file.read()
+
+
+def of_source(dot):
+    """The boxes and arrows of the picture's source."""
+    boxes = set(re.findall(r"^\s*(\w+) \[label", dot, re.MULTILINE))
+    arrows = set(re.findall(r"^\s*(\w+) -> (\w+);", dot, re.MULTILINE))
+    return boxes, arrows
+
+
+def of_picture(svg):
+    """The boxes and arrows that were drawn."""
+    titles = [html.unescape(title) for title in re.findall(r"<title>(.*?)</title>", svg)]
+    arrows = {tuple(title.split("->")) for title in titles if "->" in title}
+    return {title for title in titles if "->" not in title} - {"architecture"}, arrows
+
+
+def of_page(page):
+    """The folders that the tree of Architecture.md lists."""
+    return set(re.findall(r"^    (\w+)/ ", page, re.MULTILINE))
+
+
+def broken_promises(arrows):
+    return {(user, used) for user, used in arrows if used not in PROMISED.get(user, {used})}
+
+
+SOURCE = read("Documentation", "architecture.dot")
+
+
+class TestArchitecture(unittest.TestCase):
+    def test_source(self):
+        boxes, arrows = of_source(SOURCE)
+        self.assertEqual(boxes, set(folders()))
+        self.assertEqual(arrows, dependencies())
+
+    def test_picture_is_drawn_from_the_source(self):
+        picture = of_picture(read("Documentation", "Figures", "architecture.svg"))
+        self.assertEqual(picture, of_source(SOURCE))
+
+    def test_page_lists_every_folder(self):
+        page = read("Documentation", "Architecture.md")
+        self.assertEqual(of_page(page), set(folders()))
+        self.assertIn("](Figures/architecture.svg)", page)
+
+    def test_the_library_keeps_its_promises(self):
+        self.assertEqual(broken_promises(dependencies()), set())
+
+    def test_mutants_are_noticed(self):
+        self.assertIn("  Cuda -> Engine;", SOURCE)
+        for mutant in (
+            SOURCE.replace("  Cuda -> Engine;", ""),
+            SOURCE.replace("  Cuda -> Engine;", "  Cuda -> Engine;\n  Engine -> Cuda;"),
+            SOURCE.replace("  Cuda -> Engine;", "  Engine -> Cuda;"),
+        ):
+            self.assertNotEqual(of_source(mutant)[1], dependencies())
+        mutant = SOURCE.replace("Data [label", "Date [label")
+        self.assertNotEqual(of_source(mutant)[0], set(folders()))
+
+
+def make_tree(top, files):
+    for path, text in files.items():
+        os.makedirs(os.path.join(top, os.path.dirname(path)), exist_ok=True)
+        with open(os.path.join(top, path), "w", encoding="utf-8") as file:
+            file.write(text)
+
+
+class TestDependencies(unittest.TestCase):
+    """A tree of a few files, one of each kind that counts, and of each that does not."""
+
+    FILES = {
+        ".gitignore": "/build-*/\n__pycache__/\n",
+        "build-1/Made.cxx": '#include "Hull.h"\n',
+        ".hidden/none.py": "import vtkflipflop\n",
+        "Engine/Hull.h": "#include <vector>\n",
+        "Engine/Hull.cxx": '#include "Hull.h"\n',
+        "Cuda/Rounds.cu": '  #  include "Hull.h"\n',
+        "Cuda/Hull.py": "# import vtkflipflop\n",
+        "Filters/vtkFFHullFilter.h": "// #include <flipflop/Hull.h>\n",
+        "Plugin/Hull.xml.in": '<SourceProxy name="FlipFlopConvexHull" class="vtkPFFHullFilter">\n',
+        "Wrapping/__init__.py.in": "from .vtkFiltersFlipFlop import (\n",
+        "Examples/a.py": "from vtkflipflop import vtkFFHullFilter\n",
+        "Examples/a.cxx": "#include <vtkFFHullFilter.h>\n",
+        "Testing/a.cxx": "#include <flipflop/Hull.h>\n#include <tbb/vtkFFHullFilter.h>\n",
+        "Testing/a.py": "simple.FlipFlopConvexHull()\n",
+    }
+    USES = {
+        ("Cuda", "Engine"),
+        ("Plugin", "Filters"),
+        ("Wrapping", "Filters"),
+        ("Examples", "Wrapping"),
+        ("Examples", "Filters"),
+        ("Testing", "Engine"),
+        ("Testing", "Plugin"),
+    }
+
+    def test_a_small_tree(self):
+        with tempfile.TemporaryDirectory() as top:
+            make_tree(top, self.FILES)
+            self.assertEqual(
+                folders(top),
+                ["Cuda", "Engine", "Examples", "Filters", "Plugin", "Testing", "Wrapping"],
+            )
+            self.assertEqual(dependencies(top), self.USES)
+            self.assertEqual(broken_promises(dependencies(top)), set())
+
+    def test_a_broken_promise_is_noticed(self):
+        with tempfile.TemporaryDirectory() as top:
+            make_tree(top, {**self.FILES, "Engine/Run.cxx": '#include "vtkFFHullFilter.h"\n'})
+            self.assertEqual(dependencies(top), self.USES | {("Engine", "Filters")})
+            self.assertEqual(broken_promises(dependencies(top)), {("Engine", "Filters")})
+
+
+if __name__ == "__main__":
+    unittest.main()

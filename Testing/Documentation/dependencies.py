@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tree's folders, and which of them uses which: what its files include, import or name."""
+
+import fnmatch
+import os
+import re
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*["<](?:flipflop/)?([^"<>/]+)[">]', re.MULTILINE)
+
+# Beside C++: who names this uses that folder. A suffix .in is CMake's, and means nothing.
+NAMES = [
+    (".py", re.compile(r"^\s*(?:from|import) \.?vtkFiltersFlipFlop\b", re.MULTILINE), "Filters"),
+    (".py", re.compile(r"^\s*(?:from|import) vtkflipflop\b", re.MULTILINE), "Wrapping"),
+    (".py", re.compile(r"\bFlipFlop(?:ConvexHull|Convexify|RegularTriangulation)\b"), "Plugin"),
+    (".xml", re.compile(r'\bclass="vtkP?FF\w+"'), "Filters"),
+]
+
+
+def folders(top=TOP):
+    """The folders at the top, without those that git ignores and the hidden ones."""
+    ignore = []
+    if os.path.exists(os.path.join(top, ".gitignore")):
+        with open(os.path.join(top, ".gitignore"), encoding="utf-8") as file:
+            ignore = [line.strip().strip("/") for line in file]
+    return sorted(
+        name
+        for name in os.listdir(top)
+        if os.path.isdir(os.path.join(top, name))
+        and not name.startswith(".")
+        and not any(fnmatch.fnmatch(name, pattern) for pattern in ignore)
+    )
+
+
+def sources(top, folder, suffixes):
+    """(suffix, text) of a folder's files with one of the suffixes."""
+    for path, _, names in os.walk(os.path.join(top, folder)):
+        for name in names:
+            suffix = os.path.splitext(name[:-3] if name.endswith(".in") else name)[1]
+            if suffix in suffixes:
+                with open(os.path.join(path, name), encoding="utf-8") as file:
+                    yield suffix, file.read()
+
+
+def headers(top, folder):
+    return {
+        name
+        for _, _, names in os.walk(os.path.join(top, folder))
+        for name in names
+        if name.endswith(".h")
+    }
+
+
+def dependencies(top=TOP):
+    """The pairs (folder, another that it uses)."""
+    all_folders = folders(top)
+    headers_of = {folder: headers(top, folder) for folder in all_folders}
+    found = set()
+    for folder in all_folders:
+        for suffix, text in sources(top, folder, {".h", ".cxx", ".cu", ".py", ".xml"}):
+            for name in INCLUDE.findall(text) if suffix in {".h", ".cxx", ".cu"} else ():
+                if name not in headers_of[folder]:
+                    found |= {(folder, other) for other in all_folders if name in headers_of[other]}
+            found |= {(folder, other) for kind, mark, other in NAMES
+                      if kind == suffix and mark.search(text)}
+    return {(user, used) for user, used in found if user != used}

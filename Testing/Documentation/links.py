@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Links and pictures of Markdown pages that lead nowhere; what lies elsewhere is not asked for."""
+
+import os
+
+from markdown_page import headings, links
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def fault_of(page, target):
+    """What is wrong with a link's target, or None."""
+    path, _, anchor = target.partition("#")
+    goal = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
+    if not os.path.exists(goal):
+        return "no such file"
+    if anchor:
+        if not goal.endswith(".md"):
+            return "a heading of what is no page"
+        if anchor not in [name for _, _, _, name in headings(read(goal))]:
+            return "no such heading"
+    return None
+
+
+def faults(page):
+    """(line number, target, what is wrong) of each link of the page that leads nowhere."""
+    for number, link in links(read(page)):
+        if ":" not in link["target"]:
+            fault = fault_of(page, link["target"])
+            if fault:
+                yield number, link["target"], fault
