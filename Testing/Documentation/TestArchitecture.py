@@ -8,7 +8,8 @@ import re
 import tempfile
 import unittest
 
-from dependencies import TOP, dependencies, folders
+from dependencies import dependencies, folders
+from tree import read
 
 # What a folder of the library may use of the others.
 PROMISED = {
@@ -18,11 +19,6 @@ PROMISED = {
     "Plugin": {"Filters"},
     "Wrapping": {"Filters"},
 }
-
-
-def read(*path):
-    with open(os.path.join(TOP, *path), encoding="utf-8") as file:
-        return file.read()
 
 
 def of_source(dot):

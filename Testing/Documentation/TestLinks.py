@@ -6,8 +6,9 @@ import os
 import tempfile
 import unittest
 
-from dependencies import TOP, folders
+from dependencies import folders
 from links import faults
+from tree import TOP
 
 # Right and wrong ones in turn; what is code is no link.
 SAMPLE = """# A page

@@ -6,7 +6,7 @@ import fnmatch
 import os
 import re
 
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from tree import TOP
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<](?:flipflop/)?([^"<>/]+)[">]', re.MULTILINE)
 

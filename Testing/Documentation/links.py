@@ -5,11 +5,7 @@
 import os
 
 from markdown_page import headings, links
-
-
-def read(path):
-    with open(path, encoding="utf-8") as file:
-        return file.read()
+from tree import read
 
 
 def fault_of(page, target):

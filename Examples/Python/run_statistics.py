@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What runs report, for the real points of Data/: run_statistics.py [hull.vtp]
+
+Documentation/Statistics.md shows what this prints, and says what it means.
+"""
+
+import os
+import sys
+
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+from vtkflipflop import vtkFFHullFilter, vtkFFRegularTriangulationFilter
+
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+
+
+def reader_of(name):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(os.path.join(DATA, name))
+    reader.Update()
+    return reader
+
+
+st_helens, autzen = reader_of("sainthelens.vtp"), reader_of("autzen.vtp")
+points = autzen.GetOutput().GetPointData()
+weights = numpy_to_vtk(-60.0 * vtk_to_numpy(points.GetArray("Elevation")), deep=True)
+weights.SetName("weight")  # low points are heavy, and hide higher ones
+points.AddArray(weights)
+
+hull = vtkFFHullFilter()
+hull.SetInputConnection(st_helens.GetOutputPort())
+hull.ReportAsFieldDataOn()
+
+delaunay = vtkFFRegularTriangulationFilter()
+delaunay.SetInputConnection(st_helens.GetOutputPort())
+
+regular, biased = vtkFFRegularTriangulationFilter(), vtkFFRegularTriangulationFilter()
+for triangulation in (regular, biased):
+    triangulation.SetInputConnection(autzen.GetOutputPort())
+    triangulation.SetInputArrayToProcess(0, 0, 0, 0, "weight")
+biased.VBiasedOn()
+
+runs = [hull, delaunay, regular, biased]
+for run in runs:
+    run.SetNumberOfThreads(1)
+    run.Update()
+
+
+def row(name, figures):
+    print(f"{name:26}" + "".join(f"{figure:>12}" for figure in figures))
+
+
+row("", ["hull", "Delaunay", "weighted", "V-biased"])
+row("points of the output", [run.GetOutput().GetNumberOfPoints() for run in runs])
+for count in (
+    ["InputPoints", "NonFinitePoints", "CulledPoints", "Insertions", "Flips22", "Flips31"]
+    + ["FlipsByVolume", "FlipsByDegree", "LabelledVertices", "EdgeChecks", "ExactPredicates"]
+):
+    row("NumberOf" + count, [getattr(run, "GetNumberOf" + count)() for run in runs])
+for stage in ("ToScan", "ToLocate", "ToGrow", "ToFlip", "ToFinish", "Total"):
+    row("Seconds" + stage, [f"{getattr(run, 'GetSeconds' + stage)():.4f}" for run in runs])
+
+# The same in the file, for those who open it.
+writer = vtkXMLPolyDataWriter()
+writer.SetInputConnection(hull.GetOutputPort())
+writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "hull.vtp")
+sys.exit(0 if writer.Write() else 1)

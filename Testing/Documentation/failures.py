@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Filters that fail, each set up as a row of Exactness.md's table of errors says."""
+
+from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
+
+from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
+
+from outcomes import poly_data, use_weights
+
+TETRAHEDRON = "0 0 0; 4 0 0; 0 4 0; 0 0 4"
+FACETS = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+# And beside it another, so that no point sees into both.
+TWO = TETRAHEDRON + "; 9 0 0; 13 0 0; 9 4 0; 9 0 4"
+FACETS_OF_TWO = FACETS + [[corner + 4 for corner in facet] for facet in FACETS]
+
+
+def set_up(algorithm, data, **settings):
+    for name, value in settings.items():
+        getattr(algorithm, "Set" + name)(value)
+    algorithm.SetInputDataObject(data)
+    return algorithm
+
+
+def integers(components, count, value=0):
+    array = vtkLongLongArray()
+    array.SetNumberOfComponents(components)
+    array.SetNumberOfTuples(count)
+    for i in range(components * count):
+        array.SetValue(i, value)
+    return array
+
+
+def strings():
+    array = vtkStringArray()
+    array.SetNumberOfValues(3)
+    return array
+
+
+def hull(data, **settings):
+    return set_up(vtkFFHullFilter(), data, **settings)
+
+
+def hull_of_integers():
+    data = poly_data("")
+    data.GetPoints().SetData(integers(3, 4, 2**53 + 1))
+    return hull(data)
+
+
+def hull_of_an_image():
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetBlock(0, vtkImageData())
+    return hull(blocks)
+
+
+def triangulation(**settings):
+    return set_up(vtkFFRegularTriangulationFilter(), poly_data("0 0 0; 1 0 0; 0 1 0"), **settings)
+
+
+def weighted(array):
+    algorithm = triangulation()
+    if array:
+        array.SetName("weight")
+        algorithm.GetInput().GetPointData().AddArray(array)
+    return use_weights(algorithm)
+
+
+def surface(facets, points=TETRAHEDRON, **settings):
+    data = poly_data(points)
+    cells = vtkCellArray()
+    for facet in facets:
+        cells.InsertNextCell(len(facet))
+        for corner in facet:
+            cells.InsertCellPoint(corner)
+    data.SetPolys(cells)
+    return set_up(vtkFFConvexifyFilter(), data, **settings)
+
+
+NAN = float("nan")
+PLANE = vtkFFRegularTriangulationFilter.TRANSFORM_PLANE
+BOUNDS = vtkFFRegularTriangulationFilter.BOX_OF_BOUNDS
+CUDA = vtkFFHullFilter.ENGINE_CUDA
+
+FAILURES = {
+    "a coordinate is NaN or infinite": lambda: hull(poly_data("0 0 0; nan 0 0")),
+    "an integer coordinate that no double holds": hull_of_integers,
+    "a block that is no vtkPointSet": hull_of_an_image,
+    "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
+    "the array of weights is missing": lambda: weighted(None),
+    "weights are strings": lambda: weighted(strings()),
+    "weights of two components": lambda: weighted(integers(2, 3)),
+    "two weights for three points": lambda: weighted(integers(1, 2)),
+    "an integer weight that no double holds": lambda: weighted(integers(1, 3, 2**53 + 1)),
+    "a projection by transform, without one": lambda: triangulation(ProjectionPlaneMode=PLANE),
+    "a box of the power diagram without an inside": lambda: triangulation(
+        GeneratePowerDiagram=True,
+        PowerDiagramBoxMode=BOUNDS,
+        PowerDiagramBounds=(0, 0, 0, 1),
+    ),
+    "a cell that is no triangle": lambda: surface([[0, 1, 2, 3]]),
+    "a triangle with a corner twice": lambda: surface([*FACETS, [0, 1, 1]]),
+    "a triangle is missing": lambda: surface(FACETS[:3]),
+    "a triangle is there three times": lambda: surface([FACETS[0], FACETS[0], *FACETS]),
+    "a triangle is turned over": lambda: surface([FACETS[0][::-1], *FACETS[1:]]),
+    "the kernel point is outside": lambda: surface(
+        FACETS, KernelPoint=(9, 9, 9), UseKernelPoint=True
+    ),
+    "the kernel point is on a triangle": lambda: surface(
+        FACETS, KernelPoint=(1, 1, 0), UseKernelPoint=True
+    ),
+    "the kernel point is not finite": lambda: surface(
+        FACETS, KernelPoint=(NAN, 0, 0), UseKernelPoint=True
+    ),
+    "no point sees all triangles": lambda: surface(FACETS_OF_TWO, TWO),
+    "all triangles are in one plane": lambda: surface(
+        [[0, 1, 2], [0, 2, 1]], "0 0 0; 1 0 0; 0 1 0"
+    ),
+    "a used point is NaN": lambda: surface(FACETS, TETRAHEDRON[:-1] + "nan"),
+}
