@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Markdown page's headings and links, as GitHub sees them: what is code does not count."""
+"""A Markdown page's headings, links and code, as GitHub sees them."""
 
 import re
 
 FENCE = re.compile(r"\s*(```|~~~)")
 HEADING = re.compile(r"(#{1,6})\s+(.*?)\s*#*\s*$")
 LINK = re.compile(r"(?P<picture>!?)\[(?P<text>(?:[^\[\]]|\[[^\[\]]*\])*)\]\((?P<target>[^()\s]+)\)")
-CODE = re.compile(r"(`+)(?:(?!\1).)*\1")
+CODE = re.compile(r"(`+)((?:(?!\1).)*)\1")
 
 
 def prose(text):
@@ -42,10 +42,10 @@ def headings(text):
 
 def replace_links(line, replacement):
     """The line with replacement(match of LINK) for each of its links outside code."""
-    code = [match.span() for match in CODE.finditer(line)]
+    spans = [match.span() for match in CODE.finditer(line)]
 
     def outside(link):
-        within = any(begin <= link.start() and link.end() <= end for begin, end in code)
+        within = any(begin <= link.start() and link.end() <= end for begin, end in spans)
         return link[0] if within else replacement(link)
 
     return LINK.sub(outside, line)
@@ -59,3 +59,11 @@ def links(text):
             replace_links(line, lambda link: found.append(link) or "")
             for link in found:
                 yield number, link
+
+
+def code(text):
+    """(line number, what it says) of each span of code."""
+    for number, line, is_prose in prose(text):
+        if is_prose:
+            for span in CODE.finditer(line):
+                yield number, span[2]

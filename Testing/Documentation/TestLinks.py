@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every relative link and picture of every page leads to a file, and to a heading that is there."""
+"""Relative links and pictures of pages lead to files and headings; the files they name are there."""
 
 import os
 import tempfile
 import unittest
 
 from dependencies import folders
-from links import faults
+from links import faults, missing_files
 from tree import TOP
 
 # Right and wrong ones in turn; what is code is no link.
@@ -43,25 +43,44 @@ def write(path, text):
         file.write(text)
 
 
+def all_pages():
+    places = [TOP] + [
+        path for folder in folders() for path, _, _ in os.walk(os.path.join(TOP, folder))
+    ]
+    return sorted(
+        os.path.join(place, name)
+        for place in places
+        for name in os.listdir(place)
+        if name.endswith(".md")
+    )
+
+
 class TestLinks(unittest.TestCase):
+    def test_pages_are_found(self):
+        self.assertIn(os.path.join(TOP, "README.md"), all_pages())
+        self.assertIn(os.path.join(TOP, "Documentation", "Architecture.md"), all_pages())
+
     def test_pages(self):
-        places = [TOP] + [
-            path for folder in folders() for path, _, _ in os.walk(os.path.join(TOP, folder))
-        ]
-        pages = [
-            os.path.join(place, name)
-            for place in places
-            for name in os.listdir(place)
-            if name.endswith(".md")
-        ]
-        self.assertIn(os.path.join(TOP, "README.md"), pages)
-        self.assertIn(os.path.join(TOP, "Documentation", "Architecture.md"), pages)
-        found = [
-            f"{os.path.relpath(page, TOP)}:{number}: {target}: {fault}"
-            for page in sorted(pages)
-            for number, target, fault in faults(page)
-        ]
-        self.assertEqual(found, [], "\n" + "\n".join(found))
+        for page in all_pages():
+            with self.subTest(os.path.relpath(page, TOP)):
+                self.assertEqual(list(faults(page)), [])
+
+    def test_files_that_pages_name(self):
+        for page in all_pages():
+            with self.subTest(os.path.relpath(page, TOP)):
+                self.assertEqual(list(missing_files(page, TOP, folders())), [])
+
+    def test_a_missing_file_is_noticed(self):
+        with tempfile.TemporaryDirectory() as top:
+            os.mkdir(os.path.join(top, "Engine"))
+            write(os.path.join(top, "Engine", "Hull.h"), "")
+            page = os.path.join(top, "page.md")
+            write(page, "`Engine/Hull.h` `Engine/*.h` `Engine/` `Other/Hull.h` `Engine.h`\n"
+                        "`Engine/None.h` `Engine/None.sh --all` `Engine/*.cxx`\n")
+            self.assertEqual(
+                list(missing_files(page, top, ["Engine"])),
+                [(2, "Engine/None.h"), (2, "Engine/None.sh"), (2, "Engine/*.cxx")],
+            )
 
     def test_a_broken_page_is_noticed(self):
         with tempfile.TemporaryDirectory() as folder:

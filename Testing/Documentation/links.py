@@ -1,10 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Links and pictures of Markdown pages that lead nowhere; what lies elsewhere is not asked for."""
+"""Links, pictures and named files of Markdown pages that are not there.
 
+What lies elsewhere (https:) is not asked for. A file is named by code that begins with a folder
+of the tree; a * in it stands for anything.
+"""
+
+import glob
 import os
 
-from markdown_page import headings, links
+from markdown_page import code, headings, links
 from tree import read
 
 
@@ -29,3 +34,11 @@ def faults(page):
             fault = fault_of(page, link["target"])
             if fault:
                 yield number, link["target"], fault
+
+
+def missing_files(page, top, folders):
+    """(line number, path) of each file or folder that the page names and the tree has not."""
+    for number, words in code(read(page)):
+        path = words.split()[0] if words.split() else ""
+        if path.split("/")[0] in folders and "/" in path and not glob.glob(os.path.join(top, path)):
+            yield number, path
