@@ -56,14 +56,25 @@ const CudaStatus& cudaStatus();
 /// Give back to the device the memory that is kept for the next run.
 void releaseCudaMemory();
 
-/// As convexHull(points, options).
-/// @throw Error the same; NoDevice, DeviceMemory, DeviceFailed where CUDA is chosen
-///              (Automatic leaves such a run to the CPU)
+/// As convexHull(points, options), by the engine that is chosen.
+/// @param points  any number of them up to 2^32 - 2
+/// @param options see Options
+/// @param engine  what the choice goes by
+/// @param report  gets which engine it was, and why
+/// @return the same hull, bit for bit, whichever engine it was
+/// @throw Error   the same; NoDevice, DeviceMemory, DeviceFailed where CUDA is chosen
+///                (Automatic leaves such a run to the CPU)
 Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
   EngineReport& report);
 
-/// As regularTriangulation(points, weights, options).
-/// @throw Error the same, and as above
+/// As regularTriangulation(points, weights, options), by the engine that is chosen.
+/// @param points  any number of them up to 2^32 - 2
+/// @param weights one for each point, or without data
+/// @param options see Options
+/// @param engine  what the choice goes by
+/// @param report  gets which engine it was, and why
+/// @return the same triangulation, bit for bit, whichever engine it was
+/// @throw Error   the same, and as convexHull
 Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
   const Options& options, const EngineOptions& engine, EngineReport& report);
 

@@ -34,8 +34,8 @@
  * | collinear points           | one line cell between the two ends                               |
  * | coplanar points            | one polygon, once (or its triangles)                             |
  * | duplicates                 | the lowest id stands for all                                     |
- * | NaN or infinite coordinate | an error naming the first point and the count, and empty output; |
- * |                            | or left out and counted: SetNonFinitePointsToIgnore()            |
+ * | NaN or infinite coordinate | an error naming the first point and the count, and empty output  |
+ * | the same, to be ignored    | left out and counted: SetNonFinitePointsToIgnore()               |
  * | too many points, no memory | an error, and empty output                                       |
  *
  * Composite input gives a hull of each block (see vtkFFAlgorithm), or one hull of all blocks; see

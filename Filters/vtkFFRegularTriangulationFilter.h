@@ -51,14 +51,14 @@
  * | one position               | one vertex cell: the greatest weight, then the lowest id         |
  * | collinear points           | a chain of line cells through the points that appear             |
  * | duplicates                 | the greatest weight, then the lowest id, stands for all          |
- * | NaN or infinite coordinate | an error naming the first point and the count, and empty output; |
- * | or weight                  | or left out and counted: SetNonFinitePointsToIgnore()            |
- * | weights that are missing,  | an error naming the array, and empty output (for no point, none  |
- * | or of another kind or size | is needed)                                                       |
+ * | NaN or infinity            | an error naming the first point and the count, and empty output  |
+ * | the same, to be ignored    | left out and counted: SetNonFinitePointsToIgnore()               |
+ * | no or unusable weights     | an error naming the array, and empty output                      |
  * | too many points, no memory | an error, and empty output                                       |
  *
- * Points left out because they are not finite are on no port. All three coordinates count: a point
- * is not finite if its z is not, even where z does not matter.
+ * Weights are unusable if they are no numbers, or not one for each point; for no point, none are
+ * needed. NaN or infinity counts wherever it is: in a weight, in a coordinate, in z even where z
+ * does not matter. Points left out for that are on no port.
  *
  * @warning
  * At most 2^32 - 2 points can be given, about 5e8 where nearly all are visible.
