@@ -1,0 +1,403 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AnswerJudge.h"
+
+#include "ConvexHull.h"
+#include "HullRun.h"
+#include "RegularTriangulation.h"
+#include "TriangulationRun.h"
+#include "Validate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace flipflop
+{
+namespace
+{
+
+using Place = std::array<double, 3>;
+
+struct PlaceHash
+{
+  std::size_t operator()(const Place& place) const
+  {
+    std::size_t result = 0;
+    for (const double x : place)
+    {
+      result = result * 0x9e3779b97f4a7c15ull + std::hash<double>()(x);
+      result ^= result >> 29;
+    }
+    return result;
+  }
+};
+
+/// The places as they are compared: as far as the answer has them.
+Place placeOf(const double* x, bool rounded)
+{
+  Place place;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    // Zero has one sign.
+    place[i] = 0.0 + (rounded ? static_cast<double>(static_cast<float>(x[i])) : x[i]);
+  }
+  return place;
+}
+
+/// The input ids of the answer's points, NoIndex where there is none: of those at a place the
+/// extreme one, else the lowest.
+std::vector<std::uint32_t> identify(
+  const PointSource& source, const CellComplex& truth, const Answer& answer)
+{
+  std::unordered_map<Place, std::uint32_t, PlaceHash> ids;
+  for (std::size_t i = 0; i < answer.points.size(); i += 3)
+  {
+    ids.emplace(placeOf(&answer.points[i], answer.rounded), NoIndex);
+  }
+  const auto note = [&](std::uint32_t id)
+  {
+    double x[3];
+    source.load(id, x);
+    const auto found = ids.find(placeOf(x, answer.rounded));
+    if (found != ids.end() && found->second == NoIndex)
+    {
+      found->second = id;
+    }
+  };
+  for (const std::int64_t id : truth.pointIds)
+  {
+    note(static_cast<std::uint32_t>(id));
+  }
+  for (std::uint32_t id = 0; id < source.count(); ++id)
+  {
+    note(id);
+  }
+  std::vector<std::uint32_t> result;
+  for (std::size_t i = 0; i < answer.points.size(); i += 3)
+  {
+    result.push_back(ids[placeOf(&answer.points[i], answer.rounded)]);
+  }
+  return result;
+}
+
+/// The cells as fans; those with strangers are counted and left out.
+std::vector<SurfaceTriangle> fansOf(
+  const Answer& answer, const std::vector<std::uint32_t>& ids, std::int64_t& strangers)
+{
+  std::vector<SurfaceTriangle> fans;
+  for (std::size_t cell = 0; cell + 1 < answer.offsets.size(); ++cell)
+  {
+    const auto corner = [&](std::int64_t i) {
+      return ids.at(static_cast<std::size_t>(answer.connectivity.at(static_cast<std::size_t>(i))));
+    };
+    const std::int64_t begin = answer.offsets[cell];
+    bool known = true;
+    for (std::int64_t i = begin; i < answer.offsets[cell + 1]; ++i)
+    {
+      known = known && corner(i) != NoIndex;
+    }
+    strangers += known ? 0 : 1;
+    for (std::int64_t i = begin + 2; known && i < answer.offsets[cell + 1]; ++i)
+    {
+      fans.push_back({ corner(begin), corner(i - 1), corner(i) });
+    }
+  }
+  return fans;
+}
+
+/// The judge does not go by what it has not judged.
+void requireSound(const Validation& validation)
+{
+  if (!validation)
+  {
+    throw std::logic_error(std::string("the judge's own result: ") + describe(validation.fault));
+  }
+}
+
+Options inPolygons()
+{
+  Options options;
+  options.facets = FacetMode::Polygons;
+  return options;
+}
+
+Hull exactHull(const PointView& points)
+{
+  Hull truth = convexHull(points, inPolygons());
+  requireSound(validate(points, truth));
+  return truth;
+}
+
+/// The points with one more, off the plane in which they all lie.
+std::vector<double> withApex(const PointView& points, const Hull& polygon)
+{
+  PointSource source(points);
+  std::vector<double> result(3 * static_cast<std::size_t>(points.count));
+  double extent = 0;
+  for (std::uint32_t id = 0; id < source.count(); ++id)
+  {
+    source.load(id, &result[3 * id]);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      extent = std::max(extent, std::fabs(result[3 * id + i] - result[i]));
+    }
+  }
+  const double* corner[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    corner[k] = &result[3 * static_cast<std::size_t>(polygon.pointIds[polygon.connectivity[k]])];
+  }
+  // Along an axis that the plane does not contain, any step leaves it.
+  Place normal;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    normal[i] = std::fabs((corner[1][j] - corner[0][j]) * (corner[2][k] - corner[0][k]) -
+      (corner[1][k] - corner[0][k]) * (corner[2][j] - corner[0][j]));
+  }
+  const auto axis =
+    static_cast<std::size_t>(std::max_element(normal.begin(), normal.end()) - normal.begin());
+  Place apex = { corner[0][0], corner[0][1], corner[0][2] };
+  apex[axis] += extent;
+  result.insert(result.end(), apex.begin(), apex.end());
+  return result;
+}
+
+using HullJudge = SurfaceJudge<HullGeometry>;
+
+/// The points outside the hull of those that the answer uses; -1 where it takes too long to count
+/// them.
+std::int64_t countOutside(const HullJudge& judge, const HullGeometry& geometry,
+  const PointSource& source, const CellComplex& truth, const std::vector<SurfaceTriangle>& fans)
+{
+  constexpr double MostTests = 1e10;
+  enum : char
+  {
+    Inner,
+    Extreme,
+    Used
+  };
+  std::vector<char> role(source.count(), Inner);
+  for (const std::int64_t id : truth.pointIds)
+  {
+    role[static_cast<std::size_t>(id)] = Extreme;
+  }
+  for (const SurfaceTriangle& t : fans)
+  {
+    for (const std::uint32_t id : t)
+    {
+      role[id] = Used;
+    }
+  }
+  std::vector<std::uint32_t> ids;
+  std::vector<double> chosen;
+  for (std::uint32_t id = 0; id < source.count(); ++id)
+  {
+    if (role[id] == Used)
+    {
+      ids.push_back(id);
+      chosen.resize(chosen.size() + 3);
+      source.load(id, &*chosen.end() - 3);
+    }
+  }
+  const auto chosenCount = static_cast<std::int64_t>(ids.size());
+  const Hull hull = convexHull(PointView(chosen.data(), chosenCount), inPolygons());
+  if (hull.dimension < 3)
+  {
+    return source.count() - chosenCount;
+  }
+  // What is outside is beyond a facet that is none of all points' hull.
+  std::vector<std::array<Vertex, 3>> facets;
+  for (std::int64_t cell = 0; cell < hull.cellCount(); ++cell)
+  {
+    SurfaceTriangle t;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::int64_t corner =
+        hull.connectivity[static_cast<std::size_t>(hull.cellBegin(cell)) + k];
+      t[k] = ids[static_cast<std::size_t>(hull.pointIds[static_cast<std::size_t>(corner)])];
+    }
+    if (!judge.supports(t))
+    {
+      facets.push_back({ source.vertex(t[0]), source.vertex(t[1]), source.vertex(t[2]) });
+    }
+  }
+  if (static_cast<double>(facets.size()) * source.count() > MostTests)
+  {
+    return -1;
+  }
+  std::int64_t outside = 0;
+  for (std::uint32_t id = 0; id < source.count(); ++id)
+  {
+    const Vertex p = source.vertex(id);
+    const auto isBeyond = [&](const std::array<Vertex, 3>& t)
+    { return geometry.above(t[0], t[1], t[2], p) > 0; };
+    // An extreme point that is not used is outside the hull of others.
+    outside += role[id] == Extreme ||
+      (role[id] == Inner && std::any_of(facets.begin(), facets.end(), isBeyond));
+  }
+  return outside;
+}
+
+Judgement impossible()
+{
+  Judgement judgement;
+  judgement.possible = false;
+  return judgement;
+}
+
+/// @param apex as SurfaceJudge's; a point of the truth that the answer cannot have
+Judgement judgeSolid(const PointView& points, const Answer& answer, const std::uint32_t* apex)
+{
+  Judgement result;
+  const Hull truth = exactHull(points);
+  HullRun run(points, Options());
+  run.execute<Hull>(
+    [&](Hull& scratch)
+    {
+      run.inspect(scratch);
+      const HullJudge judge(run.geometry, run.source, truth, apex);
+      const std::vector<SurfaceTriangle> fans =
+        fansOf(answer, identify(run.source, truth, answer), result.strangers);
+      result.faults = judge.judge(fans);
+      if (result.faults.missing && !apex)
+      {
+        result.outside = countOutside(judge, run.geometry, run.source, truth, fans);
+      }
+    });
+  return result;
+}
+
+std::string counted(std::int64_t number)
+{
+  std::string digits = std::to_string(number);
+  for (std::size_t i = digits.size(); i > 3; i -= 3)
+  {
+    digits.insert(i - 3, ",");
+  }
+  return digits;
+}
+
+/// Numbers that are not zero, by name.
+class Findings
+{
+public:
+  void add(const char* name, std::int64_t number, std::int64_t of = 0)
+  {
+    if (number > 0)
+    {
+      this->text += std::string(this->text.empty() ? "" : "; ") + name + ": " + counted(number);
+      this->text += of ? " of " + counted(of) : "";
+    }
+  }
+  std::string text;
+};
+
+std::string describe(const Judgement& judgement, Findings& faults, const Findings& remarks)
+{
+  if (!judgement.possible)
+  {
+    return "not judged: the points span too little";
+  }
+  if (!judgement.faults.triangles && !judgement.strangers)
+  {
+    return "empty";
+  }
+  if (judgement.isValid())
+  {
+    return "valid" + (remarks.text.empty() ? "" : " (" + remarks.text + ")");
+  }
+  faults.add("cells with a corner that is no input point", judgement.strangers);
+  if (faults.text.empty())
+  {
+    faults.text = "times that the whole is covered: " + counted(judgement.faults.sheets);
+  }
+  return faults.text;
+}
+
+}
+
+std::int64_t Answer::vertexCount() const
+{
+  std::vector<bool> used(this->points.size() / 3);
+  for (const std::int64_t corner : this->connectivity)
+  {
+    used.at(static_cast<std::size_t>(corner)) = true;
+  }
+  return std::count(used.begin(), used.end(), true);
+}
+
+Judgement judgeHull(const PointView& points, const Answer& answer)
+{
+  const Hull truth = exactHull(points);
+  if (truth.dimension < 2)
+  {
+    return impossible();
+  }
+  if (truth.dimension == 3)
+  {
+    return judgeSolid(points, answer, nullptr);
+  }
+  const auto apex = static_cast<std::uint32_t>(points.count);
+  const std::vector<double> solid = withApex(points, truth);
+  return judgeSolid(PointView(solid.data(), points.count + 1), answer, &apex);
+}
+
+Judgement judgeDelaunay(const PointView& points, const Answer& answer)
+{
+  Judgement result;
+  const Triangulation truth = regularTriangulation(points, WeightView(), inPolygons());
+  requireSound(validate(points, WeightView(), truth));
+  if (truth.dimension < 2)
+  {
+    return impossible();
+  }
+  TriangulationRun<false> run(points, WeightView(), Options());
+  run.execute<Triangulation>(
+    [&](Triangulation& scratch)
+    {
+      run.inspect(scratch.statistics);
+      const std::uint32_t apex = NoIndex;
+      const SurfaceJudge<LiftedGeometry<false>> judge(run.geometry, run.source, truth, &apex);
+      result.faults =
+        judge.judge(fansOf(answer, identify(run.source, truth, answer), result.strangers));
+    });
+  return result;
+}
+
+std::string describeHull(const Judgement& judgement)
+{
+  const SurfaceFaults& found = judgement.faults;
+  Findings faults;
+  faults.add("extreme points missing", found.missing, found.extreme);
+  faults.add("points outside", judgement.outside);
+  faults.add("facets with points beyond", found.beyond, found.triangles);
+  faults.add("border edges with points beyond", found.borderBeyond);
+  faults.add("open edges", found.openEdges);
+  faults.add("folded edges", found.beyond ? 0 : found.foldedEdges);
+  Findings remarks;
+  remarks.add("vertices not extreme", found.notExtreme);
+  remarks.add("facets without area", found.withoutArea);
+  remarks.add("facets turned inwards", found.turnedInwards);
+  return describe(judgement, faults, remarks);
+}
+
+std::string describeDelaunay(const Judgement& judgement)
+{
+  const SurfaceFaults& found = judgement.faults;
+  Findings faults;
+  faults.add("points missing", found.missing, found.extreme);
+  faults.add("circles not empty", found.beyond, found.triangles);
+  faults.add("border edges inside", found.borderBeyond);
+  Findings remarks;
+  remarks.add("triangles without area", found.withoutArea);
+  return describe(judgement, faults, remarks);
+}
+
+}
