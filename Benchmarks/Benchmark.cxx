@@ -41,7 +41,7 @@ std::vector<Entry> entries(const Suite& suite, const Plan& plan, const Distribut
   {
     if (peer.weighted || !distribution.isWeighted())
     {
-      result.push_back({ peer.name, 1, peer.factory });
+      result.push_back({ peer.name, peer.threads, peer.factory });
     }
   }
   return result;
@@ -94,7 +94,7 @@ Case runCase(const Suite& suite, const Plan& plan, const Distribution& distribut
     for (std::size_t i = 0; i < contenders.size(); ++i)
     {
       const Entry& entry = contenders[i];
-      if (one.rows[i].status == Status::Ok)
+      if (one.rows[i].goesOn())
       {
         one.rows[i].add(measure(points, few, entry.factory, entry.peer() ? plan.maxPeerSeconds : 0,
           plan.validate && round == 0));
@@ -117,7 +117,7 @@ void notePaces(Paces& paces, const Case& one, const Plan& plan)
     {
       seconds = plan.maxPeerSeconds;
     }
-    if (row.status == Status::Ok || row.status == Status::Timeout)
+    if (row.goesOn() || row.status == Status::Timeout)
     {
       paces[row.contender] = seconds / static_cast<double>(one.points);
     }
@@ -187,7 +187,9 @@ int run(const Suite& suite, const Plan& plan)
   for (const Distribution& distribution : plan.distributions)
   {
     Paces paces;
-    for (const std::int64_t size : plan.sizes)
+    // What comes from a file has one size.
+    const std::vector<std::int64_t> whole = { 0 };
+    for (const std::int64_t size : distribution.file.empty() ? plan.sizes : whole)
     {
       cases.push_back(runCase(suite, plan, distribution, size, paces));
       notePaces(paces, cases.back(), plan);

@@ -22,6 +22,17 @@ struct Outcome
   std::int64_t vertices = 0;
   std::int64_t facets = 0;
   Statistics statistics; ///< ours; zeros for the others
+
+  /// As measured where the library ran, if that was a process of its own; else -1.
+  double seconds = -1;
+  std::int64_t peakBytes = -1;
+};
+
+/// What an exact judge says of a result.
+struct Verdict
+{
+  bool right = true;
+  std::string text; ///< empty: it was not judged
 };
 
 class Contender
@@ -38,8 +49,8 @@ public:
   /// Not timed.
   virtual Outcome outcome() const = 0;
 
-  /// Judge the result exactly, where the library can: an empty text, or the fault. Not timed.
-  virtual std::string judge() const { return {}; }
+  /// Judge the result exactly, where there is a judge for it. Not timed.
+  virtual Verdict judge() const { return {}; }
 };
 
 using ContenderFactory = std::function<std::unique_ptr<Contender>()>;

@@ -28,10 +28,10 @@ public:
     result.statistics = this->hull.statistics;
     return result;
   }
-  std::string judge() const override
+  Verdict judge() const override
   {
     const Validation validation = validate(this->view, this->hull, this->options.threads);
-    return validation ? std::string() : std::string(describe(validation.fault));
+    return { static_cast<bool>(validation), validation ? "valid" : describe(validation.fault) };
   }
 
 private:

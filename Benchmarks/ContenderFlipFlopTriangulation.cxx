@@ -40,11 +40,11 @@ public:
     result.statistics = this->triangulation.statistics;
     return result;
   }
-  std::string judge() const override
+  Verdict judge() const override
   {
     const Validation validation =
       validate(this->points, this->weights, this->triangulation, this->options.threads);
-    return validation ? std::string() : std::string(describe(validation.fault));
+    return { static_cast<bool>(validation), validation ? "valid" : describe(validation.fault) };
   }
 
 private:

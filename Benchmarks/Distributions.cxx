@@ -234,6 +234,83 @@ Coordinates duplicates(Random& random, std::int64_t count)
     });
 }
 
+/// Exactly in a plane: sums of so few bits are not rounded.
+Point inPlane(Random& random)
+{
+  const auto few = [](double x) { return std::floor(0x1p40 * x) * 0x1p-40; };
+  const double x = few(random.uniform());
+  const double y = few(random.uniform());
+  return { x, y, x + y };
+}
+
+Coordinates repeats(Random& random, std::int64_t count)
+{
+  const std::int64_t different = std::max<std::int64_t>(4, count / 2);
+  const Coordinates pool = sample(different,
+    [&] {
+      return Point{ random.uniform(), random.uniform(), 0 };
+    });
+  return sample(count,
+    [&]
+    {
+      const std::size_t i = random.next() % static_cast<std::uint64_t>(different) * 3;
+      return Point{ pool[i], pool[i + 1], 0 };
+    });
+}
+
+template <class Scalar>
+Coordinates readScalars(std::FILE* file)
+{
+  Coordinates points;
+  Scalar xyz[3];
+  while (std::fread(xyz, sizeof(xyz), 1, file) == 1)
+  {
+    points.insert(points.end(), xyz, xyz + 3);
+  }
+  return points;
+}
+
+Coordinates readPoints(const Distribution& distribution)
+{
+  const std::string& path = distribution.file;
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file)
+  {
+    throw std::invalid_argument("cannot read " + path);
+  }
+  Coordinates points =
+    path.substr(path.size() - 4) == ".f32" ? readScalars<float>(file) : readScalars<double>(file);
+  std::fclose(file);
+  for (std::size_t i = 2; distribution.family == Family::Plane && i < points.size(); i += 3)
+  {
+    points[i] = 0;
+  }
+  return points;
+}
+
+/// The file's name without folders and ending.
+std::string stem(const std::string& path)
+{
+  const std::size_t slash = path.rfind('/');
+  const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
+  return path.substr(begin, path.rfind('.') - begin);
+}
+
+/// @throw std::invalid_argument
+Distribution fromFile(const std::string& path, Family family)
+{
+  const std::string ending = path.size() > 4 ? path.substr(path.size() - 4) : "";
+  if (ending != ".f32" && ending != ".f64")
+  {
+    throw std::invalid_argument("neither .f32 nor .f64: " + path);
+  }
+  Distribution result;
+  result.name = stem(path);
+  result.file = path;
+  result.family = family;
+  return result;
+}
+
 }
 
 std::string Distribution::label() const
@@ -250,13 +327,18 @@ std::string Distribution::label() const
 Distribution Distribution::parse(const std::string& text, Family family)
 {
   static const std::vector<std::string> space = { "cube", "ball", "box", "shell", "grid",
-    "surface-grid", "rotated-grid", "duplicates" };
+    "surface-grid", "rotated-grid", "duplicates", "coplanar" };
   static const std::vector<std::string> plane = { "uniform", "square-grid", "weighted-grid",
-    "circle", "clusters", "scan" };
+    "circle", "clusters", "scan", "repeats" };
   const std::vector<std::string>& names = family == Family::Space ? space : plane;
   Distribution result;
+  result.family = family;
   const std::size_t colon = text.find(':');
   result.name = text.substr(0, colon);
+  if (result.name == "file" && colon != std::string::npos)
+  {
+    return fromFile(text.substr(colon + 1), family);
+  }
   if (std::find(names.begin(), names.end(), result.name) == names.end())
   {
     throw std::invalid_argument("unknown distribution: " + text);
@@ -279,6 +361,10 @@ Distribution Distribution::parse(const std::string& text, Family family)
 
 Coordinates makePoints(const Distribution& distribution, std::int64_t count, std::uint64_t seed)
 {
+  if (!distribution.file.empty())
+  {
+    return readPoints(distribution);
+  }
   Random random(seed);
   const double thickness = distribution.parameter;
   if (distribution.name == "uniform")
@@ -328,6 +414,14 @@ Coordinates makePoints(const Distribution& distribution, std::int64_t count, std
   if (distribution.name == "duplicates")
   {
     return duplicates(random, count);
+  }
+  if (distribution.name == "coplanar")
+  {
+    return sample(count, [&] { return inPlane(random); });
+  }
+  if (distribution.name == "repeats")
+  {
+    return repeats(random, count);
   }
   if (distribution.name == "grid")
   {

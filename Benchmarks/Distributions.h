@@ -14,6 +14,7 @@
 /// | surface-grid   | the points of such a grid on the cube's surface: six coplanar sheets    |
 /// | rotated-grid   | the same, rotated and rounded: six sheets that are only nearly coplanar |
 /// | duplicates     | shell:0, but only n / 100 different points, each drawn about 100 times  |
+/// | coplanar       | z = x + y, exactly                                                      |
 ///
 /// The first four are those of Gao et al. (gHull, 2012) and of the Flip-Flop paper.
 ///
@@ -27,6 +28,10 @@
 /// | circle         | on a circle of radius 0.5, rounded                                      |
 /// | clusters       | a hundred normal distributions of deviation 0.01                        |
 /// | scan           | scan lines, noisy, in whole centimetres as airborne LiDAR has them      |
+/// | repeats        | uniform:0, but only n / 2 different points, each drawn about twice      |
+///
+/// file:PATH is read: x y z of each point, doubles (.f64) or floats (.f32). In the plane z is left
+/// out.
 ///
 /// uniform:27 keeps about a fifth of its points, uniform:0.19 all but a hundredth: those are the
 /// Flip-Flop paper's.
@@ -51,6 +56,8 @@ struct Distribution
 {
   std::string name;
   double parameter = 0; ///< of box and shell: thickness; of uniform: W; 0 for the others
+  std::string file;     ///< where the points are read from; the name is then the file's
+  Family family = Family::Space;
 
   bool hasParameter() const
   {
@@ -72,7 +79,7 @@ struct Distribution
 };
 
 /// x y z (or weight) of @p count points, a function of the arguments alone. The grids have the size
-/// nearest to @p count that their shape allows.
+/// nearest to @p count that their shape allows; of a file it is all points.
 /// @throw std::invalid_argument
 Coordinates makePoints(const Distribution& distribution, std::int64_t count, std::uint64_t seed);
 

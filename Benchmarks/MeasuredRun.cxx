@@ -94,55 +94,80 @@ void touchMemory(const Coordinates& xyz)
   }
 }
 
-Measurement runHere(
-  const Coordinates& xyz, const Coordinates& few, const ContenderFactory& factory, bool judge)
+/// The contender's run on @p xyz; it keeps its result.
+Measurement runHere(Contender& contender, const Coordinates& xyz)
 {
   Measurement result;
-  {
-    const std::unique_ptr<Contender> warm = factory();
-    warm->prepare(few);
-    warm->run();
-  }
   touchMemory(xyz);
-  const std::unique_ptr<Contender> contender = factory();
-  contender->prepare(xyz);
+  contender.prepare(xyz);
 
   const std::int64_t before = resetPeak();
   const Clock::time_point start = Clock::now();
-  contender->run();
+  contender.run();
   result.seconds = secondsSince(start);
   const std::int64_t peak = memoryField("VmHWM");
 
   result.peakBytes = before < 0 || peak < 0 ? -1 : peak - before;
-  result.outcome = contender->outcome();
-  result.status = Status::Ok;
-  if (judge)
+  result.outcome = contender.outcome();
+  if (result.outcome.seconds >= 0)
   {
-    const std::string fault = contender->judge();
-    if (!fault.empty())
-    {
-      result.status = Status::Failed;
-      say(result, fault.c_str());
-    }
+    result.seconds = result.outcome.seconds;
+    result.peakBytes = result.outcome.peakBytes;
   }
+  result.status = Status::Ok;
   return result;
 }
 
+void judgeHere(Measurement& result, const Contender& contender)
+{
+  const Verdict verdict = contender.judge();
+  result.status = verdict.right ? Status::Ok : Status::Wrong;
+  say(result, verdict.text.c_str());
+}
+
+/// Send back what the run comes to and, if @p judge, once more with the verdict.
 [[noreturn]] void child(int pipe, const Coordinates& xyz, const Coordinates& few,
   const ContenderFactory& factory, bool judge)
 {
   Measurement result;
+  const auto send = [&]
+  { return write(pipe, &result, sizeof(result)) == static_cast<ssize_t>(sizeof(result)); };
+  bool sent = true;
   try
   {
-    result = runHere(xyz, few, factory, judge);
+    {
+      const std::unique_ptr<Contender> warm = factory();
+      warm->prepare(few);
+      warm->run();
+    }
+    const std::unique_ptr<Contender> contender = factory();
+    result = runHere(*contender, xyz);
+    if (judge)
+    {
+      sent = send();
+      judgeHere(result, *contender);
+    }
   }
   catch (const std::exception& error)
   {
+    result.status = Status::Failed;
     say(result, error.what());
   }
-  const ssize_t written = write(pipe, &result, sizeof(result));
+  sent = send() && sent;
   // Skip destructors and exit handlers: they belong to the parent.
-  _exit(written == static_cast<ssize_t>(sizeof(result)) ? 0 : 1);
+  _exit(sent ? 0 : 1);
+}
+
+/// What the child sends next.
+Measurement receive(int pipe)
+{
+  Measurement received;
+  if (read(pipe, &received, sizeof(received)) != static_cast<ssize_t>(sizeof(received)))
+  {
+    received = Measurement();
+    say(received, "the process ended without a result");
+  }
+  return received;
 }
 
 }
@@ -153,6 +178,8 @@ const char* name(Status status)
   {
     case Status::Ok:
       return "ok";
+    case Status::Wrong:
+      return "wrong";
     case Status::Failed:
       return "failed";
     case Status::Timeout:
@@ -199,14 +226,10 @@ Measurement measure(const Coordinates& xyz, const Coordinates& few, const Conten
   }
   else
   {
-    Measurement received;
-    if (read(ends[0], &received, sizeof(received)) == static_cast<ssize_t>(sizeof(received)))
+    result = receive(ends[0]);
+    if (judge && result.done())
     {
-      result = received;
-    }
-    else
-    {
-      say(result, "the process ended without a result");
+      result = receive(ends[0]);
     }
   }
   close(ends[0]);

@@ -17,7 +17,8 @@ namespace flipflop
 enum class Status
 {
   Ok,
-  Failed,  ///< an exception, a crash, or a result judged wrong
+  Wrong,   ///< a result, judged wrong
+  Failed,  ///< an exception or a crash
   Timeout, ///< ended at the limit
   Skipped  ///< not run: the size before it already took too long
 };
@@ -30,7 +31,10 @@ struct Measurement
   double seconds = 0;
   std::int64_t peakBytes = 0; ///< resident memory at its peak, beyond the input; -1: unknown
   Outcome outcome;
-  char message[160] = {};
+  char message[200] = {}; ///< the fault, or what the judge says
+
+  /// Is there a result?
+  bool done() const { return this->status == Status::Ok || this->status == Status::Wrong; }
 };
 
 /// Run one contender on @p xyz.
@@ -39,7 +43,7 @@ struct Measurement
 /// bound and threads started, for all alike.
 ///
 /// @param limitSeconds end the run after so long; 0: never.
-/// @param judge        have the contender judge its result (not timed).
+/// @param judge        have the contender judge its result: not timed, nor limited.
 Measurement measure(const Coordinates& xyz, const Coordinates& few, const ContenderFactory& factory,
   double limitSeconds, bool judge);
 

@@ -205,7 +205,8 @@ std::string Plan::usage(const Suite& suite)
                           at the size before lets expect more; 0: no limit (120)
   --max-case-seconds S    begin no further round of a case after so long; 0: no limit (0)
   --seed N                of the random points (2013)
-  --validate              judge every result of FlipFlop exactly, outside the clock
+  --validate              judge every result exactly, outside the clock: FlipFlop's, and peers'
+                          that have a judge
   --csv FILE, --json FILE write the results
   --help                  this text
 

@@ -189,9 +189,13 @@ Summary Summary::of(std::vector<double> values)
 
 void Row::add(const Measurement& measurement)
 {
-  this->status = measurement.status;
-  this->message = measurement.message;
-  if (measurement.status == Status::Ok)
+  // A verdict stands for the rounds after it, which nobody judges.
+  if (measurement.status != Status::Ok || measurement.message[0] != 0)
+  {
+    this->status = measurement.status;
+    this->message = measurement.message;
+  }
+  if (measurement.done())
   {
     this->seconds.push_back(measurement.seconds);
     this->outcomes.push_back(measurement.outcome);
@@ -305,7 +309,7 @@ void writeCsv(std::FILE* file, const Suite& suite, const std::vector<Case>& case
   {
     std::fprintf(file, ",%s", stage.first);
   }
-  std::fputc('\n', file);
+  std::fprintf(file, ",message\n");
 
   for (const Case& one : cases)
   {
@@ -360,7 +364,7 @@ void writeCsv(std::FILE* file, const Suite& suite, const std::vector<Case>& case
       {
         csvNumber(file, ours ? stageSeconds(row, stage.second) : std::nan(""));
       }
-      std::fputc('\n', file);
+      std::fprintf(file, ",%s\n", row.message.empty() ? "" : quoted(row.message).c_str());
     }
   }
 }

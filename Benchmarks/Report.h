@@ -31,11 +31,14 @@ struct Row
 {
   std::string contender;
   int threads = 1;
-  Status status = Status::Ok; ///< of the last run
-  std::string message;
+  Status status = Status::Ok;    ///< of the last run, or as judged
+  std::string message;           ///< what was the matter, or what the judge said
   std::vector<double> seconds;   ///< by round; as many as succeeded
   std::vector<Outcome> outcomes; ///< by round, as seconds
   std::int64_t peakBytes = -1;   ///< the greatest of all rounds
+
+  /// Is another round worth while?
+  bool goesOn() const { return this->status == Status::Ok || this->status == Status::Wrong; }
 
   void add(const Measurement& measurement);
 

@@ -24,6 +24,7 @@ struct Peer
   ContenderFactory factory;
   bool weighted = true; ///< takes weights
   bool exact = false;   ///< must end with as many vertices as we
+  int threads = 1;
 };
 
 struct Suite
