@@ -68,10 +68,9 @@ vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* array, vtkIdType co
 {
   // Of the same class, unless its layout is not the plain one: others can be read-only.
   vtkSmartPointer<vtkAbstractArray> like;
-  const bool plain = !vtkDataArray::SafeDownCast(array) ||
-    array->GetArrayType() == vtkAbstractArray::AoSDataArrayTemplate;
-  like.TakeReference(
-    plain ? array->NewInstance() : vtkAbstractArray::CreateArray(array->GetDataType()));
+  like.TakeReference(array->HasStandardMemoryLayout()
+      ? array->NewInstance()
+      : vtkAbstractArray::CreateArray(array->GetDataType()));
   if (like)
   {
     like->SetName(array->GetName());

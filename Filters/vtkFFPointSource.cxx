@@ -4,6 +4,7 @@
 
 #include "vtkFFExactValues.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
@@ -133,8 +134,8 @@ vtkSmartPointer<vtkPoints> vtkFFPointSource::Gather(const std::int64_t* ids, vtk
   {
     switch (this->OutputType)
     {
-      vtkTemplateMacro(
-        gather(this->View, ids, count, static_cast<VTK_TT*>(points->GetVoidPointer(0))));
+      vtkTemplateMacro(gather(this->View, ids, count,
+        vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(points->GetData())->GetPointer(0)));
     }
   }
   return points;
