@@ -27,6 +27,7 @@ from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 from vtkmodules.vtkParallelCore import vtkCommunicator
 
 import cases
+import digests
 import observing
 import pieces
 import pipelines
@@ -110,8 +111,8 @@ class TestPieces(unittest.TestCase):
         self.messages.take()
         plain = pieces.serial(cases.plain_class(case), data, case.settings)
         outputs = [plain.GetOutputDataObject(port) for port in range(plain.GetNumberOfOutputPorts())]
-        self.assertEqual(found["points"], [observing.number_of_points(output) for output in outputs])
-        self.assertEqual(found["digests"], [observing.digest(output) for output in outputs])
+        self.assertEqual(found["points"], [digests.number_of_points(output) for output in outputs])
+        self.assertEqual(found["digests"], [digests.digest(output) for output in outputs])
         self.assertEqual(found["error"], plain.GetErrorCode())
         for name, value in found["found"].items():
             self.assertEqual(value, getattr(plain, f"Get{name}")(), name)
@@ -121,7 +122,7 @@ class TestPieces(unittest.TestCase):
         case = cases.CASES[name]
         datas = [self.kept(name, rank) for rank in range(ranks.RANKS)]
         results = [result[name] for result in self.results]
-        counts = [observing.number_of_points(data) for data in datas]
+        counts = [digests.number_of_points(data) for data in datas]
         with_points = sum(count > 0 for count in counts)
         allowed = {"all": [ranks.RANKS], "some": range(2, ranks.RANKS + 1), "one": [1], "none": [0]}
         self.assertIn(with_points, allowed[case.ranks_with_points], counts)

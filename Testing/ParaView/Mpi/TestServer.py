@@ -15,6 +15,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import cases
+import digests
 import observing
 import pieces
 import ranks
@@ -62,7 +63,7 @@ class ServerTest(unittest.TestCase):
         """What the client fetches is what the plain class gave."""
         for port, output in enumerate(outputs(plain)):
             fetched = servermanager.Fetch(proxy, 0, idx=port)
-            self.assertEqual(observing.digest(fetched), observing.digest(output), port)
+            self.assertEqual(digests.digest(fetched), digests.digest(output), port)
 
     def check_good(self, name):
         source, proxy = cases.pipeline(name)
@@ -172,7 +173,7 @@ class TestState(unittest.TestCase):
         for name in self.NAMES:
             proxy = simple.FindSource(name)
             proxy.UpdatePipeline()
-            found[name] = observing.digest(servermanager.Fetch(proxy, 0))
+            found[name] = digests.digest(servermanager.Fetch(proxy, 0))
         return found
 
     def in_session(self, prepare):

@@ -10,6 +10,7 @@ import os
 import sys
 
 import cases
+import digests
 import observing
 import pieces
 import vtkflipflop
@@ -40,8 +41,8 @@ def run(name, folder, rank, messages):
     return {
         "messages": messages.take(),
         "error": algorithm.GetErrorCode(),
-        "digests": [observing.digest(output) for output in outputs],
-        "points": [observing.number_of_points(output) for output in outputs],
+        "digests": [digests.digest(output) for output in outputs],
+        "points": [digests.number_of_points(output) for output in outputs],
         "found": {key: getattr(algorithm, f"Get{key}")() for key in found},
     }
 

@@ -25,7 +25,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from observing import arrays, leaves
+from digests import arrays, leaves
 
 SOURCE = """
 import pieces
