@@ -2,16 +2,17 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# test.sh [quick|paraview]: install what is missing, check the formatting, build and run every test: under
+# test.sh [quick|paraview|wheel]: install what is missing, check the formatting, build and run every test: under
 # the sanitizers (not with quick), then with the filters and Python. With paraview: those of the ParaView
-# plugin instead. The first failure ends it; what is printed last is ctest's summary.
+# plugin instead; with wheel: build the wheel, and test it in a clean virtual environment with PyVista. The first
+# failure ends it; what is printed last is ctest's or pytest's summary.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/Scripts/common.sh"
 
 what=${1:-all}
 case "$what" in
-  all | quick | paraview) ;;
-  *) echo "usage: test.sh [quick|paraview]" >&2; exit 2 ;;
+  all | quick | paraview | wheel) ;;
+  *) echo "usage: test.sh [quick|paraview|wheel]" >&2; exit 2 ;;
 esac
 
 # build_and_test PRESET [OPTION OF CMAKE]...
@@ -32,6 +33,21 @@ if [ "$what" = paraview ]; then
   "$top/Scripts/install-paraview.sh"
   start_display
   build_and_test paraview "${plugin_options[@]}"
+  exit
+fi
+
+if [ "$what" = wheel ]; then
+  "$top/Scripts/install-dependencies.sh" wheel
+  wheels="$top/build/wheel"
+  "$top/Scripts/wheel/build-wheel.sh" "$wheels" \
+    --config-settings=cmake.define.FLIPFLOP_WARNINGS_AS_ERRORS=ON
+  say "Test: the wheel in a clean environment"
+  "$python" -m venv --clear "$wheels/clean"
+  "$wheels/clean/bin/pip" install --quiet --upgrade pip
+  "$wheels/clean/bin/pip" install --quiet "$(echo "$wheels"/repaired/*.whl)[pyvista]" pytest tqdm
+  start_display
+  (cd "$wheels" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH= "$wheels/clean/bin/python" -m pytest -rs \
+    -p no:cacheprovider --override-ini 'python_files=Test*.py' "$top/Testing/Python" "$top/Testing/Wheel")
   exit
 fi
 

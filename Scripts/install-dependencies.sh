@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# install-dependencies.sh demo|test|benchmark|paraview...: install what is missing (Debian 12, Ubuntu 22.04
+# install-dependencies.sh demo|test|benchmark|paraview|wheel...: install what is missing (Debian 12, Ubuntu 22.04
 # or later). Where everything is there, nothing is done and no privilege is needed.
 #
 # paraview: what a build of the plugin needs beside ParaView itself, for which see install-paraview.sh.
@@ -20,6 +20,9 @@ plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-de
   mpi-default-bin mpi-default-dev libqt5svg5 qtbase5-dev libxcb1-dev python3-pygments python3-pyqt5
   xdotool xvfb)
 
+# The wheel's build environment comes from the package index; libgl1 and libxrender1 are what the wheel vtk draws with.
+wheel=(libpython3-dev python3-venv libgl1 libxrender1 xvfb)
+
 packages=()
 for purpose in "$@"; do
   case "$purpose" in
@@ -27,7 +30,8 @@ for purpose in "$@"; do
     test) packages+=("${build[@]}" "${vtk[@]}" "${peers[@]}" "${tests[@]}") ;;
     benchmark) packages+=("${build[@]}" "${peers[@]}" python3-matplotlib) ;;
     paraview) packages+=("${build[@]}" "${plugin[@]}") ;;
-    *) echo "usage: install-dependencies.sh demo|test|benchmark|paraview..." >&2; exit 2 ;;
+    wheel) packages+=("${build[@]}" "${wheel[@]}") ;;
+    *) echo "usage: install-dependencies.sh demo|test|benchmark|paraview|wheel..." >&2; exit 2 ;;
   esac
 done
 

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkflipflop beside vtk and pyvista in one process: whatever is imported first, objects are shared."""
+
+import itertools
+import re
+import subprocess
+import sys
+from importlib.metadata import requires, version
+from pathlib import Path
+
+import pytest
+
+TOP = Path(__file__).resolve().parents[2]
+
+PROGRAM = """
+import {0}
+import {1}
+import {2}
+source = vtk.vtkSphereSource()
+hull = vtkflipflop.vtkFFHullFilter()
+hull.SetInputConnection(source.GetOutputPort())
+cleaned = vtk.vtkCleanPolyData()
+cleaned.SetInputConnection(hull.GetOutputPort())
+cleaned.Update()
+assert isinstance(hull, vtk.vtkPolyDataAlgorithm)
+assert isinstance(hull.GetOutput(), vtk.vtkPolyData)
+mesh = pyvista.wrap(cleaned.GetOutput())
+points = mesh.points
+points[0] = (0, 0, 9)  # the same memory
+assert cleaned.GetOutput().GetPoint(0) == (0, 0, 9)
+del hull, cleaned, source
+libraries = [line.split()[-1] for line in open("/proc/self/maps") if "libvtkCommonCore" in line]
+assert len(set(libraries)) == 1, libraries
+print(mesh.n_points)
+"""
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(("vtk", "pyvista", "vtkflipflop"))))
+def test_objects_are_shared(order):
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM.format(*order)], capture_output=True, text=True
+    )
+    assert done.returncode == 0 and done.stdout == "50\n", done.stdout + done.stderr
+
+
+def test_nothing_of_the_machine_is_needed_but_its_c_library():
+    """Beside VTK's libraries and what travels with the wheel."""
+    import vtkflipflop
+
+    folder = Path(vtkflipflop.__file__).parent
+    allowed = ("libstdc++", "libgcc_s", "libm", "libc", "libpthread", "libdl", "librt", "ld-linux", "libz")
+    for library in folder.glob("*.so"):
+        out = subprocess.run(["ldd", str(library)], capture_output=True, text=True, check=True).stdout
+        assert "not found" not in out, out
+        for name, place in re.findall(r"^\s*(\S+) => (\S+)", out, re.MULTILINE):
+            own = Path(place).resolve().is_relative_to(folder.parent.resolve())
+            assert own or re.match(r"(.*)\.so", name)[1] in allowed, f"{library.name}: {name} => {place}"
+
+
+def test_the_version_is_that_of_the_project():
+    import vtkflipflop
+
+    text = (TOP / "CMakeLists.txt").read_text()
+    expected = re.search(r"project\(FlipFlop\s+VERSION ([\d.]+)", text)[1]
+    assert vtkflipflop.__version__ == version("vtkflipflop") == expected
+
+
+def test_vtk_is_the_one_that_the_build_was_against():
+    text = (TOP / "pyproject.toml").read_text()
+    sdk = re.search(r'"vtk-sdk==([\d.]+)"', text)[1]
+    assert f"vtk=={sdk}" in requires("vtkflipflop")
+    assert version("vtk") == sdk

@@ -1,0 +1,204 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters in one line, for PyVista.
+
+    import pyvista as pv
+    from vtkflipflop.pyvista import convex_hull
+
+    hull = convex_hull(pv.examples.download_bunny())
+
+Each function takes a mesh (or anything that pyvista.wrap takes, such as an array of points), runs one filter and
+gives its output as a PyVista mesh, with the point data and "vtkOriginalPointIds". PyVista 0.48 and later offer
+the same as methods of a mesh, without an import: mesh.flipflop.convex_hull().
+
+A filter's properties are keyword arguments, by VTK's names in snake_case: number_of_threads=4. Choices are given
+by name: facet_mode="polygons", engine="cpu", non_finite_points="ignore". Where a filter reports an error, the
+functions raise FilterError with its text.
+"""
+
+import numpy as np
+import pyvista
+
+from . import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
+
+__all__ = [
+    "FilterError",
+    "convex_hull",
+    "convexify",
+    "power_diagram",
+    "regular_triangulation",
+]
+
+
+class FilterError(RuntimeError):
+    """What a filter reported as its error."""
+
+
+def convex_hull(mesh, *, progress_bar=False, **properties):
+    """The convex hull of a mesh's points (vtkFFHullFilter).
+
+    Parameters
+    ----------
+    mesh : any PyVista or VTK data set or composite, or an array of n by 3 coordinates
+    progress_bar : show progress in the terminal; needs tqdm
+    properties : of vtkFFHullFilter; facet_mode="polygons" gives whole facets
+
+    Returns
+    -------
+    pyvista.PolyData, closed, facets facing outwards; of a composite a MultiBlock with the hull of each block, or one
+    hull with composite_mode="all_blocks".
+    """
+    return _outputs(vtkFFHullFilter(), _wrapped(mesh), properties, progress_bar)[0]
+
+
+def convexify(surface, *, progress_bar=False, **properties):
+    """The convex hull of a closed star-shaped surface, reached by flips alone (vtkFFConvexifyFilter).
+
+    Parameters
+    ----------
+    surface : a closed, oriented PolyData of triangles that is star-shaped from some point
+    progress_bar : show progress in the terminal; needs tqdm
+    properties : of vtkFFConvexifyFilter
+
+    Returns
+    -------
+    pyvista.PolyData
+    """
+    return _outputs(vtkFFConvexifyFilter(), _wrapped(surface), properties, progress_bar)[0]
+
+
+def regular_triangulation(
+    mesh, weights=None, *, return_hidden_points=False, progress_bar=False, **properties
+):
+    """The regular (weighted Delaunay) triangulation of points in the plane (vtkFFRegularTriangulationFilter).
+
+    Parameters
+    ----------
+    mesh : any PyVista or VTK data set or composite, or an array of n by 3 or n by 2 coordinates
+    weights : a point array's name, or n numbers; squared lengths. By default none: Delaunay
+    return_hidden_points : give the points that do not appear in the triangulation, too
+    progress_bar : show progress in the terminal; needs tqdm
+    properties : of vtkFFRegularTriangulationFilter; projection_plane_mode="best_fitting_plane" for tilted points
+
+    Returns
+    -------
+    pyvista.PolyData, or a pair of them: the triangulation, and the hidden points as vertices
+    """
+    outputs = _triangulated(mesh, weights, properties, progress_bar)
+    return (outputs[0], outputs[1]) if return_hidden_points else outputs[0]
+
+
+def power_diagram(mesh, weights=None, *, progress_bar=False, **properties):
+    """The power diagram of points in the plane, a polygon for each point that has a cell: the Voronoi diagram, without weights.
+
+    Parameters
+    ----------
+    mesh, weights, progress_bar, properties : as for regular_triangulation
+
+    Returns
+    -------
+    pyvista.PolyData, with the points' data as cell data
+    """
+    properties = {**properties, "generate_power_diagram": True}
+    return _triangulated(mesh, weights, properties, progress_bar)[2]
+
+
+class _Accessor:
+    """The functions of this module as methods: mesh.flipflop.convex_hull()."""
+
+    def __init__(self, mesh):
+        self._mesh = mesh
+
+    def convex_hull(self, **settings):
+        return convex_hull(self._mesh, **settings)
+
+    def convexify(self, **settings):
+        return convexify(self._mesh, **settings)
+
+    def regular_triangulation(self, weights=None, **settings):
+        return regular_triangulation(self._mesh, weights, **settings)
+
+    def power_diagram(self, weights=None, **settings):
+        return power_diagram(self._mesh, weights, **settings)
+
+
+for _method, _function in (
+    (_Accessor.convex_hull, convex_hull),
+    (_Accessor.convexify, convexify),
+    (_Accessor.regular_triangulation, regular_triangulation),
+    (_Accessor.power_diagram, power_diagram),
+):
+    _method.__doc__ = _function.__doc__
+
+if hasattr(pyvista, "register_dataset_accessor"):
+    pyvista.register_dataset_accessor("flipflop", pyvista.DataObject)(_Accessor)
+
+
+def _wrapped(mesh):
+    """Of PyVista, with points of its own: grids whose points are implied get them."""
+    if not isinstance(mesh, pyvista.DataObject):
+        mesh = pyvista.wrap(mesh)
+    if isinstance(mesh, pyvista.MultiBlock):
+        blocks = pyvista.MultiBlock()
+        for name, block in zip(mesh.keys(), mesh):
+            blocks.append(None if block is None else _wrapped(block), name)
+        return blocks
+    if isinstance(mesh, pyvista.Grid) and not isinstance(mesh, pyvista.StructuredGrid):
+        return mesh.cast_to_structured_grid()
+    return mesh
+
+
+def _triangulated(mesh, weights, properties, progress_bar):
+    if isinstance(mesh, np.ndarray) and mesh.ndim == 2 and mesh.shape[1] == 2:
+        mesh = np.column_stack([mesh, np.zeros(len(mesh), mesh.dtype)])
+    mesh = _wrapped(mesh)
+    triangulation = vtkFFRegularTriangulationFilter()
+    if weights is not None:
+        if not isinstance(weights, str):
+            mesh = mesh.copy(deep=False)
+            mesh.point_data["weights"] = weights
+            weights = "weights"
+        triangulation.SetInputArrayToProcess(0, 0, 0, 0, weights)
+    return _outputs(triangulation, mesh, properties, progress_bar)
+
+
+def _outputs(algorithm, mesh, properties, progress_bar):
+    """Runs the algorithm on the mesh; its outputs as PyVista's, which do not share its pipeline."""
+    errors = []
+
+    def keep(caller, event, message):
+        errors.append(message)
+
+    keep.CallDataType = "string0"
+    for teller in (algorithm, algorithm.GetExecutive()):  # the latter refuses inputs of other types
+        teller.AddObserver("ErrorEvent", keep)
+    for name, value in properties.items():
+        _set_property(algorithm, name, value)
+    algorithm.SetInputDataObject(mesh)
+    if progress_bar:
+        from pyvista.core.utilities.observers import ProgressMonitor
+
+        with ProgressMonitor(algorithm, message=algorithm.GetClassName()):
+            algorithm.Update()
+    else:
+        algorithm.Update()
+    if errors:
+        # Without VTK's head, which names a source line and an address.
+        raise FilterError("\n".join(message.split("): ", 1)[-1].strip() for message in errors))
+    return [
+        pyvista.wrap(algorithm.GetOutputDataObject(port))
+        for port in range(algorithm.GetNumberOfOutputPorts())
+    ]
+
+
+def _set_property(algorithm, name, value):
+    """Sets number_of_threads=4 by SetNumberOfThreads(4), engine="cpu" by SetEngineToCPU()."""
+    setter = "set" + name
+    if isinstance(value, str):
+        setter += "_to_" + value
+    wanted = setter.replace("_", "").lower()
+    method = next((method for method in dir(algorithm) if method.lower() == wanted), None)
+    if method is None:
+        known = f"property {name}" if not isinstance(value, str) else f'{name}="{value}"'
+        raise TypeError(f"{algorithm.GetClassName()} has no {known}")
+    getattr(algorithm, method)(*([] if isinstance(value, str) else [value]))
