@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 from dependencies import dependencies, folders
-from tree import read
+from tree import TOP, read
 
 # What a folder of the library may use of the others.
 PROMISED = {
@@ -72,6 +72,8 @@ class TestArchitecture(unittest.TestCase):
         page = read("Documentation", "Architecture.md")
         self.assertEqual(of_page(page), set(folders()))
         self.assertIn("](Figures/architecture.svg)", page)
+        tests = re.findall(r"(\w+)/", page.split("    Testing/ ")[1].split("    Benchmarks/ ")[0])
+        self.assertEqual(set(tests), set(folders(os.path.join(TOP, "Testing"))))
 
     def test_the_library_keeps_its_promises(self):
         self.assertEqual(broken_promises(dependencies()), set())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relative links and pictures of pages lead to files and headings; the files they name are there."""
+"""Pages' relative links and pictures lead to files and headings; the files they name are there."""
 
 import os
 import tempfile
