@@ -391,10 +391,14 @@ std::string describeHull(const Judgement& judgement)
 std::string describeDelaunay(const Judgement& judgement)
 {
   const SurfaceFaults& found = judgement.faults;
+  const std::int64_t right = found.triangles - found.withoutArea - found.beyond;
   Findings faults;
   faults.add("points missing", found.missing, found.extreme);
   faults.add("circles not empty", found.beyond, found.triangles);
+  const bool onlyGaps = faults.text.empty() && !judgement.strangers && right < found.needed;
+  faults.add("triangles missing", found.needed - right, found.needed);
   faults.add("border edges inside", found.borderBeyond);
+  faults.text = (onlyGaps ? "only gaps: " : "") + faults.text;
   Findings remarks;
   remarks.add("triangles without area", found.withoutArea);
   return describe(judgement, faults, remarks);

@@ -49,7 +49,8 @@ Judgement judgeHull(const PointView& points, const Answer& answer);
 /// Is it a Delaunay triangulation of points in the plane? Any one of cocircular points will do.
 Judgement judgeDelaunay(const PointView& points, const Answer& answer);
 
-/// In words.
+/// In words. Of a triangulation, "only gaps" says that every point is there, and every triangle is
+/// Delaunay.
 std::string describeHull(const Judgement& judgement);
 std::string describeDelaunay(const Judgement& judgement);
 

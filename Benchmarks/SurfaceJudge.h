@@ -38,6 +38,7 @@ namespace flipflop
 struct SurfaceFaults
 {
   std::int64_t triangles = 0;     ///< that the surface has
+  std::int64_t needed = 0;        ///< that it takes to cover the hull with all extreme points
   std::int64_t beyond = 0;        ///< triangles with points beyond them
   std::int64_t borderBeyond = 0;  ///< border edges with points beyond them
   std::int64_t openEdges = 0;     ///< used by an odd number of triangles
@@ -122,6 +123,10 @@ public:
           ++faults.foldedEdges;
         }
       });
+    for (std::int64_t cell = 0; cell < this->truth.cellCount(); ++cell)
+    {
+      faults.needed += this->truth.cellBegin(cell + 1) - this->truth.cellBegin(cell) - 2;
+    }
     faults.sheets = this->countSheets(triangles);
     return faults;
   }

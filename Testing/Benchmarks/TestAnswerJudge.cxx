@@ -347,13 +347,13 @@ TEST(AnswerJudge, NoticesMissingPointsAndGapsInThePlane)
   const std::vector<Cell> right = cutSquares(5, false);
   // The corner at 24 and its triangles; one triangle amid the others; one at the border.
   EXPECT_EQ(judgedInPlane(grid, changed(right, [](std::vector<Cell>& c) { c.resize(30); })),
-    "points missing: 1 of 25; border edges inside: 2");
+    "points missing: 1 of 25; triangles missing: 2 of 32; border edges inside: 2");
   EXPECT_EQ(
     judgedInPlane(grid, changed(right, [](std::vector<Cell>& c) { c.erase(c.begin() + 12); })),
-    "border edges inside: 3");
+    "only gaps: triangles missing: 1 of 32; border edges inside: 3");
   EXPECT_EQ(
     judgedInPlane(grid, changed(right, [](std::vector<Cell>& c) { c.erase(c.begin() + 2); })),
-    "border edges inside: 2");
+    "only gaps: triangles missing: 1 of 32; border edges inside: 2");
   EXPECT_EQ(judgedInPlane(grid, {}), "empty");
 }
 
