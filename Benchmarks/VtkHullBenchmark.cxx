@@ -13,10 +13,10 @@ int main(int argc, char* argv[])
   suite.what = "convex hulls by FlipFlop and VTK";
   suite.family = flipflop::Family::Space;
   suite.distributions = "cube,ball,shell:0.01,shell:0,grid,surface-grid,rotated-grid,duplicates,"
-                        "coplanar";
+                        "coplanar," FLIPFLOP_REAL_POINTS;
   suite.distributionHelp =
     R"(as hull-benchmark's, coplanar, or file:PATH (.f32, .f64: x y z)
-                          (all but box and shells of other thickness than 0.01 and 0))";
+                          (a choice of them, and the points of Data/))";
   suite.warmUp = flipflop::Distribution::parse("ball", suite.family);
   suite.ours = flipflop::makeFlipFlop;
   suite.peers = { { "vtk-hull", "vtkConvexHull", flipflop::vtkHulls("convex-hull") },

@@ -12,11 +12,11 @@ int main(int argc, char* argv[])
   suite.program = "vtk-triangulation-benchmark";
   suite.what = "Delaunay triangulations by FlipFlop and VTK";
   suite.family = flipflop::Family::Plane;
-  suite.distributions = "uniform:0,square-grid,clusters,circle,repeats,scan";
+  suite.distributions = "uniform:0,square-grid,clusters,circle,repeats,scan," FLIPFLOP_REAL_POINTS;
   suite.distributionHelp =
     R"(of uniform, square-grid, clusters, circle, repeats, scan, or
                           file:PATH (.f32, .f64: x y z, of which z is left out)
-                          (all of them, but files))";
+                          (all of them, and the points of Data/))";
   suite.warmUp = flipflop::Distribution::parse("uniform:0", suite.family);
   suite.ours = flipflop::makeFlipFlopTriangulation;
   const auto peer = [](const char* name, const char* title, const char* filter, int threads)

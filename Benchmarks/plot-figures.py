@@ -4,11 +4,12 @@
 """Draw a benchmark's figures from its CSV, and write its tables.
 
     plot-figures.py hull results.csv --figures Documentation/Figures --markdown Documentation/Benchmarks.md
-    plot-figures.py triangulation ...
+    plot-figures.py triangulation|vtk-hull|vtk-triangulation ...
 
-hull: the paper's Figures 5 and 6 (hull part); triangulation: its Figure 7. The tables go into the
-Markdown file between its lines `<!-- tables: begin -->` and `<!-- tables: end -->`, or
-`<!-- triangulation tables: begin -->` and so on; without --markdown they are printed.
+hull: the paper's Figures 5 and 6 (hull part); triangulation: its Figure 7; the others: beside VTK.
+The tables go into the Markdown file between its lines `<!-- tables: begin -->` and
+`<!-- tables: end -->`, or `<!-- triangulation tables: begin -->` and so on; without --markdown they
+are printed.
 """
 import argparse
 import json
@@ -17,8 +18,14 @@ import os
 import hulls
 import plotting
 import triangulations
+import vtk_tables
 
-SUBJECTS = {"hull": hulls, "triangulation": triangulations}
+SUBJECTS = {
+    "hull": hulls,
+    "triangulation": triangulations,
+    "vtk-hull": vtk_tables.HULLS,
+    "vtk-triangulation": vtk_tables.TRIANGULATIONS,
+}
 
 
 def put_tables(path, text, begin_line, end_line):

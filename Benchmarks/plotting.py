@@ -51,13 +51,10 @@ class Results:
         return sorted({int(row["n"]) for row in self.rows if label(row) == name})
 
     def row(self, name, n, contender, threads=1):
+        """threads: ours; of another library, a number of threads is a contender by itself."""
         for row in self.rows:
-            if (label(row), int(row["n"]), row["contender"], int(row["threads"])) == (
-                name,
-                n,
-                contender,
-                threads,
-            ):
+            mine = contender != "flipflop" or int(row["threads"]) == threads
+            if (label(row), int(row["n"]), row["contender"]) == (name, n, contender) and mine:
                 return row
         return None
 
@@ -119,11 +116,14 @@ def number(value, digits=2):
 
 
 def seconds(results, name, n, contender, threads=1):
+    """With a star where the result was judged wrong; where there is none, why."""
+    row = results.row(name, n, contender, threads)
     value = results.value(name, n, contender, "seconds_median", threads)
     if value is None:
-        row = results.row(name, n, contender, threads)
         return row["status"] if row else "-"
-    return f"{value:.4f}" if value < 0.1 else f"{value:.3f}" if value < 10 else f"{value:.1f}"
+    star = "*" if row["status"] == "wrong" else ""
+    text = f"{value:.4f}" if value < 0.1 else f"{value:.3f}" if value < 10 else f"{value:.1f}"
+    return text + star
 
 
 def table(head, rows):
@@ -136,12 +136,13 @@ def cases(results):
     return [(name, n) for name in results.labels for n in results.sizes(name)]
 
 
-def time_table(results, counted):
-    """counted: what the number of vertices is of."""
+def time_table(results, counted, against=None):
+    """counted: what the number of vertices is of; against: the peers to give ratios to; else all."""
+    against = [p for p in results.peers if against is None or p in against]
     head = ["points", "n", counted]
     head += [f"{results.names[peer]} s" for peer in results.peers]
     head += [f"FlipFlop s, {t} thr." for t in results.threads]
-    head += [f"times {results.names[p]}, {t} thr." for p in results.peers for t in results.threads]
+    head += [f"times {results.names[p]}, {t} thr." for p in against for t in results.threads]
     rows = []
     for name, n in cases(results):
         row = [name, nice_size(n)]
@@ -150,7 +151,7 @@ def time_table(results, counted):
         row += [seconds(results, name, n, "flipflop", t) for t in results.threads]
         row += [
             number(results.value(name, n, "flipflop", f"ratio_{peer}", t), 1)
-            for peer in results.peers
+            for peer in against
             for t in results.threads
         ]
         rows.append(row)

@@ -9,8 +9,8 @@
 Commands come on the standard input, lines with data behind them; answers go to the standard output:
 
     points N, then x y z of each as doubles    ready
-    run                                        done SECONDS PEAK ROUNDED POINTS CELLS CORNERS, then the
-                                               points as doubles, offsets and corners as int64
+    run                                        done SECONDS PEAK ROUNDED POINTS CELLS CORNERS, then
+                                               the points as doubles, offsets and corners as int64
     (whatever fails)                           error TEXT
 
 The points are in VTK's memory before the clock starts; what is timed is Update() of a new filter.
