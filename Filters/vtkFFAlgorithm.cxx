@@ -318,6 +318,14 @@ std::string vtkFFAlgorithm::OfBlock()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFFAlgorithm::DescribeNonFinite(const std::string& what, const flipflop::Error& error)
+{
+  return what + " is NaN or infinite: first at " +
+    this->DescribePoint(static_cast<vtkIdType>(error.index())) + ", " +
+    std::to_string(error.count()) + " such point(s) in all.";
+}
+
+//------------------------------------------------------------------------------
 std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
 {
   using flipflop::ErrorCode;
@@ -327,10 +335,8 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
   switch (error.code())
   {
     case ErrorCode::NonFinite:
-      return "A coordinate is NaN or infinite: first at " + this->DescribePoint(index) + ", " +
-        count +
-        " such point(s) in all. Remove them, or have them ignored: NonFinitePoints, "
-        "SetNonFinitePointsToIgnore().";
+      return this->DescribeNonFinite("A coordinate", error) +
+        " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
     case ErrorCode::TooManyPoints:
       return count + " points are more than 32-bit indices can name.";
     case ErrorCode::OutOfMemory:

@@ -442,6 +442,11 @@ protected:
   std::string OfBlock();
 
   /**
+   * Which numbers are not finite, where first, and how many: the sentence before what helps.
+   */
+  std::string DescribeNonFinite(const std::string& what, const flipflop::Error& error);
+
+  /**
    * What is wrong, where, how often, and what helps: an engine's error as a sentence.
    */
   virtual std::string DescribeError(const flipflop::Error& error);

@@ -195,6 +195,17 @@ bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFFConvexifyFilter::DescribeError(const flipflop::Error& error)
+{
+  if (error.code() == flipflop::ErrorCode::NonFinite)
+  {
+    return this->DescribeNonFinite("A coordinate", error) +
+      " They are corners of the surface, which has to be mended.";
+  }
+  return this->Superclass::DescribeError(error);
+}
+
+//------------------------------------------------------------------------------
 void vtkFFConvexifyFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

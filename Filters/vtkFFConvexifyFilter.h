@@ -79,6 +79,7 @@ protected:
     return "vtkPolyData";
   }
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::string DescribeError(const flipflop::Error& error) override;
 #endif
 
   double KernelPoint[3];

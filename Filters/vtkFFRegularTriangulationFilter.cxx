@@ -412,13 +412,10 @@ std::string vtkFFRegularTriangulationFilter::DescribeError(const flipflop::Error
 {
   if (error.code() == flipflop::ErrorCode::NonFinite)
   {
-    return std::string("A coordinate") +
-      (this->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)") +
-      " or a weight is NaN or infinite: first at " +
-      this->DescribePoint(static_cast<vtkIdType>(error.index())) + ", " +
-      std::to_string(error.count()) +
-      " such point(s) in all. Remove them, or have them ignored: NonFinitePoints, "
-      "SetNonFinitePointsToIgnore().";
+    const std::string projected =
+      this->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)";
+    return this->DescribeNonFinite("A coordinate" + projected + " or a weight", error) +
+      " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
   }
   return this->Superclass::DescribeError(error);
 }

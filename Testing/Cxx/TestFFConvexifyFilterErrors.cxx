@@ -189,6 +189,8 @@ void testNumbers()
   convexify->SetInputData(makeSurface(points, tetrahedron));
   convexify->Update();
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK(errors->Messages[0].find("corners of the surface") != std::string::npos);
+  FF_CHECK(errors->Messages[0].find("Ignore") == std::string::npos);
   FF_CHECK(isEmpty(convexify->GetOutput()));
 }
 
