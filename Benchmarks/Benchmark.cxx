@@ -84,10 +84,11 @@ Case runCase(const Suite& suite, const Plan& plan, const Distribution& distribut
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
+  double judging = 0;
   for (int round = 0; round < plan.repetitions; ++round)
   {
     const std::chrono::duration<double> passed = Clock::now() - start;
-    if (round > 0 && plan.maxCaseSeconds > 0 && passed.count() > plan.maxCaseSeconds)
+    if (round > 0 && plan.maxCaseSeconds > 0 && passed.count() - judging > plan.maxCaseSeconds)
     {
       break;
     }
@@ -96,8 +97,10 @@ Case runCase(const Suite& suite, const Plan& plan, const Distribution& distribut
       const Entry& entry = contenders[i];
       if (one.rows[i].goesOn())
       {
-        one.rows[i].add(measure(points, few, entry.factory, entry.peer() ? plan.maxPeerSeconds : 0,
-          plan.validate && round == 0));
+        const Measurement measurement = measure(points, few, entry.factory,
+          entry.peer() ? plan.maxPeerSeconds : 0, plan.validate && round == 0);
+        judging += measurement.judgingSeconds;
+        one.rows[i].add(measurement);
       }
     }
   }

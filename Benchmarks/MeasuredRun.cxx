@@ -120,7 +120,9 @@ Measurement runHere(Contender& contender, const Coordinates& xyz)
 
 void judgeHere(Measurement& result, const Contender& contender)
 {
+  const Clock::time_point start = Clock::now();
   const Verdict verdict = contender.judge();
+  result.judgingSeconds = secondsSince(start);
   result.status = verdict.right ? Status::Ok : Status::Wrong;
   say(result, verdict.text.c_str());
 }

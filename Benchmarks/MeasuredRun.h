@@ -29,6 +29,7 @@ struct Measurement
 {
   Status status = Status::Failed;
   double seconds = 0;
+  double judgingSeconds = 0;
   std::int64_t peakBytes = 0; ///< resident memory at its peak, beyond the input; -1: unknown
   Outcome outcome;
   char message[200] = {}; ///< the fault, or what the judge says

@@ -203,7 +203,8 @@ std::string Plan::usage(const Suite& suite)
   --repetitions N         rounds of each case; a round runs every contender once (5)
   --max-peer-seconds S    end a peer's run after so long, and skip the peer at a size where its time
                           at the size before lets expect more; 0: no limit (120)
-  --max-case-seconds S    begin no further round of a case after so long; 0: no limit (0)
+  --max-case-seconds S    begin no further round of a case after so long, judging left out;
+                          0: no limit (0)
   --seed N                of the random points (2013)
   --validate              judge every result exactly, outside the clock: FlipFlop's, and peers'
                           that have a judge

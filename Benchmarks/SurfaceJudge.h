@@ -25,6 +25,8 @@
 #include "SurfaceEdges.h"
 #include "Vertex.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -189,7 +191,7 @@ private:
           pairs.emplace_back(edge.high, NoIndex);
         }
       });
-    std::sort(pairs.begin(), pairs.end());
+    tbb::parallel_sort(pairs.begin(), pairs.end());
     for (const auto& pair : pairs)
     {
       ++this->starts[pair.first + 1];

@@ -29,7 +29,7 @@ if [[ "${subjects[0]}" == vtk-* ]]; then
   "$venv/bin/pip" install --quiet --requirement "$top/Benchmarks/vtk-requirements.txt"
   export FLIPFLOP_VTK_PYTHON="$venv/bin/python"
   # A case where VTK takes longer is told as such.
-  limits=(--sizes 1e4,1e5,1e6 --repetitions 3 --max-case-seconds 10 --max-peer-seconds 20)
+  limits=(--sizes 1e4,1e5,1e6 --repetitions 3 --max-case-seconds 15 --max-peer-seconds 15)
 fi
 
 for subject in "${subjects[@]}"; do
