@@ -28,7 +28,7 @@ for purpose in "$@"; do
   case "$purpose" in
     demo) packages+=("${build[@]}" "${vtk[@]}") ;;
     test) packages+=("${build[@]}" "${vtk[@]}" "${peers[@]}" "${tests[@]}") ;;
-    benchmark) packages+=("${build[@]}" "${peers[@]}" python3-matplotlib) ;;
+    benchmark) packages+=("${build[@]}" "${peers[@]}" python3-matplotlib python3-venv) ;;
     paraview) packages+=("${build[@]}" "${plugin[@]}") ;;
     wheel) packages+=("${build[@]}" "${wheel[@]}") ;;
     *) echo "usage: install-dependencies.sh demo|test|benchmark|paraview|wheel..." >&2; exit 2 ;;
