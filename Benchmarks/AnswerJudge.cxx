@@ -203,7 +203,7 @@ std::int64_t countOutside(const HullJudge& judge, const HullGeometry& geometry,
     {
       ids.push_back(id);
       chosen.resize(chosen.size() + 3);
-      source.load(id, &*chosen.end() - 3);
+      source.load(id, chosen.data() + chosen.size() - 3);
     }
   }
   const auto chosenCount = static_cast<std::int64_t>(ids.size());
