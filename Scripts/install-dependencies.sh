@@ -20,8 +20,8 @@ plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-de
   mpi-default-bin mpi-default-dev libqt5svg5 qtbase5-dev libxcb1-dev python3-pygments python3-pyqt5
   xdotool xvfb)
 
-# The wheel's build environment comes from the package index; libgl1 and libxrender1 are what the wheel vtk draws with.
-wheel=(libpython3-dev python3-venv libgl1 libxrender1 xvfb)
+# The wheel's build environment comes from the package index; libgl1 and libxcursor1 are what the wheel vtk draws with.
+wheel=(libpython3-dev python3-venv libgl1 libxcursor1 xvfb)
 
 packages=()
 for purpose in "$@"; do

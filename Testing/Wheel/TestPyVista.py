@@ -8,6 +8,7 @@ import sys
 import numpy as np
 import pytest
 import pyvista as pv
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from vtkflipflop import vtkFFHullFilter
@@ -159,6 +160,16 @@ def test_errors_are_exceptions_with_the_filter_s_words():
         regular_triangulation(cloud(), "nowhere")
     with pytest.raises(FilterError, match="vtkTable"):
         convex_hull(pv.Table(np.zeros((3, 3))))
+
+
+def test_errors_are_exceptions_where_vtk_tells_none():
+    vtkObject.GlobalWarningDisplayOff()
+    try:
+        with pytest.raises(FilterError, match="GlobalWarningDisplayOff"):
+            convex_hull(np.full((4, 3), np.nan))
+        assert convex_hull(random_points(10)).n_points > 0
+    finally:
+        vtkObject.GlobalWarningDisplayOn()
 
 
 def test_a_wrong_property_is_named():

@@ -89,7 +89,7 @@ def regular_triangulation(
 
 
 def power_diagram(mesh, weights=None, *, progress_bar=False, **properties):
-    """The power diagram of points in the plane, a polygon for each point that has a cell: the Voronoi diagram, without weights.
+    """The power diagram of points in the plane, a polygon for each cell; without weights, Voronoi's.
 
     Parameters
     ----------
@@ -185,6 +185,8 @@ def _outputs(algorithm, mesh, properties, progress_bar):
     if errors:
         # Without VTK's head, which names a source line and an address.
         raise FilterError("\n".join(message.split("): ", 1)[-1].strip() for message in errors))
+    if algorithm.GetErrorCode():
+        raise FilterError("vtkObject.GlobalWarningDisplayOff() is in force: VTK tells no errors")
     return [
         pyvista.wrap(algorithm.GetOutputDataObject(port))
         for port in range(algorithm.GetNumberOfOutputPorts())
