@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -171,35 +172,39 @@ std::vector<double> withApex(const PointView& points, const Hull& polygon)
 
 using HullJudge = SurfaceJudge<HullGeometry>;
 
-/// The points outside the hull of those that the answer uses; -1 where it takes too long to count
-/// them.
-std::int64_t countOutside(const HullJudge& judge, const HullGeometry& geometry,
-  const PointSource& source, const CellComplex& truth, const std::vector<SurfaceTriangle>& fans)
+/// How far p is above the plane of abc, rounded.
+double distance(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+{
+  double normal[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    normal[i] = (b.x[j] - a.x[j]) * (c.x[k] - a.x[k]) - (b.x[k] - a.x[k]) * (c.x[j] - a.x[j]);
+  }
+  return std::fabs(HullGeometry::heightAbove(a, b, c, p)) /
+    std::hypot(normal[0], normal[1], normal[2]);
+}
+
+/// The points outside the hull of those that the answer uses: how many, unless it takes too long,
+/// and how far.
+void findOutside(const HullJudge& judge, const HullGeometry& geometry, const PointSource& source,
+  const std::vector<SurfaceTriangle>& fans, Judgement& result)
 {
   constexpr double MostTests = 1e10;
-  enum : char
-  {
-    Inner,
-    Extreme,
-    Used
-  };
-  std::vector<char> role(source.count(), Inner);
-  for (const std::int64_t id : truth.pointIds)
-  {
-    role[static_cast<std::size_t>(id)] = Extreme;
-  }
+  std::vector<bool> used(source.count());
   for (const SurfaceTriangle& t : fans)
   {
     for (const std::uint32_t id : t)
     {
-      role[id] = Used;
+      used[id] = true;
     }
   }
   std::vector<std::uint32_t> ids;
   std::vector<double> chosen;
   for (std::uint32_t id = 0; id < source.count(); ++id)
   {
-    if (role[id] == Used)
+    if (used[id])
     {
       ids.push_back(id);
       chosen.resize(chosen.size() + 3);
@@ -210,7 +215,7 @@ std::int64_t countOutside(const HullJudge& judge, const HullGeometry& geometry,
   const Hull hull = convexHull(PointView(chosen.data(), chosenCount), inPolygons());
   if (hull.dimension < 3)
   {
-    return source.count() - chosenCount;
+    return; // no answer of interest
   }
   // What is outside is beyond a facet that is none of all points' hull.
   std::vector<std::array<Vertex, 3>> facets;
@@ -230,19 +235,22 @@ std::int64_t countOutside(const HullJudge& judge, const HullGeometry& geometry,
   }
   if (static_cast<double>(facets.size()) * source.count() > MostTests)
   {
-    return -1;
+    return;
   }
-  std::int64_t outside = 0;
   for (std::uint32_t id = 0; id < source.count(); ++id)
   {
     const Vertex p = source.vertex(id);
-    const auto isBeyond = [&](const std::array<Vertex, 3>& t)
-    { return geometry.above(t[0], t[1], t[2], p) > 0; };
-    // An extreme point that is not used is outside the hull of others.
-    outside += role[id] == Extreme ||
-      (role[id] == Inner && std::any_of(facets.begin(), facets.end(), isBeyond));
+    double farthest = -1;
+    for (const std::array<Vertex, 3>& t : facets)
+    {
+      if (!used[id] && geometry.above(t[0], t[1], t[2], p) > 0)
+      {
+        farthest = std::max(farthest, distance(t[0], t[1], t[2], p));
+      }
+    }
+    result.outside += farthest < 0 ? 0 : 1;
+    result.farthest = std::max(result.farthest, farthest);
   }
-  return outside;
 }
 
 Judgement impossible()
@@ -268,7 +276,9 @@ Judgement judgeSolid(const PointView& points, const Answer& answer, const std::u
       result.faults = judge.judge(fans);
       if (result.faults.missing && !apex)
       {
-        result.outside = countOutside(judge, run.geometry, run.source, truth, fans);
+        findOutside(judge, run.geometry, run.source, fans, result);
+        result.farthest /= std::max({ run.range.high[0] - run.range.low[0],
+          run.range.high[1] - run.range.low[1], run.range.high[2] - run.range.low[2] });
       }
     });
   return result;
@@ -377,6 +387,12 @@ std::string describeHull(const Judgement& judgement)
   Findings faults;
   faults.add("extreme points missing", found.missing, found.extreme);
   faults.add("points outside", judgement.outside);
+  if (judgement.outside)
+  {
+    char extent[64];
+    std::snprintf(extent, sizeof(extent), " (by up to %.1e of the extent)", judgement.farthest);
+    faults.text += extent;
+  }
   faults.add("facets with points beyond", found.beyond, found.triangles);
   faults.add("border edges with points beyond", found.borderBeyond);
   faults.add("open edges", found.openEdges);

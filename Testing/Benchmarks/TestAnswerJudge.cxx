@@ -202,7 +202,8 @@ TEST(AnswerJudge, NoticesMissingVerticesAndPointsOutside)
   const Judgement found = judgeHull(viewOf(cloud), answerOf(cloud, cells));
   EXPECT_FALSE(found.isValid());
   EXPECT_EQ(describeHull(found),
-    "extreme points missing: 1 of 8; points outside: 3; facets with points beyond: 1 of 10");
+    "extreme points missing: 1 of 8; points outside: 3 (by up to 5.8e-01 of the extent); facets "
+    "with points beyond: 1 of 10");
 }
 
 TEST(AnswerJudge, NoticesAHullThatIsNotConvex)
