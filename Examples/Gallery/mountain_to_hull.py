@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a mountain to its convex hull: the more heights weigh, the fewer points appear."""
 
-import numpy as np
 from _common import HEIGHTS, INK, look, plotter, read, write
 
 from vtkflipflop.pyvista import convex_hull, regular_triangulation

@@ -62,10 +62,10 @@ TEST(ReferenceTriangulation, SeesTheLeastWeight)
   for (int sign : { -1, 0, 1 })
   {
     // The lifts of the four have height 0.
-    Cloud lowered = circle;
-    for (Point& p : lowered)
+    Cloud lowered;
+    for (const Point& p : circle)
     {
-      p[2] = 0x1p80;
+      lowered.push_back({ p[0], p[1], 0x1p80 });
     }
     lowered.push_back({ 0, 0, sign * 0x1p-10 });
     const std::size_t cells = sign > 0 ? 4 : 1;
