@@ -172,17 +172,30 @@ std::vector<double> withApex(const PointView& points, const Hull& polygon)
 
 using HullJudge = SurfaceJudge<HullGeometry>;
 
-/// How far p is above the plane of abc, rounded.
-double distance(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+/// How far p is from the plane of abc at least, whatever rounding does: 0 for all slivers.
+double leastDistance(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
 {
+  double offset[3] = { 0, 0, 0 };
+  const Vertex* const to[3] = { &b, &c, &p };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      offset[k] = std::max(offset[k], std::fabs(to[k]->x[i] - a.x[i]));
+    }
+  }
+  const double sides = offset[0] * offset[1];
   double normal[3];
   for (int i = 0; i < 3; ++i)
   {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    normal[i] = (b.x[j] - a.x[j]) * (c.x[k] - a.x[k]) - (b.x[k] - a.x[k]) * (c.x[j] - a.x[j]);
+    normal[i] =
+      std::fabs((b.x[j] - a.x[j]) * (c.x[k] - a.x[k]) - (b.x[k] - a.x[k]) * (c.x[j] - a.x[j])) +
+      DeterminantError * sides;
   }
-  return std::fabs(HullGeometry::heightAbove(a, b, c, p)) /
+  const double height = std::fabs(HullGeometry::heightAbove(a, b, c, p));
+  return std::max(0.0, height - DeterminantError * sides * offset[2]) /
     std::hypot(normal[0], normal[1], normal[2]);
 }
 
@@ -245,7 +258,7 @@ void findOutside(const HullJudge& judge, const HullGeometry& geometry, const Poi
     {
       if (!used[id] && geometry.above(t[0], t[1], t[2], p) > 0)
       {
-        farthest = std::max(farthest, distance(t[0], t[1], t[2], p));
+        farthest = std::max(farthest, leastDistance(t[0], t[1], t[2], p));
       }
     }
     result.outside += farthest < 0 ? 0 : 1;
@@ -387,11 +400,15 @@ std::string describeHull(const Judgement& judgement)
   Findings faults;
   faults.add("extreme points missing", found.missing, found.extreme);
   faults.add("points outside", judgement.outside);
-  if (judgement.outside)
+  if (judgement.farthest > 1e-15)
   {
     char extent[64];
     std::snprintf(extent, sizeof(extent), " (by up to %.1e of the extent)", judgement.farthest);
     faults.text += extent;
+  }
+  else if (judgement.outside)
+  {
+    faults.text += " (by rounding errors)";
   }
   faults.add("facets with points beyond", found.beyond, found.triangles);
   faults.add("border edges with points beyond", found.borderBeyond);

@@ -38,7 +38,7 @@ struct Judgement
   bool possible = true;       ///< the points span enough
   std::int64_t strangers = 0; ///< cells with a corner that is no input point
   std::int64_t outside = 0;   ///< input points outside the hull of the answer's points
-  double farthest = 0;        ///< of them; by the greatest extent of all points, rounded
+  double farthest = 0; ///< of them, by the points' greatest extent, as far as rounding lets tell
   SurfaceFaults faults;
 
   bool isValid() const { return !this->strangers && !this->faults.any(); }

@@ -206,6 +206,20 @@ TEST(AnswerJudge, NoticesMissingVerticesAndPointsOutside)
     "with points beyond: 1 of 10");
 }
 
+TEST(AnswerJudge, TellsRoundingErrorsFromDistances)
+{
+  // The cube turned, with a point beyond its facet by as little as doubles have.
+  Cloud cloud = rotated({ cube.begin(), cube.begin() + 9 });
+  cloud[8][0] *= 1 - 0x1p-50;
+  cloud[8][1] *= 1 - 0x1p-50;
+  cloud[8][2] -= 0x1p-50;
+  const std::vector<Cell> cells = { { 3, 2, 1 }, { 3, 1, 0 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 },
+    { 0, 5, 4 }, { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } };
+  const Judgement found = judgeHull(viewOf(cloud), answerOf(cloud, cells));
+  EXPECT_FALSE(found.isValid());
+  EXPECT_NE(describeHull(found).find("points outside: 1 (by rounding errors)"), std::string::npos);
+}
+
 TEST(AnswerJudge, NoticesAHullThatIsNotConvex)
 {
   // A dent to 9, which is inside.
