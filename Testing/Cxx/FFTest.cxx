@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -68,6 +69,17 @@ void ProgressObserver::Execute(vtkObject* caller, unsigned long, void* data)
   {
     vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
   }
+}
+
+//------------------------------------------------------------------------------
+bool ProgressObserver::StoppedOnTheWay() const
+{
+  auto own = this->Values.size();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  // The executive's last word is 1, after an abort, too.
+  own -= own > 0 ? 1 : 0;
+#endif
+  return own > 0 && this->Values[own - 1] < 1.0;
 }
 
 void checkProgress(const std::vector<double>& values)

@@ -79,6 +79,9 @@ public:
 
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
+  /// Whether the filter itself got somewhere, and not to its end.
+  bool StoppedOnTheWay() const;
+
   double AbortAt = 2.0;
   std::vector<double> Values;
 };

@@ -175,6 +175,7 @@ void testAbort()
       both.Fails("an abort", pieces[own], "");
       FF_CHECK(!aborts || !progress->Values.empty());
       both.Distributed->RemoveObserver(tag);
+      both.Distributed->SetAbortExecute(0); // older VTKs do so at the start of a run
       both.Run("after an abort", pieces);
     }
   }

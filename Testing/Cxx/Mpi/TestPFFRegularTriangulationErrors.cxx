@@ -149,6 +149,7 @@ void testAbort()
         : 0;
       both.Fails("an abort", pieces[own], "");
       both.Distributed->RemoveObserver(tag);
+      both.Distributed->SetAbortExecute(0); // older VTKs do so at the start of a run
       both.Run("after an abort", pieces);
     }
   }
