@@ -230,10 +230,10 @@ class Sdk:
             return re.sub(r'(NAME\}_SMP_BACKENDS") ".*"', r'\1 "STDThread;Sequential"', text)
 
         edit(package / "VTK-targets.cmake", targets)
-        edit(package / "VTK-vtk-module-properties.cmake", properties)
+        for name in ("VTK-vtk", "vtkmodules-vtk-python"):
+            edit(package / f"{name}-module-properties.cmake", properties)
         edit(package / "vtk-config.cmake", config)
-        for name in ("VTKPython-targets", "vtkmodules-vtk-python-module-properties"):
-            (package / f"{name}.cmake").write_text("# The wheel vtk has the wrapped modules.\n")
+        (package / "VTKPython-targets.cmake").write_text("# The wheel vtk has the wrapped modules.\n")
         (package / "VTK-vtk-module-find-packages.cmake").write_text(
             "find_package(Threads REQUIRED)\n"
             f"find_package(Python3 {PYTHON} EXACT REQUIRED COMPONENTS Interpreter Development.Module)\n"
