@@ -257,7 +257,8 @@ def write_wheel(folder, version, tag, output):
     (information / "entry_points.txt").write_text("[cmake.prefix]\nvtk-sdk = vtk_sdk.content\n")
     record = []
     path = output / f"vtk_sdk-{version}-{tag}.whl"
-    with zipfile.ZipFile(path, "w") as archive:
+    unfinished = path.with_suffix(".part")
+    with zipfile.ZipFile(unfinished, "w") as archive:
 
         def add(name, data, mode):
             entry = zipfile.ZipInfo(name, (2026, 1, 1, 0, 0, 0))
@@ -271,7 +272,7 @@ def write_wheel(folder, version, tag, output):
             add(name, data, 0o755 if os.access(file, os.X_OK) else 0o644)
         name = f"{information.name}/RECORD"
         add(name, "".join([*record, f"{name},,\n"]), 0o644)
-    return path
+    return unfinished.rename(path)
 
 
 def main():
