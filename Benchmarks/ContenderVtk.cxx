@@ -4,6 +4,8 @@
 #include "VtkContenders.h"
 #include "VtkProcess.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -93,7 +95,8 @@ std::string vtkVersion()
   }
   catch (const std::runtime_error&)
   {
-    return "missing";
+    std::fprintf(stderr, "FLIPFLOP_VTK_PYTHON names no Python that has VTK\n");
+    std::exit(2);
   }
 }
 

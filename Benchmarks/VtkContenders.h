@@ -17,7 +17,7 @@ ContenderFactory vtkHulls(const std::string& filter);
 /// @param threads for VTK's vtkSMPTools
 ContenderFactory vtkTriangulations(const std::string& filter, int threads);
 
-/// For the report; "missing" where FLIPFLOP_VTK_PYTHON names no Python that has VTK.
+/// For the report. Ends the program where FLIPFLOP_VTK_PYTHON names no Python that has VTK.
 std::string vtkVersion();
 
 }

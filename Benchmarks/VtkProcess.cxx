@@ -53,6 +53,10 @@ VtkProcess::VtkProcess(const std::vector<std::string>& arguments)
   // Writing to one that has ended is an error like others.
   std::signal(SIGPIPE, SIG_IGN);
   this->process = fork();
+  if (this->process < 0)
+  {
+    throw std::runtime_error("no process for VTK");
+  }
   if (this->process == 0)
   {
     becomePython(down[0], up[1], arguments);

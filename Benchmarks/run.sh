@@ -4,7 +4,7 @@
 #
 # run.sh [hull|triangulation|vtk|vtk-hull|vtk-triangulation] [OPTION OF THE BENCHMARK]...: build the
 # benchmarks, run one or both (vtk: the two beside VTK's newest release, which it installs), draw
-# the figures and write the tables of Documentation/Benchmarks.md. Results: hull.csv, hull.json and
+# the figures and write the tables of Documentation/Benchmarks.md or BenchmarksVtk.md. Results: hull.csv, hull.json and
 # so on in build/benchmark.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Scripts/common.sh"
@@ -33,6 +33,8 @@ if [[ "${subjects[0]}" == vtk-* ]]; then
 fi
 
 for subject in "${subjects[@]}"; do
+  page="$top/Documentation/Benchmarks.md"
+  [[ "$subject" != vtk-* ]] || page="$top/Documentation/BenchmarksVtk.md"
   results="$top/build/benchmark/$subject"
   say "Run: $subject"
   "$top/build/benchmark/bin/$subject-benchmark" --validate "${limits[@]}" \
@@ -40,5 +42,5 @@ for subject in "${subjects[@]}"; do
 
   say "Figures and tables: $subject"
   "$python" -B "$top/Benchmarks/plot-figures.py" "$subject" "$results.csv" --json "$results.json" \
-    --figures "$top/Documentation/Figures" --markdown "$top/Documentation/Benchmarks.md"
+    --figures "$top/Documentation/Figures" --markdown "$page"
 done

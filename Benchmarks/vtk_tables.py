@@ -48,11 +48,11 @@ class Subject:
         if self.drawn(results):
             parts.append(f"![Running time over the number of points](Figures/{self.picture})")
         name = self.title.capitalize()
-        parts += [f"### {name} beside VTK: how many are right", summary_table(results)]
-        parts += [f"### {name} beside VTK: running time (a star: the result is wrong)"]
+        parts += [f"## {name} beside VTK: how many are right", summary_table(results)]
+        parts += [f"## {name} beside VTK: running time (a star: the result is wrong)"]
         parts += [plotting.time_table(results, self.counted, self.against)]
-        parts += [f"### {name} beside VTK: verdicts", verdict_table(results)]
-        parts += [f"### {name} beside VTK: vertices and memory"]
+        parts += [f"## {name} beside VTK: verdicts", verdict_table(results)]
+        parts += [f"## {name} beside VTK: vertices and memory"]
         parts += [plotting.vertices_and_memory_table(results)]
         return "\n\n".join(parts) + "\n"
 
@@ -122,7 +122,7 @@ TRIANGULATIONS = Subject(
         "vtk-delaunay-2d-sorted": ("vtkDelaunay2D, sorted", "#7a7a7a"),
         "vtk-delaunay-2d": ("vtkDelaunay2D", "#b5b5b5"),
     },
-    ["vtk-flower", "vtk-delaunay-2d-sorted"],
+    ["vtk-flower", "vtk-flower-2", "vtk-delaunay-2d-sorted"],
     {
         "uniform:0": "Uniform",
         "square-grid": "Grid",

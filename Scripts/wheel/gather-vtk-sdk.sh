@@ -20,11 +20,16 @@ if compgen -G "$folder/vtk_sdk-*.whl" >/dev/null; then
   exit
 fi
 say "The wheel vtk-sdk $version"
-if "$interpreter" -m pip download --quiet --no-deps --only-binary :all: --dest "$folder" \
-  "vtk-sdk==$version" 2>/dev/null; then
+if answer=$("$interpreter" -m pip download --quiet --no-deps --only-binary :all: --dest "$folder" \
+  "vtk-sdk==$version" 2>&1); then
   exit
 fi
-echo "The index has none for this machine: made of Debian's VTK $version and the wheel vtk"
+tail -n 1 <<<"$answer"
+echo "So it is made of Debian's VTK $version and the wheel vtk"
+if [ "$(dpkg --print-architecture)" != amd64 ]; then
+  echo "That is written for x86-64 alone; put the wheel vtk-sdk into $folder" >&2
+  exit 1
+fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -49,6 +54,7 @@ Dir::State::status "/dev/null";
 Dir::Cache "$work";
 Acquire::Check-Valid-Until "false";
 Acquire::Languages "none";
+APT::Update::Error-Mode "any";
 APT::Sandbox::User "root";
 END
 export APT_CONFIG="$work/apt.conf"

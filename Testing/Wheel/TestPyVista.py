@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 import pyvista as pv
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkMultiBlockDataSet,
+    vtkPartitionedDataSetCollection,
+    vtkPolyData,
+    vtkTable,
+)
 
 from vtkflipflop import vtkFFHullFilter
 from vtkflipflop.pyvista import (
@@ -158,8 +163,54 @@ def test_errors_are_exceptions_with_the_filter_s_words():
     assert convex_hull(points, non_finite_points="ignore").n_points > 0
     with pytest.raises(FilterError, match='"nowhere" is missing'):
         regular_triangulation(cloud(), "nowhere")
-    with pytest.raises(FilterError, match="vtkTable"):
-        convex_hull(pv.Table(np.zeros((3, 3))))
+
+
+def test_what_has_no_points_is_refused():
+    table = pv.Table(np.zeros((3, 3)))
+    for function in (convex_hull, convexify, regular_triangulation, power_diagram):
+        with pytest.raises(FilterError, match="^Table has no points to take"):
+            function(table)
+        with pytest.raises(FilterError, match="^NoneType has no points to take"):
+            function(None)
+    with pytest.raises(FilterError, match="flat index 1 is a vtkTable"):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, vtkTable())
+        convex_hull(blocks)
+    with pytest.raises(FilterError, match="^ImageData is no surface"):
+        convexify(pv.ImageData(dimensions=(2, 2, 2)))
+
+
+def test_integers_are_not_rounded():
+    grid = np.array([[20_000_000 + i, j] for i in range(8) for j in range(8)])
+    triangulation, hidden = regular_triangulation(grid, return_hidden_points=True)
+    assert (triangulation.n_points, hidden.n_points) == (64, 0)
+    assert triangulation.points[:, 0].max() == 20_000_007
+    with pytest.raises(FilterError, match="64-bit integer that no double holds: first at point 0"):
+        convex_hull(np.array([[2**53 + 1, 0, 0], [0, 1, 0]]))
+
+
+def test_weights_leave_arrays_alone():
+    mesh = cloud(30)
+    mesh.point_data["weights"] = np.arange(30)
+    triangulation = regular_triangulation(mesh, np.zeros(30))
+    assert set(triangulation.point_data.keys()) == {"heat", "weights", "vtkOriginalPointIds"}
+    assert np.array_equal(triangulation["weights"], triangulation["vtkOriginalPointIds"])
+    assert "weights" not in power_diagram(cloud(30), np.zeros(30)).cell_data
+    with pytest.raises(TypeError, match="the name of a point array"):
+        regular_triangulation(pv.MultiBlock([cloud(30)]), np.zeros(30))
+    with pytest.raises(FilterError, match="29 value"):
+        regular_triangulation(cloud(30), np.zeros(29))
+
+
+def test_other_composites():
+    partitions = pv.PartitionedDataSet([pv.ImageData(dimensions=(2, 2, 2)), pv.Cube(center=(3, 0, 0))])
+    assert convex_hull(partitions, composite_mode="all_blocks", facet_mode="polygons").n_points > 0
+    collection = vtkPartitionedDataSetCollection()
+    collection.SetPartitionedDataSet(0, partitions)
+    assert convex_hull(collection).GetNumberOfPartitionedDataSets() == 1
+    blocks = pv.MultiBlock([pv.Cube()])
+    blocks.field_data["kept"] = [7]
+    assert list(convex_hull(blocks).field_data["kept"]) == [7]
 
 
 def test_errors_are_exceptions_where_vtk_tells_none():
@@ -167,6 +218,8 @@ def test_errors_are_exceptions_where_vtk_tells_none():
     try:
         with pytest.raises(FilterError, match="GlobalWarningDisplayOff"):
             convex_hull(np.full((4, 3), np.nan))
+        with pytest.raises(FilterError, match="no points to take"):
+            convex_hull(pv.Table(np.zeros((3, 3))))
         assert convex_hull(random_points(10)).n_points > 0
     finally:
         vtkObject.GlobalWarningDisplayOn()
@@ -177,6 +230,8 @@ def test_a_wrong_property_is_named():
         convex_hull(cloud(), facets=1)
     with pytest.raises(TypeError, match='vtkFFHullFilter has no engine="quantum"'):
         convex_hull(cloud(), engine="quantum")
+    with pytest.raises(TypeError, match="no property abort_execute"):
+        convex_hull(cloud(), abort_execute=True)
 
 
 def test_progress_bar(capfd):

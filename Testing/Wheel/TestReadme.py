@@ -19,4 +19,7 @@ def test_page(page, capsys, monkeypatch):
     names = {"__name__": page}
     for block in blocks:
         exec(compile(block, page, "exec"), names)  # later blocks use the names of earlier ones
-    assert capsys.readouterr().out
+        printed = capsys.readouterr().out.split()
+        assert len(printed) >= block.count("print(")
+        # What a comment says of a printed number: print(...)  # 6 facets
+        assert set(re.findall(r"print\(.*\)  # (\d+)", block)) <= set(printed)

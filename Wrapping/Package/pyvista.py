@@ -18,6 +18,9 @@ functions raise FilterError with its text.
 
 import numpy as np
 import pyvista
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPointSet
+from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 from . import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
 
@@ -45,10 +48,10 @@ def convex_hull(mesh, *, progress_bar=False, **properties):
 
     Returns
     -------
-    pyvista.PolyData, closed, facets facing outwards; of a composite a MultiBlock with the hull of each block, or one
+    pyvista.PolyData, closed, facets facing outwards; of a composite one like it with the hull of each block, or one
     hull with composite_mode="all_blocks".
     """
-    return _outputs(vtkFFHullFilter(), _wrapped(mesh), properties, progress_bar)[0]
+    return _outputs(vtkFFHullFilter(), _points_of(mesh), properties, progress_bar)[0]
 
 
 def convexify(surface, *, progress_bar=False, **properties):
@@ -64,7 +67,10 @@ def convexify(surface, *, progress_bar=False, **properties):
     -------
     pyvista.PolyData
     """
-    return _outputs(vtkFFConvexifyFilter(), _wrapped(surface), properties, progress_bar)[0]
+    points = _points_of(surface)
+    if isinstance(points, vtkPointSet) and not points.IsA("vtkPolyData"):
+        raise FilterError(f"{type(surface).__name__} is no surface: a PolyData is wanted")
+    return _outputs(vtkFFConvexifyFilter(), points, properties, progress_bar)[0]
 
 
 def regular_triangulation(
@@ -75,7 +81,7 @@ def regular_triangulation(
     Parameters
     ----------
     mesh : any PyVista or VTK data set or composite, or an array of n by 3 or n by 2 coordinates
-    weights : a point array's name, or n numbers; squared lengths. By default none: Delaunay
+    weights : a point array's name, or n numbers where mesh is no composite; squared lengths. By default none: Delaunay
     return_hidden_points : give the points that do not appear in the triangulation, too
     progress_bar : show progress in the terminal; needs tqdm
     properties : of vtkFFRegularTriangulationFilter; projection_plane_mode="best_fitting_plane" for tilted points
@@ -134,32 +140,55 @@ if hasattr(pyvista, "register_dataset_accessor"):
     pyvista.register_dataset_accessor("flipflop", pyvista.DataObject)(_Accessor)
 
 
-def _wrapped(mesh):
-    """Of PyVista, with points of its own: grids whose points are implied get them."""
-    if not isinstance(mesh, pyvista.DataObject):
+def _points_of(mesh):
+    """The mesh as a data set with points of its own, or a composite of such: a filter's input."""
+    if isinstance(mesh, np.ndarray) and mesh.ndim == 2 and mesh.shape[1] in (2, 3):
+        if mesh.shape[1] == 2:
+            mesh = np.column_stack([mesh, np.zeros(len(mesh), mesh.dtype)])
+        return pyvista.PolyData(mesh, force_float=False)  # integers stay: as floats, they were rounded
+    if isinstance(mesh, vtkDataObjectTree):
+        copy = mesh.NewInstance()
+        copy.ShallowCopy(mesh)
+        places = mesh.NewTreeIterator()
+        while not places.IsDoneWithTraversal():
+            leaf = places.GetCurrentDataObject()
+            if leaf.IsA("vtkImageData") or leaf.IsA("vtkRectilinearGrid"):
+                copy.SetDataSetFrom(places, _points_of(leaf))
+            places.GoToNextItem()
+        return copy
+    if not hasattr(mesh, "IsA"):
         mesh = pyvista.wrap(mesh)
-    if isinstance(mesh, pyvista.MultiBlock):
-        blocks = pyvista.MultiBlock()
-        for name, block in zip(mesh.keys(), mesh):
-            blocks.append(None if block is None else _wrapped(block), name)
-        return blocks
-    if isinstance(mesh, pyvista.Grid) and not isinstance(mesh, pyvista.StructuredGrid):
-        return mesh.cast_to_structured_grid()
-    return mesh
+    if isinstance(mesh, vtkPointSet):
+        return mesh
+    if mesh is None or not (mesh.IsA("vtkImageData") or mesh.IsA("vtkRectilinearGrid")):
+        raise FilterError(f"{type(mesh).__name__} has no points to take")
+    return pyvista.wrap(mesh).cast_to_structured_grid()
 
 
 def _triangulated(mesh, weights, properties, progress_bar):
-    if isinstance(mesh, np.ndarray) and mesh.ndim == 2 and mesh.shape[1] == 2:
-        mesh = np.column_stack([mesh, np.zeros(len(mesh), mesh.dtype)])
-    mesh = _wrapped(mesh)
+    mesh = _points_of(mesh)
     triangulation = vtkFFRegularTriangulationFilter()
-    if weights is not None:
-        if not isinstance(weights, str):
-            mesh = mesh.copy(deep=False)
-            mesh.point_data["weights"] = weights
-            weights = "weights"
+    own = None
+    if isinstance(weights, str):
         triangulation.SetInputArrayToProcess(0, 0, 0, 0, weights)
-    return _outputs(triangulation, mesh, properties, progress_bar)
+    elif weights is not None:
+        if not isinstance(mesh, vtkPointSet):
+            raise TypeError("the weights of a composite are the name of a point array")
+        own = "weights"
+        while mesh.GetPointData().HasArray(own):
+            own += "_"
+        array = numpy_to_vtk(np.ascontiguousarray(weights), deep=True)
+        array.SetName(own)
+        weighted = mesh.NewInstance()
+        weighted.ShallowCopy(mesh)
+        weighted.GetPointData().AddArray(array)
+        mesh = weighted
+        triangulation.SetInputArrayToProcess(0, 0, 0, 0, own)
+    outputs = _outputs(triangulation, mesh, properties, progress_bar)
+    for output in outputs if own else ():
+        output.GetPointData().RemoveArray(own)
+        output.GetCellData().RemoveArray(own)
+    return outputs
 
 
 def _outputs(algorithm, mesh, properties, progress_bar):
@@ -170,8 +199,7 @@ def _outputs(algorithm, mesh, properties, progress_bar):
         errors.append(message)
 
     keep.CallDataType = "string0"
-    for teller in (algorithm, algorithm.GetExecutive()):  # the latter refuses inputs of other types
-        teller.AddObserver("ErrorEvent", keep)
+    algorithm.AddObserver("ErrorEvent", keep)
     for name, value in properties.items():
         _set_property(algorithm, name, value)
     algorithm.SetInputDataObject(mesh)
@@ -188,9 +216,19 @@ def _outputs(algorithm, mesh, properties, progress_bar):
     if algorithm.GetErrorCode():
         raise FilterError("vtkObject.GlobalWarningDisplayOff() is in force: VTK tells no errors")
     return [
-        pyvista.wrap(algorithm.GetOutputDataObject(port))
+        _of_pyvista(algorithm.GetOutputDataObject(port))
         for port in range(algorithm.GetNumberOfOutputPorts())
     ]
+
+
+def _of_pyvista(data):
+    """As PyVista's class where it has one, else a copy."""
+    try:
+        return pyvista.wrap(data)
+    except TypeError:
+        copy = data.NewInstance()
+        copy.ShallowCopy(data)
+        return copy
 
 
 def _set_property(algorithm, name, value):
@@ -199,7 +237,8 @@ def _set_property(algorithm, name, value):
     if isinstance(value, str):
         setter += "_to_" + value
     wanted = setter.replace("_", "").lower()
-    method = next((method for method in dir(algorithm) if method.lower() == wanted), None)
+    own = [method for method in dir(algorithm) if not hasattr(vtkPolyDataAlgorithm, method)]
+    method = next((method for method in own if method.lower() == wanted), None)
     if method is None:
         known = f"property {name}" if not isinstance(value, str) else f'{name}="{value}"'
         raise TypeError(f"{algorithm.GetClassName()} has no {known}")
