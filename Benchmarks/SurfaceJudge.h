@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -191,7 +192,7 @@ private:
           pairs.emplace_back(edge.high, NoIndex);
         }
       });
-    tbb::parallel_sort(pairs.begin(), pairs.end());
+    tbb::parallel_sort(pairs.begin(), pairs.end(), std::less<>());
     for (const auto& pair : pairs)
     {
       ++this->starts[pair.first + 1];
