@@ -136,7 +136,7 @@ for _method, _function in (
 ):
     _method.__doc__ = _function.__doc__
 
-if hasattr(pyvista, "register_dataset_accessor"):
+if hasattr(pyvista, "register_dataset_accessor"):  # distributions have older ones
     pyvista.register_dataset_accessor("flipflop", pyvista.DataObject)(_Accessor)
 
 
