@@ -101,7 +101,9 @@ public:
   bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
-  /// it cannot, unless that is flat. On a border's line it can: above the chord of the edge.
+  /// it cannot. On a border's line it can: between the edge's ends, it must be above their chord.
+  /// Where the cone is flat (the triangle without area, or the kernel point's place on the border's
+  /// line), p may lie anywhere on that line, and the perturbation tells.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if ((a.flags | b.flags | c.flags) & VertexVirtual)
@@ -113,7 +115,8 @@ public:
         // An edge between weights of one place: a ray's width.
         return !samePlace(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
       }
-      return this->isAboveChord(first, p, second);
+      return this->beneathKernel(a, b, c) == 0 ? this->perturbedAbove(a, b, c, p) > 0
+                                               : this->isAboveChord(first, p, second);
     }
     return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
   }

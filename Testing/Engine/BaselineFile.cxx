@@ -66,6 +66,11 @@ std::istringstream expectLine(std::istream& file, const std::string& word)
 
 }
 
+Cloud readDoubles(const std::string& name)
+{
+  return readRaw<double>(name);
+}
+
 std::vector<Input> baselineInputs()
 {
   std::vector<Input> inputs = {
