@@ -4,26 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace flipflop
 {
 
-namespace
-{
-
-/// Threads that a run may use: as asked for, or all the machine has.
-int threadCount(int asked)
-{
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-}
-
 Run::Run(
   const PointView& points, std::int64_t least, const PointSource& read, const Options& chosen)
   : options(chosen)
-  , threads(threadCount(chosen.threads))
+  , threads(threadCount(chosen.threads, points.count))
   , monitor(chosen)
   , source(read)
 {
@@ -81,6 +69,7 @@ void Run::report(const Tally& tally, Statistics& statistics)
   statistics.flipsV = work.flipsV;
   statistics.flipsD = work.flipsD;
   statistics.labelled = work.labelled;
+  statistics.redundant = work.redundant;
   statistics.edgeChecks = work.edgeChecks;
   statistics.exactCalls = work.exactCalls;
   statistics.secondsGrow = work.secondsGrow;

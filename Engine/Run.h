@@ -13,9 +13,8 @@
 #include "Statistics.h"
 #include "Stopwatch.h"
 #include "Tally.h"
+#include "Threads.h"
 #include "TypedErrors.h"
-
-#include <tbb/task_arena.h>
 
 #include <utility>
 
@@ -39,7 +38,7 @@ public:
       {
         Result result;
         Stopwatch watch;
-        tbb::task_arena arena(this->threads);
+        ArenaLoan arena(this->threads);
         arena.execute(
           [&]
           {

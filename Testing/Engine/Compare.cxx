@@ -3,6 +3,9 @@
 #include "Compare.h"
 #include "Inputs.h"
 #include "RoundsOnHost.h"
+#include "Threads.h"
+
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cstring>
@@ -15,6 +18,13 @@ namespace test
 
 namespace
 {
+
+/// Tests ask for up to four threads, on few points and on machines of fewer cores.
+const struct ThreadsOnRequest
+{
+  ThreadsOnRequest() { pointsPerThread() = 1; }
+  const tbb::global_control allowed{ tbb::global_control::max_allowed_parallelism, 4 };
+} threadsOnRequest;
 
 template <class T>
 Buffer<T> copyOf(const Buffer<T>& buffer)

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// How many threads a run gets, and where they work.
+///
+/// oneTBB up to 2021.8 keeps some kilobytes of every task_arena for ever, and looks all of them
+/// over in each later run. So arenas are lent, given back, and lent again: there are as many as
+/// runs were ever under way at once.
+#ifndef flipflop_Threads_h
+#define flipflop_Threads_h
+
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace flipflop
+{
+
+/// A thread more is worth waking for this many points. Tests set it to 1.
+inline std::atomic<std::int64_t>& pointsPerThread()
+{
+  static std::atomic<std::int64_t> points{ 4096 };
+  return points;
+}
+
+/// @param asked threads; 0 or less: as many as there are
+/// @return 1 or more: no more than asked for, than oneTBB has (tbb::global_control), and than
+///         @p points are worth
+int threadCount(int asked, std::int64_t points);
+
+/// An arena of so many threads, the caller's among them, for one run at a time.
+class ArenaLoan
+{
+public:
+  explicit ArenaLoan(int threads);
+  ArenaLoan(const ArenaLoan&) = delete;
+  ArenaLoan& operator=(const ArenaLoan&) = delete;
+  ~ArenaLoan();
+
+  template <class Body>
+  void execute(Body&& body)
+  {
+    this->arena->execute(std::forward<Body>(body));
+  }
+
+  /// Arenas that were ever made in this process.
+  static std::size_t made();
+
+private:
+  const int threads;
+  tbb::task_arena* const arena;
+};
+
+}
+
+#endif
