@@ -4,6 +4,7 @@
 
 #include "CellSort.h"
 #include "FacetPolygons.h"
+#include "LowestOf.h"
 #include "Measure.h"
 
 #include <tbb/parallel_for.h>
@@ -12,9 +13,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 namespace flipflop
@@ -29,44 +30,6 @@ std::size_t runCount(std::size_t n)
 {
   return (n + Run - 1) / Run;
 }
-
-/// The lowest id at a vertex's position, from pairs of ids at one position.
-class LowestIds
-{
-public:
-  explicit LowestIds(const std::vector<Duplicate>& duplicates)
-  {
-    for (const Duplicate& d : duplicates)
-    {
-      const std::uint32_t a = this->root(d.first);
-      const std::uint32_t b = this->root(d.second);
-      if (a != b)
-      {
-        this->parent[std::max(a, b)] = std::min(a, b);
-      }
-    }
-  }
-
-  std::uint32_t of(std::uint32_t id) { return this->parent.empty() ? id : this->root(id); }
-
-private:
-  std::uint32_t root(std::uint32_t id)
-  {
-    std::uint32_t top = id;
-    for (auto it = this->parent.find(top); it != this->parent.end(); it = this->parent.find(top))
-    {
-      top = it->second;
-    }
-    while (id != top)
-    {
-      std::uint32_t& up = this->parent[id];
-      id = std::exchange(up, top);
-    }
-    return top;
-  }
-
-  std::unordered_map<std::uint32_t, std::uint32_t> parent; ///< to a lower id, roots left out
-};
 
 /// Ids as a set of bits that knows how many of them are below one.
 class IdSet
@@ -151,15 +114,20 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     [&](std::size_t v, std::size_t run)
     {
       const Vertex& vertex = polyhedron.vertices[v];
+      ensure(!isPoint(vertex) || !(vertex.flags & VertexLabelled)); // or a flip is missing
       rank[v] = isPoint(vertex) ? vertex.id : NoIndex;
       counts[run] += isPoint(vertex) ? 1 : 0;
     });
   if (!duplicates.empty())
   {
-    LowestIds lowest(duplicates);
+    LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() };
+    for (const Duplicate& d : duplicates)
+    {
+      lowest.join(d.first, d.second);
+    }
     for (std::uint32_t& id : rank)
     {
-      id = id == NoIndex ? NoIndex : lowest.of(id);
+      id = id == NoIndex ? NoIndex : lowest(id);
     }
   }
   const std::uint32_t count = std::accumulate(counts.begin(), counts.end(), 0u);

@@ -65,6 +65,7 @@ Polyhedron compact(Polyhedron&& old)
   eachVertex(old, vertexNext.size(),
     [&](Vertex& vertex, std::size_t run)
     {
+      ensure(!(vertex.flags & VertexLabelled)); // or a flip is missing
       const std::uint32_t index = vertexNext[run]++;
       result.vertices[index] = vertex;
       result.vertices[index].flags = vertex.flags & (VertexAlive | VertexVirtual);

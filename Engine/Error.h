@@ -30,7 +30,8 @@ enum class ErrorCode
   NoKernel,      ///< no kernel point was given and none was found
   NoDevice,      ///< the CUDA engine was asked for, and there is no device for it
   DeviceMemory,  ///< count: bytes asked for of the device
-  DeviceFailed   ///< index: the CUDA runtime's error number
+  DeviceFailed,  ///< index: the CUDA runtime's error number
+  Internal       ///< an invariant of the engine does not hold: a fault of FlipFlop, to be reported
 };
 
 /// The engine's exception. what() is a constant sentence: callers compose their own from the parts.
@@ -87,6 +88,8 @@ public:
         return "the device is out of memory";
       case ErrorCode::DeviceFailed:
         return "the device failed";
+      case ErrorCode::Internal:
+        return "FlipFlop has met a fault of its own: please report it, with the input";
     }
     return "unknown error";
   }
@@ -96,6 +99,17 @@ private:
   std::int64_t Index;
   std::int64_t Count;
 };
+
+/// Ends the run where an invariant does not hold: better than a hang or a wrong result. For what
+/// costs nothing beside the work around it.
+/// @throw Error Internal
+inline void ensure(bool holds)
+{
+  if (!holds)
+  {
+    throw Error(ErrorCode::Internal);
+  }
+}
 
 }
 

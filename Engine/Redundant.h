@@ -4,31 +4,28 @@
 /// The finish, first part: take back what the perturbation added.
 ///
 /// A perturbed hull may keep points inside true facets and edges, and duplicates of its vertices.
-/// They are labelled and flipped away by Algorithm 1 itself: its D-criterion removes any labelled
-/// vertex as long as the kernel stays inside, and without these points the hull is the same. Then
-/// every vertex is strictly extreme, no triangle is without area, and true facets are the triangles
-/// joined across exactly flat edges.
+/// They are found here, by exact signs without the perturbation, and FacetRetriangulation takes
+/// them out. Then every vertex is strictly extreme, no triangle is without area, and true facets
+/// are the triangles joined across exactly flat edges.
 #ifndef flipflop_Redundant_h
 #define flipflop_Redundant_h
 
-#include "Flipper.h"
+#include "FacetRetriangulation.h"
+#include "LowestOf.h"
 #include "Polyhedron.h"
 #include "Tally.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace flipflop
 {
-
-/// A mesh at rest is one patch.
-struct NothingShared
-{
-  bool operator()(std::uint32_t) const { return false; }
-};
 
 template <class Geometry>
 class RedundantVertices
@@ -51,25 +48,98 @@ public:
     {
       return false;
     }
-    for (;;)
+    const std::vector<std::uint32_t> flat = this->flatEdges();
+    if (flat.empty())
     {
-      const std::vector<std::uint32_t> flat = this->flatEdges();
-      std::vector<std::uint32_t> redundant = this->duplicates(flat);
-      if (redundant.empty())
-      {
-        this->markFlat(flat, true);
-        redundant = Geometry::AllExtreme ? redundant : this->notStrictlyExtreme(flat);
-        if (redundant.empty())
-        {
-          return !flat.empty();
-        }
-        this->markFlat(flat, false);
-      }
-      this->flipAway(redundant);
+      return false;
     }
+    this->markFlat(flat);
+    this->judged.resize(this->polyhedron.vertexCount());
+    this->labelDuplicates(flat);
+    if (!Geometry::AllExtreme)
+    {
+      this->labelNotStrictlyExtreme(flat);
+    }
+    if (this->redundant.empty())
+    {
+      return true;
+    }
+    const Geometry local = this->geometry;
+    FacetRetriangulation<Geometry>(local, this->polyhedron, this->monitor).remove(this->redundant);
+    this->tally.addPredicates(local, this->geometry);
+    this->tally.statistics.redundant += static_cast<std::int64_t>(this->redundant.size());
+    std::atomic<bool> anyFlat{ false };
+    this->polyhedron.eachTriangle(
+      [&](std::uint32_t t, std::size_t)
+      {
+        if (this->polyhedron.triangles[t].index != 0)
+        {
+          anyFlat.store(true, std::memory_order_relaxed);
+        }
+      });
+    return anyFlat.load();
   }
 
 private:
+  /// The planes of the triangles at one position, as far as they must be told apart: at a vertex of
+  /// a solid there are three or more.
+  class PlanesAround
+  {
+  public:
+    PlanesAround(const Geometry& geometry, const Mesh& mesh, const Vertex& apex)
+      : geometry(geometry)
+      , mesh(mesh)
+      , apex(apex)
+    {
+    }
+
+    /// The triangles with area around the origin of @p h, which is at the position.
+    void addStar(std::uint32_t h)
+    {
+      std::uint32_t spoke = h;
+      do
+      {
+        if (this->areMany())
+        {
+          return;
+        }
+        const Vertex& a = this->at(nextHalfEdge(spoke));
+        const Vertex& b = this->at(previousHalfEdge(spoke));
+        if (!this->geometry.collinear(this->apex, a, b) && !this->isKnown(a, b))
+        {
+          this->spokes[this->count++] = spoke;
+        }
+        spoke = this->mesh.twin(previousHalfEdge(spoke));
+      } while (spoke != h);
+    }
+
+    bool areMany() const { return this->count == 3; }
+
+  private:
+    const Vertex& at(std::uint32_t h) const { return this->mesh.vertices[this->mesh.origin(h)]; }
+
+    bool isKnown(const Vertex& a, const Vertex& b) const
+    {
+      for (int i = 0; i < this->count; ++i)
+      {
+        const Vertex& first = this->at(nextHalfEdge(this->spokes[i]));
+        const Vertex& second = this->at(previousHalfEdge(this->spokes[i]));
+        if (this->geometry.above(this->apex, first, second, a) == 0 &&
+          this->geometry.above(this->apex, first, second, b) == 0)
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+
+    const Geometry& geometry;
+    const Mesh& mesh;
+    const Vertex& apex;
+    std::uint32_t spokes[3]; ///< of one triangle for each plane
+    int count = 0;
+  };
+
   /// One half-edge of each edge whose two triangles are exactly coplanar.
   std::vector<std::uint32_t> flatEdges()
   {
@@ -107,52 +177,86 @@ private:
     return flat;
   }
 
-  /// Half-edges from vertices at whose position there is a neighbour of lower id. Vertices of one
-  /// position are connected by such edges, so repeating this leaves the lowest.
-  std::vector<std::uint32_t> duplicates(const std::vector<std::uint32_t>& flat)
+  /// Vertices at a strictly extreme position are connected by edges without length, which are flat.
+  /// All but the lowest id are labelled; it too, where the position is not strictly extreme.
+  void labelDuplicates(const std::vector<std::uint32_t>& flat)
   {
-    std::vector<std::uint32_t> redundant;
     const Mesh mesh = this->polyhedron.mesh();
+    const auto idAt = [&mesh](std::uint32_t h) { return mesh.vertices[mesh.origin(h)].id; };
+    LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() }; // of ids
+    std::vector<std::uint32_t> ends;
     for (const std::uint32_t h : flat)
     {
       for (std::uint32_t side = h, n = 0; n < 3; ++n, side = nextHalfEdge(side))
       {
         const std::uint32_t twin = mesh.twin(side);
-        const Vertex& a = mesh.vertices[mesh.origin(side)];
-        const Vertex& b = mesh.vertices[mesh.origin(twin)];
-        if (samePosition(a, b))
+        if (samePosition(mesh.vertices[mesh.origin(side)], mesh.vertices[mesh.origin(twin)]))
         {
-          const bool first = a.id > b.id;
-          redundant.push_back(first ? side : twin);
-          const std::uint32_t low = first ? b.id : a.id;
-          const std::uint32_t high = first ? a.id : b.id;
-          this->tally.duplicates.push_back({ high, low });
+          lowest.join(idAt(side), idAt(twin));
+          ends.push_back(side);
+          ends.push_back(twin);
         }
       }
     }
-    return redundant;
+    std::sort(ends.begin(), ends.end(),
+      [&](std::uint32_t a, std::uint32_t b) {
+        return std::make_pair(lowest(idAt(a)), idAt(a)) < std::make_pair(lowest(idAt(b)), idAt(b));
+      });
+    const Geometry local = this->geometry;
+    for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end)
+    {
+      const std::uint32_t low = idAt(ends[begin]);
+      PlanesAround planes(local, mesh, mesh.vertices[mesh.origin(ends[begin])]);
+      std::uint32_t last = NoIndex;
+      for (; end < ends.size() && lowest(idAt(ends[end])) == low; ++end)
+      {
+        const std::uint32_t id = idAt(ends[end]);
+        if (id == std::exchange(last, id))
+        {
+          continue;
+        }
+        planes.addStar(ends[end]);
+        this->judged[mesh.origin(ends[end])] = true;
+        if (id != low)
+        {
+          this->label(ends[end]);
+          this->tally.duplicates.push_back({ id, low });
+        }
+      }
+      if (!planes.areMany())
+      {
+        this->label(ends[begin]);
+      }
+    }
+    this->tally.addPredicates(local, this->geometry);
   }
 
-  /// Half-edges from the ends of flat edges that are not strictly extreme.
-  std::vector<std::uint32_t> notStrictlyExtreme(const std::vector<std::uint32_t>& flat)
+  void label(std::uint32_t h)
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    mesh.vertices[mesh.origin(h)].flags |= VertexLabelled;
+    this->redundant.push_back(h);
+  }
+
+  /// Label the ends of flat edges that are not strictly extreme. Duplicates are told already.
+  void labelNotStrictlyExtreme(const std::vector<std::uint32_t>& flat)
   {
     const Mesh mesh = this->polyhedron.mesh();
     std::vector<std::uint32_t> ends;
-    std::vector<bool> seen(this->polyhedron.vertexCount());
     for (const std::uint32_t h : flat)
     {
       for (const std::uint32_t side : { h, mesh.twin(h) })
       {
         const std::uint32_t v = mesh.origin(side);
-        if (!seen[v] && !(mesh.vertices[v].flags & VertexVirtual))
+        if (!this->judged[v] && !(mesh.vertices[v].flags & VertexVirtual))
         {
-          seen[v] = true;
+          this->judged[v] = true;
           ends.push_back(side);
         }
       }
     }
     constexpr std::size_t Run = 1 << 10;
-    std::vector<std::uint8_t> redundant(ends.size());
+    std::vector<std::uint8_t> extreme(ends.size());
     std::vector<Geometry> locals((ends.size() + Run - 1) / Run, this->geometry);
     tbb::parallel_for(std::size_t(0), locals.size(),
       [&](std::size_t run)
@@ -160,7 +264,7 @@ private:
         const Geometry& local = locals[run];
         for (std::size_t i = run * Run; i < std::min(ends.size(), (run + 1) * Run); ++i)
         {
-          redundant[i] = hasSharpEdges(local, mesh, ends[i]) ? 0 : 1;
+          extreme[i] = hasSharpEdges(local, mesh, ends[i]) ? 1 : 0;
         }
         this->monitor.poll();
       });
@@ -168,34 +272,17 @@ private:
     {
       this->tally.addPredicates(local, this->geometry);
     }
-    std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
-      if (redundant[i])
+      if (!extreme[i])
       {
-        result.push_back(ends[i]);
+        this->label(ends[i]);
       }
     }
-    return result;
   }
 
-  void flipAway(const std::vector<std::uint32_t>& redundant)
-  {
-    const Geometry local = this->geometry;
-    const Mesh mesh = this->polyhedron.mesh();
-    Flipper<Geometry, NothingShared> flipper(local, mesh, NothingShared(), false, this->monitor);
-    for (const std::uint32_t h : redundant)
-    {
-      flipper.label(h);
-    }
-    flipper.run();
-    flipper.addTo(this->tally.statistics);
-    this->tally.duplicates.insert(
-      this->tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
-    this->tally.addPredicates(local, this->geometry);
-  }
-
-  void markFlat(const std::vector<std::uint32_t>& flat, bool isFlat)
+  /// Bit e of a triangle's index: its edge e is flat.
+  void markFlat(const std::vector<std::uint32_t>& flat)
   {
     const Mesh mesh = this->polyhedron.mesh();
     for (const std::uint32_t h : flat)
@@ -203,12 +290,12 @@ private:
       for (const std::uint32_t side : { h, mesh.twin(h) })
       {
         Triangle& triangle = mesh.triangles[triangleOf(side)];
-        triangle.index = isFlat ? triangle.index | 1u << cornerOf(side) : 0;
+        triangle.index |= 1u << cornerOf(side);
       }
     }
   }
 
-  /// isStrictlyExtreme by the marks of flat edges: between triangles that have an area, the plane
+  /// isStrictlyExtreme by the marks of flat edges: where all triangles have an area, the plane
   /// changes at every other edge.
   static bool hasSharpEdges(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
   {
@@ -232,38 +319,9 @@ public:
   /// Do the triangles around the origin of @p h, those with area, lie in three or more planes?
   static bool isStrictlyExtreme(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
   {
-    const Vertex* const v = mesh.vertices;
-    const Vertex& apex = v[mesh.origin(h)];
-    const auto first = [&](std::uint32_t spoke) -> const Vertex&
-    { return v[mesh.origin(nextHalfEdge(spoke))]; };
-    const auto second = [&](std::uint32_t spoke) -> const Vertex&
-    { return v[mesh.origin(previousHalfEdge(spoke))]; };
-
-    // Compare each triangle that has an area with the one before; the first once more at the end.
-    const auto changesPlane = [&](std::uint32_t from, std::uint32_t to)
-    {
-      return geometry.above(apex, first(from), second(from), first(to)) != 0 ||
-        geometry.above(apex, first(from), second(from), second(to)) != 0;
-    };
-    std::uint32_t start = NoIndex;
-    std::uint32_t previous = NoIndex;
-    int changes = 0;
-    std::uint32_t spoke = h;
-    do
-    {
-      if (!geometry.collinear(apex, first(spoke), second(spoke)))
-      {
-        start = start == NoIndex ? spoke : start;
-        changes += previous != NoIndex && changesPlane(previous, spoke) ? 1 : 0;
-        previous = spoke;
-      }
-      spoke = mesh.twin(previousHalfEdge(spoke));
-    } while (spoke != h && changes < 3);
-    if (changes < 3 && previous != start)
-    {
-      changes += changesPlane(previous, start) ? 1 : 0;
-    }
-    return changes >= 3;
+    PlanesAround planes(geometry, mesh, mesh.vertices[mesh.origin(h)]);
+    planes.addStar(h);
+    return planes.areMany();
   }
 
 private:
@@ -271,6 +329,8 @@ private:
   Polyhedron& polyhedron;
   Tally& tally;
   Monitor& monitor;
+  std::vector<bool> judged;             ///< vertices of which it is known whether they are labelled
+  std::vector<std::uint32_t> redundant; ///< a half-edge from each labelled vertex
 };
 
 }

@@ -39,6 +39,7 @@ struct Tally
     s.flipsV += o.flipsV;
     s.flipsD += o.flipsD;
     s.labelled += o.labelled;
+    s.redundant += o.redundant;
     s.edgeChecks += o.edgeChecks;
     s.exactCalls += o.exactCalls;
     s.culled += o.culled;
