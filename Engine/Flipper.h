@@ -80,27 +80,30 @@ public:
     }
   }
 
-  /// Check edges, and flip, until none is left to check.
+  /// Check edges, and flip, until none is left to check. V-biased, what asks for a label waits.
+  void checkWaiting()
+  {
+    while (!this->stack.empty())
+    {
+      const std::uint32_t h = this->stack.back();
+      this->stack.pop_back();
+      std::uint32_t& flags = this->mesh.triangles[triangleOf(h)].flags;
+      if (flags >> cornerOf(h) & 1)
+      {
+        flags &= ~(1u << cornerOf(h));
+        this->check(h);
+      }
+    }
+  }
+
+  /// The same until nothing asks for a label either.
   void run()
   {
-    for (;;)
+    this->checkWaiting();
+    while (!this->pending.empty())
     {
-      while (!this->stack.empty())
-      {
-        const std::uint32_t h = this->stack.back();
-        this->stack.pop_back();
-        std::uint32_t& flags = this->mesh.triangles[triangleOf(h)].flags;
-        if (flags >> cornerOf(h) & 1)
-        {
-          flags &= ~(1u << cornerOf(h));
-          this->check(h);
-        }
-      }
-      if (this->pending.empty())
-      {
-        return;
-      }
       this->labelPending();
+      this->checkWaiting();
     }
   }
 
@@ -164,6 +167,9 @@ public:
     {
       this->push(spoke);
       spoke = this->mesh.twin(previousHalfEdge(spoke));
+      // The ring of a vertex inside the patch does not meet its border, and ends at its start.
+      ensure(
+        !this->mesh.isBorder(spoke) && this->mesh.vertices + this->mesh.origin(spoke) == &vertex);
     } while (spoke != h);
   }
 

@@ -128,10 +128,14 @@ public:
   bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On the triangle it
-  /// cannot; where the cone is flat, the perturbation tells.
+  /// cannot; where the cone is flat, the perturbation tells. Points of an edge of the solid make
+  /// triangles without area: what lies between two of their corners is let go, or each would be
+  /// inserted, one after another.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
+    return this->beneathKernel(a, b, c) == 0 && !this->isBetween(a, b, p) &&
+      !this->isBetween(b, c, p) && !this->isBetween(c, a, p) &&
+      this->perturbedAbove(a, b, c, p) > 0;
   }
 
   /// How far p lies above abc, times twice its area; rounded. For choosing the furthest point.
@@ -204,7 +208,7 @@ public:
   }
 
   /// Sign of det[b - a; c - a] in the coordinates p, q: the orientation of a projection.
-  int planar(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
+  FF_HD int planar(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
   {
     int sign;
     if (this->filterPlanar(a, b, c, p, q, sign))
@@ -218,17 +222,30 @@ public:
   }
 
   /// The first step alone: false when it cannot tell.
-  bool filterPlanar(
+  FF_HD bool filterPlanar(
     const Vertex& a, const Vertex& b, const Vertex& c, int p, int q, int& sign) const
   {
     return ExpansionSigns::filterOrient2(a.x, b.x, c.x, p, q, sign) || this->exactInDouble;
   }
 
   /// Do the three points lie on a line? Exact.
-  bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     return this->planar(a, b, c, 0, 1) == 0 && this->planar(a, b, c, 1, 2) == 0 &&
       this->planar(a, b, c, 2, 0) == 0;
+  }
+
+  /// Does p lie on the segment from a to b, its ends included? Exact.
+  FF_HD bool isBetween(const Vertex& a, const Vertex& b, const Vertex& p) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if ((p.x[i] < a.x[i] && p.x[i] < b.x[i]) || (p.x[i] > a.x[i] && p.x[i] > b.x[i]))
+      {
+        return false;
+      }
+    }
+    return this->collinear(a, b, p);
   }
 
   bool isWide() const { return this->wide; }

@@ -241,7 +241,8 @@ std::uint32_t HullLocator::locate(
   const double error = geometry.coneError();
   std::uint32_t t = this->resolution ? this->hints[cell] : 0;
   int entry = -1; // the side we came through
-  for (;;)
+  // Seen from inside a convex polyhedron, no walk meets a triangle twice.
+  for (std::uint32_t step = 0; step <= this->count; ++step)
   {
     const HullCone& cone = this->cones[t];
     const Triangle& triangle = this->triangles[t];
@@ -253,12 +254,19 @@ std::uint32_t HullLocator::locate(
         continue;
       }
       const double value = cone.inside(i, q);
-      if (value < -error ||
-        (!(value > error) &&
-          geometry.perturbedBeneathKernel(
-            this->vertices[triangle.v[i]], this->vertices[triangle.v[nextCorner(i)]], p) < 0))
+      if (value < -error)
       {
         out = i;
+      }
+      else if (!(value > error))
+      {
+        const Vertex& a = this->vertices[triangle.v[i]];
+        const Vertex& b = this->vertices[triangle.v[nextCorner(i)]];
+        if (samePosition(a, p) || samePosition(b, p))
+        {
+          return t; // the walk around a corner, by exact signs, would tell no more
+        }
+        out = geometry.perturbedBeneathKernel(a, b, p) < 0 ? i : -1;
       }
     }
     if (out < 0)
@@ -269,6 +277,7 @@ std::uint32_t HullLocator::locate(
     t = triangleOf(twin);
     entry = cornerOf(twin);
   }
+  throw Error(ErrorCode::Internal);
 }
 
 }

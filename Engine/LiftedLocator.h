@@ -83,12 +83,14 @@ public:
   /// The cell of one point.
   std::uint32_t cellOf(const double* p) const { return this->grid.cellOf(p[0], p[1]); }
 
-  /// The triangle in whose cone p lies, exactly (by perturbation, at a border).
+  /// The triangle in whose cone p lies, exactly (by perturbation, at a border); any triangle at a
+  /// vertex for a p at the position of that vertex, weight included.
   std::uint32_t locate(const Geometry& geometry, const Vertex& p, std::uint32_t cell) const
   {
     std::uint32_t t = this->grid.valueAt(cell, p.x[0], p.x[1]);
     int entry = 3; // the side we came through
-    for (;;)
+    // In a regular triangulation no walk meets a triangle twice.
+    for (std::size_t step = 0; step <= this->cones.size(); ++step)
     {
       const Cone& cone = this->cones[t];
       const bool trusted = cone.virtualCorner == 3 || !geometry.kernelIsSymbolic();
@@ -101,14 +103,18 @@ public:
         }
         double error;
         const double value = cone.side(i, p.x[0], p.x[1], error);
-        const bool known = trusted && (value > error || value < -error);
-        const Triangle& triangle = this->triangles[t];
-        if (known ? value < 0
-                  : geometry.perturbedBeneathKernel(this->vertices[triangle.v[i]],
-                      this->vertices[triangle.v[nextCorner(i)]], p) < 0)
+        if (trusted && (value > error || value < -error))
         {
-          out = i;
+          out = value < 0 ? i : 3;
+          continue;
         }
+        const Vertex& a = this->vertices[this->triangles[t].v[i]];
+        const Vertex& b = this->vertices[this->triangles[t].v[nextCorner(i)]];
+        if (samePosition(a, p) || samePosition(b, p))
+        {
+          return t; // the walk around a corner, by exact signs, would tell no more
+        }
+        out = geometry.perturbedBeneathKernel(a, b, p) < 0 ? i : 3;
       }
       if (out == 3)
       {
@@ -118,6 +124,7 @@ public:
       t = triangleOf(twin);
       entry = cornerOf(twin);
     }
+    throw Error(ErrorCode::Internal);
   }
 
   const LiftedPlane<Weighted>& plane(std::uint32_t triangle) const

@@ -32,7 +32,9 @@ struct Options
   int threads = 0; ///< 1 or more; 0: as many as the machine has. The output never depends on it.
   FacetMode facets = FacetMode::Triangles;            ///< how facets are given
   NonFinitePolicy nonFinite = NonFinitePolicy::Error; ///< what NaN and infinity lead to
-  bool vBiased = false; ///< the V-biased Flip-Flop (paper, end of section 2.3): the same output
+  /// The V-biased Flip-Flop (paper, end of section 2.3): vertices are labelled only where no other
+  /// flip is left. The same output; without it a label may set off very many flips.
+  bool vBiased = true;
   ProgressFunction progress = nullptr; ///< null: nobody is told, and nobody can stop the run
   void* progressContext = nullptr;     ///< handed to progress as it is
 };

@@ -90,6 +90,7 @@ public:
   Tally run()
   {
     Node root = this->visit(0, this->baseTriangles);
+    ensure(root.border.empty() && root.deferred.empty());
     return std::move(root.tally);
   }
 
@@ -263,10 +264,7 @@ private:
         }
       }
       flipper.pushConcerned(edges, count);
-      if (!this->vBiased)
-      {
-        flipper.run();
-      }
+      flipper.checkWaiting();
     }
   }
 
