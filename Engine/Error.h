@@ -30,7 +30,8 @@ enum class ErrorCode
   NoKernel,      ///< no kernel point was given and none was found
   NoDevice,      ///< the CUDA engine was asked for, and there is no device for it
   DeviceMemory,  ///< count: bytes asked for of the device
-  DeviceFailed   ///< index: the CUDA runtime's error number
+  DeviceFailed,  ///< index: the CUDA runtime's error number
+  Internal       ///< a fault of the engine's own: please report it
 };
 
 /// The engine's exception. what() is a constant sentence: callers compose their own from the parts.
@@ -87,6 +88,8 @@ public:
         return "the device is out of memory";
       case ErrorCode::DeviceFailed:
         return "the device failed";
+      case ErrorCode::Internal:
+        return "an internal error: please report it";
     }
     return "unknown error";
   }

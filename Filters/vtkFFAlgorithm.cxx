@@ -378,6 +378,8 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
     case ErrorCode::DeviceFailed:
       return "The CUDA device failed: error " + std::to_string(index) +
         " of the CUDA runtime. Use SetEngineToAutomatic() or SetEngineToCPU().";
+    case ErrorCode::Internal:
+      return "An internal error: please report it, with the input.";
   }
   return error.what();
 }
