@@ -34,10 +34,11 @@ std::size_t runCount(std::size_t n)
 class LowestIds
 {
 public:
-  explicit LowestIds(const std::vector<Duplicate>& duplicates)
+  LowestIds(const std::vector<Duplicate>& duplicates, StepPoll& poll)
   {
     for (const Duplicate& d : duplicates)
     {
+      poll.step();
       const std::uint32_t a = this->root(d.first);
       const std::uint32_t b = this->root(d.second);
       if (a != b)
@@ -85,11 +86,12 @@ public:
   }
 
   /// After all are inserted; the ids in ascending order go to @p sorted.
-  void count(std::int64_t* sorted)
+  void count(std::int64_t* sorted, StepPoll& poll)
   {
     std::uint32_t total = 0;
     for (std::size_t word = 0; word < this->bits.size(); ++word)
     {
+      poll.step();
       this->before[word] = total;
       for (std::uint64_t rest = this->word(word); rest; rest &= rest - 1)
       {
@@ -127,11 +129,12 @@ bool isPoint(const Vertex& vertex)
 
 /// use(vertex) for every slot of the vertex array, in parallel by runs.
 template <class Use>
-void eachSlot(std::uint32_t slots, Use&& use)
+void eachSlot(std::uint32_t slots, Monitor& monitor, Use&& use)
 {
   tbb::parallel_for(std::size_t(0), runCount(slots),
     [&](std::size_t run)
     {
+      monitor.poll();
       for (std::size_t v = run * Run; v < std::min<std::size_t>(slots, (run + 1) * Run); ++v)
       {
         use(v, run);
@@ -141,13 +144,14 @@ void eachSlot(std::uint32_t slots, Use&& use)
 
 /// The rank of every vertex among the result's points, by its lowest id; the ids themselves.
 Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
-  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
+  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, Monitor& monitor,
   Buffer<std::int64_t>& pointIds)
 {
+  StepPoll poll(monitor);
   const std::uint32_t slots = polyhedron.vertexCount();
   Buffer<std::uint32_t> rank(slots); // until then the lowest id
   std::vector<std::uint32_t> counts(runCount(slots));
-  eachSlot(slots,
+  eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t run)
     {
       const Vertex& vertex = polyhedron.vertices[v];
@@ -156,9 +160,10 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     });
   if (!duplicates.empty())
   {
-    LowestIds lowest(duplicates);
+    LowestIds lowest(duplicates, poll);
     for (std::uint32_t& id : rank)
     {
+      poll.step();
       id = id == NoIndex ? NoIndex : lowest.of(id);
     }
   }
@@ -171,6 +176,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     std::size_t n = 0;
     for (const std::uint32_t id : rank)
     {
+      poll.step();
       if (id != NoIndex)
       {
         pointIds[n++] = id;
@@ -179,6 +185,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     std::sort(pointIds.begin(), pointIds.end());
     for (std::uint32_t& id : rank)
     {
+      poll.step();
       id = id == NoIndex
         ? NoIndex
         : static_cast<std::uint32_t>(
@@ -187,7 +194,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     return rank;
   }
   IdSet set(pointCount);
-  eachSlot(slots,
+  eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t)
     {
       if (rank[v] != NoIndex)
@@ -195,8 +202,8 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
         set.insert(rank[v]);
       }
     });
-  set.count(pointIds.data());
-  eachSlot(slots,
+  set.count(pointIds.data(), poll);
+  eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t)
     { rank[v] = rank[v] == NoIndex ? NoIndex : set.rank(rank[v]); });
   return rank;
@@ -219,8 +226,9 @@ void writeTriangles(const Buffer<Cell>& cells, Buffer<Triangle>&& memory, CellCo
 }
 
 void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
-  const FacetPolygons& polygons, std::uint32_t pointCount, CellComplex& complex)
+  const FacetPolygons& polygons, std::uint32_t pointCount, Monitor& monitor, CellComplex& complex)
 {
+  StepPoll poll(monitor);
   const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
   const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
   complex.cellSize = 0;
@@ -228,6 +236,7 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
   std::size_t at = 0;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
+    poll.step();
     complex.offsets[i] = static_cast<std::int64_t>(at);
     at += isPolygon(cells[i]) ? polygons.size(number(cells[i])) : 3;
   }
@@ -236,6 +245,7 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
   std::int64_t* out = complex.connectivity.data();
   for (const Cell& cell : cells)
   {
+    poll.step();
     if (!isPolygon(cell))
     {
       out = std::copy(cell.corner, cell.corner + 3, out);
@@ -263,12 +273,13 @@ bool isCell(const std::uint32_t* r)
 
 CanonicalForm::CanonicalForm(Polyhedron& mesh, bool anyFlat,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, FacetMode facetMode,
-  Buffer<std::int64_t>& pointIds)
+  Monitor& monitor, Buffer<std::int64_t>& pointIds)
   : facets(facetMode)
   , polyhedron(mesh)
-  , rank(rankVertices(mesh, duplicates, pointCount, pointIds))
-  , polygons(
-      anyFlat ? new FacetPolygons(mesh, this->rank, facetMode == FacetMode::Polygons) : nullptr)
+  , rank(rankVertices(mesh, duplicates, pointCount, monitor, pointIds))
+  , polygons(anyFlat
+        ? new FacetPolygons(mesh, this->rank, facetMode == FacetMode::Polygons, monitor)
+        : nullptr)
 {
 }
 
@@ -399,7 +410,7 @@ void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
   }
   else
   {
-    writeMixed(cells, this->rank, *this->polygons, pointCount, complex);
+    writeMixed(cells, this->rank, *this->polygons, pointCount, monitor, complex);
   }
 }
 

@@ -198,8 +198,10 @@ private:
   void markFlat(const std::vector<std::uint32_t>& flat, bool isFlat)
   {
     const Mesh mesh = this->polyhedron.mesh();
+    StepPoll poll(this->monitor);
     for (const std::uint32_t h : flat)
     {
+      poll.step();
       for (const std::uint32_t side : { h, mesh.twin(h) })
       {
         Triangle& triangle = mesh.triangles[triangleOf(side)];

@@ -314,7 +314,7 @@ public:
   {
     const Geometry& geometry = this->geometry;
     const typename Geometry::Locator locator(geometry, this->polyhedron.triangles.data(),
-      this->polyhedron.triangleCount(), this->polyhedron.vertices.data());
+      this->polyhedron.triangleCount(), this->polyhedron.vertices.data(), this->run.monitor);
     return this->eachPoint(
       [&](const Geometry& local, const Vertex& p)
       {
