@@ -230,7 +230,6 @@ private:
     return sharp >= 3;
   }
 
-public:
   /// Do the triangles around the origin of @p h, those with area, lie in three or more planes?
   static bool isStrictlyExtreme(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
   {
@@ -268,7 +267,6 @@ public:
     return changes >= 3;
   }
 
-private:
   const Geometry& geometry;
   Polyhedron& polyhedron;
   Tally& tally;
