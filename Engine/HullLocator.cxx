@@ -68,7 +68,8 @@ double HullLocator::innerRadius(const HullGeometry& geometry, StepPoll& poll) co
       return 0.0;
     }
   }
-  return radius * (1 - 1e-12);
+  // What is that small, float does not tell from the kernel point (see classifyPoints).
+  return radius > 1e-20 ? radius * (1 - 1e-12) : 0.0;
 }
 
 std::uint32_t HullLocator::walkTo(
@@ -135,7 +136,7 @@ void HullLocator::buildGrid(const HullGeometry& geometry, StepPoll& poll)
         {
           // direction = alpha * (a - s) + beta * (b - s) + gamma * (c - s): the gauge is at most
           // the coefficients' sum, and what rounding lets be negative counts with the gauge of its
-          // opposite.
+          // opposite. Documentation/Exactness.md, "What is dismissed without a sign", derives this.
           const HullPlane& plane = this->cones[found].plane;
           const double depth = -plane.height(this->kernel) - plane.error();
           if (depth > 0)
