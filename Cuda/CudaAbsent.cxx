@@ -7,11 +7,22 @@
 namespace flipflop
 {
 
-CudaStatus findCudaDevice()
+bool hasCudaKernels()
 {
-  CudaStatus status;
-  std::snprintf(status.problem, sizeof(status.problem), "this build has no CUDA engine");
-  return status;
+  return false;
+}
+
+int currentCudaDevice()
+{
+  return -1;
+}
+
+DeviceFinding findCudaDevice()
+{
+  DeviceFinding found;
+  std::snprintf(
+    found.status.problem, sizeof(found.status.problem), "this build has no CUDA engine");
+  return found;
 }
 
 void releaseCudaMemory() {}

@@ -43,16 +43,38 @@ private:
 
 }
 
-CudaStatus findCudaDevice()
+bool hasCudaKernels()
 {
-  CudaStatus status;
-  status.built = true;
-  const auto fail = [&status](const char* what, cudaError_t error)
+  return true;
+}
+
+int currentCudaDevice()
+{
+  int device = -1;
+  if (cudaGetDevice(&device) != cudaSuccess)
   {
     cudaGetLastError();
-    std::snprintf(
-      status.problem, sizeof(status.problem), "%s: %s", what, cudaGetErrorString(error));
-    return status;
+    return -1;
+  }
+  return device;
+}
+
+DeviceFinding findCudaDevice()
+{
+  DeviceFinding found;
+  CudaStatus& status = found.status;
+  status.built = true;
+  const auto fail = [&found](const char* what, cudaError_t error)
+  {
+    cudaGetLastError();
+    std::snprintf(found.status.problem, sizeof(found.status.problem), "%s: %s", what,
+      cudaGetErrorString(error));
+    found.status.device[0] = '\0';
+    // A device that is busy, or short of memory, may answer the next call.
+    found.lasting = error == cudaErrorNoDevice || error == cudaErrorInsufficientDriver ||
+      error == cudaErrorNoKernelImageForDevice || error == cudaErrorInvalidDeviceFunction ||
+      error == cudaErrorNotSupported;
+    return found;
   };
   int count = 0;
   cudaError_t error = cudaGetDeviceCount(&count);
@@ -84,7 +106,7 @@ CudaStatus findCudaDevice()
       "the CUDA device has no memory pools", error != cudaSuccess ? error : cudaErrorNotSupported);
   }
   status.present = true;
-  return status;
+  return found;
 }
 
 template <class Geometry>

@@ -6,7 +6,7 @@
 #ifndef flipflop_CudaBuilders_h
 #define flipflop_CudaBuilders_h
 
-#include "Engines.h"
+#include "DeviceStatus.h"
 #include "HullGeometry.h"
 #include "LiftedGeometry.h"
 #include "PolyhedronBuilder.h"
@@ -17,7 +17,14 @@
 namespace flipflop
 {
 
-CudaStatus findCudaDevice();
+/// Has this build kernels for a device? Asks none.
+bool hasCudaKernels();
+
+/// The device that is current for the thread, -1 where none answers. Makes no context.
+int currentCudaDevice();
+
+/// Look at that device.
+DeviceFinding findCudaDevice();
 
 /// The rounds on the present device.
 template <class Geometry>

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstring>
 #include <mutex>
 
@@ -39,6 +40,7 @@ struct CudaSession
   int device = 0;
   cudaStream_t stream = nullptr;
   cudaMemPool_t pool = nullptr;
+  std::size_t keptBytes = 0;             ///< of the pool, between runs
   void* piece[2] = { nullptr, nullptr }; ///< pinned
   cudaEvent_t pieceDone[2] = { nullptr, nullptr };
   Counters* records = nullptr; ///< pinned
@@ -58,8 +60,13 @@ struct CudaSession
       properties.location.type = cudaMemLocationTypeDevice;
       properties.location.id = this->device;
       requireCuda(cudaMemPoolCreate(&this->pool, &properties));
+      // All that a run gives back is there for it again; what stays after it, trim() bounds.
       std::uint64_t keepAll = UINT64_MAX;
       requireCuda(cudaMemPoolSetAttribute(this->pool, cudaMemPoolAttrReleaseThreshold, &keepAll));
+      std::size_t free = 0;
+      std::size_t total = 0;
+      requireCuda(cudaMemGetInfo(&free, &total));
+      this->keptBytes = total / 8;
       for (int i = 0; i < 2; ++i)
       {
         requireCuda(cudaMallocHost(&this->piece[i], PieceBytes));
@@ -83,6 +90,9 @@ struct CudaSession
   CudaSession(const CudaSession&) = delete;
   CudaSession& operator=(const CudaSession&) = delete;
   ~CudaSession() { this->close(); }
+
+  /// Give back what the pool holds beyond what is kept between runs. @return whether that worked.
+  bool trim() { return cudaMemPoolTrimTo(this->pool, this->keptBytes) == cudaSuccess; }
 
 private:
   void close() noexcept
@@ -123,6 +133,9 @@ namespace
 /// Sessions that no run uses now.
 struct IdleSessions
 {
+  /// Of one device; as many runs at once find all that they need.
+  static constexpr std::ptrdiff_t MostIdle = 2;
+
   std::mutex mutex;
   std::vector<std::unique_ptr<CudaSession>> sessions;
 
@@ -133,13 +146,18 @@ struct IdleSessions
     return *idle;
   }
 
-  /// For want of memory, it is closed instead.
+  /// Where there are enough, or for want of memory, it is closed instead.
   void keep(std::unique_ptr<CudaSession> session) noexcept
   {
     try
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
-      this->sessions.push_back(std::move(session));
+      const auto same = [&session](const std::unique_ptr<CudaSession>& other)
+      { return other->device == session->device; };
+      if (std::count_if(this->sessions.begin(), this->sessions.end(), same) < MostIdle)
+      {
+        this->sessions.push_back(std::move(session));
+      }
     }
     catch (const std::exception&)
     {
@@ -191,7 +209,7 @@ CudaExecutor::~CudaExecutor()
 {
   this->release(this->scratch, this->scratchBytes);
   // What a broken stream is good for is not known: it is not kept.
-  if (cudaStreamSynchronize(this->stream) == cudaSuccess)
+  if (cudaStreamSynchronize(this->stream) == cudaSuccess && this->session->trim())
   {
     IdleSessions::get().keep(std::move(this->session));
   }

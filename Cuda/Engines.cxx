@@ -3,6 +3,8 @@
 #include "Engines.h"
 
 #include "CudaBuilders.h"
+#include "DeviceStatus.h"
+#include "EngineDecision.h"
 #include "HullRun.h"
 #include "TriangulationRun.h"
 
@@ -15,51 +17,6 @@ namespace flipflop
 namespace
 {
 
-void setReason(EngineReport& report, EngineChoice used, const char* reason, const char* more = "")
-{
-  report.used = used;
-  std::snprintf(report.reason, sizeof(report.reason), "%.250s%.250s", reason, more);
-}
-
-/// Does the choice come to CUDA? Says why, if not.
-/// @throw Error NoDevice
-bool wantsCuda(const EngineOptions& engine, std::int64_t pointCount, EngineReport& report)
-{
-  if (engine.choice == EngineChoice::CPU)
-  {
-    setReason(report, EngineChoice::CPU, "the CPU engine was asked for");
-    return false;
-  }
-  const CudaStatus& status = cudaStatus();
-  if (!status.present)
-  {
-    setReason(report, EngineChoice::CPU, status.problem);
-    if (engine.choice == EngineChoice::CUDA)
-    {
-      throw Error(ErrorCode::NoDevice);
-    }
-    return false;
-  }
-  if (engine.choice == EngineChoice::CUDA)
-  {
-    setReason(report, EngineChoice::CUDA, "the CUDA engine was asked for: ", status.device);
-    return true;
-  }
-  if (engine.cudaFrom == CudaPaysNever)
-  {
-    setReason(report, EngineChoice::CPU,
-      "no measurement tells yet from how many points on the CUDA engine pays");
-    return false;
-  }
-  if (pointCount < engine.cudaFrom)
-  {
-    setReason(report, EngineChoice::CPU, "there are too few points for the CUDA engine to pay");
-    return false;
-  }
-  setReason(report, EngineChoice::CUDA, "there is a device, and enough points: ", status.device);
-  return true;
-}
-
 /// @tparam Run   a GeometryRun
 /// @param make   Run (): anew for each try
 /// @param work   Result (Run&)
@@ -67,11 +24,11 @@ template <class Model, class Result, class Make, class Work>
 Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineReport& report,
   Make&& make, Work&& work)
 {
-  if (wantsCuda(engine, pointCount, report))
+  if (wantsCuda(engine, pointCount, hasCudaKernels(), report, cudaStatus))
   {
     try
     {
-      const auto builder = makeCudaBuilder<Model>();
+      const auto builder = withTypedErrors([] { return makeCudaBuilder<Model>(); });
       auto run = make();
       run->engine = builder.get();
       Result result = work(*run);
@@ -110,8 +67,8 @@ Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineRep
 
 const CudaStatus& cudaStatus()
 {
-  static const CudaStatus status = findCudaDevice();
-  return status;
+  static DeviceStatus devices;
+  return devices.of(currentCudaDevice(), findCudaDevice);
 }
 
 Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,

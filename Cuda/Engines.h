@@ -50,10 +50,13 @@ struct CudaStatus
   char problem[256] = ""; ///< why there is none
 };
 
-/// Looks once, at the first call, at the device that is current for the thread.
+/// Looks at the device that is current for the thread: once at each, and again where it only failed
+/// for now. The look takes up to a second, and memory of the device.
+/// @return valid until the thread's next call
 const CudaStatus& cudaStatus();
 
-/// Give back to the device the memory that is kept for the next run.
+/// Give back to the device the memory that is kept for the next run: at most an eighth of the
+/// device's for each of the last two runs that ran at once.
 void releaseCudaMemory();
 
 /// As convexHull(points, options), by the engine that is chosen.

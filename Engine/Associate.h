@@ -45,7 +45,7 @@ public:
     , base(base)
     , threads(threads)
     , monitor(monitor)
-    , locator(geometry, base.triangles.data(), base.triangleCount(), base.vertices.data())
+    , locator(geometry, base.triangles.data(), base.triangleCount(), base.vertices.data(), monitor)
   {
   }
 

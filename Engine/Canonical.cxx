@@ -48,11 +48,12 @@ public:
   }
 
   /// After all are inserted; the ids in ascending order go to @p sorted.
-  void count(std::int64_t* sorted)
+  void count(std::int64_t* sorted, StepPoll& poll)
   {
     std::uint32_t total = 0;
     for (std::size_t word = 0; word < this->bits.size(); ++word)
     {
+      poll.step();
       this->before[word] = total;
       for (std::uint64_t rest = this->word(word); rest; rest &= rest - 1)
       {
@@ -90,11 +91,12 @@ bool isPoint(const Vertex& vertex)
 
 /// use(vertex) for every slot of the vertex array, in parallel by runs.
 template <class Use>
-void eachSlot(std::uint32_t slots, Use&& use)
+void eachSlot(std::uint32_t slots, Monitor& monitor, Use&& use)
 {
   tbb::parallel_for(std::size_t(0), runCount(slots),
     [&](std::size_t run)
     {
+      monitor.poll();
       for (std::size_t v = run * Run; v < std::min<std::size_t>(slots, (run + 1) * Run); ++v)
       {
         use(v, run);
@@ -104,13 +106,14 @@ void eachSlot(std::uint32_t slots, Use&& use)
 
 /// The rank of every vertex among the result's points, by its lowest id; the ids themselves.
 Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
-  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount,
+  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, Monitor& monitor,
   Buffer<std::int64_t>& pointIds)
 {
+  StepPoll poll(monitor);
   const std::uint32_t slots = polyhedron.vertexCount();
   Buffer<std::uint32_t> rank(slots); // until then the lowest id
   std::vector<std::uint32_t> counts(runCount(slots));
-  eachSlot(slots,
+  eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t run)
     {
       const Vertex& vertex = polyhedron.vertices[v];
@@ -123,10 +126,12 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() };
     for (const Duplicate& d : duplicates)
     {
+      poll.step();
       lowest.join(d.first, d.second);
     }
     for (std::uint32_t& id : rank)
     {
+      poll.step();
       id = id == NoIndex ? NoIndex : lowest(id);
     }
   }
@@ -139,6 +144,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     std::size_t n = 0;
     for (const std::uint32_t id : rank)
     {
+      poll.step();
       if (id != NoIndex)
       {
         pointIds[n++] = id;
@@ -147,6 +153,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     std::sort(pointIds.begin(), pointIds.end());
     for (std::uint32_t& id : rank)
     {
+      poll.step();
       id = id == NoIndex
         ? NoIndex
         : static_cast<std::uint32_t>(
@@ -155,7 +162,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
     return rank;
   }
   IdSet set(pointCount);
-  eachSlot(slots,
+  eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t)
     {
       if (rank[v] != NoIndex)
@@ -163,8 +170,8 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
         set.insert(rank[v]);
       }
     });
-  set.count(pointIds.data());
-  eachSlot(slots,
+  set.count(pointIds.data(), poll);
+  eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t)
     { rank[v] = rank[v] == NoIndex ? NoIndex : set.rank(rank[v]); });
   return rank;
@@ -187,8 +194,9 @@ void writeTriangles(const Buffer<Cell>& cells, Buffer<Triangle>&& memory, CellCo
 }
 
 void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
-  const FacetPolygons& polygons, std::uint32_t pointCount, CellComplex& complex)
+  const FacetPolygons& polygons, std::uint32_t pointCount, Monitor& monitor, CellComplex& complex)
 {
+  StepPoll poll(monitor);
   const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
   const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
   complex.cellSize = 0;
@@ -196,6 +204,7 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
   std::size_t at = 0;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
+    poll.step();
     complex.offsets[i] = static_cast<std::int64_t>(at);
     at += isPolygon(cells[i]) ? polygons.size(number(cells[i])) : 3;
   }
@@ -204,6 +213,7 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
   std::int64_t* out = complex.connectivity.data();
   for (const Cell& cell : cells)
   {
+    poll.step();
     if (!isPolygon(cell))
     {
       out = std::copy(cell.corner, cell.corner + 3, out);
@@ -231,12 +241,13 @@ bool isCell(const std::uint32_t* r)
 
 CanonicalForm::CanonicalForm(Polyhedron& mesh, bool anyFlat,
   const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, FacetMode facetMode,
-  Buffer<std::int64_t>& pointIds)
+  Monitor& monitor, Buffer<std::int64_t>& pointIds)
   : facets(facetMode)
   , polyhedron(mesh)
-  , rank(rankVertices(mesh, duplicates, pointCount, pointIds))
-  , polygons(
-      anyFlat ? new FacetPolygons(mesh, this->rank, facetMode == FacetMode::Polygons) : nullptr)
+  , rank(rankVertices(mesh, duplicates, pointCount, monitor, pointIds))
+  , polygons(anyFlat
+        ? new FacetPolygons(mesh, this->rank, facetMode == FacetMode::Polygons, monitor)
+        : nullptr)
 {
 }
 
@@ -367,7 +378,7 @@ void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
   }
   else
   {
-    writeMixed(cells, this->rank, *this->polygons, pointCount, complex);
+    writeMixed(cells, this->rank, *this->polygons, pointCount, monitor, complex);
   }
 }
 

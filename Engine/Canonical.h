@@ -32,9 +32,11 @@ public:
   /// @param duplicates pairs of ids at one position
   /// @param pointCount ids are below this
   /// @param facets     what writeCells will write
+  /// @param monitor    is asked while it works
   /// @param pointIds   is filled in
+  /// @throw Error Aborted
   CanonicalForm(Polyhedron& polyhedron, bool anyFlat, const std::vector<Duplicate>& duplicates,
-    std::uint32_t pointCount, FacetMode facets, Buffer<std::int64_t>& pointIds);
+    std::uint32_t pointCount, FacetMode facets, Monitor& monitor, Buffer<std::int64_t>& pointIds);
   ~CanonicalForm();
 
   /// Volume and area of a hull. Both facet modes measure the same triangles.

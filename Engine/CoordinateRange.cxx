@@ -44,9 +44,9 @@ bool bitsOf(const CoordinateRange& range, int firstAxis, int endAxis, Bits& bits
 Arithmetic chooseArithmetic(const CoordinateRange& range)
 {
   // Expansions need, for coordinates that are multiples of 2^bottom below 2^top, 3 * bottom >=
-  // -1074 and 3 * (top + 4) <= 1023, with room for the halves of a product. A computed kernel point
-  // is a rounded mean: its bits reach lower than the points', by no more than the 170 places left
-  // here.
+  // -1074 and 3 * (top + 4) <= 1023, with room for the halves of a product. A kernel point that is
+  // computed is a rounded mean, or on a grid (see seekKernel): its bits reach lower than the
+  // points', by no more than the 170 places left here. One that is given counts in the range.
   constexpr int lowestBottom = -300;
   constexpr int highestTop = 300;
 

@@ -89,7 +89,7 @@ public:
       case ErrorCode::DeviceFailed:
         return "the device failed";
       case ErrorCode::Internal:
-        return "FlipFlop has met a fault of its own: please report it, with the input";
+        return "an internal fault of FlipFlop: please report it, with the input";
     }
     return "unknown error";
   }

@@ -5,6 +5,7 @@
 #ifndef flipflop_FacetPolygons_h
 #define flipflop_FacetPolygons_h
 
+#include "Monitor.h"
 #include "Polyhedron.h"
 
 #include <algorithm>
@@ -36,8 +37,11 @@ class FacetPolygons
 {
 public:
   /// @param pairs also those of two triangles?
-  FacetPolygons(const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank, bool pairs)
+  /// @throw Error Aborted
+  FacetPolygons(
+    const Polyhedron& polyhedron, const Buffer<std::uint32_t>& rank, bool pairs, Monitor& monitor)
   {
+    StepPoll poll(monitor);
     std::vector<std::uint8_t> visited(polyhedron.triangleCount());
     const auto isFlat = [&](std::uint32_t h)
     { return (polyhedron.triangles[triangleOf(h)].index >> cornerOf(h) & 1) != 0; };
@@ -47,11 +51,13 @@ public:
       std::uint32_t h = start;
       do
       {
+        poll.step();
         visited[triangleOf(h)] |= static_cast<std::uint8_t>(1 << cornerOf(h));
         this->corners.push_back(polyhedron.triangles[triangleOf(h)].v[cornerOf(h)]);
         h = nextHalfEdge(h);
         while (isFlat(h))
         {
+          poll.step();
           h = nextHalfEdge(polyhedron.triangles[triangleOf(h)].twin[cornerOf(h)]);
         }
       } while (h != start);
@@ -72,6 +78,7 @@ public:
     {
       for (std::uint32_t t = piece.begin; t < piece.end; ++t)
       {
+        poll.step();
         const Triangle& triangle = polyhedron.triangles[t];
         const bool joined = !(triangle.flags & TriangleDead) && triangle.index != 0 &&
           (pairs || otherOfPair(polyhedron, t) == NoIndex);

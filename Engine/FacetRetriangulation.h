@@ -41,7 +41,7 @@ public:
   FacetRetriangulation(const Geometry& geometry, Polyhedron& polyhedron, Monitor& monitor)
     : geometry(geometry)
     , polyhedron(polyhedron)
-    , monitor(monitor)
+    , poll(monitor)
     , mesh(polyhedron.mesh())
     , state(polyhedron.triangleCount())
     , atOnePosition(LowerId{ polyhedron.vertices.data() })
@@ -145,7 +145,7 @@ private:
         }
         spoke = this->mesh.twin(previousHalfEdge(spoke));
       } while (spoke != h);
-      this->pollNow();
+      this->poll.step();
     }
   }
 
@@ -176,7 +176,7 @@ private:
         this->followStrip(t, number);
       }
       this->lines.back().isTrueEdge = !this->isInOnePlane(this->lines.back().beside);
-      this->pollNow();
+      this->poll.step();
     }
   }
 
@@ -278,7 +278,7 @@ private:
       for (; next < this->facetTriangles.size(); ++next)
       {
         this->eachInnerEdge(this->facetTriangles[next], visit);
-        this->pollNow();
+        this->poll.step();
       }
       this->facetBegin.push_back(this->facetTriangles.size());
     }
@@ -314,7 +314,7 @@ private:
           ++length;
         }
       }
-      this->pollNow();
+      this->poll.step();
     }
     ensure(first != NoIndex);
     const std::size_t begin = this->ring.size();
@@ -371,7 +371,7 @@ private:
       {
         this->mesh.link(halfEdge(slot[i], 2), halfEdge(slot[i + 1], 0));
       }
-      this->pollNow();
+      this->poll.step();
     }
     for (std::size_t i = this->facetBegin[f] + corners - 2; i < this->facetBegin[f + 1]; ++i)
     {
@@ -398,17 +398,9 @@ private:
     this->waiting.erase(other);
   }
 
-  void pollNow()
-  {
-    if ((++this->sincePoll & 0xFFF) == 0)
-    {
-      this->monitor.poll();
-    }
-  }
-
   const Geometry& geometry;
   Polyhedron& polyhedron;
-  Monitor& monitor;
+  StepPoll poll;
   const Mesh mesh;
   Buffer<State> state;             ///< by triangle
   LowestOf<LowerId> atOnePosition; ///< of vertices
@@ -423,7 +415,6 @@ private:
   std::vector<RingEdge> ring;       ///< facet by facet
   std::vector<std::size_t> ringBegin{ 0 };
   std::unordered_map<std::uint64_t, std::uint32_t> waiting; ///< for their opposites, by both ends
-  std::uint32_t sincePoll = 0;
 };
 
 }

@@ -137,13 +137,18 @@ void chooseKernel(HullRun& run, Polyhedron& polyhedron, const double* kernel)
     }
     for (int attempt = 0; attempt < 2; ++attempt)
     {
-      double found[3];
-      if (seekKernel(polyhedron, found))
+      double coarse[3];
+      double fine[3];
+      const bool found = seekKernel(polyhedron, coarse, fine);
+      for (const double* candidate : { coarse, fine })
       {
-        run.geometry.setKernel(found);
-        if (findStarFault(run.geometry, polyhedron).count == 0)
+        if (found)
         {
-          return;
+          run.geometry.setKernel(candidate);
+          if (findStarFault(run.geometry, polyhedron).count == 0)
+          {
+            return;
+          }
         }
       }
       turnOver(polyhedron);

@@ -80,7 +80,7 @@ public:
     const bool anyFlat =
       RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove();
     CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
-      this->options.facets, result.pointIds);
+      this->options.facets, this->monitor, result.pointIds);
     this->monitor.poll();
     moreOf(form);
     this->monitor.poll();

@@ -11,14 +11,16 @@ namespace flipflop
 {
 
 HullLocator::HullLocator(const HullGeometry& geometry, const Triangle* triangleArray,
-  std::uint32_t triangleCount, const Vertex* vertexArray)
+  std::uint32_t triangleCount, const Vertex* vertexArray, Monitor& monitor)
   : triangles(triangleArray)
   , vertices(vertexArray)
   , count(triangleCount)
   , cones(triangleCount)
 {
+  StepPoll poll(monitor);
   for (std::uint32_t t = 0; t < triangleCount; ++t)
   {
+    poll.step();
     const std::uint32_t* v = triangleArray[t].v;
     this->cones[t] = HullCone(geometry, vertexArray[v[0]], vertexArray[v[1]], vertexArray[v[2]]);
   }
@@ -31,13 +33,13 @@ HullLocator::HullLocator(const HullGeometry& geometry, const Triangle* triangleA
       // A power of two, so that the unit's multiplication is exact; |p - s| * unit is at most one.
       this->unit[i] = std::ldexp(1.0, -std::ilogb(extent[i]) - 1);
     }
-    this->buildGrid(geometry);
+    this->buildGrid(geometry, poll);
   }
 }
 
 // The greatest r such that the cube |x * unit| <= r around s is inside all planes; zero when
 // unsure.
-double HullLocator::innerRadius(const HullGeometry& geometry) const
+double HullLocator::innerRadius(const HullGeometry& geometry, StepPoll& poll) const
 {
   if (geometry.kernelIsSymbolic())
   {
@@ -46,6 +48,7 @@ double HullLocator::innerRadius(const HullGeometry& geometry) const
   double radius = 1.0;
   for (std::uint32_t t = 0; t < this->count; ++t)
   {
+    poll.step();
     const HullPlane& plane = this->cones[t].plane;
     const double depth = -plane.height(this->kernel) - plane.error();
     if (depth > 0)
@@ -65,14 +68,17 @@ double HullLocator::innerRadius(const HullGeometry& geometry) const
       return 0.0;
     }
   }
-  return radius * (1 - 1e-12);
+  // What is that small, float does not tell from the kernel point (see classifyPoints).
+  return radius > 1e-20 ? radius * (1 - 1e-12) : 0.0;
 }
 
-std::uint32_t HullLocator::walkTo(const double* direction, std::uint32_t start) const
+std::uint32_t HullLocator::walkTo(
+  const double* direction, std::uint32_t start, StepPoll& poll) const
 {
   std::uint32_t t = start;
   for (std::uint32_t step = 0; step < this->count; ++step)
   {
+    poll.step();
     int out = -1;
     for (int i = 0; i < 3 && out < 0; ++i)
     {
@@ -87,7 +93,7 @@ std::uint32_t HullLocator::walkTo(const double* direction, std::uint32_t start) 
   return NoIndex; // rounding led in circles
 }
 
-void HullLocator::buildGrid(const HullGeometry& geometry)
+void HullLocator::buildGrid(const HullGeometry& geometry, StepPoll& poll)
 {
   std::int32_t side = 8;
   while (side < 128 && side * side < 2.0 * this->count)
@@ -99,7 +105,7 @@ void HullLocator::buildGrid(const HullGeometry& geometry)
   this->limits.allocate(cells);
   this->hints.allocate(cells);
 
-  const double radius = this->innerRadius(geometry);
+  const double radius = this->innerRadius(geometry, poll);
   const std::int32_t points = side + 1;
   Buffer<double> gauge(static_cast<std::size_t>(points) * points);
   Buffer<std::uint32_t> at(static_cast<std::size_t>(points) * points);
@@ -123,14 +129,14 @@ void HullLocator::buildGrid(const HullGeometry& geometry)
         {
           direction[k] *= 0.5 / this->unit[k]; // exact, and no longer than the extent
         }
-        const std::uint32_t found = this->walkTo(direction, t);
+        const std::uint32_t found = this->walkTo(direction, t, poll);
         t = found == NoIndex ? t : found;
         double bound = HUGE_VAL;
         if (found != NoIndex && radius > 0)
         {
           // direction = alpha * (a - s) + beta * (b - s) + gamma * (c - s): the gauge is at most
           // the coefficients' sum, and what rounding lets be negative counts with the gauge of its
-          // opposite.
+          // opposite. Documentation/Exactness.md, "What is dismissed without a sign", derives this.
           const HullPlane& plane = this->cones[found].plane;
           const double depth = -plane.height(this->kernel) - plane.error();
           if (depth > 0)

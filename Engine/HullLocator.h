@@ -14,6 +14,7 @@
 #include "Buffer.h"
 #include "HullCones.h"
 #include "Mesh.h"
+#include "Monitor.h"
 
 #include <cstdint>
 
@@ -37,8 +38,9 @@ public:
   /// star-shaped
   ///                         from the geometry's kernel point. Both arrays must outlive the
   ///                         locator.
+  /// @throw Error Aborted
   HullLocator(const HullGeometry& geometry, const Triangle* triangles, std::uint32_t count,
-    const Vertex* vertices);
+    const Vertex* vertices, Monitor& monitor);
 
   /// Fill in the block's results for the first @p n points.
   void classify(Block& block, int n) const;
@@ -53,9 +55,9 @@ public:
   const HullPlane& plane(std::uint32_t triangle) const { return this->cones[triangle].plane; }
 
 private:
-  void buildGrid(const HullGeometry& geometry);
-  double innerRadius(const HullGeometry& geometry) const;
-  std::uint32_t walkTo(const double* direction, std::uint32_t start) const;
+  void buildGrid(const HullGeometry& geometry, StepPoll& poll);
+  double innerRadius(const HullGeometry& geometry, StepPoll& poll) const;
+  std::uint32_t walkTo(const double* direction, std::uint32_t start, StepPoll& poll) const;
 
   const Triangle* triangles;
   const Vertex* vertices;

@@ -13,6 +13,7 @@
 #include "Buffer.h"
 #include "LiftedCones.h"
 #include "Mesh.h"
+#include "Monitor.h"
 #include "PlaceGrid.h"
 
 #include <algorithm>
@@ -42,15 +43,18 @@ public:
 
   /// @param triangles, count a regular triangulation and its virtual triangles: a mesh without
   ///                         borders or dead triangles. Both arrays must outlive the locator.
+  /// @throw Error Aborted
   LiftedLocator(const Geometry& geometry, const Triangle* triangleArray, std::uint32_t count,
-    const Vertex* vertexArray)
+    const Vertex* vertexArray, Monitor& monitor)
     : triangles(triangleArray)
     , vertices(vertexArray)
     , cones(count)
     , planes(count)
   {
+    StepPoll poll(monitor);
     for (std::uint32_t t = 0; t < count; ++t)
     {
+      poll.step();
       const std::uint32_t* v = triangleArray[t].v;
       this->planes[t] =
         LiftedPlane<Weighted>(geometry, vertexArray[v[0]], vertexArray[v[1]], vertexArray[v[2]]);
@@ -67,7 +71,7 @@ public:
         cone.twin[i] = triangleArray[t].twin[i];
       }
     }
-    this->buildGrid();
+    this->buildGrid(poll);
   }
 
   /// Fill in the block's results for the first @p n points.
@@ -154,17 +158,19 @@ private:
   };
 
   /// Of each vertex, its place and a triangle at it.
-  void buildGrid()
+  void buildGrid(StepPoll& poll)
   {
     std::uint32_t last = 0;
     for (std::uint32_t t = 0; t < this->cones.size(); ++t)
     {
+      poll.step();
       const std::uint32_t* v = this->triangles[t].v;
       last = std::max({ last, v[0], v[1], v[2] });
     }
     std::vector<std::uint32_t> at(std::size_t(last) + 1, NoIndex);
     for (std::uint32_t t = 0; t < this->cones.size(); ++t)
     {
+      poll.step();
       for (int i = 0; i < 3 && this->cones[t].virtualCorner == 3; ++i)
       {
         at[this->triangles[t].v[i]] = t;
@@ -173,13 +179,16 @@ private:
     std::vector<ValuedPlace> places;
     for (std::size_t v = 0; v < at.size(); ++v)
     {
+      poll.step();
       if (at[v] != NoIndex)
       {
         places.push_back({ { this->vertices[v].x[0], this->vertices[v].x[1] }, at[v] });
       }
     }
-    this->grid.build(std::move(places),
-      [this](double x, double y, std::uint32_t t) { return this->walkTo(x, y, t); });
+    this->grid.build(
+      std::move(places),
+      [this](double x, double y, std::uint32_t t) { return this->walkTo(x, y, t); },
+      [&poll] { poll.step(); });
   }
 
   /// About the triangle of a place, if that is near.

@@ -20,10 +20,13 @@ namespace flipflop
 class Monitor
 {
 public:
-  explicit Monitor(const Options& options)
+  /// @param interval the least time between two calls of the progress function in a stage
+  explicit Monitor(const Options& options,
+    std::chrono::steady_clock::duration interval = std::chrono::milliseconds(20))
     : function(options.progress)
     , context(options.progressContext)
     , caller(std::this_thread::get_id())
+    , between(interval)
   {
   }
 
@@ -62,7 +65,7 @@ private:
       return;
     }
     const auto now = std::chrono::steady_clock::now();
-    if (!always && now - this->last < std::chrono::milliseconds(20))
+    if (!always && now - this->last < this->between)
     {
       return;
     }
@@ -84,6 +87,7 @@ private:
   ProgressFunction function;
   void* context;
   std::thread::id caller;
+  std::chrono::steady_clock::duration between;
   double begin = 0;
   double end = 0;
   double reported = 0;
@@ -91,6 +95,32 @@ private:
   std::chrono::steady_clock::time_point last;
   std::atomic<std::int64_t> done{ 0 };
   std::atomic<bool> stop{ false };
+};
+
+/// Polls in loops of many short steps.
+class StepPoll
+{
+public:
+  static constexpr std::uint32_t Every = 1 << 14; ///< steps
+
+  explicit StepPoll(Monitor& toPoll)
+    : monitor(toPoll)
+  {
+  }
+
+  /// Call it once a step.
+  /// @throw Error Aborted
+  void step()
+  {
+    if (++this->steps % Every == 0)
+    {
+      this->monitor.poll();
+    }
+  }
+
+private:
+  Monitor& monitor;
+  std::uint32_t steps = 0;
 };
 
 }

@@ -32,12 +32,13 @@ public:
   /// @param refine std::uint32_t (double x, double y, std::uint32_t value): what a cell holds, from
   ///               its middle and the value of one of its places. A cell without places takes a
   ///               neighbour's.
-  template <class Refine>
-  void build(std::vector<ValuedPlace> places, Refine&& refine)
+  /// @param step   void (): called at each short step of the work
+  template <class Refine, class Step>
+  void build(std::vector<ValuedPlace> places, Refine&& refine, Step&& step)
   {
     this->nodes.clear();
     this->cells.clear();
-    this->addNode(places.data(), places.size(), 0, refine);
+    this->addNode(places.data(), places.size(), 0, refine, step);
   }
 
   /// The value of the top grid's cell at a place, or what valueAt() needs to go on.
@@ -78,8 +79,9 @@ private:
   };
 
   /// @return its cell value
-  template <class Refine>
-  std::uint32_t addNode(ValuedPlace* places, std::size_t count, int level, Refine& refine)
+  template <class Refine, class Step>
+  std::uint32_t addNode(
+    ValuedPlace* places, std::size_t count, int level, Refine& refine, Step& step)
   {
     Node node;
     double cell[2];
@@ -92,6 +94,7 @@ private:
       double high = -HUGE_VAL;
       for (std::size_t k = 0; k < count; ++k)
       {
+        step();
         low = std::min(low, places[k].x[i]);
         high = std::max(high, places[k].x[i]);
       }
@@ -109,10 +112,12 @@ private:
     std::vector<std::uint32_t> begin(cellCount + 1);
     for (std::size_t k = 0; k < count; ++k)
     {
+      step();
       ++begin[node.at(places[k].x[0], places[k].x[1]) - node.first + 1];
     }
     for (std::size_t c = 0; c < cellCount; ++c)
     {
+      step();
       begin[c + 1] += begin[c];
     }
     std::vector<ValuedPlace> sorted(count);
@@ -120,6 +125,7 @@ private:
       std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
       for (std::size_t k = 0; k < count; ++k)
       {
+        step();
         sorted[next[node.at(places[k].x[0], places[k].x[1]) - node.first]++] = places[k];
       }
     }
@@ -129,13 +135,15 @@ private:
     {
       for (std::uint32_t i = 0; i < node.side; ++i)
       {
+        step();
         // Forth and back, so that neighbours follow each other.
         const std::uint32_t column = row % 2 ? node.side - 1 - i : i;
         const std::size_t c = static_cast<std::size_t>(row) * node.side + column;
         const std::size_t held = begin[c + 1] - begin[c];
         if (held > FewPlaces && held < count && level < MostLevels)
         {
-          const std::uint32_t child = this->addNode(&sorted[begin[c]], held, level + 1, refine);
+          const std::uint32_t child =
+            this->addNode(&sorted[begin[c]], held, level + 1, refine, step);
           this->cells[node.first + c] = child;
           continue;
         }

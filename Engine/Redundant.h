@@ -285,8 +285,10 @@ private:
   void markFlat(const std::vector<std::uint32_t>& flat)
   {
     const Mesh mesh = this->polyhedron.mesh();
+    StepPoll poll(this->monitor);
     for (const std::uint32_t h : flat)
     {
+      poll.step();
       for (const std::uint32_t side : { h, mesh.twin(h) })
       {
         Triangle& triangle = mesh.triangles[triangleOf(side)];
@@ -315,7 +317,6 @@ private:
     return sharp >= 3;
   }
 
-public:
   /// Do the triangles around the origin of @p h, those with area, lie in three or more planes?
   static bool isStrictlyExtreme(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
   {
@@ -324,7 +325,6 @@ public:
     return planes.areMany();
   }
 
-private:
   const Geometry& geometry;
   Polyhedron& polyhedron;
   Tally& tally;

@@ -225,8 +225,9 @@ ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
   return result;
 }
 
-bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite)
+bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite, Monitor& monitor)
 {
+  StepPoll poll(monitor);
   const double perUnit[3] = { 1 / unit[0], 1 / unit[1], 1 / unit[2] };
   const std::uint32_t count = source.count();
   // A few points spread over the input tell nearly always.
@@ -235,6 +236,7 @@ bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite
     const std::uint32_t step = pass ? 1 : std::max(1u, count / 64);
     for (std::uint64_t id = 0; id < count; id += step)
     {
+      poll.step();
       double x[3];
       source.load(static_cast<std::uint32_t>(id), x);
       if (checkFinite && !isFinite(x))

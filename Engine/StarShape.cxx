@@ -52,6 +52,22 @@ public:
     }
   }
 
+  /// Move p to a grid of at least 2^bits steps from the middle to either side: down, and then by a
+  /// share of a step.
+  void toGrid(int bits, const double* share, double* p) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int step = this->half[i] > 0 ? std::ilogb(this->half[i]) - bits : 0;
+      const double steps = std::ldexp(p[i], -step);
+      // So far out doubles themselves are no finer.
+      if (this->half[i] > 0 && std::fabs(steps) < 0x1p48)
+      {
+        p[i] = std::ldexp(std::floor(steps) + share[i], step);
+      }
+    }
+  }
+
 private:
   double middle[3];
   double half[3];
@@ -92,7 +108,7 @@ void turnOver(Polyhedron& polyhedron)
   }
 }
 
-bool seekKernel(const Polyhedron& polyhedron, double* kernel)
+bool seekKernel(const Polyhedron& polyhedron, double* coarse, double* fine)
 {
   // In the unit cube: n . x + margin <= n . a for every triangle with the unit normal n through a.
   const UnitCube unit(polyhedron);
@@ -130,8 +146,16 @@ bool seekKernel(const Polyhedron& polyhedron, double* kernel)
   {
     return false;
   }
-  unit.unmap(best, kernel);
-  return isFinite(kernel);
+  // Half the box's extent has no bit lower than one below the points' lowest: neither grid then
+  // reaches as low as the arithmetic carries a kernel point (see chooseArithmetic).
+  constexpr double noShare[3] = { 0, 0, 0 };
+  unit.unmap(best, fine);
+  std::copy(fine, fine + 3, coarse);
+  unit.toGrid(100, noShare, fine);
+  // Unequal shares keep it off the planes that symmetric surfaces have through their middle.
+  constexpr double unequal[3] = { 3.0 / 16, 7.0 / 16, 13.0 / 16 };
+  unit.toGrid(20, unequal, coarse);
+  return isFinite(coarse) && isFinite(fine);
 }
 
 }

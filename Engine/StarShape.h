@@ -83,8 +83,11 @@ void turnOver(Polyhedron& polyhedron);
 
 /// Seek a point that sees all triangles of an outward surface from inside, with the greatest
 /// margin: rounded linear programming. What it finds is for findStarFault to judge.
+/// @param coarse the point on a grid of about a millionth of the extent: signs with it are quick
+/// @param fine   as it was found, but for bits so low that the arithmetic might not carry them: for
+///               where the coarse one does not see all
 /// @return false when the surface has no such point, as far as rounding can tell
-bool seekKernel(const Polyhedron& polyhedron, double* kernel);
+bool seekKernel(const Polyhedron& polyhedron, double* coarse, double* fine);
 
 }
 

@@ -45,7 +45,7 @@ public:
     const double units[3] = { unit, unit, unit * unit };
     const bool onLattice = unit > 0 &&
       this->range.high[2] - this->range.low[2] < 0x1p25 * units[2] &&
-      isOnLattice(this->source, units, this->checkFinite);
+      isOnLattice(this->source, units, this->checkFinite, this->monitor);
     this->geometry = Geometry(this->range, this->arithmetic, onLattice);
     return true;
   }

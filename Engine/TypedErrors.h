@@ -8,11 +8,13 @@
 #include "Error.h"
 
 #include <new>
+#include <stdexcept>
 
 namespace flipflop
 {
 
-/// What @p work returns; any shortage of memory becomes OutOfMemory.
+/// What @p work returns. Any shortage of memory becomes OutOfMemory; whatever else is thrown and is
+/// no Error, by the threads' library or by a progress function, becomes Internal.
 template <class Work>
 auto withTypedErrors(Work&& work)
 {
@@ -20,9 +22,22 @@ auto withTypedErrors(Work&& work)
   {
     return work();
   }
+  catch (const Error&)
+  {
+    throw;
+  }
   catch (const std::bad_alloc&)
   {
     throw Error(ErrorCode::OutOfMemory);
+  }
+  catch (const std::length_error&)
+  {
+    // A container that no memory holds.
+    throw Error(ErrorCode::OutOfMemory);
+  }
+  catch (...)
+  {
+    throw Error(ErrorCode::Internal);
   }
 }
 

@@ -12,7 +12,6 @@
 
 #include "CellComplex.h"
 #include "Polyhedron.h"
-#include "Redundant.h"
 #include "Run.h"
 #include "StarShape.h"
 #include "Topology.h"
@@ -260,6 +259,41 @@ public:
     return star.count ? faultAt(Fault::NotConvex, this->cellOf[star.triangle]) : Validation();
   }
 
+  /// A point of a convex surface is strictly extreme when three facets' planes meet in it, as only
+  /// two do along an edge. Told from the definition, by nothing of the finish that is judged: each
+  /// triangle at the origin of @p h is held against every plane that was found before, wherever
+  /// around the point it lies.
+  static bool isInThreePlanes(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
+  {
+    const Vertex* const v = mesh.vertices;
+    const auto corner = [&mesh, v](std::uint32_t spoke, int i) -> const Vertex&
+    { return v[mesh.triangles[triangleOf(spoke)].v[(cornerOf(spoke) + i) % 3]]; };
+    const auto inPlaneOf = [&](std::uint32_t spoke, const Vertex& p)
+    { return geometry.above(corner(spoke, 0), corner(spoke, 1), corner(spoke, 2), p) == 0; };
+
+    std::uint32_t plane[2];
+    int planes = 0;
+    std::uint32_t spoke = h;
+    do
+    {
+      bool known = geometry.collinear(corner(spoke, 0), corner(spoke, 1), corner(spoke, 2));
+      for (int i = 0; i < planes && !known; ++i)
+      {
+        known = inPlaneOf(plane[i], corner(spoke, 1)) && inPlaneOf(plane[i], corner(spoke, 2));
+      }
+      if (!known && planes == 2)
+      {
+        return true;
+      }
+      if (!known)
+      {
+        plane[planes++] = spoke;
+      }
+      spoke = mesh.triangles[triangleOf(spoke)].twin[(cornerOf(spoke) + 2) % 3];
+    } while (spoke != h);
+    return false;
+  }
+
   Validation checkConvex()
   {
     const Geometry& geometry = this->geometry;
@@ -300,7 +334,7 @@ public:
         if (!(v[corner].flags & VertexVirtual) && !seen[corner])
         {
           seen[corner] = true;
-          if (!RedundantVertices<Geometry>::isStrictlyExtreme(geometry, mesh, halfEdge(t, e)))
+          if (!isInThreePlanes(geometry, mesh, halfEdge(t, e)))
           {
             return faultAt(Fault::NotExtreme, corner);
           }
@@ -314,7 +348,7 @@ public:
   {
     const Geometry& geometry = this->geometry;
     const typename Geometry::Locator locator(geometry, this->polyhedron.triangles.data(),
-      this->polyhedron.triangleCount(), this->polyhedron.vertices.data());
+      this->polyhedron.triangleCount(), this->polyhedron.vertices.data(), this->run.monitor);
     return this->eachPoint(
       [&](const Geometry& local, const Vertex& p)
       {

@@ -17,6 +17,7 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <new>
 
@@ -36,6 +37,9 @@ std::string ofBlock(unsigned int flatIndex)
   return flatIndex ? " of the block of flat index " + std::to_string(flatIndex) : std::string();
 }
 
+/// Of all classes: with the last, what is kept for the next run goes.
+std::atomic<int> filterCount{ 0 };
+
 }
 
 //------------------------------------------------------------------------------
@@ -50,11 +54,18 @@ vtkFFAlgorithm::vtkFFAlgorithm()
   , ReportAsFieldData(false)
   , VBiased(false)
 {
+  ++filterCount;
   this->vtkFFAlgorithm::ResetReport();
 }
 
 //------------------------------------------------------------------------------
-vtkFFAlgorithm::~vtkFFAlgorithm() = default;
+vtkFFAlgorithm::~vtkFFAlgorithm()
+{
+  if (--filterCount == 0)
+  {
+    flipflop::releaseCudaMemory();
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkFFAlgorithm::ResetReport()
@@ -378,6 +389,8 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
     case ErrorCode::DeviceFailed:
       return "The CUDA device failed: error " + std::to_string(index) +
         " of the CUDA runtime. Use SetEngineToAutomatic() or SetEngineToCPU().";
+    case ErrorCode::Internal:
+      return "An internal error: please report it, with the input.";
   }
   return error.what();
 }

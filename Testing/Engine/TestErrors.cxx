@@ -3,9 +3,20 @@
 /// @file
 /// Bad input gets an Error that says what is wrong, where, and how often.
 #include "Compare.h"
+#include "FlipFlop.h"
 #include "Inputs.h"
+#include "PowerDiagram.h"
+#include "RegularTriangulation.h"
+#include "Surfaces.h"
+#include "TypedErrors.h"
 
+#include <cerrno>
+#include <functional>
 #include <limits>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
 
 namespace flipflop
 {
@@ -196,7 +207,8 @@ TEST(Errors, WordsForEveryCode)
   const ErrorCode codes[] = { ErrorCode::NonFinite, ErrorCode::TooManyPoints,
     ErrorCode::OutOfMemory, ErrorCode::Aborted, ErrorCode::BadArgument, ErrorCode::WeightCount,
     ErrorCode::BadTriangle, ErrorCode::NotClosed, ErrorCode::NotManifold, ErrorCode::NotOriented,
-    ErrorCode::NotStarShaped, ErrorCode::NoKernel };
+    ErrorCode::NotStarShaped, ErrorCode::NoKernel, ErrorCode::NoDevice, ErrorCode::DeviceMemory,
+    ErrorCode::DeviceFailed, ErrorCode::Internal };
   std::vector<std::string> words;
   for (ErrorCode code : codes)
   {
@@ -209,6 +221,72 @@ TEST(Errors, WordsForEveryCode)
   }
   std::sort(words.begin(), words.end());
   EXPECT_EQ(std::unique(words.begin(), words.end()), words.end());
+}
+
+/// The code of the Error that leaves; none where another exception does, or nothing is thrown.
+std::optional<ErrorCode> codeOf(const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Error& error)
+  {
+    return error.code();
+  }
+  catch (...)
+  {
+    ADD_FAILURE() << "what leaves is no Error";
+  }
+  return std::nullopt;
+}
+
+TEST(Errors, WhateverIsThrownLeavesAsAnError)
+{
+  const auto codeFrom = [](auto thrown)
+  { return codeOf([&] { withTypedErrors([&]() -> int { throw thrown; }); }); };
+  EXPECT_EQ(codeFrom(Error(ErrorCode::NotClosed)), ErrorCode::NotClosed);
+  EXPECT_EQ(codeFrom(std::bad_alloc()), ErrorCode::OutOfMemory);
+  EXPECT_EQ(codeFrom(std::bad_array_new_length()), ErrorCode::OutOfMemory);
+  EXPECT_EQ(codeFrom(std::length_error("too long")), ErrorCode::OutOfMemory);
+  EXPECT_EQ(codeFrom(std::system_error(EAGAIN, std::generic_category())), ErrorCode::Internal);
+  EXPECT_EQ(codeFrom(std::runtime_error("of the threads' library")), ErrorCode::Internal);
+  EXPECT_EQ(codeFrom(7), ErrorCode::Internal);
+  // The place at fault is kept.
+  try
+  {
+    withTypedErrors([]() -> int { throw Error(ErrorCode::NotManifold, 3, 5); });
+    ADD_FAILURE() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.index(), 3);
+    EXPECT_EQ(error.count(), 5);
+  }
+}
+
+TEST(Errors, WhatAProgressFunctionThrowsLeavesAsAnError)
+{
+  const Cloud cloud = fromFamily("ball", 300, 23).make();
+  Options polygons;
+  polygons.facets = FacetMode::Polygons;
+  const Triangulation triangulation = regularTriangulation(viewOf(cloud), WeightView(), polygons);
+  const Surface surface = icosphere(1);
+  for (int threads : { 1, 2 })
+  {
+    Options options = withThreads(threads);
+    options.progress = [](double, void*) -> bool
+    { throw std::system_error(EAGAIN, std::generic_category()); };
+    const double box[4] = { 0, 1, 0, 1 };
+    EXPECT_EQ(codeOf([&] { convexHull(viewOf(cloud), options); }), ErrorCode::Internal);
+    EXPECT_EQ(codeOf([&] { regularTriangulation(viewOf(cloud), WeightView(), options); }),
+      ErrorCode::Internal);
+    EXPECT_EQ(codeOf([&] { flipFlop(viewOf(surface.points), surface.view(), nullptr, options); }),
+      ErrorCode::Internal);
+    EXPECT_EQ(
+      codeOf([&] { powerDiagram(viewOf(cloud), WeightView(), triangulation, box, options); }),
+      ErrorCode::Internal);
+  }
 }
 
 TEST(Errors, ARunAfterAnErrorIsRight)

@@ -336,6 +336,72 @@ TEST(Validate, NotExtremeInAnEdge)
   EXPECT_NE(faultOf(line, makeHull(1, { 0, 1, 2 }, { { 0, 1 }, { 1, 2 } })), Fault::None);
 }
 
+TEST(Validate, NotExtremeInTwoPlanesAlone)
+{
+  // The middle of each edge in turn, as the lowest corner of both its facets: their fans start
+  // there, every edge is convex, and nothing else is wrong with it.
+  const Cloud cube = scaled(integerGrid(2), 2, 2, 2);
+  const Cloud octahedron = { { 2, 0, 0 }, { -2, 0, 0 }, { 0, 4, 0 }, { 0, -2, 0 }, { 0, 0, 6 },
+    { 0, 0, -2 } };
+  for (const Cloud& solid : { cube, scaled(cube, 1, 0x1p-300, 0x1p200),
+         moved(cube, 0x1p50, -0x1p50, 0x1p40), scaled(latticeTetrahedron(3), 2, 2, 2), octahedron })
+  {
+    const ReferenceHull plain = bruteForceHull(solid);
+    int edges = 0;
+    for (const Cell& facet : plain.cells)
+    {
+      for (std::size_t i = 0; i < facet.size(); ++i)
+      {
+        const std::int64_t a = facet[i];
+        const std::int64_t b = facet[(i + 1) % facet.size()];
+        const Point& p = solid[static_cast<std::size_t>(a)];
+        const Point& q = solid[static_cast<std::size_t>(b)];
+        const Point middle = { 0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1],
+          0.5 * p[2] + 0.5 * q[2] };
+        if (a > b)
+        {
+          continue;
+        }
+        Cloud cloud = solid;
+        cloud.insert(cloud.begin(), middle);
+        ReferenceHull split = plain;
+        for (Cell& cell : split.cells)
+        {
+          for (std::int64_t& id : cell)
+          {
+            ++id;
+          }
+          for (std::size_t k = 0; k < cell.size(); ++k)
+          {
+            const std::int64_t from = cell[k] - 1;
+            const std::int64_t to = cell[(k + 1) % cell.size()] - 1;
+            if ((from == a && to == b) || (from == b && to == a))
+            {
+              cell.insert(cell.begin() + static_cast<std::ptrdiff_t>(k) + 1, 0);
+              break;
+            }
+          }
+        }
+        for (std::int64_t& id : split.ids)
+        {
+          ++id;
+        }
+        split.ids.insert(split.ids.begin(), 0);
+        canonicalise(split.cells);
+        for (FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+        {
+          const Validation valid = validate(viewOf(cloud), makeHull(split, facets));
+          EXPECT_EQ(valid.fault, Fault::NotExtreme) << describe(valid.fault);
+          EXPECT_EQ(valid.index, 0);
+          EXPECT_EQ(faultOf(cloud, makeHull(bruteForceHull(cloud), facets)), Fault::None);
+        }
+        ++edges;
+      }
+    }
+    EXPECT_GE(edges, 6);
+  }
+}
+
 TEST(Validate, PointOutside)
 {
   // The hull without one of its points leaves that point outside.
