@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFOutput.h"
 
+#include "vtkFFExactValues.h"
 #include "vtkFFPointSource.h"
 
 #include "CellComplex.h"
@@ -117,6 +118,25 @@ struct Share
     std::transform(ids + begin, ids + end, this->From->GetPointer(0),
       [=](vtkIdType id) { return id - sourceBegin; });
     std::iota(this->To->GetPointer(0), this->To->GetPointer(0) + (end - begin), begin);
+  }
+
+  /// Their tuples of one array into another of the same type.
+  void CopyTuples(vtkAbstractArray* from, vtkAbstractArray* to) const
+  {
+    if (!vtkFFExactValues::AreRoundedByCopies(from))
+    {
+      to->InsertTuples(this->To, this->From, from);
+      return;
+    }
+    const vtkIdType size = from->GetNumberOfComponents();
+    for (vtkIdType i = 0; i < this->From->GetNumberOfIds(); ++i)
+    {
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        to->SetVariantValue(
+          this->To->GetId(i) * size + k, from->GetVariantValue(this->From->GetId(i) * size + k));
+      }
+    }
   }
 };
 
@@ -236,7 +256,7 @@ void vtkFFOutput::CopyPointData(
     }
     for (std::size_t k = 0; k < parts.size(); ++k)
     {
-      copy->InsertTuples(shares[k]->To, shares[k]->From, parts[k]);
+      shares[k]->CopyTuples(parts[k], copy);
     }
     const int index = output->AddArray(copy);
     for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)

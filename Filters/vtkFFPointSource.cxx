@@ -5,9 +5,13 @@
 #include "vtkFFExactValues.h"
 
 #include "vtkAOSDataArrayTemplate.h"
+#include "vtkBitArray.h"
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
+
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -30,6 +34,20 @@ void gatherFrom(const flipflop::PointView& view, const std::int64_t* ids, vtkIdT
         }
       }
     });
+}
+
+/// The same into an array of bits, eight to a byte: by one thread.
+void gatherBits(
+  const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, vtkBitArray* to)
+{
+  const double* from = static_cast<const double*>(view.data);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      to->SetValue(3 * i + k, static_cast<int>(from[ids[i] * view.stride + k]));
+    }
+  }
 }
 
 template <class To>
@@ -66,6 +84,11 @@ vtkFFPointSource::vtkFFPointSource(const std::vector<vtkDataArray*>& arrays)
     if (!array)
     {
       continue;
+    }
+    if (array->GetNumberOfComponents() != 3)
+    {
+      throw std::runtime_error("The points have " +
+        std::to_string(array->GetNumberOfComponents()) + " coordinates each; a point has 3.");
     }
     const int type = array->GetDataType();
     if (array->GetNumberOfTuples() == 0)
@@ -136,6 +159,9 @@ vtkSmartPointer<vtkPoints> vtkFFPointSource::Gather(const std::int64_t* ids, vtk
     {
       vtkTemplateMacro(gather(this->View, ids, count,
         vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(points->GetData())->GetPointer(0)));
+      case VTK_BIT:
+        gatherBits(this->View, ids, count, vtkBitArray::SafeDownCast(points->GetData()));
+        break;
     }
   }
   return points;

@@ -8,6 +8,8 @@
 #include "vtkFFConvexifyFilter.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
 
 #include <cmath>
 #include <limits>
@@ -80,6 +82,65 @@ void testCells()
   one->InsertNextCell(4, ids);
   input->SetStrips(one);
   refuses(input, { "cell 4", "strip" });
+}
+
+/// The tetrahedron's cells in arrays of one's own: corners before and after those that cells take.
+template <class ArrayT>
+vtkSmartPointer<vtkPolyData> makeCells(int before, int after, int missing = 0)
+{
+  using Value = typename ArrayT::ValueType;
+  vtkNew<ArrayT> offsets;
+  vtkNew<ArrayT> corners;
+  for (int i = 0; i < before; ++i)
+  {
+    corners->InsertNextValue(-7);
+  }
+  for (const auto& triangle : tetrahedron)
+  {
+    offsets->InsertNextValue(static_cast<Value>(corners->GetNumberOfValues()));
+    for (const vtkIdType corner : triangle)
+    {
+      corners->InsertNextValue(static_cast<Value>(corner));
+    }
+  }
+  offsets->InsertNextValue(static_cast<Value>(corners->GetNumberOfValues()));
+  for (int i = 0; i < after; ++i)
+  {
+    corners->InsertNextValue(-7);
+  }
+  corners->SetNumberOfValues(corners->GetNumberOfValues() - missing);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets.Get(), corners.Get());
+  auto data = makePoints(tetrahedronPoints);
+  data->SetPolys(cells);
+  return data;
+}
+
+/// Of a connectivity, only what the offsets name counts; all of that has to be there.
+template <class ArrayT>
+void testCellArrays()
+{
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  for (const int before : { 0, 1, 3 })
+  {
+    for (const int after : { 0, 1, 50000 })
+    {
+      convexify->SetInputData(makeCells<ArrayT>(before, after));
+      convexify->Update();
+      FF_CHECK(errors->Messages.empty());
+      FF_CHECK_EQUAL(convexify->GetVolume(), 1.0 / 6.0);
+    }
+  }
+  refuses(makeCells<ArrayT>(0, 0, 1), { "not valid", "corners 0 to 11", "has 11" });
+  refuses(makeCells<ArrayT>(2, 0, 14), { "not valid", "corners 2 to 13", "has 0" });
+  const auto input = makeCells<ArrayT>(0, 0);
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    vtkDataArray* offsets = input->GetPolys()->GetOffsetsArray();
+    offsets->SetComponent(i, 0, offsets->GetComponent(i, 0) - 3.0);
+  }
+  refuses(input, { "not valid", "corners -3 to 8" });
 }
 
 void testBadTriangles()
@@ -199,6 +260,8 @@ void testNumbers()
 int TestFFConvexifyFilterErrors(int, char*[])
 {
   testCells();
+  testCellArrays<vtkTypeInt32Array>();
+  testCellArrays<vtkTypeInt64Array>();
   testBadTriangles();
   testNotClosed();
   testNotManifold();
