@@ -3,6 +3,7 @@
 #include "vtkPFFHullFilter.h"
 
 #include "vtkFFFailure.h"
+#include "vtkFFParcel.h"
 #include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
 
@@ -20,6 +21,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -40,6 +42,18 @@ namespace
 vtkIdTypeArray* idsOf(vtkPolyData* hull)
 {
   return vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
+}
+
+/// A hull's ids, which another process may have sent, must be one for each of its points, and name
+/// one of those that were counted.
+void checkIds(vtkIdTypeArray* ids, vtkIdType pointsOfHull, vtkIdType counted)
+{
+  if (!ids || ids->GetNumberOfValues() != pointsOfHull ||
+    std::any_of(ids->GetPointer(0), ids->GetPointer(0) + pointsOfHull,
+      [=](vtkIdType id) { return id < 0 || id >= counted; }))
+  {
+    throw vtkFFDamagedParcel();
+  }
 }
 
 /// Gives the hull's points other ids; the visible array of ids shares the memory.
@@ -284,12 +298,18 @@ bool vtkPFFHullFilter::JoinHulls(
     [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
       flipflop::EngineReport& report)
     {
+      vtkIdType counted = 0;
+      for (const Block& block : this->CurrentBlocks)
+      {
+        counted += block.NumberOfPoints;
+      }
       std::vector<vtkPointSet*> pieces;
       std::vector<vtkIdType> ids;
       for (const Result& hull : hulls)
       {
         pieces.push_back(hull.Data);
         vtkIdTypeArray* own = idsOf(hull.Data);
+        checkIds(own, hull.Data->GetNumberOfPoints(), counted);
         for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
         {
           ids.push_back(own->GetValue(i));
