@@ -368,7 +368,7 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
     case ErrorCode::NoKernel:
       return "The surface" + this->OfBlock() +
         " is not star-shaped, or no point was found from which it is. Give one with "
-        "SetKernelPoint() and UseKernelPointOn().";
+        "SetKernelPoint().";
     case ErrorCode::NoDevice:
       return std::string("The CUDA engine was asked for, but ") + GetCUDAProblem() +
         ". Use SetEngineToAutomatic() or SetEngineToCPU().";

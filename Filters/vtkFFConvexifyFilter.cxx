@@ -35,8 +35,8 @@ vtkIdType firstCornerOf(vtkCellArray* cells)
     : 0;
 }
 
-/// The corners of cells that all are triangles; copied only when they are not 64-bit integers. Cells
-/// may leave out corners before the first one's, and after the last one's.
+/// The corners of cells that all are triangles; copied only when they are not 64-bit integers.
+/// Cells may leave out corners before the first one's, and after the last one's.
 class Triangles
 {
 public:
@@ -85,6 +85,30 @@ vtkFFConvexifyFilter::vtkFFConvexifyFilter()
 
 //------------------------------------------------------------------------------
 vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::SetKernelPoint(double x, double y, double z)
+{
+  this->StoreKernelPoint(x, y, z);
+  this->SetUseKernelPoint(true);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::SetKernelPoint(const double point[3])
+{
+  this->SetKernelPoint(point[0], point[1], point[2]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::StoreKernelPoint(double x, double y, double z)
+{
+  const double point[3] = { x, y, z };
+  if (!std::equal(point, point + 3, this->KernelPoint))
+  {
+    std::copy(point, point + 3, this->KernelPoint);
+    this->Modified();
+  }
+}
 
 //------------------------------------------------------------------------------
 bool vtkFFConvexifyFilter::Execute(
@@ -164,8 +188,9 @@ bool vtkFFConvexifyFilter::CheckCells(vtkPolyData* input)
   if (first < 0 || first > given - size)
   {
     std::ostringstream message;
-    message << "The input's cells" << this->OfBlock() << " are not valid: their offsets name corners "
-            << first << " to " << first + size - 1 << ", and the connectivity has " << given << ".";
+    message << "The input's cells" << this->OfBlock()
+            << " are not valid: their offsets name corners " << first << " to " << first + size - 1
+            << ", and the connectivity has " << given << ".";
     this->ReportError(message.str());
     return false;
   }

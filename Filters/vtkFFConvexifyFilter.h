@@ -12,7 +12,7 @@
  * The input is a vtkPolyData of triangles that form a closed, consistently oriented manifold;
  * whether its normals point outward or inward does not matter. It must be star-shaped: there is a
  * kernel point that strictly sees the inside of every triangle. Give that point with
- * SetKernelPoint() and UseKernelPointOn(), or have one sought (the default). Whether the surface is
+ * SetKernelPoint(), or have one sought (the default). Whether the surface is
  * star-shaped from it is decided exactly.
  *
  * Of the partitions of a vtkPartitionedDataSet only one may have cells: it is the input.
@@ -53,16 +53,22 @@ public:
 
   ///@{
   /**
-   * Set/Get the kernel point, which strictly sees the inside of every triangle. Used only if
-   * UseKernelPoint is on. (0, 0, 0) by default.
+   * Set/Get the kernel point, which strictly sees the inside of every triangle. To set it turns
+   * UseKernelPoint on, which can be turned off later. (0, 0, 0) by default.
+   *
+   * StoreKernelPoint() never turns it on: it is for applications that set all they have, in
+   * whatever order.
    */
-  vtkSetVector3Macro(KernelPoint, double);
+  virtual void SetKernelPoint(double x, double y, double z);
+  virtual void SetKernelPoint(const double point[3]);
+  void StoreKernelPoint(double x, double y, double z);
   vtkGetVector3Macro(KernelPoint, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get whether KernelPoint is used. Off by default: a kernel point is sought.
+   * Set/Get whether KernelPoint is used. Off by default: a kernel point is sought. SetKernelPoint()
+   * turns it on.
    */
   vtkSetMacro(UseKernelPoint, bool);
   vtkGetMacro(UseKernelPoint, bool);

@@ -40,7 +40,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkFFRegularTriangulationFilter);
-vtkCxxSetObjectMacro(vtkFFRegularTriangulationFilter, Transform, vtkAbstractTransform);
 
 namespace
 {
@@ -154,7 +153,49 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
 //------------------------------------------------------------------------------
 vtkFFRegularTriangulationFilter::~vtkFFRegularTriangulationFilter()
 {
-  this->SetTransform(nullptr);
+  this->StoreTransform(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetTransform(vtkAbstractTransform* transform)
+{
+  this->StoreTransform(transform);
+  if (transform)
+  {
+    this->SetProjectionPlaneMode(TRANSFORM_PLANE);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::StoreTransform(vtkAbstractTransform* transform)
+{
+  vtkSetObjectBodyMacro(Transform, vtkAbstractTransform, transform);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetPowerDiagramBounds(
+  double xmin, double xmax, double ymin, double ymax)
+{
+  this->StorePowerDiagramBounds(xmin, xmax, ymin, ymax);
+  this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetPowerDiagramBounds(const double bounds[4])
+{
+  this->SetPowerDiagramBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::StorePowerDiagramBounds(
+  double xmin, double xmax, double ymin, double ymax)
+{
+  const double bounds[4] = { xmin, xmax, ymin, ymax };
+  if (!std::equal(bounds, bounds + 4, this->PowerDiagramBounds))
+  {
+    std::copy(bounds, bounds + 4, this->PowerDiagramBounds);
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -151,10 +151,15 @@ public:
 
   ///@{
   /**
-   * Set/Get the transform that takes the points to the XY plane. Used only if ProjectionPlaneMode
-   * is TRANSFORM_PLANE, which needs one. None by default.
+   * Set/Get the transform that takes the points to the XY plane. To set one sets
+   * ProjectionPlaneMode to TRANSFORM_PLANE, which needs one; a mode set later prevails. To set none
+   * leaves the mode as it is. None by default.
+   *
+   * StoreTransform() never changes the mode: it is for applications that set all they have, in
+   * whatever order.
    */
   virtual void SetTransform(vtkAbstractTransform* transform);
+  void StoreTransform(vtkAbstractTransform* transform);
   vtkGetObjectMacro(Transform, vtkAbstractTransform);
   ///@}
 
@@ -188,10 +193,16 @@ public:
   ///@{
   /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
-   * transformed points, or measured in the fitted plane. It must be finite and have an inside. (0,
-   * 1, 0, 1) by default.
+   * transformed points, or measured in the fitted plane. It must be finite and have an inside. To
+   * set it sets PowerDiagramBoxMode to BOX_OF_BOUNDS; a mode set later prevails. (0, 1, 0, 1) by
+   * default.
+   *
+   * StorePowerDiagramBounds() never changes the mode: it is for applications that set all they
+   * have, in whatever order.
    */
-  vtkSetVector4Macro(PowerDiagramBounds, double);
+  virtual void SetPowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
+  virtual void SetPowerDiagramBounds(const double bounds[4]);
+  void StorePowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   vtkGetVector4Macro(PowerDiagramBounds, double);
   ///@}
 
