@@ -66,6 +66,7 @@ void vtkFFAlgorithm::ResetReport()
 
   this->NumberOfInputPoints = 0;
   this->NumberOfNonFinitePoints = 0;
+  this->NonFinitePointsOfFailure = 0;
   this->NumberOfCulledPoints = 0;
   this->NumberOfInsertions = 0;
   this->NumberOfFlips22 = 0;
@@ -85,6 +86,16 @@ void vtkFFAlgorithm::ResetReport()
   this->SecondsTotal = 0.0;
 
   this->SetProgressRange(0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::ReduceReportToFailure()
+{
+  const unsigned long code = this->GetErrorCode();
+  const vtkIdType nonFinite = this->NonFinitePointsOfFailure;
+  this->ResetReport();
+  this->SetErrorCode(code);
+  this->NumberOfNonFinitePoints = nonFinite;
 }
 
 //------------------------------------------------------------------------------
@@ -163,6 +174,7 @@ void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
   }
   else if (failure.Kind == vtkFFFailure::NonFinite)
   {
+    this->NonFinitePointsOfFailure = failure.Count;
     this->NumberOfNonFinitePoints = failure.Count;
     this->ReportError(this->DescribeError(
       flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));

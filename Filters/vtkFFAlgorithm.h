@@ -24,6 +24,11 @@
  * Construction via Star-Shaped Polyhedron in 3D". Proceedings of the ACM SIGGRAPH Symposium on
  * Interactive 3D Graphics and Games (I3D), 2013.
  *
+ * Input is any vtkPointSet, and any vtkImageData or vtkRectilinearGrid, whose points are laid out
+ * first, in double (in float, if all coordinates of a rectilinear grid are), 24 bytes each; or a
+ * composite of these. vtkFFConvexifyFilter takes a vtkPolyData. Anything else, and no input at all,
+ * is an error.
+ *
  * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
  * vtkDataObjectTrees) gives a result for each block, in a composite of the same structure on every
  * port (get it by GetOutputDataObject()). A vtkPartitionedDataSet is one block: its partitions are
@@ -45,6 +50,8 @@ class vtkDataObject;
 class vtkPointSet;
 
 #ifndef __VTK_WRAP__
+#include "vtkSmartPointer.h" // For points laid out
+
 #include <functional> // For std::function
 #include <vector>     // For std::vector
 
@@ -219,7 +226,8 @@ public:
    * in each block): some applications show their users nothing else. Off by default. The arrays, of
    * one value each, are FlipFlopDimension, FlipFlopInputPoints, FlipFlopNonFinitePoints,
    * FlipFlopEngine and FlipFlopEngineReason (strings), FlipFlopThreads and FlipFlopSeconds; of a
-   * hull FlipFlopVolume and FlipFlopArea; of a triangulation FlipFlopHiddenPoints.
+   * hull FlipFlopVolume and FlipFlopArea; of a triangulation FlipFlopHiddenPoints. An input's field
+   * data is passed, but for arrays whose names begin with FlipFlop: they tell of another run.
    */
   vtkSetMacro(ReportAsFieldData, bool);
   vtkGetMacro(ReportAsFieldData, bool);
@@ -247,9 +255,10 @@ public:
   ///@{
   /**
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
-   * each. 0 before a run. Engines do the work in a different order, so from Culled points on the
-   * numbers differ between them, where the output does not. Of the CPU engine they do not depend on
-   * the number of threads.
+   * each. 0 before a run, and after one that failed or was aborted, whatever some blocks gave
+   * before. Engines do the work in a different order, so from Culled points on the numbers differ
+   * between them, where the output does not. Of the CPU engine they do not depend on the number of
+   * threads.
    *
    * - InputPoints: points given
    * - NonFinitePoints: points left out (or, after an error, found) with a NaN or infinite
@@ -348,11 +357,12 @@ protected:
   }
 
   /**
-   * The type that a leaf of the input must have.
+   * The types of which a leaf of the input must be one; of vtkPointSet, vtkImageData and
+   * vtkRectilinearGrid, or derived from these.
    */
-  virtual const char* GetLeafType()
+  virtual std::vector<std::string> GetLeafTypes()
   {
-    return "vtkPointSet";
+    return { "vtkPointSet", "vtkImageData", "vtkRectilinearGrid" };
   }
 
   /**
@@ -477,8 +487,11 @@ private:
     vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure);
   bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
     const std::vector<vtkDataObject*>& outputs);
+  void ReduceReportToFailure(); // blocks that went well before it are forgotten
   void SetProgressRange(double begin, double end);
   static bool ForwardProgress(double fraction, void* self);
+
+  std::vector<vtkSmartPointer<vtkPointSet>> LaidOutPoints; // of blocks, while these are worked on
 #endif
 
   int EngineUsed;
@@ -487,6 +500,7 @@ private:
 
   vtkIdType NumberOfInputPoints;
   vtkIdType NumberOfNonFinitePoints;
+  vtkIdType NonFinitePointsOfFailure;
   vtkIdType NumberOfCulledPoints;
   vtkIdType NumberOfInsertions;
   vtkIdType NumberOfFlips22;

@@ -80,9 +80,9 @@ protected:
   ~vtkFFConvexifyFilter() override;
 
 #ifndef __VTK_WRAP__
-  const char* GetLeafType() override
+  std::vector<std::string> GetLeafTypes() override
   {
-    return "vtkPolyData";
+    return { "vtkPolyData" };
   }
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::string DescribeError(const flipflop::Error& error) override;

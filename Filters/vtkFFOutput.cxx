@@ -23,6 +23,7 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <numeric>
 
@@ -265,6 +266,19 @@ void vtkFFOutput::CopyPointData(
       {
         output->SetActiveAttribute(index, attribute);
       }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::RemoveReport(vtkFieldData* data)
+{
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const char* name = data->GetArrayName(i);
+    if (name && std::strncmp(name, "FlipFlop", 8) == 0)
+    {
+      data->RemoveArray(i);
     }
   }
 }

@@ -76,6 +76,11 @@ public:
   static void CopyPointData(
     const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 
+  /**
+   * Remove the arrays whose names begin with FlipFlop: what filters upstream report.
+   */
+  static void RemoveReport(vtkFieldData* data);
+
   ///@{
   /**
    * Add an array of one value.

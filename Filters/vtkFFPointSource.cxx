@@ -87,8 +87,8 @@ vtkFFPointSource::vtkFFPointSource(const std::vector<vtkDataArray*>& arrays)
     }
     if (array->GetNumberOfComponents() != 3)
     {
-      throw std::runtime_error("The points have " +
-        std::to_string(array->GetNumberOfComponents()) + " coordinates each; a point has 3.");
+      throw std::runtime_error("The points have " + std::to_string(array->GetNumberOfComponents()) +
+        " coordinates each; a point has 3.");
     }
     const int type = array->GetDataType();
     if (array->GetNumberOfTuples() == 0)

@@ -6,10 +6,10 @@
 
 #include "vtkErrorCode.h"
 #include "vtkFFHullFilter.h"
-#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPFFHullFilter.h"
 #include "vtkPoints.h"
+#include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -217,14 +217,13 @@ void testWrongBlock()
     const auto piece = pieceOfBlocks(leaves);
     if (rank() == process)
     {
-      vtkNew<vtkImageData> image;
-      image->SetDimensions(2, 2, 2);
-      piece->SetBlock(2, image);
+      vtkNew<vtkTable> table;
+      piece->SetBlock(2, table);
     }
     for (int mode = 0; mode < 2; ++mode)
     {
       both.Set<vtkFFHullFilter>([=](vtkFFHullFilter* hull) { hull->SetCompositeMode(mode); });
-      both.Fails("a wrong block", piece, "flat index 5 is a vtkImageData");
+      both.Fails("a wrong block", piece, "flat index 5 is a vtkTable");
       both.Run("after a wrong block", leaves);
     }
   }
