@@ -229,6 +229,22 @@ void testWrongBlock()
   }
 }
 
+/// On one process no data set, or no input at all: the others do not wait for it.
+void testWrongInput()
+{
+  Twins both = hulls();
+  const Pieces pieces = makePieces();
+  vtkNew<vtkTable> table;
+  for (int process = 0; process < processes(); ++process)
+  {
+    const bool wrong = rank() == process;
+    vtkDataObject* piece = pieces[static_cast<std::size_t>(rank())];
+    both.Fails("a wrong input", wrong ? table.Get() : piece, "The input is a vtkTable");
+    both.Fails("no input", wrong ? nullptr : piece, "There is no input");
+    both.Run("after a wrong input", pieces);
+  }
+}
+
 }
 
 void testHullErrors()
@@ -239,4 +255,5 @@ void testHullErrors()
   testAbort();
   testProgress();
   testWrongBlock();
+  testWrongInput();
 }
