@@ -10,6 +10,7 @@
 
 #include "Engines.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -19,6 +20,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -261,11 +263,19 @@ void vtkFFAlgorithm::AddBlock(
         (flatIndex || piece != data ? "." : ", or a composite of such (vtkDataObjectTree)."));
       return;
     }
-    vtkSmartPointer<vtkPointSet> points =
-      vtkFFGridPoints::PointsOf(piece, flatIndex ? " of the " + which : std::string());
+    const std::string ofWhat = flatIndex ? " of the " + which : std::string();
+    const vtkSmartPointer<vtkPointSet> points = vtkFFGridPoints::PointsOf(piece, ofWhat);
     if (points != piece)
     {
       this->LaidOutPoints.push_back(points);
+    }
+    const int size =
+      points->GetPoints() ? points->GetPoints()->GetData()->GetNumberOfComponents() : 3;
+    if (size != 3)
+    {
+      failure.Say("The points" + ofWhat + " have " + std::to_string(size) +
+        " coordinates each; a point has 3.");
+      return;
     }
     block.Pieces.push_back(points);
     block.NumberOfPoints += points->GetNumberOfPoints();

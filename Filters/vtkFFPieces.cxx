@@ -21,8 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPointSet> vtkFFPieces::Append(const std::vector<vtkPointSet*>& pieces)
@@ -57,12 +55,6 @@ vtkSmartPointer<vtkPointSet> vtkFFPieces::OwnPoints(vtkPointSet* piece)
 {
   vtkUnsignedCharArray* ghosts = piece->GetPointGhostArray();
   const vtkIdType count = ghosts ? piece->GetNumberOfPoints() : 0;
-  if (ghosts && ghosts->GetNumberOfValues() != count)
-  {
-    throw std::runtime_error("The point array vtkGhostType has " +
-      std::to_string(ghosts->GetNumberOfValues()) + " value(s) for " + std::to_string(count) +
-      " point(s).");
-  }
   vtkNew<vtkIdTypeArray> own;
   for (vtkIdType i = 0; i < count; ++i)
   {

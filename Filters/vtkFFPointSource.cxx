@@ -10,9 +10,6 @@
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
-#include <stdexcept>
-#include <string>
-
 namespace
 {
 
@@ -84,11 +81,6 @@ vtkFFPointSource::vtkFFPointSource(const std::vector<vtkDataArray*>& arrays)
     if (!array)
     {
       continue;
-    }
-    if (array->GetNumberOfComponents() != 3)
-    {
-      throw std::runtime_error("The points have " + std::to_string(array->GetNumberOfComponents()) +
-        " coordinates each; a point has 3.");
     }
     const int type = array->GetDataType();
     if (array->GetNumberOfTuples() == 0)

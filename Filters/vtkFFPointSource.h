@@ -35,8 +35,7 @@ public:
   /**
    * The points of @p arrays, one after another. Null arrays hold no point.
    *
-   * @throw vtkFFInexactValue, flipflop::Error OutOfMemory; std::runtime_error for points that have
-   * not three coordinates each.
+   * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */
   explicit vtkFFPointSource(const std::vector<vtkDataArray*>& arrays);
   explicit vtkFFPointSource(vtkDataArray* array);
