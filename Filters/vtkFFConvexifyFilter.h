@@ -42,32 +42,32 @@
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFConvexifyFilter* New();
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the kernel point, which strictly sees the inside of every triangle. Used only if
    * UseKernelPoint is on. (0, 0, 0) by default.
    */
   vtkSetVector3Macro(KernelPoint, double);
   vtkGetVector3Macro(KernelPoint, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether KernelPoint is used. Off by default: a kernel point is sought.
    */
   vtkSetMacro(UseKernelPoint, bool);
   vtkGetMacro(UseKernelPoint, bool);
   vtkBooleanMacro(UseKernelPoint, bool);
-  ///@}
+  //@}
 
 protected:
   vtkFFConvexifyFilter();

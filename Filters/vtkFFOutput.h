@@ -76,7 +76,7 @@ public:
   static void CopyPointData(
     const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 
-  ///@{
+  //@{
   /**
    * Add an array of one value.
    */
@@ -84,7 +84,7 @@ public:
   static void AddValue(vtkFieldData* output, const char* name, std::int64_t value);
   static void AddValue(vtkFieldData* output, const char* name, double value);
   static void AddValue(vtkFieldData* output, const char* name, const char* value);
-  ///@}
+  //@}
 };
 
 #endif
