@@ -316,7 +316,7 @@ bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArr
     vtkPoints* points = input->GetPoints();
     const vtkFFPointSource source(points ? points->GetData() : nullptr);
     const vtkFFWeightSource weightSource(weights);
-    vtkFFProjection projection;
+    vtkFFProjection projection(chosen);
     this->Project(source, projection);
 
     // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
