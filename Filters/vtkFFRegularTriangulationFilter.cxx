@@ -401,7 +401,7 @@ void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& p
   const auto ids = vtkFFOutput::AdoptIds(diagram.siteIds);
   if (this->PassPointData)
   {
-    vtkFFOutput::CopyPointData(
+    vtkFFOutput::PassPointData(
       { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetCellData());
   }
   vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetCellData());
