@@ -42,9 +42,13 @@
 #include <string> // For std::string
 
 class vtkDataObject;
+class vtkDataSetAttributes;
 class vtkPointSet;
 
 #ifndef __VTK_WRAP__
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <cstddef>    // For std::size_t
 #include <functional> // For std::function
 #include <vector>     // For std::vector
 
@@ -197,8 +201,23 @@ public:
 
   //@{
   /**
+   * Set/Get whether ghost points are left out: those that the input's point array vtkGhostType
+   * marks as another piece's (vtkDataSetAttributes::DUPLICATEPOINT) or as hidden (HIDDENPOINT:
+   * blanked points of grids). On by default. They are on no output then and are not counted; the
+   * others keep their ids. Off, they are points like all others. Marks of cells do not matter.
+   *
+   * vtkFFConvexifyFilter takes its surface whole, whatever is marked.
+   */
+  vtkSetMacro(SkipGhostPoints, bool);
+  vtkGetMacro(SkipGhostPoints, bool);
+  vtkBooleanMacro(SkipGhostPoints, bool);
+  //@}
+
+  //@{
+  /**
    * Set/Get whether the input's point data arrays are passed to the output, in their full type and
-   * precision. On by default.
+   * precision. On by default. Attributes that tell of the input's own surface (normals, tangents,
+   * edge flags) are plain arrays there: another surface would be shaded and drawn falsely by them.
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
@@ -253,7 +272,7 @@ public:
    * numbers differ between them, where the output does not. Of the CPU engine they do not depend on
    * the number of threads.
    *
-   * - InputPoints: points given
+   * - InputPoints: points given, without ghost points that are left out
    * - NonFinitePoints: points left out (or, after an error, found)
    *   with a NaN or infinite coordinate or weight
    * - CulledPoints: points found inside without being associated to a
@@ -434,8 +453,29 @@ protected:
    */
   virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
   {
-    return index;
+    return this->PlacesOfPoints.empty() ? index
+                                        : this->PlacesOfPoints[static_cast<std::size_t>(index)];
   }
+
+  /**
+   * The points that count of some pieces: all, or those that are no ghosts, if these are to be
+   * skipped. @p places becomes the ids that they have among all points, empty where all count.
+   *
+   * @throw std::runtime_error, flipflop::Error.
+   */
+  std::vector<vtkSmartPointer<vtkPointSet>> TakePoints(
+    const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
+
+  /**
+   * Where the points that the engine was given have their places among all points of CurrentBlocks:
+   * empty where it was given all.
+   */
+  std::vector<vtkIdType> PlacesOfPoints;
+
+  /**
+   * Have the original ids of @p output, which count the points given to the engine, count all.
+   */
+  void RestoreIds(vtkDataSetAttributes* output);
 
   /**
    * How errors speak of a point of CurrentBlocks: "point 7 of the block of flat index 2".
@@ -469,6 +509,7 @@ protected:
   int NumberOfThreads;
   int FacetMode;
   int NonFinitePoints;
+  bool SkipGhostPoints;
   bool PassPointData;
   bool VisiblePointIds;
   bool ReportAsFieldData;

@@ -5,6 +5,8 @@
 #include "vtkFFAlgorithm.h"
 
 #include "vtkFFFailure.h"
+#include "vtkFFOutput.h"
+#include "vtkFFPieces.h"
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -193,6 +195,7 @@ int vtkFFAlgorithm::RequestData(
     done = this->Execute(blocks, results);
   }
   this->CurrentBlocks.clear();
+  this->PlacesOfPoints = {};
   if (!done)
   {
     for (vtkDataObject* output : outputs)
@@ -256,6 +259,28 @@ bool vtkFFAlgorithm::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& fail
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
   this->ReportFailure(failure);
   return failure.Kind == vtkFFFailure::None;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkPointSet>> vtkFFAlgorithm::TakePoints(
+  const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places)
+{
+  places.clear();
+  if (this->SkipGhostPoints)
+  {
+    return vtkFFPieces::SkipGhosts(pieces, places);
+  }
+  return { pieces.begin(), pieces.end() };
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::RestoreIds(vtkDataSetAttributes* output)
+{
+  if (!this->PlacesOfPoints.empty())
+  {
+    vtkFFOutput::Renumber(
+      output, [this](vtkIdType id) { return this->PlacesOfPoints[static_cast<std::size_t>(id)]; });
+  }
 }
 
 //------------------------------------------------------------------------------

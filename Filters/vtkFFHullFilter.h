@@ -39,6 +39,7 @@
  *   count, and empty output
  * - the same, to be ignored: left out and counted:
  *   SetNonFinitePointsToIgnore()
+ * - ghost points: left out, unless SkipGhostPoints is off
  * - too many points, no memory: an error, and empty output
  *
  * Composite input gives a hull of each block (see vtkFFAlgorithm), or one hull of all blocks; see

@@ -187,13 +187,27 @@ void vtkFFRegularTriangulationFilter::ResetReport()
 bool vtkFFRegularTriangulationFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
+  const std::vector<vtkPointSet*>& pieces = blocks[0].Pieces;
+  std::vector<vtkSmartPointer<vtkPointSet>> counted;
   vtkSmartPointer<vtkPointSet> input;
   vtkDataArray* weights = nullptr;
-  return this->RunEngine(
-           [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
-           { input = vtkFFPieces::Append(blocks[0].Pieces); }) &&
+  // Weights are judged as they came: an array that does not fit does not go along with its points.
+  const bool done = (pieces.size() != 1 || this->FindWeights(pieces[0], weights)) &&
+    this->RunEngine(
+      [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
+      {
+        counted = this->TakePoints(pieces, this->PlacesOfPoints);
+        input = vtkFFPieces::Append({ counted.begin(), counted.end() });
+      }) &&
     this->FindWeights(input, weights) &&
     this->Triangulate(input, weights, outputs[0], outputs[1], outputs[2]);
+  if (done)
+  {
+    this->RestoreIds(outputs[0]->GetPointData());
+    this->RestoreIds(outputs[1]->GetPointData());
+    this->RestoreIds(outputs[2]->GetCellData());
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------

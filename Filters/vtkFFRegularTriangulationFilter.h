@@ -45,7 +45,8 @@
  *
  * On ports 0 and 1 the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each
  * point has in the input, and the input's point data is passed, unless PassPointData is off. On
- * port 2 both belong to the cells: each carries the data of its point.
+ * port 2 both belong to the cells: each carries the data of its point, and in vtkGhostType the
+ * marks of cells that say the same.
  *
  * Every input has an answer:
  *
@@ -60,6 +61,7 @@
  * - the same, to be ignored: left out and counted:
  *   SetNonFinitePointsToIgnore()
  * - no or unusable weights: an error naming the array, and empty output
+ * - ghost points: left out, unless SkipGhostPoints is off
  * - too many points, no memory: an error, and empty output
  *
  * Weights are unusable if they are no numbers, or not one for each point; for no point, none are

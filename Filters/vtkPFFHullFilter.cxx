@@ -3,7 +3,7 @@
 #include "vtkPFFHullFilter.h"
 
 #include "vtkFFFailure.h"
-#include "vtkFFPieces.h"
+#include "vtkFFOutput.h"
 #include "vtkFFProcesses.h"
 
 #include "Engines.h"
@@ -40,17 +40,6 @@ namespace
 vtkIdTypeArray* idsOf(vtkPolyData* hull)
 {
   return vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
-}
-
-/// Gives the hull's points other ids; the visible array of ids shares the memory.
-template <class IdOf>
-void renumber(vtkPolyData* hull, IdOf&& idOf)
-{
-  vtkIdTypeArray* ids = idsOf(hull);
-  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
-  {
-    ids->SetValue(i, idOf(ids->GetValue(i)));
-  }
 }
 
 /// Points that are not finite have a say in the type of the points and in what data is passed, even
@@ -124,11 +113,12 @@ bool vtkPFFHullFilter::Execute(
     {
       for (std::size_t b = 0; b < blocks.size(); ++b)
       {
-        for (vtkPointSet* piece : blocks[b].Pieces)
+        std::vector<vtkIdType> ignored; // ids count the points that are left
+        for (const auto& piece : this->TakePoints(blocks[b].Pieces, ignored))
         {
-          owned.push_back(vtkFFPieces::OwnPoints(piece));
-          pieces[b].push_back(owned.back());
-          sizes[b] += owned.back()->GetNumberOfPoints();
+          owned.push_back(piece);
+          pieces[b].push_back(piece);
+          sizes[b] += piece->GetNumberOfPoints();
         }
       }
     },
@@ -224,7 +214,8 @@ bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
     {
       result.Hull = this->TakeHull(pieces, options, engine, report, result.Data);
       result.Engine = report;
-      renumber(result.Data, [&](vtkIdType id) { return this->PlaceOfPiece + id; });
+      vtkFFOutput::Renumber(
+        result.Data->GetPointData(), [&](vtkIdType id) { return this->PlaceOfPiece + id; });
     },
     failure);
   this->NoteAbort(failure);
@@ -296,7 +287,8 @@ bool vtkPFFHullFilter::JoinHulls(
         }
       }
       joined.Hull = this->TakeHull(pieces, options, engine, report, joined.Data);
-      renumber(joined.Data, [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
+      vtkFFOutput::Renumber(joined.Data->GetPointData(),
+        [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
 
       // The points were counted where they came from, and most of the work was done there.
       flipflop::Statistics& statistics = joined.Hull.statistics;
@@ -317,7 +309,7 @@ bool vtkPFFHullFilter::JoinHulls(
 //------------------------------------------------------------------------------
 vtkIdType vtkPFFHullFilter::GetPlaceOfPoint(vtkIdType index)
 {
-  return this->PlaceOfPiece + index;
+  return this->PlaceOfPiece + this->Superclass::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------

@@ -14,10 +14,9 @@
  * binary tree over the processes is high, each by the hull of their vertices. What leaves a process
  * are its extreme points: few of a solid, nearly all of points on a thin shell.
  *
- * - Points that a piece marks as another's (the point data's array
- *   vtkGhostType, vtkDataSetAttributes::DUPLICATEPOINT) are left out,
- *   and are not counted. Where there is a single process, there is no
- *   other: this filter is its superclass then.
+ * - Ghost points (see SetSkipGhostPoints()) are left out where they
+ *   are, and not counted: ids count the points left. Where there is a
+ *   single process, this filter is its superclass, whose ids count all.
  * - Arrays of numbers and strings travel, without the lookup tables and
  *   keys that they may have.
  * - For composite input, a block's pieces are what the processes have in

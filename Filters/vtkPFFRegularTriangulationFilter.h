@@ -13,10 +13,9 @@
  * Process 0 gathers all points and does all the work. Where several processes have points, a
  * warning says so: its memory must hold them all.
  *
- * - Points that a piece marks as another's (the point data's array
- *   vtkGhostType, vtkDataSetAttributes::DUPLICATEPOINT) are left out,
- *   and are not counted. Where there is a single process, there is no
- *   other: this filter is its superclass then.
+ * - Ghost points (see SetSkipGhostPoints()) are left out where they
+ *   are, and not counted: ids count the points left. Where there is a
+ *   single process, this filter is its superclass, whose ids count all.
  * - Arrays of numbers and strings travel, without the lookup tables and
  *   keys that they may have.
  * - For composite input, a block's pieces are what the processes have in

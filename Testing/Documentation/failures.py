@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Filters that fail, each set up as a row of Exactness.md's table of errors says."""
 
-from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
 
 from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
@@ -54,6 +54,15 @@ def hull_of_an_image():
     return hull(blocks)
 
 
+def hull_with_two_marks():
+    data = poly_data("0 0 0; 1 0 0; 0 1 0")
+    marks = vtkUnsignedCharArray()
+    marks.SetName("vtkGhostType")
+    marks.SetNumberOfValues(2)
+    data.GetPointData().AddArray(marks)
+    return hull(data)
+
+
 def triangulation(**settings):
     return set_up(vtkFFRegularTriangulationFilter(), poly_data("0 0 0; 1 0 0; 0 1 0"), **settings)
 
@@ -87,6 +96,7 @@ FAILURES = {
     "an integer coordinate that no double holds": hull_of_integers,
     "a block that is no vtkPointSet": hull_of_an_image,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
+    "two marks for three points": hull_with_two_marks,
     "the array of weights is missing": lambda: weighted(None),
     "weights are strings": lambda: weighted(strings()),
     "weights of two components": lambda: weighted(integers(2, 3)),
