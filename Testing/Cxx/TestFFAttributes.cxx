@@ -71,7 +71,7 @@ void checkAttributes(vtkDataSetAttributes* data, const std::string& where)
   }
 }
 
-/// A cube, some points in it, and all attributes.
+/// A closed surface with all attributes.
 vtkSmartPointer<vtkPolyData> makeInput()
 {
   auto surface = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 } });
@@ -79,22 +79,14 @@ vtkSmartPointer<vtkPolyData> makeInput()
   return surface;
 }
 
-void testHull()
+template <class FilterT>
+void testHull(const std::string& where)
 {
-  vtkNew<vtkFFHullFilter> hull;
-  hull->SetInputData(makeInput());
-  hull->Update();
-  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), 8);
-  checkAttributes(hull->GetOutput()->GetPointData(), "hull");
-}
-
-void testConvexify()
-{
-  vtkNew<vtkFFConvexifyFilter> convexify;
-  convexify->SetInputData(makeInput());
-  convexify->Update();
-  FF_CHECK_EQUAL(convexify->GetOutput()->GetNumberOfPoints(), 8);
-  checkAttributes(convexify->GetOutput()->GetPointData(), "convexify");
+  vtkNew<FilterT> filter;
+  filter->SetInputData(makeInput());
+  filter->Update();
+  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 8);
+  checkAttributes(filter->GetOutput()->GetPointData(), where);
 }
 
 void testTriangulation(vtkDataObject* input, const std::string& where)
@@ -132,8 +124,8 @@ void testPieces()
 
 int TestFFAttributes(int, char*[])
 {
-  testHull();
-  testConvexify();
+  testHull<vtkFFHullFilter>("hull");
+  testHull<vtkFFConvexifyFilter>("convexify");
   testTriangulation(makeInput(), "triangulation");
   testPieces();
   return result();
