@@ -45,6 +45,7 @@ vtkFFAlgorithm::vtkFFAlgorithm()
   , NumberOfThreads(0)
   , FacetMode(FACETS_AS_TRIANGLES)
   , NonFinitePoints(NON_FINITE_ERROR)
+  , SkipGhostPoints(true)
   , PassPointData(true)
   , VisiblePointIds(false)
   , ReportAsFieldData(false)
@@ -447,6 +448,7 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "FacetMode: " << this->GetFacetModeAsString() << "\n";
   os << indent << "NonFinitePoints: " << this->GetNonFinitePointsAsString() << "\n";
+  os << indent << "SkipGhostPoints: " << onOff(this->SkipGhostPoints) << "\n";
   os << indent << "PassPointData: " << onOff(this->PassPointData) << "\n";
   os << indent << "VisiblePointIds: " << onOff(this->VisiblePointIds) << "\n";
   os << indent << "ReportAsFieldData: " << onOff(this->ReportAsFieldData) << "\n";

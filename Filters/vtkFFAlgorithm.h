@@ -47,11 +47,13 @@
 #include <string> // For std::string
 
 class vtkDataObject;
+class vtkDataSetAttributes;
 class vtkPointSet;
 
 #ifndef __VTK_WRAP__
-#include "vtkSmartPointer.h" // For points laid out
+#include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <cstddef>    // For std::size_t
 #include <functional> // For std::function
 #include <vector>     // For std::vector
 
@@ -70,13 +72,13 @@ struct Options;
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * The engines that can do the work. ENGINE_NONE is what GetEngineUsed() returns before a run.
@@ -107,18 +109,20 @@ public:
     NON_FINITE_IGNORE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the engine. Whatever engine runs, the output is the same, bit for bit.
    *
-   * - ENGINE_AUTOMATIC (the default): the CUDA engine for inputs of CUDAThreshold points or more
-   *   where IsCUDAAvailable(), else the CPU engine. Should the device fail, or its memory not
-   *   suffice, the CPU engine does the work.
+   * - ENGINE_AUTOMATIC (the default): the CUDA engine for inputs of
+   *   CUDAThreshold points or more where IsCUDAAvailable(), else the
+   *   CPU engine. Should the device fail, or its memory not suffice,
+   *   the CPU engine does the work.
    * - ENGINE_CPU: the CPU engine.
-   * - ENGINE_CUDA: the CUDA engine, for inputs of any size. It is an error, and gives an empty
-   *   output, where it is not available, fails or lacks memory. Points that span too little for an
-   *   engine to have work, and coordinates that only integers of any size can decide, are left to
-   *   the CPU engine all the same.
+   * - ENGINE_CUDA: the CUDA engine, for inputs of any size. It is an
+   *   error, and gives an empty output, where it is not available,
+   *   fails or lacks memory. Points that span too little for an engine
+   *   to have work, and coordinates that only integers of any size can
+   *   decide, are left to the CPU engine all the same.
    *
    * With VTK 9.6 or later, the CUDA engine reads a single array of float or double that lives on
    * the device (a vtkmDataArray can) in place; it must be the current device. The host reads it,
@@ -132,9 +136,9 @@ public:
   void SetEngineToCPU() { this->SetEngine(ENGINE_CPU); }
   void SetEngineToCUDA() { this->SetEngine(ENGINE_CUDA); }
   const char* GetEngineAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get from how many points on ENGINE_AUTOMATIC takes the CUDA engine. From how many on it
    * pays is for a measurement to tell, and none has been made: the default is VTK_ID_MAX, which
@@ -142,9 +146,9 @@ public:
    */
   vtkSetClampMacro(CUDAThreshold, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(CUDAThreshold, vtkIdType);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get whether this build has a CUDA engine and this machine a device that can run it; the
    * device's name (empty where there is none); and why there is none (empty where there is one).
@@ -153,9 +157,9 @@ public:
   static bool IsCUDAAvailable();
   static const char* GetCUDADeviceName();
   static const char* GetCUDAProblem();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE where none gave a
    * result), and why it was that one, in words. For several blocks with a result each: ENGINE_CUDA
@@ -164,18 +168,18 @@ public:
   vtkGetMacro(EngineUsed, int);
   const char* GetEngineUsedAsString();
   const char* GetEngineReason() { return this->EngineReason.c_str(); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the number of threads. 0 (the default) takes as many as vtkSMPTools would. The output
    * does not depend on it.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get how facets are given: as triangles (the default), where a facet of more than three
    * corners is a fan from the corner of lowest id, or as one polygon a facet.
@@ -185,9 +189,9 @@ public:
   void SetFacetModeToTriangles() { this->SetFacetMode(FACETS_AS_TRIANGLES); }
   void SetFacetModeToPolygons() { this->SetFacetMode(FACETS_AS_POLYGONS); }
   const char* GetFacetModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get what to do with points that have a NaN or infinite coordinate or weight: an error that
    * names the first one (the default), or leave them out and count them in
@@ -198,19 +202,34 @@ public:
   void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
   void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
   const char* GetNonFinitePointsAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
+  /**
+   * Set/Get whether ghost points are left out: those that the input's point array vtkGhostType
+   * marks as another piece's (vtkDataSetAttributes::DUPLICATEPOINT) or as hidden (HIDDENPOINT:
+   * blanked points of grids). On by default. They are on no output then and are not counted; the
+   * others keep their ids. Off, they are points like all others. Marks of cells do not matter.
+   *
+   * vtkFFConvexifyFilter takes its surface whole, whatever is marked.
+   */
+  vtkSetMacro(SkipGhostPoints, bool);
+  vtkGetMacro(SkipGhostPoints, bool);
+  vtkBooleanMacro(SkipGhostPoints, bool);
+  //@}
+
+  //@{
   /**
    * Set/Get whether the input's point data arrays are passed to the output, in their full type and
-   * precision. On by default.
+   * precision. On by default. Attributes that tell of the input's own surface (normals, tangents,
+   * edge flags) are plain arrays there: another surface would be shaded and drawn falsely by them.
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
   vtkBooleanMacro(PassPointData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the output's array vtkOriginalPointIds is given a second time under the name
    * OriginalPointIds: some applications hide the first name from their users. Off by default.
@@ -218,9 +237,9 @@ public:
   vtkSetMacro(VisiblePointIds, bool);
   vtkGetMacro(VisiblePointIds, bool);
   vtkBooleanMacro(VisiblePointIds, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether what a run found is also given as field data of its output (of the first port,
    * in each block): some applications show their users nothing else. Off by default. The arrays, of
@@ -232,9 +251,9 @@ public:
   vtkSetMacro(ReportAsFieldData, bool);
   vtkGetMacro(ReportAsFieldData, bool);
   vtkBooleanMacro(ReportAsFieldData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
    * 2.3), which flips by the volume criterion alone as long as it can. The output is the same; the
@@ -243,7 +262,7 @@ public:
   vtkSetMacro(VBiased, bool);
   vtkGetMacro(VBiased, bool);
   vtkBooleanMacro(VBiased, bool);
-  ///@}
+  //@}
 
   /**
    * Get the dimension of what the last run's points span: -1 for no point, 0 for one position, 1
@@ -252,7 +271,7 @@ public:
    */
   vtkGetMacro(Dimension, int);
 
-  ///@{
+  //@{
   /**
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
    * each. 0 before a run, and after one that failed or was aborted, whatever some blocks gave
@@ -260,17 +279,20 @@ public:
    * between them, where the output does not. Of the CPU engine they do not depend on the number of
    * threads.
    *
-   * - InputPoints: points given
-   * - NonFinitePoints: points left out (or, after an error, found) with a NaN or infinite
-   *   coordinate or weight
-   * - CulledPoints: points found inside without being associated to a triangle (none by the CUDA
-   *   engine)
-   * - Insertions: vertices inserted while growing (1-3 flips), over all levels
+   * - InputPoints: points given, without ghost points that are left out
+   * - NonFinitePoints: points left out (or, after an error, found)
+   *   with a NaN or infinite coordinate or weight
+   * - CulledPoints: points found inside without being associated to a
+   *   triangle (none by the CUDA engine)
+   * - Insertions: vertices inserted while growing (1-3 flips), over
+   *   all levels
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
-   * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume) and the D-criterion (degree)
+   * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume)
+   *   and the D-criterion (degree)
    * - LabelledVertices: vertices labelled non-extreme
    * - EdgeChecks: edges examined for a flip
-   * - ExactPredicates: predicates that the floating-point filter left undecided
+   * - ExactPredicates: predicates that the floating-point filter left
+   *   undecided
    * - ThreadsUsed: CPU threads that the run was given
    */
   vtkGetMacro(NumberOfInputPoints, vtkIdType);
@@ -285,18 +307,20 @@ public:
   vtkGetMacro(NumberOfEdgeChecks, vtkIdType);
   vtkGetMacro(NumberOfExactPredicates, vtkIdType);
   vtkGetMacro(NumberOfThreadsUsed, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the seconds that the last run took, by stage; sums for several blocks with a result each.
    * Scan, Locate, Finish and Total are wall time; Grow and Flip are summed over the threads, of the
    * CUDA engine they are wall time.
    *
    * - Scan: ranges, points that are not finite, the first polyhedron
-   * - Locate: culling, associating points to triangles. The CUDA engine does that while it grows;
-   *   here it counts the time to bring its result back
-   * - Grow: growing the star-shaped polyhedron (the paper's Algorithm 2)
+   * - Locate: culling, associating points to triangles. The CUDA
+   *   engine does that while it grows; here it counts the time to
+   *   bring its result back
+   * - Grow: growing the star-shaped polyhedron (the paper's Algorithm
+   *   2)
    * - Flip: flipping it to convexity (the paper's Algorithm 1)
    * - Finish: true facets and the canonical order
    * - Total: the whole run of the engine
@@ -307,7 +331,7 @@ public:
   vtkGetMacro(SecondsToFlip, double);
   vtkGetMacro(SecondsToFinish, double);
   vtkGetMacro(SecondsTotal, double);
-  ///@}
+  //@}
 
   /**
    * The output's type follows the input's.
@@ -437,8 +461,29 @@ protected:
    */
   virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
   {
-    return index;
+    return this->PlacesOfPoints.empty() ? index
+                                        : this->PlacesOfPoints[static_cast<std::size_t>(index)];
   }
+
+  /**
+   * The points that count of some pieces: all, or those that are no ghosts, if these are to be
+   * skipped. @p places becomes the ids that they have among all points, empty where all count.
+   *
+   * @throw std::runtime_error, flipflop::Error.
+   */
+  std::vector<vtkSmartPointer<vtkPointSet>> TakePoints(
+    const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
+
+  /**
+   * Where the points that the engine was given have their places among all points of CurrentBlocks:
+   * empty where it was given all.
+   */
+  std::vector<vtkIdType> PlacesOfPoints;
+
+  /**
+   * Have the original ids of @p output, which count the points given to the engine, count all.
+   */
+  void RestoreIds(vtkDataSetAttributes* output);
 
   /**
    * How errors speak of a point of CurrentBlocks: "point 7 of the block of flat index 2".
@@ -472,6 +517,7 @@ protected:
   int NumberOfThreads;
   int FacetMode;
   int NonFinitePoints;
+  bool SkipGhostPoints;
   bool PassPointData;
   bool VisiblePointIds;
   bool ReportAsFieldData;

@@ -7,6 +7,9 @@
 #include "vtkFFFailure.h"
 #include "vtkFFGridPoints.h"
 #include "vtkFFOutput.h"
+#include "vtkFFPieces.h"
+
+#include "Engines.h"
 
 #include "Engines.h"
 
@@ -221,6 +224,7 @@ int vtkFFAlgorithm::RequestData(
   }
   this->CurrentBlocks.clear();
   this->LaidOutPoints.clear();
+  this->PlacesOfPoints = {};
   if (!done)
   {
     for (vtkDataObject* output : outputs)
@@ -306,6 +310,28 @@ bool vtkFFAlgorithm::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& fail
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
   this->ReportFailure(failure);
   return failure.Kind == vtkFFFailure::None;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkPointSet>> vtkFFAlgorithm::TakePoints(
+  const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places)
+{
+  places.clear();
+  if (this->SkipGhostPoints)
+  {
+    return vtkFFPieces::SkipGhosts(pieces, places);
+  }
+  return { pieces.begin(), pieces.end() };
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::RestoreIds(vtkDataSetAttributes* output)
+{
+  if (!this->PlacesOfPoints.empty())
+  {
+    vtkFFOutput::Renumber(
+      output, [this](vtkIdType id) { return this->PlacesOfPoints[static_cast<std::size_t>(id)]; });
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -124,6 +124,13 @@ bool vtkFFConvexifyFilter::Execute(
       ++count;
     }
   }
+  if (count == 0 && blocks[0].NumberOfPoints > 0)
+  {
+    this->ReportError("The surface" + this->OfBlock() + " has no cells, but " +
+      std::to_string(blocks[0].NumberOfPoints) +
+      " point(s). It takes triangles; vtkFFHullFilter gives the hull of points.");
+    return false;
+  }
   if (count > 1)
   {
     this->ReportError("The surface is spread over " + std::to_string(count) +

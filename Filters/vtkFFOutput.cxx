@@ -9,6 +9,7 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -21,6 +22,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstring>
@@ -103,6 +105,17 @@ vtkAbstractArray* findLike(const vtkFFOutput::Source& source, vtkAbstractArray* 
   return alike ? other : nullptr;
 }
 
+/// Points can go without the surface that these attributes tell of.
+void retireSurfaceAttributes(vtkDataSetAttributes* data)
+{
+  for (const int attribute :
+    { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::TANGENTS, vtkDataSetAttributes::EDGEFLAG,
+      vtkDataSetAttributes::RATIONALWEIGHTS, vtkDataSetAttributes::HIGHERORDERDEGREES })
+  {
+    data->SetActiveAttribute(-1, attribute);
+  }
+}
+
 /// The points of one source among the output's: which they are there, and which here.
 struct Share
 {
@@ -152,7 +165,7 @@ vtkSmartPointer<vtkIdTypeArray> vtkFFOutput::Adopt(flipflop::CellComplex& cells,
     points.Gather(cells.pointIds.data(), static_cast<vtkIdType>(cells.pointIds.size())));
   AdoptCells(cells, output);
   const auto ids = AdoptIds(cells.pointIds);
-  CopyPointData(data, ids, output->GetPointData());
+  PassPointData(data, ids, output->GetPointData());
   AddIds(ids, visibleIds, output->GetPointData());
   return ids;
 }
@@ -280,6 +293,48 @@ void vtkFFOutput::RemoveReport(vtkFieldData* data)
     {
       data->RemoveArray(i);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::PassPointData(
+  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output)
+{
+  CopyPointData(sources, ids, output);
+  retireSurfaceAttributes(output);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::PassPointData(
+  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkCellData* output)
+{
+  CopyPointData(sources, ids, output);
+  retireSurfaceAttributes(output);
+
+  auto* marks = vtkUnsignedCharArray::SafeDownCast(
+    output->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+  const vtkIdType count = marks ? marks->GetNumberOfValues() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const int mark = marks->GetValue(i);
+    const int duplicate =
+      mark & vtkDataSetAttributes::DUPLICATEPOINT ? vtkDataSetAttributes::DUPLICATECELL : 0;
+    const int hidden =
+      mark & vtkDataSetAttributes::HIDDENPOINT ? vtkDataSetAttributes::HIDDENCELL : 0;
+    marks->SetValue(i, static_cast<unsigned char>(duplicate | hidden));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::Renumber(
+  vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf)
+{
+  // The visible array of ids shares the memory.
+  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetAbstractArray("vtkOriginalPointIds"));
+  const vtkIdType count = ids ? ids->GetNumberOfValues() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ids->SetValue(i, idOf(ids->GetValue(i)));
   }
 }
 

@@ -3,8 +3,8 @@
 #include "vtkPFFHullFilter.h"
 
 #include "vtkFFFailure.h"
+#include "vtkFFOutput.h"
 #include "vtkFFParcel.h"
-#include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
 
 #include "Engines.h"
@@ -53,17 +53,6 @@ void checkIds(vtkIdTypeArray* ids, vtkIdType pointsOfHull, vtkIdType counted)
       [=](vtkIdType id) { return id < 0 || id >= counted; }))
   {
     throw vtkFFDamagedParcel();
-  }
-}
-
-/// Gives the hull's points other ids; the visible array of ids shares the memory.
-template <class IdOf>
-void renumber(vtkPolyData* hull, IdOf&& idOf)
-{
-  vtkIdTypeArray* ids = idsOf(hull);
-  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
-  {
-    ids->SetValue(i, idOf(ids->GetValue(i)));
   }
 }
 
@@ -138,11 +127,12 @@ bool vtkPFFHullFilter::Execute(
     {
       for (std::size_t b = 0; b < blocks.size(); ++b)
       {
-        for (vtkPointSet* piece : blocks[b].Pieces)
+        std::vector<vtkIdType> ignored; // ids count the points that are left
+        for (const auto& piece : this->TakePoints(blocks[b].Pieces, ignored))
         {
-          owned.push_back(vtkFFPieces::OwnPoints(piece));
-          pieces[b].push_back(owned.back());
-          sizes[b] += owned.back()->GetNumberOfPoints();
+          owned.push_back(piece);
+          pieces[b].push_back(piece);
+          sizes[b] += piece->GetNumberOfPoints();
         }
       }
     },
@@ -238,7 +228,8 @@ bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
     {
       result.Hull = this->TakeHull(pieces, options, engine, report, result.Data);
       result.Engine = report;
-      renumber(result.Data, [&](vtkIdType id) { return this->PlaceOfPiece + id; });
+      vtkFFOutput::Renumber(
+        result.Data->GetPointData(), [&](vtkIdType id) { return this->PlaceOfPiece + id; });
     },
     failure);
   this->NoteAbort(failure);
@@ -316,7 +307,8 @@ bool vtkPFFHullFilter::JoinHulls(
         }
       }
       joined.Hull = this->TakeHull(pieces, options, engine, report, joined.Data);
-      renumber(joined.Data, [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
+      vtkFFOutput::Renumber(joined.Data->GetPointData(),
+        [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
 
       // The points were counted where they came from, and most of the work was done there.
       flipflop::Statistics& statistics = joined.Hull.statistics;
@@ -337,7 +329,7 @@ bool vtkPFFHullFilter::JoinHulls(
 //------------------------------------------------------------------------------
 vtkIdType vtkPFFHullFilter::GetPlaceOfPoint(vtkIdType index)
 {
-  return this->PlaceOfPiece + index;
+  return this->PlaceOfPiece + this->Superclass::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------

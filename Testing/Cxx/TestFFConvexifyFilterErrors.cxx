@@ -7,6 +7,7 @@
 #include "vtkErrorCode.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPoints.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
@@ -54,6 +55,25 @@ void refuses(
 
 const std::vector<Point> tetrahedronPoints{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
 const Triangles tetrahedron{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+
+/// Points alone are no surface.
+void testNoCells()
+{
+  const std::vector<std::string> parts{ "The surface", "has no cells, but 4 point(s)",
+    "vtkFFHullFilter" };
+  refuses(makeSurface(tetrahedronPoints, {}), parts);
+  vtkNew<vtkPartitionedDataSetCollection> blocks;
+  blocks->SetPartition(0, 0, makeVoxels({ { 0, 0, 0 } }));
+  blocks->SetPartition(1, 0, makeSurface({}, {}));
+  blocks->SetPartition(1, 1, makePoints({ { 0, 0, 0 } }));
+  blocks->SetPartition(1, 2, makePoints({ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }));
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  convexify->SetInputData(blocks);
+  convexify->Update();
+  FF_CHECK(errors->Has("of the block of flat index 3 has no cells, but 4 point(s)"));
+  FF_CHECK(convexify->GetErrorCode() != vtkErrorCode::NoError);
+}
 
 void testCells()
 {
@@ -259,6 +279,7 @@ void testNumbers()
 
 int TestFFConvexifyFilterErrors(int, char*[])
 {
+  testNoCells();
   testCells();
   testCellArrays<vtkTypeInt32Array>();
   testCellArrays<vtkTypeInt64Array>();

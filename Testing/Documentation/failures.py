@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Filters that fail, each set up as a row of Exactness.md's table of errors says."""
 
-from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkMultiBlockDataSet,
@@ -71,6 +71,15 @@ def hull_of_pairs():
     return hull(data)
 
 
+def hull_with_two_marks():
+    data = poly_data("0 0 0; 1 0 0; 0 1 0")
+    marks = vtkUnsignedCharArray()
+    marks.SetName("vtkGhostType")
+    marks.SetNumberOfValues(2)
+    data.GetPointData().AddArray(marks)
+    return hull(data)
+
+
 def triangulation(**settings):
     return set_up(vtkFFRegularTriangulationFilter(), poly_data("0 0 0; 1 0 0; 0 1 0"), **settings)
 
@@ -115,6 +124,7 @@ FAILURES = {
     "a rectilinear grid without its coordinates": hull_of_a_bare_grid,
     "points of two coordinates": hull_of_pairs,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
+    "two marks for three points": hull_with_two_marks,
     "the array of weights is missing": lambda: weighted(None),
     "weights are strings": lambda: weighted(strings()),
     "weights of two components": lambda: weighted(integers(2, 3)),
@@ -127,6 +137,7 @@ FAILURES = {
         PowerDiagramBounds=(0, 0, 0, 1),
     ),
     "cells with a corner too few": surface_without_its_last_corner,
+    "points without cells, as a surface": lambda: surface([]),
     "a cell that is no triangle": lambda: surface([[0, 1, 2, 3]]),
     "a triangle with a corner twice": lambda: surface([*FACETS, [0, 1, 1]]),
     "a triangle is missing": lambda: surface(FACETS[:3]),
