@@ -4,9 +4,10 @@
  * @class   vtkFFHullFilter
  * @brief   the exact convex hull of points in 3D
  *
- * vtkFFHullFilter gives the convex hull of the points of any vtkPointSet, as a vtkPolyData. Cells
- * of the input do not matter. The hull is exact for every finite input: no tolerance decides
- * anything, whether the points are nearly coplanar, far from the origin, or 1e300 apart.
+ * vtkFFHullFilter gives the convex hull of the points of any vtkPointSet, vtkImageData or
+ * vtkRectilinearGrid, as a vtkPolyData. Cells of the input do not matter. The hull is exact for
+ * every finite input: no tolerance decides anything, whether the points are nearly coplanar, far
+ * from the origin, or 1e300 apart.
  *
  * The algorithm is ffHull of the paper named in vtkFFAlgorithm. A tetrahedron is grown into a
  * star-shaped polyhedron by inserting, for each of its triangles, a point far outside it; all

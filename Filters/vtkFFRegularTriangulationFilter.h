@@ -5,9 +5,9 @@
  * @brief   the exact Delaunay or regular (weighted) triangulation in the plane
  *
  * vtkFFRegularTriangulationFilter gives the regular triangulation of the points of any vtkPointSet,
- * and on request the power diagram, its dual. Without weights these are the Delaunay triangulation
- * and the Voronoi diagram. Cells of the input do not matter. The triangulation is exact for every
- * finite input: no tolerance decides anything.
+ * vtkImageData or vtkRectilinearGrid, and on request the power diagram, its dual. Without weights
+ * these are the Delaunay triangulation and the Voronoi diagram. Cells of the input do not matter.
+ * The triangulation is exact for every finite input: no tolerance decides anything.
  *
  * Weights come from a point array of one component and any numeric type:
  *
