@@ -8,7 +8,6 @@
 #include "Buffer.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -58,16 +57,16 @@ vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
 /// Some points of a piece, with their point data.
 vtkSmartPointer<vtkPointSet> pointsOf(vtkPointSet* piece, vtkIdTypeArray* which)
 {
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(which->GetNumberOfValues());
-  std::copy_n(which->GetPointer(0), which->GetNumberOfValues(), ids->GetPointer(0));
+  const vtkIdType count = piece->GetNumberOfPoints();
+  vtkNew<vtkPointData> from;
+  vtkNew<vtkPointData> to;
+  from->AddArray(piece->GetPoints()->GetData());
+  vtkFFOutput::CopyPointData({ { from, count } }, which, to);
   vtkNew<vtkPoints> places;
-  places->SetDataType(piece->GetPoints()->GetDataType());
-  piece->GetPoints()->GetPoints(ids, places);
+  places->SetData(to->GetArray(0));
   auto points = vtkSmartPointer<vtkPolyData>::New();
   points->SetPoints(places);
-  vtkFFOutput::CopyPointData(
-    { { piece->GetPointData(), piece->GetNumberOfPoints() } }, which, points->GetPointData());
+  vtkFFOutput::CopyPointData({ { piece->GetPointData(), count } }, which, points->GetPointData());
   return points;
 }
 
