@@ -5,8 +5,9 @@
 
     raw-to-vtp.py points.f32 points.vtp --elevation
 
-float32 (.f32) stays float and float64 (.f64) stays double, bit for bit. The data stands between its tags, not
-appended: ParaView 5.11 cannot read appended data where expat has the fix of CVE-2023-52425.
+float32 (.f32) stays float and float64 (.f64) stays double, bit for bit. Each point is a vertex cell, or ParaView
+would show nothing. The data stands between its tags, not appended: ParaView 5.11 cannot read appended data where
+expat has the fix of CVE-2023-52425.
 """
 import argparse
 import os
@@ -14,7 +15,7 @@ import os
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 TYPES = {".f32": "<f4", ".f64": "<f8"}
@@ -33,6 +34,12 @@ def main():
     points.SetData(numpy_to_vtk(xyz, deep=True))
     data = vtkPolyData()
     data.SetPoints(points)
+    vertices = vtkCellArray()
+    vertices.SetData(
+        numpy_to_vtk(numpy.arange(len(xyz) + 1, dtype=numpy.int32), deep=True),
+        numpy_to_vtk(numpy.arange(len(xyz), dtype=numpy.int32), deep=True),
+    )
+    data.SetVerts(vertices)
     if arguments.elevation:
         elevation = numpy_to_vtk(numpy.ascontiguousarray(xyz[:, 2]), deep=True)
         elevation.SetName("Elevation")

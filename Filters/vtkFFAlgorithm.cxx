@@ -49,6 +49,7 @@ vtkFFAlgorithm::vtkFFAlgorithm()
   , NumberOfThreads(0)
   , FacetMode(FACETS_AS_TRIANGLES)
   , NonFinitePoints(NON_FINITE_ERROR)
+  , SkipGhostPoints(true)
   , PassPointData(true)
   , VisiblePointIds(false)
   , ReportAsFieldData(false)
@@ -77,6 +78,7 @@ void vtkFFAlgorithm::ResetReport()
 
   this->NumberOfInputPoints = 0;
   this->NumberOfNonFinitePoints = 0;
+  this->NonFinitePointsOfFailure = 0;
   this->NumberOfCulledPoints = 0;
   this->NumberOfInsertions = 0;
   this->NumberOfFlips22 = 0;
@@ -96,6 +98,16 @@ void vtkFFAlgorithm::ResetReport()
   this->SecondsTotal = 0.0;
 
   this->SetProgressRange(0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::ReduceReportToFailure()
+{
+  const unsigned long code = this->GetErrorCode();
+  const vtkIdType nonFinite = this->NonFinitePointsOfFailure;
+  this->ResetReport();
+  this->SetErrorCode(code);
+  this->NumberOfNonFinitePoints = nonFinite;
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +186,7 @@ void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
   }
   else if (failure.Kind == vtkFFFailure::NonFinite)
   {
+    this->NonFinitePointsOfFailure = failure.Count;
     this->NumberOfNonFinitePoints = failure.Count;
     this->ReportError(this->DescribeError(
       flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));
@@ -379,7 +392,7 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
     case ErrorCode::NoKernel:
       return "The surface" + this->OfBlock() +
         " is not star-shaped, or no point was found from which it is. Give one with "
-        "SetKernelPoint() and UseKernelPointOn().";
+        "SetKernelPoint().";
     case ErrorCode::NoDevice:
       return std::string("The CUDA engine was asked for, but ") + GetCUDAProblem() +
         ". Use SetEngineToAutomatic() or SetEngineToCPU().";
@@ -448,6 +461,7 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "FacetMode: " << this->GetFacetModeAsString() << "\n";
   os << indent << "NonFinitePoints: " << this->GetNonFinitePointsAsString() << "\n";
+  os << indent << "SkipGhostPoints: " << onOff(this->SkipGhostPoints) << "\n";
   os << indent << "PassPointData: " << onOff(this->PassPointData) << "\n";
   os << indent << "VisiblePointIds: " << onOff(this->VisiblePointIds) << "\n";
   os << indent << "ReportAsFieldData: " << onOff(this->ReportAsFieldData) << "\n";

@@ -24,6 +24,11 @@
  * Construction via Star-Shaped Polyhedron in 3D". Proceedings of the ACM SIGGRAPH Symposium on
  * Interactive 3D Graphics and Games (I3D), 2013.
  *
+ * Input is any vtkPointSet, and any vtkImageData or vtkRectilinearGrid, whose points are laid out
+ * first, in double (in float, if all coordinates of a rectilinear grid are), 24 bytes each; or a
+ * composite of these. vtkFFConvexifyFilter takes a vtkPolyData. Anything else, and no input at all,
+ * is an error.
+ *
  * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
  * vtkDataObjectTrees) gives a result for each block, in a composite of the same structure on every
  * port (get it by GetOutputDataObject()). A vtkPartitionedDataSet is one block: its partitions are
@@ -42,9 +47,13 @@
 #include <string> // For std::string
 
 class vtkDataObject;
+class vtkDataSetAttributes;
 class vtkPointSet;
 
 #ifndef __VTK_WRAP__
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <cstddef>    // For std::size_t
 #include <functional> // For std::function
 #include <vector>     // For std::vector
 
@@ -63,13 +72,13 @@ struct Options;
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * The engines that can do the work. ENGINE_NONE is what GetEngineUsed() returns before a run.
@@ -100,18 +109,20 @@ public:
     NON_FINITE_IGNORE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the engine. Whatever engine runs, the output is the same, bit for bit.
    *
-   * - ENGINE_AUTOMATIC (the default): the CUDA engine for inputs of CUDAThreshold points or more
-   *   where IsCUDAAvailable(), else the CPU engine. Should the device fail, or its memory not
-   *   suffice, the CPU engine does the work.
+   * - ENGINE_AUTOMATIC (the default): the CUDA engine for inputs of
+   *   CUDAThreshold points or more where IsCUDAAvailable(), else the
+   *   CPU engine. Should the device fail, or its memory not suffice,
+   *   the CPU engine does the work.
    * - ENGINE_CPU: the CPU engine.
-   * - ENGINE_CUDA: the CUDA engine, for inputs of any size. It is an error, and gives an empty
-   *   output, where it is not available, fails or lacks memory. Points that span too little for an
-   *   engine to have work, and coordinates that only integers of any size can decide, are left to
-   *   the CPU engine all the same.
+   * - ENGINE_CUDA: the CUDA engine, for inputs of any size. It is an
+   *   error, and gives an empty output, where it is not available,
+   *   fails or lacks memory. Points that span too little for an engine
+   *   to have work, and coordinates that only integers of any size can
+   *   decide, are left to the CPU engine all the same.
    *
    * With VTK 9.6 or later, the CUDA engine reads a single array of float or double that lives on
    * the device (a vtkmDataArray can) in place; it must be the current device. The host reads it,
@@ -125,9 +136,9 @@ public:
   void SetEngineToCPU() { this->SetEngine(ENGINE_CPU); }
   void SetEngineToCUDA() { this->SetEngine(ENGINE_CUDA); }
   const char* GetEngineAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get from how many points on ENGINE_AUTOMATIC takes the CUDA engine. From how many on it
    * pays is for a measurement to tell, and none has been made: the default is VTK_ID_MAX, which
@@ -135,9 +146,9 @@ public:
    */
   vtkSetClampMacro(CUDAThreshold, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(CUDAThreshold, vtkIdType);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get whether this build has a CUDA engine and this machine a device that can run it; the
    * device's name (empty where there is none); and why there is none (empty where there is one).
@@ -146,9 +157,9 @@ public:
   static bool IsCUDAAvailable();
   static const char* GetCUDADeviceName();
   static const char* GetCUDAProblem();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE where none gave a
    * result), and why it was that one, in words. For several blocks with a result each: ENGINE_CUDA
@@ -157,18 +168,18 @@ public:
   vtkGetMacro(EngineUsed, int);
   const char* GetEngineUsedAsString();
   const char* GetEngineReason() { return this->EngineReason.c_str(); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the number of threads. 0 (the default) takes as many as vtkSMPTools would. The output
    * does not depend on it.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get how facets are given: as triangles (the default), where a facet of more than three
    * corners is a fan from the corner of lowest id, or as one polygon a facet.
@@ -178,9 +189,9 @@ public:
   void SetFacetModeToTriangles() { this->SetFacetMode(FACETS_AS_TRIANGLES); }
   void SetFacetModeToPolygons() { this->SetFacetMode(FACETS_AS_POLYGONS); }
   const char* GetFacetModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get what to do with points that have a NaN or infinite coordinate or weight: an error that
    * names the first one (the default), or leave them out and count them in
@@ -191,19 +202,34 @@ public:
   void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
   void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
   const char* GetNonFinitePointsAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
+  /**
+   * Set/Get whether ghost points are left out: those that the input's point array vtkGhostType
+   * marks as another piece's (vtkDataSetAttributes::DUPLICATEPOINT) or as hidden (HIDDENPOINT:
+   * blanked points of grids). On by default. They are on no output then and are not counted; the
+   * others keep their ids. Off, they are points like all others. Marks of cells do not matter.
+   *
+   * vtkFFConvexifyFilter takes its surface whole, whatever is marked.
+   */
+  vtkSetMacro(SkipGhostPoints, bool);
+  vtkGetMacro(SkipGhostPoints, bool);
+  vtkBooleanMacro(SkipGhostPoints, bool);
+  //@}
+
+  //@{
   /**
    * Set/Get whether the input's point data arrays are passed to the output, in their full type and
-   * precision. On by default.
+   * precision. On by default. Attributes that tell of the input's own surface (normals, tangents,
+   * edge flags) are plain arrays there: another surface would be shaded and drawn falsely by them.
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
   vtkBooleanMacro(PassPointData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the output's array vtkOriginalPointIds is given a second time under the name
    * OriginalPointIds: some applications hide the first name from their users. Off by default.
@@ -211,22 +237,23 @@ public:
   vtkSetMacro(VisiblePointIds, bool);
   vtkGetMacro(VisiblePointIds, bool);
   vtkBooleanMacro(VisiblePointIds, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether what a run found is also given as field data of its output (of the first port,
    * in each block): some applications show their users nothing else. Off by default. The arrays, of
    * one value each, are FlipFlopDimension, FlipFlopInputPoints, FlipFlopNonFinitePoints,
    * FlipFlopEngine and FlipFlopEngineReason (strings), FlipFlopThreads and FlipFlopSeconds; of a
-   * hull FlipFlopVolume and FlipFlopArea; of a triangulation FlipFlopHiddenPoints.
+   * hull FlipFlopVolume and FlipFlopArea; of a triangulation FlipFlopHiddenPoints. An input's field
+   * data is passed, but for arrays whose names begin with FlipFlop: they tell of another run.
    */
   vtkSetMacro(ReportAsFieldData, bool);
   vtkGetMacro(ReportAsFieldData, bool);
   vtkBooleanMacro(ReportAsFieldData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
    * 2.3), which flips by the volume criterion alone as long as it can. The output is the same; the
@@ -235,7 +262,7 @@ public:
   vtkSetMacro(VBiased, bool);
   vtkGetMacro(VBiased, bool);
   vtkBooleanMacro(VBiased, bool);
-  ///@}
+  //@}
 
   /**
    * Get the dimension of what the last run's points span: -1 for no point, 0 for one position, 1
@@ -244,24 +271,28 @@ public:
    */
   vtkGetMacro(Dimension, int);
 
-  ///@{
+  //@{
   /**
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
-   * each. 0 before a run. Engines do the work in a different order, so from Culled points on the
-   * numbers differ between them, where the output does not. Of the CPU engine they do not depend on
-   * the number of threads.
+   * each. 0 before a run, and after one that failed or was aborted, whatever some blocks gave
+   * before. Engines do the work in a different order, so from Culled points on the numbers differ
+   * between them, where the output does not. Of the CPU engine they do not depend on the number of
+   * threads.
    *
-   * - InputPoints: points given
-   * - NonFinitePoints: points left out (or, after an error, found) with a NaN or infinite
-   *   coordinate or weight
-   * - CulledPoints: points found inside without being associated to a triangle (none by the CUDA
-   *   engine)
-   * - Insertions: vertices inserted while growing (1-3 flips), over all levels
+   * - InputPoints: points given, without ghost points that are left out
+   * - NonFinitePoints: points left out (or, after an error, found)
+   *   with a NaN or infinite coordinate or weight
+   * - CulledPoints: points found inside without being associated to a
+   *   triangle (none by the CUDA engine)
+   * - Insertions: vertices inserted while growing (1-3 flips), over
+   *   all levels
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
-   * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume) and the D-criterion (degree)
+   * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume)
+   *   and the D-criterion (degree)
    * - LabelledVertices: vertices labelled non-extreme
    * - EdgeChecks: edges examined for a flip
-   * - ExactPredicates: predicates that the floating-point filter left undecided
+   * - ExactPredicates: predicates that the floating-point filter left
+   *   undecided
    * - ThreadsUsed: CPU threads that the run was given
    */
   vtkGetMacro(NumberOfInputPoints, vtkIdType);
@@ -276,18 +307,20 @@ public:
   vtkGetMacro(NumberOfEdgeChecks, vtkIdType);
   vtkGetMacro(NumberOfExactPredicates, vtkIdType);
   vtkGetMacro(NumberOfThreadsUsed, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the seconds that the last run took, by stage; sums for several blocks with a result each.
    * Scan, Locate, Finish and Total are wall time; Grow and Flip are summed over the threads, of the
    * CUDA engine they are wall time.
    *
    * - Scan: ranges, points that are not finite, the first polyhedron
-   * - Locate: culling, associating points to triangles. The CUDA engine does that while it grows;
-   *   here it counts the time to bring its result back
-   * - Grow: growing the star-shaped polyhedron (the paper's Algorithm 2)
+   * - Locate: culling, associating points to triangles. The CUDA
+   *   engine does that while it grows; here it counts the time to
+   *   bring its result back
+   * - Grow: growing the star-shaped polyhedron (the paper's Algorithm
+   *   2)
    * - Flip: flipping it to convexity (the paper's Algorithm 1)
    * - Finish: true facets and the canonical order
    * - Total: the whole run of the engine
@@ -298,7 +331,7 @@ public:
   vtkGetMacro(SecondsToFlip, double);
   vtkGetMacro(SecondsToFinish, double);
   vtkGetMacro(SecondsTotal, double);
-  ///@}
+  //@}
 
   /**
    * The output's type follows the input's.
@@ -348,11 +381,12 @@ protected:
   }
 
   /**
-   * The type that a leaf of the input must have.
+   * The types of which a leaf of the input must be one; of vtkPointSet, vtkImageData and
+   * vtkRectilinearGrid, or derived from these.
    */
-  virtual const char* GetLeafType()
+  virtual std::vector<std::string> GetLeafTypes()
   {
-    return "vtkPointSet";
+    return { "vtkPointSet", "vtkImageData", "vtkRectilinearGrid" };
   }
 
   /**
@@ -427,8 +461,29 @@ protected:
    */
   virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
   {
-    return index;
+    return this->PlacesOfPoints.empty() ? index
+                                        : this->PlacesOfPoints[static_cast<std::size_t>(index)];
   }
+
+  /**
+   * The points that count of some pieces: all, or those that are no ghosts, if these are to be
+   * skipped. @p places becomes the ids that they have among all points, empty where all count.
+   *
+   * @throw std::runtime_error, flipflop::Error.
+   */
+  std::vector<vtkSmartPointer<vtkPointSet>> TakePoints(
+    const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
+
+  /**
+   * Where the points that the engine was given have their places among all points of CurrentBlocks:
+   * empty where it was given all.
+   */
+  std::vector<vtkIdType> PlacesOfPoints;
+
+  /**
+   * Have the original ids of @p output, which count the points given to the engine, count all.
+   */
+  void RestoreIds(vtkDataSetAttributes* output);
 
   /**
    * How errors speak of a point of CurrentBlocks: "point 7 of the block of flat index 2".
@@ -462,6 +517,7 @@ protected:
   int NumberOfThreads;
   int FacetMode;
   int NonFinitePoints;
+  bool SkipGhostPoints;
   bool PassPointData;
   bool VisiblePointIds;
   bool ReportAsFieldData;
@@ -477,8 +533,11 @@ private:
     vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure);
   bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
     const std::vector<vtkDataObject*>& outputs);
+  void ReduceReportToFailure(); // blocks that went well before it are forgotten
   void SetProgressRange(double begin, double end);
   static bool ForwardProgress(double fraction, void* self);
+
+  std::vector<vtkSmartPointer<vtkPointSet>> LaidOutPoints; // of blocks, while these are worked on
 #endif
 
   int EngineUsed;
@@ -487,6 +546,7 @@ private:
 
   vtkIdType NumberOfInputPoints;
   vtkIdType NumberOfNonFinitePoints;
+  vtkIdType NonFinitePointsOfFailure;
   vtkIdType NumberOfCulledPoints;
   vtkIdType NumberOfInsertions;
   vtkIdType NumberOfFlips22;

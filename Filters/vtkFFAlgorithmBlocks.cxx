@@ -5,7 +5,15 @@
 #include "vtkFFAlgorithm.h"
 
 #include "vtkFFFailure.h"
+#include "vtkFFGridPoints.h"
+#include "vtkFFOutput.h"
+#include "vtkFFPieces.h"
 
+#include "Engines.h"
+
+#include "Engines.h"
+
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -15,6 +23,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -98,15 +107,33 @@ private:
   bool Past = false;
 };
 
+/// Names as a sentence has them: "a, b or c".
+std::string list(const std::vector<std::string>& names)
+{
+  std::string text = names[0];
+  for (std::size_t i = 1; i < names.size(); ++i)
+  {
+    text += (i + 1 < names.size() ? ", " : " or ") + names[i];
+  }
+  return text;
+}
+
 }
 
 //------------------------------------------------------------------------------
 int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
-  // The composite type comes first: it keeps the executive from running us block by block.
+  // The composite type comes first: it keeps the executive from running us block by block. Any type
+  // comes last, and none will do: where the executive refuses an input, the last run's outputs and
+  // report stay, and processes that have a good one wait for ever.
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), this->GetLeafType());
+  for (const std::string& type : this->GetLeafTypes())
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type.c_str());
+  }
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -167,6 +194,7 @@ int vtkFFAlgorithm::RequestData(
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     outputs.push_back(vtkDataObject::GetData(outputVector, port));
+    vtkFFOutput::RemoveReport(outputs.back()->GetFieldData()); // the executive passed the input's
   }
   this->ResetReport();
 
@@ -175,7 +203,9 @@ int vtkFFAlgorithm::RequestData(
   this->CheckSettings(failure);
   if (failure.Kind == vtkFFFailure::None)
   {
-    this->CollectBlocks(input, blocks, failure);
+    this->TryEngine([&](const flipflop::Options&, const flipflop::EngineOptions&,
+                      flipflop::EngineReport&) { this->CollectBlocks(input, blocks, failure); },
+      failure);
   }
   bool done = this->SelectBlocks(blocks, failure);
   if (done && vtkDataObjectTree::SafeDownCast(outputs[0]))
@@ -193,12 +223,15 @@ int vtkFFAlgorithm::RequestData(
     done = this->Execute(blocks, results);
   }
   this->CurrentBlocks.clear();
+  this->LaidOutPoints.clear();
+  this->PlacesOfPoints = {};
   if (!done)
   {
     for (vtkDataObject* output : outputs)
     {
       output->Initialize();
     }
+    this->ReduceReportToFailure();
   }
   return 1;
 }
@@ -216,6 +249,8 @@ void vtkFFAlgorithm::AddBlock(
       pieces.push_back(partitions->GetPartitionAsDataObject(k));
     }
   }
+  const std::string which = "block of flat index " + std::to_string(flatIndex);
+  const std::vector<std::string> types = this->GetLeafTypes();
   Block block{ {}, flatIndex, 0 };
   for (vtkDataObject* piece : pieces)
   {
@@ -223,15 +258,29 @@ void vtkFFAlgorithm::AddBlock(
     {
       continue;
     }
-    if (!piece->IsA(this->GetLeafType()))
+    if (std::none_of(types.begin(), types.end(),
+          [&](const std::string& type) { return piece->IsA(type.c_str()); }))
     {
-      failure.Say((flatIndex ? "The block of flat index " + std::to_string(flatIndex)
-                             : std::string("The input")) +
+      failure.Say((flatIndex ? "The " + which : std::string("The input")) +
         (piece == data ? " is a " : " has a partition that is a ") + piece->GetClassName() +
-        ", which is not a " + this->GetLeafType() + ".");
+        ". It must be a " + list(types) +
+        (flatIndex || piece != data ? "." : ", or a composite of such (vtkDataObjectTree)."));
       return;
     }
-    auto* points = static_cast<vtkPointSet*>(piece);
+    const std::string ofWhat = flatIndex ? " of the " + which : std::string();
+    const vtkSmartPointer<vtkPointSet> points = vtkFFGridPoints::PointsOf(piece, ofWhat);
+    if (points != piece)
+    {
+      this->LaidOutPoints.push_back(points);
+    }
+    const int size =
+      points->GetPoints() ? points->GetPoints()->GetData()->GetNumberOfComponents() : 3;
+    if (size != 3)
+    {
+      failure.Say("The points" + ofWhat + " have " + std::to_string(size) +
+        " coordinates each; a point has 3.");
+      return;
+    }
     block.Pieces.push_back(points);
     block.NumberOfPoints += points->GetNumberOfPoints();
   }
@@ -242,6 +291,11 @@ void vtkFFAlgorithm::AddBlock(
 void vtkFFAlgorithm::CollectBlocks(
   vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
 {
+  if (!input)
+  {
+    failure.Say("There is no input. Give one with SetInputData() or SetInputConnection().");
+    return;
+  }
   BlockIterator iterator(input);
   for (; !iterator.IsDone() && failure.Kind == vtkFFFailure::None; iterator.GoToNext())
   {
@@ -256,6 +310,28 @@ bool vtkFFAlgorithm::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& fail
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
   this->ReportFailure(failure);
   return failure.Kind == vtkFFFailure::None;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkPointSet>> vtkFFAlgorithm::TakePoints(
+  const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places)
+{
+  places.clear();
+  if (this->SkipGhostPoints)
+  {
+    return vtkFFPieces::SkipGhosts(pieces, places);
+  }
+  return { pieces.begin(), pieces.end() };
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::RestoreIds(vtkDataSetAttributes* output)
+{
+  if (!this->PlacesOfPoints.empty())
+  {
+    vtkFFOutput::Renumber(
+      output, [this](vtkIdType id) { return this->PlacesOfPoints[static_cast<std::size_t>(id)]; });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -292,6 +368,7 @@ bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataO
       if (!block.Pieces.empty())
       {
         result->GetFieldData()->PassData(block.Pieces[0]->GetFieldData());
+        vtkFFOutput::RemoveReport(result->GetFieldData());
       }
       iterator.SetData(output, result);
       results.push_back(result);

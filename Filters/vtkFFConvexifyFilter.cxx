@@ -27,27 +27,42 @@ vtkStandardNewMacro(vtkFFConvexifyFilter);
 namespace
 {
 
+/// Where the first cell's corners begin: VTK takes any place for it.
+vtkIdType firstCornerOf(vtkCellArray* cells)
+{
+  return cells->GetNumberOfCells() > 0
+    ? static_cast<vtkIdType>(cells->GetOffsetsArray()->GetComponent(0, 0))
+    : 0;
+}
+
 /// The corners of cells that all are triangles; copied only when they are not 64-bit integers.
+/// Cells may leave out corners before the first one's, and after the last one's.
 class Triangles
 {
 public:
   explicit Triangles(vtkCellArray* cells)
   {
     this->View.count = cells->GetNumberOfCells();
+    if (this->View.count == 0)
+    {
+      return;
+    }
     vtkDataArray* corners = cells->GetConnectivityArray();
+    const vtkIdType first = firstCornerOf(cells);
     if (auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(corners))
     {
       static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same type by two names");
-      this->View.corners = reinterpret_cast<const std::int64_t*>(wide->GetPointer(0));
+      this->View.corners = reinterpret_cast<const std::int64_t*>(wide->GetPointer(first));
       return;
     }
-    this->Copy.allocate(3 * static_cast<std::size_t>(this->View.count));
+    const vtkIdType size = 3 * static_cast<vtkIdType>(this->View.count);
+    this->Copy.allocate(static_cast<std::size_t>(size));
     auto* narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(corners);
-    for (vtkIdType i = 0; i < corners->GetNumberOfValues(); ++i)
+    for (vtkIdType i = 0; i < size; ++i)
     {
       this->Copy[static_cast<std::size_t>(i)] = narrow
-        ? static_cast<std::int64_t>(narrow->GetValue(i))
-        : static_cast<std::int64_t>(corners->GetComponent(i, 0));
+        ? static_cast<std::int64_t>(narrow->GetValue(first + i))
+        : static_cast<std::int64_t>(corners->GetComponent(first + i, 0));
     }
     this->View.corners = this->Copy.data();
   }
@@ -72,6 +87,30 @@ vtkFFConvexifyFilter::vtkFFConvexifyFilter()
 vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
 
 //------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::SetKernelPoint(double x, double y, double z)
+{
+  this->StoreKernelPoint(x, y, z);
+  this->SetUseKernelPoint(true);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::SetKernelPoint(const double point[3])
+{
+  this->SetKernelPoint(point[0], point[1], point[2]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::StoreKernelPoint(double x, double y, double z)
+{
+  const double point[3] = { x, y, z };
+  if (!std::equal(point, point + 3, this->KernelPoint))
+  {
+    std::copy(point, point + 3, this->KernelPoint);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkFFConvexifyFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
@@ -84,6 +123,13 @@ bool vtkFFConvexifyFilter::Execute(
       input = vtkPolyData::SafeDownCast(piece);
       ++count;
     }
+  }
+  if (count == 0 && blocks[0].NumberOfPoints > 0)
+  {
+    this->ReportError("The surface" + this->OfBlock() + " has no cells, but " +
+      std::to_string(blocks[0].NumberOfPoints) +
+      " point(s). It takes triangles; vtkFFHullFilter gives the hull of points.");
+    return false;
   }
   if (count > 1)
   {
@@ -139,6 +185,19 @@ bool vtkFFConvexifyFilter::CheckCells(vtkPolyData* input)
       message << " of " << polys->GetCellSize(cell) << " points";
     }
     message << ". vtkTriangleFilter makes triangles of polygons and strips.";
+    this->ReportError(message.str());
+    return false;
+  }
+
+  const vtkIdType first = firstCornerOf(polys);
+  const vtkIdType size = 3 * polys->GetNumberOfCells();
+  const vtkIdType given = polys->GetConnectivityArray()->GetNumberOfTuples();
+  if (first < 0 || first > given - size)
+  {
+    std::ostringstream message;
+    message << "The input's cells" << this->OfBlock()
+            << " are not valid: their offsets name corners " << first << " to " << first + size - 1
+            << ", and the connectivity has " << given << ".";
     this->ReportError(message.str());
     return false;
   }

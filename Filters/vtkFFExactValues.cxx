@@ -42,6 +42,11 @@ bool isExact(T value)
   }
 }
 
+bool isWideInteger(vtkAbstractArray* array)
+{
+  return array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE;
+}
+
 /// Copies an array's values to a plain array of Out.
 template <int Components, class Out>
 struct CopyValues
@@ -63,8 +68,10 @@ struct CopyValues
   template <class ArrayT>
   void operator()(ArrayT* array) const
   {
+    // Whole tuples: an array may hold some values of another.
+    const vtkIdType end = Components * array->GetNumberOfTuples();
     vtkIdType n = 0;
-    for (const auto value : vtk::DataArrayValueRange<Components>(array))
+    for (const auto value : vtk::DataArrayValueRange<Components>(array, 0, end))
     {
       using Value = vtk::GetAPIType<ArrayT>;
       const Value v = value;
@@ -77,14 +84,13 @@ struct CopyValues
   void CopyAnyLayout(vtkDataArray* array) const
   {
     const int type = array->GetDataType();
-    const bool wide = array->GetDataTypeSize() == 8 && type != VTK_DOUBLE;
-    if (!wide)
+    if (!isWideInteger(array))
     {
       (*this)(array);
       return;
     }
     const bool isUnsigned = type == VTK_UNSIGNED_LONG || type == VTK_UNSIGNED_LONG_LONG;
-    for (vtkIdType n = 0; n < array->GetNumberOfValues(); ++n)
+    for (vtkIdType n = 0; n < Components * array->GetNumberOfTuples(); ++n)
     {
       const vtkVariant value = array->GetVariantValue(n);
       if (isUnsigned)
@@ -124,6 +130,13 @@ const void* vtkFFExactValues::DeviceMemory(vtkDataArray* array)
   static_cast<void>(array);
 #endif
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFExactValues::AreRoundedByCopies(vtkAbstractArray* array)
+{
+  return isWideInteger(array) && vtkDataArray::SafeDownCast(array) &&
+    !array->HasStandardMemoryLayout();
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 
 #include <exception>
 
+class vtkAbstractArray;
 class vtkDataArray;
 
 /**
@@ -56,6 +57,12 @@ public:
    * there, or when this VTK cannot tell (before 9.6).
    */
   static const void* DeviceMemory(vtkDataArray* array);
+
+  /**
+   * Whether VTK copies the array's values through double, which rounds them: 64-bit integers of
+   * another layout than the plain one. One by one, as vtkVariant, they stay as they are.
+   */
+  static bool AreRoundedByCopies(vtkAbstractArray* array);
 
   /**
    * Copy an array of that many components (1 or 3) to plain memory of float or double. Only arrays

@@ -42,7 +42,10 @@ bool vtkFFHullFilter::Execute(
       {
         pieces.insert(pieces.end(), block.Pieces.begin(), block.Pieces.end());
       }
-      const flipflop::Hull hull = this->TakeHull(pieces, options, engine, report, outputs[0]);
+      const auto counted = this->TakePoints(pieces, this->PlacesOfPoints);
+      const flipflop::Hull hull =
+        this->TakeHull({ counted.begin(), counted.end() }, options, engine, report, outputs[0]);
+      this->RestoreIds(outputs[0]->GetPointData());
       if (this->CombinesBlocks())
       {
         this->AddBlockIndex(outputs[0]);

@@ -4,9 +4,10 @@
  * @class   vtkFFHullFilter
  * @brief   the exact convex hull of points in 3D
  *
- * vtkFFHullFilter gives the convex hull of the points of any vtkPointSet, as a vtkPolyData. Cells
- * of the input do not matter. The hull is exact for every finite input: no tolerance decides
- * anything, whether the points are nearly coplanar, far from the origin, or 1e300 apart.
+ * vtkFFHullFilter gives the convex hull of the points of any vtkPointSet, vtkImageData or
+ * vtkRectilinearGrid, as a vtkPolyData. Cells of the input do not matter. The hull is exact for
+ * every finite input: no tolerance decides anything, whether the points are nearly coplanar, far
+ * from the origin, or 1e300 apart.
  *
  * The algorithm is ffHull of the paper named in vtkFFAlgorithm. A tetrahedron is grown into a
  * star-shaped polyhedron by inserting, for each of its triangles, a point far outside it; all
@@ -17,26 +18,30 @@
  *
  * What comes out is the canonical form of the hull, a function of the input alone:
  *
- * - The points are the strictly extreme points, by ascending id. Points inside a facet or an edge
- *   of the hull are not part; the lowest id stands for all points of one position. They have the
- *   type and the bits of the input's points (floats stay floats).
- * - The cells are the true facets, counter-clockwise from outside: as triangles, or as one polygon
- *   a facet (see SetFacetMode()). Each starts at its lowest id; all are in lexicographic order.
- * - The point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each point has in the
- *   input. The input's point data is passed, unless PassPointData is off.
+ * - The points are the strictly extreme points, by ascending id. Points
+ *   inside a facet or an edge of the hull are not part; the lowest id
+ *   stands for all points of one position. They have the type and the
+ *   bits of the input's points (floats stay floats).
+ * - The cells are the true facets, counter-clockwise from outside: as
+ *   triangles, or as one polygon a facet (see SetFacetMode()). Each
+ *   starts at its lowest id; all are in lexicographic order.
+ * - The point array vtkOriginalPointIds (a vtkIdTypeArray) has the id
+ *   that each point has in the input. The input's point data is passed,
+ *   unless PassPointData is off.
  *
  * Every input has an answer:
  *
- * | input                      | output                                                           |
- * |----------------------------|------------------------------------------------------------------|
- * | no point                   | empty, dimension -1, no error                                    |
- * | one position               | one vertex cell                                                  |
- * | collinear points           | one line cell between the two ends                               |
- * | coplanar points            | one polygon, once (or its triangles)                             |
- * | duplicates                 | the lowest id stands for all                                     |
- * | NaN or infinite coordinate | an error naming the first point and the count, and empty output  |
- * | the same, to be ignored    | left out and counted: SetNonFinitePointsToIgnore()               |
- * | too many points, no memory | an error, and empty output                                       |
+ * - no point: empty, dimension -1, no error
+ * - one position: one vertex cell
+ * - collinear points: one line cell between the two ends
+ * - coplanar points: one polygon, once (or its triangles)
+ * - duplicates: the lowest id stands for all
+ * - NaN or infinite coordinate: an error naming the first point and the
+ *   count, and empty output
+ * - the same, to be ignored: left out and counted:
+ *   SetNonFinitePointsToIgnore()
+ * - ghost points: left out, unless SkipGhostPoints is off
+ * - too many points, no memory: an error, and empty output
  *
  * Composite input gives a hull of each block (see vtkFFAlgorithm), or one hull of all blocks; see
  * SetCompositeMode(). In the latter case ids run on from block to block, and the point array
@@ -60,14 +65,14 @@
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFHullFilter* New();
   vtkTypeMacro(vtkFFHullFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * What a composite input gives.
@@ -78,7 +83,7 @@ public:
     HULL_OF_ALL_BLOCKS = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get what a composite input gives: a hull of each block (the default), or one hull of the
    * points of all blocks. Of no consequence for other inputs.
@@ -88,7 +93,7 @@ public:
   void SetCompositeModeToEachBlock() { this->SetCompositeMode(HULL_OF_EACH_BLOCK); }
   void SetCompositeModeToAllBlocks() { this->SetCompositeMode(HULL_OF_ALL_BLOCKS); }
   const char* GetCompositeModeAsString();
-  ///@}
+  //@}
 
 protected:
   vtkFFHullFilter();

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFOutput.h"
 
+#include "vtkFFExactValues.h"
 #include "vtkFFPointSource.h"
 
 #include "CellComplex.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -20,8 +22,10 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <numeric>
 
@@ -101,6 +105,17 @@ vtkAbstractArray* findLike(const vtkFFOutput::Source& source, vtkAbstractArray* 
   return alike ? other : nullptr;
 }
 
+/// Points can go without the surface that these attributes tell of.
+void retireSurfaceAttributes(vtkDataSetAttributes* data)
+{
+  for (const int attribute :
+    { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::TANGENTS, vtkDataSetAttributes::EDGEFLAG,
+      vtkDataSetAttributes::RATIONALWEIGHTS, vtkDataSetAttributes::HIGHERORDERDEGREES })
+  {
+    data->SetActiveAttribute(-1, attribute);
+  }
+}
+
 /// The points of one source among the output's: which they are there, and which here.
 struct Share
 {
@@ -118,6 +133,25 @@ struct Share
       [=](vtkIdType id) { return id - sourceBegin; });
     std::iota(this->To->GetPointer(0), this->To->GetPointer(0) + (end - begin), begin);
   }
+
+  /// Their tuples of one array into another of the same type.
+  void CopyTuples(vtkAbstractArray* from, vtkAbstractArray* to) const
+  {
+    if (!vtkFFExactValues::AreRoundedByCopies(from))
+    {
+      to->InsertTuples(this->To, this->From, from);
+      return;
+    }
+    const vtkIdType size = from->GetNumberOfComponents();
+    for (vtkIdType i = 0; i < this->From->GetNumberOfIds(); ++i)
+    {
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        to->SetVariantValue(
+          this->To->GetId(i) * size + k, from->GetVariantValue(this->From->GetId(i) * size + k));
+      }
+    }
+  }
 };
 
 }
@@ -131,7 +165,7 @@ vtkSmartPointer<vtkIdTypeArray> vtkFFOutput::Adopt(flipflop::CellComplex& cells,
     points.Gather(cells.pointIds.data(), static_cast<vtkIdType>(cells.pointIds.size())));
   AdoptCells(cells, output);
   const auto ids = AdoptIds(cells.pointIds);
-  CopyPointData(data, ids, output->GetPointData());
+  PassPointData(data, ids, output->GetPointData());
   AddIds(ids, visibleIds, output->GetPointData());
   return ids;
 }
@@ -236,7 +270,7 @@ void vtkFFOutput::CopyPointData(
     }
     for (std::size_t k = 0; k < parts.size(); ++k)
     {
-      copy->InsertTuples(shares[k]->To, shares[k]->From, parts[k]);
+      shares[k]->CopyTuples(parts[k], copy);
     }
     const int index = output->AddArray(copy);
     for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
@@ -246,6 +280,61 @@ void vtkFFOutput::CopyPointData(
         output->SetActiveAttribute(index, attribute);
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::RemoveReport(vtkFieldData* data)
+{
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const char* name = data->GetArrayName(i);
+    if (name && std::strncmp(name, "FlipFlop", 8) == 0)
+    {
+      data->RemoveArray(i);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::PassPointData(
+  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output)
+{
+  CopyPointData(sources, ids, output);
+  retireSurfaceAttributes(output);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::PassPointData(
+  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkCellData* output)
+{
+  CopyPointData(sources, ids, output);
+  retireSurfaceAttributes(output);
+
+  auto* marks = vtkUnsignedCharArray::SafeDownCast(
+    output->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+  const vtkIdType count = marks ? marks->GetNumberOfValues() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const int mark = marks->GetValue(i);
+    const int duplicate =
+      mark & vtkDataSetAttributes::DUPLICATEPOINT ? vtkDataSetAttributes::DUPLICATECELL : 0;
+    const int hidden =
+      mark & vtkDataSetAttributes::HIDDENPOINT ? vtkDataSetAttributes::HIDDENCELL : 0;
+    marks->SetValue(i, static_cast<unsigned char>(duplicate | hidden));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::Renumber(
+  vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf)
+{
+  // The visible array of ids shares the memory.
+  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetAbstractArray("vtkOriginalPointIds"));
+  const vtkIdType count = ids ? ids->GetNumberOfValues() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ids->SetValue(i, idOf(ids->GetValue(i)));
   }
 }
 

@@ -17,8 +17,10 @@
 #include "vtkType.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
+class vtkCellData;
 class vtkDataSetAttributes;
 class vtkFFPointSource;
 class vtkFieldData;
@@ -76,7 +78,31 @@ public:
   static void CopyPointData(
     const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 
-  ///@{
+  /**
+   * Remove the arrays whose names begin with FlipFlop: what filters upstream report.
+   */
+  static void RemoveReport(vtkFieldData* data);
+
+  //@{
+  /**
+   * The same for an output that users see. Attributes that tell of the input's own surface
+   * (normals, tangents, edge flags, and what curved cells need) are active no more: they would
+   * shade and draw another surface falsely. In cell data the marks of vtkGhostType are those of
+   * cells.
+   */
+  static void PassPointData(
+    const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output);
+  static void PassPointData(
+    const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkCellData* output);
+  //@}
+
+  /**
+   * Put another id, @p idOf(id), in the place of each of the output's original ids, if it has any.
+   */
+  static void Renumber(
+    vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf);
+
+  //@{
   /**
    * Add an array of one value.
    */
@@ -84,7 +110,7 @@ public:
   static void AddValue(vtkFieldData* output, const char* name, std::int64_t value);
   static void AddValue(vtkFieldData* output, const char* name, double value);
   static void AddValue(vtkFieldData* output, const char* name, const char* value);
-  ///@}
+  //@}
 };
 
 #endif

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace
@@ -46,25 +47,34 @@ public:
   std::string Parcel;
 };
 
+/// Takes nothing for granted: what does not fit throws.
 class Unpacker
 {
 public:
   explicit Unpacker(const std::string& parcel)
     : Next(parcel.data())
+    , Left(parcel.size())
   {
   }
 
-  std::int64_t Number()
+  /// A number within a range.
+  std::int64_t Number(std::int64_t least, std::int64_t most)
   {
     std::int64_t value = 0;
     this->Bytes(&value, sizeof(value));
+    if (value < least || value > most)
+    {
+      throw vtkFFDamagedParcel();
+    }
     return value;
   }
+
+  bool Flag() { return this->Number(0, 1) != 0; }
 
   /// False for a text that is not there.
   bool Text(std::string& text)
   {
-    const std::int64_t size = this->Number();
+    const std::int64_t size = this->Number(noText, this->GetLeft());
     text.resize(size == noText ? 0 : static_cast<std::size_t>(size));
     this->Bytes(&text[0], text.size());
     return size != noText;
@@ -72,20 +82,35 @@ public:
 
   void Bytes(void* data, std::size_t size)
   {
+    if (size > this->Left)
+    {
+      throw vtkFFDamagedParcel();
+    }
     if (size > 0)
     {
       std::memcpy(data, this->Next, size);
       this->Next += size;
+      this->Left -= size;
     }
   }
 
+  /// Bytes that are still to be taken.
+  std::int64_t GetLeft() const { return static_cast<std::int64_t>(this->Left); }
+
 private:
   const char* Next;
+  std::size_t Left;
 };
+
+/// Of whole tuples: an array may hold some values of another.
+vtkIdType valuesOf(vtkAbstractArray* array)
+{
+  return array->GetNumberOfTuples() * array->GetNumberOfComponents();
+}
 
 std::size_t bytesOf(vtkDataArray* array)
 {
-  const auto values = static_cast<std::size_t>(array->GetNumberOfValues());
+  const auto values = static_cast<std::size_t>(valuesOf(array));
   return vtkBitArray::SafeDownCast(array)
     ? (values + 7) / 8
     : values * static_cast<std::size_t>(array->GetDataTypeSize());
@@ -96,7 +121,7 @@ void packValues(vtkAbstractArray* array, Packer& packer)
 {
   if (auto* strings = vtkStringArray::SafeDownCast(array))
   {
-    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    for (vtkIdType i = 0; i < valuesOf(strings); ++i)
     {
       const std::string& value = strings->GetValue(i);
       packer.Number(static_cast<std::int64_t>(value.size()));
@@ -107,11 +132,16 @@ void packValues(vtkAbstractArray* array, Packer& packer)
   vtkSmartPointer<vtkDataArray> numbers = vtkDataArray::SafeDownCast(array);
   if (!numbers->HasStandardMemoryLayout())
   {
-    vtkDataArray* other = numbers;
+    const vtkSmartPointer<vtkDataArray> other = numbers;
     numbers.TakeReference(vtkDataArray::CreateDataArray(other->GetDataType()));
-    numbers->DeepCopy(other);
+    numbers->SetNumberOfComponents(other->GetNumberOfComponents());
+    numbers->SetNumberOfTuples(other->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < numbers->GetNumberOfValues(); ++i)
+    {
+      numbers->SetVariantValue(i, other->GetVariantValue(i)); // DeepCopy() may round integers
+    }
   }
-  if (numbers->GetNumberOfValues() > 0)
+  if (valuesOf(numbers) > 0)
   {
     packer.Bytes(numbers->GetVoidPointer(0), bytesOf(numbers));
   }
@@ -122,7 +152,7 @@ void unpackValues(Unpacker& unpacker, vtkAbstractArray* array)
   if (auto* strings = vtkStringArray::SafeDownCast(array))
   {
     std::string value;
-    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    for (vtkIdType i = 0; i < valuesOf(strings); ++i)
     {
       unpacker.Text(value);
       strings->SetValue(i, value);
@@ -130,7 +160,7 @@ void unpackValues(Unpacker& unpacker, vtkAbstractArray* array)
     return;
   }
   auto* numbers = vtkDataArray::SafeDownCast(array);
-  if (numbers->GetNumberOfValues() > 0)
+  if (valuesOf(numbers) > 0)
   {
     unpacker.Bytes(numbers->GetVoidPointer(0), bytesOf(numbers));
   }
@@ -150,15 +180,40 @@ void packArray(vtkAbstractArray* array, Packer& packer)
   packValues(array, packer);
 }
 
+/// Whether a parcel can hold arrays of a type: numbers and strings.
+bool isTypeOfArrays(std::int64_t type)
+{
+  switch (type)
+  {
+    case VTK_BIT:
+    case VTK_STRING:
+      return true;
+      vtkTemplateMacro(return sizeof(VTK_TT) > 0);
+    default:
+      return false;
+  }
+}
+
 vtkSmartPointer<vtkAbstractArray> unpackArray(Unpacker& unpacker)
 {
+  const auto type = static_cast<int>(unpacker.Number(0, VTK_OBJECT));
+  if (!isTypeOfArrays(type))
+  {
+    throw vtkFFDamagedParcel();
+  }
   vtkSmartPointer<vtkAbstractArray> array;
-  array.TakeReference(vtkAbstractArray::CreateArray(static_cast<int>(unpacker.Number())));
-  array->SetNumberOfComponents(static_cast<int>(unpacker.Number()));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(unpacker.Number()));
+  array.TakeReference(vtkAbstractArray::CreateArray(type));
+  const std::int64_t components = unpacker.Number(1, std::numeric_limits<int>::max());
+  array->SetNumberOfComponents(static_cast<int>(components));
+  // The values are to come: no more memory is asked for than they can fill.
+  const std::int64_t bits = type == VTK_BIT ? 1
+    : type == VTK_STRING                    ? 8 * static_cast<std::int64_t>(sizeof(std::int64_t))
+                                            : 8 * vtkAbstractArray::GetDataTypeSize(type);
+  const std::int64_t tuples = unpacker.Number(0, 8 * unpacker.GetLeft() / bits / components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   std::string text;
   array->SetName(unpacker.Text(text) ? text.c_str() : nullptr);
-  const bool named = unpacker.Number() != 0;
+  const bool named = unpacker.Flag();
   for (int k = 0; named && k < array->GetNumberOfComponents(); ++k)
   {
     if (unpacker.Text(text))
@@ -221,26 +276,37 @@ vtkSmartPointer<vtkPolyData> vtkFFParcel::Unpack(const std::string& parcel)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   Unpacker unpacker(parcel);
-  if (unpacker.Number() != 0)
+  if (unpacker.Flag())
   {
     const auto places = unpackArray(unpacker);
+    auto* numbers = vtkDataArray::SafeDownCast(places);
+    if (!numbers || numbers->GetNumberOfComponents() != 3)
+    {
+      throw vtkFFDamagedParcel();
+    }
     vtkSmartPointer<vtkPoints> points;
-    points.TakeReference(vtkPoints::New(places->GetDataType()));
-    points->SetData(vtkDataArray::SafeDownCast(places));
+    points.TakeReference(vtkPoints::New(numbers->GetDataType()));
+    points->SetData(numbers);
     data->SetPoints(points);
   }
-  const std::int64_t count = unpacker.Number();
+  vtkPointData* pointData = data->GetPointData();
+  const std::int64_t count = unpacker.Number(0, std::numeric_limits<int>::max());
   for (std::int64_t i = 0; i < count; ++i)
   {
-    const std::int64_t attributes = unpacker.Number();
-    const int index = data->GetPointData()->AddArray(unpackArray(unpacker));
-    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+    constexpr int kinds = vtkDataSetAttributes::NUM_ATTRIBUTES;
+    const std::int64_t attributes = unpacker.Number(0, (std::int64_t(1) << kinds) - 1);
+    const int index = pointData->AddArray(unpackArray(unpacker));
+    for (int attribute = 0; attribute < kinds; ++attribute)
     {
-      if (attributes >> attribute & 1)
+      if ((attributes >> attribute & 1) && pointData->SetActiveAttribute(index, attribute) != index)
       {
-        data->GetPointData()->SetActiveAttribute(index, attribute);
+        throw vtkFFDamagedParcel();
       }
     }
+  }
+  if (unpacker.GetLeft() > 0)
+  {
+    throw vtkFFDamagedParcel();
   }
   return data;
 }

@@ -17,10 +17,23 @@
 
 #include "vtkSmartPointer.h"
 
+#include <exception>
 #include <string>
 
 class vtkPointSet;
 class vtkPolyData;
+
+/**
+ * Thrown for bytes that are no parcel.
+ */
+class vtkFFDamagedParcel : public std::exception
+{
+public:
+  const char* what() const noexcept override
+  {
+    return "The points that another process sent came in damaged.";
+  }
+};
 
 class vtkFFParcel
 {
@@ -32,7 +45,9 @@ public:
   static std::string Pack(vtkPointSet* data);
 
   /**
-   * What was packed.
+   * What was packed. Of bytes that something else wrote no more is taken than there is.
+   *
+   * @throw vtkFFDamagedParcel for bytes that Pack() does not give, as far as it shows.
    */
   static vtkSmartPointer<vtkPolyData> Unpack(const std::string& parcel);
 };

@@ -8,7 +8,6 @@
 #include "Buffer.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -21,6 +20,57 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+/// The points that are no ghosts; null: all.
+vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
+{
+  vtkUnsignedCharArray* marks = piece->GetPointGhostArray();
+  const vtkIdType count = piece->GetNumberOfPoints();
+  if (!marks || count == 0)
+  {
+    return nullptr;
+  }
+  if (marks->GetNumberOfValues() != count)
+  {
+    throw std::runtime_error(std::string("The point array ") +
+      vtkDataSetAttributes::GhostArrayName() + " has " +
+      std::to_string(marks->GetNumberOfValues()) + " value(s) for " + std::to_string(count) +
+      " point(s). Mend or remove it, or have ghosts counted: SkipGhostPointsOff().");
+  }
+  constexpr int ghost = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (!(marks->GetValue(i) & ghost))
+    {
+      ids->InsertNextValue(i);
+    }
+  }
+  return ids->GetNumberOfValues() < count ? ids : nullptr;
+}
+
+/// Some points of a piece, with their point data.
+vtkSmartPointer<vtkPointSet> pointsOf(vtkPointSet* piece, vtkIdTypeArray* which)
+{
+  const vtkIdType count = piece->GetNumberOfPoints();
+  vtkNew<vtkPointData> from;
+  vtkNew<vtkPointData> to;
+  from->AddArray(piece->GetPoints()->GetData());
+  vtkFFOutput::CopyPointData({ { from, count } }, which, to);
+  vtkNew<vtkPoints> places;
+  places->SetData(to->GetArray(0));
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->SetPoints(places);
+  vtkFFOutput::CopyPointData({ { piece->GetPointData(), count } }, which, points->GetPointData());
+  return points;
+}
+
+}
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPointSet> vtkFFPieces::Append(const std::vector<vtkPointSet*>& pieces)
@@ -51,31 +101,28 @@ vtkSmartPointer<vtkPointSet> vtkFFPieces::Append(const std::vector<vtkPointSet*>
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPointSet> vtkFFPieces::OwnPoints(vtkPointSet* piece)
+std::vector<vtkSmartPointer<vtkPointSet>> vtkFFPieces::SkipGhosts(
+  const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places)
 {
-  vtkUnsignedCharArray* ghosts = piece->GetPointGhostArray();
-  const vtkIdType count = ghosts ? piece->GetNumberOfPoints() : 0;
-  vtkNew<vtkIdTypeArray> own;
-  for (vtkIdType i = 0; i < count; ++i)
+  std::vector<vtkSmartPointer<vtkPointSet>> left;
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> ids;
+  bool allLeft = true;
+  for (vtkPointSet* piece : pieces)
   {
-    if (!(ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT))
+    ids.push_back(idsWithoutGhosts(piece));
+    left.emplace_back(ids.back() ? pointsOf(piece, ids.back()).Get() : piece);
+    allLeft = allLeft && !ids.back();
+  }
+  places.clear();
+  vtkIdType begin = 0;
+  for (std::size_t k = 0; k < pieces.size() && !allLeft; ++k)
+  {
+    const vtkIdType count = left[k]->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      own->InsertNextValue(i);
+      places.push_back(begin + (ids[k] ? ids[k]->GetValue(i) : i));
     }
+    begin += pieces[k]->GetNumberOfPoints();
   }
-  if (own->GetNumberOfValues() == count)
-  {
-    return piece;
-  }
-
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(own->GetNumberOfValues());
-  std::copy_n(own->GetPointer(0), own->GetNumberOfValues(), ids->GetPointer(0));
-  vtkNew<vtkPoints> places;
-  places->SetDataType(piece->GetPoints()->GetDataType());
-  piece->GetPoints()->GetPoints(ids, places);
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(places);
-  vtkFFOutput::CopyPointData({ { piece->GetPointData(), count } }, own, result->GetPointData());
-  return result;
+  return left;
 }

@@ -11,6 +11,7 @@
 #define vtkFFPieces_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <vector>
 
@@ -28,10 +29,15 @@ public:
   static vtkSmartPointer<vtkPointSet> Append(const std::vector<vtkPointSet*>& pieces);
 
   /**
-   * The points that are a piece's own, with their point data: all, unless some are marked as
-   * duplicates of another piece's (vtkDataSetAttributes::DUPLICATEPOINT).
+   * The pieces without their ghost points, which are marked as duplicates of another piece's or as
+   * hidden (vtkDataSetAttributes::DUPLICATEPOINT, HIDDENPOINT); point data goes along. A piece
+   * without ghosts is given back as it is. @p places becomes the ids that the points left have
+   * among those of all pieces; it is empty where all are left.
+   *
+   * @throw std::runtime_error unless there are as many marks as points.
    */
-  static vtkSmartPointer<vtkPointSet> OwnPoints(vtkPointSet* piece);
+  static std::vector<vtkSmartPointer<vtkPointSet>> SkipGhosts(
+    const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "vtkFFExactValues.h"
 
 #include "vtkAOSDataArrayTemplate.h"
+#include "vtkBitArray.h"
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
@@ -30,6 +31,20 @@ void gatherFrom(const flipflop::PointView& view, const std::int64_t* ids, vtkIdT
         }
       }
     });
+}
+
+/// The same into an array of bits, eight to a byte: by one thread.
+void gatherBits(
+  const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, vtkBitArray* to)
+{
+  const double* from = static_cast<const double*>(view.data);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      to->SetValue(3 * i + k, static_cast<int>(from[ids[i] * view.stride + k]));
+    }
+  }
 }
 
 template <class To>
@@ -136,6 +151,9 @@ vtkSmartPointer<vtkPoints> vtkFFPointSource::Gather(const std::int64_t* ids, vtk
     {
       vtkTemplateMacro(gather(this->View, ids, count,
         vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(points->GetData())->GetPointer(0)));
+      case VTK_BIT:
+        gatherBits(this->View, ids, count, vtkBitArray::SafeDownCast(points->GetData()));
+        break;
     }
   }
   return points;

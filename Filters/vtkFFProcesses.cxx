@@ -29,6 +29,10 @@ void guard(vtkFFFailure& failure, const char* what, Work&& work)
   {
     work();
   }
+  catch (const vtkFFDamagedParcel& error)
+  {
+    failure.Say(error.what());
+  }
   catch (const std::exception&)
   {
     failure.Say(std::string("There is not enough memory to ") + what + ".");

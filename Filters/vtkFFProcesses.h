@@ -33,13 +33,13 @@ public:
    */
   explicit vtkFFProcesses(vtkMultiProcessController* controller);
 
-  ///@{
+  //@{
   /**
    * How many processes there are, and which this is. Not collective.
    */
   int GetCount() const { return this->Count; }
   int GetRank() const { return this->Rank; }
-  ///@}
+  //@}
 
   /**
    * Every process's values, one process after another. All give equally many.

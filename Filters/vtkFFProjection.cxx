@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFProjection.h"
 
+#include "Error.h"
+
 #include "vtkAbstractTransform.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkMath.h"
@@ -17,6 +19,10 @@ namespace
 {
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+// Points between two looks whether to go on: some milliseconds.
+constexpr vtkIdType oneThread = 1 << 16;
+constexpr vtkIdType allThreads = 1 << 20;
 
 bool isFinite(const double* p)
 {
@@ -50,14 +56,6 @@ void visitPoints(
   }
 }
 
-/// The same by several threads, in no order.
-template <class Visit>
-void visitInParallel(const flipflop::PointView& points, const Visit& visit)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points.count), 1 << 14,
-    [&](vtkIdType begin, vtkIdType end) { visitPoints(points, begin, end, visit); });
-}
-
 /// The power of two that takes values of that size to about 1; 1 for 0.
 double toUnit(double largest)
 {
@@ -65,6 +63,40 @@ double toUnit(double largest)
                        : 1.0;
 }
 
+}
+
+//------------------------------------------------------------------------------
+template <class Work>
+void vtkFFProjection::InStretches(vtkIdType count, vtkIdType length, const Work& work) const
+{
+  for (vtkIdType begin = 0; begin < count; begin += length)
+  {
+    if (this->Progress && !this->Progress(0.0, this->ProgressContext))
+    {
+      throw flipflop::Error(flipflop::ErrorCode::Aborted);
+    }
+    work(begin, std::min(count, begin + length));
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Visit>
+void vtkFFProjection::VisitPoints(const flipflop::PointView& points, const Visit& visit) const
+{
+  this->InStretches(static_cast<vtkIdType>(points.count), oneThread,
+    [&](vtkIdType begin, vtkIdType end) { visitPoints(points, begin, end, visit); });
+}
+
+//------------------------------------------------------------------------------
+template <class Visit>
+void vtkFFProjection::VisitInParallel(const flipflop::PointView& points, const Visit& visit) const
+{
+  this->InStretches(static_cast<vtkIdType>(points.count), allThreads,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      vtkSMPTools::For(first, last, 1 << 14,
+        [&](vtkIdType begin, vtkIdType end) { visitPoints(points, begin, end, visit); });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -79,7 +111,7 @@ double* vtkFFProjection::AllocateCopy(std::int64_t count)
 void vtkFFProjection::ToXY(const flipflop::PointView& points)
 {
   std::atomic<bool> allFinite(true);
-  visitInParallel(points,
+  this->VisitInParallel(points,
     [&](vtkIdType, const double* p)
     {
       if (!std::isfinite(p[2]))
@@ -93,7 +125,7 @@ void vtkFFProjection::ToXY(const flipflop::PointView& points)
     return;
   }
   double* copy = this->AllocateCopy(points.count);
-  visitInParallel(points,
+  this->VisitInParallel(points,
     [=](vtkIdType i, const double* p)
     {
       copy[2 * i] = std::isfinite(p[2]) ? p[0] : NaN;
@@ -107,10 +139,9 @@ vtkFFProjection::Plane vtkFFProjection::FitPlane(
 {
   // Measured from one of the points, in a unit near the largest coordinate: nothing overflows, and
   // a flat set far from the origin stays flat.
-  const auto count = static_cast<vtkIdType>(points.count);
   double finite = 0.0;
   double largest = 0.0;
-  visitPoints(points, 0, count,
+  this->VisitPoints(points,
     [&](vtkIdType, const double* p)
     {
       if (isFinite(p))
@@ -125,7 +156,7 @@ vtkFFProjection::Plane vtkFFProjection::FitPlane(
     });
   const double unit = toUnit(largest);
   double mean[3] = { 0.0, 0.0, 0.0 };
-  visitPoints(points, 0, count,
+  this->VisitPoints(points,
     [&](vtkIdType, const double* p)
     {
       for (int k = 0; isFinite(p) && k < 3; ++k)
@@ -138,7 +169,7 @@ vtkFFProjection::Plane vtkFFProjection::FitPlane(
     m = finite > 0.0 ? m / finite : 0.0;
   }
   double spread[3][3] = {};
-  visitPoints(points, 0, count,
+  this->VisitPoints(points,
     [&](vtkIdType, const double* p)
     {
       if (isFinite(p))
@@ -203,7 +234,7 @@ void vtkFFProjection::ToBestFittingPlane(const flipflop::PointView& points)
   this->BestPlane = this->FitPlane(points, start);
   double* copy = this->AllocateCopy(points.count);
   const Plane& plane = this->BestPlane;
-  visitInParallel(points,
+  this->VisitInParallel(points,
     [&](vtkIdType i, const double* p)
     {
       const double d[3] = { p[0] - start[0], p[1] - start[1], p[2] - start[2] };
@@ -220,7 +251,7 @@ void vtkFFProjection::ByTransform(
   this->Transform = transform;
   double* copy = this->AllocateCopy(points.count);
   // By one thread: of a transform somebody else wrote, more is not known.
-  visitPoints(points, 0, static_cast<vtkIdType>(points.count),
+  this->VisitPoints(points,
     [&](vtkIdType i, const double* p)
     {
       double to[3] = { NaN, NaN, NaN };

@@ -7,12 +7,16 @@
  * vtkFFProjection gives the engine the x and y of points: as they lie in memory, measured in the
  * plane that fits the points best, or after a transform. A point of which any coordinate is not
  * finite, or does not stay so, has a NaN there: the engine then deals with it.
+ *
+ * To project can be stopped, as the engine can: by the progress function, which is told 0 every
+ * now and then.
  */
 
 #ifndef vtkFFProjection_h
 #define vtkFFProjection_h
 
 #include "Buffer.h"
+#include "Options.h"
 #include "PointView.h"
 
 #include "vtkType.h"
@@ -22,12 +26,21 @@ class vtkAbstractTransform;
 class vtkFFProjection
 {
 public:
-  vtkFFProjection() = default;
+  /**
+   * Only the progress function of @p options counts.
+   */
+  explicit vtkFFProjection(const flipflop::Options& options)
+    : Progress(options.progress)
+    , ProgressContext(options.progressContext)
+  {
+  }
   vtkFFProjection(const vtkFFProjection&) = delete;
   void operator=(const vtkFFProjection&) = delete;
 
   /**
    * Leave z out. The points are not copied, unless a z is not finite.
+   *
+   * @throw flipflop::Error Aborted, OutOfMemory; so do the next two.
    */
   void ToXY(const flipflop::PointView& points);
 
@@ -65,9 +78,31 @@ private:
     double Second[3];
   };
 
+  /**
+   * Calls work(begin, end) for one stretch of @p count points after another, of @p length each.
+   *
+   * @throw flipflop::Error Aborted
+   */
+  template <class Work>
+  void InStretches(vtkIdType count, vtkIdType length, const Work& work) const;
+
+  //@{
+  /**
+   * Calls visit(id, xyz) for each point: in order, or by several threads in no order.
+   *
+   * @throw flipflop::Error Aborted
+   */
+  template <class Visit>
+  void VisitPoints(const flipflop::PointView& points, const Visit& visit) const;
+  template <class Visit>
+  void VisitInParallel(const flipflop::PointView& points, const Visit& visit) const;
+  //@}
+
   double* AllocateCopy(std::int64_t count);
   Plane FitPlane(const flipflop::PointView& points, double* start) const;
 
+  flipflop::ProgressFunction Progress;
+  void* ProgressContext;
   flipflop::PointView View;
   flipflop::Buffer<double> Copy;
   vtkAbstractTransform* Transform = nullptr; // not owned

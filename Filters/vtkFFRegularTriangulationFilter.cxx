@@ -40,7 +40,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkFFRegularTriangulationFilter);
-vtkCxxSetObjectMacro(vtkFFRegularTriangulationFilter, Transform, vtkAbstractTransform);
 
 namespace
 {
@@ -154,7 +153,49 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
 //------------------------------------------------------------------------------
 vtkFFRegularTriangulationFilter::~vtkFFRegularTriangulationFilter()
 {
-  this->SetTransform(nullptr);
+  this->StoreTransform(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetTransform(vtkAbstractTransform* transform)
+{
+  this->StoreTransform(transform);
+  if (transform)
+  {
+    this->SetProjectionPlaneMode(TRANSFORM_PLANE);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::StoreTransform(vtkAbstractTransform* transform)
+{
+  vtkSetObjectBodyMacro(Transform, vtkAbstractTransform, transform);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetPowerDiagramBounds(
+  double xmin, double xmax, double ymin, double ymax)
+{
+  this->StorePowerDiagramBounds(xmin, xmax, ymin, ymax);
+  this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetPowerDiagramBounds(const double bounds[4])
+{
+  this->SetPowerDiagramBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::StorePowerDiagramBounds(
+  double xmin, double xmax, double ymin, double ymax)
+{
+  const double bounds[4] = { xmin, xmax, ymin, ymax };
+  if (!std::equal(bounds, bounds + 4, this->PowerDiagramBounds))
+  {
+    std::copy(bounds, bounds + 4, this->PowerDiagramBounds);
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,13 +228,27 @@ void vtkFFRegularTriangulationFilter::ResetReport()
 bool vtkFFRegularTriangulationFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
+  const std::vector<vtkPointSet*>& pieces = blocks[0].Pieces;
+  std::vector<vtkSmartPointer<vtkPointSet>> counted;
   vtkSmartPointer<vtkPointSet> input;
   vtkDataArray* weights = nullptr;
-  return this->RunEngine(
-           [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
-           { input = vtkFFPieces::Append(blocks[0].Pieces); }) &&
+  // Weights are judged as they came: an array that does not fit does not go along with its points.
+  const bool done = (pieces.size() != 1 || this->FindWeights(pieces[0], weights)) &&
+    this->RunEngine(
+      [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
+      {
+        counted = this->TakePoints(pieces, this->PlacesOfPoints);
+        input = vtkFFPieces::Append({ counted.begin(), counted.end() });
+      }) &&
     this->FindWeights(input, weights) &&
     this->Triangulate(input, weights, outputs[0], outputs[1], outputs[2]);
+  if (done)
+  {
+    this->RestoreIds(outputs[0]->GetPointData());
+    this->RestoreIds(outputs[1]->GetPointData());
+    this->RestoreIds(outputs[2]->GetCellData());
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -316,7 +371,7 @@ bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArr
     vtkPoints* points = input->GetPoints();
     const vtkFFPointSource source(points ? points->GetData() : nullptr);
     const vtkFFWeightSource weightSource(weights);
-    vtkFFProjection projection;
+    vtkFFProjection projection(chosen);
     this->Project(source, projection);
 
     // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
@@ -401,7 +456,7 @@ void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& p
   const auto ids = vtkFFOutput::AdoptIds(diagram.siteIds);
   if (this->PassPointData)
   {
-    vtkFFOutput::CopyPointData(
+    vtkFFOutput::PassPointData(
       { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetCellData());
   }
   vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetCellData());

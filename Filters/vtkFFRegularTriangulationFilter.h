@@ -5,13 +5,14 @@
  * @brief   the exact Delaunay or regular (weighted) triangulation in the plane
  *
  * vtkFFRegularTriangulationFilter gives the regular triangulation of the points of any vtkPointSet,
- * and on request the power diagram, its dual. Without weights these are the Delaunay triangulation
- * and the Voronoi diagram. Cells of the input do not matter. The triangulation is exact for every
- * finite input: no tolerance decides anything.
+ * vtkImageData or vtkRectilinearGrid, and on request the power diagram, its dual. Without weights
+ * these are the Delaunay triangulation and the Voronoi diagram. Cells of the input do not matter.
+ * The triangulation is exact for every finite input: no tolerance decides anything.
  *
  * Weights come from a point array of one component and any numeric type:
  *
- *     filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
+ *     filter->SetInputArrayToProcess(
+ *       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
  *
  * None is set by default, nor by an empty name, nor by the name None where no array has it: all
  * points then weigh the same. A weight is a
@@ -27,34 +28,41 @@
  *
  * What comes out is a function of the input alone:
  *
- * - Port 0, the triangulation: the points that appear, by ascending id, in their original place in
- *   space, type and bits (floats stay floats). The cells are triangles, counter-clockwise as seen
- *   from the plane's upper side, none without area; or, as polygons (see SetFacetMode()), one cell
- *   for all points of one empty power circle, without weights one circle. The triangles of such
- *   points are the fan from the lowest id. Each cell starts at its lowest id; all are in
+ * - Port 0, the triangulation: the points that appear, by ascending id,
+ *   in their original place in space, type and bits (floats stay
+ *   floats). The cells are triangles, counter-clockwise as seen from the
+ *   plane's upper side, none without area; or, as polygons (see
+ *   SetFacetMode()), one cell for all points of one empty power circle,
+ *   without weights one circle. The triangles of such points are the fan
+ *   from the lowest id. Each cell starts at its lowest id; all are in
  *   lexicographic order.
  * - Port 1, the hidden points: a vertex cell each, by ascending id.
- * - Port 2, the power diagram: empty unless GeneratePowerDiagram is on. One convex polygon for
- *   each point of port 0 whose region meets the inside of a box, by ascending id. Neighbours share
- *   their corners, and points of one power circle meet in one corner. Which regions meet is
- *   exact, the corners' coordinates are rounded.
+ * - Port 2, the power diagram: empty unless GeneratePowerDiagram is on.
+ *   One convex polygon for each point of port 0 whose region meets the
+ *   inside of a box, by ascending id. Neighbours share their corners,
+ *   and points of one power circle meet in one corner. Which regions
+ *   meet is exact, the corners' coordinates are rounded.
  *
  * On ports 0 and 1 the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each
  * point has in the input, and the input's point data is passed, unless PassPointData is off. On
- * port 2 both belong to the cells: each carries the data of its point.
+ * port 2 both belong to the cells: each carries the data of its point, and in vtkGhostType the
+ * marks of cells that say the same.
  *
  * Every input has an answer:
  *
- * | input                      | output                                                           |
- * |----------------------------|------------------------------------------------------------------|
- * | no point                   | empty, dimension -1, no error                                    |
- * | one position               | one vertex cell: the greatest weight, then the lowest id         |
- * | collinear points           | a chain of line cells through the points that appear             |
- * | duplicates                 | the greatest weight, then the lowest id, stands for all          |
- * | NaN or infinity            | an error naming the first point and the count, and empty output  |
- * | the same, to be ignored    | left out and counted: SetNonFinitePointsToIgnore()               |
- * | no or unusable weights     | an error naming the array, and empty output                      |
- * | too many points, no memory | an error, and empty output                                       |
+ * - no point: empty, dimension -1, no error
+ * - one position: one vertex cell: the greatest weight, then the lowest
+ *   id
+ * - collinear points: a chain of line cells through the points that
+ *   appear
+ * - duplicates: the greatest weight, then the lowest id, stands for all
+ * - NaN or infinity: an error naming the first point and the count, and
+ *   empty output
+ * - the same, to be ignored: left out and counted:
+ *   SetNonFinitePointsToIgnore()
+ * - no or unusable weights: an error naming the array, and empty output
+ * - ghost points: left out, unless SkipGhostPoints is off
+ * - too many points, no memory: an error, and empty output
  *
  * Weights are unusable if they are no numbers, or not one for each point; for no point, none are
  * needed. NaN or infinity counts wherever it is: in a weight, in a coordinate, in z even where z
@@ -91,14 +99,14 @@ struct WeightView;
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter : public vtkFFAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkFFRegularTriangulationFilter, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * The plane in which points are triangulated. The values are those of vtkDelaunay2D.
@@ -119,21 +127,24 @@ public:
     BOX_OF_BOUNDS = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the plane in which the points are triangulated. The output's points keep their original
    * places.
    *
-   * - XY_PLANE (the default): z is left out. The points are not copied, and nothing is rounded.
-   * - TRANSFORM_PLANE: the points are transformed by Transform, and z is left out. Weights are
-   *   squared lengths after the transform.
-   * - BEST_FITTING_PLANE: the points are projected to the plane through their centroid with the
-   *   least sum of squared distances; all finite points count alike, whatever their weight. Its
-   *   normal is turned so that the component of largest
-   *   magnitude (the last one, of equals) is positive; seen from the normal's tip, triangles are
-   *   counter-clockwise. Positions in the plane are measured from the first finite point. The first
-   *   axis is a coordinate axis laid into the plane: x if the normal is mostly along z, y if along
-   *   x, z if along y.
+   * - XY_PLANE (the default): z is left out. The points are not
+   *   copied, and nothing is rounded.
+   * - TRANSFORM_PLANE: the points are transformed by Transform, and z
+   *   is left out. Weights are squared lengths after the transform.
+   * - BEST_FITTING_PLANE: the points are projected to the plane
+   *   through their centroid with the least sum of squared distances;
+   *   all finite points count alike, whatever their weight. Its normal
+   *   is turned so that the component of largest magnitude (the last
+   *   one, of equals) is positive; seen from the normal's tip,
+   *   triangles are counter-clockwise. Positions in the plane are
+   *   measured from the first finite point. The first axis is a
+   *   coordinate axis laid into the plane: x if the normal is mostly
+   *   along z, y if along x, z if along y.
    *
    * In the latter two the triangulation is exact for the projected positions, which are rounded
    * to double. Both are computed alike each time, for any number of threads.
@@ -147,18 +158,23 @@ public:
     this->SetProjectionPlaneMode(BEST_FITTING_PLANE);
   }
   const char* GetProjectionPlaneModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
-   * Set/Get the transform that takes the points to the XY plane. Used only if ProjectionPlaneMode
-   * is TRANSFORM_PLANE, which needs one. None by default.
+   * Set/Get the transform that takes the points to the XY plane. To set one sets
+   * ProjectionPlaneMode to TRANSFORM_PLANE, which needs one; a mode set later prevails. To set none
+   * leaves the mode as it is. None by default.
+   *
+   * StoreTransform() never changes the mode: it is for applications that set all they have, in
+   * whatever order.
    */
   virtual void SetTransform(vtkAbstractTransform* transform);
+  void StoreTransform(vtkAbstractTransform* transform);
   vtkGetObjectMacro(Transform, vtkAbstractTransform);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
@@ -169,9 +185,9 @@ public:
   vtkSetMacro(GeneratePowerDiagram, bool);
   vtkGetMacro(GeneratePowerDiagram, bool);
   vtkBooleanMacro(GeneratePowerDiagram, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
    * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). Points without an extent
@@ -183,25 +199,31 @@ public:
   void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
   void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
   const char* GetPowerDiagramBoxModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
-   * transformed points, or measured in the fitted plane. It must be finite and have an inside. (0,
-   * 1, 0, 1) by default.
+   * transformed points, or measured in the fitted plane. It must be finite and have an inside. To
+   * set it sets PowerDiagramBoxMode to BOX_OF_BOUNDS; a mode set later prevails. (0, 1, 0, 1) by
+   * default.
+   *
+   * StorePowerDiagramBounds() never changes the mode: it is for applications that set all they
+   * have, in whatever order.
    */
-  vtkSetVector4Macro(PowerDiagramBounds, double);
+  virtual void SetPowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
+  virtual void SetPowerDiagramBounds(const double bounds[4]);
+  void StorePowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   vtkGetVector4Macro(PowerDiagramBounds, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the outputs of ports 1 and 2: the hidden points and the power diagram.
    */
   vtkPolyData* GetHiddenPointsOutput();
   vtkPolyData* GetPowerDiagramOutput();
-  ///@}
+  //@}
 
   /**
    * Get the number of points that the last run found hidden; the sum for several blocks.

@@ -3,7 +3,8 @@
 #include "vtkPFFHullFilter.h"
 
 #include "vtkFFFailure.h"
-#include "vtkFFPieces.h"
+#include "vtkFFOutput.h"
+#include "vtkFFParcel.h"
 #include "vtkFFProcesses.h"
 
 #include "Engines.h"
@@ -20,6 +21,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -42,14 +44,15 @@ vtkIdTypeArray* idsOf(vtkPolyData* hull)
   return vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
 }
 
-/// Gives the hull's points other ids; the visible array of ids shares the memory.
-template <class IdOf>
-void renumber(vtkPolyData* hull, IdOf&& idOf)
+/// A hull's ids, which another process may have sent, must be one for each of its points, and name
+/// one of those that were counted.
+void checkIds(vtkIdTypeArray* ids, vtkIdType pointsOfHull, vtkIdType counted)
 {
-  vtkIdTypeArray* ids = idsOf(hull);
-  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+  if (!ids || ids->GetNumberOfValues() != pointsOfHull ||
+    std::any_of(ids->GetPointer(0), ids->GetPointer(0) + pointsOfHull,
+      [=](vtkIdType id) { return id < 0 || id >= counted; }))
   {
-    ids->SetValue(i, idOf(ids->GetValue(i)));
+    throw vtkFFDamagedParcel();
   }
 }
 
@@ -124,11 +127,12 @@ bool vtkPFFHullFilter::Execute(
     {
       for (std::size_t b = 0; b < blocks.size(); ++b)
       {
-        for (vtkPointSet* piece : blocks[b].Pieces)
+        std::vector<vtkIdType> ignored; // ids count the points that are left
+        for (const auto& piece : this->TakePoints(blocks[b].Pieces, ignored))
         {
-          owned.push_back(vtkFFPieces::OwnPoints(piece));
-          pieces[b].push_back(owned.back());
-          sizes[b] += owned.back()->GetNumberOfPoints();
+          owned.push_back(piece);
+          pieces[b].push_back(piece);
+          sizes[b] += piece->GetNumberOfPoints();
         }
       }
     },
@@ -224,7 +228,8 @@ bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
     {
       result.Hull = this->TakeHull(pieces, options, engine, report, result.Data);
       result.Engine = report;
-      renumber(result.Data, [&](vtkIdType id) { return this->PlaceOfPiece + id; });
+      vtkFFOutput::Renumber(
+        result.Data->GetPointData(), [&](vtkIdType id) { return this->PlaceOfPiece + id; });
     },
     failure);
   this->NoteAbort(failure);
@@ -284,19 +289,26 @@ bool vtkPFFHullFilter::JoinHulls(
     [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
       flipflop::EngineReport& report)
     {
+      vtkIdType counted = 0;
+      for (const Block& block : this->CurrentBlocks)
+      {
+        counted += block.NumberOfPoints;
+      }
       std::vector<vtkPointSet*> pieces;
       std::vector<vtkIdType> ids;
       for (const Result& hull : hulls)
       {
         pieces.push_back(hull.Data);
         vtkIdTypeArray* own = idsOf(hull.Data);
+        checkIds(own, hull.Data->GetNumberOfPoints(), counted);
         for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
         {
           ids.push_back(own->GetValue(i));
         }
       }
       joined.Hull = this->TakeHull(pieces, options, engine, report, joined.Data);
-      renumber(joined.Data, [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
+      vtkFFOutput::Renumber(joined.Data->GetPointData(),
+        [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
 
       // The points were counted where they came from, and most of the work was done there.
       flipflop::Statistics& statistics = joined.Hull.statistics;
@@ -317,7 +329,7 @@ bool vtkPFFHullFilter::JoinHulls(
 //------------------------------------------------------------------------------
 vtkIdType vtkPFFHullFilter::GetPlaceOfPoint(vtkIdType index)
 {
-  return this->PlaceOfPiece + index;
+  return this->PlaceOfPiece + this->Superclass::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------

@@ -14,21 +14,26 @@
  * binary tree over the processes is high, each by the hull of their vertices. What leaves a process
  * are its extreme points: few of a solid, nearly all of points on a thin shell.
  *
- * - Points that a piece marks as another's (the point data's array vtkGhostType,
- *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted. Where there
- *   is a single process, there is no other: this filter is its superclass then.
- * - Arrays of numbers and strings travel, without the lookup tables and keys that they may have.
- * - For composite input, a block's pieces are what the processes have in its place: the first
- *   block of each belong together, the second ones, and so on. A vtkPartitionedDataSet is one
- *   block, of any number of partitions on each process. For HULL_OF_EACH_BLOCK all processes must
- *   have equally many blocks, with or without data in them; if not, that is an error. For
- *   HULL_OF_ALL_BLOCKS ids run on from block to block, within a block from process to process.
- * - An error on any process is an error of all; it is reported by process 0 and speaks of the
- *   appended points. The other processes only set their error code. To abort on one process is to
- *   abort on all.
- * - Process 0 reports dimension, volume, area and the numbers of input points and of points that
- *   are not finite for all pieces. All other statistics are of its own share of the work; the
- *   others report nothing.
+ * - Ghost points (see SetSkipGhostPoints()) are left out where they
+ *   are, and not counted: ids count the points left. Where there is a
+ *   single process, this filter is its superclass, whose ids count all.
+ * - Arrays of numbers and strings travel, without the lookup tables and
+ *   keys that they may have.
+ * - For composite input, a block's pieces are what the processes have in
+ *   its place: the first block of each belong together, the second ones,
+ *   and so on. A vtkPartitionedDataSet is one block, of any number of
+ *   partitions on each process. For HULL_OF_EACH_BLOCK all processes
+ *   must have equally many blocks, with or without data in them; if not,
+ *   that is an error. For HULL_OF_ALL_BLOCKS ids run on from block to
+ *   block, within a block from process to process.
+ * - An error on any process is an error of all; it is reported by
+ *   process 0 and speaks of the appended points. The other processes
+ *   only set their error code. To abort on one process is to abort on
+ *   all.
+ * - Process 0 reports dimension, volume, area and the numbers of input
+ *   points and of points that are not finite for all pieces. All other
+ *   statistics are of its own share of the work; the others report
+ *   nothing.
  *
  * - Field data is that of what process 0 has of a block.
  *
@@ -54,23 +59,23 @@ class vtkFFProcesses;
 class VTKFILTERSFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFHullFilter* New();
   vtkTypeMacro(vtkPFFHullFilter, vtkFFHullFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for none but this one. By
    * default the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
+  //@}
 
 protected:
   vtkPFFHullFilter();

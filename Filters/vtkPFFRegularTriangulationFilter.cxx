@@ -69,11 +69,12 @@ bool vtkPFFRegularTriangulationFilter::Execute(
   this->TryEngine(
     [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
     {
-      for (vtkPointSet* piece : blocks[0].Pieces)
+      std::vector<vtkIdType> ignored; // ids count the points that are left
+      owned = this->TakePoints(blocks[0].Pieces, ignored);
+      for (const auto& piece : owned)
       {
-        owned.push_back(vtkFFPieces::OwnPoints(piece));
-        pieces.push_back(owned.back());
-        size += pieces.back()->GetNumberOfPoints();
+        pieces.push_back(piece);
+        size += piece->GetNumberOfPoints();
       }
     },
     failure);
@@ -155,7 +156,7 @@ bool vtkPFFRegularTriangulationFilter::Execute(
 //------------------------------------------------------------------------------
 vtkIdType vtkPFFRegularTriangulationFilter::GetPlaceOfPoint(vtkIdType index)
 {
-  return this->PlaceOfPiece + index;
+  return this->PlaceOfPiece + this->Superclass::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------

@@ -13,17 +13,20 @@
  * Process 0 gathers all points and does all the work. Where several processes have points, a
  * warning says so: its memory must hold them all.
  *
- * - Points that a piece marks as another's (the point data's array vtkGhostType,
- *   vtkDataSetAttributes::DUPLICATEPOINT) are left out, and are not counted. Where there
- *   is a single process, there is no other: this filter is its superclass then.
- * - Arrays of numbers and strings travel, without the lookup tables and keys that they may have.
- * - For composite input, a block's pieces are what the processes have in its place: the first
- *   block of each belong together, the second ones, and so on. A vtkPartitionedDataSet is one
- *   block, of any number of partitions on each process. All processes must have equally many
+ * - Ghost points (see SetSkipGhostPoints()) are left out where they
+ *   are, and not counted: ids count the points left. Where there is a
+ *   single process, this filter is its superclass, whose ids count all.
+ * - Arrays of numbers and strings travel, without the lookup tables and
+ *   keys that they may have.
+ * - For composite input, a block's pieces are what the processes have in
+ *   its place: the first block of each belong together, the second ones,
+ *   and so on. A vtkPartitionedDataSet is one block, of any number of
+ *   partitions on each process. All processes must have equally many
  *   blocks, with or without data in them; if not, that is an error.
- * - An error is one of all processes; it is reported by process 0. The others only set their error
- *   code, and report nothing else either. All can be aborted on any process until process 0 begins
- *   its work, then on process 0.
+ * - An error is one of all processes; it is reported by process 0. The
+ *   others only set their error code, and report nothing else either.
+ *   All can be aborted on any process until process 0 begins its work,
+ *   then on process 0.
  *
  * - Field data is that of what process 0 has of a block.
  *
@@ -46,23 +49,23 @@ class VTKFILTERSFLIPFLOP_EXPORT vtkPFFRegularTriangulationFilter
   : public vtkFFRegularTriangulationFilter
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for none but this one. By
    * default the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
+  //@}
 
 protected:
   vtkPFFRegularTriangulationFilter();

@@ -23,6 +23,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <sstream>
 
 namespace fftest
 {
@@ -473,6 +474,50 @@ bool isSame(vtkPolyData* a, vtkPolyData* b)
 bool isEmpty(vtkPolyData* output)
 {
   return output && output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0;
+}
+
+//------------------------------------------------------------------------------
+bool hasForgotten(vtkFFAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* output = filter->GetOutputDataObject(port);
+    if (!output || output->GetNumberOfElements(vtkDataObject::POINT) != 0 ||
+      output->GetNumberOfElements(vtkDataObject::CELL) != 0)
+    {
+      std::cerr << "output " << port << " is missing or not empty\n";
+      return false;
+    }
+  }
+  // All that is printed of a run, as before any.
+  vtkSmartPointer<vtkFFAlgorithm> fresh;
+  fresh.TakeReference(filter->NewInstance());
+  const auto reportOf = [](vtkFFAlgorithm* of)
+  {
+    std::ostringstream printed;
+    of->Print(printed);
+    std::istringstream lines(printed.str());
+    std::string report;
+    for (std::string line; std::getline(lines, line);)
+    {
+      for (const char* name :
+        { "EngineUsed", "EngineReason", "Dimension", "NumberOf", "Seconds", "Volume", "Area" })
+      {
+        const bool isReport = line.find(name) == 2 && line.find("NonFinite") == std::string::npos &&
+          line.find("NumberOfThreads:") == std::string::npos;
+        report += isReport ? line + "\n" : std::string();
+      }
+    }
+    return report;
+  };
+  const std::string found = reportOf(filter);
+  const std::string expected = reportOf(fresh);
+  if (found != expected || found.find("NumberOfInputPoints: 0") == std::string::npos)
+  {
+    std::cerr << "the report is of a run:\n" << found;
+    return false;
+  }
+  return true;
 }
 
 }

@@ -17,6 +17,7 @@
 
 class vtkDataArray;
 class vtkDataObject;
+class vtkFFAlgorithm;
 class vtkFFRegularTriangulationFilter;
 class vtkPointSet;
 
@@ -138,6 +139,10 @@ bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::strin
 
 /// Whether there are neither points nor cells.
 bool isEmpty(vtkPolyData* output);
+
+/// Whether the filter's outputs are empty, and its report is of no run but for points that are not
+/// finite.
+bool hasForgotten(vtkFFAlgorithm* filter);
 
 /// The array vtkOriginalPointIds.
 std::vector<vtkIdType> originalIds(vtkPolyData* output);

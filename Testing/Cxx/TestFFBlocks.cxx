@@ -7,12 +7,12 @@
 #include "vtkErrorCode.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
+#include "vtkTable.h"
 
 #include <limits>
 
@@ -114,12 +114,7 @@ void refuses(vtkFFAlgorithm* filter, vtkDataObject* input, const std::string& pa
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
   FF_CHECK(errors->Has(part));
   FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkDataObject* output = filter->GetOutputDataObject(port);
-    FF_CHECK_EQUAL(output->GetNumberOfElements(vtkDataObject::POINT), 0);
-    FF_CHECK_EQUAL(output->GetNumberOfElements(vtkDataObject::CELL), 0);
-  }
+  FF_CHECK(hasForgotten(filter)); // blocks that went well, too
   filter->RemoveObserver(errors);
 }
 
@@ -150,10 +145,24 @@ void testTriangulation()
       });
   }
 
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 2, 2);
-  refuses(filter, makeBlocks(weightedPoints(9), weightedPoints(9), image),
-    "block of flat index 6 is a vtkImageData, which is not a vtkPointSet");
+  // An abort after the first block leaves nothing of it either.
+  const auto errors = ErrorObserver::Of(filter);
+  vtkNew<ProgressObserver> progress;
+  progress->AbortAt = 0.7;
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  filter->Modified();
+  filter->Update();
+  FF_CHECK(progress->StoppedOnTheWay() && errors->Messages.empty());
+  FF_CHECK_EQUAL(filter->GetErrorCode(), vtkErrorCode::NoError);
+  FF_CHECK(hasForgotten(filter));
+  filter->RemoveObserver(tag);
+  filter->RemoveObserver(errors);
+  filter->SetAbortExecute(0);
+
+  vtkNew<vtkTable> table;
+  refuses(filter, makeBlocks(weightedPoints(9), weightedPoints(9), table),
+    "block of flat index 6 is a vtkTable. It must be a vtkPointSet, vtkImageData or "
+    "vtkRectilinearGrid.");
   const auto bad = weightedPoints(9);
   bad->GetPoints()->SetPoint(4, 0.0, std::numeric_limits<double>::infinity(), 0.0);
   refuses(filter, makeBlocks(weightedPoints(9), bad, weightedPoints(9)),
@@ -184,7 +193,7 @@ void testConvexify()
   // Points are not enough: its cells must be a surface's.
   vtkNew<vtkStructuredGrid> grid;
   refuses(convexify, makeBlocks(cube, grid, cube),
-    "block of flat index 3 is a vtkStructuredGrid, which is not a vtkPolyData");
+    "block of flat index 3 is a vtkStructuredGrid. It must be a vtkPolyData.");
   const auto quad = makeSurface(cubeCorners(), { { 0, 1, 3, 2 } });
   refuses(
     convexify, makeBlocks(cube, cube, quad), "cell 0 of the block of flat index 6 is a polygon");

@@ -181,10 +181,6 @@ void testEmpty()
   convexify->Update();
   FF_CHECK(isEmpty(convexify->GetOutput()));
   FF_CHECK_EQUAL(convexify->GetDimension(), -1);
-  convexify->SetInputData(makePoints(cubeCorners())); // points without triangles
-  convexify->Update();
-  FF_CHECK(isEmpty(convexify->GetOutput()));
-  FF_CHECK_EQUAL(convexify->GetDimension(), -1);
   FF_CHECK(errors->Messages.empty());
 }
 

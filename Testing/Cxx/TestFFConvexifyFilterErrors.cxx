@@ -7,7 +7,10 @@
 #include "vtkErrorCode.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
 
 #include <cmath>
 #include <limits>
@@ -53,6 +56,25 @@ void refuses(
 const std::vector<Point> tetrahedronPoints{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
 const Triangles tetrahedron{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
 
+/// Points alone are no surface.
+void testNoCells()
+{
+  const std::vector<std::string> parts{ "The surface", "has no cells, but 4 point(s)",
+    "vtkFFHullFilter" };
+  refuses(makeSurface(tetrahedronPoints, {}), parts);
+  vtkNew<vtkPartitionedDataSetCollection> blocks;
+  blocks->SetPartition(0, 0, makeVoxels({ { 0, 0, 0 } }));
+  blocks->SetPartition(1, 0, makeSurface({}, {}));
+  blocks->SetPartition(1, 1, makePoints({ { 0, 0, 0 } }));
+  blocks->SetPartition(1, 2, makePoints({ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }));
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  convexify->SetInputData(blocks);
+  convexify->Update();
+  FF_CHECK(errors->Has("of the block of flat index 3 has no cells, but 4 point(s)"));
+  FF_CHECK(convexify->GetErrorCode() != vtkErrorCode::NoError);
+}
+
 void testCells()
 {
   auto cells = tetrahedron;
@@ -80,6 +102,65 @@ void testCells()
   one->InsertNextCell(4, ids);
   input->SetStrips(one);
   refuses(input, { "cell 4", "strip" });
+}
+
+/// The tetrahedron's cells in arrays of one's own: corners before and after those that cells take.
+template <class ArrayT>
+vtkSmartPointer<vtkPolyData> makeCells(int before, int after, int missing = 0)
+{
+  using Value = typename ArrayT::ValueType;
+  vtkNew<ArrayT> offsets;
+  vtkNew<ArrayT> corners;
+  for (int i = 0; i < before; ++i)
+  {
+    corners->InsertNextValue(-7);
+  }
+  for (const auto& triangle : tetrahedron)
+  {
+    offsets->InsertNextValue(static_cast<Value>(corners->GetNumberOfValues()));
+    for (const vtkIdType corner : triangle)
+    {
+      corners->InsertNextValue(static_cast<Value>(corner));
+    }
+  }
+  offsets->InsertNextValue(static_cast<Value>(corners->GetNumberOfValues()));
+  for (int i = 0; i < after; ++i)
+  {
+    corners->InsertNextValue(-7);
+  }
+  corners->SetNumberOfValues(corners->GetNumberOfValues() - missing);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets.Get(), corners.Get());
+  auto data = makePoints(tetrahedronPoints);
+  data->SetPolys(cells);
+  return data;
+}
+
+/// Of a connectivity, only what the offsets name counts; all of that has to be there.
+template <class ArrayT>
+void testCellArrays()
+{
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  for (const int before : { 0, 1, 3 })
+  {
+    for (const int after : { 0, 1, 50000 })
+    {
+      convexify->SetInputData(makeCells<ArrayT>(before, after));
+      convexify->Update();
+      FF_CHECK(errors->Messages.empty());
+      FF_CHECK_EQUAL(convexify->GetVolume(), 1.0 / 6.0);
+    }
+  }
+  refuses(makeCells<ArrayT>(0, 0, 1), { "not valid", "corners 0 to 11", "has 11" });
+  refuses(makeCells<ArrayT>(2, 0, 14), { "not valid", "corners 2 to 13", "has 0" });
+  const auto input = makeCells<ArrayT>(0, 0);
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    vtkDataArray* offsets = input->GetPolys()->GetOffsetsArray();
+    offsets->SetComponent(i, 0, offsets->GetComponent(i, 0) - 3.0);
+  }
+  refuses(input, { "not valid", "corners -3 to 8" });
 }
 
 void testBadTriangles()
@@ -198,7 +279,10 @@ void testNumbers()
 
 int TestFFConvexifyFilterErrors(int, char*[])
 {
+  testNoCells();
   testCells();
+  testCellArrays<vtkTypeInt32Array>();
+  testCellArrays<vtkTypeInt64Array>();
   testBadTriangles();
   testNotClosed();
   testNotManifold();

@@ -9,7 +9,6 @@
 #include "vtkFFHullFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -18,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
+#include "vtkTable.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <cmath>
@@ -301,13 +301,12 @@ void testPartitions()
   collection->SetPartitionedDataSet(0, bad);
   hull->Update();
   FF_CHECK(errors->Has("point 11 of the block of flat index 1"));
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 2, 2);
-  bad->SetPartition(1, image);
+  vtkNew<vtkTable> table;
+  bad->SetPartition(1, table);
   collection->Modified();
   hull->Modified();
   hull->Update();
-  FF_CHECK(errors->Has("flat index 1 has a partition that is a vtkImageData"));
+  FF_CHECK(errors->Has("flat index 1 has a partition that is a vtkTable"));
 }
 
 /// Errors name the block.
@@ -344,11 +343,9 @@ void testErrors()
   FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 1);
   FF_CHECK(hull->GetOutput()->GetNumberOfPoints() > 0);
 
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 2, 2);
-  image->AllocateScalars(VTK_DOUBLE, 1);
+  vtkNew<vtkTable> table;
   const auto mixed = makeBlocks();
-  mixed->SetBlock(2, image);
+  mixed->SetBlock(2, table);
   hull->SetInputData(mixed);
   for (const int mode :
     { vtkFFHullFilter::HULL_OF_EACH_BLOCK, vtkFFHullFilter::HULL_OF_ALL_BLOCKS })
@@ -357,7 +354,7 @@ void testErrors()
     hull->SetCompositeMode(mode);
     hull->Update();
     FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-    FF_CHECK(errors->Has("flat index 5 is a vtkImageData"));
+    FF_CHECK(errors->Has("flat index 5 is a vtkTable"));
     FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
   }
   FF_CHECK(isEmpty(hull->GetOutput()));

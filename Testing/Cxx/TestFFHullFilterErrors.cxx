@@ -5,9 +5,7 @@
 #include "FFTest.h"
 
 #include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkFFHullFilter.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
@@ -80,27 +78,6 @@ void testNothingButNonFinite()
   FF_CHECK(isEmpty(hull->GetOutput()));
 }
 
-/// The pipeline itself refuses what is no point set.
-void testWrongInput()
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(3, 3, 3);
-  vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
-  const auto executive = ErrorObserver::Of(hull->GetExecutive());
-  hull->SetInputData(image);
-  hull->Update();
-  FF_CHECK(executive->Has("vtkImageData"));
-  FF_CHECK(isEmpty(hull->GetOutput()));
-
-  executive->Clear();
-  vtkNew<vtkFFHullFilter> unconnected;
-  const auto complaints = ErrorObserver::Of(unconnected->GetExecutive());
-  unconnected->Update();
-  FF_CHECK(!complaints->Messages.empty());
-  FF_CHECK(isEmpty(unconnected->GetOutput()));
-}
-
 }
 
 int TestFFHullFilterErrors(int, char*[])
@@ -108,6 +85,5 @@ int TestFFHullFilterErrors(int, char*[])
   testNonFinite(VTK_DOUBLE);
   testNonFinite(VTK_FLOAT);
   testNothingButNonFinite();
-  testWrongInput();
   return result();
 }

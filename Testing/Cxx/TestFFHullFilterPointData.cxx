@@ -4,6 +4,7 @@
 // attributes.
 #include "FFTest.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkBitArray.h"
 #include "vtkCharArray.h"
 #include "vtkDoubleArray.h"
@@ -159,6 +160,34 @@ void testPass()
   }
 }
 
+/// Integers that no double holds go through none, whatever their array's layout.
+void testWideIntegersOfAnyLayout()
+{
+  const auto input = makePoints(randomPoints(500, 22));
+  vtkNew<vtkSOADataArrayTemplate<vtkTypeInt64>> wides;
+  wides->SetName("wide");
+  wides->SetNumberOfComponents(2);
+  wides->SetNumberOfTuples(500);
+  for (vtkIdType id = 0; id < 500; ++id)
+  {
+    wides->SetTypedComponent(id, 0, wide(id));
+    wides->SetTypedComponent(id, 1, -wide(id));
+  }
+  input->GetPointData()->AddArray(wides);
+  vtkNew<vtkFFHullFilter> hull;
+  hull->SetInputData(input);
+  hull->Update();
+  auto* passed = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(
+    hull->GetOutput()->GetPointData()->GetArray("wide"));
+  const auto ids = originalIds(hull->GetOutput());
+  FF_CHECK(passed && !ids.empty());
+  for (std::size_t i = 0; passed && i < ids.size(); ++i)
+  {
+    FF_CHECK_EQUAL(passed->GetTypedComponent(static_cast<vtkIdType>(i), 0), wide(ids[i]));
+    FF_CHECK_EQUAL(passed->GetTypedComponent(static_cast<vtkIdType>(i), 1), -wide(ids[i]));
+  }
+}
+
 void testDoNotPass()
 {
   const auto input = makeInput();
@@ -208,6 +237,7 @@ void testHullOfHull()
 int TestFFHullFilterPointData(int, char*[])
 {
   testPass();
+  testWideIntegersOfAnyLayout();
   testDoNotPass();
   testHullOfHull();
   return result();

@@ -8,6 +8,7 @@
 #include "vtkErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkSOADataArrayTemplate.h"
@@ -159,6 +160,64 @@ void testWideIntegers()
   }
 }
 
+/// Bits are numbers, too.
+void testBits()
+{
+  auto points = cubeCorners();
+  points.push_back({ 1, 1, 0 });
+  const auto output = hullOf(makePoints(points, VTK_BIT));
+  FF_CHECK_EQUAL(output->GetPoints()->GetDataType(), VTK_BIT);
+  FF_CHECK_EQUAL(output->GetNumberOfPoints(), 8);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const Point& corner = points[static_cast<std::size_t>(i)];
+    FF_CHECK(std::memcmp(output->GetPoint(i), corner.data(), sizeof(corner)) == 0);
+  }
+}
+
+/// What is left over in an array after its last whole point is none.
+template <class ArrayT>
+void testPartOfAPoint()
+{
+  for (int count = 4; count <= 40; ++count) // some fill the memory to its last byte
+  {
+    vtkNew<ArrayT> array;
+    array->SetNumberOfComponents(3);
+    for (const Point& p : randomPoints(count, 14))
+    {
+      for (const double x : p)
+      {
+        array->InsertNextValue(static_cast<typename ArrayT::ValueType>(100.0 * x));
+      }
+    }
+    const auto input = makePoints(array);
+    const auto whole = hullOf(input);
+    array->InsertNextValue(101);
+    array->InsertNextValue(101);
+    input->GetPoints()->Modified();
+    FF_CHECK_EQUAL(input->GetNumberOfPoints(), count);
+    vtkNew<vtkFFHullFilter> hull; // no oracle: VTK's copy of such an array writes past its end
+    hull->SetInputData(input);
+    hull->Update();
+    FF_CHECK(isSame(whole, hull->GetOutput()));
+  }
+}
+
+/// An array that became another after the points took it.
+void testComponents()
+{
+  const auto input = makePoints(cubeCorners());
+  input->GetPoints()->GetData()->SetNumberOfComponents(2);
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  hull->SetInputData(input);
+  hull->Update();
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK(errors->Has("2 coordinates"));
+  FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
+  FF_CHECK(isEmpty(hull->GetOutput()));
+}
+
 }
 
 int TestFFHullFilterTypes(int, char*[])
@@ -171,5 +230,10 @@ int TestFFHullFilterTypes(int, char*[])
   testWideIntegers<vtkTypeInt64Array>();
   testWideIntegers<vtkUnsignedLongLongArray>();
   testWideIntegers<vtkSOADataArrayTemplate<vtkTypeInt64>>();
+  testBits();
+  testPartOfAPoint<vtkIntArray>();
+  testPartOfAPoint<vtkTypeInt64Array>();
+  testPartOfAPoint<vtkFloatArray>();
+  testComponents();
   return result();
 }

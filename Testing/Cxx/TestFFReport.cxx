@@ -146,6 +146,24 @@ void testHull()
   FF_CHECK_EQUAL(valueOf<vtkIdTypeArray>(second->GetOutput(), "FlipFlopNonFinitePoints"), 0);
   checkHull(hull, hull->GetOutput());
 
+  // One that does not report passes nothing of the first one's on.
+  second->ReportAsFieldDataOff();
+  second->Update();
+  FF_CHECK(namesOf(second->GetOutput()) == std::vector<std::string>{ "time" });
+  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
+  triangulation->SetInputConnection(hull->GetOutputPort());
+  triangulation->GeneratePowerDiagramOn();
+  triangulation->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    FF_CHECK(
+      namesOf(triangulation->GetOutputDataObject(port)) == std::vector<std::string>{ "time" });
+  }
+  triangulation->ReportAsFieldDataOn();
+  triangulation->Update();
+  FF_CHECK(namesOf(triangulation->GetOutput()) == expectedNames({ "FlipFlopHiddenPoints" }));
+  checkHull(hull, hull->GetOutput());
+
   // No result, no report; an empty one is one.
   const auto errors = ErrorObserver::Of(hull);
   hull->SetNonFinitePointsToError();
@@ -212,6 +230,15 @@ void testBlocks()
   }
   FF_CHECK_EQUAL(volumes, hull->GetVolume());
   FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 400);
+
+  vtkNew<vtkFFHullFilter> second;
+  second->SetInputConnection(hull->GetOutputPort());
+  second->Update();
+  auto* bare = vtkMultiBlockDataSet::SafeDownCast(second->GetOutputDataObject(0));
+  for (unsigned int k = 0; k < 2; ++k)
+  {
+    FF_CHECK(namesOf(bare->GetBlock(k)) == std::vector<std::string>{ "time" });
+  }
 
   hull->SetCompositeModeToAllBlocks();
   hull->Update();

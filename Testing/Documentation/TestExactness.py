@@ -53,8 +53,8 @@ class TestExactness(unittest.TestCase):
                     output = algorithm.GetOutputDataObject(port)
                     self.assertEqual(output.GetNumberOfElements(0), 0)
 
-    def test_a_surface_without_triangles_is_none(self):
-        algorithm = surface([])
+    def test_a_surface_without_points_is_none(self):
+        algorithm = surface([], "")
         self.assertEqual(errors_while_updating(algorithm), [])
         self.assertEqual(algorithm.GetDimension(), -1)
         self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)

@@ -2,8 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Filters that fail, each set up as a row of Exactness.md's table of errors says."""
 
-from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkMultiBlockDataSet,
+    vtkRectilinearGrid,
+    vtkTable,
+)
 
 from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
 
@@ -48,10 +53,31 @@ def hull_of_integers():
     return hull(data)
 
 
-def hull_of_an_image():
+def hull_of_a_table_in_blocks():
     blocks = vtkMultiBlockDataSet()
-    blocks.SetBlock(0, vtkImageData())
+    blocks.SetBlock(0, vtkTable())
     return hull(blocks)
+
+
+def hull_of_a_bare_grid():
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(3, 2, 2)
+    return hull(grid)
+
+
+def hull_of_pairs():
+    data = poly_data("0 0 0; 1 0 0")
+    data.GetPoints().GetData().SetNumberOfComponents(2)
+    return hull(data)
+
+
+def hull_with_two_marks():
+    data = poly_data("0 0 0; 1 0 0; 0 1 0")
+    marks = vtkUnsignedCharArray()
+    marks.SetName("vtkGhostType")
+    marks.SetNumberOfValues(2)
+    data.GetPointData().AddArray(marks)
+    return hull(data)
 
 
 def triangulation(**settings):
@@ -64,6 +90,13 @@ def weighted(array):
         array.SetName("weight")
         algorithm.GetInput().GetPointData().AddArray(array)
     return use_weights(algorithm)
+
+
+def surface_without_its_last_corner():
+    algorithm = surface(FACETS)
+    corners = algorithm.GetInput().GetPolys().GetConnectivityArray()
+    corners.SetNumberOfTuples(corners.GetNumberOfTuples() - 1)
+    return algorithm
 
 
 def surface(facets, points=TETRAHEDRON, **settings):
@@ -85,8 +118,13 @@ CUDA = vtkFFHullFilter.ENGINE_CUDA
 FAILURES = {
     "a coordinate is NaN or infinite": lambda: hull(poly_data("0 0 0; nan 0 0")),
     "an integer coordinate that no double holds": hull_of_integers,
-    "a block that is no vtkPointSet": hull_of_an_image,
+    "no input": lambda: hull(None),
+    "a table": lambda: hull(vtkTable()),
+    "a table as a block": hull_of_a_table_in_blocks,
+    "a rectilinear grid without its coordinates": hull_of_a_bare_grid,
+    "points of two coordinates": hull_of_pairs,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
+    "two marks for three points": hull_with_two_marks,
     "the array of weights is missing": lambda: weighted(None),
     "weights are strings": lambda: weighted(strings()),
     "weights of two components": lambda: weighted(integers(2, 3)),
@@ -98,6 +136,8 @@ FAILURES = {
         PowerDiagramBoxMode=BOUNDS,
         PowerDiagramBounds=(0, 0, 0, 1),
     ),
+    "cells with a corner too few": surface_without_its_last_corner,
+    "points without cells, as a surface": lambda: surface([]),
     "a cell that is no triangle": lambda: surface([[0, 1, 2, 3]]),
     "a triangle with a corner twice": lambda: surface([*FACETS, [0, 1, 1]]),
     "a triangle is missing": lambda: surface(FACETS[:3]),

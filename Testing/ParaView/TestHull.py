@@ -160,9 +160,10 @@ class TestHull(unittest.TestCase):
         self.assertEqual(cells_by_ids(output), cells_by_ids(fetch(alone)))
         self.assertEqual(hull.Volume, alone.Volume)
 
-    def test_any_point_set(self):
-        """Grids and unstructured grids, too; their cells do not matter."""
+    def test_any_points(self):
+        """Images, grids and unstructured grids, too; their cells do not matter."""
         wavelet = simple.Wavelet(WholeExtent=[0, 4, 0, 3, 0, 2])
+        self.assertEqual(hull_of(wavelet).Volume, 24.0)
         warped = simple.CleantoGrid(Input=wavelet)
         self.assertEqual(hull_of(warped).Volume, 24.0)
 
@@ -186,6 +187,13 @@ class TestConvexify(unittest.TestCase):
             self.assertEqual(output.GetNumberOfPolys(), 5)
             self.assertEqual(convex.Volume, 2.0 / 3.0)
             self.assertGreater(convex.NumberOfFlips31, 0)
+
+    def test_unused_kernel_point(self):
+        """A kernel point counts only where it is to be used, in whatever order all is pushed."""
+        convex = self.convexify(cloud(self.XYZ, self.TRIANGLES), KernelPoint=[9, 9, 9])
+        self.assertEqual(convex.Volume, 2.0 / 3.0)
+        convex.KernelPoint = [8, 8, 8]
+        self.assertEqual(run(convex).Volume, 2.0 / 3.0)
 
     def test_of_a_hull(self):
         hull = hull_of(real("spot"))

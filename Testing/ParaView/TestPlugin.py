@@ -23,7 +23,12 @@ COMMON = {
     "NumberOfThreads": 0,
     "VBiased": 0,
 }
-ENGINES = {"NonFinitePoints": "Report an Error", "Engine": "Automatic", "CUDAThreshold": 2**31 - 1}
+ENGINES = {
+    "NonFinitePoints": "Report an Error",
+    "SkipGhostPoints": 1,
+    "Engine": "Automatic",
+    "CUDAThreshold": 2**31 - 1,
+}
 DEFAULTS = {
     "FlipFlopConvexHull": {**COMMON, **ENGINES, "CompositeMode": "Hull of Each Block"},
     "FlipFlopConvexify": {**COMMON, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},

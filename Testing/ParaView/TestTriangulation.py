@@ -167,6 +167,9 @@ class TestPorts(unittest.TestCase):
         self.assertEqual(diagram.GetBounds(), (0.0, 2.0, 0.0, 2.0, 0.0, 0.0))
         self.assertEqual([len(cell) for cell in cells(diagram.GetPolys())], [3, 3, 3, 3, 8])
 
+        # Bounds count only where they are to be used.
+        triangulation.PowerDiagramBounds = [-9, 9, -9, 9]
+        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (0.0, 2.0, 0.0, 2.0, 0.0, 0.0))
         triangulation.PowerDiagramBoxMode = "Bounds Given"
         triangulation.PowerDiagramBounds = [-4, 4, -3, 3]
         self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (-4.0, 4.0, -3.0, 3.0, 0.0, 0.0))

@@ -9,6 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
+    vtkDataSetAttributes,
     vtkMultiBlockDataSet,
     vtkPolyData,
 )
@@ -175,6 +176,21 @@ class TestHull(unittest.TestCase):
         names = [output.GetPointData().GetArrayName(i) for i in range(2)]
         self.assertEqual(output.GetPointData().GetNumberOfArrays(), 2)
         self.assertEqual(sorted(names), ["OriginalPointIds", "vtkOriginalPointIds"])
+
+    def test_ghost_points(self):
+        data = poly_data(np.vstack([[[9, 9, 9]], CUBE]))
+        marks = numpy_to_vtk(np.array([vtkDataSetAttributes.DUPLICATEPOINT] + 8 * [0], np.uint8))
+        marks.SetName(vtkDataSetAttributes.GhostArrayName())
+        data.GetPointData().AddArray(marks)
+        hull = vtkFFHullFilter()
+        hull.SetInputData(data)
+        hull.Update()
+        self.assertEqual(list(original_ids(hull.GetOutput())), list(range(1, 9)))
+        self.assertEqual((hull.GetVolume(), hull.GetNumberOfInputPoints()), (1.0, 8))
+        hull.SkipGhostPointsOff()
+        hull.Update()
+        self.assertEqual(hull.GetNumberOfInputPoints(), 9)
+        self.assertGreater(hull.GetVolume(), 1.0)
 
     def test_blocks(self):
         blocks = vtkMultiBlockDataSet()
@@ -379,6 +395,7 @@ class TestPackage(unittest.TestCase):
         self.assertEqual(hull.GetFacetMode(), vtkFFHullFilter.FACETS_AS_TRIANGLES)
         self.assertEqual(hull.GetNonFinitePoints(), vtkFFHullFilter.NON_FINITE_ERROR)
         self.assertEqual(hull.GetCompositeMode(), vtkFFHullFilter.HULL_OF_EACH_BLOCK)
+        self.assertTrue(hull.GetSkipGhostPoints())
         self.assertTrue(hull.GetPassPointData())
         self.assertFalse(hull.GetVBiased())
         self.assertFalse(hull.GetVisiblePointIds())

@@ -240,8 +240,8 @@ vtkSmartPointer<vtkPolyData> amidGhosts(vtkPolyData* own, int type)
   auto after = makePoints({ { 9, 9, -9 }, { -9, -9, -9 } }, type);
   decorate({ before, after });
   mark(before, vtkDataSetAttributes::DUPLICATEPOINT);
-  mark(after, vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT);
-  mark(own, vtkDataSetAttributes::HIDDENPOINT); // hidden points are points
+  mark(after, vtkDataSetAttributes::HIDDENPOINT);
+  mark(own, 0);
   return append({ before, own, after });
 }
 
@@ -266,6 +266,16 @@ void testGhosts()
     both.Run("ghosts", given[static_cast<std::size_t>(rank())],
       processes() == 1 ? given[0] : append(pieces));
   }
+  // Points like all others.
+  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* hull) { hull->SkipGhostPointsOff(); });
+  Pieces counted = split(randomPoints(500, 75), byTurns);
+  decorate(counted);
+  for (auto& piece : counted)
+  {
+    piece = amidGhosts(piece, VTK_DOUBLE);
+  }
+  both.Run("ghosts that count", counted);
+  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* hull) { hull->SkipGhostPointsOn(); });
   // Nothing but ghosts on the last.
   Pieces pieces = split(cubeCorners(), [](int i) { return i % std::max(processes() - 1, 1); });
   decorate(pieces);

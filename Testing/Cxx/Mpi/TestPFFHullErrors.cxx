@@ -6,10 +6,10 @@
 
 #include "vtkErrorCode.h"
 #include "vtkFFHullFilter.h"
-#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPFFHullFilter.h"
 #include "vtkPoints.h"
+#include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -217,16 +217,31 @@ void testWrongBlock()
     const auto piece = pieceOfBlocks(leaves);
     if (rank() == process)
     {
-      vtkNew<vtkImageData> image;
-      image->SetDimensions(2, 2, 2);
-      piece->SetBlock(2, image);
+      vtkNew<vtkTable> table;
+      piece->SetBlock(2, table);
     }
     for (int mode = 0; mode < 2; ++mode)
     {
       both.Set<vtkFFHullFilter>([=](vtkFFHullFilter* hull) { hull->SetCompositeMode(mode); });
-      both.Fails("a wrong block", piece, "flat index 5 is a vtkImageData");
+      both.Fails("a wrong block", piece, "flat index 5 is a vtkTable");
       both.Run("after a wrong block", leaves);
     }
+  }
+}
+
+/// On one process no data set, or no input at all: the others do not wait for it.
+void testWrongInput()
+{
+  Twins both = hulls();
+  const Pieces pieces = makePieces();
+  vtkNew<vtkTable> table;
+  for (int process = 0; process < processes(); ++process)
+  {
+    const bool wrong = rank() == process;
+    vtkDataObject* piece = pieces[static_cast<std::size_t>(rank())];
+    both.Fails("a wrong input", wrong ? table.Get() : piece, "The input is a vtkTable");
+    both.Fails("no input", wrong ? nullptr : piece, "There is no input");
+    both.Run("after a wrong input", pieces);
   }
 }
 
@@ -240,4 +255,5 @@ void testHullErrors()
   testAbort();
   testProgress();
   testWrongBlock();
+  testWrongInput();
 }

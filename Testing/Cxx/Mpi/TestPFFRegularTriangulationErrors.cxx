@@ -6,11 +6,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <limits>
@@ -166,11 +166,10 @@ void testWrongBlock()
   const auto piece = pieceOfBlocks(leaves);
   if (rank() == processes() - 1)
   {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(2, 2, 2);
-    piece->SetBlock(2, image);
+    vtkNew<vtkTable> table;
+    piece->SetBlock(2, table);
   }
-  both.Fails("a wrong block", piece, "flat index 5 is a vtkImageData");
+  both.Fails("a wrong block", piece, "flat index 5 is a vtkTable");
   both.Run("after a wrong block", leaves);
 
   // In a block: the message names it.
