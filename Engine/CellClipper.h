@@ -11,7 +11,6 @@
 #define flipflop_CellClipper_h
 
 #include "Buffer.h"
-#include "DoubleDouble.h"
 #include "FacetRings.h"
 #include "PowerCorners.h"
 
@@ -129,44 +128,6 @@ private:
   const double* box;
   CellPolygon next;
 };
-
-/// Has the polygon an inside, when its corners are taken as they were rounded?
-inline bool hasArea(const CellPolygon& cell)
-{
-  double scale[2];
-  for (int i = 0; i < 2; ++i)
-  {
-    double least = cell[0].x[i];
-    double most = least;
-    for (const CellCorner& corner : cell)
-    {
-      least = std::min(least, corner.x[i]);
-      most = std::max(most, corner.x[i]);
-    }
-    // Brought to about 1, each axis by itself, the area neither overflows nor vanishes. Halves
-    // first: their difference is a double always.
-    int exponent = 0;
-    std::frexp(most / 2 - least / 2, &exponent);
-    scale[i] = std::ldexp(0.5, std::min(-exponent, 1023));
-  }
-  DoubleDouble area = { 0.0, 0.0 };
-  DoubleDouble before[2];
-  for (std::size_t i = 1; i < cell.size(); ++i)
-  {
-    DoubleDouble offset[2];
-    for (int k = 0; k < 2; ++k)
-    {
-      offset[k] = doubleDifference(cell[i].x[k] * scale[k], cell[0].x[k] * scale[k]);
-    }
-    if (i > 1)
-    {
-      area = area + (before[0] * offset[1] - before[1] * offset[0]);
-    }
-    before[0] = offset[0];
-    before[1] = offset[1];
-  }
-  return area.high > 0.0;
-}
 
 }
 

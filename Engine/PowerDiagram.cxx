@@ -7,6 +7,7 @@
 #include "PowerDiagram.h"
 
 #include "CellClipper.h"
+#include "CellRepair.h"
 #include "FacetRings.h"
 #include "Monitor.h"
 #include "PointSource.h"
@@ -143,7 +144,8 @@ public:
     this->ends.push_back(0);
   }
 
-  /// @p cell is in the box; what rounding made equal or flat is left out.
+  /// @p cell is in the box. What rounding made equal is one; a cell of two corners is an edge that
+  /// its neighbours share.
   void add(std::int64_t id, CellPolygon& cell)
   {
     const auto same = [](const CellCorner& a, const CellCorner& b)
@@ -153,7 +155,7 @@ public:
     {
       cell.pop_back();
     }
-    if (cell.size() < 3 || !hasArea(cell))
+    if (cell.size() < 3)
     {
       return;
     }
@@ -165,13 +167,17 @@ public:
     this->ends.push_back(static_cast<std::int64_t>(this->cells.size()));
   }
 
-  PowerDiagram finish() const
+  /// Takes what add() was given.
+  PowerDiagram finish(const double* box, Monitor& monitor)
   {
+    RoundedCells rounded{ std::move(this->positions), std::move(this->cells), std::move(this->ends),
+      std::move(this->ids) };
+    repairCells(rounded, box, monitor);
     PowerDiagram result;
-    copy(this->positions, result.corners);
-    copy(this->cells, result.connectivity);
-    copy(this->ends, result.offsets);
-    copy(this->ids, result.siteIds);
+    copy(rounded.positions, result.corners);
+    copy(rounded.corners, result.connectivity);
+    copy(rounded.ends, result.offsets);
+    copy(rounded.ids, result.siteIds);
     return result;
   }
 
@@ -426,7 +432,7 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
   {
     addCells(diagram, triangulation, sites, box, monitor);
   }
-  PowerDiagram result = diagram.finish();
+  PowerDiagram result = diagram.finish(box, monitor);
   monitor.stage(1.0, 1.0, 1);
   return result;
 }

@@ -38,10 +38,11 @@
  *   lexicographic order.
  * - Port 1, the hidden points: a vertex cell each, by ascending id.
  * - Port 2, the power diagram: empty unless GeneratePowerDiagram is on.
- *   One convex polygon for each point of port 0 whose region meets the
+ *   One polygon for each point of port 0 whose region meets the
  *   inside of a box, by ascending id. Neighbours share their corners,
  *   and points of one power circle meet in one corner. Which regions
- *   meet is exact, the corners' coordinates are rounded.
+ *   meet is exact, the corners' coordinates are rounded (see
+ *   SetGeneratePowerDiagram()).
  *
  * On ports 0 and 1 the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each
  * point has in the input, and the input's point data is passed, unless PassPointData is off. On
@@ -181,6 +182,13 @@ public:
    * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
    * for BEST_FITTING_PLANE, and for TRANSFORM_PLANE where the inverse transform takes z = 0; a
    * transform without an inverse is an error then. The seconds reported are the triangulation's.
+   *
+   * In the plane, the cells are simple polygons, counter-clockwise, that fill the box edge to edge
+   * without gap or overlap, exactly so for the corners as they were rounded. They are convex but
+   * for rounding: a corner may turn the other way by a few units in the last place. Cells that
+   * rounding leaves no inside are missing; corners within some units of each other may be merged
+   * where a cell would not be simple or convex otherwise. (Fitted planes and transforms round the
+   * corners once more on their way back into space.)
    */
   vtkSetMacro(GeneratePowerDiagram, bool);
   vtkGetMacro(GeneratePowerDiagram, bool);

@@ -5,6 +5,7 @@
 /// Sites are a Cloud of (x, y, weight); their triangulations come from CGAL.
 #include "CompareTriangulation.h"
 #include "Inputs.h"
+#include "PowerPolygons.h"
 
 #include "PowerDiagram.h"
 
@@ -55,24 +56,6 @@ long double areaOf(const PowerDiagram& diagram, std::size_t cell)
       (at(i, 1) - at(begin, 1)) * (at(i + 1, 0) - at(begin, 0));
   }
   return area / 2;
-}
-
-/// Corners by position, each cell from its lowest: what diagrams are compared by.
-using Polygon = std::vector<std::array<double, 2>>;
-std::map<std::int64_t, Polygon> polygonsOf(const PowerDiagram& diagram)
-{
-  std::map<std::int64_t, Polygon> result;
-  for (std::size_t c = 0; c < diagram.siteIds.size(); ++c)
-  {
-    Polygon& polygon = result[diagram.siteIds[c]];
-    for (std::int64_t i = diagram.offsets[c]; i < diagram.offsets[c + 1]; ++i)
-    {
-      const std::int64_t corner = diagram.connectivity[i];
-      polygon.push_back({ diagram.corners[2 * corner], diagram.corners[2 * corner + 1] });
-    }
-    std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
-  }
-  return result;
 }
 
 /// The form, and that the cells fill the box edge to edge.

@@ -107,6 +107,28 @@ TEST(PowerDiagramErrors, BadArguments)
   expectError(bad, viewOf(broken), weightsOf(broken), good, box);
 }
 
+TEST(PowerDiagramErrors, OtherWeights)
+{
+  // Corners of another diagram than the triangulation's turn cells over.
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Cloud sites(200);
+    for (Point& site : sites)
+    {
+      site = { random.uniform(), random.uniform(), 0 };
+    }
+    const Triangulation triangulation = regularTriangulation(viewOf(sites), weightsOf(sites));
+    for (Point& site : sites)
+    {
+      site[2] = random.uniform();
+    }
+    const double box[] = { 0, 1, 0, 1 };
+    expectError(ErrorCode::BadArgument, viewOf(sites), weightsOf(sites), triangulation, box);
+  }
+}
+
 /// The progress told, and when to stop.
 struct Watch
 {
