@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Distributions.h"
 
+#include "RandomPoints.h"
+#include "ShapesInUse.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -15,48 +16,8 @@ namespace flipflop
 namespace
 {
 
-using Point = std::array<double, 3>;
-
-/// SplitMix64. The standard library's distributions differ from one library to the next; these
-/// points do not.
-class Random
-{
-public:
-  explicit Random(std::uint64_t seed)
-    : state(seed)
-  {
-  }
-  std::uint64_t next()
-  {
-    std::uint64_t z = (this->state += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
-  /// In [0, 1).
-  double uniform() { return static_cast<double>(this->next() >> 11) * 0x1p-53; }
-  Point inCube() { return { this->uniform(), this->uniform(), this->uniform() }; }
-
-  /// Uniform on the unit sphere, up to rounding.
-  Point direction()
-  {
-    for (;;)
-    {
-      const double x = 2 * this->uniform() - 1;
-      const double y = 2 * this->uniform() - 1;
-      const double z = 2 * this->uniform() - 1;
-      const double square = x * x + y * y + z * z;
-      if (square > 1e-2 && square <= 1)
-      {
-        const double length = std::sqrt(square);
-        return { x / length, y / length, z / length };
-      }
-    }
-  }
-
-private:
-  std::uint64_t state;
-};
+using Point = SpacePoint;
+using Random = RandomPoints;
 
 /// At distance @p radius from the centre of the unit cube.
 Point onSphere(Random& random, double radius)
@@ -85,17 +46,6 @@ Point inBox(Random& random, double thickness)
       }
     }
   }
-}
-
-Coordinates sample(std::int64_t count, const std::function<Point()>& draw)
-{
-  Coordinates points(static_cast<std::size_t>(count) * 3);
-  for (std::size_t i = 0; i < points.size(); i += 3)
-  {
-    const Point p = draw();
-    std::copy(p.begin(), p.end(), points.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-  return points;
 }
 
 Coordinates grid(std::int64_t count)
@@ -139,31 +89,11 @@ Coordinates surfaceGrid(std::int64_t count)
   return points;
 }
 
-void rotate(Coordinates& points)
-{
-  // Rodrigues' formula: 0.7 radians about (1, 2, 3)
-  const double n = 1 / std::sqrt(14.0);
-  const Point k = { n, 2 * n, 3 * n };
-  const double c = std::cos(0.7);
-  const double s = std::sin(0.7);
-  for (std::size_t i = 0; i < points.size(); i += 3)
-  {
-    const Point p = { points[i], points[i + 1], points[i + 2] };
-    const double dot = k[0] * p[0] + k[1] * p[1] + k[2] * p[2];
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const std::size_t b = (a + 1) % 3;
-      const std::size_t d = (a + 2) % 3;
-      points[i + a] = p[a] * c + (k[b] * p[d] - k[d] * p[b]) * s + k[a] * dot * (1 - c);
-    }
-  }
-}
-
 Coordinates squareGrid(std::int64_t count, double weight)
 {
   const auto side = std::max<std::int64_t>(2, std::llround(std::sqrt(static_cast<double>(count))));
   std::int64_t i = 0;
-  return sample(side * side,
+  return samplePoints(side * side,
     [&]
     {
       const Point p = { static_cast<double>(i % side), static_cast<double>(i / side), weight };
@@ -189,8 +119,8 @@ Point onCircle(Random& random)
 
 Coordinates clusters(Random& random, std::int64_t count)
 {
-  const Coordinates centers = sample(100, [&] { return random.inCube(); });
-  return sample(count,
+  const Coordinates centers = samplePoints(100, [&] { return random.inCube(); });
+  return samplePoints(count,
     [&]
     {
       const std::size_t i = random.next() % 100 * 3;
@@ -208,7 +138,7 @@ Coordinates scanLines(Random& random, std::int64_t count)
   const auto side = std::max<std::int64_t>(2, std::llround(std::sqrt(static_cast<double>(count))));
   std::int64_t i = 0;
   const auto centimetres = [](double x) { return 0.01 * std::round(100 * x); };
-  return sample(count,
+  return samplePoints(count,
     [&]
     {
       // The scanner turns on while the plane flies: lines lie askew, every second the other way.
@@ -225,8 +155,8 @@ Coordinates scanLines(Random& random, std::int64_t count)
 Coordinates duplicates(Random& random, std::int64_t count)
 {
   const std::int64_t different = std::max<std::int64_t>(4, count / 100);
-  const Coordinates pool = sample(different, [&] { return onSphere(random, 0.5); });
-  return sample(count,
+  const Coordinates pool = samplePoints(different, [&] { return onSphere(random, 0.5); });
+  return samplePoints(count,
     [&]
     {
       const std::size_t i = random.next() % static_cast<std::uint64_t>(different) * 3;
@@ -246,11 +176,11 @@ Point inPlane(Random& random)
 Coordinates repeats(Random& random, std::int64_t count)
 {
   const std::int64_t different = std::max<std::int64_t>(4, count / 2);
-  const Coordinates pool = sample(different,
+  const Coordinates pool = samplePoints(different,
     [&] {
       return Point{ random.uniform(), random.uniform(), 0 };
     });
-  return sample(count,
+  return samplePoints(count,
     [&]
     {
       const std::size_t i = random.next() % static_cast<std::uint64_t>(different) * 3;
@@ -326,11 +256,13 @@ std::string Distribution::label() const
 
 Distribution Distribution::parse(const std::string& text, Family family)
 {
+  std::vector<std::string> names = shapesInUse(family == Family::Space);
   static const std::vector<std::string> space = { "cube", "ball", "box", "shell", "grid",
     "surface-grid", "rotated-grid", "duplicates", "coplanar" };
   static const std::vector<std::string> plane = { "uniform", "square-grid", "weighted-grid",
     "circle", "clusters", "scan", "repeats" };
-  const std::vector<std::string>& names = family == Family::Space ? space : plane;
+  const std::vector<std::string>& others = family == Family::Space ? space : plane;
+  names.insert(names.end(), others.begin(), others.end());
   Distribution result;
   result.family = family;
   const std::size_t colon = text.find(':');
@@ -365,12 +297,17 @@ Coordinates makePoints(const Distribution& distribution, std::int64_t count, std
   {
     return readPoints(distribution);
   }
+  const std::vector<std::string> shapes = shapesInUse(distribution.family == Family::Space);
+  if (std::find(shapes.begin(), shapes.end(), distribution.name) != shapes.end())
+  {
+    return makeShapeInUse(distribution.name, count, seed);
+  }
   Random random(seed);
   const double thickness = distribution.parameter;
   if (distribution.name == "uniform")
   {
     const double most = distribution.parameter / static_cast<double>(count);
-    return sample(count,
+    return samplePoints(count,
       [&] {
         return Point{ random.uniform(), random.uniform(), most > 0 ? most * random.uniform() : 0 };
       });
@@ -381,7 +318,7 @@ Coordinates makePoints(const Distribution& distribution, std::int64_t count, std
   }
   if (distribution.name == "circle")
   {
-    return sample(count, [&] { return onCircle(random); });
+    return samplePoints(count, [&] { return onCircle(random); });
   }
   if (distribution.name == "clusters")
   {
@@ -393,23 +330,23 @@ Coordinates makePoints(const Distribution& distribution, std::int64_t count, std
   }
   if (distribution.name == "cube")
   {
-    return sample(count, [&] { return random.inCube(); });
+    return samplePoints(count, [&] { return random.inCube(); });
   }
   if (distribution.name == "ball")
   {
-    return sample(count, [&] { return inShell(random, 0.5); });
+    return samplePoints(count, [&] { return inShell(random, 0.5); });
   }
   if (distribution.name == "box")
   {
-    return sample(count, [&] { return inBox(random, thickness); });
+    return samplePoints(count, [&] { return inBox(random, thickness); });
   }
   if (distribution.name == "shell" && thickness > 0)
   {
-    return sample(count, [&] { return inShell(random, thickness); });
+    return samplePoints(count, [&] { return inShell(random, thickness); });
   }
   if (distribution.name == "shell")
   {
-    return sample(count, [&] { return onSphere(random, 0.5); });
+    return samplePoints(count, [&] { return onSphere(random, 0.5); });
   }
   if (distribution.name == "duplicates")
   {
@@ -417,7 +354,7 @@ Coordinates makePoints(const Distribution& distribution, std::int64_t count, std
   }
   if (distribution.name == "coplanar")
   {
-    return sample(count, [&] { return inPlane(random); });
+    return samplePoints(count, [&] { return inPlane(random); });
   }
   if (distribution.name == "repeats")
   {

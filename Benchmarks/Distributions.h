@@ -30,6 +30,8 @@
 /// | scan           | scan lines, noisy, in whole centimetres as airborne LiDAR has them      |
 /// | repeats        | uniform:0, but only n / 2 different points, each drawn about twice      |
 ///
+/// In space and in the plane there are those of ShapesInUse.h besides.
+///
 /// file:PATH is read: x y z of each point, doubles (.f64) or floats (.f32). In the plane z is left
 /// out.
 ///

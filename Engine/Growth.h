@@ -97,6 +97,7 @@ public:
   }
 
   std::int64_t insertionCount() const { return this->insertions; }
+  std::int64_t moveCount() const { return this->moves; }
 
 private:
   struct Cone
@@ -180,6 +181,7 @@ private:
       furthest[k].offer(height, p.id, count[k]);
       to[k][count[k]++] = p;
     }
+    this->moves += static_cast<std::int64_t>(room);
     if (room > 0x4000)
     {
       this->monitor.poll();
@@ -207,6 +209,7 @@ private:
   std::vector<Cone> stack;
   Buffer<Vertex> aside[2];
   std::int64_t insertions = 0;
+  std::int64_t moves = 0;
 };
 
 }

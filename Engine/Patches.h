@@ -212,6 +212,7 @@ private:
         this->growTriangle(growth, local, t, next);
       }
       node.tally.statistics.insertions = growth.insertionCount();
+      node.tally.statistics.moves = growth.moveCount();
     }
     node.tally.statistics.secondsGrow = watch.lap();
 

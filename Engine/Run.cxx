@@ -64,6 +64,7 @@ void Run::report(const Tally& tally, Statistics& statistics)
   const Statistics& work = tally.statistics;
   statistics.culled = work.culled;
   statistics.insertions = work.insertions;
+  statistics.moves = work.moves;
   statistics.flips22 = work.flips22;
   statistics.flips31 = work.flips31;
   statistics.flipsV = work.flipsV;

@@ -19,6 +19,7 @@ struct Statistics
   std::int64_t nonFinite = 0;  ///< points left out because a coordinate is NaN or infinite
   std::int64_t culled = 0;     ///< points found inside without being associated to a triangle
   std::int64_t insertions = 0; ///< vertices inserted while growing (1-3 flips), all levels
+  std::int64_t moves = 0;      ///< times that growing handed a point on to a child of its cone
   std::int64_t flips22 = 0;    ///< 2-2 flips
   std::int64_t flips31 = 0;    ///< 3-1 flips
   std::int64_t flipsV = 0;     ///< flips by the V-criterion (flips22 + flips31 = flipsV + flipsD)
@@ -44,6 +45,7 @@ struct Statistics
     this->nonFinite += other.nonFinite;
     this->culled += other.culled;
     this->insertions += other.insertions;
+    this->moves += other.moves;
     this->flips22 += other.flips22;
     this->flips31 += other.flips31;
     this->flipsV += other.flipsV;

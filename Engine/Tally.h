@@ -34,6 +34,7 @@ struct Tally
     Statistics& s = this->statistics;
     const Statistics& o = other.statistics;
     s.insertions += o.insertions;
+    s.moves += o.moves;
     s.flips22 += o.flips22;
     s.flips31 += o.flips31;
     s.flipsV += o.flipsV;

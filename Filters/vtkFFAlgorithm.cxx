@@ -53,7 +53,7 @@ vtkFFAlgorithm::vtkFFAlgorithm()
   , PassPointData(true)
   , VisiblePointIds(false)
   , ReportAsFieldData(false)
-  , VBiased(false)
+  , VBiased(true)
 {
   ++filterCount;
   this->vtkFFAlgorithm::ResetReport();
@@ -81,11 +81,13 @@ void vtkFFAlgorithm::ResetReport()
   this->NonFinitePointsOfFailure = 0;
   this->NumberOfCulledPoints = 0;
   this->NumberOfInsertions = 0;
+  this->NumberOfPointMoves = 0;
   this->NumberOfFlips22 = 0;
   this->NumberOfFlips31 = 0;
   this->NumberOfFlipsByVolume = 0;
   this->NumberOfFlipsByDegree = 0;
   this->NumberOfLabelledVertices = 0;
+  this->NumberOfRedundantVertices = 0;
   this->NumberOfEdgeChecks = 0;
   this->NumberOfExactPredicates = 0;
   this->NumberOfThreadsUsed = 0;
@@ -128,11 +130,13 @@ void vtkFFAlgorithm::AddToReport(
   add(this->NumberOfNonFinitePoints, statistics.nonFinite);
   add(this->NumberOfCulledPoints, statistics.culled);
   add(this->NumberOfInsertions, statistics.insertions);
+  add(this->NumberOfPointMoves, statistics.moves);
   add(this->NumberOfFlips22, statistics.flips22);
   add(this->NumberOfFlips31, statistics.flips31);
   add(this->NumberOfFlipsByVolume, statistics.flipsV);
   add(this->NumberOfFlipsByDegree, statistics.flipsD);
   add(this->NumberOfLabelledVertices, statistics.labelled);
+  add(this->NumberOfRedundantVertices, statistics.redundant);
   add(this->NumberOfEdgeChecks, statistics.edgeChecks);
   add(this->NumberOfExactPredicates, statistics.exactCalls);
   this->NumberOfThreadsUsed = std::max(this->NumberOfThreadsUsed, statistics.threads);
@@ -473,11 +477,13 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
   os << indent << "NumberOfCulledPoints: " << this->NumberOfCulledPoints << "\n";
   os << indent << "NumberOfInsertions: " << this->NumberOfInsertions << "\n";
+  os << indent << "NumberOfPointMoves: " << this->NumberOfPointMoves << "\n";
   os << indent << "NumberOfFlips22: " << this->NumberOfFlips22 << "\n";
   os << indent << "NumberOfFlips31: " << this->NumberOfFlips31 << "\n";
   os << indent << "NumberOfFlipsByVolume: " << this->NumberOfFlipsByVolume << "\n";
   os << indent << "NumberOfFlipsByDegree: " << this->NumberOfFlipsByDegree << "\n";
   os << indent << "NumberOfLabelledVertices: " << this->NumberOfLabelledVertices << "\n";
+  os << indent << "NumberOfRedundantVertices: " << this->NumberOfRedundantVertices << "\n";
   os << indent << "NumberOfEdgeChecks: " << this->NumberOfEdgeChecks << "\n";
   os << indent << "NumberOfExactPredicates: " << this->NumberOfExactPredicates << "\n";
   os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";

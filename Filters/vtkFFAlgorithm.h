@@ -256,8 +256,9 @@ public:
   //@{
   /**
    * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
-   * 2.3), which flips by the volume criterion alone as long as it can. The output is the same; the
-   * statistics are not. Off by default.
+   * 2.3), which flips by the volume criterion alone as long as it can, and labels a vertex only
+   * then. The output is the same; the statistics are not. On by default: where points lie along
+   * curves, labels that come early cost very many flips.
    */
   vtkSetMacro(VBiased, bool);
   vtkGetMacro(VBiased, bool);
@@ -286,10 +287,14 @@ public:
    *   triangle (none by the CUDA engine)
    * - Insertions: vertices inserted while growing (1-3 flips), over
    *   all levels
+   * - PointMoves: times that growing handed a point on to a child of
+   *   its cone (none by the CUDA engine)
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
    * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume)
    *   and the D-criterion (degree)
    * - LabelledVertices: vertices labelled non-extreme
+   * - RedundantVertices: vertices taken out of true facets and edges in
+   *   the end, and duplicates
    * - EdgeChecks: edges examined for a flip
    * - ExactPredicates: predicates that the floating-point filter left
    *   undecided
@@ -299,11 +304,13 @@ public:
   vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
   vtkGetMacro(NumberOfCulledPoints, vtkIdType);
   vtkGetMacro(NumberOfInsertions, vtkIdType);
+  vtkGetMacro(NumberOfPointMoves, vtkIdType);
   vtkGetMacro(NumberOfFlips22, vtkIdType);
   vtkGetMacro(NumberOfFlips31, vtkIdType);
   vtkGetMacro(NumberOfFlipsByVolume, vtkIdType);
   vtkGetMacro(NumberOfFlipsByDegree, vtkIdType);
   vtkGetMacro(NumberOfLabelledVertices, vtkIdType);
+  vtkGetMacro(NumberOfRedundantVertices, vtkIdType);
   vtkGetMacro(NumberOfEdgeChecks, vtkIdType);
   vtkGetMacro(NumberOfExactPredicates, vtkIdType);
   vtkGetMacro(NumberOfThreadsUsed, int);
@@ -549,11 +556,13 @@ private:
   vtkIdType NonFinitePointsOfFailure;
   vtkIdType NumberOfCulledPoints;
   vtkIdType NumberOfInsertions;
+  vtkIdType NumberOfPointMoves;
   vtkIdType NumberOfFlips22;
   vtkIdType NumberOfFlips31;
   vtkIdType NumberOfFlipsByVolume;
   vtkIdType NumberOfFlipsByDegree;
   vtkIdType NumberOfLabelledVertices;
+  vtkIdType NumberOfRedundantVertices;
   vtkIdType NumberOfEdgeChecks;
   vtkIdType NumberOfExactPredicates;
   int NumberOfThreadsUsed;

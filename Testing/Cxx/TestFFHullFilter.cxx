@@ -136,7 +136,7 @@ void testDeterminism()
     FF_CHECK(threads == 0 || hull->GetNumberOfThreadsUsed() == threads);
     FF_CHECK(isSame(hull->GetOutput(), reference));
   }
-  hull->VBiasedOn();
+  hull->VBiasedOff();
   hull->Update();
   FF_CHECK(isSame(hull->GetOutput(), reference));
 }

@@ -125,7 +125,7 @@ void testModification()
   hull->SetNonFinitePointsToError();
   hull->PassPointDataOn();
   hull->SetNumberOfThreads(0);
-  hull->VBiasedOff();
+  hull->VBiasedOn();
   hull->VisiblePointIdsOff();
   hull->SetCompositeModeToEachBlock();
   FF_CHECK(runsNot());
@@ -139,7 +139,7 @@ void testModification()
   FF_CHECK(runsAgain());
   hull->SetNumberOfThreads(2);
   FF_CHECK(runsAgain());
-  hull->VBiasedOn();
+  hull->VBiasedOff();
   FF_CHECK(runsAgain());
   hull->VisiblePointIdsOn();
   FF_CHECK(runsAgain());
@@ -228,9 +228,9 @@ void testPrint()
   const std::vector<std::string> common{ "Engine", "CUDAThreshold", "NumberOfThreads", "FacetMode",
     "NonFinitePoints", "PassPointData", "VisiblePointIds", "VBiased", "EngineUsed", "EngineReason",
     "Dimension", "Volume", "Area", "NumberOfInputPoints", "NumberOfNonFinitePoints",
-    "NumberOfCulledPoints", "NumberOfInsertions", "NumberOfFlips22", "NumberOfFlips31",
+    "NumberOfCulledPoints", "NumberOfInsertions", "NumberOfPointMoves", "NumberOfFlips22", "NumberOfFlips31",
     "NumberOfFlipsByVolume", "NumberOfFlipsByDegree", "NumberOfLabelledVertices",
-    "NumberOfEdgeChecks", "NumberOfExactPredicates", "NumberOfThreadsUsed", "SecondsToScan",
+    "NumberOfRedundantVertices", "NumberOfEdgeChecks", "NumberOfExactPredicates", "NumberOfThreadsUsed", "SecondsToScan",
     "SecondsToLocate", "SecondsToGrow", "SecondsToFlip", "SecondsToFinish", "SecondsTotal" };
   vtkNew<vtkFFHullFilter> hull;
   has(hull, common);

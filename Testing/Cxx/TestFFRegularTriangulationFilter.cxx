@@ -297,7 +297,7 @@ void testDeterminism()
     FF_CHECK(isSameAgain());
     FF_CHECK(threads == 0 || run.Filter->GetNumberOfThreadsUsed() == threads);
   }
-  run.Filter->VBiasedOn();
+  run.Filter->VBiasedOff();
   FF_CHECK(isSameAgain());
   run.Filter->GeneratePowerDiagramOn();
   FF_CHECK(isSameAgain());

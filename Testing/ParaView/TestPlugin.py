@@ -21,7 +21,7 @@ COMMON = {
     "VisiblePointIds": 0,
     "ReportAsFieldData": 1,
     "NumberOfThreads": 0,
-    "VBiased": 0,
+    "VBiased": 1,
 }
 ENGINES = {
     "NonFinitePoints": "Report an Error",

@@ -397,7 +397,7 @@ class TestPackage(unittest.TestCase):
         self.assertEqual(hull.GetCompositeMode(), vtkFFHullFilter.HULL_OF_EACH_BLOCK)
         self.assertTrue(hull.GetSkipGhostPoints())
         self.assertTrue(hull.GetPassPointData())
-        self.assertFalse(hull.GetVBiased())
+        self.assertTrue(hull.GetVBiased())
         self.assertFalse(hull.GetVisiblePointIds())
         self.assertFalse(vtkFFConvexifyFilter().GetUseKernelPoint())
         self.assertEqual(vtkFFConvexifyFilter().GetKernelPoint(), (0.0, 0.0, 0.0))

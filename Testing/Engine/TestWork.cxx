@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The work for a point does not grow with the number of points: insertions, moves, flips, checks and
+/// exact signs, counted at two sizes, for all families and for the shapes that people have.
+///
+/// Counts, not seconds: they are the same on every machine.
+#include "CompareTriangulation.h"
+#include "InputsWeighted.h"
+#include "ShapesInUse.h"
+
+#include <cstdio>
+#include <map>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+constexpr int Small = 12500;
+constexpr int Large = 8 * Small;
+
+Cloud shape(const std::string& name, int count)
+{
+  const Coordinates coordinates = makeShapeInUse(name, count, 1);
+  Cloud cloud;
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+  {
+    cloud.push_back({ coordinates[i], coordinates[i + 1], coordinates[i + 2] });
+  }
+  return cloud;
+}
+
+struct Work
+{
+  const char* what;
+  double small;
+  double large;
+};
+
+/// Of a point.
+std::vector<Work> workOf(const Statistics& small, const Statistics& large)
+{
+  std::vector<Work> all;
+  const auto add = [&](const char* what, auto count)
+  {
+    all.push_back({ what, static_cast<double>(count(small)) / static_cast<double>(small.points),
+      static_cast<double>(count(large)) / static_cast<double>(large.points) });
+  };
+  add("insertions", [](const Statistics& s) { return s.insertions; });
+  add("moves", [](const Statistics& s) { return s.moves; });
+  add("flips", [](const Statistics& s) { return s.flips22 + s.flips31; });
+  add("edge checks", [](const Statistics& s) { return s.edgeChecks; });
+  add("exact signs", [](const Statistics& s) { return s.exactCalls; });
+  return all;
+}
+
+/// @param growth how much more the larger size may cost for a point
+template <class Run>
+void expectSteadyWork(const Cloud& small, const Cloud& large, double growth, const Run& run)
+{
+  for (const Work& work : workOf(run(small), run(large)))
+  {
+    if (std::getenv("FLIPFLOP_TEST_PRINT"))
+    {
+      std::printf("%-12s %9.2f %9.2f\n", work.what, work.small, work.large);
+    }
+    // One of each for a point is little, whatever it was at the smaller size.
+    EXPECT_LE(work.large, growth * work.small + 1) << work.what << " for a point";
+  }
+}
+
+Statistics hullWork(const Cloud& cloud)
+{
+  Options options;
+  options.threads = 1;
+  return convexHull(viewOf(cloud), options).statistics;
+}
+
+Statistics triangulationWork(const Cloud& weighted)
+{
+  Options options;
+  options.threads = 1;
+  return regularTriangulation(viewOf(weighted), weightsOf(weighted), options).statistics;
+}
+
+class HullFamily : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(HullFamily, WorkIsSteady)
+{
+  const auto make = [this](int count) { return fromFamily(this->GetParam(), count, 5).make(); };
+  expectSteadyWork(make(Small), make(Large), 1.5, hullWork);
+}
+
+std::vector<const char*> namesOf(const std::vector<Family>& list)
+{
+  std::vector<const char*> names;
+  for (const Family& family : list)
+  {
+    names.push_back(family.name);
+  }
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Work, HullFamily, ::testing::ValuesIn(namesOf(families())),
+  [](const auto& given) { return std::string(given.param); });
+
+class TriangulationFamily : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(TriangulationFamily, WorkIsSteady)
+{
+  const auto make = [this](int count)
+  { return fromWeightedFamily(this->GetParam(), count, 5).make(); };
+  expectSteadyWork(make(Small), make(Large), 1.5, triangulationWork);
+}
+
+INSTANTIATE_TEST_SUITE_P(Work, TriangulationFamily,
+  ::testing::ValuesIn(namesOf(weightedFamilies())),
+  [](const auto& given) { return std::string(given.param); });
+
+TEST(Work, HullsOfShapesInUse)
+{
+  for (const std::string& name : shapesInUse(true))
+  {
+    SCOPED_TRACE(name);
+    expectSteadyWork(shape(name, Small), shape(name, Large), 1.5, hullWork);
+  }
+}
+
+TEST(Work, TriangulationsOfShapesInUse)
+{
+  for (const std::string& name : shapesInUse(false))
+  {
+    SCOPED_TRACE(name);
+    expectSteadyWork(shape(name, Small), shape(name, Large), 1.5, triangulationWork);
+  }
+}
+
+}
+}
+}
