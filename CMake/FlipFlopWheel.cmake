@@ -17,6 +17,15 @@ function(flipflop_build_wheel)
 endfunction()
 flipflop_build_wheel()
 
+# The versions of the wheel vtk that pyproject.toml allows, which the package itself looks for when it is imported.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${FlipFlop_SOURCE_DIR}/pyproject.toml")
+file(STRINGS "${FlipFlop_SOURCE_DIR}/pyproject.toml" allowed REGEX "\"vtk>=[0-9.]+,<=[0-9.]+\"")
+if(NOT allowed MATCHES "\"vtk>=([0-9.]+),<=([0-9.]+)\"")
+  message(FATAL_ERROR "pyproject.toml names no range of VTK's versions, as in \"vtk>=9.6.0,<=9.6.2\"")
+endif()
+set(FLIPFLOP_VTK_OLDEST "${CMAKE_MATCH_1}")
+set(FLIPFLOP_VTK_NEWEST "${CMAKE_MATCH_2}")
+
 # The root of a wheel is the folder that holds the packages.
 set(FLIPFLOP_PYTHON_DESTINATION ".")
 add_subdirectory(Wrapping/Package)

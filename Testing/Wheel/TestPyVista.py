@@ -226,12 +226,87 @@ def test_errors_are_exceptions_where_vtk_tells_none():
 
 
 def test_a_wrong_property_is_named():
-    with pytest.raises(TypeError, match="vtkFFHullFilter has no property facets"):
+    with pytest.raises(TypeError, match="vtkFFHullFilter has no property facets; it has .*, facet_mode, .*, v_biased"):
         convex_hull(cloud(), facets=1)
-    with pytest.raises(TypeError, match='vtkFFHullFilter has no engine="quantum"'):
-        convex_hull(cloud(), engine="quantum")
-    with pytest.raises(TypeError, match="no property abort_execute"):
-        convex_hull(cloud(), abort_execute=True)
+    for name in ("abort_execute", "facet_mode_to_polygons", "engine_to"):
+        with pytest.raises(TypeError, match=f"no property {name}"):
+            convex_hull(cloud(), **{name: True})
+
+
+CHOICES = {
+    "engine": '"automatic", "cpu" or "cuda"',
+    "facet_mode": '"polygons" or "triangles"',
+    "non_finite_points": '"error" or "ignore"',
+    "composite_mode": '"all_blocks" or "each_block"',
+    "projection_plane_mode": '"best_fitting_plane", "transform" or "xy_plane"',
+    "power_diagram_box_mode": '"bounds" or "points"',
+}
+
+
+@pytest.mark.parametrize("name", CHOICES)
+def test_an_unknown_choice_lists_the_choices(name):
+    function = regular_triangulation if name.startswith("p") else convex_hull
+    for value in ("poly", "", -1, 7, 2**40, 0.5, None, [0]):
+        with pytest.raises(ValueError, match=f"^{name} is {CHOICES[name]}, not ") as raised:
+            function(cloud(), **{name: value})
+        assert str(raised.value).endswith(repr(value))
+
+
+def test_choices_by_name_and_number():
+    for value in ("polygons", "Polygons", 1, np.int64(1), vtkFFHullFilter.FACETS_AS_POLYGONS):
+        assert convex_hull(pv.Cube(), facet_mode=value).n_cells == 6
+    flat = regular_triangulation(cloud(), projection_plane_mode="xy_plane")
+    assert np.array_equal(flat.faces, regular_triangulation(cloud()).faces)
+
+
+@pytest.mark.parametrize(
+    ("name", "values"),
+    [
+        ("number_of_threads", (-1, -(2**31), 2**31, 2**70, 1.5, "four", None, [1])),
+        ("cuda_threshold", (-1, 2**70, "none")),
+        ("pass_point_data", ("yes", 2, -1, None, [])),
+        ("v_biased", ("yes", 2, 0.5)),
+        ("report_as_field_data", ("no", None)),
+        ("visible_point_ids", ("no", None)),
+        ("progress_bar", ("no", 2, None)),
+    ],
+)
+def test_a_value_out_of_range_is_refused(name, values):
+    for value in values:
+        for function in (convex_hull, convexify, regular_triangulation, power_diagram):
+            with pytest.raises(ValueError, match=f"^{name} (cannot be|is True or False, not) ") as raised:
+                function(pv.Cube().triangulate(), **{name: value})
+            assert repr(value) in str(raised.value)
+
+
+def test_other_values_out_of_range():
+    for value in ((1, 2), "origin", (0, 0, np.nan), None):
+        with pytest.raises(ValueError, match="^kernel_point cannot be "):
+            convexify(pv.Cube().triangulate(), kernel_point=value)
+    for value in ((0, 1, 0), "all"):
+        with pytest.raises(ValueError, match="^power_diagram_bounds cannot be "):
+            power_diagram(cloud(), power_diagram_bounds=value)
+    with pytest.raises(ValueError, match="^transform cannot be "):
+        regular_triangulation(cloud(), transform=np.eye(4))
+    with pytest.raises(ValueError, match="^return_hidden_points is True or False, not 'no'"):
+        regular_triangulation(cloud(), return_hidden_points="no")
+    with pytest.raises(ValueError, match="^power_diagram.. generates a power diagram"):
+        power_diagram(cloud(), generate_power_diagram=False)
+
+
+def test_values_in_range_are_taken():
+    hull = convex_hull(
+        cloud(), number_of_threads=np.int32(2), pass_point_data=0, v_biased=np.True_, cuda_threshold=10**12
+    )
+    assert "heat" not in hull.point_data
+    assert np.array_equal(hull.faces, convex_hull(cloud()).faces)
+    surface = pv.Cube().triangulate()
+    for point in ((0.1, 0, 0), [0.1, 0, 0], np.array([0.1, 0, 0])):
+        assert convexify(surface, kernel_point=point, use_kernel_point=True).n_points == 8
+    cells = power_diagram(
+        cloud(), generate_power_diagram=True, power_diagram_box_mode="bounds", power_diagram_bounds=(-1, 2, -1, 2)
+    )
+    assert cells.area == pytest.approx(9)
 
 
 def test_progress_bar(capfd):

@@ -7,22 +7,27 @@
 
     hull = convex_hull(pv.examples.download_bunny())
 
-Each function takes a mesh (or anything that pyvista.wrap takes, such as an array of points), runs one filter and
-gives its output as a PyVista mesh, with the point data and "vtkOriginalPointIds". PyVista 0.48 and later offer
+Each function takes a mesh (or whatever pyvista.wrap makes one of), or an array or list of points, runs one filter
+and gives its output as a PyVista mesh, with the point data and "vtkOriginalPointIds". PyVista 0.48 and later offer
 the same as methods of a mesh, without an import: mesh.flipflop.convex_hull().
 
+Arrays are taken exactly, in any byte order and of any type of real numbers. Masked numbers are an error like NaN, or
+ignored like NaN.
+
 A filter's properties are keyword arguments, by VTK's names in snake_case: number_of_threads=4. Choices are given
-by name: facet_mode="polygons", engine="cpu", non_finite_points="ignore". Where a filter reports an error, the
-functions raise FilterError with its text.
+by name: facet_mode="polygons", engine="cpu", non_finite_points="ignore". Where a filter reports an error, or data
+are such that none can take them, the functions raise FilterError; an argument of the wrong type is a TypeError,
+one that is out of its range a ValueError.
 """
 
-import numpy as np
 import pyvista
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPointSet
-from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataObjectTree, vtkPointSet, vtkPolyData
 
 from . import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
+from ._arrays import FilterError, as_points, as_weights, is_array_like
+from ._properties import flag, set_properties
 
 __all__ = [
     "FilterError",
@@ -32,9 +37,14 @@ __all__ = [
     "regular_triangulation",
 ]
 
-
-class FilterError(RuntimeError):
-    """What a filter reported as its error."""
+if not issubclass(pyvista.PolyData, vtkPolyData):
+    _base = next(kind for kind in pyvista.PolyData.__mro__ if kind.__name__ == "vtkPolyData")
+    _other = _base.__module__.split(".")[0]
+    raise ImportError(
+        f"PyVista {pyvista.__version__} runs on {_other}, a VTK of its own, and not on vtk, as vtkflipflop does: the "
+        f"one cannot use the other's data. The way out: PYVISTA_VTK_BACKEND=vtk in the environment, or "
+        f"pip uninstall {_other}"
+    )
 
 
 def convex_hull(mesh, *, progress_bar=False, **properties):
@@ -42,7 +52,7 @@ def convex_hull(mesh, *, progress_bar=False, **properties):
 
     Parameters
     ----------
-    mesh : any PyVista or VTK data set or composite, or an array of n by 3 coordinates
+    mesh : any PyVista or VTK data set or composite, or an array or list of n by 3 or n by 2 coordinates
     progress_bar : show progress in the terminal; needs tqdm
     properties : of vtkFFHullFilter; facet_mode="polygons" gives whole facets
 
@@ -51,7 +61,9 @@ def convex_hull(mesh, *, progress_bar=False, **properties):
     pyvista.PolyData, closed, facets facing outwards; of a composite one like it with the hull of each block, or one
     hull with composite_mode="all_blocks".
     """
-    return _outputs(vtkFFHullFilter(), _points_of(mesh), properties, progress_bar)[0]
+    hull = vtkFFHullFilter()
+    set_properties(hull, properties)
+    return _outputs(hull, _points_of(mesh, hull), progress_bar)[0]
 
 
 def convexify(surface, *, progress_bar=False, **properties):
@@ -67,10 +79,12 @@ def convexify(surface, *, progress_bar=False, **properties):
     -------
     pyvista.PolyData
     """
-    points = _points_of(surface)
-    if isinstance(points, vtkPointSet) and not points.IsA("vtkPolyData"):
+    convexifier = vtkFFConvexifyFilter()
+    set_properties(convexifier, properties)
+    points = _points_of(surface, convexifier)
+    if is_array_like(surface) or isinstance(points, vtkPointSet) and not points.IsA("vtkPolyData"):
         raise FilterError(f"{type(surface).__name__} is no surface: a PolyData is wanted")
-    return _outputs(vtkFFConvexifyFilter(), points, properties, progress_bar)[0]
+    return _outputs(convexifier, points, progress_bar)[0]
 
 
 def regular_triangulation(
@@ -80,7 +94,7 @@ def regular_triangulation(
 
     Parameters
     ----------
-    mesh : any PyVista or VTK data set or composite, or an array of n by 3 or n by 2 coordinates
+    mesh : any PyVista or VTK data set or composite, or an array or list of n by 3 or n by 2 coordinates
     weights : a point array's name, or n numbers where mesh is no composite; squared lengths. By default none: Delaunay
     return_hidden_points : give the points that do not appear in the triangulation, too
     progress_bar : show progress in the terminal; needs tqdm
@@ -90,8 +104,9 @@ def regular_triangulation(
     -------
     pyvista.PolyData, or a pair of them: the triangulation, and the hidden points as vertices
     """
+    both = flag("return_hidden_points", return_hidden_points)
     outputs = _triangulated(mesh, weights, properties, progress_bar)
-    return (outputs[0], outputs[1]) if return_hidden_points else outputs[0]
+    return (outputs[0], outputs[1]) if both else outputs[0]
 
 
 def power_diagram(mesh, weights=None, *, progress_bar=False, **properties):
@@ -105,8 +120,9 @@ def power_diagram(mesh, weights=None, *, progress_bar=False, **properties):
     -------
     pyvista.PolyData, with the points' data as cell data
     """
-    properties = {**properties, "generate_power_diagram": True}
-    return _triangulated(mesh, weights, properties, progress_bar)[2]
+    if not flag("generate_power_diagram", properties.pop("generate_power_diagram", True)):
+        raise ValueError("power_diagram() generates a power diagram: generate_power_diagram cannot be False")
+    return _triangulated(mesh, weights, {**properties, "generate_power_diagram": True}, progress_bar)[2]
 
 
 class _Accessor:
@@ -140,12 +156,8 @@ if hasattr(pyvista, "register_dataset_accessor"):  # distributions have older on
     pyvista.register_dataset_accessor("flipflop", pyvista.DataObject)(_Accessor)
 
 
-def _points_of(mesh):
-    """The mesh as a data set with points of its own, or a composite of such: a filter's input."""
-    if isinstance(mesh, np.ndarray) and mesh.ndim == 2 and mesh.shape[1] in (2, 3):
-        if mesh.shape[1] == 2:
-            mesh = np.column_stack([mesh, np.zeros(len(mesh), mesh.dtype)])
-        return pyvista.PolyData(mesh, force_float=False)  # integers stay: as floats, they were rounded
+def _points_of(mesh, algorithm):
+    """The mesh as a data set with points of its own, or a composite of such: the algorithm's input."""
     if isinstance(mesh, vtkDataObjectTree):
         copy = mesh.NewInstance()
         copy.ShallowCopy(mesh)
@@ -153,11 +165,20 @@ def _points_of(mesh):
         while not places.IsDoneWithTraversal():
             leaf = places.GetCurrentDataObject()
             if leaf.IsA("vtkImageData") or leaf.IsA("vtkRectilinearGrid"):
-                copy.SetDataSetFrom(places, _points_of(leaf))
+                copy.SetDataSetFrom(places, _points_of(leaf, algorithm))
             places.GoToNextItem()
         return copy
+    if isinstance(mesh, vtkPoints):
+        mesh = mesh.GetData()
+    if isinstance(mesh, vtkDataArray):
+        mesh = vtk_to_numpy(mesh)
     if not hasattr(mesh, "IsA"):
-        mesh = pyvista.wrap(mesh)
+        if is_array_like(mesh):
+            # Integers stay: as floats, they were rounded.
+            return pyvista.PolyData(as_points(mesh, _ignores_masked(algorithm)), force_float=False)
+        mesh = _wrapped(mesh)
+    elif not isinstance(mesh, vtkDataObject) and hasattr(mesh, "GetDataObjectType"):
+        raise FilterError(f"{type(mesh).__name__} is of another VTK, the module {type(mesh).__module__}")
     if isinstance(mesh, vtkPointSet):
         return mesh
     if mesh is None or not (mesh.IsA("vtkImageData") or mesh.IsA("vtkRectilinearGrid")):
@@ -165,9 +186,22 @@ def _points_of(mesh):
     return pyvista.wrap(mesh).cast_to_structured_grid()
 
 
+def _wrapped(mesh):
+    """What PyVista makes of what is no VTK object, None of None."""
+    try:
+        return pyvista.wrap(mesh)
+    except (NotImplementedError, TypeError):
+        raise FilterError(f"{type(mesh).__name__} has no points to take") from None
+
+
+def _ignores_masked(algorithm):
+    return algorithm.GetNonFinitePoints() == algorithm.NON_FINITE_IGNORE
+
+
 def _triangulated(mesh, weights, properties, progress_bar):
-    mesh = _points_of(mesh)
     triangulation = vtkFFRegularTriangulationFilter()
+    set_properties(triangulation, properties)
+    mesh = _points_of(mesh, triangulation)
     own = None
     if isinstance(weights, str):
         triangulation.SetInputArrayToProcess(0, 0, 0, 0, weights)
@@ -177,21 +211,21 @@ def _triangulated(mesh, weights, properties, progress_bar):
         own = "weights"
         while mesh.GetPointData().HasArray(own):
             own += "_"
-        array = numpy_to_vtk(np.ascontiguousarray(weights), deep=True)
+        array = numpy_to_vtk(as_weights(weights, _ignores_masked(triangulation)), deep=True)
         array.SetName(own)
         weighted = mesh.NewInstance()
         weighted.ShallowCopy(mesh)
         weighted.GetPointData().AddArray(array)
         mesh = weighted
         triangulation.SetInputArrayToProcess(0, 0, 0, 0, own)
-    outputs = _outputs(triangulation, mesh, properties, progress_bar)
+    outputs = _outputs(triangulation, mesh, progress_bar)
     for output in outputs if own else ():
         output.GetPointData().RemoveArray(own)
         output.GetCellData().RemoveArray(own)
     return outputs
 
 
-def _outputs(algorithm, mesh, properties, progress_bar):
+def _outputs(algorithm, mesh, progress_bar):
     """Runs the algorithm on the mesh; its outputs as PyVista's, which do not share its pipeline."""
     errors = []
 
@@ -200,10 +234,8 @@ def _outputs(algorithm, mesh, properties, progress_bar):
 
     keep.CallDataType = "string0"
     algorithm.AddObserver("ErrorEvent", keep)
-    for name, value in properties.items():
-        _set_property(algorithm, name, value)
     algorithm.SetInputDataObject(mesh)
-    if progress_bar:
+    if flag("progress_bar", progress_bar):
         from pyvista.core.utilities.observers import ProgressMonitor
 
         with ProgressMonitor(algorithm, message=algorithm.GetClassName()):
@@ -229,17 +261,3 @@ def _of_pyvista(data):
         copy = data.NewInstance()
         copy.ShallowCopy(data)
         return copy
-
-
-def _set_property(algorithm, name, value):
-    """Sets number_of_threads=4 by SetNumberOfThreads(4), engine="cpu" by SetEngineToCPU()."""
-    setter = "set" + name
-    if isinstance(value, str):
-        setter += "_to_" + value
-    wanted = setter.replace("_", "").lower()
-    own = [method for method in dir(algorithm) if not hasattr(vtkPolyDataAlgorithm, method)]
-    method = next((method for method in own if method.lower() == wanted), None)
-    if method is None:
-        known = f"property {name}" if not isinstance(value, str) else f'{name}="{value}"'
-        raise TypeError(f"{algorithm.GetClassName()} has no {known}")
-    getattr(algorithm, method)(*([] if isinstance(value, str) else [value]))

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Beside a VTK that it does not fit, the package says so before a library is loaded; the VTKs here are stand-ins."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import vtkflipflop
+import vtkmodules
+from vtkflipflop import _vtk_check
+
+PROGRAM = """
+import sys
+sys.path[:0] = {path!r}
+try:
+    import vtkflipflop
+except ImportError as error:
+    print(error)
+assert not [line for line in open("/proc/self/maps") if "libvtk" in line]
+"""
+
+FROM_WHEEL = bool(_vtk_check.OLDEST)
+# The true module's file is large; its strings are what counts.
+STRINGS = b"\x7fELF\0%s\0"
+
+
+class TestVtkCheck(unittest.TestCase):
+    def said(self, version, library, hidden=False):
+        """What the import says beside a VTK of that version, whose module is linked with that library."""
+        with tempfile.TemporaryDirectory() as folder:
+            if not hidden:
+                modules = Path(folder, "vtkmodules")
+                modules.mkdir()
+                (modules / "__init__.py").write_text(f'__version__ = "{version}"\n')
+                (modules / "vtkCommonCore.cpython-311-x86_64-linux-gnu.so").write_bytes(STRINGS % library.encode())
+            package = Path(folder, "vtkflipflop")
+            package.mkdir()
+            for file in ("__init__.py", "_vtk_check.py"):
+                (package / file).write_bytes(Path(vtkflipflop.__file__).with_name(file).read_bytes())
+            done = subprocess.run(
+                # -S: no VTK but that of the folder
+                [sys.executable, "-S", "-c", PROGRAM.format(path=[folder])],
+                env={key: value for key, value in os.environ.items() if key != "PYTHONPATH"},
+                capture_output=True,
+                text=True,
+            )
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return done.stdout.replace(folder, "FOLDER")
+
+    def test_its_own(self):
+        """The stand-in is taken: what is missing next is the wrapped module."""
+        for version in {vtkmodules.__version__, _vtk_check.OLDEST, _vtk_check.NEWEST} - {""}:
+            self.assertIn("vtkflipflop.vtkFiltersFlipFlop", self.said(version, _vtk_check.LIBRARY))
+
+    def test_none(self):
+        said = self.said("", "", hidden=True)
+        self.assertRegex(said, r"^vtkflipflop [\d.]+ (needs VTK|was built for).*Python finds no VTK\. The way out: ")
+
+    def test_another_build(self):
+        """Of a distribution or conda, say."""
+        said = self.said(vtkmodules.__version__, "libvtkCommonCore-another.so.1")
+        self.assertIn(f"FOLDER/vtkmodules is of VTK {vtkmodules.__version__}", said)
+        self.assertIn(f"does without {_vtk_check.LIBRARY}", said)
+
+    @unittest.skipUnless(FROM_WHEEL, "only a wheel knows versions")
+    def test_another_version(self):
+        for version in ("9.5.2", "9.7.2", "9.6", "9.6.20260403", "9.10.0", "9.6.2.dev0", "9.6.2rc1", "unknown"):
+            said = self.said(version, _vtk_check.LIBRARY)
+            self.assertIn(f"needs VTK {_vtk_check.OLDEST} to {_vtk_check.NEWEST}", said)
+            self.assertIn(f"FOLDER/vtkmodules is of VTK {version}.", said)
+            self.assertIn(f'pip install "vtk=={_vtk_check.NEWEST}"', said)
+
+    @unittest.skipUnless(FROM_WHEEL, "only a wheel looks for VTK beside itself")
+    def test_another_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink(Path(vtkflipflop.__file__).parent, Path(folder, "vtkflipflop"))
+            program = PROGRAM.format(path=[folder])
+            done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+            self.assertIn(f"in the same folder as itself, {folder}, but", done.stdout, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
