@@ -57,12 +57,12 @@ std::optional<ErrorCode> faultOf(const WeightView& weights, const PointView& poi
 }
 
 template <class Result>
-void expectFault(const Outcome<Result>& outcome, std::optional<ErrorCode> expected)
+void expectFault(const Outcome<Result>& outcome, const std::optional<ErrorCode>& expected)
 {
-  const auto code = outcome.error ? std::optional<ErrorCode>(outcome.error->code()) : std::nullopt;
-  demand(code == expected,
-    std::string("an argument gives ") + (code ? outcome.error->what() : "no error") + " for " +
-      (expected ? Error(*expected).what() : "none"));
+  const bool same = expected ? outcome.error && outcome.error->code() == *expected : !outcome.error;
+  demand(same,
+    std::string("an argument gives \"") + (outcome.error ? outcome.error->what() : "no error") +
+      "\" for \"" + (expected ? Error(*expected).what() : "no error") + "\"");
 }
 
 }

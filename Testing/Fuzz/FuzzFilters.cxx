@@ -21,6 +21,7 @@
 #include "vtkFFHullFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkInformation.h"
+#include "vtkLogger.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -58,6 +59,7 @@ vtkStandardNewMacro(SilentWindow);
 
 bool silence()
 {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<SilentWindow> window;
   vtkOutputWindow::SetInstance(window);
   return true;
@@ -213,12 +215,9 @@ public:
     {
       this->Input = drawDataObject(bytes, MostPoints);
     }
-    else
-    {
-      this->Input->Modified();
-    }
     this->Filter->SetInputDataObject(this->Input);
     this->Errors->Messages.clear();
+    this->Filter->Modified(); // else a run that failed would not be run again, nor fail again
     this->Filter->Update();
     this->judge();
   }
