@@ -29,7 +29,7 @@ tree="$top/Testing/Fuzz/Corpus/$entry"
 grown="$build/corpus/$entry"
 findings="$build/findings"
 mkdir -p "$grown" "$findings"
-fuzzer=("$build/bin/Fuzz$entry" -max_len=1024 -timeout=60 -rss_limit_mb=4096 -print_final_stats=1
+fuzzer=("$build/bin/Fuzz$entry" -max_len=1024 -timeout=120 -rss_limit_mb=4096 -print_final_stats=1
   "-artifact_prefix=$findings/$entry-")
 # A random layout of newer kernels may leave no room for the sanitizers' shadow memory.
 if setarch "$(uname -m)" -R true 2>/dev/null; then

@@ -137,9 +137,11 @@ Cloud drawNumbers(Bytes& bytes, bool any)
   return cloud;
 }
 
-/// Some changes to a cloud that is there.
+/// Some changes to a cloud that is there. Numbers of very different sizes are for small ones only:
+/// a large one would keep the widest integers busy for minutes.
 void change(Bytes& bytes, Cloud& cloud, int most)
 {
+  constexpr std::size_t small = 300;
   for (int times = bytes.below(4); times > 0 && !cloud.empty(); --times)
   {
     const std::size_t at = bytes.raw<std::uint16_t>() % cloud.size();
@@ -181,7 +183,7 @@ void change(Bytes& bytes, Cloud& cloud, int most)
       }
       case 6: // elsewhere
       {
-        const double step = bytes.number();
+        const double step = cloud.size() <= small ? bytes.number() : bytes.raw<std::int8_t>();
         for (Point& p : cloud)
         {
           p[axis] += step;
@@ -190,7 +192,7 @@ void change(Bytes& bytes, Cloud& cloud, int most)
       }
       case 7: // thin
       {
-        const int exponent = -bytes.byte();
+        const int exponent = -bytes.byte() / (cloud.size() <= small ? 1 : 8);
         for (Point& p : cloud)
         {
           p[axis] = std::ldexp(p[axis], exponent);
@@ -198,7 +200,7 @@ void change(Bytes& bytes, Cloud& cloud, int most)
         break;
       }
       default:
-        cloud[at][axis] = bytes.number();
+        cloud[at][axis] = cloud.size() <= small ? bytes.number() : bytes.raw<std::int8_t>();
         break;
     }
   }
@@ -232,7 +234,7 @@ void drawWeights(Bytes& bytes, Cloud& cloud)
         p[2] = p[0] * p[0] + p[1] * p[1];
         break;
       case 3:
-        p[2] = bytes.number();
+        p[2] = cloud.size() <= 300 ? bytes.number() : bytes.raw<std::int8_t>();
         break;
       case 4: // small, of few values
         p[2] = bytes.raw<std::int8_t>() / 32;
