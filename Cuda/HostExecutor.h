@@ -147,17 +147,17 @@ private:
     else
     {
       // A thread an item.
-      this->items.resize(count);
-      std::iota(this->items.begin(), this->items.end(), std::uint32_t(0));
+      this->listed.resize(count);
+      std::iota(this->listed.begin(), this->listed.end(), std::uint32_t(0));
       if (this->order == Order::Backwards)
       {
-        std::reverse(this->items.begin(), this->items.end());
+        std::reverse(this->listed.begin(), this->listed.end());
       }
       else
       {
-        std::shuffle(this->items.begin(), this->items.end(), this->random);
+        std::shuffle(this->listed.begin(), this->listed.end(), this->random);
       }
-      for (const std::uint32_t i : this->items)
+      for (const std::uint32_t i : this->listed)
       {
         runItems(kernel, i, count, count);
       }
@@ -168,7 +168,7 @@ private:
   std::mt19937 random;
   int threadCount;
   Counters records[Records];
-  std::vector<std::uint32_t> items;
+  std::vector<std::uint32_t> listed;
   KernelTallies kernels;
   std::int64_t bytesNow = 0;
   std::int64_t bytesMost = 0;

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Clouds.h"
+#include "InputsWeighted.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipflop
+{
+namespace fuzz
+{
+
+namespace
+{
+
+using test::Random;
+
+/// Sizes of clouds that a generator makes. The engine takes samples from 2,048 points on.
+int drawCount(Bytes& bytes, int most)
+{
+  const int size = bytes.byte();
+  const int count = size < 128 ? size : size < 252 ? 4 * (size - 96) : 2040 + 3 * bytes.byte();
+  return std::min(count, most);
+}
+
+/// Sines that are the same on every machine: good to some digits, which is all that is asked.
+Point onCircle(double turn)
+{
+  const double t = 2 * turn - 1; // the rational circle, of both halves
+  const double s = std::fabs(t) < 0.5 ? 2 * t : 2 * (std::fabs(t) - 1) * (t < 0 ? -1 : 1);
+  const double side = std::fabs(t) < 0.5 ? 1 : -1;
+  return { side * (1 - s * s) / (1 + s * s), 2 * s / (1 + s * s), 0 };
+}
+
+/// Points on something that rounding does not quite keep: lines, planes, circles, the edges of a
+/// box, grids of decimals, in any direction and at any offset.
+Cloud drawNearly(Bytes& bytes, int most)
+{
+  const int kind = bytes.below(8);
+  const int count = drawCount(bytes, most);
+  Random random(bytes.raw<std::uint16_t>());
+  Point frame[4]; // an origin and three axes
+  const bool aligned = bytes.flag();
+  const double offset = bytes.flag() ? bytes.number() : 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      frame[i][k] = i == 0          ? offset
+        : aligned                   ? (k + 1 == static_cast<std::size_t>(i) ? 1.0 : 0.0)
+        : random.integer(0, 2) == 0 ? random.integer(-9, 9) / 10.0
+                                    : random.uniform(-1, 1);
+    }
+  }
+  const double levels = 1 + bytes.below(16);
+  Cloud cloud;
+  for (int i = 0; i < count; ++i)
+  {
+    Point p{ random.uniform(), random.uniform(), random.uniform() };
+    const Point circle = onCircle(p[0]);
+    switch (kind)
+    {
+      case 1: // a line
+        p[1] = p[2] = 0;
+        break;
+      case 2: // a plane
+        p[2] = 0;
+        break;
+      case 3: // a circle
+        p = circle;
+        break;
+      case 4: // a cylinder of some levels
+        p = { circle[0], circle[1], std::floor(p[2] * levels) / 10 };
+        break;
+      case 5: // a sphere
+        p = random.direction();
+        break;
+      case 6: // the edges of a box
+      {
+        const auto along = static_cast<std::size_t>(random.integer(0, 2));
+        p[(along + 1) % 3] = random.integer(0, 1);
+        p[(along + 2) % 3] = random.integer(0, 1);
+        break;
+      }
+      case 7: // a grid
+        for (double& x : p)
+        {
+          x = std::floor(x * levels);
+        }
+        break;
+      default:
+        break;
+    }
+    Point q;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      q[k] = frame[0][k] + (p[0] * frame[1][k] + p[1] * frame[2][k] + p[2] * frame[3][k]);
+    }
+    cloud.push_back(q);
+  }
+  return cloud;
+}
+
+/// Of the tests' families. Draws beyond their number give other things, so that a new family leaves
+/// the old ones' bytes alone.
+Cloud drawFamily(Bytes& bytes, int most)
+{
+  const auto& families = bytes.flag() ? test::weightedFamilies() : test::families();
+  const auto which = static_cast<std::size_t>(bytes.below(64));
+  const int count = drawCount(bytes, most);
+  Random random(bytes.raw<std::uint16_t>());
+  return which < families.size() ? families[which].make(count, random)
+                                 : test::families()[0].make(count, random);
+}
+
+/// Numbers out of the bytes: each its own, or of a palette of a few.
+Cloud drawNumbers(Bytes& bytes, bool any)
+{
+  std::vector<double> palette;
+  for (int n = bytes.below(8); n > 0; --n)
+  {
+    palette.push_back(bytes.number());
+  }
+  Cloud cloud;
+  for (int n = bytes.below(40); n > 0; --n)
+  {
+    Point p;
+    for (double& x : p)
+    {
+      x = !palette.empty() ? palette[static_cast<std::size_t>(bytes.byte()) % palette.size()]
+        : any              ? bytes.number()
+                           : static_cast<double>(bytes.raw<std::int8_t>() / 16);
+    }
+    cloud.push_back(p);
+  }
+  return cloud;
+}
+
+/// Some changes to a cloud that is there. Numbers of very different sizes are for small ones only:
+/// a large one would keep the widest integers busy for minutes.
+void change(Bytes& bytes, Cloud& cloud, int most)
+{
+  constexpr std::size_t small = 300;
+  for (int times = bytes.below(4); times > 0 && !cloud.empty(); --times)
+  {
+    const std::size_t at = bytes.raw<std::uint16_t>() % cloud.size();
+    const auto axis = static_cast<std::size_t>(bytes.below(3));
+    switch (bytes.below(8))
+    {
+      case 1: // the same point again
+        cloud[bytes.raw<std::uint16_t>() % cloud.size()] = cloud[at];
+        break;
+      case 2: // beside it
+        cloud[at][axis] = std::nextafter(cloud[at][axis], bytes.flag() ? 1e300 : -1e300);
+        break;
+      case 3: // all of them again
+        if (cloud.size() <= static_cast<std::size_t>(most) / 2)
+        {
+          cloud.insert(cloud.end(), cloud.begin() + static_cast<std::ptrdiff_t>(at), cloud.end());
+        }
+        break;
+      case 4: // all on a plane
+      {
+        const double value = cloud[at][axis];
+        for (Point& p : cloud)
+        {
+          p[axis] = value;
+        }
+        break;
+      }
+      case 5: // smaller, larger
+      {
+        const int exponent = 8 * bytes.raw<std::int8_t>();
+        for (Point& p : cloud)
+        {
+          for (double& x : p)
+          {
+            x = std::ldexp(x, exponent);
+          }
+        }
+        break;
+      }
+      case 6: // elsewhere
+      {
+        const double step = cloud.size() <= small ? bytes.number() : bytes.raw<std::int8_t>();
+        for (Point& p : cloud)
+        {
+          p[axis] += step;
+        }
+        break;
+      }
+      case 7: // thin
+      {
+        const int exponent = -bytes.byte() / (cloud.size() <= small ? 1 : 8);
+        for (Point& p : cloud)
+        {
+          p[axis] = std::ldexp(p[axis], exponent);
+        }
+        break;
+      }
+      default:
+        cloud[at][axis] = cloud.size() <= small ? bytes.number() : bytes.raw<std::int8_t>();
+        break;
+    }
+  }
+}
+
+}
+
+Cloud drawCloud(Bytes& bytes, int most)
+{
+  const int kind = bytes.below(8);
+  Cloud cloud = kind < 3 ? drawNumbers(bytes, false)
+    : kind < 5           ? drawNumbers(bytes, true)
+    : kind < 7           ? drawNearly(bytes, most)
+                         : drawFamily(bytes, most);
+  change(bytes, cloud, most);
+  return cloud;
+}
+
+void drawWeights(Bytes& bytes, Cloud& cloud)
+{
+  const int kind = bytes.below(6);
+  const double one = kind == 1 || kind == 5 ? bytes.number() : 0;
+  for (Point& p : cloud)
+  {
+    switch (kind)
+    {
+      case 1: // the same for all
+        p[2] = one;
+        break;
+      case 2: // lifts in one plane, but for rounding
+        p[2] = p[0] * p[0] + p[1] * p[1];
+        break;
+      case 3:
+        p[2] = cloud.size() <= 300 ? bytes.number() : bytes.raw<std::int8_t>();
+        break;
+      case 4: // small, of few values
+        p[2] = bytes.raw<std::int8_t>() / 32;
+        break;
+      case 5: // nearly one plane's
+        p[2] = p[0] * p[0] + p[1] * p[1] + one * bytes.raw<std::int8_t>();
+        break;
+      default: // as they are
+        break;
+    }
+  }
+}
+
+NonFinite findNonFinite(const Cloud& cloud, int axes)
+{
+  NonFinite found;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    if (!std::all_of(
+          cloud[i].begin(), cloud[i].begin() + axes, [](double x) { return std::isfinite(x); }))
+    {
+      found.first = found.count++ ? found.first : static_cast<std::int64_t>(i);
+    }
+  }
+  return found;
+}
+
+}
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The calls that the engine's fuzzer chooses from. Each draws its arguments, and demands that what
+/// comes out is what is promised.
+#ifndef flipflop_fuzz_EngineCalls_h
+#define flipflop_fuzz_EngineCalls_h
+
+#include "Bytes.h"
+
+#include "CellComplex.h"
+
+namespace flipflop
+{
+namespace fuzz
+{
+
+void fuzzHull(Bytes& bytes);
+void fuzzTriangulation(Bytes& bytes);
+void fuzzPowerDiagram(Bytes& bytes); ///< of triangulations, and of what is none
+void fuzzFlipFlop(Bytes& bytes);     ///< of star-shaped surfaces, and of any triangles
+void fuzzHullJudge(Bytes& bytes);    ///< validate, of answers that are wrong
+void fuzzTriangulationJudge(Bytes& bytes);
+void fuzzArguments(Bytes& bytes); ///< null, negative, too many
+
+/// Change one number in some of a result's parts.
+/// @param hidden a triangulation's; null: a hull's
+void corrupt(Bytes& bytes, CellComplex& cells, Buffer<std::int64_t>* hidden);
+
+}
+}
+
+#endif

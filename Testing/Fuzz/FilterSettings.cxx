@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterSettings.h"
+#include "FilterInputs.h"
+
+#include "vtkDataObject.h"
+#include "vtkFFConvexifyFilter.h"
+#include "vtkFFHullFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkGeneralTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkThinPlateSplineTransform.h"
+#include "vtkTransform.h"
+
+#include <sstream>
+
+namespace flipflop
+{
+namespace fuzz
+{
+
+namespace
+{
+
+/// Any number for a setting of a few values.
+int drawChoice(Bytes& bytes)
+{
+  const int choice = bytes.below(8);
+  return choice == 7 ? static_cast<int>(bytes.integer()) : choice % 3;
+}
+
+vtkSmartPointer<vtkAbstractTransform> drawTransform(Bytes& bytes)
+{
+  const int kind = bytes.below(6);
+  if (kind == 0)
+  {
+    return nullptr;
+  }
+  auto linear = vtkSmartPointer<vtkTransform>::New();
+  if (kind == 1) // any matrix, without an inverse too
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int n = bytes.below(6); n > 0; --n)
+    {
+      const int at = bytes.below(16);
+      matrix->SetElement(at / 4, at % 4, bytes.number());
+    }
+    linear->SetMatrix(matrix);
+    return linear;
+  }
+  linear->RotateX(15.0 * bytes.below(24));
+  linear->Scale(bytes.raw<std::int8_t>() / 4.0, 1, 1);
+  linear->Translate(bytes.number(), 0, 0);
+  if (kind == 2) // not linear
+  {
+    auto spline = vtkSmartPointer<vtkThinPlateSplineTransform>::New();
+    vtkNew<vtkPoints> from;
+    vtkNew<vtkPoints> to;
+    for (int i = 0; i < 4; ++i)
+    {
+      from->InsertNextPoint(i & 1, i >> 1, i == 3);
+      to->InsertNextPoint(i & 1, i >> 1, bytes.raw<std::int8_t>());
+    }
+    spline->SetSourceLandmarks(from);
+    spline->SetTargetLandmarks(to);
+    spline->SetBasisToR();
+    return spline;
+  }
+  if (kind == 3)
+  {
+    auto general = vtkSmartPointer<vtkGeneralTransform>::New();
+    general->Concatenate(linear);
+    general->Inverse();
+    return general;
+  }
+  return linear;
+}
+
+void drawCommon(Bytes& bytes, vtkFFAlgorithm* filter)
+{
+  switch (bytes.below(11))
+  {
+    case 1:
+      filter->SetEngine(drawChoice(bytes));
+      break;
+    case 2:
+      filter->SetCUDAThreshold(static_cast<vtkIdType>(bytes.integer()));
+      break;
+    case 3:
+    {
+      constexpr int threads[] = { 1, 2, 3, 0, -1, 64, 1000, 1000000, VTK_INT_MAX };
+      filter->SetNumberOfThreads(threads[bytes.below(9)]);
+      break;
+    }
+    case 4:
+      filter->SetFacetMode(drawChoice(bytes));
+      break;
+    case 5:
+      filter->SetNonFinitePoints(drawChoice(bytes));
+      break;
+    case 6:
+      filter->SetPassPointData(bytes.flag());
+      break;
+    case 7:
+      filter->SetVisiblePointIds(bytes.flag());
+      break;
+    case 8:
+      filter->SetReportAsFieldData(bytes.flag());
+      break;
+    case 9:
+      filter->SetVBiased(bytes.flag());
+      break;
+    case 10:
+    {
+      std::ostringstream text;
+      filter->Print(text);
+      break;
+    }
+    default:
+      filter->Modified();
+      break;
+  }
+}
+
+void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
+{
+  if (bytes.flag())
+  {
+    const double x = bytes.number();
+    filter->SetKernelPoint(x, bytes.flag() ? 0 : bytes.number(), 0);
+  }
+  filter->SetUseKernelPoint(bytes.flag());
+}
+
+void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
+{
+  switch (bytes.below(9))
+  {
+    case 1:
+    {
+      double box[4];
+      for (double& bound : box)
+      {
+        bound = bytes.number();
+      }
+      filter->SetPowerDiagramBounds(box);
+      break;
+    }
+    case 2:
+      filter->SetPowerDiagramBoxMode(drawChoice(bytes));
+      break;
+    case 3:
+      filter->SetProjectionPlaneMode(drawChoice(bytes));
+      break;
+    case 4:
+      filter->SetTransform(drawTransform(bytes));
+      break;
+    case 5:
+    {
+      const int association = drawChoice(bytes);
+      filter->SetInputArrayToProcess(0, 0, 0, association, drawArrayName(bytes));
+      break;
+    }
+    case 6:
+      filter->SetInputArrayToProcess(
+        0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, drawChoice(bytes));
+      break;
+    case 7:
+      filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
+      break;
+    case 8:
+      filter->SetProjectionPlaneModeToTransform();
+      filter->SetTransform(drawTransform(bytes));
+      break;
+    default:
+      filter->SetGeneratePowerDiagram(bytes.flag());
+      break;
+  }
+}
+
+}
+
+void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter)
+{
+  for (int n = bytes.below(8); n > 0; --n)
+  {
+    if (bytes.flag())
+    {
+      drawCommon(bytes, filter);
+    }
+    else if (auto* convexify = vtkFFConvexifyFilter::SafeDownCast(filter))
+    {
+      drawOwn(bytes, convexify);
+    }
+    else if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
+    {
+      drawOwn(bytes, triangulation);
+    }
+    else if (auto* hull = vtkFFHullFilter::SafeDownCast(filter))
+    {
+      hull->SetCompositeMode(drawChoice(bytes));
+    }
+  }
+}
+
+}
+}

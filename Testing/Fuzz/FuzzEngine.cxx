@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The engine's public calls with any arguments that callers can make: an error of the type and
+/// code that is promised, or a result that validate takes for right, that is the same on any number
+/// of threads and in the CUDA engine's rounds, and that brute force finds too where points are few.
+#include "EngineCalls.h"
+
+#include <functional>
+#include <thread>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace
+{
+
+using namespace flipflop::fuzz;
+
+void oneCall(Bytes bytes)
+{
+  static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzPowerDiagram,
+    fuzzFlipFlop, fuzzHullJudge, fuzzTriangulationJudge, fuzzArguments };
+  calls[bytes.below(7)](bytes);
+}
+
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  Bytes bytes(data, size);
+  if (bytes.oneOf(8))
+  {
+    std::thread other(oneCall, bytes);
+    oneCall(bytes);
+    other.join();
+  }
+  else
+  {
+    oneCall(bytes);
+  }
+  return 0;
+}

@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The filters with any data, any settings and an abort at any time, by one thread or two at once:
+/// a failure is an error that is reported, with empty outputs; a success is what the engine's
+/// validate takes for right; and a block's result is the one that it has alone.
+#include "Bytes.h"
+#include "Demand.h"
+#include "FilterInputs.h"
+#include "FilterSettings.h"
+
+#include "FFTest.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkFFConvexifyFilter.h"
+#include "vtkFFHullFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkInformation.h"
+#include "vtkLogger.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkPFFHullFilter.h"
+#include "vtkPFFRegularTriangulationFilter.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <thread>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace
+{
+
+using namespace flipflop::fuzz;
+
+constexpr int MostPoints = 2600;
+
+/// What nobody observes is not printed: errors are what the fuzzer asks for.
+class SilentWindow : public vtkOutputWindow
+{
+public:
+  static SilentWindow* New();
+  vtkTypeMacro(SilentWindow, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char*) override {}
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
+};
+vtkStandardNewMacro(SilentWindow);
+
+bool silence()
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkNew<SilentWindow> window;
+  vtkOutputWindow::SetInstance(window);
+  return true;
+}
+
+/// Aborts at one of its filter's reports.
+class Aborter : public vtkCommand
+{
+public:
+  static Aborter* New() { return new Aborter; }
+  vtkTypeMacro(Aborter, vtkCommand);
+
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    const double fraction = *static_cast<double*>(data);
+    demand(fraction >= 0 && fraction <= 1, "progress out of 0 to 1");
+    if (++this->Reports == this->AbortAt)
+    {
+      this->Aborted = true;
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  }
+
+  int AbortAt = 0; // from 1 on; 0: never
+  int Reports = 0;
+  bool Aborted = false;
+};
+
+vtkSmartPointer<vtkFFAlgorithm> makeFilter(int kind)
+{
+  vtkSmartPointer<vtkFFAlgorithm> filter;
+  switch (kind)
+  {
+    case 1:
+      filter = vtkSmartPointer<vtkFFRegularTriangulationFilter>::New();
+      break;
+    case 2:
+      filter = vtkSmartPointer<vtkFFConvexifyFilter>::New();
+      break;
+    case 3:
+    {
+      auto hull = vtkSmartPointer<vtkPFFHullFilter>::New();
+      hull->SetController(nullptr);
+      filter = hull;
+      break;
+    }
+    case 4:
+    {
+      auto triangulation = vtkSmartPointer<vtkPFFRegularTriangulationFilter>::New();
+      triangulation->SetController(nullptr);
+      filter = triangulation;
+      break;
+    }
+    default:
+      filter = vtkSmartPointer<vtkFFHullFilter>::New();
+      break;
+  }
+  return filter;
+}
+
+bool isNothing(vtkDataObject* data)
+{
+  return !data ||
+    (data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
+      data->GetNumberOfElements(vtkDataObject::CELL) == 0);
+}
+
+/// Whether all numbers of the points are finite.
+bool isFinite(vtkPointSet* data)
+{
+  vtkDataArray* array = data->GetPoints()->GetData();
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (!vtkMath::IsFinite(array->GetComponent(i, k)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Points that every hull filter has an answer for.
+bool mustHaveHull(vtkFFHullFilter* filter, vtkPointSet* data)
+{
+  if (filter->GetEngine() == vtkFFAlgorithm::ENGINE_CUDA || !data->GetPoints())
+  {
+    return false;
+  }
+  const int type = data->GetPoints()->GetDataType();
+  const bool plain = type == VTK_DOUBLE || type == VTK_FLOAT || type == VTK_INT ||
+    type == VTK_SHORT || type == VTK_UNSIGNED_CHAR;
+  return plain &&
+    (filter->GetNonFinitePoints() == vtkFFAlgorithm::NON_FINITE_IGNORE || isFinite(data));
+}
+
+/// What a filter that ran without an error gave for one data set.
+/// @param weights how the filter chooses weights: nothing is known of them
+void demandResult(vtkFFAlgorithm* filter, vtkPointSet* input)
+{
+  vtkPolyData* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  demand(output != nullptr, "the output is no vtkPolyData");
+  if (filter->GetDimension() < 0)
+  {
+    demand(isNothing(output), "something of dimension -1");
+    return;
+  }
+  if (vtkFFHullFilter::SafeDownCast(filter))
+  {
+    demand(fftest::isHullOf(input, output, filter->GetDimension()), "not the hull");
+  }
+  auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter);
+  if (triangulation &&
+    triangulation->GetProjectionPlaneMode() == vtkFFRegularTriangulationFilter::XY_PLANE &&
+    !triangulation->GetInformation()->Has(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
+  {
+    demand(fftest::isTriangulationOf(input, nullptr, triangulation, filter->GetDimension()),
+      "not the triangulation");
+  }
+  demand(fftest::failures() == 0, "the output lacks its ids");
+}
+
+/// A filter in use: settings, data and runs.
+class Session
+{
+public:
+  explicit Session(Bytes& bytes)
+    : Kind(bytes.below(5))
+    , Filter(makeFilter(this->Kind))
+    , Errors(fftest::ErrorObserver::Of(this->Filter))
+  {
+    this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
+    this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Abort);
+  }
+
+  /// One run after some changes.
+  /// @param given data to run with; null: some is drawn
+  void run(Bytes& bytes, vtkDataObject* given)
+  {
+    const Bytes before = bytes;
+    drawSettings(bytes, this->Filter);
+    this->Settings.push_back(before);
+    this->Abort->Reports = 0;
+    this->Abort->Aborted = false;
+    this->Abort->AbortAt = bytes.oneOf(4) ? bytes.below(24) : 0;
+    if (given)
+    {
+      this->Input = given;
+    }
+    else if (!this->Input || bytes.flag())
+    {
+      this->Input = drawDataObject(bytes, MostPoints);
+    }
+    this->Filter->SetInputDataObject(this->Input);
+    this->Errors->Messages.clear();
+    this->Filter->Modified(); // else a run that failed would not be run again, nor fail again
+    this->Filter->Update();
+    this->judge();
+  }
+
+private:
+  void judge()
+  {
+    const bool failed = !this->Errors->Messages.empty();
+    if (failed)
+    {
+      demand(this->Filter->GetErrorCode() != vtkErrorCode::NoError,
+        "an error without an error code: " + this->Errors->Messages.front());
+    }
+    else
+    {
+      demand(this->Filter->GetErrorCode() == vtkErrorCode::NoError, "an error code without words");
+    }
+    for (int port = 0; port < this->Filter->GetNumberOfOutputPorts(); ++port)
+    {
+      demand(!failed || isNothing(this->Filter->GetOutputDataObject(port)),
+        "an output beside an error: " + (failed ? this->Errors->Messages.front() : ""));
+    }
+    auto* points = vtkPointSet::SafeDownCast(this->Input);
+    auto* hull = vtkFFHullFilter::SafeDownCast(this->Filter);
+    demand(!failed || !points || !hull || !mustHaveHull(hull, points),
+      "no hull: " + (failed ? this->Errors->Messages.front() : ""));
+    // An abort may come too late: after the last word of the run.
+    if (failed || (this->Abort->Aborted && isNothing(this->Filter->GetOutputDataObject(0))))
+    {
+      return;
+    }
+    if (points)
+    {
+      demandResult(this->Filter, points);
+    }
+    else
+    {
+      this->judgeBlocks();
+    }
+  }
+
+  /// Each block's result is what the block gives alone.
+  void judgeBlocks()
+  {
+    auto* input = vtkDataObjectTree::SafeDownCast(this->Input);
+    auto* output = vtkDataObjectTree::SafeDownCast(this->Filter->GetOutputDataObject(0));
+    if (!input || !output || vtkPartitionedDataSet::SafeDownCast(input))
+    {
+      return;
+    }
+    vtkSmartPointer<vtkDataObjectTreeIterator> leaves;
+    leaves.TakeReference(input->NewTreeIterator());
+    leaves->VisitOnlyLeavesOn();
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      auto* leaf = vtkPointSet::SafeDownCast(leaves->GetCurrentDataObject());
+      // The partitions of a collection are no blocks.
+      if (!leaf || input->IsA("vtkPartitionedDataSetCollection") || this->isPartition(input, leaf))
+      {
+        continue;
+      }
+      const auto alone = makeFilter(this->Kind);
+      for (Bytes settings : this->Settings)
+      {
+        drawSettings(settings, alone);
+      }
+      const auto errors = fftest::ErrorObserver::Of(alone);
+      alone->SetInputDataObject(leaf);
+      alone->Update();
+      demand(errors->Messages.empty(), "a block fails alone, and not with others");
+      demand(
+        fftest::isIdentical(output->GetDataSet(leaves), alone->GetOutputDataObject(0), "block"),
+        "a block's result depends on the others");
+      demandResult(alone, leaf);
+    }
+  }
+
+  bool isPartition(vtkDataObjectTree* tree, vtkDataObject* leaf)
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> nodes;
+    nodes.TakeReference(tree->NewTreeIterator());
+    nodes->VisitOnlyLeavesOff();
+    for (nodes->InitTraversal(); !nodes->IsDoneWithTraversal(); nodes->GoToNextItem())
+    {
+      auto* set = vtkPartitionedDataSet::SafeDownCast(nodes->GetCurrentDataObject());
+      for (unsigned int i = 0; set && i < set->GetNumberOfPartitions(); ++i)
+      {
+        if (set->GetPartitionAsDataObject(i) == leaf)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  int Kind;
+  vtkSmartPointer<vtkFFAlgorithm> Filter;
+  vtkSmartPointer<fftest::ErrorObserver> Errors;
+  vtkNew<Aborter> Abort;
+  vtkSmartPointer<vtkDataObject> Input;
+  std::vector<Bytes> Settings; // where each run's begin
+};
+
+void oneSession(Bytes bytes, vtkDataObject* given)
+{
+  Session session(bytes);
+  for (int runs = 1 + bytes.below(3); runs > 0; --runs)
+  {
+    session.run(bytes, given);
+  }
+}
+
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  static const bool silent = silence();
+  demand(silent, "never");
+  Bytes bytes(data, size);
+  if (!bytes.oneOf(8))
+  {
+    oneSession(bytes, nullptr);
+    return 0;
+  }
+  // Two at once: of data of their own, or of arrays that they share.
+  vtkSmartPointer<vtkDataObject> shared;
+  vtkSmartPointer<vtkDataObject> copy;
+  if (bytes.flag())
+  {
+    shared = drawDataObject(bytes, MostPoints);
+    copy.TakeReference(shared->NewInstance());
+    copy->ShallowCopy(shared);
+  }
+  std::thread other(oneSession, bytes, copy.Get());
+  oneSession(bytes, shared);
+  other.join();
+  return 0;
+}
