@@ -238,14 +238,19 @@ public:
   /// Does p lie on the segment from a to b, its ends included? Exact.
   FF_HD bool isBetween(const Vertex& a, const Vertex& b, const Vertex& p) const
   {
-    for (int i = 0; i < 3; ++i)
+    return isWithin(a, b, p, 3) && this->collinear(a, b, p);
+  }
+
+  /// Is p in the box of a and b, in the first @p axes axes?
+  static FF_HD bool isWithin(const Vertex& a, const Vertex& b, const Vertex& p, int axes)
+  {
+    bool within = true;
+    for (int i = 0; i < axes; ++i)
     {
-      if ((p.x[i] < a.x[i] && p.x[i] < b.x[i]) || (p.x[i] > a.x[i] && p.x[i] > b.x[i]))
-      {
-        return false;
-      }
+      within =
+        within && !(p.x[i] < a.x[i] && p.x[i] < b.x[i]) && !(p.x[i] > a.x[i] && p.x[i] > b.x[i]);
     }
-    return this->collinear(a, b, p);
+    return within;
   }
 
   bool isWide() const { return this->wide; }

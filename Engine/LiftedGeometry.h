@@ -103,7 +103,9 @@ public:
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
   /// it cannot. On a border's line it can: between the edge's ends, it must be above their chord.
   /// Where the cone is flat (the triangle without area, or the kernel point's place on the border's
-  /// line), p may lie anywhere on that line, and the perturbation tells.
+  /// line), p may lie anywhere on that line, and the perturbation tells. But what no weight lifts
+  /// above a chord is let go there, too, or each point of a crease would be inserted, one after
+  /// another.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if ((a.flags | b.flags | c.flags) & VertexVirtual)
@@ -115,10 +117,13 @@ public:
         // An edge between weights of one place: a ray's width.
         return !samePlace(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
       }
-      return this->beneathKernel(a, b, c) == 0 ? this->perturbedAbove(a, b, c, p) > 0
-                                               : this->isAboveChord(first, p, second);
+      return this->beneathKernel(a, b, c) == 0
+        ? !this->isBeneathChord(first, second, p) && this->perturbedAbove(a, b, c, p) > 0
+        : this->isAboveChord(first, p, second);
     }
-    return this->beneathKernel(a, b, c) == 0 && this->perturbedAbove(a, b, c, p) > 0;
+    return this->beneathKernel(a, b, c) == 0 && !this->isBeneathChord(a, b, p) &&
+      !this->isBeneathChord(b, c, p) && !this->isBeneathChord(c, a, p) &&
+      this->perturbedAbove(a, b, c, p) > 0;
   }
 
   /// How far p lies above abc, times twice its area (of a virtual triangle: beyond its edge, times
@@ -218,7 +223,7 @@ public:
   }
 
   /// Orientation of three points in the plane. Exact.
-  int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     int sign;
     return this->filterOrient(a.x, b.x, c.x, sign) ? sign : this->exactTurn({ &a, &b, &c, 1 });
@@ -236,6 +241,14 @@ public:
     const int axis = a.x[0] != c.x[0] ? 0 : 1;
     const int side = a.x[axis] < c.x[axis] ? 1 : -1;
     return side * this->upright(a, c, b, axis, 2) > 0;
+  }
+
+  /// Is p's place between those of a and b, which differ, and p not above their chord? Exact.
+  /// Without weights no point is.
+  FF_HD bool isBeneathChord(const Vertex& a, const Vertex& b, const Vertex& p) const
+  {
+    return Weighted && !samePlace(a, b) && HullGeometry::isWithin(a, b, p, 2) &&
+      this->orient(a, b, p) == 0 && !this->isAboveChord(a, p, b);
   }
 
   /// Do the three lifted points lie on a line? Exact.
