@@ -25,7 +25,7 @@ struct Statistics
   std::int64_t flipsV = 0;     ///< flips by the V-criterion (flips22 + flips31 = flipsV + flipsD)
   std::int64_t flipsD = 0;     ///< flips by the D-criterion
   std::int64_t labelled = 0;   ///< vertices labelled non-extreme
-  std::int64_t redundant = 0; ///< vertices taken out of true facets and edges, and duplicates
+  std::int64_t redundant = 0;  ///< vertices taken out of true facets and edges, and duplicates
   std::int64_t edgeChecks = 0; ///< edges examined by Algorithm 1
   std::int64_t exactCalls = 0; ///< predicates that the floating-point filter left undecided
 

@@ -3,6 +3,7 @@
 #include "Threads.h"
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
@@ -78,6 +79,12 @@ std::size_t ArenaLoan::made()
 {
   const std::lock_guard<std::mutex> lock(Arenas::all().mutex);
   return Arenas::all().made;
+}
+
+void runSideBySide(std::size_t count, int threads, const std::function<void(std::size_t)>& body)
+{
+  ArenaLoan arena(threads);
+  arena.execute([&] { tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner()); });
 }
 
 }

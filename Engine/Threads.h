@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace flipflop
@@ -53,6 +54,11 @@ private:
   const int threads;
   tbb::task_arena* const arena;
 };
+
+/// Calls @p body (i) for each i from 0 up to @p count, in no order, by so many threads: the caller
+/// and others. It is for runs too small to have several threads each.
+/// @param body throws nothing
+void runSideBySide(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 }
 

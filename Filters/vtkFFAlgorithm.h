@@ -55,8 +55,11 @@ class vtkPointSet;
 
 #include <cstddef>    // For std::size_t
 #include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
 #include <vector>     // For std::vector
 
+class vtkFFAheadRuns;
+class vtkFFBlockWork;
 struct vtkFFFailure;
 
 namespace flipflop
@@ -380,6 +383,18 @@ protected:
     const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) = 0;
 
   /**
+   * The work that Execute() would do on @p block alone, for small blocks to be run side by side.
+   * Null (the default): nothing but Execute() does it.
+   */
+  virtual std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block);
+
+  /**
+   * Do all of some work here and now, guarded as RunEngine() is. False when there was an error or
+   * an abort.
+   */
+  bool ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs);
+
+  /**
    * Whether one result is made of all blocks, which is no composite then.
    */
   virtual bool CombinesBlocks()
@@ -540,6 +555,7 @@ private:
     vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure);
   bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
     const std::vector<vtkDataObject*>& outputs);
+  bool RunAhead(const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs);
   void ReduceReportToFailure(); // blocks that went well before it are forgotten
   void SetProgressRange(double begin, double end);
   static bool ForwardProgress(double fraction, void* self);

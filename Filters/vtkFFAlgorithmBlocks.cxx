@@ -4,14 +4,15 @@
 // blocks, its outputs put together from their results.
 #include "vtkFFAlgorithm.h"
 
+#include "vtkFFAheadRuns.h"
+#include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
 #include "vtkFFGridPoints.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
 
 #include "Engines.h"
-
-#include "Engines.h"
+#include "Threads.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
@@ -28,7 +29,10 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <memory>
+#include <utility>
 
 namespace
 {
@@ -106,6 +110,12 @@ private:
   vtkSmartPointer<vtkDataObjectTreeIterator> Nodes; // null where the input is the only block
   bool Past = false;
 };
+
+/// A run costs about as much, whatever its points, as so many points do.
+constexpr std::int64_t pointsOfARun = 512;
+
+/// What is run ahead, for each thread: some hundredths of a second's work.
+constexpr std::int64_t pointsAhead = 1 << 16;
 
 /// Names as a sentence has them: "a, b or c".
 std::string list(const std::vector<std::string>& names)
@@ -335,6 +345,66 @@ void vtkFFAlgorithm::RestoreIds(vtkDataSetAttributes* output)
 }
 
 //------------------------------------------------------------------------------
+std::unique_ptr<vtkFFBlockWork> vtkFFAlgorithm::NewBlockWork(const Block&)
+{
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs)
+{
+  return this->RunEngine(
+    [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
+      flipflop::EngineReport& report)
+    {
+      work.Gather(options);
+      work.Run(options, engine, report);
+      work.Write(options, report, outputs);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::RunAhead(
+  const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs)
+{
+  return this->RunEngine(
+    [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
+      flipflop::EngineReport&)
+    {
+      const auto isSmall = [&](const Block& block)
+      {
+        return flipflop::threadCount(options.threads, block.NumberOfPoints) == 1 &&
+          (engine.choice == flipflop::EngineChoice::CPU ||
+            (engine.choice == flipflop::EngineChoice::Automatic &&
+              block.NumberOfPoints < engine.cudaFrom));
+      };
+      const int most = flipflop::threadCount(options.threads, VTK_ID_MAX);
+      std::int64_t work = 0;
+      std::size_t end = first;
+      while (end < blocks.size() && work < most * pointsAhead && isSmall(blocks[end]))
+      {
+        work += pointsOfARun + blocks[end].NumberOfPoints;
+        ++end;
+      }
+      const int threads = flipflop::threadCount(options.threads, work);
+      if (threads == 1 || end < first + 2)
+      {
+        return;
+      }
+      for (std::size_t i = first; i < end; ++i)
+      {
+        this->CurrentBlocks = { blocks[i] };
+        auto next = this->NewBlockWork(blocks[i]);
+        if (!next || !runs.Gather(std::move(next), options, this->PlacesOfPoints))
+        {
+          break;
+        }
+      }
+      runs.Run(threads, options, engine);
+    });
+}
+
+//------------------------------------------------------------------------------
 bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
   const std::vector<vtkDataObject*>& outputs)
 {
@@ -351,8 +421,10 @@ bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataO
 
   BlockIterator iterator(input);
   double sum = 0.0;
-  for (const Block& block : blocks)
+  std::unique_ptr<vtkFFAheadRuns> ahead;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
+    const Block& block = blocks[i];
     while (iterator.GetFlatIndex() != block.FlatIndex)
     {
       iterator.GoToNext();
@@ -373,8 +445,21 @@ bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataO
       iterator.SetData(output, result);
       results.push_back(result);
     }
+    if (!ahead || !ahead->HasNext())
+    {
+      ahead = std::make_unique<vtkFFAheadRuns>([this] { return this->IsAbortRequested(); });
+      if (!this->RunAhead(blocks, i, *ahead))
+      {
+        return false;
+      }
+    }
     this->CurrentBlocks = { block };
-    if (!this->Execute({ block }, results))
+    const bool done = ahead->HasNext()
+      ? this->RunEngine([&](const flipflop::Options& options, const flipflop::EngineOptions&,
+                          flipflop::EngineReport& report)
+          { ahead->WriteNext(options, report, this->PlacesOfPoints, results); })
+      : this->Execute({ block }, results);
+    if (!done)
     {
       return false;
     }

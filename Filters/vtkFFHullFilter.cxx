@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullFilter.h"
 
+#include "vtkFFBlockWork.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
@@ -17,8 +18,26 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <cstddef>
+#include <optional>
 
 vtkStandardNewMacro(vtkFFHullFilter);
+
+namespace
+{
+
+/// The coordinates of each piece; null where it has none.
+std::vector<vtkDataArray*> arraysOf(const std::vector<vtkPointSet*>& pieces)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (vtkPointSet* piece : pieces)
+  {
+    vtkPoints* points = piece->GetPoints();
+    arrays.push_back(points ? points->GetData() : nullptr);
+  }
+  return arrays;
+}
+
+}
 
 //------------------------------------------------------------------------------
 vtkFFHullFilter::vtkFFHullFilter()
@@ -30,28 +49,63 @@ vtkFFHullFilter::vtkFFHullFilter()
 vtkFFHullFilter::~vtkFFHullFilter() = default;
 
 //------------------------------------------------------------------------------
+class vtkFFHullFilter::Work : public vtkFFBlockWork
+{
+public:
+  Work(vtkFFHullFilter* filter, const std::vector<Block>& blocks)
+    : Filter(filter)
+  {
+    for (const Block& block : blocks)
+    {
+      this->Pieces.insert(this->Pieces.end(), block.Pieces.begin(), block.Pieces.end());
+    }
+  }
+
+  void Gather(const flipflop::Options&) override
+  {
+    this->Counted = this->Filter->TakePoints(this->Pieces, this->Filter->PlacesOfPoints);
+    this->Pieces.assign(this->Counted.begin(), this->Counted.end());
+    this->Points.emplace(arraysOf(this->Pieces));
+  }
+
+  void Run(const flipflop::Options& options, const flipflop::EngineOptions& engine,
+    flipflop::EngineReport& report) override
+  {
+    this->Hull = flipflop::convexHull(this->Points->GetView(), options, engine, report);
+  }
+
+  void Write(const flipflop::Options&, const flipflop::EngineReport& report,
+    const std::vector<vtkPolyData*>& outputs) override
+  {
+    this->Filter->AdoptHull(this->Hull, *this->Points, this->Pieces, outputs[0]);
+    this->Filter->RestoreIds(outputs[0]->GetPointData());
+    if (this->Filter->CombinesBlocks())
+    {
+      this->Filter->AddBlockIndex(outputs[0]);
+    }
+    this->Filter->AddToReport(this->Hull, report, outputs[0]);
+  }
+
+private:
+  vtkFFHullFilter* Filter;
+  std::vector<vtkPointSet*> Pieces;
+  std::vector<vtkSmartPointer<vtkPointSet>> Counted;
+  std::optional<vtkFFPointSource> Points;
+  flipflop::Hull Hull;
+};
+
+//------------------------------------------------------------------------------
 bool vtkFFHullFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  return this->RunEngine(
-    [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
-      flipflop::EngineReport& report)
-    {
-      std::vector<vtkPointSet*> pieces;
-      for (const Block& block : blocks)
-      {
-        pieces.insert(pieces.end(), block.Pieces.begin(), block.Pieces.end());
-      }
-      const auto counted = this->TakePoints(pieces, this->PlacesOfPoints);
-      const flipflop::Hull hull =
-        this->TakeHull({ counted.begin(), counted.end() }, options, engine, report, outputs[0]);
-      this->RestoreIds(outputs[0]->GetPointData());
-      if (this->CombinesBlocks())
-      {
-        this->AddBlockIndex(outputs[0]);
-      }
-      this->AddToReport(hull, report, outputs[0]);
-    });
+  Work work(this, blocks);
+  return this->ExecuteWork(work, outputs);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkFFBlockWork> vtkFFHullFilter::NewBlockWork(const Block& block)
+{
+  return std::make_unique<Work>(this, std::vector<Block>{ block });
 }
 
 //------------------------------------------------------------------------------
@@ -59,21 +113,25 @@ flipflop::Hull vtkFFHullFilter::TakeHull(const std::vector<vtkPointSet*>& pieces
   const flipflop::Options& options, const flipflop::EngineOptions& engine,
   flipflop::EngineReport& report, vtkPolyData* output)
 {
-  std::vector<vtkDataArray*> arrays;
+  const vtkFFPointSource points(arraysOf(pieces));
+  flipflop::Hull hull = flipflop::convexHull(points.GetView(), options, engine, report);
+  this->AdoptHull(hull, points, pieces, output);
+  return hull;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFHullFilter::AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
+  const std::vector<vtkPointSet*>& pieces, vtkPolyData* output)
+{
   std::vector<vtkFFOutput::Source> data;
-  for (vtkPointSet* piece : pieces)
+  if (this->PassPointData)
   {
-    vtkPoints* points = piece->GetPoints();
-    arrays.push_back(points ? points->GetData() : nullptr);
-    if (this->PassPointData)
+    for (vtkPointSet* piece : pieces)
     {
       data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
     }
   }
-  const vtkFFPointSource source(arrays);
-  flipflop::Hull hull = flipflop::convexHull(source.GetView(), options, engine, report);
-  vtkFFOutput::Adopt(hull, source, data, this->VisiblePointIds, output);
-  return hull;
+  vtkFFOutput::Adopt(hull, points, data, this->VisiblePointIds, output);
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,10 @@
 #include "vtkFFHullAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
+#ifndef __VTK_WRAP__
+class vtkFFPointSource;
+#endif
+
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
@@ -101,6 +105,7 @@ protected:
 
 #ifndef __VTK_WRAP__
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   bool CombinesBlocks() override
   {
     return this->CompositeMode == HULL_OF_ALL_BLOCKS;
@@ -127,6 +132,16 @@ protected:
 private:
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;
   void operator=(const vtkFFHullFilter&) = delete;
+
+#ifndef __VTK_WRAP__
+  class Work;
+
+  /**
+   * The hull of the @p points of @p pieces becomes the output, which takes over its cells and ids.
+   */
+  void AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
+    const std::vector<vtkPointSet*>& pieces, vtkPolyData* output);
+#endif
 };
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFRegularTriangulationFilter.h"
 
+#include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
@@ -35,6 +36,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -43,6 +45,9 @@ vtkStandardNewMacro(vtkFFRegularTriangulationFilter);
 
 namespace
 {
+
+/// Of the progress, where a power diagram follows.
+constexpr double shareOfTriangulation = 0.4;
 
 /// The triangles that canonical polygons stand for: each one's fan from its lowest corner.
 void fanPolygons(flipflop::Triangulation& triangulation)
@@ -225,30 +230,74 @@ void vtkFFRegularTriangulationFilter::ResetReport()
 }
 
 //------------------------------------------------------------------------------
+class vtkFFRegularTriangulationFilter::Work : public vtkFFBlockWork
+{
+public:
+  Work(vtkFFRegularTriangulationFilter* filter, const Block& block)
+    : Filter(filter)
+    , Pieces(block.Pieces)
+  {
+  }
+
+  void Gather(const flipflop::Options& options) override
+  {
+    // Weights are judged as they came: an array that does not fit does not go along with its
+    // points.
+    if (this->Pieces.size() == 1)
+    {
+      this->Filter->FindWeights(this->Pieces[0]);
+    }
+    this->Counted = this->Filter->TakePoints(this->Pieces, this->Filter->PlacesOfPoints);
+    this->Input = vtkFFPieces::Append({ this->Counted.begin(), this->Counted.end() });
+    vtkPoints* points = this->Input->GetPoints();
+    this->Points.emplace(points ? points->GetData() : nullptr);
+    this->Weights.emplace(this->Filter->FindWeights(this->Input));
+    this->Projection.emplace(options);
+    this->Filter->Project(*this->Points, *this->Projection);
+  }
+
+  void Run(const flipflop::Options& chosen, const flipflop::EngineOptions& engine,
+    flipflop::EngineReport& report) override
+  {
+    // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
+    // triangles that the engine would give.
+    flipflop::Options options = chosen;
+    if (this->Filter->GeneratePowerDiagram)
+    {
+      options.facets = flipflop::FacetMode::Polygons;
+      this->Filter->SetProgressPart(0.0, shareOfTriangulation);
+    }
+    this->Triangulation = flipflop::regularTriangulation(
+      this->Projection->GetView(), this->Weights->GetView(), options, engine, report);
+  }
+
+  void Write(const flipflop::Options& options, const flipflop::EngineReport& report,
+    const std::vector<vtkPolyData*>& outputs) override;
+
+private:
+  vtkFFRegularTriangulationFilter* Filter;
+  std::vector<vtkPointSet*> Pieces;
+  std::vector<vtkSmartPointer<vtkPointSet>> Counted;
+  vtkSmartPointer<vtkPointSet> Input;
+  std::optional<vtkFFPointSource> Points;
+  std::optional<vtkFFWeightSource> Weights;
+  std::optional<vtkFFProjection> Projection;
+  flipflop::Triangulation Triangulation;
+};
+
+//------------------------------------------------------------------------------
 bool vtkFFRegularTriangulationFilter::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  const std::vector<vtkPointSet*>& pieces = blocks[0].Pieces;
-  std::vector<vtkSmartPointer<vtkPointSet>> counted;
-  vtkSmartPointer<vtkPointSet> input;
-  vtkDataArray* weights = nullptr;
-  // Weights are judged as they came: an array that does not fit does not go along with its points.
-  const bool done = (pieces.size() != 1 || this->FindWeights(pieces[0], weights)) &&
-    this->RunEngine(
-      [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
-      {
-        counted = this->TakePoints(pieces, this->PlacesOfPoints);
-        input = vtkFFPieces::Append({ counted.begin(), counted.end() });
-      }) &&
-    this->FindWeights(input, weights) &&
-    this->Triangulate(input, weights, outputs[0], outputs[1], outputs[2]);
-  if (done)
-  {
-    this->RestoreIds(outputs[0]->GetPointData());
-    this->RestoreIds(outputs[1]->GetPointData());
-    this->RestoreIds(outputs[2]->GetCellData());
-  }
-  return done;
+  Work work(this, blocks[0]);
+  return this->ExecuteWork(work, outputs);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkFFBlockWork> vtkFFRegularTriangulationFilter::NewBlockWork(const Block& block)
+{
+  // With a power diagram there are two runs, and VTK's objects between them.
+  return this->GeneratePowerDiagram ? nullptr : std::make_unique<Work>(this, block);
 }
 
 //------------------------------------------------------------------------------
@@ -275,23 +324,23 @@ void vtkFFRegularTriangulationFilter::CheckSettings(vtkFFFailure& failure)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input, vtkDataArray*& weights)
+vtkDataArray* vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input)
 {
   vtkInformationVector* chosen = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
   vtkInformation* choice = chosen ? chosen->GetInformationObject(0) : nullptr;
   if (!choice || input->GetNumberOfPoints() == 0)
   {
-    return true;
+    return nullptr;
   }
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   if (name && !strcmp(name, "None") && !input->GetPointData()->HasArray(name))
   {
-    return true;
+    return nullptr;
   }
   const bool byName = name && *name;
   if (!byName && !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
   {
-    return true;
+    return nullptr;
   }
   std::string what;
   vtkAbstractArray* array = nullptr;
@@ -336,11 +385,9 @@ bool vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input, vtkDataArr
   }
   if (!wrong.str().empty())
   {
-    this->ReportError(what + wrong.str() + ".");
-    return false;
+    throw std::runtime_error(what + wrong.str() + ".");
   }
-  weights = vtkDataArray::SafeDownCast(array);
-  return true;
+  return vtkDataArray::SafeDownCast(array);
 }
 
 //------------------------------------------------------------------------------
@@ -362,62 +409,45 @@ void vtkFFRegularTriangulationFilter::Project(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::Triangulate(vtkPointSet* input, vtkDataArray* weights,
-  vtkPolyData* output, vtkPolyData* hidden, vtkPolyData* diagram)
+void vtkFFRegularTriangulationFilter::Work::Write(const flipflop::Options& options,
+  const flipflop::EngineReport& report, const std::vector<vtkPolyData*>& outputs)
 {
-  const auto work = [&](const flipflop::Options& chosen, const flipflop::EngineOptions& engine,
-                      flipflop::EngineReport& report)
+  vtkFFRegularTriangulationFilter* const filter = this->Filter;
+  flipflop::Triangulation& triangulation = this->Triangulation;
+  if (filter->GeneratePowerDiagram)
   {
-    vtkPoints* points = input->GetPoints();
-    const vtkFFPointSource source(points ? points->GetData() : nullptr);
-    const vtkFFWeightSource weightSource(weights);
-    vtkFFProjection projection(chosen);
-    this->Project(source, projection);
+    filter->SetProgressPart(shareOfTriangulation, 1.0);
+    filter->BuildPowerDiagram(
+      *this->Projection, this->Weights->GetView(), triangulation, options, this->Input, outputs[2]);
+    if (options.facets == flipflop::FacetMode::Triangles)
+    {
+      fanPolygons(triangulation);
+    }
+  }
+  filter->AddToReport(triangulation, report, outputs[0]);
+  const auto hiddenPoints = static_cast<std::int64_t>(triangulation.hiddenIds.size());
+  filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hiddenPoints);
+  if (filter->ReportAsFieldData)
+  {
+    vtkFFOutput::AddValue(outputs[0]->GetFieldData(), "FlipFlopHiddenPoints", hiddenPoints);
+  }
 
-    // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
-    // triangles that the engine would give.
-    flipflop::Options options = chosen;
-    if (this->GeneratePowerDiagram)
-    {
-      options.facets = flipflop::FacetMode::Polygons;
-      this->SetProgressPart(0.0, 0.4);
-    }
-    flipflop::Triangulation triangulation = flipflop::regularTriangulation(
-      projection.GetView(), weightSource.GetView(), options, engine, report);
-
-    if (this->GeneratePowerDiagram)
-    {
-      this->SetProgressPart(0.4, 1.0);
-      this->BuildPowerDiagram(
-        projection, weightSource.GetView(), triangulation, options, input, diagram);
-      if (chosen.facets == flipflop::FacetMode::Triangles)
-      {
-        fanPolygons(triangulation);
-      }
-    }
-    this->AddToReport(triangulation, report, output);
-    const auto hiddenPoints = static_cast<std::int64_t>(triangulation.hiddenIds.size());
-    this->NumberOfHiddenPoints += static_cast<vtkIdType>(hiddenPoints);
-    if (this->ReportAsFieldData)
-    {
-      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", hiddenPoints);
-    }
-
-    std::vector<vtkFFOutput::Source> data;
-    if (this->PassPointData)
-    {
-      data.push_back({ input->GetPointData(), input->GetNumberOfPoints() });
-    }
-    flipflop::CellComplex vertices;
-    vertices.dimension = 0;
-    vertices.cellSize = 1;
-    vertices.connectivity.allocate(triangulation.hiddenIds.size());
-    std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
-    vertices.pointIds = std::move(triangulation.hiddenIds);
-    vtkFFOutput::Adopt(vertices, source, data, this->VisiblePointIds, hidden);
-    vtkFFOutput::Adopt(triangulation, source, data, this->VisiblePointIds, output);
-  };
-  return this->RunEngine(work);
+  std::vector<vtkFFOutput::Source> data;
+  if (filter->PassPointData)
+  {
+    data.push_back({ this->Input->GetPointData(), this->Input->GetNumberOfPoints() });
+  }
+  flipflop::CellComplex vertices;
+  vertices.dimension = 0;
+  vertices.cellSize = 1;
+  vertices.connectivity.allocate(triangulation.hiddenIds.size());
+  std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
+  vertices.pointIds = std::move(triangulation.hiddenIds);
+  vtkFFOutput::Adopt(vertices, *this->Points, data, filter->VisiblePointIds, outputs[1]);
+  vtkFFOutput::Adopt(triangulation, *this->Points, data, filter->VisiblePointIds, outputs[0]);
+  filter->RestoreIds(outputs[0]->GetPointData());
+  filter->RestoreIds(outputs[1]->GetPointData());
+  filter->RestoreIds(outputs[2]->GetCellData());
 }
 
 //------------------------------------------------------------------------------

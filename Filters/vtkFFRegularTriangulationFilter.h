@@ -250,6 +250,7 @@ protected:
 #ifndef __VTK_WRAP__
   void CheckSettings(vtkFFFailure& failure) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   void ResetReport() override;
   std::string DescribeError(const flipflop::Error& error) override;
 #endif
@@ -265,9 +266,15 @@ private:
   void operator=(const vtkFFRegularTriangulationFilter&) = delete;
 
 #ifndef __VTK_WRAP__
-  bool FindWeights(vtkPointSet* input, vtkDataArray*& weights);
-  bool Triangulate(vtkPointSet* input, vtkDataArray* weights, vtkPolyData* output,
-    vtkPolyData* hidden, vtkPolyData* diagram);
+  class Work;
+
+  /**
+   * The array of weights that was chosen; null: none was.
+   *
+   * @throw std::runtime_error where it does not fit.
+   */
+  vtkDataArray* FindWeights(vtkPointSet* input);
+
   void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
   void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
     const flipflop::Triangulation& triangulation, const flipflop::Options& options,

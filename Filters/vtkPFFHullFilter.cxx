@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFHullFilter.h"
 
+#include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
 #include "vtkFFParcel.h"
@@ -324,6 +325,17 @@ bool vtkPFFHullFilter::JoinHulls(
       }
     },
     failure);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkFFBlockWork> vtkPFFHullFilter::NewBlockWork(const Block& block)
+{
+  if (vtkFFProcesses(this->Controller).GetCount() > 1)
+  {
+    return nullptr; // all processes go through their blocks in step
+  }
+  this->PlaceOfPiece = 0;
+  return this->Superclass::NewBlockWork(block);
 }
 
 //------------------------------------------------------------------------------

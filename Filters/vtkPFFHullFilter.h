@@ -84,6 +84,7 @@ protected:
 #ifndef __VTK_WRAP__
   bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 #endif
 

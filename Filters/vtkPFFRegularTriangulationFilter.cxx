@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFRegularTriangulationFilter.h"
 
+#include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
 #include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
@@ -151,6 +152,17 @@ bool vtkPFFRegularTriangulationFilter::Execute(
     this->ReportFailure(failure, isFirst);
   }
   return end[0] != 0;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkFFBlockWork> vtkPFFRegularTriangulationFilter::NewBlockWork(const Block& block)
+{
+  if (vtkFFProcesses(this->Controller).GetCount() > 1)
+  {
+    return nullptr; // all processes go through their blocks in step
+  }
+  this->PlaceOfPiece = 0;
+  return this->Superclass::NewBlockWork(block);
 }
 
 //------------------------------------------------------------------------------

@@ -134,6 +134,30 @@ TEST(Threads, RunsAtOnceHaveArenasOfTheirOwn)
   EXPECT_LE(ArenaLoan::made(), before + 8);
 }
 
+/// Each once, whatever runs beside it, and in arenas that are lent again.
+TEST(Threads, SmallRunsSideBySide)
+{
+  const Cloud cloud = fromFamily("shell0", 60, 3).make();
+  const Hull wanted = convexHull(viewOf(cloud), Options());
+  const std::size_t before = ArenaLoan::made();
+  for (const int threads : { 1, 2, 4 })
+  {
+    std::vector<std::string> faults(200, "not run");
+    runSideBySide(faults.size(), threads,
+      [&](std::size_t i)
+      {
+        Options options;
+        options.threads = 1;
+        faults[i] = faults[i] == "not run"
+          ? bitDifference(convexHull(viewOf(cloud), options), wanted)
+          : "run twice";
+      });
+    EXPECT_EQ(faults, std::vector<std::string>(200)) << threads;
+  }
+  // One of each size, and one for each run under way.
+  EXPECT_LE(ArenaLoan::made(), before + 3 + 4);
+}
+
 }
 }
 }
