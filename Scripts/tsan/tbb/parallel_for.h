@@ -8,9 +8,14 @@
 namespace tbb
 {
 
+class simple_partitioner
+{
+};
+
 /// body(i) for all i in [first, last), dealt out in turn.
 template <class Index, class Body>
-void parallel_for(Index first, Index last, const Body& body)
+void parallel_for(
+  Index first, Index last, const Body& body, const simple_partitioner& = simple_partitioner())
 {
   if (!(first < last))
   {
