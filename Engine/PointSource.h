@@ -195,11 +195,11 @@ private:
   FF_HD static void readAs(
     const Scalar* from, std::int64_t stride, std::uint32_t first, int n, double* to)
   {
+    // No address past the last point is formed: the stride may be any then.
     const std::size_t step = static_cast<std::size_t>(stride);
-    const Scalar* p = from + first * step;
-    for (int i = 0; i < n; ++i, p += step)
+    for (int i = 0; i < n; ++i)
     {
-      to[i] = *p;
+      to[i] = from[(first + static_cast<std::size_t>(i)) * step];
     }
   }
 

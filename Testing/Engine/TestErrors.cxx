@@ -172,6 +172,15 @@ TEST(Errors, TheLastPointEndsTheArray)
   EXPECT_EQ(convexHull(PointView(floats.data(), 4, 5)).cellCount(), 4);
 }
 
+TEST(Errors, OnePointHasAnyStride)
+{
+  // No address behind it is formed: UBSan watches this.
+  const double data[] = { 1, 2, 3 };
+  const float floats[] = { 1, 2, 3 };
+  EXPECT_EQ(convexHull(PointView(data, 1, INT64_MAX)).dimension, 0);
+  EXPECT_EQ(convexHull(PointView(floats, 1, INT64_MAX)).dimension, 0);
+}
+
 TEST(Errors, BadArguments)
 {
   const double data[] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };

@@ -81,7 +81,7 @@ vtkSmartPointer<vtkAbstractTransform> drawTransform(Bytes& bytes)
 
 void drawCommon(Bytes& bytes, vtkFFAlgorithm* filter)
 {
-  switch (bytes.below(11))
+  switch (bytes.below(12))
   {
     case 1:
       filter->SetEngine(drawChoice(bytes));
@@ -114,6 +114,9 @@ void drawCommon(Bytes& bytes, vtkFFAlgorithm* filter)
       filter->SetVBiased(bytes.flag());
       break;
     case 10:
+      filter->SetSkipGhostPoints(bytes.flag());
+      break;
+    case 11:
     {
       std::ostringstream text;
       filter->Print(text);

@@ -15,6 +15,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkFFConvexifyFilter.h"
@@ -32,6 +33,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <thread>
 
@@ -144,10 +146,44 @@ bool isFinite(vtkPointSet* data)
   return true;
 }
 
+/// The points as the filter is to see them: where it skips ghosts, they are NaN in a copy. Null:
+/// their type has no NaN, or there are not as many marks as points.
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkFFAlgorithm* filter, vtkPointSet* data)
+{
+  vtkUnsignedCharArray* marks = data->GetPointGhostArray();
+  if (!marks || !data->GetPoints() || !filter->GetSkipGhostPoints())
+  {
+    return data;
+  }
+  vtkDataArray* array = data->GetPoints()->GetData();
+  const vtkIdType count = data->GetNumberOfPoints();
+  if (marks->GetNumberOfValues() != count ||
+    (array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(array->GetDataType());
+  points->DeepCopy(data->GetPoints());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (marks->GetValue(i) &
+      (vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT))
+    {
+      const double nan = vtkMath::Nan();
+      points->SetPoint(i, nan, nan, nan);
+    }
+  }
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->SetPoints(points);
+  return copy;
+}
+
 /// Points that every hull filter has an answer for.
 bool mustHaveHull(vtkFFHullFilter* filter, vtkPointSet* data)
 {
-  if (filter->GetEngine() == vtkFFAlgorithm::ENGINE_CUDA || !data->GetPoints())
+  if (data->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()) ||
+    filter->GetEngine() == vtkFFAlgorithm::ENGINE_CUDA || !data->GetPoints())
   {
     return false;
   }
@@ -159,9 +195,13 @@ bool mustHaveHull(vtkFFHullFilter* filter, vtkPointSet* data)
 }
 
 /// What a filter that ran without an error gave for one data set.
-/// @param weights how the filter chooses weights: nothing is known of them
-void demandResult(vtkFFAlgorithm* filter, vtkPointSet* input)
+void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
 {
+  const auto input = withoutGhosts(filter, data);
+  if (!input)
+  {
+    return;
+  }
   vtkPolyData* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
   demand(output != nullptr, "the output is no vtkPolyData");
   if (filter->GetDimension() < 0)
