@@ -99,7 +99,7 @@ void expectHulls(int cases, const std::function<void(Random&, Cloud&)>& make)
 
 TEST(NearDegenerate, LinesOfThePlane)
 {
-  expectTriangulations(200,
+  expectTriangulations(60,
     [](Random& r, Cloud& cloud)
     {
       const double u = r.uniform(-1, 1), v = r.uniform(-1, 1), x = offset(r), y = offset(r);
@@ -118,7 +118,7 @@ TEST(NearDegenerate, LinesOfThePlane)
 
 TEST(NearDegenerate, LinesOfThePlaneAndAFewPoints)
 {
-  expectTriangulations(100,
+  expectTriangulations(40,
     [](Random& r, Cloud& cloud)
     {
       const double u = r.uniform(-1, 1), v = r.uniform(-1, 1), x = offset(r), y = offset(r);
@@ -141,7 +141,7 @@ TEST(NearDegenerate, LinesOfThePlaneAndAFewPoints)
 
 TEST(NearDegenerate, Circles)
 {
-  expectTriangulations(100,
+  expectTriangulations(30,
     [](Random& r, Cloud& cloud)
     {
       const int circles = r.integer(1, 3);
@@ -161,7 +161,7 @@ TEST(NearDegenerate, Circles)
 
 TEST(NearDegenerate, CoplanarLifts)
 {
-  expectTriangulations(60,
+  expectTriangulations(30,
     [](Random& r, Cloud& cloud)
     {
       const double a = r.uniform(-1, 1), b = r.uniform(-1, 1), x = offset(r), y = offset(r);
@@ -176,7 +176,7 @@ TEST(NearDegenerate, CoplanarLifts)
 
 TEST(NearDegenerate, LinesInSpace)
 {
-  expectHulls(150,
+  expectHulls(30,
     [](Random& r, Cloud& cloud)
     {
       const Point u = r.direction();
@@ -199,7 +199,7 @@ TEST(NearDegenerate, LinesInSpace)
 /// Points of a tilted plane: all over it, on a circle, or on the edges of a parallelogram.
 TEST(NearDegenerate, PlanesInSpace)
 {
-  expectHulls(120,
+  expectHulls(12,
     [](Random& r, Cloud& cloud)
     {
       const Point u = r.direction(), v = r.direction();
@@ -237,7 +237,7 @@ TEST(NearDegenerate, PlanesInSpace)
 /// Points of a parallelepiped's faces, or of its edges.
 TEST(NearDegenerate, FacesAndEdgesOfABox)
 {
-  expectHulls(80,
+  expectHulls(20,
     [](Random& r, Cloud& cloud)
     {
       const Point axis[3] = { r.direction(), r.direction(), r.direction() };
@@ -265,7 +265,7 @@ TEST(NearDegenerate, FacesAndEdgesOfABox)
 
 TEST(NearDegenerate, Spheres)
 {
-  expectHulls(30,
+  expectHulls(8,
     [](Random& r, Cloud& cloud)
     {
       const Point from = { offset(r), offset(r), offset(r) };
