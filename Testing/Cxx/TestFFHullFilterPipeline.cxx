@@ -228,10 +228,11 @@ void testPrint()
   const std::vector<std::string> common{ "Engine", "CUDAThreshold", "NumberOfThreads", "FacetMode",
     "NonFinitePoints", "PassPointData", "VisiblePointIds", "VBiased", "EngineUsed", "EngineReason",
     "Dimension", "Volume", "Area", "NumberOfInputPoints", "NumberOfNonFinitePoints",
-    "NumberOfCulledPoints", "NumberOfInsertions", "NumberOfPointMoves", "NumberOfFlips22", "NumberOfFlips31",
-    "NumberOfFlipsByVolume", "NumberOfFlipsByDegree", "NumberOfLabelledVertices",
-    "NumberOfRedundantVertices", "NumberOfEdgeChecks", "NumberOfExactPredicates", "NumberOfThreadsUsed", "SecondsToScan",
-    "SecondsToLocate", "SecondsToGrow", "SecondsToFlip", "SecondsToFinish", "SecondsTotal" };
+    "NumberOfCulledPoints", "NumberOfInsertions", "NumberOfPointMoves", "NumberOfFlips22",
+    "NumberOfFlips31", "NumberOfFlipsByVolume", "NumberOfFlipsByDegree", "NumberOfLabelledVertices",
+    "NumberOfRedundantVertices", "NumberOfEdgeChecks", "NumberOfExactPredicates",
+    "NumberOfThreadsUsed", "SecondsToScan", "SecondsToLocate", "SecondsToGrow", "SecondsToFlip",
+    "SecondsToFinish", "SecondsTotal" };
   vtkNew<vtkFFHullFilter> hull;
   has(hull, common);
   has(hull, { "CompositeMode" });
