@@ -36,13 +36,13 @@ hull.ReportAsFieldDataOn()
 delaunay = vtkFFRegularTriangulationFilter()
 delaunay.SetInputConnection(st_helens.GetOutputPort())
 
-regular, early = vtkFFRegularTriangulationFilter(), vtkFFRegularTriangulationFilter()
-for triangulation in (regular, early):
+regular, unbiased = vtkFFRegularTriangulationFilter(), vtkFFRegularTriangulationFilter()
+for triangulation in (regular, unbiased):
     triangulation.SetInputConnection(autzen.GetOutputPort())
     triangulation.SetInputArrayToProcess(0, 0, 0, 0, "weight")
-early.VBiasedOff()  # vertices are labelled at once
+unbiased.VBiasedOff()  # vertices are labelled at once
 
-runs = [hull, delaunay, regular, early]
+runs = [hull, delaunay, regular, unbiased]
 for run in runs:
     run.SetNumberOfThreads(1)
     run.Update()
@@ -52,7 +52,7 @@ def row(name, figures):
     print(f"{name:26}" + "".join(f"{figure:>12}" for figure in figures))
 
 
-row("", ["hull", "Delaunay", "weighted", "labels early"])
+row("", ["hull", "Delaunay", "weighted", "unbiased"])
 row("points of the output", [run.GetOutput().GetNumberOfPoints() for run in runs])
 for count in (
     ["InputPoints", "NonFinitePoints", "CulledPoints", "Insertions", "PointMoves", "Flips22"]

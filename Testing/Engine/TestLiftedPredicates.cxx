@@ -166,24 +166,45 @@ private:
     const Vertex &a = v[0], &b = v[1], &c = v[2], &p = v[3];
     if (this->exact.above(a, b, c, p) == 0)
     {
-      // Only where the triangle's cone is flat.
-      const bool wanted = this->exact.orient(a, b, c) == 0 && g.perturbedAbove(a, b, c, p) > 0;
+      // Only where the triangle's cone is flat, and no chord of its corners is above.
+      const bool wanted = this->exact.orient(a, b, c) == 0 && g.perturbedAbove(a, b, c, p) > 0 &&
+        !this->isBeneathChord(a, b, p) && !this->isBeneathChord(b, c, p) &&
+        !this->isBeneathChord(c, a, p);
       ASSERT_EQ(g.mayAppearOn(a, b, c, p), wanted);
       this->seen.appearing += wanted ? 1 : 0;
     }
     if (this->exact.orient(a, b, p) == 0)
     {
       // On the line of a border's edge: if it is above the edge, or the edge has no width.
-      const bool heavier = p.x[2] > a.x[2] && p.x[2] > b.x[2];
-      const bool wanted =
-        g.samePlace(a, b) ? !g.samePlace(a, p) || heavier : this->exact.isAboveChord(a, p, b);
+      // Where the kernel point's place is on that line, the perturbation tells, too.
       const Vertex corner = virtualVertex();
-      ASSERT_EQ(g.mayAppearOn(a, b, corner, p), wanted);
-      ASSERT_EQ(g.mayAppearOn(b, corner, a, p), wanted);
-      ASSERT_EQ(g.mayAppearOn(corner, a, b, p), wanted);
-      ASSERT_EQ(g.mayAppearOn(b, a, corner, p), wanted);
-      this->seen.appearing += wanted ? 1 : 0;
+      const bool heavier = p.x[2] > a.x[2] && p.x[2] > b.x[2];
+      const auto wanted = [&](const Vertex& from, const Vertex& to)
+      {
+        return g.samePlace(a, b) ? !g.samePlace(a, p) || heavier
+          : g.beneathKernel(from, to, corner) == 0
+          ? !this->isBeneathChord(a, b, p) && g.perturbedAbove(from, to, corner, p) > 0
+          : this->exact.isAboveChord(a, p, b);
+      };
+      ASSERT_EQ(g.mayAppearOn(a, b, corner, p), wanted(a, b));
+      ASSERT_EQ(g.mayAppearOn(b, corner, a, p), wanted(a, b));
+      ASSERT_EQ(g.mayAppearOn(corner, a, b, p), wanted(a, b));
+      ASSERT_EQ(g.mayAppearOn(b, a, corner, p), wanted(b, a));
+      this->seen.appearing += wanted(a, b) ? 1 : 0;
     }
+  }
+
+  /// Is p between a and b on a line of the plane, and not above their chord?
+  bool isBeneathChord(const Vertex& a, const Vertex& b, const Vertex& p) const
+  {
+    if (!Weighted || this->geometry.samePlace(a, b) || this->exact.orient(a, b, p) != 0)
+    {
+      return false;
+    }
+    const int axis = a.x[0] != b.x[0] ? 0 : 1;
+    const bool between = std::min(a.x[axis], b.x[axis]) <= p.x[axis] &&
+      p.x[axis] <= std::max(a.x[axis], b.x[axis]);
+    return between && !this->exact.isAboveChord(a, p, b);
   }
 
   Points points;

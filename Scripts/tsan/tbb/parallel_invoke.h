@@ -3,7 +3,7 @@
 #ifndef flipflop_tsan_parallel_invoke_h
 #define flipflop_tsan_parallel_invoke_h
 
-#include "../Threads.h"
+#include "../ForkJoin.h"
 
 namespace tbb
 {

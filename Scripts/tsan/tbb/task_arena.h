@@ -3,7 +3,7 @@
 #ifndef flipflop_tsan_task_arena_h
 #define flipflop_tsan_task_arena_h
 
-#include "../Threads.h"
+#include "../ForkJoin.h"
 
 namespace tbb
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Fork and join on std::thread, within a number of threads.
-#ifndef flipflop_tsan_Threads_h
-#define flipflop_tsan_Threads_h
+#ifndef flipflop_tsan_ForkJoin_h
+#define flipflop_tsan_ForkJoin_h
 
 #include <atomic>
 #include <cstddef>
