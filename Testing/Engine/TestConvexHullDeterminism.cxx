@@ -40,8 +40,8 @@ TEST_P(Determinism, AnyNumberOfThreadsGivesTheSameBits)
       EXPECT_EQ(bitDifference(hull, first), "") << threads << " threads";
       if (threads > 0)
       {
-        EXPECT_EQ(hull.statistics.threads,
-          threadCount(threads, static_cast<std::int64_t>(cloud.size())));
+        EXPECT_EQ(
+          hull.statistics.threads, threadCount(threads, static_cast<std::int64_t>(cloud.size())));
       }
     }
     options.vBiased = false;

@@ -202,8 +202,8 @@ private:
       return false;
     }
     const int axis = a.x[0] != b.x[0] ? 0 : 1;
-    const bool between = std::min(a.x[axis], b.x[axis]) <= p.x[axis] &&
-      p.x[axis] <= std::max(a.x[axis], b.x[axis]);
+    const bool between =
+      std::min(a.x[axis], b.x[axis]) <= p.x[axis] && p.x[axis] <= std::max(a.x[axis], b.x[axis]);
     return between && !this->exact.isAboveChord(a, p, b);
   }
 

@@ -46,8 +46,8 @@ TEST_P(Determinism, AnyNumberOfThreadsGivesTheSameBits)
       EXPECT_EQ(bitDifference(found, first), "") << threads << " threads";
       if (threads > 0)
       {
-        EXPECT_EQ(found.statistics.threads,
-          threadCount(threads, static_cast<std::int64_t>(cloud.size())));
+        EXPECT_EQ(
+          found.statistics.threads, threadCount(threads, static_cast<std::int64_t>(cloud.size())));
       }
     }
     options.vBiased = false;

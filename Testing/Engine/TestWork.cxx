@@ -63,9 +63,9 @@ std::vector<Work> workOf(const Statistics& small, const Statistics& large)
 /// bound.
 double mostGrowth(const std::string& name)
 {
-  static const std::map<std::string, double> most = { { "strands", 2.5 }, { "momentCurve", 2.5 }, { "drawing", 3.5 },
-    { "streets", 3.5 }, { "parabola", 2.5 }, { "parabolaOfIntegers", 2 }, { "lineAndPoint", 2.5 },
-    { "twoLines", 2.5 }, { "two-lines", 4 }, { "cylinder", 2 } };
+  static const std::map<std::string, double> most = { { "strands", 2.5 }, { "momentCurve", 2.5 },
+    { "drawing", 3.5 }, { "streets", 3.5 }, { "parabola", 2.5 }, { "parabolaOfIntegers", 2 },
+    { "lineAndPoint", 2.5 }, { "twoLines", 2.5 }, { "two-lines", 4 }, { "cylinder", 2 } };
   const auto known = most.find(name);
   return known == most.end() ? 1.5 : known->second;
 }
