@@ -230,8 +230,9 @@ bool vtkFFAlgorithm::TryEngine(const EngineWork& work, vtkFFFailure& failure)
     engine.choice = this->Engine == ENGINE_CUDA ? flipflop::EngineChoice::CUDA
       : this->Engine == ENGINE_CPU              ? flipflop::EngineChoice::CPU
                                                 : flipflop::EngineChoice::Automatic;
+    // VTK_INT_MAX is as much as a panel of ParaView can say.
     engine.cudaFrom =
-      this->CUDAThreshold == VTK_ID_MAX ? flipflop::CudaPaysNever : this->CUDAThreshold;
+      this->CUDAThreshold >= VTK_INT_MAX ? flipflop::CudaPaysNever : this->CUDAThreshold;
     flipflop::EngineReport report;
     work(options, engine, report);
     return true;

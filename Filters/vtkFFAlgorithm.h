@@ -145,7 +145,7 @@ public:
   /**
    * Set/Get from how many points on ENGINE_AUTOMATIC takes the CUDA engine. From how many on it
    * pays is for a measurement to tell, and none has been made: the default is VTK_ID_MAX, which
-   * leaves all inputs to the CPU engine.
+   * leaves all inputs to the CPU engine, as anything from VTK_INT_MAX on does.
    */
   vtkSetClampMacro(CUDAThreshold, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(CUDAThreshold, vtkIdType);

@@ -57,7 +57,7 @@ def test(window):
     assert "FlipFlopConvexHull(" in script and "FacetMode = 'Polygons'" in script, script
     hull = simple.GetActiveSource().GetDataInformation()
     shown = f"{hull.GetNumberOfPoints()} {hull.GetNumberOfCells()}"
-    gui.check_equal(sorted(run("trace.py", script + READ)), sorted(["2930 0", shown]))
+    gui.check_equal(sorted(run("trace.py", script + READ)), sorted(["2930 2930", shown]))
 
     with open(os.path.join(os.environ["FLIPFLOP_SOURCE"], "Documentation", "ParaView.md")) as page:
         example = re.search("```python\n(.*?)```", page.read(), re.S).group(1)
