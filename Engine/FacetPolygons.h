@@ -61,16 +61,16 @@ public:
           h = nextHalfEdge(polyhedron.triangles[triangleOf(h)].twin[cornerOf(h)]);
         }
       } while (h != start);
-      const auto begin = this->corners.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto front = this->corners.begin() + static_cast<std::ptrdiff_t>(first);
       const auto end = this->corners.end();
-      if (std::any_of(begin, end, [&rank](std::uint32_t v) { return rank[v] == NoIndex; }))
+      if (std::any_of(front, end, [&rank](std::uint32_t v) { return rank[v] == NoIndex; }))
       {
         this->corners.resize(first);
         return;
       }
-      std::rotate(begin,
+      std::rotate(front,
         std::min_element(
-          begin, end, [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; }),
+          front, end, [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; }),
         end);
       this->begin.push_back(this->corners.size());
     };

@@ -296,7 +296,7 @@ public:
 
   Validation checkConvex()
   {
-    const Geometry& geometry = this->geometry;
+    const Geometry& space = this->geometry;
     const Mesh mesh = this->polyhedron.mesh();
     const Vertex* v = mesh.vertices;
     const bool merged = this->run.options.facets == FacetMode::Polygons;
@@ -307,7 +307,7 @@ public:
       for (int e = 0; e < 3; ++e)
       {
         const std::uint32_t twin = triangle.twin[e];
-        const int sign = geometry.above(v[triangle.v[0]], v[triangle.v[1]], v[triangle.v[2]],
+        const int sign = space.above(v[triangle.v[0]], v[triangle.v[1]], v[triangle.v[2]],
           v[mesh.origin(previousHalfEdge(twin))]);
         const std::int64_t neighbour = this->cellOf[triangleOf(twin)];
         if (this->cellOf[t] < 0 && neighbour < 0)
@@ -330,13 +330,13 @@ public:
         {
           return faultAt(Fault::Structure, this->cellOf[t]);
         }
-        const std::uint32_t corner = triangle.v[e];
-        if (!(v[corner].flags & VertexVirtual) && !seen[corner])
+        const std::uint32_t origin = triangle.v[e];
+        if (!(v[origin].flags & VertexVirtual) && !seen[origin])
         {
-          seen[corner] = true;
-          if (!isInThreePlanes(geometry, mesh, halfEdge(t, e)))
+          seen[origin] = true;
+          if (!isInThreePlanes(space, mesh, halfEdge(t, e)))
           {
-            return faultAt(Fault::NotExtreme, corner);
+            return faultAt(Fault::NotExtreme, origin);
           }
         }
       }
@@ -346,8 +346,7 @@ public:
 
   Validation checkInside()
   {
-    const Geometry& geometry = this->geometry;
-    const typename Geometry::Locator locator(geometry, this->polyhedron.triangles.data(),
+    const typename Geometry::Locator locator(std::as_const(this->geometry), this->polyhedron.triangles.data(),
       this->polyhedron.triangleCount(), this->polyhedron.vertices.data(), this->run.monitor);
     return this->eachPoint(
       [&](const Geometry& local, const Vertex& p)
@@ -369,9 +368,9 @@ public:
         {
           return Fault::PointOutside;
         }
-        for (const Vertex* corner : { &a, &b, &c })
+        for (const Vertex* hullPoint : { &a, &b, &c })
         {
-          if (sign == 0 && checkDuplicate(*corner, p) != Fault::None)
+          if (sign == 0 && checkDuplicate(*hullPoint, p) != Fault::None)
           {
             return Fault::WrongId;
           }
