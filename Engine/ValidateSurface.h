@@ -346,8 +346,9 @@ public:
 
   Validation checkInside()
   {
-    const typename Geometry::Locator locator(std::as_const(this->geometry), this->polyhedron.triangles.data(),
-      this->polyhedron.triangleCount(), this->polyhedron.vertices.data(), this->run.monitor);
+    const typename Geometry::Locator locator(std::as_const(this->geometry),
+      this->polyhedron.triangles.data(), this->polyhedron.triangleCount(),
+      this->polyhedron.vertices.data(), this->run.monitor);
     return this->eachPoint(
       [&](const Geometry& local, const Vertex& p)
       {
