@@ -20,7 +20,7 @@ namespace test
 namespace
 {
 
-constexpr int Small = 12500;
+constexpr int Small = 5000;
 constexpr int Large = 8 * Small;
 
 Cloud shape(const std::string& name, int count)
