@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plan.h"
 
+#include "ShapesInUse.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -96,14 +98,24 @@ std::vector<Peer> peers(const std::string& text, const Suite& suite)
   return result;
 }
 
-std::string peerNames(const Suite& suite, const char* between)
+std::string joined(const std::vector<std::string>& names, const char* between)
 {
   std::string result;
-  for (const Peer& peer : suite.peers)
+  for (const std::string& name : names)
   {
-    result += (result.empty() ? "" : between) + peer.name;
+    result += (result.empty() ? "" : between) + name;
   }
   return result;
+}
+
+std::string peerNames(const Suite& suite, const char* between)
+{
+  std::vector<std::string> names;
+  for (const Peer& peer : suite.peers)
+  {
+    names.push_back(peer.name);
+  }
+  return joined(names, between);
 }
 
 }
@@ -196,6 +208,9 @@ std::string Plan::usage(const Suite& suite)
 
   --distributions LIST    )" +
     suite.distributionHelp + R"(
+                          and the shapes in use, of ShapesInUse.h:
+                          )" +
+    joined(shapesInUse(suite.family == Family::Space), ", ") + R"(
   --sizes LIST            numbers of points (1e5,1e6,1e7)
   --threads LIST          thread counts to run FlipFlop with (1,2)
   --peers LIST            of )" +
