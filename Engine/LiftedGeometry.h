@@ -71,6 +71,10 @@ public:
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
 
+  /// Are points inserted one at a time by threads of this machine (InsertionBuilder), or grown
+  /// first and flipped afterwards (Builder)?
+  static constexpr bool InsertsAtOnce = true;
+
   LiftedGeometry() = default;
 
   /// @param range      of the scaled coordinates and weights
