@@ -22,12 +22,95 @@
 namespace flipflop
 {
 
+/// Where a point was found.
+struct Located
+{
+  /// The triangle in whose cone it lies, exactly (by perturbation, at a border); for a point at the
+  /// position of a vertex, one of that vertex. NoIndex: the way there is not inside the patch.
+  std::uint32_t triangle;
+  bool strictly; ///< inside without the perturbation
+};
+
+/// Walk to the cone of @p p from triangle @p t on.
+/// @param mostSteps of a walk. Among the triangles of a convex polyhedron none is met twice; where
+///                  edges wait for their flips, a walk may go round.
+/// @param steps     is increased by those taken
+template <class Geometry>
+Located locateFrom(const Geometry& geometry, const Mesh& mesh, std::uint32_t t, const Vertex& p,
+  std::uint32_t mostSteps, std::int64_t& steps)
+{
+  int entry = 3;        // the side we came through
+  bool onEntry = false; // p lies on it, and the perturbation moved it across
+  for (std::uint32_t step = 0; step <= mostSteps; ++step)
+  {
+    const Triangle& triangle = mesh.triangles[t];
+    const Vertex* const corner[3] = { mesh.vertices + triangle.v[0], mesh.vertices + triangle.v[1],
+      mesh.vertices + triangle.v[2] };
+    int out = 3;
+    int zeros = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      if (i == entry)
+      {
+        continue;
+      }
+      const int sign = geometry.beneathKernel(*corner[i], *corner[nextCorner(i)], p);
+      if (sign < 0)
+      {
+        out = i;
+        break;
+      }
+      zeros |= static_cast<int>(sign == 0) << i;
+    }
+    bool byTie = false;
+    if (out == 3)
+    {
+      if (zeros == 0)
+      {
+        return { t, !onEntry };
+      }
+      for (const Vertex* v : corner)
+      {
+        if (samePosition(*v, p))
+        {
+          return { t, false };
+        }
+      }
+      for (int i = 0; i < 3 && out == 3; ++i)
+      {
+        if ((zeros >> i & 1) &&
+          geometry.tieBeneathKernel(*corner[i], *corner[nextCorner(i)], p) < 0)
+        {
+          out = i;
+        }
+      }
+      if (out == 3)
+      {
+        return { t, false };
+      }
+      byTie = true;
+    }
+    ++steps;
+    const std::uint32_t twin = triangle.twin[out];
+    if (mesh.isBorder(twin))
+    {
+      break;
+    }
+    t = triangleOf(twin);
+    entry = cornerOf(twin);
+    onEntry = byTie;
+  }
+  return { NoIndex, false };
+}
+
 /// @tparam Geometry a model of the geometry concept (see HullGeometry)
 /// @tparam Shared   see Flipper
 template <class Geometry, class Shared>
 class Insertion
 {
 public:
+  /// @param firstTriangle from which the first walk starts
+  /// @param firstFree     new triangles go to this place and up, two an insertion
   Insertion(const Geometry& geometryToAsk, const Mesh& meshToGrow,
     Flipper<Geometry, Shared>& generalFlipper, std::vector<Duplicate>& duplicatesFound,
     std::uint32_t firstTriangle, std::uint32_t firstFree)
@@ -40,31 +123,43 @@ public:
   {
   }
 
-  /// Insert the vertex at a place of the mesh's array, unless it lies beneath its triangle.
-  void insert(std::uint32_t place)
+  /// Insert the vertex at a place of the mesh's array, unless it lies beneath its triangle. The
+  /// walk starts where the last one ended.
+  /// @return false: the way to the point's triangle is not inside the patch
+  bool insert(std::uint32_t place) { return this->insertFrom(this->last, place); }
+
+  /// The same, of a walk from a triangle, which may have gone.
+  bool insertFrom(std::uint32_t start, std::uint32_t place)
   {
+    if (this->mesh.triangles[start].flags & TriangleDead)
+    {
+      return false;
+    }
     const Vertex p = this->mesh.vertices[place];
-    bool strictly;
-    const std::uint32_t t = this->locate(p, strictly);
-    this->last = t;
-    const Triangle& triangle = this->mesh.triangles[t];
+    const Located at = locateFrom(this->geometry, this->mesh, start, p, this->next, this->walked);
+    if (at.triangle == NoIndex)
+    {
+      return false;
+    }
+    this->last = at.triangle;
+    const Triangle& triangle = this->mesh.triangles[at.triangle];
     const Vertex* const v = this->mesh.vertices;
     const Vertex& a = v[triangle.v[0]];
     const Vertex& b = v[triangle.v[1]];
     const Vertex& c = v[triangle.v[2]];
-    const bool isVirtual = ((a.flags | b.flags | c.flags) & VertexVirtual) != 0;
+    const bool inside = at.strictly && !((a.flags | b.flags | c.flags) & VertexVirtual);
     // Where all points are extreme, one inside a triangle of points is above it.
-    if (!(Geometry::AllExtreme && strictly && !isVirtual) &&
-      !isAbove(this->geometry, a, b, c, p, this->duplicates))
+    if (!(Geometry::AllExtreme && inside) && !isAbove(this->geometry, a, b, c, p, this->duplicates))
     {
-      return;
+      return true;
     }
-    const std::uint32_t child[3] = { t, this->next, this->next + 1 };
+    const std::uint32_t child[3] = { at.triangle, this->next, this->next + 1 };
     this->next += 2;
     ++this->insertions;
     this->mesh.vertices[place].flags = VertexAlive;
     splitTriangle(this->mesh, child, place);
-    this->flipIn(child, p, strictly && !isVirtual);
+    this->flipIn(child, p, inside);
+    return true;
   }
 
   /// The first triangle that is not in use.
@@ -73,86 +168,14 @@ public:
   void addTo(Statistics& statistics) const
   {
     statistics.insertions += this->insertions;
-    statistics.moves += this->steps;
+    statistics.moves += this->walked;
     statistics.flips22 += this->flips;
     statistics.flipsV += this->flips;
     statistics.edgeChecks += this->checks;
   }
 
 private:
-  /// The triangle in whose cone p lies, exactly (by perturbation, at a border); a triangle at a
-  /// vertex for a p at the position of that vertex.
-  /// @param strictly is set to whether p is inside without the perturbation
-  std::uint32_t locate(const Vertex& p, bool& strictly)
-  {
-    std::uint32_t t = this->last;
-    while (this->mesh.triangles[t].flags & TriangleDead)
-    {
-      --t;
-    }
-    int entry = 3;        // the side we came through
-    bool onEntry = false; // p lies on it, and the perturbation moved it across
-    // Among the triangles of a convex polyhedron no walk meets one twice.
-    for (std::uint32_t step = 0; step <= this->next; ++step)
-    {
-      const Triangle& triangle = this->mesh.triangles[t];
-      const Vertex* const corner[3] = { this->mesh.vertices + triangle.v[0],
-        this->mesh.vertices + triangle.v[1], this->mesh.vertices + triangle.v[2] };
-      int out = 3;
-      int zeros = 0;
-      for (int i = 0; i < 3; ++i)
-      {
-        if (i == entry)
-        {
-          continue;
-        }
-        const int sign = this->geometry.beneathKernel(*corner[i], *corner[nextCorner(i)], p);
-        if (sign < 0)
-        {
-          out = i;
-          break;
-        }
-        zeros |= (sign == 0) << i;
-      }
-      bool byTie = false;
-      if (out == 3)
-      {
-        strictly = zeros == 0 && !onEntry;
-        if (zeros == 0)
-        {
-          return t;
-        }
-        for (const Vertex* v : corner)
-        {
-          if (samePosition(*v, p))
-          {
-            return t;
-          }
-        }
-        for (int i = 0; i < 3 && out == 3; ++i)
-        {
-          if (zeros >> i & 1 &&
-            this->geometry.tieBeneathKernel(*corner[i], *corner[nextCorner(i)], p) < 0)
-          {
-            out = i;
-          }
-        }
-        if (out == 3)
-        {
-          return t;
-        }
-        byTie = true;
-      }
-      ++this->steps;
-      onEntry = byTie;
-      const std::uint32_t twin = triangle.twin[out];
-      t = triangleOf(twin);
-      entry = cornerOf(twin);
-    }
-    throw Error(ErrorCode::Internal);
-  }
-
-  /// Test and flip the edges opposite to the new vertex.
+  /// Test and flip the edges opposite to the new vertex, at the corner 2 of three triangles.
   /// @param inside it lies strictly inside a triangle of points
   void flipIn(const std::uint32_t* child, const Vertex& p, bool inside)
   {
@@ -199,6 +222,10 @@ private:
     if (stuck)
     {
       this->flipper.run();
+      if (this->mesh.triangles[this->last].flags & TriangleDead)
+      {
+        this->last = this->flipper.recentTriangle();
+      }
     }
   }
 
@@ -206,11 +233,11 @@ private:
   const Mesh mesh;
   Flipper<Geometry, Shared>& flipper;
   std::vector<Duplicate>& duplicates;
-  std::uint32_t last; ///< triangle, from which the next walk starts
+  std::uint32_t last;
   std::uint32_t next;
-  std::vector<std::uint32_t> waiting = std::vector<std::uint32_t>(64); ///< triangles, at the new vertex by their corner 2
+  std::vector<std::uint32_t> waiting = std::vector<std::uint32_t>(64); ///< triangles
   std::int64_t insertions = 0;
-  std::int64_t steps = 0;
+  std::int64_t walked = 0;
   std::int64_t flips = 0;
   std::int64_t checks = 0;
 };

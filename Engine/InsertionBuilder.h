@@ -7,9 +7,12 @@
 #define flipflop_InsertionBuilder_h
 
 #include "Insertion.h"
+#include "InsertionLevel.h"
 #include "InsertionOrder.h"
 #include "PolyhedronBuilder.h"
 #include "Stopwatch.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -37,51 +40,87 @@ public:
       }
     }
     task.monitor.stage(0.1, 0.2, task.source.count());
-    const Buffer<std::uint32_t> order =
+    const InsertionOrder order =
       insertionOrder(task.source, task.checkFinite, corners, task.monitor);
     const std::uint32_t base = start.vertexCount();
-    const std::size_t count = base + order.size();
-    const std::size_t triangleCount = start.triangleCount() + 2 * order.size();
-    if (4 * triangleCount >= NoIndex)
+    const std::size_t count = base + order.ids.size();
+    const std::size_t triangleCount = start.triangleCount() + 2 * order.ids.size();
+    // Half-edges, then border slots, then NoIndex.
+    if (8 * triangleCount >= NoIndex)
     {
       throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
     }
     Polyhedron result(count, triangleCount);
     std::copy(start.vertices.begin(), start.vertices.end(), result.vertices.begin());
     std::copy(start.triangles.begin(), start.triangles.end(), result.triangles.begin());
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      result.vertices[base + i] = task.source.vertex(order[i]);
-    }
+    tbb::parallel_for(std::size_t(0), order.ids.size(),
+      [&](std::size_t i) { result.vertices[base + i] = task.source.vertex(order.ids[i]); });
     statistics.secondsLocate += watch.lap();
 
     task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count));
-    const Geometry local = task.geometry; // counts its own exact calls
-    const auto shared = [](std::uint32_t) { return false; };
-    const Mesh mesh = result.mesh();
-    Flipper<Geometry, decltype(shared)> flipper(
-      local, mesh, shared, task.options.vBiased, task.monitor);
-    Insertion<Geometry, decltype(shared)> insertion(
-      local, mesh, flipper, tally.duplicates, 0, start.triangleCount());
-    constexpr std::uint32_t Reported = 1 << 12;
-    for (std::uint32_t place = base; place < count; ++place)
+    std::uint32_t inUse = start.triangleCount();
+    std::uint32_t begin = base;
+    bool joinsPay = task.threads > 1;
+    for (const std::uint32_t levelEnd : order.levelEnds)
     {
-      insertion.insert(place);
-      if (place % Reported == 0)
+      const std::uint32_t end = base + levelEnd;
+      const std::uint32_t parts =
+        std::min(4 * static_cast<std::uint32_t>(task.threads), (end - begin) / LeastPatch);
+      if (joinsPay && parts > 1)
       {
-        task.monitor.advance(Reported);
+        std::int64_t joinFlips;
+        inUse =
+          InsertionLevel<Geometry>(task.geometry, result, inUse, task.options.vBiased, task.monitor)
+            .run(begin, end, parts, tally, joinFlips);
+        joinsPay = joinFlips < (end - begin) / 4;
+      }
+      else
+      {
+        inUse = insertAlone(task, result, inUse, begin, end, tally);
+      }
+      begin = end;
+    }
+    result.limitTriangles(inUse);
+    tally.statistics.secondsFlip += watch.lap();
+    return result;
+  }
+
+private:
+  /// Points worth a patch of their own.
+  static constexpr std::uint32_t LeastPatch = 1 << 14;
+
+  /// Insert the vertices from @p begin to @p end on one thread.
+  /// @return how many triangles are in use
+  static std::uint32_t insertAlone(const BuildTask<Geometry>& task, Polyhedron& polyhedron,
+    std::uint32_t inUse, std::uint32_t begin, std::uint32_t end, Tally& tally)
+  {
+    const Geometry local = task.geometry; // counts its own exact calls
+    const auto notShared = [](std::uint32_t) { return false; };
+    using Unshared = decltype(notShared);
+    const Mesh mesh = polyhedron.mesh();
+    Flipper<Geometry, Unshared> flipper(local, mesh, notShared, task.options.vBiased, task.monitor);
+    std::uint32_t first = inUse - 1;
+    while (mesh.triangles[first].flags & TriangleDead)
+    {
+      --first;
+    }
+    Insertion<Geometry, Unshared> insertion(local, mesh, flipper, tally.duplicates, first, inUse);
+    std::int64_t done = 0;
+    for (std::uint32_t place = begin; place < end; ++place)
+    {
+      ensure(insertion.insert(place));
+      if (++done % StepPoll::Every == 0)
+      {
+        task.monitor.advance(StepPoll::Every);
       }
     }
     ensure(flipper.deferred.empty());
-    Statistics& counts = tally.statistics;
-    flipper.addTo(counts);
-    insertion.addTo(counts);
+    flipper.addTo(tally.statistics);
+    insertion.addTo(tally.statistics);
     tally.addPredicates(local, task.geometry);
     tally.duplicates.insert(
       tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
-    result.limitTriangles(insertion.firstFree());
-    counts.secondsFlip += watch.lap();
-    return result;
+    return insertion.firstFree();
   }
 };
 

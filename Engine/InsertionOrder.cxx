@@ -233,7 +233,7 @@ int levelOf(std::uint32_t id)
 
 }
 
-Buffer<std::uint32_t> insertionOrder(const PointSource& source, bool skipNonFinite,
+InsertionOrder insertionOrder(const PointSource& source, bool skipNonFinite,
   const std::vector<std::uint32_t>& without, Monitor& monitor)
 {
   Buffer<Keyed> keyed(source.count());
@@ -262,10 +262,16 @@ Buffer<std::uint32_t> insertionOrder(const PointSource& source, bool skipNonFini
   {
     levelBegin[i + 1] += levelBegin[i];
   }
-  Buffer<std::uint32_t> order(count);
+  InsertionOrder order;
+  order.ids.allocate(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    order[levelBegin[Levels - 1 - levelOf(keyed[i].id)]++] = keyed[i].id;
+    order.ids[levelBegin[Levels - 1 - levelOf(keyed[i].id)]++] = keyed[i].id;
+  }
+  // Where a level began, it ends now.
+  for (int i = 0; i < Levels; ++i)
+  {
+    order.levelEnds.push_back(static_cast<std::uint32_t>(levelBegin[i]));
   }
   return order;
 }

@@ -21,11 +21,17 @@
 namespace flipflop
 {
 
-/// Ids of the points, in the order of insertion: a function of the points alone.
+struct InsertionOrder
+{
+  Buffer<std::uint32_t> ids;
+  std::vector<std::uint32_t> levelEnds; ///< places in ids, ascending; the last is their number
+};
+
+/// The order of an input's points: a function of the points alone.
 /// @param skipNonFinite leave out what is not finite; else all are
 /// @param without       ids to leave out; few
 /// @throw Error Aborted, OutOfMemory
-Buffer<std::uint32_t> insertionOrder(const PointSource& source, bool skipNonFinite,
+InsertionOrder insertionOrder(const PointSource& source, bool skipNonFinite,
   const std::vector<std::uint32_t>& without, Monitor& monitor);
 
 }
