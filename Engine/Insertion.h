@@ -14,6 +14,7 @@
 
 #include "Flipper.h"
 #include "Growth.h"
+#include "Tally.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -46,9 +47,15 @@ Located locateFrom(const Geometry& geometry, const Mesh& mesh, std::uint32_t t, 
     const Triangle& triangle = mesh.triangles[t];
     const Vertex* const corner[3] = { mesh.vertices + triangle.v[0], mesh.vertices + triangle.v[1],
       mesh.vertices + triangle.v[2] };
+    // From outside first back in: around the border the way is long.
+    int i = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      i = corner[k]->flags & VertexVirtual ? nextCorner(k) : i;
+    }
     int out = 3;
     int zeros = 0;
-    for (int i = 0; i < 3; ++i)
+    for (int n = 0; n < 3; ++n, i = nextCorner(i))
     {
       if (i == entry)
       {
@@ -76,12 +83,12 @@ Located locateFrom(const Geometry& geometry, const Mesh& mesh, std::uint32_t t, 
           return { t, false };
         }
       }
-      for (int i = 0; i < 3 && out == 3; ++i)
+      for (int k = 0; k < 3 && out == 3; ++k)
       {
-        if ((zeros >> i & 1) &&
-          geometry.tieBeneathKernel(*corner[i], *corner[nextCorner(i)], p) < 0)
+        if ((zeros >> k & 1) &&
+          geometry.tieBeneathKernel(*corner[k], *corner[nextCorner(k)], p) < 0)
         {
-          out = i;
+          out = k;
         }
       }
       if (out == 3)
@@ -153,6 +160,10 @@ public:
     {
       return true;
     }
+    if (!inside && this->geometry.above(a, b, c, p) == 0)
+    {
+      ++this->ties; // the edges at the new vertex are flat, and not tested
+    }
     const std::uint32_t child[3] = { at.triangle, this->next, this->next + 1 };
     this->next += 2;
     ++this->insertions;
@@ -165,8 +176,10 @@ public:
   /// The first triangle that is not in use.
   std::uint32_t firstFree() const { return this->next; }
 
-  void addTo(Statistics& statistics) const
+  void addTo(Tally& tally) const
   {
+    tally.ties += this->ties;
+    Statistics& statistics = tally.statistics;
     statistics.insertions += this->insertions;
     statistics.moves += this->walked;
     statistics.flips22 += this->flips;
@@ -237,6 +250,7 @@ private:
   std::uint32_t next;
   std::vector<std::uint32_t> waiting = std::vector<std::uint32_t>(64); ///< triangles
   std::int64_t insertions = 0;
+  std::int64_t ties = 0;
   std::int64_t walked = 0;
   std::int64_t flips = 0;
   std::int64_t checks = 0;

@@ -116,7 +116,7 @@ private:
     }
     ensure(flipper.deferred.empty());
     flipper.addTo(tally.statistics);
-    insertion.addTo(tally.statistics);
+    insertion.addTo(tally);
     tally.addPredicates(local, task.geometry);
     tally.duplicates.insert(
       tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());

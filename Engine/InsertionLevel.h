@@ -298,7 +298,7 @@ private:
   void count(
     Tally& tally, const Inserting& insertion, const Flipping& flipper, const Geometry& local)
   {
-    insertion.addTo(tally.statistics);
+    insertion.addTo(tally);
     flipper.addTo(tally.statistics);
     tally.addPredicates(local, this->geometry);
     tally.duplicates.insert(
@@ -343,7 +343,7 @@ private:
       {
         this->mesh.triangles[t].flags = TriangleDead;
       }
-      insertion.addTo(tally.statistics);
+      insertion.addTo(tally);
     }
     flipper.addTo(tally.statistics);
     ensure(flipper.deferred.empty());

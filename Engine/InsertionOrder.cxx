@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InsertionOrder.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <cstring>
 #include <limits>
+#include <utility>
 
 namespace flipflop
 {
@@ -60,7 +62,7 @@ struct HilbertTable
 
 constexpr HilbertTable Hilbert;
 
-/// The curve through a box: Hilbert's, of 2^16 steps a side.
+/// The curve through a box: Hilbert's, of 2^16 steps along the longer side.
 class Curve
 {
 public:
@@ -79,15 +81,21 @@ public:
     this->high[1] = std::max(this->high[1], y);
   }
 
+  /// Let the box hold another's.
+  void add(const Curve& other)
+  {
+    this->add(other.low[0], other.low[1]);
+    this->add(other.high[0], other.high[1]);
+  }
+
   /// The box is known.
   void prepare()
   {
-    for (int i = 0; i < 2; ++i)
-    {
-      // Halved: the whole may overflow.
-      const double half = 0.5 * this->high[i] - 0.5 * this->low[i];
-      this->scale[i] = half > 0 ? 0.5 * Steps / half : 0;
-    }
+    // Halved: the whole may overflow. One scale for both axes: in a thin box the points' order
+    // along it is what tells who is near.
+    const double half =
+      std::max(0.5 * this->high[0] - 0.5 * this->low[0], 0.5 * this->high[1] - 0.5 * this->low[1]);
+    this->scale = half > 0 ? 0.5 * Steps / half : 0;
   }
 
   std::uint32_t at(double px, double py) const
@@ -112,93 +120,96 @@ private:
 
   std::uint32_t step(int axis, double p) const
   {
-    const double s = (p - this->low[axis]) * this->scale[axis];
+    const double s = (p - this->low[axis]) * this->scale;
     return static_cast<std::uint32_t>(s > 0 ? (s < Steps ? s : Steps) : 0);
   }
 
   double low[2];
   double high[2];
-  double scale[2] = { 0, 0 };
+  double scale = 0;
 };
 
-/// Sort by key. The order of equal keys stays.
-void sortByKey(Keyed* keyed, std::size_t count, Buffer<Keyed>& aside)
+constexpr std::size_t Run = 1 << 14; ///< what a task looks at
+
+/// use(begin, end, number) for runs of @p count things, in parallel.
+template <class Use>
+void eachRun(std::size_t count, Monitor& monitor, Use&& use)
 {
-  const auto before = [](const Keyed& a, const Keyed& b) { return a.key < b.key; };
-  if (count < 1024)
-  {
-    std::stable_sort(keyed, keyed + count, before);
-    return;
-  }
-  // By digits, from the least: a comparison sort costs three times as much.
-  constexpr int Bits = 11;
-  constexpr std::uint32_t Mask = (1u << Bits) - 1;
-  if (aside.size() < count)
-  {
-    aside.allocate(count);
-  }
-  Keyed* from = keyed;
-  Keyed* to = aside.data();
-  for (int shift = 0; shift < 32; shift += Bits)
-  {
-    std::uint32_t begin[Mask + 2] = {};
-    for (std::size_t i = 0; i < count; ++i)
+  tbb::parallel_for(std::size_t(0), (count + Run - 1) / Run,
+    [&](std::size_t number)
     {
-      ++begin[(from[i].key >> shift & Mask) + 1];
-    }
-    for (std::uint32_t digit = 0; digit < Mask; ++digit)
-    {
-      begin[digit + 1] += begin[digit];
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      to[begin[from[i].key >> shift & Mask]++] = from[i];
-    }
-    std::swap(from, to);
-  }
-  std::memcpy(keyed, from, count * sizeof(Keyed)); // an odd number of digits
+      monitor.poll();
+      use(number * Run, std::min(count, (number + 1) * Run), number);
+    });
 }
 
+/// Sorts points along the curve through their box. Where many share a step of it (clusters, a far
+/// outlier), these are sorted along the curve through theirs.
 class Sorter
 {
 public:
-  Sorter(const PointSource& points, Monitor& monitor)
+  Sorter(const PointSource& points, Monitor& monitorToTell)
     : source(points)
-    , poll(monitor)
+    , monitor(monitorToTell)
   {
   }
 
-  /// Sort points along the curve through their own box. Where many share a step of it (clusters, a
-  /// far outlier), these are sorted along their own.
-  void sort(Keyed* keyed, std::size_t count)
+  void sort(Keyed* keyed, std::size_t count) const
   {
-    constexpr std::size_t Many = 32;
-    Curve curve;
-    double x[3];
-    for (std::size_t i = 0; i < count; ++i)
+    const Curve curve = this->curveThrough(keyed, count);
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          double x[3];
+          this->source.load(keyed[i].id, x);
+          keyed[i].key = curve.at(x[0], x[1]);
+        }
+      });
+    count <= Few ? this->sortFew(keyed, count) : this->sortByBuckets(keyed, count);
+  }
+
+private:
+  static constexpr std::size_t Few = 1 << 12;
+  static constexpr int BucketBits = 10;
+  static constexpr std::size_t Buckets = std::size_t(1) << BucketBits;
+
+  Curve curveThrough(const Keyed* keyed, std::size_t count) const
+  {
+    std::vector<Curve> parts((count + Run - 1) / Run);
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          double x[3];
+          this->source.load(keyed[i].id, x);
+          parts[number].add(x[0], x[1]);
+        }
+      });
+    Curve whole;
+    for (const Curve& part : parts)
     {
-      this->poll.step();
-      this->source.load(keyed[i].id, x);
-      curve.add(x[0], x[1]);
+      whole.add(part);
     }
-    curve.prepare();
-    std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t highest = 0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      this->source.load(keyed[i].id, x);
-      keyed[i].key = curve.at(x[0], x[1]);
-      lowest = std::min(lowest, keyed[i].key);
-      highest = std::max(highest, keyed[i].key);
-    }
-    if (lowest >= highest)
+    whole.prepare();
+    return whole;
+  }
+
+  /// By comparison, by key and then by id.
+  void sortFew(Keyed* keyed, std::size_t count) const
+  {
+    constexpr std::size_t Many = 32; ///< at one step
+    std::sort(keyed, keyed + count,
+      [](const Keyed& a, const Keyed& b)
+      { return a.key < b.key || (a.key == b.key && a.id < b.id); });
+    if (count == 0 || keyed[0].key == keyed[count - 1].key)
     {
       return; // one place, or too near each other for differences
     }
-    sortByKey(keyed, count, this->aside);
     for (std::size_t begin = 0, end = 0; begin < count; begin = end)
     {
-      this->poll.step();
       while (end < count && keyed[end].key == keyed[begin].key)
       {
         ++end;
@@ -210,23 +221,74 @@ public:
     }
   }
 
-private:
+  /// By the keys' highest digit, then each bucket alone.
+  void sortByBuckets(Keyed* keyed, std::size_t count) const
+  {
+    const auto bucketOf = [](const Keyed& k) { return k.key >> (32 - BucketBits); };
+    const std::size_t runs = (count + Run - 1) / Run;
+    std::vector<std::uint32_t> cursor(runs * Buckets); ///< by run, then bucket
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          ++cursor[number * Buckets + bucketOf(keyed[i])];
+        }
+      });
+    std::vector<std::uint32_t> bucketBegin(Buckets + 1);
+    std::uint32_t total = 0;
+    for (std::size_t bucket = 0; bucket < Buckets; ++bucket)
+    {
+      bucketBegin[bucket] = total;
+      for (std::size_t at = bucket; at < cursor.size(); at += Buckets)
+      {
+        const std::uint32_t n = cursor[at];
+        cursor[at] = total;
+        total += n;
+      }
+    }
+    bucketBegin[Buckets] = total;
+    Buffer<Keyed> aside(count);
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          aside[cursor[number * Buckets + bucketOf(keyed[i])]++] = keyed[i];
+        }
+      });
+    tbb::parallel_for(std::size_t(0), Buckets,
+      [&](std::size_t bucket)
+      {
+        const std::size_t begin = bucketBegin[bucket];
+        const std::size_t size = bucketBegin[bucket + 1] - begin;
+        std::copy_n(aside.begin() + begin, size, keyed + begin);
+        if (size <= Few)
+        {
+          this->sortFew(keyed + begin, size);
+        }
+        else if (size < count) // else all are at one place: ends of a box are buckets apart
+        {
+          this->sort(keyed + begin, size);
+        }
+      });
+  }
+
   const PointSource& source;
-  StepPoll poll;
-  Buffer<Keyed> aside;
+  Monitor& monitor;
 };
 
 constexpr int Levels = 9;
 
-/// Of 8 points 7 are in level 0, of the others as many in level 1, and so on.
+/// Of 8 points 7 are in the last level, of the others as many in the one before, and so on.
 int levelOf(std::uint32_t id)
 {
   std::uint64_t hash = (id + std::uint64_t(1)) * 0x9E3779B97F4A7C15ull;
   hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
-  int level = 0;
-  for (hash >>= 40; level < Levels - 1 && (hash & 7) == 0; hash >>= 3)
+  int level = Levels - 1;
+  for (hash >>= 40; level > 0 && (hash & 7) == 0; hash >>= 3)
   {
-    ++level;
+    --level;
   }
   return level;
 }
@@ -236,43 +298,75 @@ int levelOf(std::uint32_t id)
 InsertionOrder insertionOrder(const PointSource& source, bool skipNonFinite,
   const std::vector<std::uint32_t>& without, Monitor& monitor)
 {
-  Buffer<Keyed> keyed(source.count());
-  std::size_t count = 0;
-  std::size_t levelBegin[Levels + 1] = {}; ///< from the highest level on
-  for (std::uint32_t id = 0; id < source.count(); ++id)
+  const auto isWanted = [&](std::uint32_t id)
   {
-    if (std::find(without.begin(), without.end(), id) != without.end())
-    {
-      continue;
-    }
+    double x[3];
     if (skipNonFinite)
     {
-      double x[3];
       source.load(id, x);
-      if (!isFinite(x))
-      {
-        continue;
-      }
     }
-    keyed[count++].id = id;
-    ++levelBegin[Levels - levelOf(id)];
+    return (!skipNonFinite || isFinite(x)) &&
+      std::find(without.begin(), without.end(), id) == without.end();
+  };
+  const std::size_t runs = (source.count() + Run - 1) / Run;
+  std::vector<std::size_t> cursor(runs);
+  eachRun(source.count(), monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t id = begin; id < end; ++id)
+      {
+        cursor[number] += isWanted(static_cast<std::uint32_t>(id));
+      }
+    });
+  std::size_t count = 0;
+  for (std::size_t& at : cursor)
+  {
+    count += std::exchange(at, count);
   }
+  Buffer<Keyed> keyed(count);
+  eachRun(source.count(), monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto id = static_cast<std::uint32_t>(i);
+        if (isWanted(id))
+        {
+          keyed[cursor[number]++].id = id;
+        }
+      }
+    });
   Sorter(source, monitor).sort(keyed.data(), count);
-  for (int i = 0; i < Levels; ++i)
-  {
-    levelBegin[i + 1] += levelBegin[i];
-  }
+
+  // Each level's points in the curve's order.
+  std::vector<std::uint32_t> place((count + Run - 1) / Run * Levels); ///< by run, then level
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ++place[number * Levels + levelOf(keyed[i].id)];
+      }
+    });
   InsertionOrder order;
+  std::uint32_t total = 0;
+  for (int level = 0; level < Levels; ++level)
+  {
+    for (std::size_t at = level; at < place.size(); at += Levels)
+    {
+      total += std::exchange(place[at], total);
+    }
+    order.levelEnds.push_back(total);
+  }
   order.ids.allocate(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    order.ids[levelBegin[Levels - 1 - levelOf(keyed[i].id)]++] = keyed[i].id;
-  }
-  // Where a level began, it ends now.
-  for (int i = 0; i < Levels; ++i)
-  {
-    order.levelEnds.push_back(static_cast<std::uint32_t>(levelBegin[i]));
-  }
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        order.ids[place[number * Levels + levelOf(keyed[i].id)]++] = keyed[i].id;
+      }
+    });
   return order;
 }
 
