@@ -11,12 +11,13 @@
 #include "InsertionOrder.h"
 #include "PolyhedronBuilder.h"
 #include "Stopwatch.h"
+#include "Threads.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -45,8 +46,7 @@ public:
     const std::uint32_t base = start.vertexCount();
     const std::size_t count = base + order.ids.size();
     const std::size_t triangleCount = start.triangleCount() + 2 * order.ids.size();
-    // Half-edges, then border slots, then NoIndex.
-    if (8 * triangleCount >= NoIndex)
+    if (4 * triangleCount >= NoIndex)
     {
       throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
     }
@@ -60,13 +60,17 @@ public:
     task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count));
     std::uint32_t inUse = start.triangleCount();
     std::uint32_t begin = base;
+    // A patch is worth as many points as four threads are.
+    const auto leastPatch =
+      static_cast<std::uint32_t>(4 * pointsPerThread().load(std::memory_order_relaxed));
     bool joinsPay = task.threads > 1;
     for (const std::uint32_t levelEnd : order.levelEnds)
     {
       const std::uint32_t end = base + levelEnd;
       const std::uint32_t parts =
-        std::min(4 * static_cast<std::uint32_t>(task.threads), (end - begin) / LeastPatch);
-      if (joinsPay && parts > 1)
+        std::min(4 * static_cast<std::uint32_t>(task.threads), (end - begin) / leastPatch);
+      // Half-edges, then border slots, then NoIndex.
+      if (joinsPay && parts > 1 && 4 * (triangleCount + inUse) < NoIndex)
       {
         std::int64_t joinFlips;
         inUse =
@@ -86,9 +90,6 @@ public:
   }
 
 private:
-  /// Points worth a patch of their own.
-  static constexpr std::uint32_t LeastPatch = 1 << 14;
-
   /// Insert the vertices from @p begin to @p end on one thread.
   /// @return how many triangles are in use
   static std::uint32_t insertAlone(const BuildTask<Geometry>& task, Polyhedron& polyhedron,
