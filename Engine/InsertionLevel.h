@@ -20,7 +20,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -107,11 +109,12 @@ private:
   template <class Use>
   void eachTriangle(Use&& use)
   {
-    constexpr std::uint32_t Grain = 1 << 13;
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, this->inUse, Grain),
-      [&](const tbb::blocked_range<std::uint32_t>& range)
+    constexpr std::uint32_t Run = 1 << 13;
+    tbb::parallel_for(std::size_t(0), std::size_t((this->inUse + Run - 1) / Run),
+      [&](std::size_t run)
       {
-        for (std::uint32_t t = range.begin(); t != range.end(); ++t)
+        const auto begin = static_cast<std::uint32_t>(run * Run);
+        for (std::uint32_t t = begin; t < std::min(this->inUse, begin + Run); ++t)
         {
           if (!(this->mesh.triangles[t].flags & TriangleDead))
           {
