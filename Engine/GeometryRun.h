@@ -7,9 +7,9 @@
 #define flipflop_GeometryRun_h
 
 #include "Builder.h"
-#include "InsertionBuilder.h"
 #include "Canonical.h"
 #include "CellComplex.h"
+#include "InsertionBuilder.h"
 #include "Polyhedron.h"
 #include "PolyhedronBuilder.h"
 #include "Redundant.h"
