@@ -372,7 +372,7 @@ void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
   monitor.poll();
   const Buffer<Cell>& cells = sort.sort();
   monitor.poll();
-  if (fans || !this->polygons)
+  if (fans || !this->polygons || this->polygons->count() == 0)
   {
     writeTriangles(cells, std::move(triangles), complex);
   }

@@ -173,6 +173,9 @@ public:
     } while (spoke != h);
   }
 
+  /// A triangle that the last flip left.
+  std::uint32_t recentTriangle() const { return this->recent; }
+
   /// Half-edges that a larger patch must check.
   std::vector<std::uint32_t> deferred;
 
@@ -190,14 +193,16 @@ public:
   }
 
 private:
-  FF_APART void flip22(std::uint32_t h, std::uint32_t* outer) const
+  FF_APART void flip22(std::uint32_t h, std::uint32_t* outer)
   {
+    this->recent = triangleOf(h);
     const FlipPlan plan = planFlip22(this->mesh, h);
     flip(this->mesh, plan);
     std::copy(plan.to, plan.to + 4, outer);
   }
-  FF_APART void flip31(std::uint32_t h, std::uint32_t* outer) const
+  FF_APART void flip31(std::uint32_t h, std::uint32_t* outer)
   {
+    this->recent = triangleOf(h);
     const FlipPlan plan = planFlip31(this->mesh, h);
     flip(this->mesh, plan);
     std::copy(plan.to, plan.to + 3, outer);
@@ -304,6 +309,7 @@ private:
   Monitor& monitor;
   std::vector<std::uint32_t> stack;
   std::vector<std::uint32_t> pending;
+  std::uint32_t recent = NoIndex;
   std::uint32_t sincePoll = 0;
   std::int64_t checks = 0;
   std::int64_t flips22 = 0;

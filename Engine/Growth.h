@@ -117,24 +117,9 @@ private:
 
     const std::uint32_t child[3] = { cone.triangle, nextTriangle, nextTriangle + 1 };
     nextTriangle += 2;
-    Triangle& parent = this->mesh.triangles[cone.triangle];
+    const Triangle& parent = this->mesh.triangles[cone.triangle];
     const std::uint32_t corner[3] = { parent.v[0], parent.v[1], parent.v[2] };
-    const std::uint32_t outer[3] = { parent.twin[0], parent.twin[1], parent.twin[2] };
-    for (int i = 0; i < 3; ++i)
-    {
-      Triangle& triangle = this->mesh.triangles[child[i]];
-      triangle.v[0] = corner[i];
-      triangle.v[1] = corner[nextCorner(i)];
-      triangle.v[2] = cone.begin;
-      triangle.flags = 0;
-      triangle.index = 0;
-      triangle.twin[1] = halfEdge(child[nextCorner(i)], 2);
-      triangle.twin[2] = halfEdge(child[previousCorner(i)], 1);
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      this->mesh.link(halfEdge(child[i], 0), outer[i]);
-    }
+    splitTriangle(this->mesh, child, cone.begin);
     if (cone.end - cone.begin > 1)
     {
       this->partition(cone, child, corner);

@@ -61,6 +61,10 @@ public:
   /// Are all points vertices but for duplicates?
   static constexpr bool AllExtreme = false;
 
+  /// Are points inserted one at a time by threads of this machine (InsertionBuilder), or grown
+  /// first and flipped afterwards (Builder)?
+  static constexpr bool InsertsAtOnce = false;
+
   HullGeometry() = default;
 
   /// @param range      of the scaled coordinates

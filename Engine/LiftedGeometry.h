@@ -42,6 +42,10 @@ namespace flipflop
 /// up. A height counts with the sum of its parts' magnitudes.
 constexpr double LiftedError = 80.0 * 1.1102230246251565e-16;
 
+/// The same against the sum of the terms' magnitudes: each passes 12 roundings, 5 of them its
+/// height.
+constexpr double LiftedTermError = 13.0 * 1.1102230246251565e-16;
+
 /// Error of an orientation in the plane, against the sum of its two products' magnitudes.
 constexpr double PlaneError = 4.01 * 1.1102230246251565e-16;
 
@@ -70,6 +74,10 @@ public:
 
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
+
+  /// Are points inserted one at a time by threads of this machine (InsertionBuilder), or grown
+  /// first and flipped afterwards (Builder)?
+  static constexpr bool InsertsAtOnce = true;
 
   LiftedGeometry() = default;
 
@@ -137,7 +145,8 @@ public:
       return (turn.b.x[0] - turn.a.x[0]) * (turn.c.x[1] - turn.a.x[1]) -
         (turn.b.x[1] - turn.a.x[1]) * (turn.c.x[0] - turn.a.x[0]);
     }
-    return Rows(a.x, b.x, c.x, p.x).determinant();
+    double most;
+    return Rows(a.x, b.x, c.x, p.x).determinant(most);
   }
 
   /// The first step alone: false when it cannot tell.
@@ -149,25 +158,19 @@ public:
       return this->filterVirtualAbove(a, b, c, p, sign);
     }
     const Rows rows(a.x, b.x, c.x, p.x);
-    const double det = rows.determinant();
+    double most;
+    const double det = rows.determinant(most);
     sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
     if (this->exactInDouble)
     {
       return true;
     }
-    const double x = HullGeometry::largestOf(rows.ux, rows.vx, rows.wx);
-    const double y = HullGeometry::largestOf(rows.uy, rows.vy, rows.wy);
-    const double height = rows.largestHeight;
-    const double error = LiftedError * x * y * height;
-    if (std::fabs(det) > error)
+    const double error = LiftedTermError * most;
+    if ((det > error || det < -error) && this->inRange)
     {
-      return error >= LiftedUnderflow &&
-        (this->inRange ||
-          (x <= LiftedCeiling && y <= LiftedCeiling && height <= LiftedCeiling * LiftedCeiling));
+      return error >= LiftedUnderflow;
     }
-    // A column of exact zeros: so is the determinant.
-    sign = 0;
-    return x == 0.0 || y == 0.0;
+    return this->filterFar(rows, det, error, sign);
   }
 
   FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
@@ -290,26 +293,36 @@ private:
       , ud(ux * ux + uy * uy)
       , vd(vx * vx + vy * vy)
       , wd(wx * wx + wy * wy)
-      , largestHeight(HullGeometry::largestOf(ud, vd, wd))
+      , uSize(ud)
+      , vSize(vd)
+      , wSize(wd)
     {
       if (Weighted)
       {
         const double uw = b[2] - a[2], vw = c[2] - a[2], ww = p[2] - a[2];
-        this->largestHeight += HullGeometry::largestOf(uw, vw, ww);
+        this->uSize += std::fabs(uw);
+        this->vSize += std::fabs(vw);
+        this->wSize += std::fabs(ww);
         this->ud -= uw;
         this->vd -= vw;
         this->wd -= ww;
       }
     }
 
-    FF_HD double determinant() const
+    /// @param most is set to the sum of the terms' magnitudes
+    FF_HD FF_INLINE double determinant(double& most) const
     {
-      return (uy * vx - ux * vy) * wd + (vy * wx - vx * wy) * ud + (wy * ux - wx * uy) * vd;
+      const double uv = uy * vx, vu = ux * vy;
+      const double vw = vy * wx, wv = vx * wy;
+      const double wu = wy * ux, uw = wx * uy;
+      most = (std::fabs(uv) + std::fabs(vu)) * wSize + (std::fabs(vw) + std::fabs(wv)) * uSize +
+        (std::fabs(wu) + std::fabs(uw)) * vSize;
+      return (uv - vu) * wd + (vw - wv) * ud + (wu - uw) * vd;
     }
 
     double ux, uy, vx, vy, wx, wy;
-    double ud, vd, wd;    ///< depths
-    double largestHeight; ///< the sum of its parts' magnitudes
+    double ud, vd, wd;          ///< depths
+    double uSize, vSize, wSize; ///< the sums of their parts' magnitudes
   };
 
   /// A place in the plane. By value: a filter that kept the address of a point would force it out
@@ -319,6 +332,22 @@ private:
     double x[2];
     static FF_HD Place of(const double* p) { return { { p[0], p[1] } }; }
   };
+
+  /// The rest of filterAbove: where the bound leaves the sign open, or may not hold.
+  static FF_HD FF_APART bool filterFar(const Rows& rows, double det, double error, int& sign)
+  {
+    const double x = HullGeometry::largestOf(rows.ux, rows.vx, rows.wx);
+    const double y = HullGeometry::largestOf(rows.uy, rows.vy, rows.wy);
+    const double height = HullGeometry::largestOf(rows.uSize, rows.vSize, rows.wSize);
+    if (std::fabs(det) > error)
+    {
+      return error >= LiftedUnderflow && x <= LiftedCeiling && y <= LiftedCeiling &&
+        height <= LiftedCeiling * LiftedCeiling;
+    }
+    // A column of exact zeros: so is the determinant.
+    sign = 0;
+    return x == 0.0 || y == 0.0;
+  }
 
   /// sign times the orientation of three places in the plane.
   /// @tparam Seat Place, or const Vertex*, for which null stands for s

@@ -76,7 +76,7 @@ struct Mesh
   FF_HD std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
 
   /// Make h and other (a half-edge or a border slot) each other's opposite.
-  void link(std::uint32_t h, std::uint32_t other) const
+  FF_INLINE void link(std::uint32_t h, std::uint32_t other) const
   {
     this->triangles[h >> 2].twin[h & 3] = other;
     if (this->isBorder(other))
@@ -173,6 +173,27 @@ FF_INLINE void flip(const Mesh& mesh, const FlipPlan& plan)
   for (int i = 0; i < plan.outerCount; ++i)
   {
     mesh.link(plan.to[i], other[i]);
+  }
+}
+
+/// Split the triangle abc of @p child[0] by the vertex v into abv, bcv and cav: child[0], [1], [2].
+inline void splitTriangle(const Mesh& mesh, const std::uint32_t* child, std::uint32_t v)
+{
+  const Triangle parent = mesh.triangles[child[0]];
+  for (int i = 0; i < 3; ++i)
+  {
+    Triangle& triangle = mesh.triangles[child[i]];
+    triangle.v[0] = parent.v[i];
+    triangle.v[1] = parent.v[nextCorner(i)];
+    triangle.v[2] = v;
+    triangle.flags = 0;
+    triangle.index = 0;
+    triangle.twin[1] = halfEdge(child[nextCorner(i)], 2);
+    triangle.twin[2] = halfEdge(child[previousCorner(i)], 1);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    mesh.link(halfEdge(child[i], 0), parent.twin[i]);
   }
 }
 

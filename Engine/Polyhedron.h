@@ -49,6 +49,20 @@ struct Polyhedron
     }
   }
 
+  /// Only the first @p count triangles are in use.
+  void limitTriangles(std::size_t count)
+  {
+    const auto end = static_cast<std::uint32_t>(count);
+    while (!this->pieces.empty() && this->pieces.back().begin >= end)
+    {
+      this->pieces.pop_back();
+    }
+    if (!this->pieces.empty())
+    {
+      this->pieces.back().end = std::min(this->pieces.back().end, end);
+    }
+  }
+
   /// Numbers of the arrays' slots: of the vertices and triangles themselves only where there are no
   /// gaps.
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }

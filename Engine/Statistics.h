@@ -18,8 +18,8 @@ struct Statistics
   std::int64_t points = 0;     ///< points given
   std::int64_t nonFinite = 0;  ///< points left out because a coordinate is NaN or infinite
   std::int64_t culled = 0;     ///< points found inside without being associated to a triangle
-  std::int64_t insertions = 0; ///< vertices inserted while growing (1-3 flips), all levels
-  std::int64_t moves = 0;      ///< times that growing handed a point on to a child of its cone
+  std::int64_t insertions = 0; ///< vertices inserted (1-3 flips), all samples and levels
+  std::int64_t moves = 0;      ///< times that a point was handed on, to a child cone or on a walk
   std::int64_t flips22 = 0;    ///< 2-2 flips
   std::int64_t flips31 = 0;    ///< 3-1 flips
   std::int64_t flipsV = 0;     ///< flips by the V-criterion (flips22 + flips31 = flipsV + flipsD)
@@ -32,7 +32,7 @@ struct Statistics
   double secondsScan = 0;    ///< wall time: ranges, non-finite points, first tetrahedron
   double secondsLocate = 0;  ///< wall time: culling, associating points to triangles
   double secondsGrow = 0;    ///< summed over threads: Algorithm 2
-  double secondsFlip = 0;    ///< summed over threads: Algorithm 1
+  double secondsFlip = 0;    ///< summed over threads: Algorithm 1; wall time of both in the plane
   double secondsCompact = 0; ///< wall time, CUDA engine: the polyhedron without gaps, and back
   double secondsFinish = 0;  ///< wall time: true facets, canonical order
   double secondsTotal = 0;   ///< wall time of the whole run

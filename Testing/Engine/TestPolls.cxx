@@ -104,10 +104,12 @@ struct Built
         const Span span = spanOf(this->run);
         Polyhedron start = startingTetrahedron(this->run.geometry, this->run.source, span.ids);
         Statistics statistics;
-        this->polyhedron = compact(Builder<Geometry>().build(
-          { this->run.geometry, this->run.source, false, this->run.options, 1, this->run.monitor,
-            nestedSamples(this->run.source.count()) },
-          std::move(start), this->tally, statistics));
+        using Builds = std::conditional_t<Geometry::InsertsAtOnce, InsertionBuilder<Geometry>,
+          Builder<Geometry>>;
+        this->polyhedron =
+          compact(Builds().build({ this->run.geometry, this->run.source, false, this->run.options,
+                                   1, this->run.monitor, nestedSamples(this->run.source.count()) },
+            std::move(start), this->tally, statistics));
       });
   }
 

@@ -58,14 +58,13 @@ std::vector<Work> workOf(const Statistics& small, const Statistics& large)
   return all;
 }
 
-/// How much more a point may cost at eight times the size. Growing first and flipping afterwards
-/// costs more flips the more points lie on a line or a curve; what that comes to today is the
+/// How much more a point may cost at eight times the size. In space, growing first and flipping
+/// afterwards costs more flips the more points lie on a curve; what that comes to today is the
 /// bound.
 double mostGrowth(const std::string& name)
 {
   static const std::map<std::string, double> most = { { "strands", 2.5 }, { "momentCurve", 2.5 },
-    { "drawing", 3.5 }, { "streets", 3.5 }, { "parabola", 2.5 }, { "parabolaOfIntegers", 2 },
-    { "lineAndPoint", 2.5 }, { "twoLines", 2.5 }, { "two-lines", 4 }, { "cylinder", 2 } };
+    { "cylinder", 2 } };
   const auto known = most.find(name);
   return known == most.end() ? 1.5 : known->second;
 }

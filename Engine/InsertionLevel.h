@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Insert one level of points by many threads, which need no locks.
+///
+/// The points, in the curve's order, are cut into chunks. Each point finds its triangle in the mesh
+/// as it is; a triangle with all of its points goes to the first chunk that has one there. So the
+/// mesh falls into patches, each near one piece of the curve, and a task inserts a patch's points
+/// in it alone. A star-shaped polyhedron may wait with its flips: edges at the border of a patch
+/// are tested when all patches are done, on the whole. So wait the few points whose walk would
+/// leave their patch, and labels of vertices that several patches share.
+///
+/// A triangle at the border names no neighbour but a slot, see Mesh.h.
+#ifndef flipflop_InsertionLevel_h
+#define flipflop_InsertionLevel_h
+
+#include "Insertion.h"
+#include "Polyhedron.h"
+#include "Tally.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+template <class Geometry>
+class InsertionLevel
+{
+public:
+  /// @param trianglesInUse of the polyhedron, the first; they are a convex one
+  InsertionLevel(const Geometry& geometryToAsk, Polyhedron& polyhedron,
+    std::uint32_t trianglesInUse, bool vBiasedFlips, Monitor& monitorToTell)
+    : geometry(geometryToAsk)
+    , mesh(polyhedron.mesh())
+    , inUse(trianglesInUse)
+    , vertexCount(0)
+    , vBiased(vBiasedFlips)
+    , monitor(monitorToTell)
+  {
+  }
+
+  /// Insert the vertices from @p begin to @p end of the mesh's array.
+  /// @param parts     at least two; of some thousand points each
+  /// @param joinFlips is set to how many flips waited for the whole
+  /// @return how many triangles are in use, some of them dead
+  std::uint32_t run(std::uint32_t begin, std::uint32_t end, std::uint32_t parts, Tally& tally,
+    std::int64_t& joinFlips)
+  {
+    this->firstPlace = begin;
+    this->vertexCount = begin;
+    this->found.allocate(end - begin);
+    this->patches.resize(parts);
+    const std::uint32_t count = end - begin;
+    const auto chunkBegin = [=](std::uint32_t k)
+    { return begin + static_cast<std::uint32_t>(std::uint64_t(count) * k / parts); };
+    eachPart([&](std::uint32_t k) { this->locate(chunkBegin(k), chunkBegin(k + 1), k); });
+    this->takeTriangles(chunkBegin);
+    this->distribute(chunkBegin);
+    this->separate();
+    eachPart([&](std::uint32_t k) { this->insertPart(k); });
+    joinFlips = this->join(tally);
+    return this->inUse + 2 * count;
+  }
+
+private:
+  /// Bit of an owner that took its triangle from a neighbour.
+  static constexpr std::uint32_t Adopted = 0x80000000u;
+
+  struct SharedOutside
+  {
+    const std::uint8_t* shared; ///< by vertex of the base
+    std::uint32_t count;
+    bool operator()(std::uint32_t v) const { return v < this->count && this->shared[v] != 0; }
+  };
+  using PatchFlipper = Flipper<Geometry, SharedOutside>;
+
+  struct BorderEdge
+  {
+    std::uint32_t halfEdge;
+    std::uint32_t twin;
+  };
+
+  struct Patch
+  {
+    std::vector<std::uint32_t> places; ///< of its points, in their order
+    std::vector<BorderEdge> border;
+    std::uint32_t firstFree; ///< triangle
+    std::uint32_t lastFree;
+    std::vector<std::uint32_t> blocked;  ///< places: of points that wait
+    std::vector<std::uint32_t> deferred; ///< half-edges that wait
+    Tally tally;
+  };
+
+  template <class Use>
+  void eachPart(Use&& use)
+  {
+    tbb::parallel_for(std::size_t(0), this->patches.size(),
+      [&](std::size_t k) { use(static_cast<std::uint32_t>(k)); });
+  }
+
+  /// use(t) for every triangle of the base, in parallel.
+  template <class Use>
+  void eachTriangle(Use&& use)
+  {
+    constexpr std::uint32_t Run = 1 << 13;
+    tbb::parallel_for(std::size_t(0), std::size_t((this->inUse + Run - 1) / Run),
+      [&](std::size_t run)
+      {
+        const auto begin = static_cast<std::uint32_t>(run * Run);
+        for (std::uint32_t t = begin; t < std::min(this->inUse, begin + Run); ++t)
+        {
+          if (!(this->mesh.triangles[t].flags & TriangleDead))
+          {
+            use(t);
+          }
+        }
+      });
+  }
+
+  /// Find the triangles of a chunk's points, in the mesh as it is.
+  void locate(std::uint32_t begin, std::uint32_t end, std::uint32_t part)
+  {
+    const Geometry local = this->geometry;
+    Tally& tally = this->patches[part].tally;
+    std::uint32_t last = this->anyTriangle();
+    for (std::uint32_t place = begin; place < end; ++place)
+    {
+      const Located at = locateFrom(
+        local, this->mesh, last, this->mesh.vertices[place], this->inUse, tally.statistics.moves);
+      ensure(at.triangle != NoIndex);
+      this->found[place - this->firstPlace] = last = at.triangle;
+      if (place % StepPoll::Every == 0)
+      {
+        this->monitor.poll();
+      }
+    }
+    tally.addPredicates(local, this->geometry);
+  }
+
+  std::uint32_t anyTriangle() const
+  {
+    std::uint32_t t = 0;
+    while (this->mesh.triangles[t].flags & TriangleDead)
+    {
+      ++t;
+    }
+    return t;
+  }
+
+  std::uint32_t foundAt(std::uint32_t place) const { return this->found[place - this->firstPlace]; }
+
+  /// Give each triangle to the first chunk with a point in it; one without points goes to a
+  /// neighbour's, or to none.
+  template <class ChunkBegin>
+  void takeTriangles(ChunkBegin&& chunkBegin)
+  {
+    this->owner = std::vector<std::atomic<std::uint32_t>>(this->inUse);
+    eachTriangle(
+      [&](std::uint32_t t) { this->owner[t].store(NoIndex, std::memory_order_relaxed); });
+    eachPart(
+      [&](std::uint32_t k)
+      {
+        for (std::uint32_t place = chunkBegin(k); place < chunkBegin(k + 1); ++place)
+        {
+          std::atomic<std::uint32_t>& of = this->owner[this->foundAt(place)];
+          std::uint32_t was = of.load(std::memory_order_relaxed);
+          while (k < was && !of.compare_exchange_weak(was, k, std::memory_order_relaxed))
+          {
+          }
+        }
+      });
+    eachTriangle(
+      [&](std::uint32_t t)
+      {
+        if (this->owner[t].load(std::memory_order_relaxed) != NoIndex)
+        {
+          return;
+        }
+        std::uint32_t least = NoIndex;
+        for (const std::uint32_t twin : this->mesh.triangles[t].twin)
+        {
+          const std::uint32_t of = this->owner[triangleOf(twin)].load(std::memory_order_relaxed);
+          // What adopts at this moment is none yet.
+          least = of & Adopted ? least : std::min(least, of);
+        }
+        this->owner[t].store(
+          least == NoIndex ? NoIndex : least | Adopted, std::memory_order_relaxed);
+      });
+  }
+
+  std::uint32_t ownerOf(std::uint32_t t) const
+  {
+    const std::uint32_t of = this->owner[t].load(std::memory_order_relaxed);
+    return of == NoIndex ? NoIndex : of & ~Adopted;
+  }
+
+  /// Hand the points to the patches, each in the points' order; and room for triangles.
+  template <class ChunkBegin>
+  void distribute(ChunkBegin&& chunkBegin)
+  {
+    const std::size_t parts = this->patches.size();
+    // From each chunk, to each patch.
+    std::vector<std::vector<std::vector<std::uint32_t>>> sent(parts);
+    eachPart(
+      [&](std::uint32_t k)
+      {
+        sent[k].resize(parts);
+        for (std::uint32_t place = chunkBegin(k); place < chunkBegin(k + 1); ++place)
+        {
+          sent[k][this->ownerOf(this->foundAt(place))].push_back(place);
+        }
+      });
+    eachPart(
+      [&](std::uint32_t k)
+      {
+        for (std::vector<std::vector<std::uint32_t>>& from : sent)
+        {
+          std::vector<std::uint32_t>& places = this->patches[k].places;
+          places.insert(places.end(), from[k].begin(), from[k].end());
+        }
+      });
+    std::uint32_t free = this->inUse;
+    for (Patch& patch : this->patches)
+    {
+      patch.firstFree = free;
+      free += 2 * static_cast<std::uint32_t>(patch.places.size());
+      patch.lastFree = free;
+    }
+  }
+
+  /// Let the patches' borders name slots, and mark the vertices there.
+  void separate()
+  {
+    this->slots.allocate(4 * std::size_t(this->inUse));
+    this->mesh.border = this->slots.data();
+    this->mesh.borderBegin = NoIndex - 4 * this->inUse;
+    this->shared.assign(this->vertexCount, 0);
+    std::vector<BorderEdge> all;
+    for (std::uint32_t t = 0; t < this->inUse; ++t)
+    {
+      Triangle& triangle = this->mesh.triangles[t];
+      if (triangle.flags & TriangleDead)
+      {
+        continue;
+      }
+      const std::uint32_t own = this->ownerOf(t);
+      for (int e = 0; e < 3; ++e)
+      {
+        if (this->ownerOf(triangleOf(triangle.twin[e])) != own)
+        {
+          all.push_back({ halfEdge(t, e), triangle.twin[e] });
+          this->shared[triangle.v[e]] = 1;
+        }
+      }
+    }
+    this->border = std::move(all);
+    for (const BorderEdge& edge : this->border)
+    {
+      this->mesh.link(edge.halfEdge, this->mesh.borderBegin + edge.halfEdge);
+    }
+  }
+
+  void insertPart(std::uint32_t part)
+  {
+    Patch& patch = this->patches[part];
+    if (patch.places.empty())
+    {
+      return;
+    }
+    const Geometry local = this->geometry;
+    PatchFlipper flipper(local, this->mesh, SharedOutside{ this->shared.data(), this->vertexCount },
+      this->vBiased, this->monitor);
+    const std::uint32_t first = this->foundAt(patch.places[0]);
+    Insertion<Geometry, SharedOutside> insertion(
+      local, this->mesh, flipper, patch.tally.duplicates, first, patch.firstFree);
+    std::int64_t done = 0;
+    for (const std::uint32_t place : patch.places)
+    {
+      if (!insertion.insert(place) && !insertion.insertFrom(this->foundAt(place), place))
+      {
+        patch.blocked.push_back(place);
+      }
+      if (++done % StepPoll::Every == 0)
+      {
+        this->monitor.advance(StepPoll::Every);
+      }
+    }
+    patch.firstFree = insertion.firstFree();
+    patch.deferred = std::move(flipper.deferred);
+    this->count(patch.tally, insertion, flipper, local);
+  }
+
+  template <class Inserting, class Flipping>
+  void count(
+    Tally& tally, const Inserting& insertion, const Flipping& flipper, const Geometry& local)
+  {
+    insertion.addTo(tally);
+    flipper.addTo(tally.statistics);
+    tally.addPredicates(local, this->geometry);
+    tally.duplicates.insert(
+      tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
+  }
+
+  /// Link the patches, and do what has waited.
+  /// @return the number of flips
+  std::int64_t join(Tally& tally)
+  {
+    for (const BorderEdge& edge : this->border)
+    {
+      this->mesh.link(this->slots[edge.halfEdge], this->slots[edge.twin]);
+    }
+    const Geometry local = this->geometry;
+    const auto notShared = [](std::uint32_t) { return false; };
+    Flipper<Geometry, decltype(notShared)> flipper(
+      local, this->mesh, notShared, this->vBiased, this->monitor);
+    for (Patch& patch : this->patches)
+    {
+      for (const std::uint32_t h : patch.deferred)
+      {
+        flipper.push(h);
+      }
+      tally.add(std::move(patch.tally));
+    }
+    for (const BorderEdge& edge : this->border)
+    {
+      flipper.push(this->slots[edge.halfEdge]);
+    }
+    const std::int64_t flips = tally.statistics.flips22;
+    flipper.run();
+    for (Patch& patch : this->patches)
+    {
+      Insertion<Geometry, decltype(notShared)> insertion(
+        local, this->mesh, flipper, tally.duplicates, this->anyTriangle(), patch.firstFree);
+      for (const std::uint32_t place : patch.blocked)
+      {
+        ensure(insertion.insertFrom(this->foundAt(place), place) || insertion.insert(place));
+      }
+      for (std::uint32_t t = insertion.firstFree(); t < patch.lastFree; ++t)
+      {
+        this->mesh.triangles[t].flags = TriangleDead;
+      }
+      insertion.addTo(tally);
+    }
+    flipper.addTo(tally.statistics);
+    ensure(flipper.deferred.empty());
+    tally.addPredicates(local, this->geometry);
+    tally.duplicates.insert(
+      tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
+    return tally.statistics.flips22 - flips;
+  }
+
+  const Geometry& geometry;
+  Mesh mesh;
+  std::uint32_t inUse;
+  std::uint32_t vertexCount;
+  bool vBiased;
+  Monitor& monitor;
+  std::uint32_t firstPlace = 0;
+  Buffer<std::uint32_t> found;                   ///< triangle, by point
+  std::vector<std::atomic<std::uint32_t>> owner; ///< patch, by triangle
+  std::vector<Patch> patches;
+  std::vector<BorderEdge> border;
+  Buffer<std::uint32_t> slots;
+  std::vector<std::uint8_t> shared;
+};
+
+}
+
+#endif

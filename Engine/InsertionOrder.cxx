@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InsertionOrder.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace flipflop
+{
+
+namespace
+{
+
+struct Keyed
+{
+  std::uint32_t key; ///< place along the curve
+  std::uint32_t id;
+};
+
+/// Steps of Hilbert's curve, four bits of x and of y at once. A quadrant's curve is the whole one
+/// with x and y exchanged (bit 0 of the state), or mirrored as well (bit 1).
+struct HilbertTable
+{
+  static constexpr int Bits = 4;
+  static constexpr int Side = 1 << Bits;
+
+  struct Step
+  {
+    std::uint8_t key;
+    std::uint8_t state;
+  };
+
+  constexpr HilbertTable()
+  {
+    for (int state = 0; state < 4; ++state)
+    {
+      for (int place = 0; place < Side * Side; ++place)
+      {
+        int turned = state;
+        int key = 0;
+        for (int bit = Bits - 1; bit >= 0; --bit)
+        {
+          const int mirrored = turned >> 1;
+          const int u = (place >> (Bits + bit) & 1) ^ mirrored;
+          const int v = (place >> bit & 1) ^ mirrored;
+          const int right = turned & 1 ? v : u;
+          const int upper = turned & 1 ? u : v;
+          key = key << 2 | ((3 * right) ^ upper);
+          turned ^= upper ? 0 : (right ? 3 : 1);
+        }
+        this->step[state][place] = { static_cast<std::uint8_t>(key),
+          static_cast<std::uint8_t>(turned) };
+      }
+    }
+  }
+
+  Step step[4][Side * Side] = {};
+};
+
+constexpr HilbertTable Hilbert;
+
+/// The curve through a box: Hilbert's, of 2^16 steps along the longer side.
+class Curve
+{
+public:
+  Curve()
+  {
+    std::fill(this->low, this->low + 2, std::numeric_limits<double>::infinity());
+    std::fill(this->high, this->high + 2, -std::numeric_limits<double>::infinity());
+  }
+
+  /// Let the box hold a point.
+  void add(double x, double y)
+  {
+    this->low[0] = std::min(this->low[0], x);
+    this->low[1] = std::min(this->low[1], y);
+    this->high[0] = std::max(this->high[0], x);
+    this->high[1] = std::max(this->high[1], y);
+  }
+
+  /// Let the box hold another's.
+  void add(const Curve& other)
+  {
+    this->add(other.low[0], other.low[1]);
+    this->add(other.high[0], other.high[1]);
+  }
+
+  /// The box is known.
+  void prepare()
+  {
+    // Halved: the whole may overflow. One scale for both axes: in a thin box the points' order
+    // along it is what tells who is near.
+    const double half =
+      std::max(0.5 * this->high[0] - 0.5 * this->low[0], 0.5 * this->high[1] - 0.5 * this->low[1]);
+    this->scale = half > 0 ? 0.5 * Steps / half : 0;
+  }
+
+  std::uint32_t at(double px, double py) const
+  {
+    const std::uint32_t x = this->step(0, px);
+    const std::uint32_t y = this->step(1, py);
+    std::uint32_t key = 0;
+    std::uint32_t state = 0;
+    for (int bit = 16 - HilbertTable::Bits; bit >= 0; bit -= HilbertTable::Bits)
+    {
+      constexpr std::uint32_t Mask = HilbertTable::Side - 1;
+      const HilbertTable::Step& step =
+        Hilbert.step[state][(x >> bit & Mask) << HilbertTable::Bits | (y >> bit & Mask)];
+      key = key << 2 * HilbertTable::Bits | step.key;
+      state = step.state;
+    }
+    return key;
+  }
+
+private:
+  static constexpr double Steps = 65535;
+
+  std::uint32_t step(int axis, double p) const
+  {
+    const double s = (p - this->low[axis]) * this->scale;
+    return static_cast<std::uint32_t>(s > 0 ? (s < Steps ? s : Steps) : 0);
+  }
+
+  double low[2];
+  double high[2];
+  double scale = 0;
+};
+
+constexpr std::size_t Run = 1 << 14; ///< what a task looks at
+
+/// use(begin, end, number) for runs of @p count things, in parallel.
+template <class Use>
+void eachRun(std::size_t count, Monitor& monitor, Use&& use)
+{
+  tbb::parallel_for(std::size_t(0), (count + Run - 1) / Run,
+    [&](std::size_t number)
+    {
+      monitor.poll();
+      use(number * Run, std::min(count, (number + 1) * Run), number);
+    });
+}
+
+/// Sorts points along the curve through their box. Where many share a step of it (clusters, a far
+/// outlier), these are sorted along the curve through theirs.
+class Sorter
+{
+public:
+  Sorter(const PointSource& points, Monitor& monitorToTell)
+    : source(points)
+    , monitor(monitorToTell)
+  {
+  }
+
+  void sort(Keyed* keyed, std::size_t count) const
+  {
+    const Curve curve = this->curveThrough(keyed, count);
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          double x[3];
+          this->source.load(keyed[i].id, x);
+          keyed[i].key = curve.at(x[0], x[1]);
+        }
+      });
+    count <= Few ? this->sortFew(keyed, count) : this->sortByBuckets(keyed, count);
+  }
+
+private:
+  static constexpr std::size_t Few = 1 << 12;
+  static constexpr int BucketBits = 10;
+  static constexpr std::size_t Buckets = std::size_t(1) << BucketBits;
+
+  Curve curveThrough(const Keyed* keyed, std::size_t count) const
+  {
+    std::vector<Curve> parts((count + Run - 1) / Run);
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          double x[3];
+          this->source.load(keyed[i].id, x);
+          parts[number].add(x[0], x[1]);
+        }
+      });
+    Curve whole;
+    for (const Curve& part : parts)
+    {
+      whole.add(part);
+    }
+    whole.prepare();
+    return whole;
+  }
+
+  /// By comparison, by key and then by id.
+  void sortFew(Keyed* keyed, std::size_t count) const
+  {
+    constexpr std::size_t Many = 32; ///< at one step
+    std::sort(keyed, keyed + count,
+      [](const Keyed& a, const Keyed& b)
+      { return a.key < b.key || (a.key == b.key && a.id < b.id); });
+    if (count == 0 || keyed[0].key == keyed[count - 1].key)
+    {
+      return; // one place, or too near each other for differences
+    }
+    for (std::size_t begin = 0, end = 0; begin < count; begin = end)
+    {
+      while (end < count && keyed[end].key == keyed[begin].key)
+      {
+        ++end;
+      }
+      if (end - begin > Many)
+      {
+        this->sort(keyed + begin, end - begin);
+      }
+    }
+  }
+
+  /// By the keys' highest digit, then each bucket alone.
+  void sortByBuckets(Keyed* keyed, std::size_t count) const
+  {
+    const auto bucketOf = [](const Keyed& k) { return k.key >> (32 - BucketBits); };
+    const std::size_t runs = (count + Run - 1) / Run;
+    std::vector<std::uint32_t> cursor(runs * Buckets); ///< by run, then bucket
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          ++cursor[number * Buckets + bucketOf(keyed[i])];
+        }
+      });
+    std::vector<std::uint32_t> bucketBegin(Buckets + 1);
+    std::uint32_t total = 0;
+    for (std::size_t bucket = 0; bucket < Buckets; ++bucket)
+    {
+      bucketBegin[bucket] = total;
+      for (std::size_t at = bucket; at < cursor.size(); at += Buckets)
+      {
+        const std::uint32_t n = cursor[at];
+        cursor[at] = total;
+        total += n;
+      }
+    }
+    bucketBegin[Buckets] = total;
+    Buffer<Keyed> aside(count);
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          aside[cursor[number * Buckets + bucketOf(keyed[i])]++] = keyed[i];
+        }
+      });
+    tbb::parallel_for(std::size_t(0), Buckets,
+      [&](std::size_t bucket)
+      {
+        const std::size_t begin = bucketBegin[bucket];
+        const std::size_t size = bucketBegin[bucket + 1] - begin;
+        std::copy_n(aside.begin() + begin, size, keyed + begin);
+        if (size <= Few)
+        {
+          this->sortFew(keyed + begin, size);
+        }
+        else if (size < count) // else all are at one place: ends of a box are buckets apart
+        {
+          this->sort(keyed + begin, size);
+        }
+      });
+  }
+
+  const PointSource& source;
+  Monitor& monitor;
+};
+
+constexpr int Levels = 9;
+
+/// Of 8 points 7 are in the last level, of the others as many in the one before, and so on.
+int levelOf(std::uint32_t id)
+{
+  std::uint64_t hash = (id + std::uint64_t(1)) * 0x9E3779B97F4A7C15ull;
+  hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
+  int level = Levels - 1;
+  for (hash >>= 40; level > 0 && (hash & 7) == 0; hash >>= 3)
+  {
+    --level;
+  }
+  return level;
+}
+
+}
+
+InsertionOrder insertionOrder(const PointSource& source, bool skipNonFinite,
+  const std::vector<std::uint32_t>& without, Monitor& monitor)
+{
+  const auto isWanted = [&](std::uint32_t id)
+  {
+    double x[3];
+    if (skipNonFinite)
+    {
+      source.load(id, x);
+    }
+    return (!skipNonFinite || isFinite(x)) &&
+      std::find(without.begin(), without.end(), id) == without.end();
+  };
+  const std::size_t runs = (source.count() + Run - 1) / Run;
+  std::vector<std::size_t> cursor(runs);
+  eachRun(source.count(), monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t id = begin; id < end; ++id)
+      {
+        cursor[number] += isWanted(static_cast<std::uint32_t>(id));
+      }
+    });
+  std::size_t count = 0;
+  for (std::size_t& at : cursor)
+  {
+    count += std::exchange(at, count);
+  }
+  Buffer<Keyed> keyed(count);
+  eachRun(source.count(), monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto id = static_cast<std::uint32_t>(i);
+        if (isWanted(id))
+        {
+          keyed[cursor[number]++].id = id;
+        }
+      }
+    });
+  Sorter(source, monitor).sort(keyed.data(), count);
+
+  // Each level's points in the curve's order.
+  std::vector<std::uint32_t> place((count + Run - 1) / Run * Levels); ///< by run, then level
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ++place[number * Levels + levelOf(keyed[i].id)];
+      }
+    });
+  InsertionOrder order;
+  std::uint32_t total = 0;
+  for (int level = 0; level < Levels; ++level)
+  {
+    for (std::size_t at = level; at < place.size(); at += Levels)
+    {
+      total += std::exchange(place[at], total);
+    }
+    order.levelEnds.push_back(total);
+  }
+  order.ids.allocate(count);
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        order.ids[place[number * Levels + levelOf(keyed[i].id)]++] = keyed[i].id;
+      }
+    });
+  return order;
+}
+
+}
