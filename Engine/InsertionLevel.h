@@ -40,7 +40,6 @@ public:
     : geometry(geometryToAsk)
     , mesh(polyhedron.mesh())
     , inUse(trianglesInUse)
-    , vertexCount(0)
     , vBiased(vBiasedFlips)
     , monitor(monitorToTell)
   {
@@ -90,8 +89,7 @@ private:
   struct Patch
   {
     std::vector<std::uint32_t> places; ///< of its points, in their order
-    std::vector<BorderEdge> border;
-    std::uint32_t firstFree; ///< triangle
+    std::uint32_t firstFree;           ///< triangle
     std::uint32_t lastFree;
     std::vector<std::uint32_t> blocked;  ///< places: of points that wait
     std::vector<std::uint32_t> deferred; ///< half-edges that wait
@@ -359,7 +357,7 @@ private:
   const Geometry& geometry;
   Mesh mesh;
   std::uint32_t inUse;
-  std::uint32_t vertexCount;
+  std::uint32_t vertexCount = 0; ///< of the base
   bool vBiased;
   Monitor& monitor;
   std::uint32_t firstPlace = 0;
