@@ -168,6 +168,18 @@ SpacePoint onTwoLines(RandomPoints& random)
   return pick(random, 2) ? SpacePoint{ t, 0.3 * t + 0.1, 0 } : SpacePoint{ t, 0.9 - 0.7 * t, 0 };
 }
 
+SpacePoint onParabola(RandomPoints& random)
+{
+  const double t = 2 * random.uniform() - 1;
+  return { t, t * t, 0 };
+}
+
+SpacePoint nearLine(RandomPoints& random)
+{
+  const double t = random.uniform();
+  return { 0.7 * t + 3, 0.3 * t + 1, 0 };
+}
+
 Coordinates rings(std::int64_t count)
 {
   const auto each = static_cast<std::int64_t>(4 * std::sqrt(static_cast<double>(count))) + 1;
@@ -190,7 +202,7 @@ std::vector<std::string> shapesInUse(bool space)
   {
     return { "box-edges", "box-edges-mm", "plate", "cylinder", "strands", "eight", "pancake" };
   }
-  return { "drawing", "streets", "time-series", "two-lines", "rings" };
+  return { "drawing", "streets", "time-series", "two-lines", "rings", "parabola", "near-line" };
 }
 
 Coordinates makeShapeInUse(const std::string& name, std::int64_t count, std::uint64_t seed)
@@ -241,6 +253,14 @@ Coordinates makeShapeInUse(const std::string& name, std::int64_t count, std::uin
   if (name == "time-series")
   {
     return timeSeries(random, count);
+  }
+  if (name == "parabola")
+  {
+    return samplePoints(count, [&] { return onParabola(random); });
+  }
+  if (name == "near-line")
+  {
+    return samplePoints(count, [&] { return nearLine(random); });
   }
   if (name == "two-lines")
   {

@@ -23,6 +23,8 @@
 /// | time-series  | (i, a random walk), shuffled                                                |
 /// | two-lines    | at random on two lines that cross                                           |
 /// | rings        | on concentric circles, evenly                                               |
+/// | parabola     | on (t, t^2)                                                                 |
+/// | near-line    | on a line, but for the rounding to doubles                                  |
 #ifndef flipflop_ShapesInUse_h
 #define flipflop_ShapesInUse_h
 

@@ -6,6 +6,12 @@
 
 top="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
+# What was compiled before, in this clone or another, is not compiled again where ccache is installed.
+if command -v ccache >/dev/null; then
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$top}" CCACHE_NOHASHDIR="${CCACHE_NOHASHDIR:-1}"
+fi
+
 # Debian's own Python, whose vtk module belongs to libvtk9; another may come first in PATH.
 python=/usr/bin/python3
 
