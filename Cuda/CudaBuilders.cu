@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CudaBuilders.h"
 
-#include "Builder.h"
+#include "CpuBuilder.h"
 #include "CudaExecutor.h"
 #include "HullCones.h"
 #include "HullLocator.h"
@@ -29,7 +29,7 @@ public:
     if (task.geometry.isWide())
     {
       // Integers of any size are the host's.
-      return Builder<Geometry>().build(task, std::move(start), tally, statistics);
+      return CpuBuilder<Geometry>().build(task, std::move(start), tally, statistics);
     }
     RoundsBuilder<CudaExecutor, Geometry> rounds(this->executor);
     Polyhedron result = rounds.build(task, std::move(start), tally, statistics);

@@ -6,17 +6,15 @@
 #ifndef flipflop_GeometryRun_h
 #define flipflop_GeometryRun_h
 
-#include "Builder.h"
 #include "Canonical.h"
 #include "CellComplex.h"
-#include "InsertionBuilder.h"
+#include "CpuBuilder.h"
 #include "Polyhedron.h"
 #include "PolyhedronBuilder.h"
 #include "Redundant.h"
 #include "Run.h"
 
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 namespace flipflop
@@ -33,7 +31,7 @@ public:
 
   Model geometry;
 
-  /// The engine; null: InsertionBuilder or Builder, on the run's threads.
+  /// The engine; null: CpuBuilder, on the run's threads.
   PolyhedronBuilder<Model>* engine = nullptr;
 
   /// The result of all points, after a look at them.
@@ -62,7 +60,7 @@ public:
     }
     Tally tally;
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
-    std::conditional_t<Model::InsertsAtOnce, InsertionBuilder<Model>, Builder<Model>> onThreads;
+    CpuBuilder<Model> onThreads;
     Polyhedron polyhedron = (this->engine ? *this->engine : onThreads)
                               .build({ this->geometry, this->source, this->checkFinite,
                                        this->options, this->threads, this->monitor, samples },

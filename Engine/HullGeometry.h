@@ -11,7 +11,8 @@
 ///   perturbedAbove, perturbedBeneathKernel     the same, never 0 (Simulation of Simplicity by id)
 ///   mayAppearOn(a, b, c, p)    can p, in the cone and on the plane of abc, still be a vertex?
 ///   heightAbove(a, b, c, p)    how far p is above abc, rounded
-///   Split, Plane, Locator      their tests, prepared for many points: a value and its error
+///   Plane, Locator             their tests, prepared for many points: a value and its error;
+///   Split                      the same, where points are grown (not InsertsAtOnce)
 ///
 /// Triangles are counter-clockwise seen from outside, so beneathKernel > 0 for every triangle of a
 /// polyhedron that is star-shaped from s. Seen from s, p lies in the cone of abc when

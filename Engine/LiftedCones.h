@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The tests of one cone, or of one split of a cone, over lifted points, prepared for many points.
+/// The test of one cone over lifted points, prepared for many points.
 ///
 /// As HullCones.h: each value comes with an error bound, and what lies within it goes to the exact
 /// predicates. A cone of points is a triangle of the plane, so its points are within the triangle's
@@ -10,7 +10,6 @@
 #ifndef flipflop_LiftedCones_h
 #define flipflop_LiftedCones_h
 
-#include "GrowthRule.h"
 #include "LiftedGeometry.h"
 
 #include <algorithm>
@@ -118,93 +117,6 @@ public:
 private:
   double origin[3];
   LiftedNormal normal;
-};
-
-/// The cone of abc split in three by v inside it: child 0 is abv, 1 is bcv, 2 is cav.
-template <bool Weighted>
-class LiftedSplit
-{
-public:
-  LiftedSplit(const LiftedGeometry<Weighted>& geometry, const Vertex& a, const Vertex& b,
-    const Vertex& c, const Vertex& v)
-  {
-    const Vertex* corner[3] = { &a, &b, &c };
-    for (int i = 0; i < 3; ++i)
-    {
-      this->apex[i] = v.x[i];
-    }
-    LiftedOffset offset[3];
-    double most[2] = { 0.0, 0.0 };
-    bool isVirtual = false;
-    for (int i = 0; i < 3; ++i)
-    {
-      if (corner[i]->flags & VertexVirtual)
-      {
-        // The line from the kernel point's place through v.
-        offset[i] = { v.x[0] - geometry.kernel()[0], v.x[1] - geometry.kernel()[1], 0.0 };
-        isVirtual = true;
-      }
-      else
-      {
-        offset[i] = LiftedOffset::between<Weighted>(v.x, corner[i]->x);
-      }
-      this->sector[i][0] = offset[i].x;
-      this->sector[i][1] = offset[i].y;
-      most[0] = std::max(most[0], std::fabs(offset[i].x));
-      most[1] = std::max(most[1], std::fabs(offset[i].y));
-    }
-    if (isVirtual)
-    {
-      // The kernel point's place is among the points, and points of a wedge are anywhere.
-      most[0] = geometry.reachOf(0);
-      most[1] = geometry.reachOf(1);
-    }
-    this->sectorError = isVirtual && geometry.kernelIsSymbolic()
-      ? std::numeric_limits<double>::infinity()
-      : LiftedNormal::boundInPlane(2 * most[0] * most[1]);
-    for (int i = 0; i < 3; ++i)
-    {
-      const int j = (i + 1) % 3;
-      if (corner[i]->flags & VertexVirtual)
-      {
-        this->normal[i] = LiftedNormal::upright(-offset[j].x, -offset[j].y, most);
-      }
-      else if (corner[j]->flags & VertexVirtual)
-      {
-        this->normal[i] = LiftedNormal::upright(offset[i].x, offset[i].y, most);
-      }
-      else
-      {
-        this->normal[i] = LiftedNormal::across(offset[i], offset[j], geometry.reachOf(2));
-      }
-    }
-  }
-
-  /// The child whose cone holds p, or -1 when that is too close to tell.
-  int child(const double* p) const
-  {
-    const double dx = p[0] - this->apex[0];
-    const double dy = p[1] - this->apex[1];
-    const double f0 = this->sector[0][0] * dy - this->sector[0][1] * dx;
-    const double f1 = this->sector[1][0] * dy - this->sector[1][1] * dx;
-    const double f2 = this->sector[2][0] * dy - this->sector[2][1] * dx;
-    return childOf(f0, f1, f2, this->sectorError);
-  }
-
-  /// How far p lies above a child.
-  double height(int child, const double* p) const
-  {
-    return this->normal[child].at(LiftedOffset::between<Weighted>(this->apex, p));
-  }
-
-  /// height() is off by no more than this, for a point in the child's cone.
-  double heightError(int child) const { return this->normal[child].error; }
-
-private:
-  double apex[3];
-  double sector[3][2];
-  double sectorError;
-  LiftedNormal normal[3];
 };
 
 }

@@ -60,8 +60,6 @@ template <bool Weighted>
 class LiftedLocator;
 template <bool Weighted>
 class LiftedPlane;
-template <bool Weighted>
-class LiftedSplit;
 
 /// @tparam Weighted false: all weights are zero, and cost nothing
 template <bool Weighted>
@@ -70,7 +68,6 @@ class LiftedGeometry : public PredicateSteps<LiftedGeometry<Weighted>>
 public:
   using Locator = LiftedLocator<Weighted>;
   using Plane = LiftedPlane<Weighted>;
-  using Split = LiftedSplit<Weighted>;
 
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
