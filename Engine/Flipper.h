@@ -19,7 +19,7 @@
 #include "FlipRule.h"
 #include "Mesh.h"
 #include "Monitor.h"
-#include "Statistics.h"
+#include "Tally.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -182,8 +182,12 @@ public:
   /// Vertices that went, or will, though they are at another's position.
   std::vector<Duplicate> duplicates;
 
-  void addTo(Statistics& statistics) const
+  /// Add what was counted, and the duplicates.
+  void addTo(Tally& tally) const
   {
+    tally.duplicates.insert(
+      tally.duplicates.end(), this->duplicates.begin(), this->duplicates.end());
+    Statistics& statistics = tally.statistics;
     statistics.flips22 += this->flips22;
     statistics.flips31 += this->flips31;
     statistics.flipsV += this->flipsV;

@@ -116,15 +116,14 @@ template <class Geometry, class Shared>
 class Insertion
 {
 public:
+  /// @param generalFlipper takes note of duplicates, too
   /// @param firstTriangle from which the first walk starts
   /// @param firstFree     new triangles go to this place and up, two an insertion
   Insertion(const Geometry& geometryToAsk, const Mesh& meshToGrow,
-    Flipper<Geometry, Shared>& generalFlipper, std::vector<Duplicate>& duplicatesFound,
-    std::uint32_t firstTriangle, std::uint32_t firstFree)
+    Flipper<Geometry, Shared>& generalFlipper, std::uint32_t firstTriangle, std::uint32_t firstFree)
     : geometry(geometryToAsk)
     , mesh(meshToGrow)
     , flipper(generalFlipper)
-    , duplicates(duplicatesFound)
     , last(firstTriangle)
     , next(firstFree)
   {
@@ -156,7 +155,8 @@ public:
     const Vertex& c = v[triangle.v[2]];
     const bool inside = at.strictly && !((a.flags | b.flags | c.flags) & VertexVirtual);
     // Where all points are extreme, one inside a triangle of points is above it.
-    if (!(Geometry::AllExtreme && inside) && !isAbove(this->geometry, a, b, c, p, this->duplicates))
+    if (!(Geometry::AllExtreme && inside) &&
+      !isAbove(this->geometry, a, b, c, p, this->flipper.duplicates))
     {
       return true;
     }
@@ -245,7 +245,6 @@ private:
   const Geometry& geometry;
   const Mesh mesh;
   Flipper<Geometry, Shared>& flipper;
-  std::vector<Duplicate>& duplicates;
   std::uint32_t last;
   std::uint32_t next;
   std::vector<std::uint32_t> waiting = std::vector<std::uint32_t>(64); ///< triangles

@@ -59,7 +59,13 @@ public:
 
     task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count));
     std::uint32_t inUse = start.triangleCount();
-    std::uint32_t begin = base;
+    std::uint32_t done = base;
+    std::uint32_t begin = base; // of a level; between the two, levels wait to be inserted alone
+    const auto insertWaiting = [&]
+    {
+      inUse = done < begin ? insertAlone(task, result, inUse, done, begin, tally) : inUse;
+      done = begin;
+    };
     // A patch is worth as many points as four threads are.
     const auto leastPatch =
       static_cast<std::uint32_t>(4 * pointsPerThread().load(std::memory_order_relaxed));
@@ -69,21 +75,23 @@ public:
       const std::uint32_t end = base + levelEnd;
       const std::uint32_t parts =
         std::min(4 * static_cast<std::uint32_t>(task.threads), (end - begin) / leastPatch);
-      // Half-edges, then border slots, then NoIndex.
-      if (joinsPay && parts > 1 && 4 * (triangleCount + inUse) < NoIndex)
+      if (joinsPay && parts > 1)
       {
-        std::int64_t joinFlips;
-        inUse =
-          InsertionLevel<Geometry>(task.geometry, result, inUse, task.options.vBiased, task.monitor)
-            .run(begin, end, parts, tally, joinFlips);
-        joinsPay = joinFlips < (end - begin) / 4;
-      }
-      else
-      {
-        inUse = insertAlone(task, result, inUse, begin, end, tally);
+        insertWaiting();
+        // Half-edges, then border slots, then NoIndex.
+        if (4 * (triangleCount + inUse) < NoIndex)
+        {
+          std::int64_t joinFlips;
+          inUse = InsertionLevel<Geometry>(
+            task.geometry, result, inUse, task.options.vBiased, task.monitor)
+                    .run(begin, end, parts, tally, joinFlips);
+          joinsPay = joinFlips < (end - begin) / 4;
+          done = end;
+        }
       }
       begin = end;
     }
+    insertWaiting();
     result.limitTriangles(inUse);
     tally.statistics.secondsFlip += watch.lap();
     return result;
@@ -105,22 +113,19 @@ private:
     {
       --first;
     }
-    Insertion<Geometry, Unshared> insertion(local, mesh, flipper, tally.duplicates, first, inUse);
-    std::int64_t done = 0;
+    Insertion<Geometry, Unshared> insertion(local, mesh, flipper, first, inUse);
     for (std::uint32_t place = begin; place < end; ++place)
     {
       ensure(insertion.insert(place));
-      if (++done % StepPoll::Every == 0)
+      if ((place - begin + 1) % StepPoll::Every == 0)
       {
         task.monitor.advance(StepPoll::Every);
       }
     }
     ensure(flipper.deferred.empty());
-    flipper.addTo(tally.statistics);
+    flipper.addTo(tally);
     insertion.addTo(tally);
     tally.addPredicates(local, task.geometry);
-    tally.duplicates.insert(
-      tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
     return insertion.firstFree();
   }
 };

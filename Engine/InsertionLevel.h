@@ -240,10 +240,9 @@ private:
     this->mesh.border = this->slots.data();
     this->mesh.borderBegin = NoIndex - 4 * this->inUse;
     this->shared.assign(this->vertexCount, 0);
-    std::vector<BorderEdge> all;
     for (std::uint32_t t = 0; t < this->inUse; ++t)
     {
-      Triangle& triangle = this->mesh.triangles[t];
+      const Triangle& triangle = this->mesh.triangles[t];
       if (triangle.flags & TriangleDead)
       {
         continue;
@@ -253,12 +252,11 @@ private:
       {
         if (this->ownerOf(triangleOf(triangle.twin[e])) != own)
         {
-          all.push_back({ halfEdge(t, e), triangle.twin[e] });
+          this->border.push_back({ halfEdge(t, e), triangle.twin[e] });
           this->shared[triangle.v[e]] = 1;
         }
       }
     }
-    this->border = std::move(all);
     for (const BorderEdge& edge : this->border)
     {
       this->mesh.link(edge.halfEdge, this->mesh.borderBegin + edge.halfEdge);
@@ -277,7 +275,7 @@ private:
       this->vBiased, this->monitor);
     const std::uint32_t first = this->foundAt(patch.places[0]);
     Insertion<Geometry, SharedOutside> insertion(
-      local, this->mesh, flipper, patch.tally.duplicates, first, patch.firstFree);
+      local, this->mesh, flipper, first, patch.firstFree);
     std::int64_t done = 0;
     for (const std::uint32_t place : patch.places)
     {
@@ -292,18 +290,9 @@ private:
     }
     patch.firstFree = insertion.firstFree();
     patch.deferred = std::move(flipper.deferred);
-    this->count(patch.tally, insertion, flipper, local);
-  }
-
-  template <class Inserting, class Flipping>
-  void count(
-    Tally& tally, const Inserting& insertion, const Flipping& flipper, const Geometry& local)
-  {
-    insertion.addTo(tally);
-    flipper.addTo(tally.statistics);
-    tally.addPredicates(local, this->geometry);
-    tally.duplicates.insert(
-      tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
+    insertion.addTo(patch.tally);
+    flipper.addTo(patch.tally);
+    patch.tally.addPredicates(local, this->geometry);
   }
 
   /// Link the patches, and do what has waited.
@@ -335,7 +324,7 @@ private:
     for (Patch& patch : this->patches)
     {
       Insertion<Geometry, decltype(notShared)> insertion(
-        local, this->mesh, flipper, tally.duplicates, this->anyTriangle(), patch.firstFree);
+        local, this->mesh, flipper, this->anyTriangle(), patch.firstFree);
       for (const std::uint32_t place : patch.blocked)
       {
         ensure(insertion.insertFrom(this->foundAt(place), place) || insertion.insert(place));
@@ -346,11 +335,9 @@ private:
       }
       insertion.addTo(tally);
     }
-    flipper.addTo(tally.statistics);
     ensure(flipper.deferred.empty());
+    flipper.addTo(tally);
     tally.addPredicates(local, this->geometry);
-    tally.duplicates.insert(
-      tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
     return tally.statistics.flips22 - flips;
   }
 

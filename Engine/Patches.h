@@ -319,10 +319,8 @@ private:
 
   void finishNode(Node& node, PatchFlipper& flipper, const Geometry& local)
   {
-    flipper.addTo(node.tally.statistics);
+    flipper.addTo(node.tally);
     node.tally.addPredicates(local, this->geometry);
-    node.tally.duplicates.insert(
-      node.tally.duplicates.end(), flipper.duplicates.begin(), flipper.duplicates.end());
     node.deferred = std::move(flipper.deferred);
     node.done = true;
   }
