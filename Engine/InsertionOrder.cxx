@@ -143,6 +143,52 @@ void eachRun(std::size_t count, Monitor& monitor, Use&& use)
     });
 }
 
+/// Send each of @p count things to its bucket, in their order: put(i, place).
+/// @param bucketOf int (i); less than zero: to none
+/// @return where the buckets begin, and where the last one ends
+template <class BucketOf, class Put>
+std::vector<std::uint32_t> distribute(
+  std::size_t count, std::size_t buckets, Monitor& monitor, BucketOf&& bucketOf, Put&& put)
+{
+  std::vector<std::uint32_t> cursor((count + Run - 1) / Run * buckets); // by run, then bucket
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const int bucket = bucketOf(i);
+        if (bucket >= 0)
+        {
+          ++cursor[number * buckets + static_cast<std::size_t>(bucket)];
+        }
+      }
+    });
+  std::vector<std::uint32_t> bucketBegin;
+  std::uint32_t total = 0;
+  for (std::size_t bucket = 0; bucket < buckets; ++bucket)
+  {
+    bucketBegin.push_back(total);
+    for (std::size_t at = bucket; at < cursor.size(); at += buckets)
+    {
+      total += std::exchange(cursor[at], total);
+    }
+  }
+  bucketBegin.push_back(total);
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const int bucket = bucketOf(i);
+        if (bucket >= 0)
+        {
+          put(i, cursor[number * buckets + static_cast<std::size_t>(bucket)]++);
+        }
+      }
+    });
+  return bucketBegin;
+}
+
 /// Sorts points along the curve through their box. Where many share a step of it (clusters, a far
 /// outlier), these are sorted along the curve through theirs.
 class Sorter
@@ -224,39 +270,11 @@ private:
   /// By the keys' highest digit, then each bucket alone.
   void sortByBuckets(Keyed* keyed, std::size_t count) const
   {
-    const auto bucketOf = [](const Keyed& k) { return k.key >> (32 - BucketBits); };
-    const std::size_t runs = (count + Run - 1) / Run;
-    std::vector<std::uint32_t> cursor(runs * Buckets); ///< by run, then bucket
-    eachRun(count, this->monitor,
-      [&](std::size_t begin, std::size_t end, std::size_t number)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          ++cursor[number * Buckets + bucketOf(keyed[i])];
-        }
-      });
-    std::vector<std::uint32_t> bucketBegin(Buckets + 1);
-    std::uint32_t total = 0;
-    for (std::size_t bucket = 0; bucket < Buckets; ++bucket)
-    {
-      bucketBegin[bucket] = total;
-      for (std::size_t at = bucket; at < cursor.size(); at += Buckets)
-      {
-        const std::uint32_t n = cursor[at];
-        cursor[at] = total;
-        total += n;
-      }
-    }
-    bucketBegin[Buckets] = total;
     Buffer<Keyed> aside(count);
-    eachRun(count, this->monitor,
-      [&](std::size_t begin, std::size_t end, std::size_t number)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          aside[cursor[number * Buckets + bucketOf(keyed[i])]++] = keyed[i];
-        }
-      });
+    const std::vector<std::uint32_t> bucketBegin = distribute(
+      count, Buckets, this->monitor,
+      [&](std::size_t i) { return static_cast<int>(keyed[i].key >> (32 - BucketBits)); },
+      [&](std::size_t i, std::uint32_t place) { aside[place] = keyed[i]; });
     tbb::parallel_for(std::size_t(0), Buckets,
       [&](std::size_t bucket)
       {
@@ -308,65 +326,21 @@ InsertionOrder insertionOrder(const PointSource& source, bool skipNonFinite,
     return (!skipNonFinite || isFinite(x)) &&
       std::find(without.begin(), without.end(), id) == without.end();
   };
-  const std::size_t runs = (source.count() + Run - 1) / Run;
-  std::vector<std::size_t> cursor(runs);
-  eachRun(source.count(), monitor,
-    [&](std::size_t begin, std::size_t end, std::size_t number)
-    {
-      for (std::size_t id = begin; id < end; ++id)
-      {
-        cursor[number] += isWanted(static_cast<std::uint32_t>(id));
-      }
-    });
-  std::size_t count = 0;
-  for (std::size_t& at : cursor)
-  {
-    count += std::exchange(at, count);
-  }
-  Buffer<Keyed> keyed(count);
-  eachRun(source.count(), monitor,
-    [&](std::size_t begin, std::size_t end, std::size_t number)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const auto id = static_cast<std::uint32_t>(i);
-        if (isWanted(id))
-        {
-          keyed[cursor[number]++].id = id;
-        }
-      }
-    });
+  Buffer<Keyed> keyed(source.count());
+  const std::size_t count = distribute(
+    source.count(), 1, monitor,
+    [&](std::size_t id) { return isWanted(static_cast<std::uint32_t>(id)) ? 0 : -1; },
+    [&](std::size_t id, std::uint32_t place)
+    { keyed[place].id = static_cast<std::uint32_t>(id); })[1];
   Sorter(source, monitor).sort(keyed.data(), count);
 
   // Each level's points in the curve's order.
-  std::vector<std::uint32_t> place((count + Run - 1) / Run * Levels); ///< by run, then level
-  eachRun(count, monitor,
-    [&](std::size_t begin, std::size_t end, std::size_t number)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        ++place[number * Levels + levelOf(keyed[i].id)];
-      }
-    });
   InsertionOrder order;
-  std::uint32_t total = 0;
-  for (int level = 0; level < Levels; ++level)
-  {
-    for (std::size_t at = level; at < place.size(); at += Levels)
-    {
-      total += std::exchange(place[at], total);
-    }
-    order.levelEnds.push_back(total);
-  }
   order.ids.allocate(count);
-  eachRun(count, monitor,
-    [&](std::size_t begin, std::size_t end, std::size_t number)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        order.ids[place[number * Levels + levelOf(keyed[i].id)]++] = keyed[i].id;
-      }
-    });
+  order.levelEnds = distribute(
+    count, Levels, monitor, [&](std::size_t i) { return levelOf(keyed[i].id); },
+    [&](std::size_t i, std::uint32_t place) { order.ids[place] = keyed[i].id; });
+  order.levelEnds.erase(order.levelEnds.begin()); // one begins where the one before ends
   return order;
 }
 
