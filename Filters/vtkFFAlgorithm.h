@@ -323,7 +323,8 @@ public:
   /**
    * Get the seconds that the last run took, by stage; sums for several blocks with a result each,
    * whose runs may have been side by side. Scan, Locate, Finish and Total are wall time of a run;
-   * Grow and Flip are summed over the threads, of the CUDA engine they are wall time.
+   * Grow and Flip are summed over the threads; of the CUDA engine, and of triangulations, which
+   * insert and flip at once, they are wall time.
    *
    * - Scan: ranges, points that are not finite, the first polyhedron
    * - Locate: culling, associating points to triangles. The CUDA

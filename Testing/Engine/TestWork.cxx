@@ -8,6 +8,7 @@
 #include "CompareTriangulation.h"
 #include "InputsWeighted.h"
 #include "ShapesInUse.h"
+#include "Threads.h"
 
 #include <cstdio>
 #include <map>
@@ -152,6 +153,34 @@ TEST(Work, TriangulationsOfShapesInUse)
   {
     SCOPED_TRACE(name);
     expectSteadyWork(name, shape(name, Small), shape(name, Large), triangulationWork);
+  }
+}
+
+/// Patches are as large as users have them, not as small as the other tests make them.
+class PatchesAsUsersHaveThem : public ::testing::Test
+{
+public:
+  PatchesAsUsersHaveThem() { pointsPerThread() = 4096; }
+  ~PatchesAsUsersHaveThem() override { pointsPerThread() = 1; }
+};
+
+TEST_F(PatchesAsUsersHaveThem, JoiningThemCostsLittle)
+{
+  const auto worked = [](const Cloud& cloud, int threads)
+  {
+    Options options;
+    options.threads = threads;
+    const Statistics s = regularTriangulation(viewOf(cloud), WeightView(), options).statistics;
+    return static_cast<double>(s.flips22) / static_cast<double>(s.points);
+  };
+  for (const std::string& name : shapesInUse(false))
+  {
+    SCOPED_TRACE(name);
+    const Cloud cloud = shape(name, 60000);
+    const double alone = worked(cloud, 1);
+    const double patched = worked(cloud, 4);
+    EXPECT_NE(alone, patched) << "no patches";
+    EXPECT_LT(patched, 1.5 * alone);
   }
 }
 
