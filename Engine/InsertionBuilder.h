@@ -66,7 +66,9 @@ public:
       inUse = done < begin ? insertAlone(task, result, inUse, done, begin, tally) : inUse;
       done = begin;
     };
-    // A patch is worth as many points as four threads are.
+    // A patch is worth as many points as four threads are. Where tests ask for smaller ones, their
+    // joins tell nothing.
+    constexpr std::uint32_t usualPatch = 4 * UsualPointsPerThread;
     const auto leastPatch =
       static_cast<std::uint32_t>(4 * pointsPerThread().load(std::memory_order_relaxed));
     bool joinsPay = task.threads > 1;
@@ -85,7 +87,7 @@ public:
           inUse = InsertionLevel<Geometry>(
             task.geometry, result, inUse, task.options.vBiased, task.monitor)
                     .run(begin, end, parts, tally, joinFlips);
-          joinsPay = joinFlips < (end - begin) / 4;
+          joinsPay = end - begin < 2 * usualPatch || joinFlips < (end - begin) / 4;
           done = end;
         }
       }

@@ -20,10 +20,12 @@
 namespace flipflop
 {
 
+constexpr std::int64_t UsualPointsPerThread = 4096;
+
 /// A thread more is worth waking for this many points. Tests set it to 1.
 inline std::atomic<std::int64_t>& pointsPerThread()
 {
-  static std::atomic<std::int64_t> points{ 4096 };
+  static std::atomic<std::int64_t> points{ UsualPointsPerThread };
   return points;
 }
 

@@ -40,7 +40,7 @@ std::int64_t residentBytes()
 class AsUsersHaveIt
 {
 public:
-  AsUsersHaveIt() { pointsPerThread() = 4096; }
+  AsUsersHaveIt() { pointsPerThread() = UsualPointsPerThread; }
   ~AsUsersHaveIt() { pointsPerThread() = 1; }
 };
 

@@ -160,7 +160,7 @@ TEST(Work, TriangulationsOfShapesInUse)
 class PatchesAsUsersHaveThem : public ::testing::Test
 {
 public:
-  PatchesAsUsersHaveThem() { pointsPerThread() = 4096; }
+  PatchesAsUsersHaveThem() { pointsPerThread() = UsualPointsPerThread; }
   ~PatchesAsUsersHaveThem() override { pointsPerThread() = 1; }
 };
 
