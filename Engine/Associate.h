@@ -12,6 +12,7 @@
 
 #include "Patches.h"
 #include "PointSource.h"
+#include "PointSubset.h"
 
 #include <tbb/parallel_for.h>
 
@@ -21,16 +22,6 @@
 
 namespace flipflop
 {
-
-/// Which points of the input take part in a round.
-struct PointSubset
-{
-  const std::uint32_t* ids = nullptr;   ///< ascending; null: all points
-  std::uint32_t count = 0;              ///< #ids, or #points
-  const std::uint32_t* taken = nullptr; ///< ascending: already vertices or decided, to be left out
-  std::uint32_t takenCount = 0;
-  bool checkFinite = false; ///< there are points to ignore
-};
 
 template <class Geometry>
 class Association
@@ -94,12 +85,11 @@ private:
     const std::uint32_t begin = this->chunkBegin(subset.count, index);
     const std::uint32_t end = this->chunkBegin(subset.count, index + 1);
     chunk.placed.allocate(end - begin);
-    const auto idAt = [&subset](std::uint32_t i) { return subset.ids ? subset.ids[i] : i; };
     const std::uint32_t* taken = subset.taken;
     const std::uint32_t* const takenEnd = subset.taken + subset.takenCount;
     if (begin < end)
     {
-      taken = std::lower_bound(taken, takenEnd, idAt(begin));
+      taken = std::lower_bound(taken, takenEnd, subset.idAt(begin));
     }
 
     typename Locator::Block block;
@@ -155,7 +145,7 @@ private:
     int n = 0;
     for (; i < end && n < Locator::BlockSize; ++i)
     {
-      const std::uint32_t id = subset.ids ? subset.ids[i] : i;
+      const std::uint32_t id = subset.idAt(i);
       while (taken != takenEnd && *taken < id)
       {
         ++taken; // not in the subset

@@ -8,13 +8,17 @@
 /// of its points, built the same way, as the polyhedron to start from: it associates its other
 /// points to the cones, grows, and flips. The innermost sample starts from a tetrahedron. Any
 /// star-shaped start is right; this one makes every cone small enough for the cache, and gives the
-/// threads independent work from the first pass on. Larger samples would spare points on lines many
-/// flips, but a polyhedron to locate in that does not fit the cache costs all others more.
+/// threads independent work from the first pass on.
+///
+/// Growing wins by what it drops, and does without an order. Where the sample's hull leaves most
+/// points outside, most are vertices: these are inserted along a curve (InsertionBuilder), at a few
+/// flips each wherever they lie, as long as the walks are short.
 #ifndef flipflop_Builder_h
 #define flipflop_Builder_h
 
 #include "Associate.h"
 #include "Compact.h"
+#include "InsertionBuilder.h"
 #include "Monitor.h"
 #include "Patches.h"
 #include "PolyhedronBuilder.h"
@@ -81,16 +85,7 @@ public:
   Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
-    std::vector<std::uint32_t> corners;
-    for (const Vertex& v : start.vertices)
-    {
-      if (!(v.flags & VertexVirtual))
-      {
-        corners.push_back(v.id);
-      }
-    }
-    std::sort(corners.begin(), corners.end());
-
+    const std::vector<std::uint32_t> corners = start.pointIds();
     Polyhedron current = std::move(start);
     std::vector<std::uint32_t> taken = corners;
     for (std::size_t round = task.samples.size() + 1; round-- > 0;)
@@ -99,10 +94,18 @@ public:
       PointSubset subset;
       subset.ids = ids ? ids->data() : nullptr;
       subset.count = ids ? static_cast<std::uint32_t>(ids->size()) : task.source.count();
-      subset.taken = taken.data();
-      subset.takenCount = static_cast<std::uint32_t>(taken.size());
       subset.checkFinite = task.checkFinite;
-      current = insert(task, std::move(current), subset, tally, statistics);
+      leaveOut(taken, subset);
+      bool isDone = false;
+      if (round == task.samples.size() || mostAreOutside(task, current, subset))
+      {
+        isDone = insert(task, current, subset, taken, tally, statistics);
+        leaveOut(taken, subset);
+      }
+      if (!isDone)
+      {
+        current = grow(task, std::move(current), subset, tally, statistics);
+      }
       if (ids)
       {
         current = compact(std::move(current));
@@ -116,7 +119,76 @@ public:
   }
 
 private:
-  static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& base,
+  /// Steps of a walk. Among slivers, walks grow with the points, where growing does not.
+  static constexpr std::int64_t LongWalk = 64;
+
+  static void leaveOut(const std::vector<std::uint32_t>& taken, PointSubset& subset)
+  {
+    subset.taken = taken.data();
+    subset.takenCount = static_cast<std::uint32_t>(taken.size());
+  }
+
+  /// Are most of the points outside the hull of a sample, as far as a few of them tell?
+  static bool mostAreOutside(
+    const BuildTask<Geometry>& task, Polyhedron& hull, const PointSubset& subset)
+  {
+    // Where half of the sample is inside, more of the points are.
+    if (2 * hull.vertexCount() < subset.takenCount)
+    {
+      return false;
+    }
+    const Geometry local = task.geometry; // its questions are not the run's work
+    const Mesh mesh = hull.mesh();
+    constexpr std::uint32_t Asked = 128;
+    std::uint32_t known = 0;
+    std::uint32_t outside = 0;
+    std::uint32_t t = 0;
+    std::int64_t steps = 0;
+    std::vector<Duplicate> duplicates;
+    for (const std::uint32_t i : sample(subset.count, Asked))
+    {
+      const Vertex p = task.source.vertex(subset.idAt(i));
+      if (subset.isWanted(task.source, p.id))
+      {
+        t = locateFrom(local, mesh, t, p, hull.triangleCount(), steps).triangle;
+        ensure(t != NoIndex);
+        const std::uint32_t* const v = mesh.triangles[t].v;
+        ++known;
+        outside += static_cast<std::uint32_t>(isAbove(
+          local, mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]], p, duplicates));
+      }
+    }
+    return 4 * outside > 3 * known;
+  }
+
+  /// Insert points, in levels while the walks are short.
+  /// @param base  a convex polyhedron without gaps; the hull of more points in the end
+  /// @param taken what the subset leaves out; where points remain, also those inserted
+  /// @return were all inserted?
+  static bool insert(const BuildTask<Geometry>& task, Polyhedron& base, const PointSubset& subset,
+    std::vector<std::uint32_t>& taken, Tally& tally, Statistics& statistics)
+  {
+    Stopwatch watch;
+    const bool last = !subset.ids;
+    task.monitor.stage(last ? 0.15 : 0.1, last ? 0.25 : 0.15, subset.count);
+    const InsertionOrder order =
+      insertionOrder(task.source, subset, unfoldingOf(task.geometry, base), task.monitor);
+    statistics.secondsLocate += watch.lap();
+    task.monitor.stage(last ? 0.25 : 0.15, last ? 0.9 : 0.15, subset.count);
+    std::size_t levels;
+    base =
+      InsertionBuilder<Geometry>::insert(task, std::move(base), order, LongWalk, levels, tally);
+    if (levels == order.levelEnds.size())
+    {
+      return true;
+    }
+    base = compact(std::move(base));
+    taken.insert(taken.end(), order.ids.begin(), order.ids.begin() + order.levelEnds[levels - 1]);
+    std::sort(taken.begin(), taken.end());
+    return false;
+  }
+
+  static Polyhedron grow(const BuildTask<Geometry>& task, Polyhedron&& base,
     const PointSubset& subset, Tally& tally, Statistics& statistics)
   {
     Stopwatch watch;

@@ -128,4 +128,59 @@ void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron)
   }
 }
 
+Unfolding unfoldingOf(const HullGeometry& geometry, const Polyhedron& polyhedron)
+{
+  // Second moments around the kernel point, in units of the extent.
+  double unit[3];
+  const bool isInRange = geometry.extent(unit);
+  const double* const kernel = geometry.kernel();
+  double moment[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
+  const double share = 1.0 / static_cast<double>(polyhedron.vertexCount());
+  for (const Vertex& v : polyhedron.vertices)
+  {
+    double d[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      d[i] = isInRange ? (v.x[i] - kernel[i]) / unit[i] : 0;
+      for (int k = 0; k <= i; ++k)
+      {
+        moment[i][k] += share * d[i] * d[k];
+      }
+    }
+  }
+  // Their Cholesky factor L, and its inverse: what that makes of the vertices has the moments of a
+  // ball. A thin axis is widened no more than a double of the extent tells apart.
+  double factor[3][3];
+  double inverse[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k <= i; ++k)
+    {
+      double rest = moment[i][k];
+      for (int j = 0; j < k; ++j)
+      {
+        rest -= factor[i][j] * factor[k][j];
+      }
+      factor[i][k] = k < i ? rest / factor[k][k] : std::sqrt(std::max(rest, 1e-24));
+    }
+    for (int k = 0; k <= i; ++k)
+    {
+      double sum = k == i ? 1 : 0;
+      for (int j = k; j < i; ++j)
+      {
+        sum -= factor[i][j] * inverse[j][k];
+      }
+      inverse[i][k] = sum / factor[i][i];
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k <= i; ++k)
+    {
+      inverse[i][k] /= isInRange ? unit[k] : 1;
+    }
+  }
+  return Unfolding(kernel, inverse);
+}
+
 }

@@ -6,6 +6,7 @@
 #define flipflop_HullStart_h
 
 #include "HullGeometry.h"
+#include "InsertionOrder.h"
 #include "PointSource.h"
 #include "Polyhedron.h"
 
@@ -23,6 +24,10 @@ Polyhedron startingTetrahedron(
 
 /// Move the kernel point to the middle of a convex polyhedron, where that is exactly inside.
 void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron);
+
+/// Directions from the kernel point, in the axes of a polyhedron's vertices: those of a thin or
+/// slanted one are spread as a ball's.
+Unfolding unfoldingOf(const HullGeometry& geometry, const Polyhedron& polyhedron);
 
 }
 

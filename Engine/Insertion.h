@@ -119,13 +119,16 @@ public:
   /// @param generalFlipper takes note of duplicates, too
   /// @param firstTriangle from which the first walk starts
   /// @param firstFree     new triangles go to this place and up, two an insertion
+  /// @param mostTriangles no more are there to walk through
   Insertion(const Geometry& geometryToAsk, const Mesh& meshToGrow,
-    Flipper<Geometry, Shared>& generalFlipper, std::uint32_t firstTriangle, std::uint32_t firstFree)
+    Flipper<Geometry, Shared>& generalFlipper, std::uint32_t firstTriangle, std::uint32_t firstFree,
+    std::uint32_t mostTriangles)
     : geometry(geometryToAsk)
     , mesh(meshToGrow)
     , flipper(generalFlipper)
     , last(firstTriangle)
     , next(firstFree)
+    , mostSteps(mostTriangles)
   {
   }
 
@@ -142,7 +145,8 @@ public:
       return false;
     }
     const Vertex p = this->mesh.vertices[place];
-    const Located at = locateFrom(this->geometry, this->mesh, start, p, this->next, this->walked);
+    const Located at =
+      locateFrom(this->geometry, this->mesh, start, p, this->mostSteps, this->walked);
     if (at.triangle == NoIndex)
     {
       return false;
@@ -266,6 +270,7 @@ private:
   Flipper<Geometry, Shared>& flipper;
   std::uint32_t last;
   std::uint32_t next;
+  std::uint32_t mostSteps;
   std::vector<std::uint32_t> waiting = std::vector<std::uint32_t>(64); ///< triangles
   std::int64_t insertions = 0;
   std::int64_t ties = 0;

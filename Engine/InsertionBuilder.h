@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The CPU's engine for the plane: from a triangle to the regular triangulation of all points,
-/// perturbed, by insertion in random levels along a curve.
+/// Insertion of all points in random levels along a curve: the CPU's engine for the plane, and for
+/// hulls that most points are vertices of (see Builder).
 #ifndef flipflop_InsertionBuilder_h
 #define flipflop_InsertionBuilder_h
 
@@ -18,12 +18,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace flipflop
 {
 
-/// @tparam Geometry a model of the geometry concept (see HullGeometry), in the plane
+/// @tparam Geometry a model of the geometry concept (see HullGeometry), for which
+///                  unfoldingOf(const Geometry&, const Polyhedron&) tells where the curve sees its
+///                  points
 template <class Geometry>
 class InsertionBuilder : public PolyhedronBuilder<Geometry>
 {
@@ -31,18 +35,32 @@ public:
   Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
+    const std::vector<std::uint32_t> corners = start.pointIds();
+    PointSubset subset;
+    subset.count = task.source.count();
+    subset.taken = corners.data();
+    subset.takenCount = static_cast<std::uint32_t>(corners.size());
+    subset.checkFinite = task.checkFinite;
     Stopwatch watch;
-    std::vector<std::uint32_t> corners;
-    for (const Vertex& v : start.vertices)
-    {
-      if (!(v.flags & VertexVirtual))
-      {
-        corners.push_back(v.id);
-      }
-    }
-    task.monitor.stage(0.1, 0.2, task.source.count());
+    task.monitor.stage(0.1, 0.2, subset.count);
     const InsertionOrder order =
-      insertionOrder(task.source, task.checkFinite, corners, task.monitor);
+      insertionOrder(task.source, subset, unfoldingOf(task.geometry, start), task.monitor);
+    statistics.secondsLocate += watch.lap();
+    task.monitor.stage(0.2, 0.9, subset.count);
+    std::size_t levels;
+    return insert(task, std::move(start), order, AnyWalk, levels, tally);
+  }
+
+  static constexpr std::int64_t AnyWalk = std::numeric_limits<std::int64_t>::max();
+
+  /// From a convex polyhedron without gaps to the hull of its vertices and an order's points.
+  /// @param longWalk stop after a level whose points took more steps each; further levels would
+  ///                 take more
+  /// @param levels   is set to the number of those inserted
+  static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& start,
+    const InsertionOrder& order, std::int64_t longWalk, std::size_t& levels, Tally& tally)
+  {
+    Stopwatch watch;
     const std::uint32_t base = start.vertexCount();
     const std::size_t count = base + order.ids.size();
     const std::size_t triangleCount = start.triangleCount() + 2 * order.ids.size();
@@ -55,45 +73,46 @@ public:
     std::copy(start.triangles.begin(), start.triangles.end(), result.triangles.begin());
     tbb::parallel_for(std::size_t(0), order.ids.size(),
       [&](std::size_t i) { result.vertices[base + i] = task.source.vertex(order.ids[i]); });
-    statistics.secondsLocate += watch.lap();
 
-    task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count));
-    std::uint32_t inUse = start.triangleCount();
-    std::uint32_t done = base;
-    std::uint32_t begin = base; // of a level; between the two, levels wait to be inserted alone
-    const auto insertWaiting = [&]
-    {
-      inUse = done < begin ? insertAlone(task, result, inUse, done, begin, tally) : inUse;
-      done = begin;
-    };
     // A patch is worth as many points as four threads are. Where tests ask for smaller ones, their
     // joins tell nothing.
     constexpr std::uint32_t usualPatch = 4 * UsualPointsPerThread;
     const auto leastPatch =
       static_cast<std::uint32_t>(4 * pointsPerThread().load(std::memory_order_relaxed));
+    constexpr std::uint32_t few = 1024; // not worth a level of their own
     bool joinsPay = task.threads > 1;
-    for (const std::uint32_t levelEnd : order.levelEnds)
+    std::uint32_t inUse = start.triangleCount();
+    std::uint32_t begin = base;
+    for (levels = 0; levels < order.levelEnds.size();)
     {
-      const std::uint32_t end = base + levelEnd;
+      const std::uint32_t end = base + order.levelEnds[levels];
+      ++levels;
       const std::uint32_t parts =
         std::min(4 * static_cast<std::uint32_t>(task.threads), (end - begin) / leastPatch);
-      if (joinsPay && parts > 1)
+      const std::int64_t steps = tally.statistics.moves;
+      // Half-edges, then border slots, then NoIndex.
+      if (joinsPay && parts > 1 && 4 * (triangleCount + inUse) < NoIndex)
       {
-        insertWaiting();
-        // Half-edges, then border slots, then NoIndex.
-        if (4 * (triangleCount + inUse) < NoIndex)
-        {
-          std::int64_t joinFlips;
-          inUse = InsertionLevel<Geometry>(
-            task.geometry, result, inUse, task.options.vBiased, task.monitor)
-                    .run(begin, end, parts, tally, joinFlips);
-          joinsPay = end - begin < 2 * usualPatch || joinFlips < (end - begin) / 4;
-          done = end;
-        }
+        std::int64_t joinFlips;
+        inUse =
+          InsertionLevel<Geometry>(task.geometry, result, inUse, task.options.vBiased, task.monitor)
+            .run(begin, end, parts, tally, joinFlips);
+        joinsPay = end - begin < 2 * usualPatch || joinFlips < (end - begin) / 4;
+      }
+      else if (end - begin >= few || levels == order.levelEnds.size())
+      {
+        inUse = insertAlone(task, result, inUse, begin, end, tally);
+      }
+      else
+      {
+        continue; // with the next
+      }
+      if ((tally.statistics.moves - steps) / longWalk > end - begin)
+      {
+        break;
       }
       begin = end;
     }
-    insertWaiting();
     result.limitTriangles(inUse);
     tally.statistics.secondsFlip += watch.lap();
     return result;
@@ -115,7 +134,8 @@ private:
     {
       --first;
     }
-    Insertion<Geometry, Unshared> insertion(local, mesh, flipper, first, inUse);
+    Insertion<Geometry, Unshared> insertion(
+      local, mesh, flipper, first, inUse, inUse + 2 * (end - begin));
     for (std::uint32_t place = begin; place < end; ++place)
     {
       ensure(insertion.insert(place));

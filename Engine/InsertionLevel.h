@@ -275,7 +275,7 @@ private:
       this->vBiased, this->monitor);
     const std::uint32_t first = this->foundAt(patch.places[0]);
     Insertion<Geometry, SharedOutside> insertion(
-      local, this->mesh, flipper, first, patch.firstFree);
+      local, this->mesh, flipper, first, patch.firstFree, patch.lastFree);
     std::int64_t done = 0;
     for (const std::uint32_t place : patch.places)
     {
@@ -323,8 +323,8 @@ private:
     flipper.run();
     for (Patch& patch : this->patches)
     {
-      Insertion<Geometry, decltype(notShared)> insertion(
-        local, this->mesh, flipper, this->anyTriangle(), patch.firstFree);
+      Insertion<Geometry, decltype(notShared)> insertion(local, this->mesh, flipper,
+        this->anyTriangle(), patch.firstFree, this->patches.back().lastFree);
       for (const std::uint32_t place : patch.blocked)
       {
         ensure(insertion.insertFrom(this->foundAt(place), place) || insertion.insert(place));

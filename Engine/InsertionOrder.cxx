@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -72,20 +73,21 @@ public:
     std::fill(this->high, this->high + 2, -std::numeric_limits<double>::infinity());
   }
 
-  /// Let the box hold a point.
-  void add(double x, double y)
+  /// Let the box hold a place.
+  void add(const double* uv)
   {
-    this->low[0] = std::min(this->low[0], x);
-    this->low[1] = std::min(this->low[1], y);
-    this->high[0] = std::max(this->high[0], x);
-    this->high[1] = std::max(this->high[1], y);
+    for (int i = 0; i < 2; ++i)
+    {
+      this->low[i] = std::min(this->low[i], uv[i]);
+      this->high[i] = std::max(this->high[i], uv[i]);
+    }
   }
 
   /// Let the box hold another's.
   void add(const Curve& other)
   {
-    this->add(other.low[0], other.low[1]);
-    this->add(other.high[0], other.high[1]);
+    this->add(other.low);
+    this->add(other.high);
   }
 
   /// The box is known.
@@ -98,10 +100,10 @@ public:
     this->scale = half > 0 ? 0.5 * Steps / half : 0;
   }
 
-  std::uint32_t at(double px, double py) const
+  std::uint32_t at(const double* uv) const
   {
-    const std::uint32_t x = this->step(0, px);
-    const std::uint32_t y = this->step(1, py);
+    const std::uint32_t x = this->step(0, uv[0]);
+    const std::uint32_t y = this->step(1, uv[1]);
     std::uint32_t key = 0;
     std::uint32_t state = 0;
     for (int bit = 16 - HilbertTable::Bits; bit >= 0; bit -= HilbertTable::Bits)
@@ -194,8 +196,9 @@ std::vector<std::uint32_t> distribute(
 class Sorter
 {
 public:
-  Sorter(const PointSource& points, Monitor& monitorToTell)
+  Sorter(const PointSource& points, const Unfolding& unfoldingToUse, Monitor& monitorToTell)
     : source(points)
+    , unfolding(unfoldingToUse)
     , monitor(monitorToTell)
   {
   }
@@ -208,9 +211,9 @@ public:
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          double x[3];
-          this->source.load(keyed[i].id, x);
-          keyed[i].key = curve.at(x[0], x[1]);
+          double uv[2];
+          this->place(keyed[i].id, uv);
+          keyed[i].key = curve.at(uv);
         }
       });
     count <= Few ? this->sortFew(keyed, count) : this->sortByBuckets(keyed, count);
@@ -221,6 +224,13 @@ private:
   static constexpr int BucketBits = 10;
   static constexpr std::size_t Buckets = std::size_t(1) << BucketBits;
 
+  void place(std::uint32_t id, double* uv) const
+  {
+    double x[3];
+    this->source.load(id, x);
+    this->unfolding.place(x, uv);
+  }
+
   Curve curveThrough(const Keyed* keyed, std::size_t count) const
   {
     std::vector<Curve> parts((count + Run - 1) / Run);
@@ -229,9 +239,9 @@ private:
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          double x[3];
-          this->source.load(keyed[i].id, x);
-          parts[number].add(x[0], x[1]);
+          double uv[2];
+          this->place(keyed[i].id, uv);
+          parts[number].add(uv);
         }
       });
     Curve whole;
@@ -293,6 +303,7 @@ private:
   }
 
   const PointSource& source;
+  const Unfolding& unfolding;
   Monitor& monitor;
 };
 
@@ -313,26 +324,48 @@ int levelOf(std::uint32_t id)
 
 }
 
-InsertionOrder insertionOrder(const PointSource& source, bool skipNonFinite,
-  const std::vector<std::uint32_t>& without, Monitor& monitor)
+Unfolding::Unfolding(const double* kernel, const double (*basis)[3])
+  : unfolds(true)
 {
-  const auto isWanted = [&](std::uint32_t id)
+  std::copy_n(kernel, 3, this->origin);
+  for (int i = 0; i < 3; ++i)
   {
-    double x[3];
-    if (skipNonFinite)
-    {
-      source.load(id, x);
-    }
-    return (!skipNonFinite || isFinite(x)) &&
-      std::find(without.begin(), without.end(), id) == without.end();
-  };
-  Buffer<Keyed> keyed(source.count());
+    std::copy_n(basis[i], 3, this->matrix[i]);
+  }
+}
+
+void Unfolding::unfold(const double* x, double* uv) const
+{
+  const double d[3] = { x[0] - this->origin[0], x[1] - this->origin[1], x[2] - this->origin[2] };
+  double q[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    q[i] = this->matrix[i][0] * d[0] + this->matrix[i][1] * d[1] + this->matrix[i][2] * d[2];
+  }
+  const double sum = std::fabs(q[0]) + std::fabs(q[1]) + std::fabs(q[2]);
+  // One at the kernel point has no direction.
+  const double factor = sum > 0 ? 1 / sum : 0;
+  uv[0] = q[0] * factor;
+  uv[1] = q[1] * factor;
+  if (q[2] < 0)
+  {
+    // The lower faces are folded up, outside the upper ones.
+    const double u = uv[0];
+    uv[0] = std::copysign(1 - std::fabs(uv[1]), u);
+    uv[1] = std::copysign(1 - std::fabs(u), uv[1]);
+  }
+}
+
+InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
+  const Unfolding& unfolding, Monitor& monitor)
+{
+  const auto idAt = [&](std::size_t i) { return subset.idAt(static_cast<std::uint32_t>(i)); };
+  Buffer<Keyed> keyed(subset.count);
   const std::size_t count = distribute(
-    source.count(), 1, monitor,
-    [&](std::size_t id) { return isWanted(static_cast<std::uint32_t>(id)) ? 0 : -1; },
-    [&](std::size_t id, std::uint32_t place)
-    { keyed[place].id = static_cast<std::uint32_t>(id); })[1];
-  Sorter(source, monitor).sort(keyed.data(), count);
+    subset.count, 1, monitor,
+    [&](std::size_t i) { return subset.isWanted(source, idAt(i)) ? 0 : -1; },
+    [&](std::size_t i, std::uint32_t place) { keyed[place].id = idAt(i); })[1];
+  Sorter(source, unfolding, monitor).sort(keyed.data(), count);
 
   // Each level's points in the curve's order.
   InsertionOrder order;

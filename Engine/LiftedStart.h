@@ -62,6 +62,13 @@ void centerKernel(LiftedGeometry<Weighted>&, const Polyhedron&)
 {
 }
 
+/// The curve is one of the plane as it is.
+template <bool Weighted>
+Unfolding unfoldingOf(const LiftedGeometry<Weighted>&, const Polyhedron&)
+{
+  return Unfolding();
+}
+
 }
 
 #endif

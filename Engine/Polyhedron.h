@@ -68,6 +68,21 @@ struct Polyhedron
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
 
+  /// The ids of the points among the vertices, ascending.
+  std::vector<std::uint32_t> pointIds() const
+  {
+    std::vector<std::uint32_t> ids;
+    for (const Vertex& v : this->vertices)
+    {
+      if (!(v.flags & VertexVirtual))
+      {
+        ids.push_back(v.id);
+      }
+    }
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  }
+
   Mesh mesh()
   {
     Mesh result;

@@ -32,7 +32,7 @@ struct Statistics
   double secondsScan = 0;    ///< wall time: ranges, non-finite points, first tetrahedron
   double secondsLocate = 0;  ///< wall time: culling, associating points to triangles
   double secondsGrow = 0;    ///< summed over threads: Algorithm 2
-  double secondsFlip = 0;    ///< summed over threads: Algorithm 1; wall time of both in the plane
+  double secondsFlip = 0;    ///< summed over threads: Algorithm 1; wall time of both on insertion
   double secondsCompact = 0; ///< wall time, CUDA engine: the polyhedron without gaps, and back
   double secondsFinish = 0;  ///< wall time: true facets, canonical order
   double secondsTotal = 0;   ///< wall time of the whole run

@@ -280,8 +280,8 @@ public:
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
    * each. 0 before a run, and after one that failed or was aborted, whatever some blocks gave
    * before. Engines do the work in a different order, so from Culled points on the numbers differ
-   * between them, where the output does not. Of the CPU engine they do not depend on the number of
-   * threads.
+   * between them, where the output does not; between numbers of threads, too, where the CPU engine
+   * inserts points one at a time (triangulations, hulls that most points are vertices of).
    *
    * - InputPoints: points given, without ghost points that are left out
    * - NonFinitePoints: points left out (or, after an error, found)
@@ -323,8 +323,8 @@ public:
   /**
    * Get the seconds that the last run took, by stage; sums for several blocks with a result each,
    * whose runs may have been side by side. Scan, Locate, Finish and Total are wall time of a run;
-   * Grow and Flip are summed over the threads; of the CUDA engine, and of triangulations, which
-   * insert and flip at once, they are wall time.
+   * Grow and Flip are summed over the threads; of the CUDA engine, and where points are inserted
+   * and flipped at once, they are wall time.
    *
    * - Scan: ranges, points that are not finite, the first polyhedron
    * - Locate: culling, associating points to triangles. The CUDA

@@ -4,6 +4,7 @@
 /// No part of a run goes on for long without a look for an abort request: here every look calls the
 /// progress function, and is counted.
 #include "CompareTriangulation.h"
+#include "CpuBuilder.h"
 #include "HullRun.h"
 #include "InputsWeighted.h"
 #include "TriangulationRun.h"
@@ -104,12 +105,10 @@ struct Built
         const Span span = spanOf(this->run);
         Polyhedron start = startingTetrahedron(this->run.geometry, this->run.source, span.ids);
         Statistics statistics;
-        using Builds = std::conditional_t<Geometry::InsertsAtOnce, InsertionBuilder<Geometry>,
-          Builder<Geometry>>;
-        this->polyhedron =
-          compact(Builds().build({ this->run.geometry, this->run.source, false, this->run.options,
-                                   1, this->run.monitor, nestedSamples(this->run.source.count()) },
-            std::move(start), this->tally, statistics));
+        this->polyhedron = compact(CpuBuilder<Geometry>().build(
+          { this->run.geometry, this->run.source, false, this->run.options, 1, this->run.monitor,
+            nestedSamples(this->run.source.count()) },
+          std::move(start), this->tally, statistics));
       });
   }
 

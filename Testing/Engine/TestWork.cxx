@@ -59,13 +59,13 @@ std::vector<Work> workOf(const Statistics& small, const Statistics& large)
   return all;
 }
 
-/// How much more a point may cost at eight times the size. In space, growing first and flipping
-/// afterwards costs more flips the more points lie on a curve; in the plane, walks through slivers
-/// are longer the more there are. What that comes to today is the bound.
+/// How much more a point may cost at eight times the size. Where few points of curves are vertices,
+/// they are grown, and flips grow with them; walks through slivers are longer the more there are.
+/// What that comes to today is the bound.
 double mostGrowth(const std::string& name)
 {
-  static const std::map<std::string, double> most = { { "strands", 2.5 }, { "momentCurve", 2.5 },
-    { "cylinder", 2 }, { "near-line", 2 } };
+  static const std::map<std::string, double> most = { { "strands", 2.5 }, { "helix", 2.5 },
+    { "near-line", 2 } };
   const auto known = most.find(name);
   return known == most.end() ? 1.5 : known->second;
 }
