@@ -309,7 +309,9 @@ void CanonicalForm::eachFanTriangle(Use&& use) const
   }
 }
 
-void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
+/// @param useToo void (vertices, number of the piece), of every triangle
+template <class Use>
+void CanonicalForm::write(Monitor& monitor, CellComplex& complex, Use&& useToo)
 {
   const bool fans = this->facets == FacetMode::Triangles;
   const auto pointCount = static_cast<std::uint32_t>(complex.pointIds.size());
@@ -342,6 +344,7 @@ void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
       this->useTriangle(t,
         [&](std::uint32_t cell, std::uint32_t a, std::uint32_t b, std::uint32_t c)
         {
+          useToo(a, b, c, piece);
           std::uint32_t* v = triangles[cell].v;
           v[0] = this->rank[a];
           v[1] = this->rank[b];
@@ -352,6 +355,7 @@ void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
       triangles[t].flags = used ? 0 : TriangleDead;
     });
   eachLargeCell([&](const Cell& cell) { sort.count(pieceCount, cell.corner[0]); });
+  this->eachFanTriangle(useToo);
   monitor.poll();
   sort.endCounting(std::move(this->polyhedron.vertices));
   this->polyhedron.eachTriangle(
@@ -382,22 +386,21 @@ void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
   }
 }
 
-void CanonicalForm::writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const
+void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
+{
+  this->write(monitor, complex, [](std::uint32_t, std::uint32_t, std::uint32_t, std::size_t) {});
+}
+
+void CanonicalForm::writeHull(
+  const CoordinateRange& range, int exponent, Monitor& monitor, Hull& hull)
 {
   const Buffer<Vertex>& vertices = this->polyhedron.vertices;
   const auto first = std::find(this->rank.begin(), this->rank.end(), 0u) - this->rank.begin();
   Measure total(range, exponent, vertices[static_cast<std::size_t>(first)].x);
   std::vector<Measure> parts(this->polyhedron.pieces.size() + 1, total);
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
-  { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); };
-  this->polyhedron.eachTriangle(
-    [&](std::uint32_t t, std::size_t piece)
-    {
-      this->useTriangle(t,
-        [&](std::uint32_t, std::uint32_t a, std::uint32_t b, std::uint32_t c)
-        { add(a, b, c, piece); });
-    });
-  this->eachFanTriangle(add);
+  this->write(monitor, hull,
+    [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
+    { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); });
   for (const Measure& part : parts)
   {
     total.add(part);

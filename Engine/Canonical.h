@@ -39,20 +39,22 @@ public:
     std::uint32_t pointCount, FacetMode facets, Monitor& monitor, Buffer<std::int64_t>& pointIds);
   ~CanonicalForm();
 
-  /// Volume and area of a hull. Both facet modes measure the same triangles.
-  /// @param range    of the scaled coordinates
-  /// @param exponent coordinates are scaled by 2^exponent
-  void writeMeasure(const CoordinateRange& range, int exponent, Hull& hull) const;
-
   /// The facets, in their order. The last call: the polyhedron's memory becomes theirs.
   /// @throw Error Aborted, between its passes
   void writeCells(Monitor& monitor, CellComplex& complex);
+
+  /// The same of a hull, with its volume and area. Both facet modes measure the same triangles.
+  /// @param range    of the scaled coordinates
+  /// @param exponent coordinates are scaled by 2^exponent
+  void writeHull(const CoordinateRange& range, int exponent, Monitor& monitor, Hull& hull);
 
 private:
   template <class Use>
   void useTriangle(std::uint32_t t, Use&& use) const;
   template <class Use>
   void eachFanTriangle(Use&& use) const;
+  template <class Use>
+  void write(Monitor& monitor, CellComplex& complex, Use&& useToo);
 
   const FacetMode facets;
   Polyhedron& polyhedron;

@@ -111,7 +111,7 @@ struct ExpansionSigns
 
   /// The same in double; false when the error bound leaves it open. The sign is that of the rounded
   /// value.
-  FF_HD static bool filterOrient2(
+  FF_HD FF_INLINE static bool filterOrient2(
     const double* a, const double* b, const double* c, int p, int q, int& sign)
   {
     const double bp = b[p] - a[p], bq = b[q] - a[q];

@@ -39,11 +39,11 @@ public:
   /// @param spanOf       Span (ids, count): points that span what a sample (null: all points) does,
   ///                     or what all do where that is more
   /// @param lowerResult  void (const Span&): fill in the result of points that span less
-  /// @param moreOf       see finish
+  /// @param write        see finish
   /// @param watch        since the run began
-  template <class SpanOf, class LowerResult, class MoreOf>
+  template <class SpanOf, class LowerResult, class Write>
   void grow(CellComplex& result, int dimension, Stopwatch& watch, SpanOf&& spanOf,
-    LowerResult&& lowerResult, MoreOf&& moreOf)
+    LowerResult&& lowerResult, Write&& write)
   {
     const std::uint32_t count = this->source.count();
     const auto samples = nestedSamples(count);
@@ -66,14 +66,14 @@ public:
                                        this->options, this->threads, this->monitor, samples },
                                 std::move(start), tally, result.statistics);
     result.dimension = dimension;
-    this->finish(std::move(polyhedron), std::move(tally), result, moreOf);
+    this->finish(std::move(polyhedron), std::move(tally), result, write);
   }
 
   /// From a hull of perturbed points to the true one, in canonical form.
-  /// @param moreOf void (const CanonicalForm&): fill in what the result has besides points and
-  ///               cells; its points are known
-  template <class MoreOf>
-  void finish(Polyhedron&& polyhedron, Tally&& tally, CellComplex& result, MoreOf&& moreOf)
+  /// @param write void (CanonicalForm&): fill in the result's cells, and what else it has; its
+  ///              points are known
+  template <class Write>
+  void finish(Polyhedron&& polyhedron, Tally&& tally, CellComplex& result, Write&& write)
   {
     Stopwatch watch;
     this->monitor.stage(0.9, 1.0, 1);
@@ -82,9 +82,7 @@ public:
     CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
       this->options.facets, this->monitor, result.pointIds);
     this->monitor.poll();
-    moreOf(form);
-    this->monitor.poll();
-    form.writeCells(this->monitor, result);
+    write(form);
     this->report(tally, result.statistics);
     result.statistics.exactCalls += this->geometry.predicateCounts().exact;
     result.statistics.secondsFinish = watch.lap();

@@ -151,7 +151,7 @@ public:
   }
 
   /// The first step alone, of det[b - a; c - a; p - a]: false when it cannot tell.
-  FF_HD bool filterAbove(
+  FF_HD FF_INLINE bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
     const Rows rows(b.x, c.x, p.x, a.x);
@@ -165,7 +165,8 @@ public:
   }
 
   /// The same, of det[a - s; b - s; c - s].
-  FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
+  FF_HD FF_INLINE bool filterBeneathKernel(
+    const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
     const Rows rows(a.x, b.x, c.x, this->kernelPoint.place());
     const double det = rows.determinant();
@@ -178,13 +179,14 @@ public:
   }
 
   /// The second step alone.
-  FF_HD int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  FF_HD FF_APART int exactAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     ++this->counts.exact;
     return this->orient(a, b, c, Row<1>{ { p.x } });
   }
 
-  FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     ++this->counts.exact;
     // det[a - s; b - s; c - s] = -det[b - a; c - a; s - a].
@@ -192,7 +194,8 @@ public:
   }
 
   /// The third step alone, where the exact sign is zero. Never zero.
-  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  FF_HD FF_APART int tieAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
     const Vertex* row[4] = { &a, &b, &c, &p };
@@ -201,7 +204,7 @@ public:
     return sign * this->tie(*row[0], *row[1], *row[2], last);
   }
 
-  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     // det[a - s; b - s; c - s] = det of the rows (a, 1), (b, 1), (c, 1), (s, 1); s is the last of
     // all ids.

@@ -61,20 +61,20 @@ void HullRun::hullOfPoints(Hull& hull)
     lowDimensionalHull(this->geometry, this->source, span, this->checkFinite, this->range,
       this->arithmetic.scaleExponent, this->options.facets, this->monitor, hull);
   };
-  this->grow(hull, 3, watch, spanOf, lowerHull,
-    [&](const CanonicalForm& form) { this->measure(form, hull); });
+  this->grow(
+    hull, 3, watch, spanOf, lowerHull, [&](CanonicalForm& form) { this->write(form, hull); });
 }
 
 void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)
 {
   hull.dimension = 3;
   GeometryRun::finish(std::move(polyhedron), std::move(tally), hull,
-    [&](const CanonicalForm& form) { this->measure(form, hull); });
+    [&](CanonicalForm& form) { this->write(form, hull); });
 }
 
-void HullRun::measure(const CanonicalForm& form, Hull& hull) const
+void HullRun::write(CanonicalForm& form, Hull& hull)
 {
-  form.writeMeasure(this->range, this->arithmetic.scaleExponent, hull);
+  form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull);
 }
 
 }

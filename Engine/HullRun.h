@@ -36,7 +36,7 @@ public:
   void finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull);
 
 private:
-  void measure(const CanonicalForm& form, Hull& hull) const;
+  void write(CanonicalForm& form, Hull& hull);
 };
 
 }

@@ -147,7 +147,7 @@ public:
   }
 
   /// The first step alone: false when it cannot tell.
-  FF_HD bool filterAbove(
+  FF_HD FF_INLINE bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
     if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
@@ -170,7 +170,8 @@ public:
     return this->filterFar(rows, det, error, sign);
   }
 
-  FF_HD bool filterBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
+  FF_HD FF_INLINE bool filterBeneathKernel(
+    const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
     if ((a.flags | b.flags | c.flags) & VertexVirtual)
     {
@@ -180,7 +181,8 @@ public:
   }
 
   /// The second step alone.
-  FF_HD int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  FF_HD FF_APART int exactAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
     {
@@ -192,14 +194,15 @@ public:
       this->wide, [&](auto signs) { return signs.orient3(a.x, b.x, c.x, last); });
   }
 
-  FF_HD int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     return this->exactTurn(verticesBeneath(a, b, c));
   }
 
   /// The third step alone, where the exact sign is zero. Never zero, but for a vertex against
   /// itself.
-  FF_HD int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  FF_HD FF_APART int tieAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
     {
@@ -217,7 +220,7 @@ public:
         [&](auto signs) { return perturbedSign<decltype(signs), MovedByHeight>(rows, last); });
   }
 
-  FF_HD int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     return this->tieTurn(verticesBeneath(a, b, c));
   }
@@ -428,7 +431,8 @@ private:
   }
 
   /// Of three points in the plane.
-  FF_HD bool filterOrient(const double* a, const double* b, const double* c, int& sign) const
+  FF_HD FF_INLINE bool filterOrient(
+    const double* a, const double* b, const double* c, int& sign) const
   {
     return ExpansionSigns::filterOrient2(a, b, c, 0, 1, sign) || this->exactInDouble;
   }

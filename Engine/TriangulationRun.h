@@ -78,7 +78,13 @@ public:
     this->grow(
       result, 2, watch,
       [this](const std::uint32_t* ids, std::uint32_t count) { return this->spanOf(ids, count); },
-      chain, [&](const CanonicalForm&) { this->listHidden(result); });
+      chain,
+      [&](CanonicalForm& form)
+      {
+        this->listHidden(result);
+        this->monitor.poll();
+        form.writeCells(this->monitor, result);
+      });
   }
 
 private:
