@@ -27,6 +27,15 @@ struct CoordinateRange
   }
 };
 
+/// What coordinates on a lattice of few bits have in common: pixels, voxels, heights on a grid,
+/// many models. There, determinants of differences are exact in double.
+struct Lattice
+{
+  double unit = 0; ///< a power of two; all coordinates are multiples, weights of its square.
+                   ///< 0: there is none, or it is too small to be of use
+  bool everywhere = false; ///< no two points are too many units apart for that
+};
+
 struct Arithmetic
 {
   int scaleExponent = 0; ///< coordinates are multiplied by 2^scaleExponent, weights by its square,

@@ -66,14 +66,19 @@ public:
   /// first and flipped afterwards (Builder)?
   static constexpr bool InsertsAtOnce = false;
 
+  /// Differences of up to 2^16 units of a lattice make products of three, sums of six of which are
+  /// below 2^53 units.
+  static constexpr int LatticeBits = 16;
+
   HullGeometry() = default;
 
   /// @param range      of the scaled coordinates
   /// @param arithmetic how they were scaled
-  /// @param onLattice  all are multiples of a power of two so large that determinants of their
-  ///                   differences are exact in double
-  HullGeometry(const CoordinateRange& range, const Arithmetic& arithmetic, bool onLattice)
-    : wide(arithmetic.wide)
+  /// @param lattice    that they are on
+  HullGeometry(
+    const CoordinateRange& range, const Arithmetic& arithmetic, const Lattice& lattice = Lattice())
+    : exactWithin(std::ldexp(lattice.unit, LatticeBits))
+    , wide(arithmetic.wide)
   {
     double extent[3];
     for (int i = 0; i < 3; ++i)
@@ -89,10 +94,10 @@ public:
       this->inRange = this->inRange && e >= FilterFloor && e <= FilterCeiling;
     }
     const double bound = DeterminantError * extent[0] * extent[1] * extent[2];
-    this->exactInDouble = onLattice;
-    this->pointError = onLattice ? 0.0
-      : this->inRange            ? bound * (1 + 1e-15)
-                                 : std::numeric_limits<double>::infinity();
+    this->exactInDouble = lattice.everywhere;
+    this->pointError = lattice.everywhere ? 0.0
+      : this->inRange                     ? bound * (1 + 1e-15)
+                                          : std::numeric_limits<double>::infinity();
     this->kernelError = std::numeric_limits<double>::infinity();
   }
 
@@ -161,7 +166,7 @@ public:
     {
       return true;
     }
-    return semiStatic(rows, det, sign);
+    return semiStatic(rows, det, sign) || this->isExact(rows);
   }
 
   /// The same, of det[a - s; b - s; c - s].
@@ -328,6 +333,13 @@ private:
     double u[3], v[3], w[3];
   };
 
+  /// Are the differences so few units of a lattice that their determinant is exact?
+  FF_HD bool isExact(const Rows& rows) const
+  {
+    return rows.largest(0) <= this->exactWithin && rows.largest(1) <= this->exactWithin &&
+      rows.largest(2) <= this->exactWithin;
+  }
+
   /// The error bound from the entries themselves, by columns.
   static FF_HD bool semiStatic(const Rows& rows, double det, int& sign)
   {
@@ -345,7 +357,7 @@ private:
       return false;
     }
     const double error = DeterminantError * (1 + 1e-15) * x * y * z;
-    sign = det > 0.0 ? 1 : -1;
+    sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
     return det > error || det < -error;
   }
 
@@ -372,6 +384,7 @@ private:
   double reach[3] = { 0, 0, 0 }; ///< no two points, nor a point and s, are further apart
   double pointError = 0.0;
   double kernelError = 0.0;
+  double exactWithin = 0.0; ///< determinants of no larger differences are exact
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;

@@ -37,12 +37,8 @@ bool HullRun::inspect(Hull& hull, const double* kernel)
     include(kernel, this->range);
   }
   this->setArithmetic(chooseArithmetic(this->range));
-  // Differences below 2^16 units make products of three sums of six below 2^53.
-  const double unit = this->latticeUnit(3, 16);
-  const double units[3] = { unit, unit, unit };
-  const bool onLattice =
-    unit > 0 && isOnLattice(this->source, units, this->checkFinite, this->monitor);
-  this->geometry = HullGeometry(this->range, this->arithmetic, onLattice);
+  this->geometry =
+    HullGeometry(this->range, this->arithmetic, this->findLattice(3, HullGeometry::LatticeBits));
   return true;
 }
 

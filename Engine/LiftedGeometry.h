@@ -76,15 +76,22 @@ public:
   /// first and flipped afterwards (Builder)?
   static constexpr bool InsertsAtOnce = true;
 
+  /// Differences of up to 2^12 units of a lattice, and weights' below latticeWeights(), make
+  /// heights below 2^26 square units, and six products of three whose sums are below 2^53.
+  static constexpr int LatticeBits = 12;
+  static double latticeWeights(double unit) { return 0x1p25 * unit * unit; }
+
   LiftedGeometry() = default;
 
   /// @param range      of the scaled coordinates and weights
   /// @param arithmetic how they were scaled
-  /// @param onLattice  all are multiples of units so large that determinants of differences are
-  ///                   exact in double
-  LiftedGeometry(const CoordinateRange& range, const Arithmetic& arithmetic, bool onLattice)
-    : wide(arithmetic.wide)
-    , exactInDouble(onLattice)
+  /// @param lattice    that they are on
+  LiftedGeometry(
+    const CoordinateRange& range, const Arithmetic& arithmetic, const Lattice& lattice = Lattice())
+    : exactWithin(std::ldexp(lattice.unit, LatticeBits))
+    , exactHeight(2 * latticeWeights(lattice.unit))
+    , wide(arithmetic.wide)
+    , exactInDouble(lattice.everywhere)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -334,7 +341,7 @@ private:
   };
 
   /// The rest of filterAbove: where the bound leaves the sign open, or may not hold.
-  static FF_HD FF_APART bool filterFar(const Rows& rows, double det, double error, int& sign)
+  FF_HD FF_APART bool filterFar(const Rows& rows, double det, double error, int& sign) const
   {
     const double x = HullGeometry::largestOf(rows.ux, rows.vx, rows.wx);
     const double y = HullGeometry::largestOf(rows.uy, rows.vy, rows.wy);
@@ -343,6 +350,11 @@ private:
     {
       return error >= LiftedUnderflow && x <= LiftedCeiling && y <= LiftedCeiling &&
         height <= LiftedCeiling * LiftedCeiling;
+    }
+    // Few units of a lattice: the determinant is exact.
+    if (x <= this->exactWithin && y <= this->exactWithin && height <= this->exactHeight)
+    {
+      return true;
     }
     // A column of exact zeros: so is the determinant.
     sign = 0;
@@ -434,7 +446,21 @@ private:
   FF_HD FF_INLINE bool filterOrient(
     const double* a, const double* b, const double* c, int& sign) const
   {
-    return ExpansionSigns::filterOrient2(a, b, c, 0, 1, sign) || this->exactInDouble;
+    return ExpansionSigns::filterOrient2(a, b, c, 0, 1, sign) || this->exactInDouble ||
+      this->isExact(a, b, c);
+  }
+
+  /// Are the places so few units of a lattice apart that their orientation is exact?
+  FF_HD bool isExact(const double* a, const double* b, const double* c) const
+  {
+    // Products of two may be of 51 bits.
+    const double within = 0x1p13 * this->exactWithin;
+    bool isNear = true;
+    for (int i = 0; i < 2; ++i)
+    {
+      isNear = isNear && std::fabs(b[i] - a[i]) <= within && std::fabs(c[i] - a[i]) <= within;
+    }
+    return isNear && within > 0;
   }
 
   FF_HD int exactTurn(const VertexTurn& turn) const
@@ -481,6 +507,8 @@ private:
 
   KernelPoint<2> kernelPoint;
   double reach[3] = { 0, 0, 0 };
+  double exactWithin = 0.0; ///< determinants of no larger differences
+  double exactHeight = 0.0; ///< and heights are exact
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;

@@ -114,6 +114,9 @@ public:
     return result;
   }
 
+  /// Is the third coordinate a weight?
+  bool isWeighted() const { return this->thirdPower == 2; }
+
   /// The axis is scaled by 2^ this.
   int scaleExponent(int axis) const { return this->exponent[axis]; }
 

@@ -47,16 +47,23 @@ void Run::setArithmetic(const Arithmetic& chosen)
   }
 }
 
-double Run::latticeUnit(int axes, int bits) const
+Lattice Run::findLattice(int axes, int bits)
 {
   double extent = 0;
   for (int i = 0; i < axes; ++i)
   {
     extent = std::max(extent, this->range.high[i] - this->range.low[i]);
   }
-  return !this->arithmetic.wide && extent > 1e-60 && extent < 1e60
-    ? std::ldexp(1.0, std::ilogb(extent) + 1 - bits)
-    : 0.0;
+  Lattice lattice;
+  if (!this->arithmetic.wide && extent > 1e-60 && extent < 1e60)
+  {
+    // With smaller units, exact differences are so small that few neighbours are that near.
+    constexpr double small = 0x1p-10;
+    const double most = std::ldexp(1.0, std::ilogb(extent) + 1 - bits);
+    lattice.unit = commonUnit(this->source, small * most, most, this->checkFinite, this->monitor);
+    lattice.everywhere = lattice.unit == most;
+  }
+  return lattice;
 }
 
 void Run::report(const Tally& tally, Statistics& statistics)

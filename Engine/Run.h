@@ -66,9 +66,10 @@ protected:
   /// Scale the points, and what is known of their range.
   void setArithmetic(const Arithmetic& chosen);
 
-  /// A unit for isOnLattice: the largest power of two of which the points, if multiples, are so
-  /// few that their differences in the first @p axes axes are below 2^bits. 0: there is none.
-  double latticeUnit(int axes, int bits) const;
+  /// Look for a lattice that all points are on.
+  /// @param axes of places: the first
+  /// @param bits determinants are exact where differences are below 2^bits units
+  Lattice findLattice(int axes, int bits);
 
   /// Hand on what the stages counted.
   static void report(const Tally& tally, Statistics& statistics);

@@ -225,11 +225,21 @@ ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
   return result;
 }
 
-bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite, Monitor& monitor)
+double commonUnit(
+  const PointSource& source, double least, double most, bool checkFinite, Monitor& monitor)
 {
+  const auto isMultiple = [](double x, double unit)
+  {
+    const double units = x / unit;
+    // What is larger is whole; to the rest this adds what leaves no place for a fraction.
+    constexpr double large = 0x1.8p52;
+    const bool whole = std::fabs(units) >= 0x1p51 || (units + large) - large == units;
+    return whole && (units != 0 || x == 0);
+  };
   StepPoll poll(monitor);
-  const double perUnit[3] = { 1 / unit[0], 1 / unit[1], 1 / unit[2] };
   const std::uint32_t count = source.count();
+  double unit = most;
+  double units[3] = { unit, unit, source.isWeighted() ? unit * unit : unit };
   // A few points spread over the input tell nearly always.
   for (int pass = 0; pass < 2; ++pass)
   {
@@ -243,17 +253,20 @@ bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite
       {
         continue;
       }
-      for (int i = 0; i < 3; ++i)
+      while (
+        !isMultiple(x[0], units[0]) || !isMultiple(x[1], units[1]) || !isMultiple(x[2], units[2]))
       {
-        const double units = x[i] * perUnit[i];
-        if (units != std::nearbyint(units) || (units == 0 && x[i] != 0))
+        unit /= 2;
+        if (unit < least)
         {
-          return false;
+          return 0;
         }
+        units[0] = units[1] = unit;
+        units[2] = source.isWeighted() ? unit * unit : unit;
       }
     }
   }
-  return true;
+  return unit;
 }
 
 namespace

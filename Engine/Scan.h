@@ -25,10 +25,10 @@ struct ScanResult
 /// One parallel pass over unscaled points.
 ScanResult scan(const PointSource& source, int threads, Monitor& monitor);
 
-/// Are all coordinates multiples of a unit, by axis (a power of two)? Where units are large enough
-/// that determinants of differences are exact in double, the predicates need no bound: so it is for
-/// pixel and voxel grids, small integers, many models.
-bool isOnLattice(const PointSource& source, const double* unit, bool checkFinite, Monitor& monitor);
+/// The largest power of two from @p least to @p most of which all coordinates are multiples,
+/// weights of its square; 0: there is none.
+double commonUnit(
+  const PointSource& source, double least, double most, bool checkFinite, Monitor& monitor);
 
 /// Points that span the input, as far apart as a few looks find: dimension + 1 of them, affinely
 /// independent.

@@ -39,14 +39,10 @@ public:
       return false;
     }
     this->setArithmetic(chooseLiftedArithmetic(this->range));
-    // Differences below 2^12 units, and weights' below 2^25 of their squares, make the
-    // determinant's six products of four sum to less than 2^53.
-    const double unit = this->latticeUnit(2, 12);
-    const double units[3] = { unit, unit, unit * unit };
-    const bool onLattice = unit > 0 &&
-      this->range.high[2] - this->range.low[2] < 0x1p25 * units[2] &&
-      isOnLattice(this->source, units, this->checkFinite, this->monitor);
-    this->geometry = Geometry(this->range, this->arithmetic, onLattice);
+    Lattice lattice = this->findLattice(2, Geometry::LatticeBits);
+    lattice.everywhere = lattice.everywhere &&
+      this->range.high[2] - this->range.low[2] < Geometry::latticeWeights(lattice.unit);
+    this->geometry = Geometry(this->range, this->arithmetic, lattice);
     return true;
   }
 
@@ -57,7 +53,7 @@ public:
     // In space, with zero for the third coordinate.
     CoordinateRange flatRange = this->range;
     flatRange.low[2] = flatRange.high[2] = 0;
-    const HullGeometry flat(flatRange, this->arithmetic, false);
+    const HullGeometry flat(flatRange, this->arithmetic);
     return findSpan(
       flat, this->source.flattened(), ids, count, 2, this->checkFinite, this->monitor);
   }

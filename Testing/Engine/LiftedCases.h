@@ -44,7 +44,7 @@ inline double nudged(double x, std::mt19937_64& random, int steps)
 /// virtual vertex may be among them.
 template <bool Weighted>
 LiftedGeometry<Weighted> liftedGeometryOf(
-  std::vector<Vertex>& points, bool onLattice = false, bool* wide = nullptr)
+  std::vector<Vertex>& points, const Lattice& lattice = Lattice(), bool* wide = nullptr)
 {
   CoordinateRange range = rangeOf(points);
   const Arithmetic arithmetic = chooseLiftedArithmetic(range);
@@ -62,7 +62,8 @@ LiftedGeometry<Weighted> liftedGeometryOf(
   {
     *wide = arithmetic.wide;
   }
-  return LiftedGeometry<Weighted>(range, arithmetic, onLattice);
+  return LiftedGeometry<Weighted>(
+    range, arithmetic, { std::ldexp(lattice.unit, arithmetic.scaleExponent), lattice.everywhere });
 }
 
 /// The same signs, and the determinants themselves, in integers: places in units of 2^-bits,

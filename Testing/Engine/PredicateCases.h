@@ -92,7 +92,8 @@ inline CoordinateRange rangeOf(const std::vector<Vertex>& points)
 
 /// The geometry that a run on these points (and a kernel point) would use; scales them as the run
 /// would.
-inline HullGeometry geometryOf(std::vector<Vertex>& points, bool onLattice = false)
+/// @param lattice that they are on, before
+inline HullGeometry geometryOf(std::vector<Vertex>& points, const Lattice& lattice = Lattice())
 {
   CoordinateRange range = rangeOf(points);
   const Arithmetic arithmetic = chooseArithmetic(range);
@@ -108,7 +109,8 @@ inline HullGeometry geometryOf(std::vector<Vertex>& points, bool onLattice = fal
     range.low[i] = std::ldexp(range.low[i], arithmetic.scaleExponent);
     range.high[i] = std::ldexp(range.high[i], arithmetic.scaleExponent);
   }
-  return HullGeometry(range, arithmetic, onLattice);
+  return HullGeometry(
+    range, arithmetic, { std::ldexp(lattice.unit, arithmetic.scaleExponent), lattice.everywhere });
 }
 
 }

@@ -36,9 +36,9 @@ public:
   using Geometry = LiftedGeometry<Weighted>;
 
   /// @param given four points; others are in the range
-  Signs(const Points& given, bool onLattice, Seen& counts)
+  Signs(const Points& given, const Lattice& lattice, Seen& counts)
     : points(given)
-    , geometry(liftedGeometryOf<Weighted>(this->points, onLattice, &this->isWide))
+    , geometry(liftedGeometryOf<Weighted>(this->points, lattice, &this->isWide))
     , exact(this->points)
     , seen(counts)
   {
@@ -295,6 +295,20 @@ Points integers(std::mt19937_64& random)
   return v;
 }
 
+/// Exact ties of integers some of which are too far apart for plain doubles.
+Points integersFarApart(std::mt19937_64& random)
+{
+  Points v = integers(random);
+  const int exponent = below(random, 24);
+  for (Vertex& p : v)
+  {
+    p.x[0] = std::ldexp(p.x[0], exponent) + 3e6;
+    p.x[1] = std::ldexp(p.x[1], exponent) - 5e6;
+    p.x[2] = std::ldexp(p.x[2], 2 * exponent);
+  }
+  return v;
+}
+
 /// Of four points on a horizontal or upright line, with any doubles along it.
 Points onAnAxis(std::mt19937_64& random)
 {
@@ -337,7 +351,7 @@ Points scaledBy(Points v, int exponent)
 using Maker = std::function<Points(std::mt19937_64&)>;
 
 template <bool Weighted>
-Seen checkAll(const Maker& make, unsigned seed, int count, bool onLattice = false)
+Seen checkAll(const Maker& make, unsigned seed, int count, const Lattice& lattice = Lattice())
 {
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
@@ -349,7 +363,7 @@ Seen checkAll(const Maker& make, unsigned seed, int count, bool onLattice = fals
     {
       p.x[2] = Weighted ? p.x[2] : 0.0;
     }
-    Signs<Weighted>(v, onLattice, seen).expectAll(i % 8 == 0);
+    Signs<Weighted>(v, lattice, seen).expectAll(i % 8 == 0);
     if (testing::Test::HasFatalFailure())
     {
       ADD_FAILURE() << "case " << i << ", seed " << seed;
@@ -396,18 +410,25 @@ TEST(LiftedPredicates, Decimals)
 
 TEST(LiftedPredicates, ExactlyDegenerate)
 {
-  for (const bool onLattice : { false, true })
+  for (const Lattice& lattice : { Lattice{}, Lattice{ 0, true }, Lattice{ 1, false } })
   {
-    Seen seen = checkAll<true>(integers, Seed + 8, 2000, onLattice);
+    const bool isKnown = lattice.everywhere || lattice.unit > 0;
+    Seen seen = checkAll<true>(integers, Seed + 8, 2000, lattice);
     EXPECT_GT(seen.zero, 1600);
     EXPECT_GT(seen.flat, 400);
     EXPECT_GT(seen.chords, 80);
     EXPECT_GT(seen.appearing, 80);
-    EXPECT_EQ(seen.undecided > 0, !onLattice);
-    seen = checkAll<false>(integers, Seed + 9, 1500, onLattice);
+    EXPECT_EQ(seen.undecided > 0, !isKnown);
+    seen = checkAll<false>(integers, Seed + 9, 1500, lattice);
     EXPECT_GT(seen.zero, 1200);
     EXPECT_GT(seen.appearing, 40);
-    EXPECT_EQ(seen.undecided > 0, !onLattice);
+    EXPECT_EQ(seen.undecided > 0, !isKnown);
+  }
+  for (const Lattice& lattice : { Lattice{}, Lattice{ 1, false } })
+  {
+    const Seen far = checkAll<true>(integersFarApart, Seed + 12, 2000, lattice);
+    EXPECT_GT(far.undecided, 500);
+    EXPECT_GT(checkAll<false>(integersFarApart, Seed + 13, 2000, lattice).undecided, 500);
   }
   Seen seen = checkAll<true>(onAnAxis, Seed + 10, 1000);
   EXPECT_GT(seen.flat, 1200);
@@ -521,7 +542,7 @@ TEST(LiftedPredicates, OnALatticeDoublesAreExact)
       const double w = random() % 2 ? weights[i % 4] : below(random, weights[i % 4] + 1);
       v.push_back(makeVertex((12345 + x) * unit, (y - 999) * unit, (7 + w) * unit * unit, k));
     }
-    const LiftedGeometry<true> geometry = liftedGeometryOf<true>(v, true);
+    const LiftedGeometry<true> geometry = liftedGeometryOf<true>(v, { 0, true });
     const ExactLift exact(v);
     ASSERT_EQ(geometry.above(v[0], v[1], v[2], v[3]), exact.above(v[0], v[1], v[2], v[3]));
     ASSERT_EQ(geometry.orient(v[0], v[1], v[2]), exact.orient(v[0], v[1], v[2]));

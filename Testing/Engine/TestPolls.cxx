@@ -159,8 +159,7 @@ TEST(Polls, WhileAskingForALattice)
 {
   const Cloud cloud = integerGrid(60);
   const PointSource source{ viewOf(cloud) };
-  const double unit[3] = { 1, 1, 1 };
-  expectLooks([&](Monitor& monitor) { EXPECT_TRUE(isOnLattice(source, unit, false, monitor)); },
+  expectLooks([&](Monitor& monitor) { EXPECT_EQ(commonUnit(source, 1, 4, false, monitor), 1); },
     looksIn(cloud.size()));
 }
 

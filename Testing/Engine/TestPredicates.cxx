@@ -165,10 +165,38 @@ TEST(Predicates, OnALatticeDoublesAreExact)
       { return 1e6 + static_cast<double>(random() % (i % 2 ? 65535 : 4)); };
       v.push_back(makeVertex(coordinate(), coordinate(), coordinate(), k));
     }
-    const HullGeometry geometry = geometryOf(v, true);
+    const HullGeometry geometry = geometryOf(v, { 0, true });
     ASSERT_EQ(geometry.above(v[0], v[1], v[2], v[3]), exactAbove(v[0], v[1], v[2], v[3]));
     ASSERT_EQ(geometry.predicateCounts().exact, 0);
   }
+}
+
+TEST(Predicates, FewUnitsOfALatticeApartDoublesAreExact)
+{
+  std::mt19937_64 random(Seed + 5);
+  SCOPED_TRACE(Seed + 5);
+  int exact = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    // Units of 1/8. Every second case has differences of up to 2^22 of them, in a plane.
+    const int units = i % 2 ? 65535 : 1 << 22;
+    std::vector<Vertex> v;
+    for (std::uint32_t k = 0; k < 4; ++k)
+    {
+      const auto coordinate = [&] { return 5e6 + static_cast<double>(random() % units) / 8; };
+      v.push_back(makeVertex(coordinate(), coordinate(), coordinate(), k));
+      v[k].x[2] = i % 4 < 2 ? v[k].x[0] + v[k].x[1] - 5e6 : v[k].x[2];
+    }
+    v.push_back(makeVertex(-1e9, -1e9, -1e9, 4)); // the range is far larger
+    const HullGeometry geometry = geometryOf(v, { 0.125, false });
+    ASSERT_EQ(geometry.above(v[0], v[1], v[2], v[3]), exactAbove(v[0], v[1], v[2], v[3]));
+    if (i % 4 == 3)
+    {
+      ASSERT_EQ(geometry.predicateCounts().exact, 0);
+    }
+    exact += static_cast<int>(geometry.predicateCounts().exact);
+  }
+  EXPECT_GT(exact, 4000) << "those too far apart";
 }
 
 TEST(Predicates, SymbolicKernelIsTheExactCentroid)

@@ -89,7 +89,7 @@ void expectCarried(const Surface& surface)
       EXPECT_TRUE(kernel[i] == 0 || lowestBit(kernel[i]) >= std::ilogb(half) - 105)
         << lowestBit(kernel[i]);
     }
-    HullGeometry geometry(solid.range, arithmetic, false);
+    HullGeometry geometry(solid.range, arithmetic);
     geometry.setKernel(kernel);
     EXPECT_EQ(findStarFault(geometry, solid.polyhedron).count, 0);
     Cloud all = surface.points;
