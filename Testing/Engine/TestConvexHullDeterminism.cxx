@@ -78,7 +78,7 @@ TEST(ConvexHullDeterminism, DegenerateInputsGiveTheSameBits)
 TEST(ConvexHullDeterminism, PatchesThatHideTheirBordersVerticesGiveTheSameBits)
 {
   // A vertex that patches share may be hidden by a point of one of them: its label waits.
-  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  for (int seed = 1; seed <= effort(20); ++seed)
   {
     for (const char* family : { "shell0", "shell1e4" })
     {
