@@ -226,6 +226,21 @@ std::string stem(const std::string& path)
   return path.substr(begin, path.rfind('.') - begin);
 }
 
+bool isIn(const std::vector<std::string>& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string list(const std::vector<std::string>& names)
+{
+  std::string all;
+  for (const std::string& name : names)
+  {
+    all += (all.empty() ? "" : ", ") + name;
+  }
+  return all;
+}
+
 /// @throw std::invalid_argument
 Distribution fromFile(const std::string& path, Family family)
 {
@@ -254,15 +269,21 @@ std::string Distribution::label() const
   return text;
 }
 
+bool Distribution::isWeighted() const
+{
+  return this->file.empty() &&
+    (this->name == "weighted-grid" || (this->name == "uniform" && this->parameter > 0) ||
+      isWeightedShape(this->name));
+}
+
 Distribution Distribution::parse(const std::string& text, Family family)
 {
-  std::vector<std::string> names = shapesInUse(family == Family::Space);
+  const std::vector<std::string> shapes = shapesInUse(family == Family::Space);
   static const std::vector<std::string> space = { "cube", "ball", "box", "shell", "grid",
     "surface-grid", "rotated-grid", "duplicates", "coplanar" };
   static const std::vector<std::string> plane = { "uniform", "square-grid", "weighted-grid",
     "circle", "clusters", "scan", "repeats" };
   const std::vector<std::string>& others = family == Family::Space ? space : plane;
-  names.insert(names.end(), others.begin(), others.end());
   Distribution result;
   result.family = family;
   const std::size_t colon = text.find(':');
@@ -271,9 +292,11 @@ Distribution Distribution::parse(const std::string& text, Family family)
   {
     return fromFile(text.substr(colon + 1), family);
   }
-  if (std::find(names.begin(), names.end(), result.name) == names.end())
+  if (!isIn(others, result.name) && !isIn(withShuffled(shapes), result.name))
   {
-    throw std::invalid_argument("unknown distribution: " + text);
+    throw std::invalid_argument("unknown distribution: " + text + "; there are " + list(others) +
+      ", file:PATH; and in use, also as NAME-shuffled: " + list(shapes) +
+      "; or all of the latter: in-use");
   }
   const bool thick = result.hasParameter() && family == Family::Space;
   result.parameter = thick ? 0.01 : 0;
@@ -291,14 +314,23 @@ Distribution Distribution::parse(const std::string& text, Family family)
   return result;
 }
 
+std::vector<Distribution> distributionsInUse(Family family)
+{
+  std::vector<Distribution> all;
+  for (const std::string& name : withShuffled(shapesInUse(family == Family::Space)))
+  {
+    all.push_back(Distribution::parse(name, family));
+  }
+  return all;
+}
+
 Coordinates makePoints(const Distribution& distribution, std::int64_t count, std::uint64_t seed)
 {
   if (!distribution.file.empty())
   {
     return readPoints(distribution);
   }
-  const std::vector<std::string> shapes = shapesInUse(distribution.family == Family::Space);
-  if (std::find(shapes.begin(), shapes.end(), distribution.name) != shapes.end())
+  if (isIn(withShuffled(shapesInUse(distribution.family == Family::Space)), distribution.name))
   {
     return makeShapeInUse(distribution.name, count, seed);
   }

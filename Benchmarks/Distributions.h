@@ -30,7 +30,7 @@
 /// | scan           | scan lines, noisy, in whole centimetres as airborne LiDAR has them      |
 /// | repeats        | uniform:0, but only n / 2 different points, each drawn about twice      |
 ///
-/// In space and in the plane there are those of ShapesInUse.h besides.
+/// In space and in the plane there are those of ShapesInUse.h besides, in their order or shuffled.
 ///
 /// file:PATH is read: x y z of each point, doubles (.f64) or floats (.f32). In the plane z is left
 /// out.
@@ -44,6 +44,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace flipflop
 {
@@ -67,18 +68,18 @@ struct Distribution
   }
 
   /// Have the points weights?
-  bool isWeighted() const
-  {
-    return this->name == "weighted-grid" || (this->name == "uniform" && this->parameter > 0);
-  }
+  bool isWeighted() const;
 
   /// As the command line gives it: "cube", "shell:0.01".
   std::string label() const;
 
   /// The reverse of label(), for one family's names.
-  /// @throw std::invalid_argument
+  /// @throw std::invalid_argument which names the choices
   static Distribution parse(const std::string& text, Family family);
 };
+
+/// Those of ShapesInUse.h, each in its order and shuffled.
+std::vector<Distribution> distributionsInUse(Family family);
 
 /// x y z (or weight) of @p count points, a function of the arguments alone. The grids have the size
 /// nearest to @p count that their shape allows; of a file it is all points.

@@ -54,6 +54,12 @@ std::vector<Distribution> distributions(const std::string& text, Family family)
   std::vector<Distribution> result;
   for (const std::string& part : split(text))
   {
+    if (part == "in-use")
+    {
+      const std::vector<Distribution> all = distributionsInUse(family);
+      result.insert(result.end(), all.begin(), all.end());
+      continue;
+    }
     result.push_back(Distribution::parse(part, family));
   }
   return result;
@@ -104,6 +110,22 @@ std::string joined(const std::vector<std::string>& names, const char* between)
   for (const std::string& name : names)
   {
     result += (result.empty() ? "" : between) + name;
+  }
+  return result;
+}
+
+/// In lines as wide as the usage's.
+std::string wrapped(const std::vector<std::string>& names)
+{
+  const std::string begin = "\n" + std::string(26, ' ');
+  std::string result;
+  std::size_t width = 0;
+  for (const std::string& name : names)
+  {
+    width += name.size() + 2;
+    const bool full = width > 74;
+    result += result.empty() ? name : (full ? "," + begin : ", ") + name;
+    width = full ? name.size() + 2 : width;
   }
   return result;
 }
@@ -208,9 +230,10 @@ std::string Plan::usage(const Suite& suite)
 
   --distributions LIST    )" +
     suite.distributionHelp + R"(
-                          and the shapes in use, of ShapesInUse.h:
+                          and the shapes in use, of ShapesInUse.h; also shuffled
+                          (NAME-shuffled), and all of them by one word (in-use):
                           )" +
-    joined(shapesInUse(suite.family == Family::Space), ", ") + R"(
+    wrapped(shapesInUse(suite.family == Family::Space)) + R"(
   --sizes LIST            numbers of points (1e5,1e6,1e7)
   --threads LIST          thread counts to run FlipFlop with (1,2)
   --peers LIST            of )" +

@@ -36,6 +36,8 @@ public:
   }
   /// In [0, 1).
   double uniform() { return static_cast<double>(this->next() >> 11) * 0x1p-53; }
+  /// One of 0 .. count - 1.
+  std::size_t pick(std::size_t count) { return static_cast<std::size_t>(this->next() % count); }
   SpacePoint inCube() { return { this->uniform(), this->uniform(), this->uniform() }; }
 
   /// Uniform on the unit sphere, up to rounding.
@@ -70,6 +72,16 @@ Coordinates samplePoints(std::int64_t count, Draw&& draw)
     std::copy(p.begin(), p.end(), points.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return points;
+}
+
+/// The same points in random order (Fisher and Yates).
+inline void shuffle(RandomPoints& random, Coordinates& points)
+{
+  for (std::size_t n = points.size() / 3; n > 1; --n)
+  {
+    const std::size_t other = random.pick(n);
+    std::swap_ranges(&points[3 * other], &points[3 * other] + 3, &points[3 * (n - 1)]);
+  }
 }
 
 /// Turn points in space by 0.7 radians about (1, 2, 3), by Rodrigues' formula.

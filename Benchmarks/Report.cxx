@@ -231,7 +231,7 @@ const Row* Case::find(const std::string& contender) const
 
 void printHeader(std::FILE* file, const Suite& suite)
 {
-  std::fprintf(file, "%-13s %10s  %-*s %9s %9s %9s", "points", "n", nameWidth(suite), "contender",
+  std::fprintf(file, "%-25s %10s  %-*s %9s %9s %9s", "points", "n", nameWidth(suite), "contender",
     "median s", "min", "max");
   for (const Peer& peer : suite.peers)
   {
@@ -249,7 +249,7 @@ void printCase(std::FILE* file, const Suite& suite, const Case& one)
     {
       contender += " " + std::to_string(row.threads);
     }
-    std::fprintf(file, "%-13s %10lld  %-*s", one.distribution.label().c_str(),
+    std::fprintf(file, "%-25s %10lld  %-*s", one.distribution.label().c_str(),
       static_cast<long long>(one.points), nameWidth(suite), contender.c_str());
     const bool done = !row.seconds.empty();
     if (done)
