@@ -36,13 +36,32 @@ class Record:
     run: Task
 
 
+def _first_argument(body, name):
+    """The first template argument of the function in a type's name, without what it nests."""
+    begin = body.find(f"::{name}<")
+    depth, text = 0, ""
+    for letter in body[begin + len(name) + 3 :] if begin >= 0 else "":
+        depth -= letter in ">)"
+        if depth < 0 or (depth == 0 and letter == ","):
+            break
+        text += letter if depth == 0 else ""
+        depth += letter in "<("
+    return text
+
+
 def place_name(place):
-    """`file:line function`, and who called a function that only passes bodies on."""
-    name = re.match(r"\w*", place["function"]).group()
-    callers = re.findall(r"\b(\w+)\([^()]*\)(?: const)?::\{lambda\([^()]*\)#(\d+)\}", place["body"])
-    if callers and callers[0][0] != name:
-        name += f" of {callers[0][0]}#{callers[0][1]}"
-    return f"{os.path.basename(place['file'])}:{place['line']} {name}"
+    """`file:line function`, and who called a function that only passes bodies on, and so forth.
+
+    #2 is the second lambda of the function before it.
+    """
+    names = [re.match(r"\w*", place["function"]).group()]
+    while True:
+        argument = _first_argument(place["body"], names[-1].partition("#")[0])
+        caller = re.search(r"(\w+)[<>()]*(?: const)?::\{lambda\(\)(#\d+)\}", argument)
+        if not caller or "".join(caller.groups()) in names:
+            break
+        names.append("".join(caller.groups()))
+    return f"{os.path.basename(place['file'])}:{place['line']} {' of '.join(names)}"
 
 
 def sort_task(work, count, place):

@@ -175,10 +175,16 @@ class TestRecords(unittest.TestCase):
                 load(paths)
 
     def test_names(self):
-        body = "flipflop::Level<int>::each<flipflop::Level<int>::run(int, int)::{lambda(long)#2}>"
-        self.assertEqual(place_name(place("for", 7, body, "each<X>")), "A.h:7 each of run#2")
-        own = "flipflop::scan(flipflop::PointSource const&, int)::{lambda(unsigned int)#1}"
-        self.assertEqual(place_name(place("for", 7, own, "scan")), "A.h:7 scan")
+        scan = "flipflop::scan(flipflop::PointSource const&, int)::{lambda(unsigned int)#1}"
+        self.assertEqual(place_name(place("for", 7, scan, "scan")), "A.h:7 scan")
+        run = "flipflop::Level<int>::run(int, std::vector<int>&)::{lambda(long)#2}"
+        each = f"flipflop::Level<int>::each<{run}>({run}&&) const::{{lambda(int)#1}}"
+        self.assertEqual(place_name(place("for", 7, each, "each<X>")), "A.h:7 each of run#2")
+        cut = f"flipflop::Level<int>::cut<{run}, int>({run} const&) const::{{lambda(long)#3}}"
+        each = f"flipflop::Level<int>::each<{cut}>({cut}&&)::{{lambda(int)#1}}"
+        self.assertEqual(
+            place_name(place("for", 7, each, "each<X>")), "A.h:7 each of cut#3 of run#2"
+        )
 
     def test_places_of_one_name_are_told_apart(self):
         twice = {**DATA, "places": [place("for", 1), place("invoke", 1), place("sort", 3)]}
