@@ -33,31 +33,36 @@ public:
     , what(std::move(runName))
     , threads(threadCount)
     , file(std::move(path))
+    , recording(threadCount)
   {
   }
 
   void prepare(const Coordinates& xyz) override { this->contender->prepare(xyz); }
   void run() override
   {
-    flipflop_tasks::Recording recording(this->threads);
-    recording.begin();
+    this->recording.begin();
     this->contender->run();
-    recording.end();
+    this->recording.end();
+  }
+  /// Asked for of the measured run alone, not of the small one before it: so is the file.
+  Outcome outcome() const override
+  {
     std::ofstream stream(this->file);
-    flipflop_tasks::write(stream, this->what, this->threads, recording.result());
+    flipflop_tasks::write(stream, this->what, this->threads, this->recording.result());
     stream.close();
     if (!stream)
     {
       throw std::runtime_error("cannot write " + this->file);
     }
+    return this->contender->outcome();
   }
-  Outcome outcome() const override { return this->contender->outcome(); }
 
 private:
   const std::unique_ptr<Contender> contender;
   const std::string what;
   const int threads;
   const std::string file;
+  flipflop_tasks::Recording recording;
 };
 
 void record(const std::string& what, const std::string& points, std::int64_t count, int threads,
