@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Predict a recorded run's time on so many threads, and tell what limits it.
 
-    play-tasks.py [--threads 1,2,4,16,64] [--cost 0.5] [--top 10] RECORD.json...
+    play-tasks.py RECORD.json...
+    play-tasks.py --threads 1,2,4,16,64 --cost 0.5 --top 10 --alone RECORD.json RECORD.json...
 
 Several records of one run (the same points and number of threads) are taken as one: each stretch
 takes its least time. Documentation/TaskGraph.md tells what the model leaves out.
@@ -45,6 +46,7 @@ def main():
     parser.add_argument("records", nargs="+", help="what record-tasks wrote")
     parser.add_argument("--threads", default="1,2,4,16,64", help="numbers of threads to play on")
     parser.add_argument("--cost", type=float, default=0.5, help="of forking a task, microseconds")
+    parser.add_argument("--alone", help="of the run cut for 1 thread: speed-ups are over its work")
     parser.add_argument("--top", type=int, default=10, help="how many places to list")
     arguments = parser.parse_args()
 
@@ -56,12 +58,13 @@ def main():
         f"work {whole / 1e6:.3f} ms, span {longest / 1e6:.3f} ms:"
         f" {whole / max(longest, 1):.1f} times; {tasks} tasks"
     )
+    alone = work(load([arguments.alone]).run) if arguments.alone else whole
     print("\nthreads  ms          speed-up")
     played = {}
     for threads in map(int, arguments.threads.split(",")):
         played[threads] = play(record.run, threads, arguments.cost * 1e3)
         time = played[threads][0]
-        print(f"{threads:7}{milliseconds(time)} {whole / max(time, 1):10.2f}")
+        print(f"{threads:7}{milliseconds(time)} {alone / max(time, 1):10.2f}")
     print_path(record.run, arguments.top)
     if record.threads in played and record.threads > 1:
         print_idle(record.threads, *played[record.threads], arguments.top)

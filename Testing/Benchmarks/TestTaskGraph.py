@@ -193,15 +193,22 @@ class TestRecords(unittest.TestCase):
         self.assertEqual(run.forks[0].tasks[1].forks[0].place, "A.h:1 each (2)")
 
 
+def printed(*arguments):
+    """The program's lines, as words."""
+    output = io.StringIO()
+    with contextlib.redirect_stdout(output):
+        with mock.patch.object(sys, "argv", ["play-tasks.py", *arguments]):
+            runpy.run_path(os.environ["FLIPFLOP_PLAY_TASKS"], run_name="__main__")
+    return [line.split() for line in output.getvalue().splitlines()]
+
+
 class TestProgram(unittest.TestCase):
+    TASKS = {"place": 0, "calls": 2, "tasks": [2e6, 2e6]}
+
     def test_what_it_prints(self):
-        tasks = {"place": 0, "calls": 2, "tasks": [2e6, 2e6]}
-        folder, paths = files({**DATA, "run": [1e6, tasks, 3e6]})
-        output = io.StringIO()
-        with folder, contextlib.redirect_stdout(output):
-            with mock.patch.object(sys, "argv", ["play-tasks.py", "--cost", "500", *paths]):
-                runpy.run_path(os.environ["FLIPFLOP_PLAY_TASKS"], run_name="__main__")
-        lines = [line.split() for line in output.getvalue().splitlines()]
+        folder, paths = files({**DATA, "run": [1e6, self.TASKS, 3e6]})
+        with folder:
+            lines = printed("--cost", "500", *paths)
         self.assertEqual(lines[0], "hull cube, cut for 4 threads".split())
         self.assertEqual(lines[1], "work 8.000 ms, span 6.000 ms: 1.3 times; 2 tasks".split())
         self.assertIn(["1", "9.000", "0.89"], lines)
@@ -209,6 +216,14 @@ class TestProgram(unittest.TestCase):
         self.assertIn("3.000 50.0% 1 3.000 run: A.h:1 each .. end".split(), lines)
         # Three of four rest for 3 ms, of 6.5.
         self.assertIn("2.250 34.6% run: A.h:1 each .. end".split(), lines)
+
+    def test_over_a_run_alone(self):
+        folder, (many, alone) = files(
+            {**DATA, "run": [1e6, self.TASKS, 3e6]}, {**DATA, "threads": 1, "run": 3e6}
+        )
+        with folder:
+            lines = printed("--cost", "0", "--threads", "2", "--alone", alone, many)
+        self.assertIn(["2", "6.000", "0.50"], lines)
 
 
 if __name__ == "__main__":
