@@ -92,9 +92,9 @@ public:
     return threads;
   }
 
-  /// run(0), ..., run(count - 1), each recorded as a task.
-  template <class Run>
-  void fork(const Place& place, std::size_t calls, std::size_t count, const Run& run)
+  /// body(0), ..., body(count - 1), each recorded as a task.
+  template <class Body>
+  void fork(const Place& place, std::size_t calls, std::size_t count, const Body& body)
   {
     this->lap();
     Task& parent = *this->task;
@@ -106,7 +106,7 @@ public:
     {
       tasks.emplace_back();
       this->task = &tasks.back();
-      run(i);
+      body(i);
       this->lap();
     }
   }
