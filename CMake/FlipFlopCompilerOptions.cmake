@@ -23,3 +23,8 @@ if(FLIPFLOP_SANITIZE)
   add_compile_options(-fsanitize=${FLIPFLOP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=${FLIPFLOP_SANITIZE})
 endif()
+
+# Headers that stand in for oneTBB's (Documentation/TaskGraph.md).
+if(FLIPFLOP_RECORD_TASKS)
+  include_directories(BEFORE "${PROJECT_SOURCE_DIR}/Benchmarks/TaskGraph")
+endif()
