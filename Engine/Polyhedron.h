@@ -7,8 +7,7 @@
 
 #include "Buffer.h"
 #include "Mesh.h"
-
-#include <tbb/parallel_for.h>
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -95,7 +94,7 @@ struct Polyhedron
   template <class Use>
   void eachTriangle(Use&& use) const
   {
-    tbb::parallel_for(std::size_t(0), this->pieces.size(),
+    eachTask(this->pieces.size(),
       [&](std::size_t piece)
       {
         for (std::uint32_t t = this->pieces[piece].begin; t < this->pieces[piece].end; ++t)

@@ -3,9 +3,8 @@
 #include "Scan.h"
 
 #include "HullGeometry.h"
+#include "Parallel.h"
 #include "VectorClones.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,10 +196,10 @@ ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
   const std::uint32_t chunkCount =
     std::max(1u, std::min(4 * static_cast<std::uint32_t>(threads), count / PollEvery));
   std::vector<ScanResult> results(chunkCount, emptyScan());
-  tbb::parallel_for(std::uint32_t(0), chunkCount,
-    [&](std::uint32_t chunk)
+  eachTask(chunkCount,
+    [&](std::size_t chunk)
     {
-      const auto edge = [&](std::uint32_t i)
+      const auto edge = [&](std::size_t i)
       { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(count) * i / chunkCount); };
       // In pieces, each a result of its own, so that the accumulators stay in registers.
       for (std::uint32_t begin = edge(chunk); begin < edge(chunk + 1);)
