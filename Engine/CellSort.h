@@ -51,6 +51,7 @@ public:
   void endCounting(Buffer<Any>&& memory)
   {
     std::uint32_t total = 0;
+    this->bucketBegin.reserve(this->bucketCount + 1);
     for (std::size_t bucket = 0; bucket < this->bucketCount; ++bucket)
     {
       this->bucketBegin.push_back(total);

@@ -166,6 +166,7 @@ std::vector<std::uint32_t> distribute(
       }
     });
   std::vector<std::uint32_t> bucketBegin;
+  bucketBegin.reserve(buckets + 1);
   std::uint32_t total = 0;
   for (std::size_t bucket = 0; bucket < buckets; ++bucket)
   {

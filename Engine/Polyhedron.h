@@ -41,6 +41,7 @@ struct Polyhedron
     , triangles(triangleCount)
   {
     constexpr std::size_t PieceSize = 1 << 13;
+    this->pieces.reserve((triangleCount + PieceSize - 1) / PieceSize);
     for (std::size_t begin = 0; begin < triangleCount; begin += PieceSize)
     {
       this->pieces.push_back({ static_cast<std::uint32_t>(begin),
@@ -71,6 +72,7 @@ struct Polyhedron
   std::vector<std::uint32_t> pointIds() const
   {
     std::vector<std::uint32_t> ids;
+    ids.reserve(this->vertices.size());
     for (const Vertex& v : this->vertices)
     {
       if (!(v.flags & VertexVirtual))
