@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Very many small runs, one after another: neither the time of a run nor memory may grow.
+/// Very many small runs, one after another: what a run costs; neither its time nor memory may grow.
 ///
-///     many-runs [runs = 50000] [points = 200]
+///     many-runs [runs = 50000] [points = 200] [hull | triangulation]
 #include "ConvexHull.h"
+#include "RegularTriangulation.h"
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
@@ -37,9 +39,12 @@ int main(int argc, char** argv)
 {
   const int runs = argc > 1 ? std::atoi(argv[1]) : 50000;
   const int count = argc > 2 ? std::atoi(argv[2]) : 200;
-  if (runs < 10 || count < 1)
+  const char* const kind = argc > 3 ? argv[3] : "hull";
+  const bool isHull = std::strcmp(kind, "hull") == 0;
+  if (runs < 10 || count < 1 || (!isHull && std::strcmp(kind, "triangulation") != 0))
   {
-    std::fprintf(stderr, "usage: %s [runs, 10 or more] [points, 1 or more]\n", argv[0]);
+    std::fprintf(
+      stderr, "usage: %s [runs, 10 or more] [points, 1 or more] [hull | triangulation]\n", argv[0]);
     return EXIT_FAILURE;
   }
   std::mt19937_64 random(1);
@@ -49,7 +54,8 @@ int main(int argc, char** argv)
     x = 0x1p-53 * static_cast<double>(random() >> 11);
   }
 
-  std::printf("%d runs on %d points in the unit cube\n", runs, count);
+  const flipflop::PointView view(points.data(), count);
+  std::printf("%d runs of one %s each on %d points in the unit cube\n", runs, kind, count);
   for (const int threads : { 1, 2 })
   {
     flipflop::Options options;
@@ -60,13 +66,15 @@ int main(int argc, char** argv)
       const auto begin = std::chrono::steady_clock::now();
       for (int i = 0; i < runs / 10; ++i)
       {
-        flipflop::convexHull(flipflop::PointView(points.data(), count), options);
+        isHull ? static_cast<void>(flipflop::convexHull(view, options))
+               : static_cast<void>(
+                   flipflop::regularTriangulation(view, flipflop::WeightView(), options));
       }
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
       char text[64];
-      std::snprintf(text, sizeof(text), " %7.1f", passed.count() / (runs / 10) * 1e6);
+      std::snprintf(text, sizeof(text), " %8.2f", passed.count() / (runs / 10) * 1e6);
       times += text;
-      std::snprintf(text, sizeof(text), " %7.1f", residentMegabytes());
+      std::snprintf(text, sizeof(text), " %8.1f", residentMegabytes());
       memory += text;
     }
     std::printf("%d thread(s), by tenths: us a run%s\n", threads, times.c_str());

@@ -6,6 +6,7 @@ set(config_dir "${CMAKE_BINARY_DIR}/${FlipFlop_CMAKE_DESTINATION}")
 
 # The engine's public headers; the others are its own business.
 set(engine_headers
+  Batch.h
   Buffer.h
   CellComplex.h
   ConvexHull.h

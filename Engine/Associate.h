@@ -10,11 +10,10 @@
 #ifndef flipflop_Associate_h
 #define flipflop_Associate_h
 
+#include "Parallel.h"
 #include "Patches.h"
 #include "PointSource.h"
 #include "PointSubset.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -48,8 +47,7 @@ public:
     // Chunks worth a task, whose cursors take no more memory than their points.
     const std::uint32_t least = std::max<std::uint32_t>(16384, this->base.triangleCount());
     this->chunks.resize(std::max(1u, std::min(wanted, subset.count / least)));
-    tbb::parallel_for(
-      std::size_t(0), this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
+    eachTask(this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
     for (Chunk& chunk : this->chunks)
     {
       tally.add(std::move(chunk.tally));
@@ -223,7 +221,7 @@ private:
     result.begin[triangleCount] = static_cast<std::uint32_t>(at);
     result.vertices.allocate(at);
     std::copy(this->base.vertices.begin(), this->base.vertices.end(), result.vertices.begin());
-    tbb::parallel_for(std::size_t(0), this->chunks.size(),
+    eachTask(this->chunks.size(),
       [&](std::size_t i)
       {
         Chunk& chunk = this->chunks[i];

@@ -74,7 +74,12 @@ public:
     constexpr std::size_t HugePage = std::size_t(1) << 21;
     const std::size_t alignment = size * sizeof(T) >= 2 * HugePage ? HugePage : Line;
     const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
-    this->first = static_cast<T*>(std::aligned_alloc(alignment, bytes));
+    // A small run has many small arrays: these come out of malloc's caches, which are no help where
+    // an alignment is asked for.
+    constexpr std::size_t Small = 1024;
+    const bool anyPlace = alignof(T) <= alignof(std::max_align_t) && bytes <= Small;
+    this->first =
+      static_cast<T*>(anyPlace ? std::malloc(bytes) : std::aligned_alloc(alignment, bytes));
     if (!this->first)
     {
       throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(bytes));
@@ -124,8 +129,8 @@ public:
   }
 
   ///@{
-  /// The first value, aligned to 64 bytes at least where allocate() got the memory; null when
-  /// empty.
+  /// The first value; null when empty. More than a kilobyte from allocate() is aligned to 64 bytes
+  /// at least.
   T* data()
   {
     return this->first;

@@ -6,8 +6,7 @@
 #include "FacetPolygons.h"
 #include "LowestOf.h"
 #include "Measure.h"
-
-#include <tbb/parallel_for.h>
+#include "Parallel.h"
 
 #include <atomic>
 
@@ -25,11 +24,6 @@ namespace
 {
 
 constexpr std::uint32_t Run = 1 << 14;
-
-std::size_t runCount(std::size_t n)
-{
-  return (n + Run - 1) / Run;
-}
 
 /// Ids as a set of bits that knows how many of them are below one.
 class IdSet
@@ -93,11 +87,11 @@ bool isPoint(const Vertex& vertex)
 template <class Use>
 void eachSlot(std::uint32_t slots, Monitor& monitor, Use&& use)
 {
-  tbb::parallel_for(std::size_t(0), runCount(slots),
-    [&](std::size_t run)
+  eachRun(slots, Run,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();
-      for (std::size_t v = run * Run; v < std::min<std::size_t>(slots, (run + 1) * Run); ++v)
+      for (std::size_t v = begin; v < end; ++v)
       {
         use(v, run);
       }
@@ -112,7 +106,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   StepPoll poll(monitor);
   const std::uint32_t slots = polyhedron.vertexCount();
   Buffer<std::uint32_t> rank(slots); // until then the lowest id
-  std::vector<std::uint32_t> counts(runCount(slots));
+  std::vector<std::uint32_t> counts((slots + Run - 1) / Run);
   eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t run)
     {
@@ -182,11 +176,10 @@ void writeTriangles(const Buffer<Cell>& cells, Buffer<Triangle>&& memory, CellCo
 {
   complex.cellSize = 3;
   complex.connectivity = Buffer<std::int64_t>::recycle(std::move(memory), 3 * cells.size());
-  tbb::parallel_for(std::size_t(0), runCount(cells.size()),
-    [&](std::size_t run)
+  eachRun(cells.size(), Run,
+    [&](std::size_t begin, std::size_t end, std::size_t)
     {
-      const std::size_t end = std::min(cells.size(), (run + 1) * Run);
-      for (std::size_t i = run * Run; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         std::copy(cells[i].corner, cells[i].corner + 3, complex.connectivity.begin() + 3 * i);
       }

@@ -6,8 +6,7 @@
 #define flipflop_CellSort_h
 
 #include "Buffer.h"
-
-#include <tbb/parallel_for.h>
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,14 +32,15 @@ struct Cell
 class CellSort
 {
 public:
-  CellSort(std::size_t pointCount, std::size_t pieceCount)
-    : shift(12)
+  CellSort(std::size_t cornerCount, std::size_t pieceCount)
+    : pointCount(cornerCount)
+    , shift(12)
   {
-    while (pointCount >> this->shift > 512)
+    while (this->pointCount >> this->shift > 512)
     {
       ++this->shift;
     }
-    this->bucketCount = (pointCount >> this->shift) + 1;
+    this->bucketCount = (this->pointCount >> this->shift) + 1;
     this->next.assign(this->bucketCount * pieceCount, 0);
   }
 
@@ -51,6 +51,7 @@ public:
   void endCounting(Buffer<Any>&& memory)
   {
     std::uint32_t total = 0;
+    this->bucketBegin.reserve(this->bucketCount + 1);
     for (std::size_t bucket = 0; bucket < this->bucketCount; ++bucket)
     {
       this->bucketBegin.push_back(total);
@@ -73,8 +74,7 @@ public:
   /// After all are put.
   const Buffer<Cell>& sort()
   {
-    tbb::parallel_for(
-      std::size_t(0), this->bucketCount, [&](std::size_t bucket) { this->sortBucket(bucket); });
+    eachTask(this->bucketCount, [&](std::size_t bucket) { this->sortBucket(bucket); });
     return this->cells;
   }
 
@@ -90,7 +90,9 @@ private:
     Cell* const begin = this->cells.begin() + this->bucketBegin[bucket];
     Cell* const end = this->cells.begin() + this->bucketBegin[bucket + 1];
     const std::vector<Cell> unsorted(begin, end);
-    std::vector<std::uint32_t> place((std::size_t(1) << this->shift) + 1);
+    const std::size_t corners =
+      std::min(std::size_t(1) << this->shift, this->pointCount - lowest); // first ones, that is
+    std::vector<std::uint32_t> place(corners + 1);
     for (const Cell& cell : unsorted)
     {
       ++place[cell.corner[0] - lowest + 1];
@@ -112,6 +114,7 @@ private:
     }
   }
 
+  std::size_t pointCount;
   int shift; ///< a bucket has 2^shift first corners
   std::size_t bucketCount;
   std::vector<std::uint32_t>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Compact.h"
 
-#include <tbb/parallel_for.h>
+#include "Parallel.h"
 
 #include <algorithm>
 #include <vector>
@@ -30,13 +30,12 @@ std::uint32_t startsFromCounts(std::vector<std::uint32_t>& counts)
 
 /// use(vertex, run) for every vertex, in parallel by runs.
 template <class Use>
-void eachVertex(Polyhedron& polyhedron, std::size_t runs, Use&& use)
+void eachVertex(Polyhedron& polyhedron, Use&& use)
 {
-  tbb::parallel_for(std::size_t(0), runs,
-    [&](std::size_t run)
+  eachRun(polyhedron.vertices.size(), VertexRun,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
     {
-      const std::size_t end = std::min(polyhedron.vertices.size(), (run + 1) * VertexRun);
-      for (std::size_t v = run * VertexRun; v < end; ++v)
+      for (std::size_t v = begin; v < end; ++v)
       {
         if (polyhedron.vertices[v].flags & VertexAlive)
         {
@@ -54,7 +53,7 @@ Polyhedron compact(Polyhedron&& old)
   std::vector<std::uint32_t> triangleNext(old.pieces.size());
   std::vector<std::uint32_t> vertexNext((old.vertices.size() + VertexRun - 1) / VertexRun);
   old.eachTriangle([&](std::uint32_t, std::size_t piece) { ++triangleNext[piece]; });
-  eachVertex(old, vertexNext.size(), [&](const Vertex&, std::size_t run) { ++vertexNext[run]; });
+  eachVertex(old, [&](const Vertex&, std::size_t run) { ++vertexNext[run]; });
   const std::uint32_t triangleCount = startsFromCounts(triangleNext);
   const std::uint32_t vertexCount = startsFromCounts(vertexNext);
   Polyhedron result(vertexCount, triangleCount);
@@ -62,7 +61,7 @@ Polyhedron compact(Polyhedron&& old)
   // New numbers; a vertex keeps its own where its flags were.
   old.eachTriangle(
     [&](std::uint32_t t, std::size_t piece) { old.triangles[t].index = triangleNext[piece]++; });
-  eachVertex(old, vertexNext.size(),
+  eachVertex(old,
     [&](Vertex& vertex, std::size_t run)
     {
       ensure(!(vertex.flags & VertexLabelled)); // or a flip is missing

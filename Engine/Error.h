@@ -18,7 +18,8 @@ enum class ErrorCode
   TooManyPoints, ///< count: points given (or left after culling); 32-bit indices end here
   OutOfMemory,   ///< count: bytes asked for
   Aborted,       ///< the progress function asked to stop
-  BadArgument,   ///< a null array, a negative count, a stride too short
+  BadArgument,   ///< a null array, a negative count, a stride too short; index: the first set of a
+                 ///< batch whose offsets descend or leave the array
   WeightCount,   ///< count: weights given, which is not the number of points
   BadTriangle, ///< index: first triangle with a corner out of range or used twice; count: how many
   NotClosed,   ///< index: first triangle with an edge that no other triangle shares; count: edges

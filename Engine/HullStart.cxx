@@ -43,17 +43,13 @@ Polyhedron makeTetrahedron(const Vertex* corner)
     result.triangles[t].flags = 0;
     result.triangles[t].index = 0;
   }
-  const Mesh mesh = result.mesh();
-  for (std::uint32_t h = 0; h < 16; ++h)
+  static constexpr std::uint32_t twins[6][2] = { { halfEdge(0, 0), halfEdge(1, 2) },
+    { halfEdge(0, 1), halfEdge(2, 2) }, { halfEdge(0, 2), halfEdge(3, 2) },
+    { halfEdge(1, 0), halfEdge(3, 1) }, { halfEdge(1, 1), halfEdge(2, 0) },
+    { halfEdge(2, 1), halfEdge(3, 0) } };
+  for (const std::uint32_t* const pair : twins)
   {
-    for (std::uint32_t other = 0; other < 16 && cornerOf(h) < 3; ++other)
-    {
-      if (cornerOf(other) < 3 && mesh.origin(h) == mesh.origin(nextHalfEdge(other)) &&
-        mesh.origin(other) == mesh.origin(nextHalfEdge(h)))
-      {
-        mesh.triangles[triangleOf(h)].twin[cornerOf(h)] = other;
-      }
-    }
+    result.mesh().link(pair[0], pair[1]);
   }
   return result;
 }

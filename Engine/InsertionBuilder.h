@@ -9,11 +9,10 @@
 #include "Insertion.h"
 #include "InsertionLevel.h"
 #include "InsertionOrder.h"
+#include "Parallel.h"
 #include "PolyhedronBuilder.h"
 #include "Stopwatch.h"
 #include "Threads.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -71,8 +70,14 @@ public:
     Polyhedron result(count, triangleCount);
     std::copy(start.vertices.begin(), start.vertices.end(), result.vertices.begin());
     std::copy(start.triangles.begin(), start.triangles.end(), result.triangles.begin());
-    tbb::parallel_for(std::size_t(0), order.ids.size(),
-      [&](std::size_t i) { result.vertices[base + i] = task.source.vertex(order.ids[i]); });
+    eachRun(order.ids.size(), StepPoll::Every,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          result.vertices[base + i] = task.source.vertex(order.ids[i]);
+        }
+      });
 
     // A patch is worth as many points as four threads are. Where tests ask for smaller ones, their
     // joins tell nothing.

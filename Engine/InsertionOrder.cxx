@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InsertionOrder.h"
 
-#include <tbb/parallel_for.h>
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,11 +137,11 @@ constexpr std::size_t Run = 1 << 14; ///< what a task looks at
 template <class Use>
 void eachRun(std::size_t count, Monitor& monitor, Use&& use)
 {
-  tbb::parallel_for(std::size_t(0), (count + Run - 1) / Run,
-    [&](std::size_t number)
+  flipflop::eachRun(count, Run,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       monitor.poll();
-      use(number * Run, std::min(count, (number + 1) * Run), number);
+      use(begin, end, number);
     });
 }
 
@@ -166,6 +166,7 @@ std::vector<std::uint32_t> distribute(
       }
     });
   std::vector<std::uint32_t> bucketBegin;
+  bucketBegin.reserve(buckets + 1);
   std::uint32_t total = 0;
   for (std::size_t bucket = 0; bucket < buckets; ++bucket)
   {
@@ -285,7 +286,7 @@ private:
       count, Buckets, this->monitor,
       [&](std::size_t i) { return static_cast<int>(keyed[i].key >> (32 - BucketBits)); },
       [&](std::size_t i, std::uint32_t place) { aside[place] = keyed[i]; });
-    tbb::parallel_for(std::size_t(0), Buckets,
+    eachTask(Buckets,
       [&](std::size_t bucket)
       {
         const std::size_t begin = bucketBegin[bucket];

@@ -20,13 +20,20 @@ namespace flipflop
 {
 
 /// @param least the shortest stride that holds a point
-/// @throw Error BadArgument, TooManyPoints
-inline void requireValid(const PointView& points, std::int64_t least)
+/// @throw Error BadArgument
+inline void requireArray(const PointView& points, std::int64_t least)
 {
   if (points.count < 0 || (points.count > 0 && (!points.data || points.stride < least)))
   {
     throw Error(ErrorCode::BadArgument);
   }
+}
+
+/// The same of points for one run.
+/// @throw Error BadArgument, TooManyPoints
+inline void requireValid(const PointView& points, std::int64_t least)
+{
+  requireArray(points, least);
   if (points.count > static_cast<std::int64_t>(NoIndex) - 1)
   {
     throw Error(ErrorCode::TooManyPoints, -1, points.count);

@@ -7,8 +7,7 @@
 
 #include "Buffer.h"
 #include "Mesh.h"
-
-#include <tbb/parallel_for.h>
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -42,6 +41,7 @@ struct Polyhedron
     , triangles(triangleCount)
   {
     constexpr std::size_t PieceSize = 1 << 13;
+    this->pieces.reserve((triangleCount + PieceSize - 1) / PieceSize);
     for (std::size_t begin = 0; begin < triangleCount; begin += PieceSize)
     {
       this->pieces.push_back({ static_cast<std::uint32_t>(begin),
@@ -72,6 +72,7 @@ struct Polyhedron
   std::vector<std::uint32_t> pointIds() const
   {
     std::vector<std::uint32_t> ids;
+    ids.reserve(this->vertices.size());
     for (const Vertex& v : this->vertices)
     {
       if (!(v.flags & VertexVirtual))
@@ -95,7 +96,7 @@ struct Polyhedron
   template <class Use>
   void eachTriangle(Use&& use) const
   {
-    tbb::parallel_for(std::size_t(0), this->pieces.size(),
+    eachTask(this->pieces.size(),
       [&](std::size_t piece)
       {
         for (std::uint32_t t = this->pieces[piece].begin; t < this->pieces[piece].end; ++t)

@@ -12,10 +12,9 @@
 
 #include "FacetRetriangulation.h"
 #include "LowestOf.h"
+#include "Parallel.h"
 #include "Polyhedron.h"
 #include "Tally.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -258,11 +257,11 @@ private:
     constexpr std::size_t Run = 1 << 10;
     std::vector<std::uint8_t> extreme(ends.size());
     std::vector<Geometry> locals((ends.size() + Run - 1) / Run, this->geometry);
-    tbb::parallel_for(std::size_t(0), locals.size(),
-      [&](std::size_t run)
+    eachRun(ends.size(), Run,
+      [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         const Geometry& local = locals[run];
-        for (std::size_t i = run * Run; i < std::min(ends.size(), (run + 1) * Run); ++i)
+        for (std::size_t i = begin; i < end; ++i)
         {
           extreme[i] = hasSharpEdges(local, mesh, ends[i]) ? 1 : 0;
         }

@@ -38,6 +38,10 @@ void Run::setArithmetic(const Arithmetic& chosen)
 {
   this->arithmetic = chosen;
   this->source.setArithmetic(chosen);
+  if (chosen.scaleExponent == 0)
+  {
+    return;
+  }
   for (int i = 0; i < 3; ++i)
   {
     const int exponent = this->source.scaleExponent(i);

@@ -3,9 +3,8 @@
 #include "Scan.h"
 
 #include "HullGeometry.h"
+#include "Parallel.h"
 #include "VectorClones.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,10 +196,10 @@ ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
   const std::uint32_t chunkCount =
     std::max(1u, std::min(4 * static_cast<std::uint32_t>(threads), count / PollEvery));
   std::vector<ScanResult> results(chunkCount, emptyScan());
-  tbb::parallel_for(std::uint32_t(0), chunkCount,
-    [&](std::uint32_t chunk)
+  eachTask(chunkCount,
+    [&](std::size_t chunk)
     {
-      const auto edge = [&](std::uint32_t i)
+      const auto edge = [&](std::size_t i)
       { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(count) * i / chunkCount); };
       // In pieces, each a result of its own, so that the accumulators stay in registers.
       for (std::uint32_t begin = edge(chunk); begin < edge(chunk + 1);)
@@ -327,12 +326,23 @@ private:
       ++this->span.dimension;
       this->span.ids[this->span.dimension] = bestVertex.id;
       this->corner[this->span.dimension] = bestVertex;
+      for (int i = 0; i < 3; ++i)
+      {
+        this->edge[this->span.dimension][i] = bestVertex.x[i] - this->corner[0].x[i];
+      }
     }
     return found;
   }
 
   bool isIndependent(const Vertex& p) const
   {
+    for (int k = 0; k <= this->span.dimension; ++k)
+    {
+      if (this->corner[k].id == p.id)
+      {
+        return false; // as exact arithmetic would find out
+      }
+    }
     switch (this->span.dimension)
     {
       case -1:
@@ -349,28 +359,22 @@ private:
   /// Some measure of how far p is from the span; overflow and underflow only make it a worse one.
   double distance(const Vertex& p) const
   {
-    double u[3][3] = {};
-    for (int k = 0; k <= this->span.dimension && k < 3; ++k)
-    {
-      const double* from = k == 0 ? p.x : this->corner[k].x;
-      for (int i = 0; i < 3; ++i)
-      {
-        u[k][i] = from[i] - this->corner[0].x[i];
-      }
-    }
+    const double u[3] = { p.x[0] - this->corner[0].x[0], p.x[1] - this->corner[0].x[1],
+      p.x[2] - this->corner[0].x[2] };
+    const double* const v = this->edge[1];
+    const double* const w = this->edge[2];
     switch (this->span.dimension)
     {
       case -1:
         return -p.x[0];
       case 0:
-        return HullGeometry::largestOf(u[0][0], u[0][1], u[0][2]);
+        return HullGeometry::largestOf(u[0], u[1], u[2]);
       case 1:
-        return HullGeometry::largestOf(u[0][1] * u[1][2] - u[0][2] * u[1][1],
-          u[0][2] * u[1][0] - u[0][0] * u[1][2], u[0][0] * u[1][1] - u[0][1] * u[1][0]);
+        return HullGeometry::largestOf(
+          u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
       default:
-        return std::fabs(u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1]) +
-          u[0][1] * (u[1][2] * u[2][0] - u[1][0] * u[2][2]) +
-          u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0]));
+        return std::fabs(u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+          u[2] * (v[0] * w[1] - v[1] * w[0]));
     }
   }
 
@@ -380,6 +384,7 @@ private:
   bool checkFinite;
   Monitor& monitor;
   Vertex corner[4] = {};
+  double edge[4][3] = {}; ///< from the first corner
 };
 
 }
