@@ -186,7 +186,7 @@ TEST(Batch, BadSetsLoseNoOthers)
   const std::size_t bad[] = { 4, 10 };
   for (const std::size_t set : bad)
   {
-    sets.cloud[static_cast<std::size_t>(sets.offsets[set]) + 2].x[1] =
+    sets.cloud[static_cast<std::size_t>(sets.offsets[set]) + 2][1] =
       std::numeric_limits<double>::quiet_NaN();
   }
   for (int threads = 1; threads <= 4; ++threads)
@@ -272,7 +272,7 @@ TEST(Batch, TellsProgressAndStops)
     EXPECT_EQ(watch.fractions.front(), 0);
     EXPECT_EQ(watch.fractions.back(), 1);
     EXPECT_TRUE(batch.errors.empty());
-    for (const int stopAt : { 1, static_cast<int>(watch.fractions.size() + 1) / 2 })
+    for (const int stopAt : { 1, 2 })
     {
       Watch stopped;
       stopped.stopAt = stopAt;
