@@ -167,7 +167,7 @@ struct Seen
 void expectInside(
   const Solid& solid, const Point& kernel, Random& random, Seen& seen, bool axisOnly = false)
 {
-  HullGeometry geometry(solid.range, Arithmetic(), false);
+  HullGeometry geometry(solid.range, Arithmetic());
   geometry.setKernel(kernel.data());
   if (findStarFault(geometry, solid.polyhedron).count)
   {

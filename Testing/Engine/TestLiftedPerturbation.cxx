@@ -115,7 +115,8 @@ void checkAbove(unsigned seed, int count)
   for (int i = 0; i < count; ++i)
   {
     Points v = tinyPoints(random, 4, static_cast<Layout>(i % LayoutCount), Weighted);
-    const LiftedGeometry<Weighted> geometry = liftedGeometryOf<Weighted>(v, random() % 2 != 0);
+    const LiftedGeometry<Weighted> geometry =
+      liftedGeometryOf<Weighted>(v, { 0, random() % 2 != 0 });
     for (int place = 0; place < 5; ++place)
     {
       // The virtual vertex in one of the places, then nowhere.
@@ -304,7 +305,7 @@ void checkWide(unsigned seed)
     far.push_back(makeVertex(1e300, 1e-300, 0, 99));
     bool wide = false;
     LiftedGeometry<Weighted> geometry = liftedGeometryOf<Weighted>(v);
-    LiftedGeometry<Weighted> wideGeometry = liftedGeometryOf<Weighted>(far, false, &wide);
+    LiftedGeometry<Weighted> wideGeometry = liftedGeometryOf<Weighted>(far, {}, &wide);
     ASSERT_TRUE(wide);
     const Points corner = tinyPoints(random, 4, Anywhere, Weighted);
     geometry.setSymbolicKernel(corner.data());
