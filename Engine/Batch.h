@@ -49,15 +49,13 @@ struct Batch
   std::vector<SetError> errors; ///< the sets at fault, ascending; empty: there is none
 };
 
-///@{
-/// convexHull() and regularTriangulation() for each of many sets.
+/// convexHull() for each of many sets.
 ///
 /// Sets with more than a thread's share of all points, and enough for several threads, are run one
 /// after another, each by as many as it is worth; then the others side by side, each by one. The
 /// results' bits are those of calls for each set alone, for any number of threads.
 ///
 /// @param points  of all sets: any number of them, up to 2^32 - 2 in a set
-/// @param weights one for each of the points, whether they are in a set or not; or none
 /// @param sets    see SetView
 /// @param options for each set. Progress is that of the whole batch, by points, told on the calling
 ///                thread only. A request to stop is heeded by all threads, but waits where the
@@ -69,9 +67,12 @@ struct Batch
 ///              result each), Aborted: then there are no results
 Batch<Hull> convexHulls(
   const PointView& points, const SetView& sets, const Options& options = Options());
+
+/// The same for triangulations, whose points may have weights.
+/// @param points, sets, options as for hulls
+/// @param weights one for each of the points, whether they are in a set or not; or none
 Batch<Triangulation> regularTriangulations(const PointView& points, const SetView& sets,
   const WeightView& weights = WeightView(), const Options& options = Options());
-///@}
 
 }
 
