@@ -92,27 +92,35 @@ public:
     {
       const std::uint32_t end = base + order.levelEnds[levels];
       ++levels;
+      const std::uint32_t size = end - begin;
       const std::uint32_t parts =
-        std::min(4 * static_cast<std::uint32_t>(task.threads), (end - begin) / leastPatch);
+        std::min(4 * static_cast<std::uint32_t>(task.threads), size / leastPatch);
       const std::int64_t steps = tally.statistics.moves;
+      bool isInserted = false;
       // Half-edges, then border slots, then NoIndex.
       if (joinsPay && parts > 1 && 4 * (triangleCount + inUse) < NoIndex)
       {
-        std::int64_t joinFlips;
-        inUse =
-          InsertionLevel<Geometry>(task.geometry, result, inUse, task.options.vBiased, task.monitor)
-            .run(begin, end, parts, tally, joinFlips);
-        joinsPay = end - begin < 2 * usualPatch || joinFlips < (end - begin) / 4;
+        InsertionLevel<Geometry> level(
+          task.geometry, result, inUse, task.options.vBiased, task.monitor);
+        const std::size_t border = level.divide(begin, end, parts);
+        const bool tells = size >= 2 * usualPatch;
+        joinsPay = !tells || border < size / 10;
+        if (joinsPay)
+        {
+          joinsPay = level.insert(tally) < size / 4 || !tells;
+          inUse = level.trianglesInUse();
+          isInserted = true;
+        }
       }
-      else if (end - begin >= few || levels == order.levelEnds.size())
-      {
-        inUse = insertAlone(task, result, inUse, begin, end, tally);
-      }
-      else
+      if (!isInserted && size < few && levels < order.levelEnds.size())
       {
         continue; // with the next
       }
-      if ((tally.statistics.moves - steps) / longWalk > end - begin)
+      if (!isInserted)
+      {
+        inUse = insertAlone(task, result, inUse, begin, end, tally);
+      }
+      if ((tally.statistics.moves - steps) / longWalk > size)
       {
         break;
       }

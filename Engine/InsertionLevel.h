@@ -45,28 +45,38 @@ public:
   {
   }
 
-  /// Insert the vertices from @p begin to @p end of the mesh's array.
-  /// @param parts     at least two; of some thousand points each
-  /// @param joinFlips is set to how many flips waited for the whole
-  /// @return how many triangles are in use, some of them dead
-  std::uint32_t run(std::uint32_t begin, std::uint32_t end, std::uint32_t parts, Tally& tally,
-    std::int64_t& joinFlips)
+  /// Divide the triangles among patches, for the vertices from @p begin to @p end of the mesh's
+  /// array; nothing is inserted yet.
+  /// @param parts at least two; of some thousand points each
+  /// @return how many half-edges are between patches: where they are many, so are the flips that
+  ///         will wait for the whole
+  std::size_t divide(std::uint32_t begin, std::uint32_t end, std::uint32_t parts)
   {
     this->firstPlace = begin;
     this->vertexCount = begin;
-    this->found.allocate(end - begin);
+    this->count = end - begin;
+    this->found.allocate(this->count);
     this->patches.resize(parts);
-    const std::uint32_t count = end - begin;
     const auto chunkBegin = [=](std::uint32_t k)
-    { return begin + static_cast<std::uint32_t>(std::uint64_t(count) * k / parts); };
+    { return begin + static_cast<std::uint32_t>(std::uint64_t(this->count) * k / parts); };
     eachPart([&](std::uint32_t k) { this->locate(chunkBegin(k), chunkBegin(k + 1), k); });
     this->takeTriangles(chunkBegin);
     this->distribute(chunkBegin);
+    this->findBorder();
+    return this->border.size();
+  }
+
+  /// Insert the vertices, after divide().
+  /// @return how many flips waited for the whole
+  std::int64_t insert(Tally& tally)
+  {
     this->separate();
     eachPart([&](std::uint32_t k) { this->insertPart(k); });
-    joinFlips = this->join(tally);
-    return this->inUse + 2 * count;
+    return this->join(tally);
   }
+
+  /// How many triangles are in use after insert(), some of them dead.
+  std::uint32_t trianglesInUse() const { return this->inUse + 2 * this->count; }
 
 private:
   /// Bit of an owner that took its triangle from a neighbour.
@@ -233,13 +243,9 @@ private:
     }
   }
 
-  /// Let the patches' borders name slots, and mark the vertices there.
-  void separate()
+  /// Find the half-edges between patches.
+  void findBorder()
   {
-    this->slots.allocate(4 * std::size_t(this->inUse));
-    this->mesh.border = this->slots.data();
-    this->mesh.borderBegin = NoIndex - 4 * this->inUse;
-    this->shared.assign(this->vertexCount, 0);
     for (std::uint32_t t = 0; t < this->inUse; ++t)
     {
       const Triangle& triangle = this->mesh.triangles[t];
@@ -253,12 +259,21 @@ private:
         if (this->ownerOf(triangleOf(triangle.twin[e])) != own)
         {
           this->border.push_back({ halfEdge(t, e), triangle.twin[e] });
-          this->shared[triangle.v[e]] = 1;
         }
       }
     }
+  }
+
+  /// Let the patches' borders name slots, and mark the vertices there.
+  void separate()
+  {
+    this->slots.allocate(4 * std::size_t(this->inUse));
+    this->mesh.border = this->slots.data();
+    this->mesh.borderBegin = NoIndex - 4 * this->inUse;
+    this->shared.assign(this->vertexCount, 0);
     for (const BorderEdge& edge : this->border)
     {
+      this->shared[this->mesh.origin(edge.halfEdge)] = 1;
       this->mesh.link(edge.halfEdge, this->mesh.borderBegin + edge.halfEdge);
     }
   }
@@ -348,6 +363,7 @@ private:
   bool vBiased;
   Monitor& monitor;
   std::uint32_t firstPlace = 0;
+  std::uint32_t count = 0;                       ///< of the points
   Buffer<std::uint32_t> found;                   ///< triangle, by point
   std::vector<std::atomic<std::uint32_t>> owner; ///< patch, by triangle
   std::vector<Patch> patches;
