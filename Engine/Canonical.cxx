@@ -42,19 +42,39 @@ public:
   }
 
   /// After all are inserted; the ids in ascending order go to @p sorted.
-  void count(std::int64_t* sorted, StepPoll& poll)
+  void count(std::int64_t* sorted, Monitor& monitor)
   {
-    std::uint32_t total = 0;
-    for (std::size_t word = 0; word < this->bits.size(); ++word)
-    {
-      poll.step();
-      this->before[word] = total;
-      for (std::uint64_t rest = this->word(word); rest; rest &= rest - 1)
+    std::vector<std::uint32_t> counts((this->bits.size() + Words - 1) / Words);
+    eachRun(this->bits.size(), Words,
+      [&](std::size_t begin, std::size_t end, std::size_t run)
       {
-        // The lowest bit's place is the number of bits below it.
-        sorted[total++] = static_cast<std::int64_t>(64 * word + bitCount((rest & -rest) - 1));
-      }
+        monitor.poll();
+        for (std::size_t word = begin; word < end; ++word)
+        {
+          this->before[word] = counts[run];
+          counts[run] += bitCount(this->word(word));
+        }
+      });
+    std::uint32_t total = 0;
+    for (std::uint32_t& n : counts)
+    {
+      total += std::exchange(n, total);
     }
+    eachRun(this->bits.size(), Words,
+      [&](std::size_t begin, std::size_t end, std::size_t run)
+      {
+        monitor.poll();
+        for (std::size_t word = begin; word < end; ++word)
+        {
+          this->before[word] += counts[run];
+          std::int64_t* out = sorted + this->before[word];
+          for (std::uint64_t rest = this->word(word); rest; rest &= rest - 1)
+          {
+            // The lowest bit's place is the number of bits below it.
+            *out++ = static_cast<std::int64_t>(64 * word + bitCount((rest & -rest) - 1));
+          }
+        }
+      });
   }
 
   std::uint32_t rank(std::uint32_t id) const
@@ -64,6 +84,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t Words = 1 << 12; ///< that a task looks at
+
   std::uint64_t word(std::size_t i) const { return this->bits[i].load(std::memory_order_relaxed); }
 
   static std::uint32_t bitCount(std::uint64_t word)
@@ -164,7 +186,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
         set.insert(rank[v]);
       }
     });
-  set.count(pointIds.data(), poll);
+  set.count(pointIds.data(), monitor);
   eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t)
     { rank[v] = rank[v] == NoIndex ? NoIndex : set.rank(rank[v]); });

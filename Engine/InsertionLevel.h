@@ -15,10 +15,9 @@
 #define flipflop_InsertionLevel_h
 
 #include "Insertion.h"
+#include "Parallel.h"
 #include "Polyhedron.h"
 #include "Tally.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -79,6 +78,8 @@ public:
   std::uint32_t trianglesInUse() const { return this->inUse + 2 * this->count; }
 
 private:
+  static constexpr std::uint32_t Run = 1 << 13; ///< triangles that a task looks at
+
   /// Bit of an owner that took its triangle from a neighbour.
   static constexpr std::uint32_t Adopted = 0x80000000u;
 
@@ -109,20 +110,17 @@ private:
   template <class Use>
   void eachPart(Use&& use)
   {
-    tbb::parallel_for(std::size_t(0), this->patches.size(),
-      [&](std::size_t k) { use(static_cast<std::uint32_t>(k)); });
+    eachTask(this->patches.size(), [&](std::size_t k) { use(static_cast<std::uint32_t>(k)); });
   }
 
   /// use(t) for every triangle of the base, in parallel.
   template <class Use>
   void eachTriangle(Use&& use)
   {
-    constexpr std::uint32_t Run = 1 << 13;
-    tbb::parallel_for(std::size_t(0), std::size_t((this->inUse + Run - 1) / Run),
-      [&](std::size_t run)
+    eachRun(this->inUse, Run,
+      [&](std::size_t begin, std::size_t end, std::size_t)
       {
-        const auto begin = static_cast<std::uint32_t>(run * Run);
-        for (std::uint32_t t = begin; t < std::min(this->inUse, begin + Run); ++t)
+        for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
         {
           if (!(this->mesh.triangles[t].flags & TriangleDead))
           {
@@ -246,21 +244,23 @@ private:
   /// Find the half-edges between patches.
   void findBorder()
   {
-    for (std::uint32_t t = 0; t < this->inUse; ++t)
-    {
-      const Triangle& triangle = this->mesh.triangles[t];
-      if (triangle.flags & TriangleDead)
+    std::vector<std::vector<BorderEdge>> ofRun((this->inUse + Run - 1) / Run);
+    eachTriangle(
+      [&](std::uint32_t t)
       {
-        continue;
-      }
-      const std::uint32_t own = this->ownerOf(t);
-      for (int e = 0; e < 3; ++e)
-      {
-        if (this->ownerOf(triangleOf(triangle.twin[e])) != own)
+        const Triangle& triangle = this->mesh.triangles[t];
+        const std::uint32_t own = this->ownerOf(t);
+        for (int e = 0; e < 3; ++e)
         {
-          this->border.push_back({ halfEdge(t, e), triangle.twin[e] });
+          if (this->ownerOf(triangleOf(triangle.twin[e])) != own)
+          {
+            ofRun[t / Run].push_back({ halfEdge(t, e), triangle.twin[e] });
+          }
         }
-      }
+      });
+    for (const std::vector<BorderEdge>& edges : ofRun)
+    {
+      this->border.insert(this->border.end(), edges.begin(), edges.end());
     }
   }
 
