@@ -230,9 +230,9 @@ double commonUnit(
   const auto isMultiple = [](double x, double unit)
   {
     const double units = x / unit;
-    // What is larger is whole; to the rest this adds what leaves no place for a fraction.
-    constexpr double large = 0x1.8p52;
-    const bool whole = std::fabs(units) >= 0x1p51 || (units + large) - large == units;
+    // No larger double has a fraction.
+    const bool whole =
+      std::fabs(units) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(units)) == units;
     return whole && (units != 0 || x == 0);
   };
   StepPoll poll(monitor);
