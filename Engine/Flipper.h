@@ -162,14 +162,20 @@ public:
     }
     vertex.flags |= VertexLabelled;
     ++this->labelled;
+    this->pushEdgesAt(h);
+  }
+
+  /// Let the edges at the origin of h, a vertex inside the patch, be checked by the next run.
+  void pushEdgesAt(std::uint32_t h)
+  {
+    const std::uint32_t origin = this->mesh.origin(h);
     std::uint32_t spoke = h;
     do
     {
       this->push(spoke);
       spoke = this->mesh.twin(previousHalfEdge(spoke));
-      // The ring of a vertex inside the patch does not meet its border, and ends at its start.
-      ensure(
-        !this->mesh.isBorder(spoke) && this->mesh.vertices + this->mesh.origin(spoke) == &vertex);
+      // The ring of such a vertex does not meet the patch's border, and ends at its start.
+      ensure(!this->mesh.isBorder(spoke) && this->mesh.origin(spoke) == origin);
     } while (spoke != h);
   }
 

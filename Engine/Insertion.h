@@ -236,9 +236,11 @@ private:
       this->waiting[count++] = triangleOf(twin);
       this->waiting[count++] = triangleOf(h);
     }
+    // The edges at the new vertex are convex where all edges were before. Where some wait for a
+    // larger patch, they may not be.
     if (!this->flipper.deferred.empty())
     {
-      this->pushEdgesOf(child[0]);
+      this->flipper.pushEdgesAt(halfEdge(child[0], 2));
       stuck = true;
     }
     if (stuck)
@@ -249,20 +251,6 @@ private:
         this->last = this->flipper.recentTriangle();
       }
     }
-  }
-
-  /// Let the edges at the new vertex be tested, too. They are convex where all edges were before;
-  /// where some wait for a larger patch, they may not be.
-  /// @param t a triangle with the new vertex at its corner 2
-  void pushEdgesOf(std::uint32_t t)
-  {
-    const std::uint32_t first = halfEdge(t, 2);
-    std::uint32_t spoke = first;
-    do
-    {
-      this->flipper.push(spoke);
-      spoke = this->mesh.twin(previousHalfEdge(spoke));
-    } while (spoke != first);
   }
 
   const Geometry& geometry;
