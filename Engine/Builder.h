@@ -95,12 +95,12 @@ public:
       subset.ids = ids ? ids->data() : nullptr;
       subset.count = ids ? static_cast<std::uint32_t>(ids->size()) : task.source.count();
       subset.checkFinite = task.checkFinite;
-      leaveOut(taken, subset);
+      subset.leaveOut(taken);
       bool isDone = false;
       if (round == task.samples.size() || mostAreOutside(task, current, subset))
       {
         isDone = insert(task, current, subset, taken, tally, statistics);
-        leaveOut(taken, subset);
+        subset.leaveOut(taken);
       }
       if (!isDone)
       {
@@ -122,18 +122,13 @@ private:
   /// Steps of a walk. Among slivers, walks grow with the points, where growing does not.
   static constexpr std::int64_t LongWalk = 64;
 
-  static void leaveOut(const std::vector<std::uint32_t>& taken, PointSubset& subset)
-  {
-    subset.taken = taken.data();
-    subset.takenCount = static_cast<std::uint32_t>(taken.size());
-  }
-
   /// Are most of the points outside the hull of a sample, as far as a few of them tell?
   static bool mostAreOutside(
     const BuildTask<Geometry>& task, Polyhedron& hull, const PointSubset& subset)
   {
-    // Where half of the sample is inside, more of the points are.
-    if (2 * hull.vertexCount() < subset.takenCount)
+    // Where half of the sample is inside, more of the points are. And each that is inserted wants
+    // room for two triangles, of which there are 2^30.
+    if (2 * hull.vertexCount() < subset.takenCount || subset.count > NoIndex / 16)
     {
       return false;
     }
@@ -147,8 +142,8 @@ private:
     std::vector<Duplicate> duplicates;
     for (const std::uint32_t i : sample(subset.count, Asked))
     {
-      const Vertex p = task.source.vertex(subset.idAt(i));
-      if (subset.isWanted(task.source, p.id))
+      const Vertex p = task.source.vertex(subset.idAt(i)); // of the sample: not above itself
+      if (isFinite(p.x))
       {
         t = locateFrom(local, mesh, t, p, hull.triangleCount(), steps).triangle;
         ensure(t != NoIndex);
@@ -168,22 +163,16 @@ private:
   static bool insert(const BuildTask<Geometry>& task, Polyhedron& base, const PointSubset& subset,
     std::vector<std::uint32_t>& taken, Tally& tally, Statistics& statistics)
   {
-    Stopwatch watch;
     const bool last = !subset.ids;
-    task.monitor.stage(last ? 0.15 : 0.1, last ? 0.25 : 0.15, subset.count);
-    const InsertionOrder order =
-      insertionOrder(task.source, subset, unfoldingOf(task.geometry, base), task.monitor);
-    statistics.secondsLocate += watch.lap();
-    task.monitor.stage(last ? 0.25 : 0.15, last ? 0.9 : 0.15, subset.count);
-    std::size_t levels;
-    base =
-      InsertionBuilder<Geometry>::insert(task, std::move(base), order, LongWalk, levels, tally);
-    if (levels == order.levelEnds.size())
+    std::vector<std::uint32_t> stopped;
+    base = InsertionBuilder<Geometry>::insert(task, std::move(base), subset, last ? 0.15 : 0.1,
+      last ? 0.9 : 0.15, LongWalk, stopped, tally, statistics);
+    if (stopped.empty())
     {
       return true;
     }
     base = compact(std::move(base));
-    taken.insert(taken.end(), order.ids.begin(), order.ids.begin() + order.levelEnds[levels - 1]);
+    taken.insert(taken.end(), stopped.begin(), stopped.end());
     std::sort(taken.begin(), taken.end());
     return false;
   }

@@ -37,29 +37,29 @@ public:
     const std::vector<std::uint32_t> corners = start.pointIds();
     PointSubset subset;
     subset.count = task.source.count();
-    subset.taken = corners.data();
-    subset.takenCount = static_cast<std::uint32_t>(corners.size());
     subset.checkFinite = task.checkFinite;
+    subset.leaveOut(corners);
+    constexpr std::int64_t anyWalk = std::numeric_limits<std::int64_t>::max();
+    std::vector<std::uint32_t> stopped;
+    return insert(task, std::move(start), subset, 0.1, 0.9, anyWalk, stopped, tally, statistics);
+  }
+
+  /// From a convex polyhedron without gaps to the hull of its vertices and a subset's points.
+  /// @param from, to  which part of the run's progress this is
+  /// @param longWalk  stop after a level whose points took more steps each; further levels would
+  ///                  take more
+  /// @param stopped   is set to the ids inserted where points are left, in no order; else empty
+  static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& start,
+    const PointSubset& subset, double from, double to, std::int64_t longWalk,
+    std::vector<std::uint32_t>& stopped, Tally& tally, Statistics& statistics)
+  {
     Stopwatch watch;
-    task.monitor.stage(0.1, 0.2, subset.count);
+    const double ordered = from + (to - from) / 8;
+    task.monitor.stage(from, ordered, subset.count);
     const InsertionOrder order =
       insertionOrder(task.source, subset, unfoldingOf(task.geometry, start), task.monitor);
     statistics.secondsLocate += watch.lap();
-    task.monitor.stage(0.2, 0.9, subset.count);
-    std::size_t levels;
-    return insert(task, std::move(start), order, AnyWalk, levels, tally);
-  }
-
-  static constexpr std::int64_t AnyWalk = std::numeric_limits<std::int64_t>::max();
-
-  /// From a convex polyhedron without gaps to the hull of its vertices and an order's points.
-  /// @param longWalk stop after a level whose points took more steps each; further levels would
-  ///                 take more
-  /// @param levels   is set to the number of those inserted
-  static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& start,
-    const InsertionOrder& order, std::int64_t longWalk, std::size_t& levels, Tally& tally)
-  {
-    Stopwatch watch;
+    task.monitor.stage(ordered, to, subset.count);
     const std::uint32_t base = start.vertexCount();
     const std::size_t count = base + order.ids.size();
     const std::size_t triangleCount = start.triangleCount() + 2 * order.ids.size();
@@ -88,10 +88,10 @@ public:
     bool joinsPay = task.threads > 1;
     std::uint32_t inUse = start.triangleCount();
     std::uint32_t begin = base;
-    for (levels = 0; levels < order.levelEnds.size();)
+    for (const std::uint32_t levelEnd : order.levelEnds)
     {
-      const std::uint32_t end = base + order.levelEnds[levels];
-      ++levels;
+      const std::uint32_t end = base + levelEnd;
+      const bool isLast = levelEnd == order.levelEnds.back();
       const std::uint32_t size = end - begin;
       const std::uint32_t parts =
         std::min(4 * static_cast<std::uint32_t>(task.threads), size / leastPatch);
@@ -102,7 +102,7 @@ public:
       {
         InsertionLevel<Geometry> level(
           task.geometry, result, inUse, task.options.vBiased, task.monitor);
-        const std::size_t border = level.divide(begin, end, parts);
+        const std::size_t border = level.divide(begin, end, parts, tally);
         const bool tells = size >= 2 * usualPatch;
         joinsPay = !tells || border < size / 10;
         if (joinsPay)
@@ -112,7 +112,7 @@ public:
           isInserted = true;
         }
       }
-      if (!isInserted && size < few && levels < order.levelEnds.size())
+      if (!isInserted && size < few && !isLast)
       {
         continue; // with the next
       }
@@ -120,8 +120,9 @@ public:
       {
         inUse = insertAlone(task, result, inUse, begin, end, tally);
       }
-      if ((tally.statistics.moves - steps) / longWalk > size)
+      if (!isLast && (tally.statistics.moves - steps) / longWalk > size)
       {
+        stopped.assign(order.ids.begin(), order.ids.begin() + levelEnd);
         break;
       }
       begin = end;

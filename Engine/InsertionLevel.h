@@ -47,9 +47,10 @@ public:
   /// Divide the triangles among patches, for the vertices from @p begin to @p end of the mesh's
   /// array; nothing is inserted yet.
   /// @param parts at least two; of some thousand points each
+  /// @param tally counts the way to the points' triangles
   /// @return how many half-edges are between patches: where they are many, so are the flips that
   ///         will wait for the whole
-  std::size_t divide(std::uint32_t begin, std::uint32_t end, std::uint32_t parts)
+  std::size_t divide(std::uint32_t begin, std::uint32_t end, std::uint32_t parts, Tally& tally)
   {
     this->firstPlace = begin;
     this->vertexCount = begin;
@@ -59,6 +60,10 @@ public:
     const auto chunkBegin = [=](std::uint32_t k)
     { return begin + static_cast<std::uint32_t>(std::uint64_t(this->count) * k / parts); };
     eachPart([&](std::uint32_t k) { this->locate(chunkBegin(k), chunkBegin(k + 1), k); });
+    for (Patch& patch : this->patches)
+    {
+      tally.add(std::exchange(patch.tally, Tally()));
+    }
     this->takeTriangles(chunkBegin);
     this->distribute(chunkBegin);
     this->findBorder();

@@ -146,7 +146,7 @@ void eachRun(std::size_t count, Monitor& monitor, Use&& use)
 }
 
 /// Send each of @p count things to its bucket, in their order: put(i, place).
-/// @param bucketOf int (i); less than zero: to none
+/// @param bucketOf std::size_t (i)
 /// @return where the buckets begin, and where the last one ends
 template <class BucketOf, class Put>
 std::vector<std::uint32_t> distribute(
@@ -158,11 +158,7 @@ std::vector<std::uint32_t> distribute(
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const int bucket = bucketOf(i);
-        if (bucket >= 0)
-        {
-          ++cursor[number * buckets + static_cast<std::size_t>(bucket)];
-        }
+        ++cursor[number * buckets + bucketOf(i)];
       }
     });
   std::vector<std::uint32_t> bucketBegin;
@@ -182,11 +178,7 @@ std::vector<std::uint32_t> distribute(
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const int bucket = bucketOf(i);
-        if (bucket >= 0)
-        {
-          put(i, cursor[number * buckets + static_cast<std::size_t>(bucket)]++);
-        }
+        put(i, cursor[number * buckets + bucketOf(i)]++);
       }
     });
   return bucketBegin;
@@ -284,7 +276,7 @@ private:
     Buffer<Keyed> aside(count);
     const std::vector<std::uint32_t> bucketBegin = distribute(
       count, Buckets, this->monitor,
-      [&](std::size_t i) { return static_cast<int>(keyed[i].key >> (32 - BucketBits)); },
+      [&](std::size_t i) -> std::size_t { return keyed[i].key >> (32 - BucketBits); },
       [&](std::size_t i, std::uint32_t place) { aside[place] = keyed[i]; });
     eachTask(Buckets,
       [&](std::size_t bucket)
@@ -308,14 +300,14 @@ private:
   Monitor& monitor;
 };
 
-constexpr int Levels = 9;
+constexpr std::uint32_t Levels = 9;
 
 /// Of 8 points 7 are in the last level, of the others as many in the one before, and so on.
-int levelOf(std::uint32_t id)
+std::uint32_t levelOf(std::uint32_t id)
 {
   std::uint64_t hash = (id + std::uint64_t(1)) * 0x9E3779B97F4A7C15ull;
   hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
-  int level = Levels - 1;
+  std::uint32_t level = Levels - 1;
   for (hash >>= 40; level > 0 && (hash & 7) == 0; hash >>= 3)
   {
     --level;
@@ -360,19 +352,34 @@ void Unfolding::unfold(const double* x, double* uv) const
 InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
   const Unfolding& unfolding, Monitor& monitor)
 {
-  const auto idAt = [&](std::size_t i) { return subset.idAt(static_cast<std::uint32_t>(i)); };
-  Buffer<Keyed> keyed(subset.count);
-  const std::size_t count = distribute(
-    subset.count, 1, monitor,
-    [&](std::size_t i) { return subset.isWanted(source, idAt(i)) ? 0 : -1; },
-    [&](std::size_t i, std::uint32_t place) { keyed[place].id = idAt(i); })[1];
+  // How many of each run there are, then where the next goes.
+  std::vector<std::uint32_t> cursor((subset.count + Run - 1) / Run);
+  const auto eachWanted = [&](auto&& use)
+  {
+    eachRun(subset.count, monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        std::uint32_t at = cursor[number];
+        subset.eachWanted(source, static_cast<std::uint32_t>(begin),
+          static_cast<std::uint32_t>(end), [&](std::uint32_t id) { use(at++, id); });
+        cursor[number] = at;
+      });
+  };
+  eachWanted([](std::uint32_t, std::uint32_t) {});
+  std::uint32_t count = 0;
+  for (std::uint32_t& at : cursor)
+  {
+    count += std::exchange(at, count);
+  }
+  Buffer<Keyed> keyed(count);
+  eachWanted([&](std::uint32_t at, std::uint32_t id) { keyed[at].id = id; });
   Sorter(source, unfolding, monitor).sort(keyed.data(), count);
 
   // Each level's points in the curve's order.
   InsertionOrder order;
   order.ids.allocate(count);
   order.levelEnds = distribute(
-    count, Levels, monitor, [&](std::size_t i) { return levelOf(keyed[i].id); },
+    count, Levels, monitor, [&](std::size_t i) -> std::size_t { return levelOf(keyed[i].id); },
     [&](std::size_t i, std::uint32_t place) { order.ids[place] = keyed[i].id; });
   order.levelEnds.erase(order.levelEnds.begin()); // one begins where the one before ends
   return order;

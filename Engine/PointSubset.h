@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace flipflop
 {
@@ -21,21 +22,40 @@ struct PointSubset
   std::uint32_t takenCount = 0;
   bool checkFinite = false; ///< there are points to ignore
 
+  /// @param left ids, ascending; they must outlive this
+  void leaveOut(const std::vector<std::uint32_t>& left)
+  {
+    this->taken = left.data();
+    this->takenCount = static_cast<std::uint32_t>(left.size());
+  }
+
   std::uint32_t idAt(std::uint32_t i) const { return this->ids ? this->ids[i] : i; }
 
-  /// Is a point of the subset to be looked at?
-  bool isWanted(const PointSource& source, std::uint32_t id) const
+  /// use(id) for the points from place @p begin to @p end that are to be looked at.
+  template <class Use>
+  void eachWanted(
+    const PointSource& source, std::uint32_t begin, std::uint32_t end, Use&& use) const
   {
-    if (this->checkFinite)
+    const std::uint32_t* const takenEnd = this->taken + this->takenCount;
+    const std::uint32_t* next =
+      begin < end ? std::lower_bound(this->taken, takenEnd, this->idAt(begin)) : takenEnd;
+    for (std::uint32_t i = begin; i < end; ++i)
     {
-      double x[3];
-      source.load(id, x);
-      if (!isFinite(x))
+      const std::uint32_t id = this->idAt(i);
+      while (next != takenEnd && *next < id)
       {
-        return false;
+        ++next; // not in the subset
+      }
+      double x[3];
+      if (this->checkFinite)
+      {
+        source.load(id, x);
+      }
+      if ((next == takenEnd || *next != id) && (!this->checkFinite || isFinite(x)))
+      {
+        use(id);
       }
     }
-    return !std::binary_search(this->taken, this->taken + this->takenCount, id);
   }
 };
 
