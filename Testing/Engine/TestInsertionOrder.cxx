@@ -32,8 +32,7 @@ InsertionOrder orderOf(const Cloud& cloud, const std::vector<std::uint32_t>& wit
     {
       PointSubset subset;
       subset.count = static_cast<std::uint32_t>(cloud.size());
-      subset.taken = without.data();
-      subset.takenCount = static_cast<std::uint32_t>(without.size());
+      subset.leaveOut(without);
       subset.checkFinite = skipNonFinite;
       result = insertionOrder(PointSource(viewOf(cloud)), subset, Unfolding(), monitor);
     });
@@ -161,6 +160,52 @@ TEST(InsertionOrder, ScalesWithinScales)
     cloud.push_back({ std::ldexp(1.0, -(i % 1000)), std::ldexp(1.0, -(i / 2)), 0 });
   }
   expectEachOnce(orderOf(cloud), upTo(2000));
+}
+/// The direction that an unfolded place stands for.
+Point foldedBack(const double* uv)
+{
+  const double z = 1 - std::fabs(uv[0]) - std::fabs(uv[1]);
+  return z >= 0 ? Point{ uv[0], uv[1], z }
+                : Point{ std::copysign(1 - std::fabs(uv[1]), uv[0]),
+                    std::copysign(1 - std::fabs(uv[0]), uv[1]), z };
+}
+
+TEST(Unfolding, GivesEachDirectionAPlaceInTheSquare)
+{
+  Random random(6);
+  const double kernel[3] = { 1, -2, 0.5 };
+  const double basis[3][3] = { { 2, 0, 0 }, { -1, 1, 0 }, { 0.5, 0.25, 4 } };
+  const Unfolding unfolding(kernel, basis);
+  for (int i = 0; i < 10000; ++i)
+  {
+    const double d[3] = { random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5 };
+    const double near[3] = { kernel[0] + d[0], kernel[1] + d[1], kernel[2] + d[2] };
+    const double far[3] = { kernel[0] + 9 * d[0], kernel[1] + 9 * d[1], kernel[2] + 9 * d[2] };
+    double uv[2], same[2];
+    unfolding.place(near, uv);
+    unfolding.place(far, same);
+    double size = 0;
+    double seen[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      seen[k] = basis[k][0] * d[0] + basis[k][1] * d[1] + basis[k][2] * d[2];
+      size += std::fabs(seen[k]);
+    }
+    const Point back = foldedBack(uv);
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_NEAR(back[static_cast<std::size_t>(k)], seen[k] / size, 1e-10);
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      ASSERT_LE(std::fabs(uv[k]), 1);
+      ASSERT_NEAR(uv[k], same[k], 1e-10) << "only the direction counts";
+    }
+  }
+  double uv[2];
+  unfolding.place(kernel, uv);
+  EXPECT_EQ(uv[0], 0);
+  EXPECT_EQ(uv[1], 0);
 }
 
 }
