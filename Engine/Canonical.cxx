@@ -49,11 +49,13 @@ public:
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         monitor.poll();
+        std::uint32_t count = 0;
         for (std::size_t word = begin; word < end; ++word)
         {
-          this->before[word] = counts[run];
-          counts[run] += bitCount(this->word(word));
+          this->before[word] = count;
+          count += bitCount(this->word(word));
         }
+        counts[run] = count;
       });
     std::uint32_t total = 0;
     for (std::uint32_t& n : counts)

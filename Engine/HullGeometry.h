@@ -62,8 +62,8 @@ public:
   /// Are all points vertices but for duplicates?
   static constexpr bool AllExtreme = false;
 
-  /// Are points inserted one at a time by threads of this machine (InsertionBuilder), or grown
-  /// first and flipped afterwards (Builder)?
+  /// Do threads of this machine insert all points one at a time (InsertionBuilder)? Else they grow
+  /// first and flip afterwards where that is faster (Builder).
   static constexpr bool InsertsAtOnce = false;
 
   /// Differences of up to 2^16 units of a lattice make products of three, sums of six of which are

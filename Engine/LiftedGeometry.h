@@ -72,8 +72,8 @@ public:
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
 
-  /// Are points inserted one at a time by threads of this machine (InsertionBuilder), or grown
-  /// first and flipped afterwards (Builder)?
+  /// Do threads of this machine insert all points one at a time (InsertionBuilder)? Else they grow
+  /// first and flip afterwards where that is faster (Builder).
   static constexpr bool InsertsAtOnce = true;
 
   /// Differences of up to 2^12 units of a lattice, and weights' below latticeWeights(), make

@@ -11,13 +11,12 @@
 #define flipflop_ValidateSurface_h
 
 #include "CellComplex.h"
+#include "Parallel.h"
 #include "Polyhedron.h"
 #include "Run.h"
 #include "StarShape.h"
 #include "Topology.h"
 #include "Validate.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -144,11 +143,11 @@ public:
     constexpr std::uint32_t Run = 1 << 14;
     const std::uint32_t count = this->run.source.count();
     std::atomic<std::uint32_t> first{ NoIndex };
-    tbb::parallel_for(std::uint32_t(0), count / Run + 1,
-      [&](std::uint32_t part)
+    eachRun(count, Run,
+      [&](std::size_t begin, std::size_t end, std::size_t)
       {
         const Geometry local = this->geometry;
-        for (std::uint32_t id = part * Run; id < count && id - part * Run < Run; ++id)
+        for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id)
         {
           const Vertex p = this->run.source.vertex(id);
           if ((this->run.checkFinite && !isFinite(p.x)) || test(local, p) == Fault::None)
