@@ -1,21 +1,29 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The engine on this machine's threads, whichever suits the geometry.
+/// The engine on this machine's threads. It is compiled once a geometry, in CpuBuilder.cxx.
 #ifndef flipflop_CpuBuilder_h
 #define flipflop_CpuBuilder_h
 
-#include "Builder.h"
-#include "InsertionBuilder.h"
-
-#include <type_traits>
+#include "HullGeometry.h"
+#include "LiftedGeometry.h"
+#include "PolyhedronBuilder.h"
 
 namespace flipflop
 {
 
 template <class Geometry>
-using CpuBuilder =
-  std::conditional_t<Geometry::InsertsAtOnce, InsertionBuilder<Geometry>, Builder<Geometry>>;
+class CpuBuilder : public PolyhedronBuilder<Geometry>
+{
+public:
+  /// By InsertionBuilder or by Builder, whichever suits the geometry.
+  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override;
+};
+
+extern template class CpuBuilder<HullGeometry>;
+extern template class CpuBuilder<LiftedGeometry<false>>;
+extern template class CpuBuilder<LiftedGeometry<true>>;
 
 }
 

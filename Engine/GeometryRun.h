@@ -13,6 +13,8 @@
 #include "PolyhedronBuilder.h"
 #include "Redundant.h"
 #include "Run.h"
+#include "Samples.h"
+#include "Scan.h"
 
 #include <cstdint>
 #include <utility>

@@ -5,9 +5,9 @@
 #ifndef flipflop_TriangulationRun_h
 #define flipflop_TriangulationRun_h
 
-#include "Chain.h"
 #include "GeometryRun.h"
-#include "LiftedLocator.h"
+#include "HullGeometry.h"
+#include "LiftedGeometry.h"
 #include "LiftedStart.h"
 #include "Triangulation.h"
 
@@ -24,98 +24,26 @@ public:
   using Geometry = LiftedGeometry<Weighted>;
 
   /// @throw Error BadArgument, WeightCount, TooManyPoints
-  TriangulationRun(const PointView& points, const WeightView& weights, const Options& options)
-    : GeometryRun<Geometry>(points, 2, PointSource(points, weights), options)
-  {
-    requireValid(weights, points.count);
-  }
+  TriangulationRun(const PointView& points, const WeightView& weights, const Options& options);
 
   /// Look at all points, and choose the arithmetic. False: there is no finite point.
   /// @throw Error NonFinite
-  bool inspect(Statistics& statistics)
-  {
-    if (!this->look(statistics))
-    {
-      return false;
-    }
-    this->setArithmetic(chooseLiftedArithmetic(this->range));
-    Lattice lattice = this->findLattice(2, Geometry::LatticeBits);
-    lattice.everywhere = lattice.everywhere &&
-      this->range.high[2] - this->range.low[2] < Geometry::latticeWeights(lattice.unit);
-    this->geometry = Geometry(this->range, this->arithmetic, lattice);
-    return true;
-  }
+  bool inspect(Statistics& statistics);
 
   /// Three points that are not collinear, or fewer that span the others' positions.
   /// @param ids, count a sample to choose from first; null: all
-  Span spanOf(const std::uint32_t* ids, std::uint32_t count)
-  {
-    // In space, with zero for the third coordinate.
-    CoordinateRange flatRange = this->range;
-    flatRange.low[2] = flatRange.high[2] = 0;
-    const HullGeometry flat(flatRange, this->arithmetic);
-    return findSpan(
-      flat, this->source.flattened(), ids, count, 2, this->checkFinite, this->monitor);
-  }
+  Span spanOf(const std::uint32_t* ids, std::uint32_t count);
 
   /// The regular triangulation of all points.
-  void triangulate(Triangulation& result)
-  {
-    Stopwatch watch;
-    if (!this->inspect(result.statistics))
-    {
-      return;
-    }
-    const auto chain = [&](const Span&)
-    {
-      chainOfPoints(this->geometry, this->source, this->checkFinite, this->monitor, result);
-      this->listHidden(result);
-    };
-    this->grow(
-      result, 2, watch,
-      [this](const std::uint32_t* ids, std::uint32_t count) { return this->spanOf(ids, count); },
-      chain,
-      [&](CanonicalForm& form)
-      {
-        this->listHidden(result);
-        this->monitor.poll();
-        form.writeCells(this->monitor, result);
-      });
-  }
+  void triangulate(Triangulation& result);
 
 private:
   /// All finite points that do not appear.
-  void listHidden(Triangulation& result) const
-  {
-    const Buffer<std::int64_t>& visible = result.pointIds;
-    const auto hidden = static_cast<std::int64_t>(this->source.count()) -
-      result.statistics.nonFinite - static_cast<std::int64_t>(visible.size());
-    result.hiddenIds.allocate(static_cast<std::size_t>(hidden));
-    if (hidden == 0)
-    {
-      return;
-    }
-    std::int64_t* out = result.hiddenIds.data();
-    const std::int64_t* next = visible.begin();
-    for (std::uint32_t id = 0; id < this->source.count(); ++id)
-    {
-      if (next != visible.end() && *next == id)
-      {
-        ++next;
-        continue;
-      }
-      double x[3];
-      if (this->checkFinite)
-      {
-        this->source.load(id, x);
-      }
-      if (!this->checkFinite || isFinite(x))
-      {
-        *out++ = id;
-      }
-    }
-  }
+  void listHidden(Triangulation& result) const;
 };
+
+extern template class TriangulationRun<false>;
+extern template class TriangulationRun<true>;
 
 }
 

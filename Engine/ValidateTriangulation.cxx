@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Validate.h"
 
+#include "LiftedLocator.h"
 #include "TriangulationRun.h"
 #include "ValidateSurface.h"
 

@@ -11,10 +11,10 @@
 ///
 /// FLIPFLOP_TEST_SEED starts the cases elsewhere, FLIPFLOP_TEST_CASES makes more of them.
 #include "BaselineFile.h"
-#include "Builder.h"
 #include "CompareTriangulation.h"
 #include "InputsWeighted.h"
 #include "RandomCases.h"
+#include "Samples.h"
 
 #include <cmath>
 

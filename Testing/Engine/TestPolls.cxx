@@ -3,10 +3,12 @@
 /// @file
 /// No part of a run goes on for long without a look for an abort request: here every look calls the
 /// progress function, and is counted.
+#include "Compact.h"
 #include "CompareTriangulation.h"
 #include "CpuBuilder.h"
 #include "HullRun.h"
 #include "InputsWeighted.h"
+#include "LiftedLocator.h"
 #include "TriangulationRun.h"
 
 #include <tbb/task_arena.h>

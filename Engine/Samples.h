@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The same samples of an input each time: hashes choose them.
+#ifndef flipflop_Samples_h
+#define flipflop_Samples_h
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Below this many points no sample is taken.
+constexpr std::uint32_t LeastSampled = 2048;
+
+/// A sample of @p count points, one from each of @p size strata, chosen by a hash: ascending
+/// places.
+inline std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size)
+{
+  std::vector<std::uint32_t> places(size);
+  for (std::uint32_t i = 0; i < size; ++i)
+  {
+    const std::uint64_t begin = static_cast<std::uint64_t>(count) * i / size;
+    const std::uint64_t end = static_cast<std::uint64_t>(count) * (i + 1) / size;
+    std::uint64_t hash = (i + 1) * 0x9E3779B97F4A7C15ull;
+    hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
+    places[i] = static_cast<std::uint32_t>(begin + (hash >> 32) % (end - begin));
+  }
+  return places;
+}
+
+/// The nested samples of an input, largest first; empty for a small one.
+inline std::vector<std::vector<std::uint32_t>> nestedSamples(std::uint32_t count)
+{
+  std::vector<std::vector<std::uint32_t>> samples;
+  while (count > LeastSampled)
+  {
+    const auto size = static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));
+    std::vector<std::uint32_t> next = sample(count, size);
+    if (!samples.empty())
+    {
+      for (std::uint32_t& place : next)
+      {
+        place = samples.back()[place];
+      }
+    }
+    samples.push_back(std::move(next));
+    count = size;
+  }
+  return samples;
+}
+
+}
+
+#endif
