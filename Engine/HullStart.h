@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the growing of a hull in space starts, and the kernel point it sees everything from.
+/// Where the growing of a hull in space starts, the kernel point it sees everything from, and the
+/// axes in which points are sorted around it.
 #ifndef flipflop_HullStart_h
 #define flipflop_HullStart_h
 

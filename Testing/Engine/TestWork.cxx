@@ -164,7 +164,7 @@ public:
   ~PatchesAsUsersHaveThem() override { pointsPerThread() = 1; }
 };
 
-TEST_F(PatchesAsUsersHaveThem, JoiningThemCostsLittle)
+TEST_F(PatchesAsUsersHaveThem, ItCostsFewFlipsMore)
 {
   const auto worked = [](const Cloud& cloud, int threads)
   {
