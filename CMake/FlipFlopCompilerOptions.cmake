@@ -20,8 +20,12 @@ function(flipflop_compile_options target)
 endfunction()
 
 if(FLIPFLOP_SANITIZE)
-  add_compile_options(-fsanitize=${FLIPFLOP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  add_compile_options(-fsanitize=${FLIPFLOP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${FLIPFLOP_SANITIZE})
+  if(FLIPFLOP_SANITIZE STREQUAL "address,undefined")
+    # AddressSanitizer finds these, too, and they are a quarter of the time to compile.
+    add_compile_options(-fno-sanitize=null,object-size)
+  endif()
 endif()
 
 # Headers that stand in for oneTBB's (Documentation/TaskGraph.md).

@@ -102,9 +102,14 @@ Triangulation triangulationByRounds(const PointView& points, const WeightView& w
 std::vector<HostOrder> allOrders()
 {
   using Order = HostExecutor::Order;
+#if defined(__SANITIZE_THREAD__)
+  // The others are on one thread: there is nothing to see but what the threads' are held to.
+  return { { Order::Forwards }, { Order::Threads, 1, 2 }, { Order::Threads, 1, 7 } };
+#else
   return { { Order::Forwards }, { Order::Backwards }, { Order::Shuffled, 1 },
     { Order::Shuffled, 2 }, { Order::Shuffled, 3 }, { Order::Threads, 1, 2 },
     { Order::Threads, 1, 3 }, { Order::Threads, 1, 7 } };
+#endif
 }
 
 std::vector<RoundsVariant> roundsVariants(std::int64_t points, FacetMode facets)

@@ -43,6 +43,7 @@ Triangulation triangulationByRounds(const PointView& points, const WeightView& w
   const Options& options, const HostOrder& how = {}, RoundsSeen* seen = nullptr);
 
 /// All four orders: forwards, backwards, shuffled by several seeds, on several numbers of threads.
+/// Under ThreadSanitizer forwards and on threads.
 std::vector<HostOrder> allOrders();
 
 /// How a conformance test runs the rounds beside the CPU engine.
