@@ -51,7 +51,7 @@ std::string bitDifference(const Hull& a, const Hull& b);
 /// Identities that every run's statistics keep.
 std::string statisticsFault(const CellComplex& complex, std::int64_t points);
 
-/// Run every variant of the engine on the cloud: threads 1, 2, 4; double, and float where the
+/// Run every variant of the engine on the cloud: threadsTried(); double, and float where the
 /// cloud is; triangles and polygons; V-biased or not; and the CUDA engine's rounds on the host, in
 /// several orders. All must be the reference, be equal bit for bit, and pass validate.
 void expectHull(const Cloud& cloud, const ReferenceHull& reference);
@@ -64,6 +64,9 @@ std::string quickFault(
 
 /// Counts are cut under sanitizers, where everything is slower by a factor of ten or more.
 int effort(int count);
+
+/// The numbers of threads that each cloud is tried on.
+std::vector<int> threadsTried();
 
 }
 }

@@ -199,7 +199,7 @@ void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& re
   {
     Triangulation first;
     bool isFirst = true;
-    for (int threads : { 1, 2, 4 })
+    for (int threads : threadsTried())
     {
       for (bool vBiased : { false, true })
       {

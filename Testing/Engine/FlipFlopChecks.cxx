@@ -179,7 +179,7 @@ Hull expectFlipFlop(const Surface& surface, const double* kernel)
   for (FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
   {
     Hull& one = first[facets == FacetMode::Polygons];
-    for (int threads : { 1, 2, 4 })
+    for (int threads : threadsTried())
     {
       // The bits of a number name the other choices.
       for (int choice = 0; choice < 16; ++choice)
