@@ -4,6 +4,8 @@
 
 #include "Parallel.h"
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +21,10 @@ struct Keyed
 {
   std::uint32_t key; ///< place along the curve
   std::uint32_t id;
+
+  /// What they are sorted by.
+  std::uint64_t digits() const { return static_cast<std::uint64_t>(this->key) << 32 | this->id; }
+  bool operator<(const Keyed& other) const { return this->digits() < other.digits(); }
 };
 
 /// Steps of Hilbert's curve, four bits of x and of y at once. A quadrant's curve is the whole one
@@ -246,13 +252,11 @@ private:
     return whole;
   }
 
-  /// By comparison, by key and then by id.
   void sortFew(Keyed* keyed, std::size_t count) const
   {
     constexpr std::size_t Many = 32; ///< at one step
-    std::sort(keyed, keyed + count,
-      [](const Keyed& a, const Keyed& b)
-      { return a.key < b.key || (a.key == b.key && a.id < b.id); });
+    boost::sort::spreadsort::integer_sort(
+      keyed, keyed + count, [](const Keyed& k, unsigned int shift) { return k.digits() >> shift; });
     if (count == 0 || keyed[0].key == keyed[count - 1].key)
     {
       return; // one place, or too near each other for differences
