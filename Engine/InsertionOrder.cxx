@@ -356,27 +356,18 @@ void Unfolding::unfold(const double* x, double* uv) const
 InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
   const Unfolding& unfolding, Monitor& monitor)
 {
-  // How many of each run there are, then where the next goes.
-  std::vector<std::uint32_t> cursor((subset.count + Run - 1) / Run);
-  const auto eachWanted = [&](auto&& use)
-  {
-    eachRun(subset.count, monitor,
-      [&](std::size_t begin, std::size_t end, std::size_t number)
-      {
-        std::uint32_t at = cursor[number];
-        subset.eachWanted(source, static_cast<std::uint32_t>(begin),
-          static_cast<std::uint32_t>(end), [&](std::uint32_t id) { use(at++, id); });
-        cursor[number] = at;
-      });
-  };
-  eachWanted([](std::uint32_t, std::uint32_t) {});
-  std::uint32_t count = 0;
-  for (std::uint32_t& at : cursor)
-  {
-    count += std::exchange(at, count);
-  }
-  Buffer<Keyed> keyed(count);
-  eachWanted([&](std::uint32_t at, std::uint32_t id) { keyed[at].id = id; });
+  Buffer<Keyed> keyed;
+  numberFound(
+    subset.count, Run,
+    [&](std::size_t begin, std::size_t end, const auto& tell)
+    {
+      monitor.poll();
+      subset.eachWanted(
+        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), tell);
+    },
+    [&](std::size_t wanted) { keyed.allocate(wanted); },
+    [&](std::size_t at, std::uint32_t id) { keyed[at].id = id; });
+  const std::size_t count = keyed.size();
   Sorter(source, unfolding, monitor).sort(keyed.data(), count);
 
   // Each level's points in the curve's order.

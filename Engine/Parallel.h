@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace flipflop
 {
@@ -35,6 +37,38 @@ void eachRun(std::size_t count, std::size_t size, const Use& use)
 {
   eachTask((count + size - 1) / size,
     [&](std::size_t number) { use(number * size, std::min(count, (number + 1) * size), number); });
+}
+
+/// Number what is found among @p count things, in their order.
+/// @param size     of a run
+/// @param find     void (begin, end, tell): tell(x) for each that is found of a run; it is asked
+///                 twice
+/// @param allocate void (std::size_t): so many there are
+/// @param put      void (std::size_t number, x)
+template <class Find, class Allocate, class Put>
+void numberFound(
+  std::size_t count, std::size_t size, const Find& find, const Allocate& allocate, const Put& put)
+{
+  std::vector<std::size_t> cursor((count + size - 1) / size);
+  eachRun(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      std::size_t found = 0;
+      find(begin, end, [&](const auto&) { ++found; });
+      cursor[run] = found;
+    });
+  std::size_t total = 0;
+  for (std::size_t& at : cursor)
+  {
+    total += std::exchange(at, total);
+  }
+  allocate(total);
+  eachRun(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      std::size_t at = cursor[run];
+      find(begin, end, [&](const auto& x) { put(at++, x); });
+    });
 }
 
 }

@@ -36,22 +36,34 @@ struct PointSubset
   void eachWanted(
     const PointSource& source, std::uint32_t begin, std::uint32_t end, Use&& use) const
   {
-    const std::uint32_t* const takenEnd = this->taken + this->takenCount;
-    const std::uint32_t* next =
-      begin < end ? std::lower_bound(this->taken, takenEnd, this->idAt(begin)) : takenEnd;
+    eachLeft(
+      begin, end, [this](std::uint32_t i) { return this->idAt(i); }, this->taken,
+      this->taken + this->takenCount, this->checkFinite ? &source : nullptr, use);
+  }
+
+  /// use(idAt(i)) for i from @p begin to @p end, but for ids that are taken.
+  /// @param idAt      ascending
+  /// @param takenIds  ascending
+  /// @param finiteOf  leave points out that are not finite, too; null: there are none
+  template <class IdAt, class Id, class Use>
+  static void eachLeft(std::uint32_t begin, std::uint32_t end, const IdAt& idAt, const Id* takenIds,
+    const Id* takenEnd, const PointSource* finiteOf, Use&& use)
+  {
+    const Id* next =
+      begin < end ? std::lower_bound(takenIds, takenEnd, static_cast<Id>(idAt(begin))) : takenEnd;
     for (std::uint32_t i = begin; i < end; ++i)
     {
-      const std::uint32_t id = this->idAt(i);
+      const std::uint32_t id = idAt(i);
       while (next != takenEnd && *next < id)
       {
         ++next; // not in the subset
       }
       double x[3];
-      if (this->checkFinite)
+      if (finiteOf)
       {
-        source.load(id, x);
+        finiteOf->load(id, x);
       }
-      if ((next == takenEnd || *next != id) && (!this->checkFinite || isFinite(x)))
+      if ((next == takenEnd || *next != id) && (!finiteOf || isFinite(x)))
       {
         use(id);
       }

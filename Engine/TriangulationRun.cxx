@@ -3,6 +3,8 @@
 #include "TriangulationRun.h"
 
 #include "Chain.h"
+#include "Parallel.h"
+#include "PointSubset.h"
 
 namespace flipflop
 {
@@ -66,35 +68,28 @@ void TriangulationRun<Weighted>::triangulate(Triangulation& result)
 }
 
 template <bool Weighted>
-void TriangulationRun<Weighted>::listHidden(Triangulation& result) const
+void TriangulationRun<Weighted>::listHidden(Triangulation& result)
 {
   const Buffer<std::int64_t>& visible = result.pointIds;
-  const auto hidden = static_cast<std::int64_t>(this->source.count()) -
-    result.statistics.nonFinite - static_cast<std::int64_t>(visible.size());
-  result.hiddenIds.allocate(static_cast<std::size_t>(hidden));
-  if (hidden == 0)
+  const std::int64_t seen = result.statistics.nonFinite + static_cast<std::int64_t>(visible.size());
+  if (seen == static_cast<std::int64_t>(this->source.count()))
   {
+    result.hiddenIds.allocate(0);
     return;
   }
-  std::int64_t* out = result.hiddenIds.data();
-  const std::int64_t* next = visible.begin();
-  for (std::uint32_t id = 0; id < this->source.count(); ++id)
-  {
-    if (next != visible.end() && *next == id)
+  constexpr std::size_t Run = 1 << 14;
+  numberFound(
+    this->source.count(), Run,
+    [&](std::size_t begin, std::size_t end, const auto& tell)
     {
-      ++next;
-      continue;
-    }
-    double x[3];
-    if (this->checkFinite)
-    {
-      this->source.load(id, x);
-    }
-    if (!this->checkFinite || isFinite(x))
-    {
-      *out++ = id;
-    }
-  }
+      this->monitor.poll();
+      PointSubset::eachLeft(
+        static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+        [](std::uint32_t id) { return id; }, visible.begin(), visible.end(),
+        this->checkFinite ? &this->source : nullptr, tell);
+    },
+    [&](std::size_t hidden) { result.hiddenIds.allocate(hidden); },
+    [&](std::size_t at, std::uint32_t id) { result.hiddenIds[at] = id; });
 }
 
 template class TriangulationRun<false>;

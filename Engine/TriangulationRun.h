@@ -39,7 +39,7 @@ public:
 
 private:
   /// All finite points that do not appear.
-  void listHidden(Triangulation& result) const;
+  void listHidden(Triangulation& result);
 };
 
 extern template class TriangulationRun<false>;
