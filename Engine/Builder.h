@@ -39,11 +39,12 @@ namespace flipflop
 ///                  centerKernel(Geometry&, const Polyhedron&) may move the kernel point after a
 ///                  round
 template <class Geometry>
-class Builder : public PolyhedronBuilder<Geometry>
+class Builder
 {
 public:
-  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
-    Statistics& statistics) override
+  /// As PolyhedronBuilder.
+  static Polyhedron build(
+    const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
   {
     const std::vector<std::uint32_t> corners = start.pointIds();
     Polyhedron current = std::move(start);

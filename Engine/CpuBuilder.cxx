@@ -22,7 +22,7 @@ Polyhedron CpuBuilder<Geometry>::build(
 {
   using Chosen =
     std::conditional_t<Geometry::InsertsAtOnce, InsertionBuilder<Geometry>, Builder<Geometry>>;
-  return Chosen().build(task, std::move(start), tally, statistics);
+  return Chosen::build(task, std::move(start), tally, statistics);
 }
 
 template class CpuBuilder<HullGeometry>;

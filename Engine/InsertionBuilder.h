@@ -28,11 +28,12 @@ namespace flipflop
 ///                  unfoldingOf(const Geometry&, const Polyhedron&) tells where the curve sees its
 ///                  points
 template <class Geometry>
-class InsertionBuilder : public PolyhedronBuilder<Geometry>
+class InsertionBuilder
 {
 public:
-  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
-    Statistics& statistics) override
+  /// As PolyhedronBuilder.
+  static Polyhedron build(
+    const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
   {
     const std::vector<std::uint32_t> corners = start.pointIds();
     PointSubset subset;

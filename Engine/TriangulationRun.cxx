@@ -77,9 +77,9 @@ void TriangulationRun<Weighted>::listHidden(Triangulation& result)
     result.hiddenIds.allocate(0);
     return;
   }
-  constexpr std::size_t Run = 1 << 14;
+  constexpr std::size_t PointsOfATask = 1 << 14;
   numberFound(
-    this->source.count(), Run,
+    this->source.count(), PointsOfATask,
     [&](std::size_t begin, std::size_t end, const auto& tell)
     {
       this->monitor.poll();

@@ -345,18 +345,23 @@ std::string quickFault(
   }
 }
 
-int effort(int count)
+bool isSanitized()
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return (count + 19) / 20;
+  return true;
 #else
-  return count;
+  return false;
 #endif
+}
+
+int effort(int count)
+{
+  return isSanitized() ? (count + 19) / 20 : count;
 }
 
 std::vector<int> threadsTried()
 {
-  return effort(20) > 1 ? std::vector<int>{ 1, 2, 4 } : std::vector<int>{ 1, 4 };
+  return isSanitized() ? std::vector<int>{ 1, 4 } : std::vector<int>{ 1, 2, 4 };
 }
 
 }

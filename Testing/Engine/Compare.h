@@ -62,10 +62,13 @@ void expectHull(const Cloud& cloud, const ReferenceHull& reference);
 std::string quickFault(
   const Cloud& cloud, const ReferenceHull& reference, FacetMode facets, int threads, bool vBiased);
 
-/// Counts are cut under sanitizers, where everything is slower by a factor of ten or more.
+/// Is this program slower than others by a factor of ten or more?
+bool isSanitized();
+
+/// Counts are cut under sanitizers.
 int effort(int count);
 
-/// The numbers of threads that each cloud is tried on.
+/// The numbers of threads that each cloud is tried on: 1, 2, 4; under sanitizers 1, 4.
 std::vector<int> threadsTried();
 
 }

@@ -161,6 +161,7 @@ TEST(InsertionOrder, ScalesWithinScales)
   }
   expectEachOnce(orderOf(cloud), upTo(2000));
 }
+
 /// The direction that an unfolded place stands for.
 Point foldedBack(const double* uv)
 {
