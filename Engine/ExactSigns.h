@@ -141,7 +141,7 @@ struct ExpansionSigns
 private:
   /// The same in double-double, or 0 when its error bound leaves it open.
   template <int Count>
-  FF_HD FF_OUTLINED static int roundedOrient3(
+  FF_HD FF_OUTLINED FF_FLAT static int roundedOrient3(
     const double* a, const double* b, const double* c, const Row<Count>& d)
   {
     DoubleDouble u[3], v[3], w[3];

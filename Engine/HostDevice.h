@@ -26,6 +26,14 @@
 #define FF_INLINE inline
 #endif
 
+/// All that it calls is inlined, for it comes to few operations on doubles. A device's compiler
+/// decides that for itself.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FF_FLAT __attribute__((flatten))
+#else
+#define FF_FLAT
+#endif
+
 /// Kept out of its caller, which then does not pay for the registers that it needs. Not so for a
 /// device, where a call costs a stack.
 #if defined(__GNUC__) && !defined(__CUDACC__)

@@ -164,15 +164,18 @@ public:
     {
       return true;
     }
-    if (!inside && this->geometry.above(a, b, c, p) == 0)
-    {
-      ++this->ties; // the edges at the new vertex are flat, and not tested
-    }
+    const bool flat = !inside && this->geometry.above(a, b, c, p) == 0;
     const std::uint32_t child[3] = { at.triangle, this->next, this->next + 1 };
     this->next += 2;
     ++this->insertions;
     this->mesh.vertices[place].flags = VertexAlive;
     splitTriangle(this->mesh, child, place);
+    if (flat)
+    {
+      ++this->ties; // the edges at the new vertex are flat, and not tested
+      this->mesh.markTied(halfEdge(child[0], 1));
+      this->mesh.markTied(halfEdge(child[0], 2));
+    }
     this->flipIn(child, p, inside);
     return true;
   }
@@ -214,8 +217,19 @@ private:
       const Vertex& b = v[triangle.v[1]];
       const Vertex& d = v[opposite.v[previousCorner(cornerOf(twin))]];
       ++this->checks;
-      if (this->geometry.perturbedAbove(a, b, p, d) <= 0)
+      int sign = this->geometry.above(a, b, p, d);
+      const bool flat = sign == 0;
+      if (flat)
       {
+        ++this->ties;
+        sign = this->geometry.tieAbove(a, b, p, d);
+      }
+      if (sign <= 0)
+      {
+        if (flat)
+        {
+          this->mesh.markTied(h);
+        }
         continue;
       }
       // In the plane without weights, a quadrilateral whose edge is reflex is convex.
@@ -229,6 +243,10 @@ private:
       }
       ++this->flips;
       flip(this->mesh, planFlip22(this->mesh, h));
+      if (flat)
+      {
+        this->mesh.markTied(diagonalAfterFlip22(h));
+      }
       if (count + 2 > this->waiting.size())
       {
         this->waiting.resize(2 * this->waiting.size());

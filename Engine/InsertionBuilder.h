@@ -42,7 +42,10 @@ public:
     subset.leaveOut(corners);
     constexpr std::int64_t anyWalk = std::numeric_limits<std::int64_t>::max();
     std::vector<std::uint32_t> stopped;
-    return insert(task, std::move(start), subset, 0.1, 0.9, anyWalk, stopped, tally, statistics);
+    Polyhedron hull =
+      insert(task, std::move(start), subset, 0.1, 0.9, anyWalk, stopped, tally, statistics);
+    hull.tiesMarked = Geometry::AllExtreme;
+    return hull;
   }
 
   /// From a convex polyhedron without gaps to the hull of its vertices and a subset's points.

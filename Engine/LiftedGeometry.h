@@ -99,6 +99,10 @@ public:
     }
     this->inRange = this->reach[0] <= LiftedCeiling && this->reach[1] <= LiftedCeiling &&
       this->reach[2] <= LiftedCeiling * LiftedCeiling;
+    this->termError = this->exactInDouble ? 0.0 : LiftedTermError;
+    this->leastError = this->exactInDouble ? 0.0
+      : this->inRange                      ? LiftedUnderflow
+                                           : std::numeric_limits<double>::infinity();
   }
 
   /// Use a point of the plane as kernel point's place, as it is. Whether it is inside is for the
@@ -164,15 +168,11 @@ public:
     const Rows rows(a.x, b.x, c.x, p.x);
     double most;
     const double det = rows.determinant(most);
-    sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
-    if (this->exactInDouble)
+    const double error = this->termError * most;
+    if (std::fabs(det) > error && error >= this->leastError)
     {
+      sign = det > 0.0 ? 1 : -1;
       return true;
-    }
-    const double error = LiftedTermError * most;
-    if ((det > error || det < -error) && this->inRange)
-    {
-      return error >= LiftedUnderflow;
     }
     return this->filterFar(rows, det, error, sign);
   }
@@ -346,6 +346,11 @@ private:
     const double x = HullGeometry::largestOf(rows.ux, rows.vx, rows.wx);
     const double y = HullGeometry::largestOf(rows.uy, rows.vy, rows.wy);
     const double height = HullGeometry::largestOf(rows.uSize, rows.vSize, rows.wSize);
+    sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
+    if (this->exactInDouble)
+    {
+      return true;
+    }
     if (std::fabs(det) > error)
     {
       return error >= LiftedUnderflow && x <= LiftedCeiling && y <= LiftedCeiling &&
@@ -507,8 +512,10 @@ private:
 
   KernelPoint<2> kernelPoint;
   double reach[3] = { 0, 0, 0 };
-  double exactWithin = 0.0; ///< determinants of no larger differences
-  double exactHeight = 0.0; ///< and heights are exact
+  double exactWithin = 0.0;           ///< determinants of no larger differences
+  double exactHeight = 0.0;           ///< and heights are exact
+  double termError = LiftedTermError; ///< of determinants, against the sum of their terms
+  double leastError = std::numeric_limits<double>::infinity(); ///< that underflow does not count in
   bool wide = false;
   bool inRange = false;
   bool exactInDouble = false;

@@ -120,7 +120,7 @@ private:
   }
 
   /// Sign of the determinant of orient3 in double-double, or 0 when its error bound leaves it open.
-  FF_HD FF_OUTLINED static int roundedOrient3(const double* a, const double* const* row)
+  FF_HD FF_OUTLINED FF_FLAT static int roundedOrient3(const double* a, const double* const* row)
   {
     DoubleDouble u[3][3];
     double size[3] = { 0.0, 0.0, 0.0 };

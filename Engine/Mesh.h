@@ -25,13 +25,17 @@ namespace flipflop
 struct alignas(32) Triangle
 {
   std::uint32_t v[3];    ///< corners, counter-clockwise from outside
-  std::uint32_t flags;   ///< TriangleDead, or bit e: half-edge e waits to be checked
+  std::uint32_t flags;   ///< TriangleDead; or bit e: half-edge e waits to be checked, TriangleTied
   std::uint32_t twin[3]; ///< opposite half-edges, or border slots
   std::uint32_t
     index; ///< a new number, which edges are flat, or the round of a split; 0 until then
 };
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;
+
+/// The triangle came of a flip or a split that only the perturbation decided, or an edge of it was
+/// found flat when it was tested. See Polyhedron::tiesMarked.
+constexpr std::uint32_t TriangleTied = 8;
 
 FF_HD constexpr int nextCorner(int e)
 {
@@ -75,6 +79,13 @@ struct Mesh
   FF_HD std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
   FF_HD std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
 
+  /// Mark both triangles at the edge of h.
+  void markTied(std::uint32_t h) const
+  {
+    this->triangles[triangleOf(h)].flags |= TriangleTied;
+    this->triangles[triangleOf(this->twin(h))].flags |= TriangleTied;
+  }
+
   /// Make h and other (a half-edge or a border slot) each other's opposite.
   FF_INLINE void link(std::uint32_t h, std::uint32_t other) const
   {
@@ -117,6 +128,12 @@ FF_HD FF_INLINE FlipPlan planFlip22(const Mesh& mesh, std::uint32_t h)
   return { 4, { nextHalfEdge(g), previousHalfEdge(h), previousHalfEdge(g), nextHalfEdge(h) },
     { halfEdge(s, 0), halfEdge(s, 2), halfEdge(t, 0), halfEdge(t, 1) }, 2, { s, t, NoIndex },
     { { a, d, c }, { d, b, c } }, NoIndex };
+}
+
+/// The edge dc that it leaves.
+constexpr std::uint32_t diagonalAfterFlip22(std::uint32_t h)
+{
+  return halfEdge(triangleOf(h), 1);
 }
 
 /// The removal of the origin a of h, which has three triangles: abc (of h), bad and acd become dbc,

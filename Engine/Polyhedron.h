@@ -33,6 +33,12 @@ struct Polyhedron
   Buffer<Triangle> triangles;
   std::vector<Piece> pieces; ///< of a size that suits a task
 
+  /// Is each flat edge at a triangle that is marked TriangleTied? Insertion tests all edges but
+  /// those at the new vertex. Where all points are extreme, these are flat in two cases: a triangle
+  /// there has no area, and such ones come of ties alone; or the vertex joins a facet, and all
+  /// flips of the facet's triangles are ties. Where a vertex can hide others, there are more cases.
+  bool tiesMarked = false;
+
   Polyhedron() = default;
 
   /// Room for a polyhedron without gaps.

@@ -27,14 +27,16 @@ template <class Model>
 class PredicateSteps
 {
 public:
-  FF_HD int above(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  FF_HD FF_INLINE int above(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     int sign;
     return this->model().filterAbove(a, b, c, p, sign) ? sign
                                                        : this->model().exactAbove(a, b, c, p);
   }
 
-  FF_HD int perturbedAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  FF_HD FF_INLINE int perturbedAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     const int sign = this->above(a, b, c, p);
     if (sign)

@@ -146,6 +146,9 @@ private:
     std::vector<std::vector<std::uint32_t>> found(pieceCount);
     std::vector<Geometry> local(pieceCount, this->geometry);
     const Mesh mesh = this->polyhedron.mesh();
+    const bool all = !this->polyhedron.tiesMarked;
+    const auto isTied = [mesh](std::uint32_t t)
+    { return (mesh.triangles[t].flags & TriangleTied) != 0; };
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t piece)
       {
@@ -153,12 +156,16 @@ private:
         {
           this->monitor.poll();
         }
+        if (!all && !isTied(t))
+        {
+          return;
+        }
         const Triangle& triangle = mesh.triangles[t];
         for (int e = 0; e < 3; ++e)
         {
           const std::uint32_t h = halfEdge(t, e);
           const std::uint32_t twin = triangle.twin[e];
-          if (h < twin &&
+          if ((h < twin || (!all && !isTied(triangleOf(twin)))) &&
             local[piece].above(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
               mesh.vertices[triangle.v[2]],
               mesh.vertices[mesh.origin(previousHalfEdge(twin))]) == 0)
@@ -186,11 +193,13 @@ private:
     std::vector<std::uint32_t> ends;
     for (const std::uint32_t h : flat)
     {
-      for (std::uint32_t side = h, n = 0; n < 3; ++n, side = nextHalfEdge(side))
+      const std::uint32_t* const v = mesh.triangles[triangleOf(h)].v;
+      for (int e = 0; e < 3; ++e)
       {
-        const std::uint32_t twin = mesh.twin(side);
-        if (samePosition(mesh.vertices[mesh.origin(side)], mesh.vertices[mesh.origin(twin)]))
+        if (samePosition(mesh.vertices[v[e]], mesh.vertices[v[nextCorner(e)]]))
         {
+          const std::uint32_t side = halfEdge(triangleOf(h), e);
+          const std::uint32_t twin = mesh.twin(side);
           lowest.join(idAt(side), idAt(twin));
           ends.push_back(side);
           ends.push_back(twin);
