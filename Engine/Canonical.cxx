@@ -391,7 +391,7 @@ void CanonicalForm::write(Monitor& monitor, CellComplex& complex, Use&& useToo)
     });
   eachLargeCell([&](const Cell& cell) { sort.put(pieceCount, cell); });
   monitor.poll();
-  const Buffer<Cell>& cells = sort.sort();
+  const Buffer<Cell> cells = sort.sort();
   monitor.poll();
   if (fans || !this->polygons || this->polygons->count() == 0)
   {

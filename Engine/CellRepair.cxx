@@ -10,6 +10,7 @@
 
 #include "BoxScale.h"
 #include "ChangedRings.h"
+#include "Parallel.h"
 #include "PlanarRings.h"
 #include "Vertex.h"
 
@@ -519,24 +520,35 @@ void repairCells(RoundedCells& cells, const double* box, Monitor& monitor)
 {
   const PlanarRings plane(cells.positions);
   const BoxScale scale(box);
-  std::vector<Index> broken;
-  for (std::size_t c = 0; c < cells.ids.size(); ++c)
-  {
-    const Index* ring = cells.corners.data() + cells.ends[c];
-    const std::size_t count = static_cast<std::size_t>(cells.ends[c + 1] - cells.ends[c]);
-    if (plane.isConvex(ring, count))
+  constexpr std::size_t CellsOfARun = 1 << 12;
+  std::vector<std::vector<Index>> found((cells.ids.size() + CellsOfARun - 1) / CellsOfARun);
+  eachCheckedRun(cells.ids.size(), CellsOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
     {
-      continue;
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      if (scale.turnsTooFar(plane.position(ring[i]), plane.position(ring[(i + 1) % count]),
-            plane.position(ring[(i + 2) % count])))
+      monitor.poll();
+      for (std::size_t c = begin; c < end; ++c)
       {
-        throw Error(ErrorCode::BadArgument, cells.ids[c]);
+        const Index* ring = cells.corners.data() + cells.ends[c];
+        const std::size_t count = static_cast<std::size_t>(cells.ends[c + 1] - cells.ends[c]);
+        if (plane.isConvex(ring, count))
+        {
+          continue;
+        }
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          if (scale.turnsTooFar(plane.position(ring[i]), plane.position(ring[(i + 1) % count]),
+                plane.position(ring[(i + 2) % count])))
+          {
+            throw Error(ErrorCode::BadArgument, cells.ids[c]);
+          }
+        }
+        found[run].push_back(static_cast<Index>(c));
       }
-    }
-    broken.push_back(static_cast<Index>(c));
+    });
+  std::vector<Index> broken;
+  for (const std::vector<Index>& list : found)
+  {
+    broken.insert(broken.end(), list.begin(), list.end());
   }
   if (!broken.empty())
   {

@@ -5,12 +5,15 @@
 #ifndef flipflop_FacetRings_h
 #define flipflop_FacetRings_h
 
+#include "BucketSort.h"
+#include "Parallel.h"
 #include "Triangulation.h"
 #include "Vertex.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -23,110 +26,169 @@ class FacetRings
 public:
   explicit FacetRings(const Triangulation& triangulation)
     : t(triangulation)
-    , facets(t.connectivity.size())
-    , starts(t.pointIds.size() + 1)
-    , leaving(t.connectivity.size())
-    , towards(t.pointIds.size())
+    , facets(t.cellSize > 0 ? 0 : t.connectivity.size())
+    , ofSite(t.pointIds.size())
   {
-    for (std::int64_t c = 0; c < t.cellCount(); ++c)
+    if (t.cellSize == 0)
     {
-      std::fill(this->facets.begin() + t.cellBegin(c), this->facets.begin() + t.cellBegin(c + 1),
-        static_cast<std::uint32_t>(c));
+      eachRun(static_cast<std::size_t>(t.cellCount()), Run,
+        [this](std::size_t begin, std::size_t end, std::size_t)
+        {
+          for (std::size_t c = begin; c < end; ++c)
+          {
+            const auto cell = static_cast<std::int64_t>(c);
+            std::fill(this->facets.begin() + t.cellBegin(cell),
+              this->facets.begin() + t.cellBegin(cell + 1), static_cast<std::uint32_t>(c));
+          }
+        });
     }
-    std::fill(this->starts.begin(), this->starts.end(), 0);
-    std::fill(this->towards.begin(), this->towards.end(), NoIndex);
-    for (const std::int64_t site : t.connectivity)
-    {
-      ++this->starts[static_cast<std::size_t>(site)];
-    }
-    std::uint32_t end = 0;
-    for (std::uint32_t& start : this->starts)
-    {
-      end += start;
-      start = end;
-    }
-    for (std::size_t h = t.connectivity.size(); h-- > 0;)
-    {
-      this->leaving[--this->starts[static_cast<std::size_t>(t.connectivity[h])]] =
-        static_cast<std::uint32_t>(h);
-    }
+    BucketSort<Leaving, SiteOf> sort(t.pointIds.size(), this->runCount());
+    this->eachHalfEdge([&](std::size_t run, std::uint32_t h) { sort.count(run, this->site(h)); });
+    sort.endCounting(Buffer<Leaving>());
+    this->eachHalfEdge(
+      [&](std::size_t run, std::uint32_t h) {
+        sort.put(run, { this->site(h), h });
+      });
+    this->leaving = sort.sort(
+      [this](std::uint32_t site, const Leaving* begin, const Leaving* end) {
+        this->ofSite[site] = { begin, end };
+      });
   }
 
-  /// The half-edges that leave @p site, in the order of their facets around it: from the lowest
-  /// facet on, or, at the border, from the first on. Returns whether the ring is closed.
-  bool walk(std::uint32_t site, std::vector<std::uint32_t>& ring)
+  /// The facets around one site, by the half-edges that leave it.
+  struct Ring
   {
-    const std::uint32_t begin = this->starts[site];
-    const std::uint32_t end = this->starts[site + 1];
-    for (std::uint32_t i = begin; i < end; ++i)
+    std::vector<std::uint32_t> halfEdges; ///< in the order of their facets
+    bool closed;                          ///< false: from the border to the border
+
+  private:
+    friend class FacetRings;
+    std::vector<std::uint32_t> leaving;                                 ///< ascending
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> byDestination; ///< places in leaving
+    std::vector<std::uint32_t> following;                               ///< of each its next
+    std::vector<std::uint8_t> follows;
+  };
+
+  /// The ring of @p site: from the lowest facet on, or, at the border, from the first on.
+  void walk(std::uint32_t site, Ring& ring) const
+  {
+    const Leaving* const leaves = this->ofSite[site].begin;
+    const auto count = static_cast<std::uint32_t>(this->ofSite[site].end - leaves);
+    ring.byDestination.clear();
+    for (std::uint32_t i = 0; i < count; ++i)
     {
-      this->towards[this->destination(this->leaving[i])] = i;
+      ring.byDestination.emplace_back(this->destination(leaves[i].halfEdge), i);
     }
-    this->follows.assign(end - begin, 0);
-    for (std::uint32_t i = begin; i < end; ++i)
+    std::sort(ring.byDestination.begin(), ring.byDestination.end());
+    ring.following.assign(count, NoIndex);
+    ring.follows.assign(count, 0);
+    for (std::uint32_t i = 0; i < count; ++i)
     {
-      const std::uint32_t next = this->following(site, i);
-      if (next != NoIndex && this->follows[next - begin]++ != 0)
+      const std::uint32_t from = this->source(leaves[i].halfEdge);
+      const auto found = std::lower_bound(
+        ring.byDestination.begin(), ring.byDestination.end(), std::make_pair(from, 0u));
+      if (found == ring.byDestination.end() || found->first != from)
       {
-        throw Error(ErrorCode::BadArgument, this->t.pointIds[site]);
+        continue;
+      }
+      ring.following[i] = found->second;
+      if (ring.follows[found->second]++ != 0)
+      {
+        this->refuse(site);
       }
     }
     // At the border one facet follows no other.
-    const auto border = std::find(this->follows.begin(), this->follows.end(), 0);
-    const bool closed = border == this->follows.end();
-    const std::uint32_t first =
-      closed ? begin : begin + static_cast<std::uint32_t>(border - this->follows.begin());
-    ring.clear();
-    std::uint32_t i = begin < end ? first : NoIndex;
-    while (i != NoIndex && (ring.empty() || i != first))
+    const auto border = std::find(ring.follows.begin(), ring.follows.end(), 0);
+    ring.closed = border == ring.follows.end();
+    const std::uint32_t begin =
+      ring.closed ? 0 : static_cast<std::uint32_t>(border - ring.follows.begin());
+    ring.halfEdges.clear();
+    std::uint32_t i = count ? begin : NoIndex;
+    while (i != NoIndex && (ring.halfEdges.empty() || i != begin))
     {
-      ring.push_back(this->leaving[i]);
-      i = this->following(site, i);
+      ring.halfEdges.push_back(leaves[i].halfEdge);
+      i = ring.following[i];
     }
     // None, or several rings around one site: no triangulation.
-    if (ring.empty() || ring.size() != end - begin)
+    if (ring.halfEdges.empty() || ring.halfEdges.size() != count)
     {
-      throw Error(ErrorCode::BadArgument, this->t.pointIds[site]);
+      this->refuse(site);
     }
-    return closed;
   }
 
-  std::uint32_t facet(std::uint32_t h) const { return this->facets[h]; }
+  std::uint32_t facet(std::uint32_t h) const
+  {
+    return this->t.cellSize > 0 ? h / static_cast<std::uint32_t>(this->t.cellSize)
+                                : this->facets[h];
+  }
 
   std::uint32_t destination(std::uint32_t h) const
   {
-    const std::int64_t c = this->facets[h];
+    const std::int64_t c = this->facet(h);
     const std::int64_t next = h + std::int64_t(1);
-    return this->site(next == t.cellBegin(c + 1) ? t.cellBegin(c) : next);
+    return this->site(next == this->t.cellBegin(c + 1) ? this->t.cellBegin(c) : next);
   }
 
   /// Where the half-edge before @p h comes from.
   std::uint32_t source(std::uint32_t h) const
   {
-    const std::int64_t c = this->facets[h];
-    return this->site((h == t.cellBegin(c) ? t.cellBegin(c + 1) : h) - 1);
+    const std::int64_t c = this->facet(h);
+    return this->site((h == this->t.cellBegin(c) ? this->t.cellBegin(c + 1) : h) - 1);
   }
 
 private:
+  static constexpr std::size_t Run = 1 << 14; ///< facets or half-edges that a task looks at
+
+  struct Leaving
+  {
+    std::uint32_t site;
+    std::uint32_t halfEdge;
+  };
+  struct SiteOf
+  {
+    std::uint32_t operator()(const Leaving& leaving) const { return leaving.site; }
+  };
+  struct Around
+  {
+    const Leaving* begin;
+    const Leaving* end;
+  };
+
+  /// Some hundred runs at most, for the sort counts in each.
+  std::size_t runSize() const { return std::max(Run, this->t.connectivity.size() >> 9); }
+  std::size_t runCount() const
+  {
+    return (this->t.connectivity.size() + this->runSize() - 1) / this->runSize();
+  }
+
+  /// use(number of the run, half-edge) for runs in parallel.
+  template <class Use>
+  void eachHalfEdge(const Use& use) const
+  {
+    eachRun(this->t.connectivity.size(), this->runSize(),
+      [&](std::size_t begin, std::size_t end, std::size_t run)
+      {
+        for (std::size_t h = begin; h < end; ++h)
+        {
+          use(run, static_cast<std::uint32_t>(h));
+        }
+      });
+  }
+
+  [[noreturn]] void refuse(std::uint32_t site) const
+  {
+    throw Error(ErrorCode::BadArgument, this->t.pointIds[site]);
+  }
+
   std::uint32_t site(std::int64_t h) const
   {
     return static_cast<std::uint32_t>(this->t.connectivity[static_cast<std::size_t>(h)]);
   }
 
-  /// The place in leaving of the half-edge after the one at @p i.
-  std::uint32_t following(std::uint32_t site, std::uint32_t i) const
-  {
-    const std::uint32_t found = this->towards[this->source(this->leaving[i])];
-    // What another site left in the table does not count.
-    return found >= this->starts[site] && found < this->starts[site + 1] ? found : NoIndex;
-  }
-
   const Triangulation& t;
-  Buffer<std::uint32_t> facets;  ///< of each half-edge
-  Buffer<std::uint32_t> starts;  ///< of each site, in leaving
-  Buffer<std::uint32_t> leaving; ///< half-edges by site, ascending
-  Buffer<std::uint32_t> towards; ///< for each site: where in leaving, from the last that saw it
-  std::vector<unsigned char> follows;
+  Buffer<std::uint32_t> facets; ///< of each half-edge, where sizes differ
+  Buffer<Around> ofSite;        ///< in leaving: ascending half-edges
+  Buffer<Leaving> leaving;      ///< site by site
 };
 
 }

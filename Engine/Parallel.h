@@ -8,10 +8,16 @@
 #ifndef flipflop_Parallel_h
 #define flipflop_Parallel_h
 
+#include "Error.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,6 +43,45 @@ void eachRun(std::size_t count, std::size_t size, const Use& use)
 {
   eachTask((count + size - 1) / size,
     [&](std::size_t number) { use(number * size, std::min(count, (number + 1) * size), number); });
+}
+
+/// The same for runs that may throw what is wrong with the input (BadArgument): the first of these
+/// tells it, whichever thread is first.
+template <class Use>
+void eachCheckedRun(std::size_t count, std::size_t size, const Use& use)
+{
+  std::mutex mutex;
+  std::atomic<std::size_t> first{ SIZE_MAX };
+  std::optional<Error> found;
+  eachRun(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      if (number > first.load(std::memory_order_relaxed))
+      {
+        return;
+      }
+      try
+      {
+        use(begin, end, number);
+      }
+      catch (const Error& error)
+      {
+        if (error.code() != ErrorCode::BadArgument)
+        {
+          throw;
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (number < first.load(std::memory_order_relaxed))
+        {
+          first.store(number, std::memory_order_relaxed);
+          found.emplace(error);
+        }
+      }
+    });
+  if (found)
+  {
+    throw Error(*found);
+  }
 }
 
 /// Number what is found among @p count things, in their order.

@@ -271,11 +271,17 @@ bool crossing(
   return k.round(a.x[1 - axis], numerator, u[1 - axis] + u[1 - axis], result);
 }
 
+/// Nearly all centers come of this.
+FF_FLAT bool quickCenter(const PowerSite& a, const PowerSite& b, const PowerSite& c, double* result)
+{
+  return center(BoundedArithmetic(), a, b, c, result);
+}
+
 }
 
 void powerCenter(const PowerSite& a, const PowerSite& b, const PowerSite& c, double* result)
 {
-  if (!center(BoundedArithmetic(), a, b, c, result))
+  if (!quickCenter(a, b, c, result))
   {
     ExponentRange range;
     range.add(a);

@@ -8,16 +8,18 @@
 
 #include "CellClipper.h"
 #include "CellRepair.h"
+#include "CornerNumbers.h"
 #include "FacetRings.h"
 #include "Monitor.h"
+#include "Parallel.h"
 #include "PointSource.h"
 #include "PowerCorners.h"
+#include "Threads.h"
 #include "TypedErrors.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -27,6 +29,10 @@ namespace
 {
 
 using Index = std::uint32_t;
+
+/// What a task looks at.
+constexpr std::size_t SitesOfARun = 1 << 12;
+constexpr std::size_t FacetsOfARun = 1 << 13;
 
 [[noreturn]] void refuse(std::int64_t index = -1)
 {
@@ -43,23 +49,25 @@ Buffer<PowerSite> loadSites(
   requireValid(weights, points.count);
   const PointSource source(points, weights);
   Buffer<PowerSite> sites(triangulation.pointIds.size());
-  std::int64_t last = -1;
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    const std::int64_t id = triangulation.pointIds[i];
-    if (id <= last || id >= points.count)
+  eachCheckedRun(sites.size(), SitesOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
     {
-      refuse(id);
-    }
-    last = id;
-    double x[3];
-    source.load(static_cast<std::uint32_t>(id), x);
-    if (!isFinite(x))
-    {
-      refuse(id);
-    }
-    sites[i] = { { x[0], x[1] }, x[2] };
-  }
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const std::int64_t id = triangulation.pointIds[i];
+        if (id <= (i > 0 ? triangulation.pointIds[i - 1] : -1) || id >= points.count)
+        {
+          refuse(id);
+        }
+        double x[3];
+        source.load(static_cast<std::uint32_t>(id), x);
+        if (!isFinite(x))
+        {
+          refuse(id);
+        }
+        sites[i] = { { x[0], x[1] }, x[2] };
+      }
+    });
   return sites;
 }
 
@@ -73,34 +81,38 @@ void checkCells(const Triangulation& t, std::int64_t least, std::int64_t most)
     refuse();
   }
   const std::int64_t cells = t.cellCount();
-  std::int64_t end = 0;
-  for (std::int64_t c = 0; c < cells; ++c)
-  {
-    const std::int64_t begin = t.cellBegin(c);
-    const std::int64_t next = t.cellBegin(c + 1);
-    if (begin != end || next - begin < least || next - begin > most || next > size)
-    {
-      refuse();
-    }
-    end = next;
-  }
-  if (end != size)
+  if (cells == 0 ? size != 0 : t.cellBegin(0) != 0 || t.cellBegin(cells) != size)
   {
     refuse();
   }
-  for (const std::int64_t corner : t.connectivity)
-  {
-    if (corner < 0 || corner >= static_cast<std::int64_t>(t.pointIds.size()))
+  eachCheckedRun(static_cast<std::size_t>(cells), FacetsOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
     {
-      refuse();
-    }
-  }
+      for (auto c = static_cast<std::int64_t>(begin); c < static_cast<std::int64_t>(end); ++c)
+      {
+        const std::int64_t first = t.cellBegin(c);
+        const std::int64_t next = t.cellBegin(c + 1);
+        if (first < 0 || next < first || next > size || next - first < least || next - first > most)
+        {
+          refuse();
+        }
+      }
+    });
+  eachCheckedRun(t.connectivity.size(), FacetsOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      if (std::any_of(t.connectivity.begin() + begin, t.connectivity.begin() + end,
+            [&t](std::int64_t corner)
+            { return corner < 0 || corner >= static_cast<std::int64_t>(t.pointIds.size()); }))
+      {
+        refuse();
+      }
+    });
 }
 
 /// The power center of a facet: from the widest triangle of its fan, though any would give the
 /// same.
-void facetCenter(
-  const Triangulation& t, const Buffer<PowerSite>& sites, std::int64_t facet, double* center)
+Position facetCenter(const Triangulation& t, const Buffer<PowerSite>& sites, std::int64_t facet)
 {
   const std::int64_t begin = t.cellBegin(facet);
   const std::int64_t end = t.cellBegin(facet + 1);
@@ -121,172 +133,24 @@ void facetCenter(
       best = h;
     }
   }
-  powerCenter(a, corner(best), corner(best + 1), center);
+  Position center;
+  powerCenter(a, corner(best), corner(best + 1), center.data());
+  return { center[0] + 0.0, center[1] + 0.0 }; // -0 is 0
 }
-
-// ---- The output --------------------------------------------------------------------------------
-
-/// Takes the cells one after another, and numbers positions in order of first use.
-class Diagram
-{
-public:
-  explicit Diagram(std::size_t facets)
-    : numbers(facets)
-  {
-    std::fill(this->numbers.begin(), this->numbers.end(), NoIndex);
-    this->positions.reserve(2 * facets);
-    std::size_t slots = 64;
-    while (slots < facets + facets / 2)
-    {
-      slots *= 2;
-    }
-    this->clear(slots);
-    this->ends.push_back(0);
-  }
-
-  /// @p cell is in the box. What rounding made equal is one; a cell of two corners is an edge that
-  /// its neighbours share.
-  void add(std::int64_t id, CellPolygon& cell)
-  {
-    const auto same = [](const CellCorner& a, const CellCorner& b)
-    { return a.x[0] == b.x[0] && a.x[1] == b.x[1]; };
-    cell.erase(std::unique(cell.begin(), cell.end(), same), cell.end());
-    while (cell.size() > 1 && same(cell.front(), cell.back()))
-    {
-      cell.pop_back();
-    }
-    if (cell.size() < 3)
-    {
-      return;
-    }
-    for (const CellCorner& corner : cell)
-    {
-      this->cells.push_back(this->number(corner));
-    }
-    this->ids.push_back(id);
-    this->ends.push_back(static_cast<std::int64_t>(this->cells.size()));
-  }
-
-  /// Takes what add() was given.
-  PowerDiagram finish(const double* box, Monitor& monitor)
-  {
-    RoundedCells rounded{ std::move(this->positions), std::move(this->cells), std::move(this->ends),
-      std::move(this->ids) };
-    repairCells(rounded, box, monitor);
-    PowerDiagram result;
-    copy(rounded.positions, result.corners);
-    copy(rounded.corners, result.connectivity);
-    copy(rounded.ends, result.offsets);
-    copy(rounded.ids, result.siteIds);
-    return result;
-  }
-
-private:
-  template <class From, class To>
-  static void copy(const std::vector<From>& from, Buffer<To>& to)
-  {
-    to.allocate(from.size());
-    std::copy(from.begin(), from.end(), to.begin());
-  }
-
-  Index number(const CellCorner& corner)
-  {
-    if (corner.facet == NoIndex)
-    {
-      return this->numberOf(corner.x[0], corner.x[1]);
-    }
-    Index& known = this->numbers[corner.facet];
-    if (known == NoIndex)
-    {
-      known = this->numberOf(corner.x[0], corner.x[1]);
-    }
-    return known;
-  }
-
-  /// Different facets may have centers that round to one position.
-  Index numberOf(double x, double y)
-  {
-    x += 0.0; // -0 is 0
-    y += 0.0;
-    Index& slot = this->find(x, y);
-    if (slot != NoIndex)
-    {
-      return slot;
-    }
-    const std::size_t count = this->positions.size() / 2;
-    if (count >= NoIndex)
-    {
-      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
-    }
-    slot = static_cast<Index>(count);
-    this->positions.push_back(x);
-    this->positions.push_back(y);
-    if (3 * count > 2 * this->table.size())
-    {
-      this->clear(2 * this->table.size());
-      for (Index i = 0; i <= static_cast<Index>(count); ++i)
-      {
-        this->find(this->positions[2 * std::size_t(i)], this->positions[2 * std::size_t(i) + 1]) =
-          i;
-      }
-    }
-    return static_cast<Index>(count);
-  }
-
-  /// Where the number of a position stands, or would stand.
-  Index& find(double x, double y)
-  {
-    std::uint64_t a, b;
-    std::memcpy(&a, &x, sizeof(a));
-    std::memcpy(&b, &y, sizeof(b));
-    a = (a ^ (b << 32 | b >> 32)) * 0x9e3779b97f4a7c15u;
-    a = (a ^ (a >> 29) ^ b) * 0xbf58476d1ce4e5b9u;
-    const std::size_t mask = this->table.size() - 1;
-    for (std::size_t i = (a ^ (a >> 32)) & mask;; i = (i + 1) & mask)
-    {
-      Index& slot = this->table[i];
-      if (slot == NoIndex ||
-        (this->positions[2 * std::size_t(slot)] == x &&
-          this->positions[2 * std::size_t(slot) + 1] == y))
-      {
-        return slot;
-      }
-    }
-  }
-
-  void clear(std::size_t slots) { this->table.assign(slots, NoIndex); }
-
-  std::vector<Index> table; ///< open addressing; a power of two
-  Buffer<Index> numbers;    ///< of the facets' centers
-  std::vector<double> positions;
-  std::vector<Index> cells;
-  std::vector<std::int64_t> ends;
-  std::vector<std::int64_t> ids;
-};
 
 // ---- The cells, by dimension -------------------------------------------------------------------
 
 /// One site: all of the box.
-void addBox(Diagram& diagram, std::int64_t id, const double* box)
+void addBox(CellRun& run, std::int64_t id, const double* box)
 {
   CellPolygon cell = { finiteCorner(box[0], box[2], boxSide(2)),
     finiteCorner(box[1], box[2], boxSide(1)), finiteCorner(box[1], box[3], boxSide(3)),
     finiteCorner(box[0], box[3], boxSide(0)) };
-  diagram.add(id, cell);
-}
-
-/// Tell of progress now and then.
-void advance(Monitor& monitor, std::size_t done)
-{
-  constexpr std::size_t Step = 1024;
-  if (done % Step == 0)
-  {
-    monitor.advance(done ? Step : 0);
-  }
+  run.add(id, cell);
 }
 
 /// Sites on a line: strips. A strip's two lines are given by a point each, which is no corner.
-void addStrips(Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>& sites,
+void addStrips(CellRun& run, const Triangulation& t, const Buffer<PowerSite>& sites,
   const double* box, Monitor& monitor)
 {
   Buffer<std::array<Index, 2>> neighbours(sites.size());
@@ -303,9 +167,10 @@ void addStrips(Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>
   }
   CellClipper clipper(sites, box);
   CellPolygon cell;
+  StepPoll poll(monitor);
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    advance(monitor, i);
+    poll.step();
     if (neighbours[i][0] == NoIndex)
     {
       refuse(t.pointIds[i]);
@@ -345,61 +210,120 @@ void addStrips(Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>
         corners.push_back(cell[c]);
       }
     }
-    diagram.add(t.pointIds[i], corners);
+    run.add(t.pointIds[i], corners);
   }
 }
 
-void addCells(Diagram& diagram, const Triangulation& t, const Buffer<PowerSite>& sites,
-  const double* box, Monitor& monitor)
+/// The corners of a site's cell before the box cuts it.
+/// @return is all of it in the box?
+bool cellOf(Index site, const FacetRings& rings, const FacetRings::Ring& ring,
+  const Buffer<Position>& centers, const Buffer<PowerSite>& sites, const CellClipper& clipper,
+  CellPolygon& cell)
 {
-  Buffer<std::array<double, 2>> centers(static_cast<std::size_t>(t.cellCount()));
-  for (std::size_t f = 0; f < centers.size(); ++f)
+  bool inside = ring.closed;
+  cell.clear();
+  for (const Index h : ring.halfEdges)
   {
-    advance(monitor, f);
-    facetCenter(t, sites, static_cast<std::int64_t>(f), centers[f].data());
+    const Index f = rings.facet(h);
+    cell.push_back(finiteCorner(centers[f][0], centers[f][1], rings.source(h), f));
+    inside = inside && clipper.inside(centers[f].data());
   }
-  FacetRings rings(t);
+  if (!ring.closed)
+  {
+    // Outwards along the last border edge's normal, and back along the first's.
+    const Index next = rings.destination(ring.halfEdges.front());
+    const PowerSite& a = sites[site];
+    const PowerSite& last = sites[rings.source(ring.halfEdges.back())];
+    const PowerSite& first = sites[next];
+    const auto compare = [](double p, double q) { return (p > q) - (p < q); };
+    cell.push_back(
+      infiniteCorner(compare(a.x[1], last.x[1]), compare(last.x[0], a.x[0]), LineAtInfinity));
+    cell.push_back(infiniteCorner(compare(first.x[1], a.x[1]), compare(a.x[0], first.x[0]), next));
+  }
+  return inside;
+}
+
+/// The cells of a run of sites.
+void addCells(CellRun& run, Index begin, Index end, const Triangulation& t, const FacetRings& rings,
+  const Buffer<Position>& centers, const Buffer<PowerSite>& sites, const double* box)
+{
   CellClipper clipper(sites, box);
-  std::vector<Index> ring;
+  FacetRings::Ring ring;
   CellPolygon cell;
-  for (std::size_t i = 0; i < sites.size(); ++i)
+  for (Index i = begin; i < end; ++i)
   {
-    advance(monitor, i);
-    const bool closed = rings.walk(static_cast<Index>(i), ring);
-    bool inside = closed;
-    cell.clear();
-    for (const Index h : ring)
+    rings.walk(i, ring);
+    if (!cellOf(i, rings, ring, centers, sites, clipper, cell))
     {
-      const Index f = rings.facet(h);
-      cell.push_back(finiteCorner(centers[f][0], centers[f][1], rings.source(h), f));
-      inside = inside && clipper.inside(centers[f].data());
+      clipper.clip(i, cell);
     }
-    if (!closed)
-    {
-      // Outwards along the last border edge's normal, and back along the first's.
-      const PowerSite& a = sites[i];
-      const PowerSite& last = sites[rings.source(ring.back())];
-      const PowerSite& first = sites[rings.destination(ring.front())];
-      const auto compare = [](double p, double q) { return (p > q) - (p < q); };
-      cell.push_back(
-        infiniteCorner(compare(a.x[1], last.x[1]), compare(last.x[0], a.x[0]), LineAtInfinity));
-      cell.push_back(infiniteCorner(
-        compare(first.x[1], a.x[1]), compare(a.x[0], first.x[0]), rings.destination(ring.front())));
-    }
-    if (!inside)
-    {
-      clipper.clip(static_cast<Index>(i), cell);
-    }
-    diagram.add(t.pointIds[i], cell);
+    run.add(t.pointIds[i], cell);
   }
+}
+
+Buffer<Position> facetCenters(
+  const Triangulation& t, const Buffer<PowerSite>& sites, Monitor& monitor)
+{
+  Buffer<Position> centers(static_cast<std::size_t>(t.cellCount()));
+  eachCheckedRun(centers.size(), FacetsOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        centers[f] = facetCenter(t, sites, static_cast<std::int64_t>(f));
+      }
+      monitor.advance(static_cast<std::int64_t>(end - begin));
+    });
+  return centers;
+}
+
+/// Corners and cells as rounded.
+RoundedCells roundedCells(
+  const Triangulation& t, const Buffer<PowerSite>& sites, const double* box, Monitor& monitor)
+{
+  if (t.dimension < 2)
+  {
+    std::vector<CellRun> runs(1, CellRun(0));
+    if (t.dimension == 0)
+    {
+      addBox(runs[0], t.pointIds[0], box);
+    }
+    else if (t.dimension == 1)
+    {
+      addStrips(runs[0], t, sites, box, monitor);
+    }
+    return numberCorners(runs, Buffer<Position>(), monitor);
+  }
+  const Buffer<Position> centers = facetCenters(t, sites, monitor);
+  const FacetRings rings(t);
+  monitor.poll();
+  std::vector<CellRun> runs(
+    (sites.size() + SitesOfARun - 1) / SitesOfARun, CellRun(centers.size()));
+  eachCheckedRun(sites.size(), SitesOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      addCells(runs[number], static_cast<Index>(begin), static_cast<Index>(end), t, rings, centers,
+        sites, box);
+      monitor.advance(static_cast<std::int64_t>(end - begin));
+    });
+  return numberCorners(runs, centers, monitor);
+}
+
+template <class From, class To>
+void copy(const std::vector<From>& from, Buffer<To>& to)
+{
+  to.allocate(from.size());
+  eachRun(from.size(), 1 << 16,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    { std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin); });
 }
 
 PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options)
 {
   Monitor monitor(options);
-  monitor.stage(
-    0.0, 1.0, triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()));
+  monitor.stage( // corners are numbered, and cells mended, after it
+    0.0, 0.8, triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()));
   if (!box || !(box[0] < box[1] && box[2] < box[3]))
   {
     refuse();
@@ -411,29 +335,28 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
       refuse();
     }
   }
-  const Buffer<PowerSite> sites = loadSites(points, weights, triangulation);
-  const int dimension = triangulation.dimension;
-  if (dimension < -1 || dimension > 2 || (dimension == -1 && !sites.empty()) ||
-    (dimension == 0 && sites.size() != 1) || (dimension == 1 && sites.size() < 2))
-  {
-    refuse();
-  }
-  checkCells(triangulation, dimension + 1, dimension < 2 ? dimension + 1 : NoIndex);
-  Diagram diagram(dimension == 2 ? static_cast<std::size_t>(triangulation.cellCount()) : 0);
-  if (dimension == 0)
-  {
-    addBox(diagram, triangulation.pointIds[0], box);
-  }
-  else if (dimension == 1)
-  {
-    addStrips(diagram, triangulation, sites, box, monitor);
-  }
-  else if (dimension == 2)
-  {
-    addCells(diagram, triangulation, sites, box, monitor);
-  }
-  PowerDiagram result = diagram.finish(box, monitor);
-  monitor.stage(1.0, 1.0, 1);
+  PowerDiagram result;
+  ArenaLoan arena(
+    threadCount(options.threads, static_cast<std::int64_t>(triangulation.pointIds.size())));
+  arena.execute(
+    [&]
+    {
+      const Buffer<PowerSite> sites = loadSites(points, weights, triangulation);
+      const int dimension = triangulation.dimension;
+      if (dimension < -1 || dimension > 2 || (dimension == -1 && !sites.empty()) ||
+        (dimension == 0 && sites.size() != 1) || (dimension == 1 && sites.size() < 2))
+      {
+        refuse();
+      }
+      checkCells(triangulation, dimension + 1, dimension < 2 ? dimension + 1 : NoIndex);
+      RoundedCells cells = roundedCells(triangulation, sites, box, monitor);
+      repairCells(cells, box, monitor);
+      copy(cells.positions, result.corners);
+      copy(cells.corners, result.connectivity);
+      copy(cells.ends, result.offsets);
+      copy(cells.ids, result.siteIds);
+      monitor.stage(1.0, 1.0, 1);
+    });
   return result;
 }
 

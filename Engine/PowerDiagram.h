@@ -54,8 +54,8 @@ struct PowerDiagram
 /// The power diagram of the sites that @p triangulation shows. Which cells meet where is taken from
 /// the exact triangulation (cocircular sites meet in one corner, without edges of no length); only
 /// the corners' coordinates are rounded, with what that costs (PowerDiagram). Takes time and memory
-/// in proportion to the triangulation, on one thread: equal bits, whichever engine and however many
-/// threads triangulated.
+/// in proportion to the triangulation. Equal bits on any number of threads, whichever engine and
+/// however many triangulated.
 ///
 /// @param points          as they were triangulated
 /// @param weights         as they were triangulated
@@ -63,7 +63,7 @@ struct PowerDiagram
 ///                        polygons; as equal centers round alike, they give the same cells, which
 ///                        may start elsewhere.
 /// @param box             x least, x greatest, y least, y greatest; finite, least below greatest
-/// @param options         only the progress function counts
+/// @param options         only the threads and the progress function count
 /// @return the cells, by ascending id of their sites
 /// @throw Error           BadArgument (also for a complex that is no triangulation of these points,
 ///                        where that shows: an index or id out of range, a facet that is not
