@@ -92,10 +92,12 @@ public:
     bool joinsPay = task.threads > 1;
     std::uint32_t inUse = start.triangleCount();
     std::uint32_t begin = base;
-    for (const std::uint32_t levelEnd : order.levelEnds)
+    const auto beginOf = [&](std::size_t level)
+    { return base + (level > 0 ? order.levelEnds[level - 1] : 0); };
+    for (std::size_t level = 0; level < order.levelEnds.size(); ++level)
     {
-      const std::uint32_t end = base + levelEnd;
-      const bool isLast = levelEnd == order.levelEnds.back();
+      const std::uint32_t end = beginOf(level + 1);
+      const bool isLast = level + 1 == order.levelEnds.size();
       const std::uint32_t size = end - begin;
       const std::uint32_t parts =
         std::min(4 * static_cast<std::uint32_t>(task.threads), size / leastPatch);
@@ -104,16 +106,21 @@ public:
       // Half-edges, then border slots, then NoIndex.
       if (joinsPay && parts > 1 && 4 * (triangleCount + inUse) < NoIndex)
       {
-        InsertionLevel<Geometry> level(
-          task.geometry, result, inUse, task.options.vBiased, task.monitor);
-        const std::size_t border = level.divide(begin, end, parts, tally);
         const bool tells = size >= 2 * usualPatch;
-        joinsPay = !tells || border < size / 10;
+        joinsPay = !tells || level == 0 ||
+          shareAcross(result, inUse, beginOf(level - 1), beginOf(level), parts) < 1.0 / 12;
         if (joinsPay)
         {
-          joinsPay = level.insert(tally) < size / 4 || !tells;
-          inUse = level.trianglesInUse();
-          isInserted = true;
+          InsertionLevel<Geometry> patches(
+            task.geometry, result, inUse, task.options.vBiased, task.monitor);
+          const std::size_t border = patches.divide(begin, end, parts, tally);
+          joinsPay = !tells || border < size / 10;
+          if (joinsPay)
+          {
+            joinsPay = patches.insert(tally) < size / 4 || !tells;
+            inUse = patches.trianglesInUse();
+            isInserted = true;
+          }
         }
       }
       if (!isInserted && size < few && !isLast)
@@ -126,7 +133,7 @@ public:
       }
       if (!isLast && (tally.statistics.moves - steps) / longWalk > size)
       {
-        stopped.assign(order.ids.begin(), order.ids.begin() + levelEnd);
+        stopped.assign(order.ids.begin(), order.ids.begin() + order.levelEnds[level]);
         break;
       }
       begin = end;
@@ -137,6 +144,35 @@ public:
   }
 
 private:
+  /// The share of triangles with corners in different pieces of the curve, as far as the vertices
+  /// of one level tell, from @p begin to @p end, which are in its order. Where lines cross, or run
+  /// beside each other, many triangles lie across; patches would be torn, and to join them is to
+  /// flip most of what was inserted anew.
+  static double shareAcross(const Polyhedron& polyhedron, std::uint32_t triangleCount,
+    std::uint32_t begin, std::uint32_t end, std::uint32_t pieces)
+  {
+    constexpr std::uint32_t Asked = 1 << 15;
+    const std::uint32_t step = std::max(1u, triangleCount / Asked);
+    std::uint32_t across = 0;
+    for (std::uint32_t t = 0; t < triangleCount; t += step)
+    {
+      std::uint32_t least = pieces;
+      std::uint32_t most = 0;
+      for (const std::uint32_t v : polyhedron.triangles[t].v)
+      {
+        if (v >= begin && v < end)
+        {
+          const auto piece =
+            static_cast<std::uint32_t>(std::uint64_t(v - begin) * pieces / (end - begin));
+          least = std::min(least, piece);
+          most = std::max(most, piece);
+        }
+      }
+      across += least < most ? 1 : 0;
+    }
+    return static_cast<double>(across) * step / triangleCount;
+  }
+
   /// Insert the vertices from @p begin to @p end on one thread.
   /// @return how many triangles are in use
   static std::uint32_t insertAlone(const BuildTask<Geometry>& task, Polyhedron& polyhedron,
