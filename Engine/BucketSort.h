@@ -36,7 +36,9 @@ public:
       ++this->shift;
     }
     this->bucketCount = (this->keyCount >> this->shift) + 1;
-    this->next.assign(this->bucketCount * pieceCount, 0);
+    // Pieces that are counted at once share no cache line.
+    this->rowSize = (this->bucketCount + 15) / 16 * 16;
+    this->next.assign(this->rowSize * pieceCount, 0);
   }
 
   void count(std::size_t piece, std::uint32_t key) { ++this->cursor(piece, key); }
@@ -50,7 +52,7 @@ public:
     for (std::size_t bucket = 0; bucket < this->bucketCount; ++bucket)
     {
       this->bucketBegin.push_back(total);
-      for (std::size_t at = bucket; at < this->next.size(); at += this->bucketCount)
+      for (std::size_t at = bucket; at < this->next.size(); at += this->rowSize)
       {
         const std::uint32_t n = this->next[at];
         this->next[at] = total;
@@ -79,7 +81,7 @@ public:
 private:
   std::uint32_t& cursor(std::size_t piece, std::uint32_t key)
   {
-    return this->next[piece * this->bucketCount + (key >> this->shift)];
+    return this->next[piece * this->rowSize + (key >> this->shift)];
   }
 
   template <class Use>
@@ -114,6 +116,7 @@ private:
   std::size_t keyCount;
   int shift; ///< a bucket has 2^shift keys
   std::size_t bucketCount;
+  std::size_t rowSize; ///< places in next for a piece
   std::vector<std::uint32_t>
     next; ///< by piece, then bucket: how many items, then where the next goes
   std::vector<std::uint32_t> bucketBegin;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A position may be the center of several facets, and a corner that the box made several times.
-/// One of these stands for all: whichever a thread comes to first, so it tells nothing. But of
-/// their uses the first is known once all threads have passed, and gives the number.
+/// Several facets may have their centers at one position, and several cells a corner there that the
+/// box made. One of these corners stands for all. Which, depends on the threads, and tells nothing.
+/// But their first use is known once all threads have passed, and its order gives the number.
 #include "CornerNumbers.h"
 
 #include "Parallel.h"
@@ -140,8 +140,8 @@ RoundedCells numberCorners(
   const auto positionOf = [&](Index corner)
   { return corner < facets ? centers[corner] : cut[corner - facets]; };
 
-  // How early a position is used first: of all uses and one, the number that are left then. Of a
-  // corner that stands for others; later its number.
+  // For each corner that stands for others: how many uses were left, with that one, when they were
+  // first used. So the greatest is the earliest, and 0 means never. Later: their number.
   std::vector<std::atomic<std::uint64_t>> first(facets + cuts.back());
   {
     PositionTable table(first.size());

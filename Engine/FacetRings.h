@@ -63,8 +63,7 @@ public:
 
   private:
     friend class FacetRings;
-    std::vector<std::uint32_t> leaving;                                 ///< ascending
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> byDestination; ///< places in leaving
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> byDestination; ///< places around the site
     std::vector<std::uint32_t> following;                               ///< of each its next
     std::vector<std::uint8_t> follows;
   };

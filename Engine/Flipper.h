@@ -250,7 +250,8 @@ private:
     return concerned;
   }
 
-  /// The sign that the rule asks of an edge is a tie where the edge is flat.
+  /// FlipRule asks one sign of "above" for an edge, whether it is reflex. If that adds a tie, the
+  /// edge is flat.
   std::int64_t tieCount() const { return this->geometry.predicateCounts().ties; }
 
   FlipDecision decide(std::uint32_t h, std::uint32_t& twin) const

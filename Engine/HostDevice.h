@@ -26,8 +26,7 @@
 #define FF_INLINE inline
 #endif
 
-/// All that it calls is inlined, for it comes to few operations on doubles. A device's compiler
-/// decides that for itself.
+/// A function into which all that it calls is inlined. A device's compiler decides that for itself.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FF_FLAT __attribute__((flatten))
 #else

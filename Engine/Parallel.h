@@ -45,8 +45,8 @@ void eachRun(std::size_t count, std::size_t size, const Use& use)
     [&](std::size_t number) { use(number * size, std::min(count, (number + 1) * size), number); });
 }
 
-/// The same for runs that may throw what is wrong with the input (BadArgument): the first of these
-/// tells it, whichever thread is first.
+/// The same for runs that may throw BadArgument. Where several do, the error of the lowest-numbered
+/// run is thrown in the end, so it does not depend on the threads. Other errors end the loop.
 template <class Use>
 void eachCheckedRun(std::size_t count, std::size_t size, const Use& use)
 {

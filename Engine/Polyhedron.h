@@ -33,10 +33,19 @@ struct Polyhedron
   Buffer<Triangle> triangles;
   std::vector<Piece> pieces; ///< of a size that suits a task
 
-  /// Is each flat edge at a triangle that is marked TriangleTied? Insertion tests all edges but
-  /// those at the new vertex. Where all points are extreme, these are flat in two cases: a triangle
-  /// there has no area, and such ones come of ties alone; or the vertex joins a facet, and all
-  /// flips of the facet's triangles are ties. Where a vertex can hide others, there are more cases.
+  /// Has each flat edge a triangle that is marked TriangleTied, on one side or both? So it is after
+  /// every insertion where all points are extreme:
+  /// - An edge that was tested last as it is now was a tie, which marks both triangles.
+  /// - Not tested are edges between two triangles at the new vertex v. Let such an edge be flat,
+  /// and
+  ///   its triangles have area. Then v joins a facet that was there before; v's triangles on it
+  ///   come of flips inside it, which are ties, and mark what they make.
+  /// - A triangle without area comes of a tied flip or split, or one of its edges is tested next
+  /// and
+  ///   is a tie.
+  /// Where edges wait (Flipper::deferred, borders of patches) all edges at v are tested, too, or
+  /// the mesh inside the borders is Delaunay but for them, and the same holds. Points with weights
+  /// can hide vertices above a facet that they join, so there v's edges may be flat without a tie.
   bool tiesMarked = false;
 
   Polyhedron() = default;

@@ -167,10 +167,12 @@ void addStrips(CellRun& run, const Triangulation& t, const Buffer<PowerSite>& si
   }
   CellClipper clipper(sites, box);
   CellPolygon cell;
-  StepPoll poll(monitor);
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    poll.step();
+    if ((i + 1) % StepPoll::Every == 0)
+    {
+      monitor.advance(StepPoll::Every);
+    }
     if (neighbours[i][0] == NoIndex)
     {
       refuse(t.pointIds[i]);
@@ -292,6 +294,7 @@ RoundedCells roundedCells(
     {
       addStrips(runs[0], t, sites, box, monitor);
     }
+    monitor.stage(0.8, 0.9, 1);
     return numberCorners(runs, Buffer<Position>(), monitor);
   }
   const Buffer<Position> centers = facetCenters(t, sites, monitor);
@@ -306,6 +309,7 @@ RoundedCells roundedCells(
         sites, box);
       monitor.advance(static_cast<std::int64_t>(end - begin));
     });
+  monitor.stage(0.8, 0.9, 1);
   return numberCorners(runs, centers, monitor);
 }
 
@@ -322,7 +326,7 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options)
 {
   Monitor monitor(options);
-  monitor.stage( // corners are numbered, and cells mended, after it
+  monitor.stage(
     0.0, 0.8, triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()));
   if (!box || !(box[0] < box[1] && box[2] < box[3]))
   {
@@ -350,6 +354,7 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
       }
       checkCells(triangulation, dimension + 1, dimension < 2 ? dimension + 1 : NoIndex);
       RoundedCells cells = roundedCells(triangulation, sites, box, monitor);
+      monitor.stage(0.9, 1.0, 1);
       repairCells(cells, box, monitor);
       copy(cells.positions, result.corners);
       copy(cells.corners, result.connectivity);

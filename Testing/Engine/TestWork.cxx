@@ -188,6 +188,24 @@ TEST_F(PatchesAsUsersHaveThem, ItCostsFewFlipsMore)
   EXPECT_GT(2 * inPatches, names.size());
 }
 
+TEST_F(PatchesAsUsersHaveThem, NoneAreTriedWhereLinesCross)
+{
+  // Points of a level that is done in patches walk twice.
+  const auto walked = [](const std::string& name, int threads)
+  {
+    const Cloud cloud = shape(name, 100000);
+    Options options;
+    options.threads = threads;
+    return static_cast<double>(
+      regularTriangulation(viewOf(cloud), WeightView(), options).statistics.moves);
+  };
+  for (const char* name : { "two-lines", "parabola-shuffled" })
+  {
+    EXPECT_EQ(walked(name, 4), walked(name, 1)) << name;
+  }
+  EXPECT_GT(walked("jittered-grid", 4), 1.2 * walked("jittered-grid", 1));
+}
+
 }
 }
 }

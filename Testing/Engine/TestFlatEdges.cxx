@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Insertion marks triangles that ties were about, and each flat edge is at one of these.
+#include "CompareTriangulation.h"
+#include "InputsWeighted.h"
+
+#include "CpuBuilder.h"
+#include "TriangulationRun.h"
+
+#include <gtest/gtest.h>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+using Geometry = LiftedGeometry<false>;
+
+/// The CPU's engine, and a look at every edge of what it built.
+class CheckedBuilder : public PolyhedronBuilder<Geometry>
+{
+public:
+  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override
+  {
+    CpuBuilder<Geometry> engine;
+    Polyhedron built = engine.build(task, std::move(start), tally, statistics);
+    EXPECT_TRUE(built.tiesMarked);
+    const Mesh mesh = built.mesh();
+    for (const Piece& piece : built.pieces)
+    {
+      for (std::uint32_t t = piece.begin; t < piece.end; ++t)
+      {
+        const Triangle& triangle = mesh.triangles[t];
+        for (int e = 0; e < 3 && !(triangle.flags & TriangleDead); ++e)
+        {
+          const std::uint32_t twin = triangle.twin[e];
+          const Triangle& other = mesh.triangles[triangleOf(twin)];
+          const bool isFlat = task.geometry.above(mesh.vertices[triangle.v[0]],
+                                mesh.vertices[triangle.v[1]], mesh.vertices[triangle.v[2]],
+                                mesh.vertices[mesh.origin(previousHalfEdge(twin))]) == 0;
+          this->flat += isFlat ? 1 : 0;
+          this->missed += isFlat && !((triangle.flags | other.flags) & TriangleTied) ? 1 : 0;
+        }
+      }
+    }
+    return built;
+  }
+
+  int flat = 0;
+  int missed = 0;
+};
+
+TEST(FlatEdges, AreAtTrianglesThatTiesWereAbout)
+{
+  int flat = 0;
+  for (const Family& family : weightedFamilies())
+  {
+    for (const int count : { 60, 700, 3000 })
+    {
+      for (const int threads : threadsTried())
+      {
+        SCOPED_TRACE(family.name + std::string(", ") + std::to_string(count) + " points, " +
+          std::to_string(threads) + " threads");
+        Random random(7);
+        const Cloud cloud = family.make(count, random);
+        Options options;
+        options.threads = threads;
+        CheckedBuilder builder;
+        TriangulationRun<false> run(viewOf(cloud), WeightView(), options);
+        run.engine = &builder;
+        run.execute<Triangulation>([&run](Triangulation& result) { run.triangulate(result); });
+        EXPECT_EQ(builder.missed, 0);
+        flat += builder.flat;
+      }
+    }
+  }
+  EXPECT_GT(flat, 10000);
+}
+
+}
+}
+}
