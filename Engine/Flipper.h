@@ -189,6 +189,9 @@ public:
     } while (spoke != h);
   }
 
+  /// May other patches read this vertex's label?
+  bool isShared(std::uint32_t vertex) const { return this->shared(vertex); }
+
   /// A triangle that the last flip left.
   std::uint32_t recentTriangle() const { return this->recent; }
 

@@ -202,10 +202,13 @@ private:
     std::size_t count = 3;
     std::reverse_copy(child, child + 3, this->waiting.begin());
     bool stuck = false;
+    bool nearBorder = false;
     while (count > 0)
     {
       const std::uint32_t h = halfEdge(this->waiting[--count], 0);
       const Triangle& triangle = this->mesh.triangles[triangleOf(h)];
+      nearBorder = nearBorder || this->flipper.isShared(triangle.v[0]) ||
+        this->flipper.isShared(triangle.v[1]);
       const std::uint32_t twin = triangle.twin[0];
       if (this->mesh.isBorder(twin))
       {
@@ -232,8 +235,9 @@ private:
         }
         continue;
       }
-      // In the plane without weights, a quadrilateral whose edge is reflex is convex.
-      if (!(Geometry::AllExtreme && inside && !(d.flags & VertexVirtual)) &&
+      // In the plane without weights, a quadrilateral whose edge is reflex is convex; one that is
+      // only so by perturbation may have two corners at one place.
+      if (!(Geometry::AllExtreme && inside && !flat && !(d.flags & VertexVirtual)) &&
         (this->geometry.perturbedBeneathKernel(a, d, p) < 0 ||
           this->geometry.perturbedBeneathKernel(d, b, p) < 0))
       {
@@ -254,9 +258,10 @@ private:
       this->waiting[count++] = triangleOf(twin);
       this->waiting[count++] = triangleOf(h);
     }
-    // The edges at the new vertex are convex where all edges were before. Where some wait for a
-    // larger patch, they may not be.
-    if (!this->flipper.deferred.empty())
+    // The edges at the new vertex are convex where all edges were before. They may not be where
+    // some wait for a larger patch; or where the new vertex hides one at the patch's border, whose
+    // edges are not all seen from here. Without weights, a duplicate can be hidden so.
+    if (stuck || nearBorder || !this->flipper.deferred.empty())
     {
       this->flipper.pushEdgesAt(halfEdge(child[0], 2));
       stuck = true;
