@@ -6,6 +6,10 @@
 #include "InputsWeighted.h"
 #include "Threads.h"
 
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <random>
 #include <thread>
 
 namespace flipflop
@@ -133,6 +137,48 @@ TEST(RegularTriangulationDeterminism, CallersMayRunAtOnce)
     caller.join();
   }
   EXPECT_EQ(faults, std::vector<std::string>(4));
+}
+
+/// Integer points of a square, each about twice.
+Cloud crowdedSquare(std::uint64_t seed)
+{
+  std::mt19937_64 engine(seed);
+  engine.discard(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Cloud cloud;
+  for (int i = 0; i < 3414; ++i)
+  {
+    const double x = std::floor(20 * uniform(engine));
+    const double y = std::floor(20 * uniform(engine));
+    cloud.push_back({ x, y, std::floor(20 * uniform(engine)) });
+  }
+  return cloud;
+}
+
+TEST(RegularTriangulationDeterminism, ManyPatchesOfDuplicates)
+{
+  // More threads than this machine may have, so that levels fall into more patches.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 8);
+  // With the first, and without weights, two duplicates were corners of one quadrilateral.
+  for (const std::uint64_t seed : { 102880, 1, 2, 3 })
+  {
+    const Cloud cloud = crowdedSquare(seed);
+    for (const bool weighted : { false, true })
+    {
+      const WeightView weights = weighted ? weightsOf(cloud) : WeightView();
+      Options options;
+      options.threads = 1;
+      const Triangulation alone = regularTriangulation(viewOf(cloud), weights, options);
+      for (const int threads : { 3, 4 })
+      {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(threads) + " threads");
+        options.threads = threads;
+        const Triangulation found = regularTriangulation(viewOf(cloud), weights, options);
+        EXPECT_EQ(found.statistics.threads, threads);
+        EXPECT_EQ(bitDifference(found, alone), "");
+      }
+    }
+  }
 }
 
 }
