@@ -44,7 +44,7 @@ public:
   /// After all are inserted; the ids in ascending order go to @p sorted.
   void count(std::int64_t* sorted, Monitor& monitor)
   {
-    std::vector<std::uint32_t> counts((this->bits.size() + Words - 1) / Words);
+    std::vector<std::uint32_t> counts(runCount(this->bits.size(), Words));
     eachRun(this->bits.size(), Words,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
@@ -130,7 +130,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   StepPoll poll(monitor);
   const std::uint32_t slots = polyhedron.vertexCount();
   Buffer<std::uint32_t> rank(slots); // until then the lowest id
-  std::vector<std::uint32_t> counts((slots + Run - 1) / Run);
+  std::vector<std::uint32_t> counts(runCount(slots, Run));
   eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t run)
     {

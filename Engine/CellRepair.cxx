@@ -521,7 +521,7 @@ void repairCells(RoundedCells& cells, const double* box, Monitor& monitor)
   const PlanarRings plane(cells.positions);
   const BoxScale scale(box);
   constexpr std::size_t CellsOfARun = 1 << 12;
-  std::vector<std::vector<Index>> found((cells.ids.size() + CellsOfARun - 1) / CellsOfARun);
+  std::vector<std::vector<Index>> found(runCount(cells.ids.size(), CellsOfARun));
   eachCheckedRun(cells.ids.size(), CellsOfARun,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {

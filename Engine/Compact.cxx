@@ -51,7 +51,7 @@ Polyhedron compact(Polyhedron&& old)
 {
   // How many stay, by piece and by run of vertices.
   std::vector<std::uint32_t> triangleNext(old.pieces.size());
-  std::vector<std::uint32_t> vertexNext((old.vertices.size() + VertexRun - 1) / VertexRun);
+  std::vector<std::uint32_t> vertexNext(runCount(old.vertices.size(), VertexRun));
   old.eachTriangle([&](std::uint32_t, std::size_t piece) { ++triangleNext[piece]; });
   eachVertex(old, [&](const Vertex&, std::size_t run) { ++vertexNext[run]; });
   const std::uint32_t triangleCount = startsFromCounts(triangleNext);

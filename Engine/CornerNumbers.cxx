@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
-#include <utility>
 
 namespace flipflop
 {
@@ -25,7 +24,6 @@ using Index = std::uint32_t;
 class PositionTable
 {
 public:
-  /// @param positionOf Position (corner)
   explicit PositionTable(std::size_t corners)
   {
     std::size_t size = 64;
@@ -37,6 +35,7 @@ public:
   }
 
   /// The corner that stands for all at the position of @p corner.
+  /// @param positionOf Position (corner)
   template <class PositionOf>
   Index find(Index corner, const PositionOf& positionOf)
   {

@@ -42,7 +42,8 @@ public:
           }
         });
     }
-    BucketSort<Leaving, SiteOf> sort(t.pointIds.size(), this->runCount());
+    BucketSort<Leaving, SiteOf> sort(
+      t.pointIds.size(), runCount(t.connectivity.size(), this->runSize()));
     this->eachHalfEdge([&](std::size_t run, std::uint32_t h) { sort.count(run, this->site(h)); });
     sort.endCounting(Buffer<Leaving>());
     this->eachHalfEdge(
@@ -59,7 +60,7 @@ public:
   struct Ring
   {
     std::vector<std::uint32_t> halfEdges; ///< in the order of their facets
-    bool closed;                          ///< false: from the border to the border
+    bool closed = false;                  ///< or from the border to the border
 
   private:
     friend class FacetRings;
@@ -155,10 +156,6 @@ private:
 
   /// Some hundred runs at most, for the sort counts in each.
   std::size_t runSize() const { return std::max(Run, this->t.connectivity.size() >> 9); }
-  std::size_t runCount() const
-  {
-    return (this->t.connectivity.size() + this->runSize() - 1) / this->runSize();
-  }
 
   /// use(number of the run, half-edge) for runs in parallel.
   template <class Use>

@@ -249,7 +249,7 @@ private:
   /// Find the half-edges between patches.
   void findBorder()
   {
-    std::vector<std::vector<BorderEdge>> ofRun((this->inUse + Run - 1) / Run);
+    std::vector<std::vector<BorderEdge>> ofRun(runCount(this->inUse, Run));
     eachTriangle(
       [&](std::uint32_t t)
       {

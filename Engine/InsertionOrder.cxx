@@ -158,7 +158,7 @@ template <class BucketOf, class Put>
 std::vector<std::uint32_t> distribute(
   std::size_t count, std::size_t buckets, Monitor& monitor, BucketOf&& bucketOf, Put&& put)
 {
-  std::vector<std::uint32_t> cursor((count + Run - 1) / Run * buckets); // by run, then bucket
+  std::vector<std::uint32_t> cursor(runCount(count, Run) * buckets); // by run, then bucket
   eachRun(count, monitor,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
@@ -232,7 +232,7 @@ private:
 
   Curve curveThrough(const Keyed* keyed, std::size_t count) const
   {
-    std::vector<Curve> parts((count + Run - 1) / Run);
+    std::vector<Curve> parts(runCount(count, Run));
     eachRun(count, this->monitor,
       [&](std::size_t begin, std::size_t end, std::size_t number)
       {

@@ -36,12 +36,18 @@ void eachTask(std::size_t count, const Use& use)
   tbb::parallel_for(std::size_t(0), count, use);
 }
 
+/// How many runs of @p size cover @p count things: the last may be shorter.
+constexpr std::size_t runCount(std::size_t count, std::size_t size)
+{
+  return (count + size - 1) / size;
+}
+
 /// use(begin, end, number) for runs of @p count things, a task each.
 /// @param size of a run
 template <class Use>
 void eachRun(std::size_t count, std::size_t size, const Use& use)
 {
-  eachTask((count + size - 1) / size,
+  eachTask(runCount(count, size),
     [&](std::size_t number) { use(number * size, std::min(count, (number + 1) * size), number); });
 }
 
@@ -94,7 +100,7 @@ template <class Find, class Allocate, class Put>
 void numberFound(
   std::size_t count, std::size_t size, const Find& find, const Allocate& allocate, const Put& put)
 {
-  std::vector<std::size_t> cursor((count + size - 1) / size);
+  std::vector<std::size_t> cursor(runCount(count, size));
   eachRun(count, size,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {

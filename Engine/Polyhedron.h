@@ -33,19 +33,18 @@ struct Polyhedron
   Buffer<Triangle> triangles;
   std::vector<Piece> pieces; ///< of a size that suits a task
 
-  /// Has each flat edge a triangle that is marked TriangleTied, on one side or both? So it is after
-  /// every insertion where all points are extreme:
-  /// - An edge that was tested last as it is now was a tie, which marks both triangles.
-  /// - Not tested are edges between two triangles at the new vertex v. Let such an edge be flat,
-  /// and
-  ///   its triangles have area. Then v joins a facet that was there before; v's triangles on it
-  ///   come of flips inside it, which are ties, and mark what they make.
-  /// - A triangle without area comes of a tied flip or split, or one of its edges is tested next
-  /// and
-  ///   is a tie.
-  /// Where edges wait (Flipper::deferred, borders of patches) all edges at v are tested, too, or
-  /// the mesh inside the borders is Delaunay but for them, and the same holds. Points with weights
-  /// can hide vertices above a facet that they join, so there v's edges may be flat without a tie.
+  /// Has each flat edge a triangle that is marked TriangleTied, on one side or both?
+  ///
+  /// After every insertion it has, where all points are extreme. An edge that was tested as it is
+  /// now was a tie, and that marked both its triangles. Not tested are the edges at the new vertex
+  /// v. If one is flat and its triangles have area, then v joins a facet that was there before:
+  /// v's triangles on it come of flips inside it, which are ties, and mark what they make. A
+  /// triangle without area comes of a tied flip or split, or one of its edges is tested next, and
+  /// is a tie. Where edges wait for a larger patch (Flipper::deferred), v's edges are tested, too,
+  /// or the mesh but for those that wait is Delaunay, and the same holds.
+  ///
+  /// It does not hold for points with weights. They can hide vertices above a facet that they
+  /// join, so their edges may be flat without a tie.
   bool tiesMarked = false;
 
   Polyhedron() = default;
@@ -56,7 +55,7 @@ struct Polyhedron
     , triangles(triangleCount)
   {
     constexpr std::size_t PieceSize = 1 << 13;
-    this->pieces.reserve((triangleCount + PieceSize - 1) / PieceSize);
+    this->pieces.reserve(runCount(triangleCount, PieceSize));
     for (std::size_t begin = 0; begin < triangleCount; begin += PieceSize)
     {
       this->pieces.push_back({ static_cast<std::uint32_t>(begin),

@@ -300,8 +300,7 @@ RoundedCells roundedCells(
   const Buffer<Position> centers = facetCenters(t, sites, monitor);
   const FacetRings rings(t);
   monitor.poll();
-  std::vector<CellRun> runs(
-    (sites.size() + SitesOfARun - 1) / SitesOfARun, CellRun(centers.size()));
+  std::vector<CellRun> runs(runCount(sites.size(), SitesOfARun), CellRun(centers.size()));
   eachCheckedRun(sites.size(), SitesOfARun,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {

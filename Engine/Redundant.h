@@ -146,9 +146,8 @@ private:
     std::vector<std::vector<std::uint32_t>> found(pieceCount);
     std::vector<Geometry> local(pieceCount, this->geometry);
     const Mesh mesh = this->polyhedron.mesh();
-    const bool all = !this->polyhedron.tiesMarked;
-    const auto isTied = [mesh](std::uint32_t t)
-    { return (mesh.triangles[t].flags & TriangleTied) != 0; };
+    const auto mayHaveFlat = [mesh, all = !this->polyhedron.tiesMarked](std::uint32_t t)
+    { return all || (mesh.triangles[t].flags & TriangleTied) != 0; };
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t piece)
       {
@@ -156,7 +155,7 @@ private:
         {
           this->monitor.poll();
         }
-        if (!all && !isTied(t))
+        if (!mayHaveFlat(t))
         {
           return;
         }
@@ -165,7 +164,7 @@ private:
         {
           const std::uint32_t h = halfEdge(t, e);
           const std::uint32_t twin = triangle.twin[e];
-          if ((h < twin || (!all && !isTied(triangleOf(twin)))) &&
+          if ((h < twin || !mayHaveFlat(triangleOf(twin))) &&
             local[piece].above(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
               mesh.vertices[triangle.v[2]],
               mesh.vertices[mesh.origin(previousHalfEdge(twin))]) == 0)
@@ -265,7 +264,7 @@ private:
     }
     constexpr std::size_t Run = 1 << 10;
     std::vector<std::uint8_t> extreme(ends.size());
-    std::vector<Geometry> locals((ends.size() + Run - 1) / Run, this->geometry);
+    std::vector<Geometry> locals(runCount(ends.size(), Run), this->geometry);
     eachRun(ends.size(), Run,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {

@@ -37,13 +37,6 @@ Buffer<T> copyOf(const Buffer<T>& buffer)
   return copy;
 }
 
-template <class T>
-bool sameBits(const Buffer<T>& a, const Buffer<T>& b)
-{
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
 double largestExtent(const Cloud& cloud)
 {
   double extent = 0;

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -43,6 +44,13 @@ std::vector<Cell> cellsOf(const CellComplex& complex);
 /// What differs from the reference, in words; empty when nothing does.
 std::string difference(
   const CellComplex& complex, const ReferenceHull& reference, FacetMode facets);
+
+template <class T>
+bool sameBits(const Buffer<T>& a, const Buffer<T>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
 
 /// What differs between two results that must be equal bit for bit; empty when nothing does.
 std::string bitDifference(const CellComplex& a, const CellComplex& b);

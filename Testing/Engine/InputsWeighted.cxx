@@ -364,6 +364,19 @@ Input fromWeightedFamily(const std::string& name, int count, std::uint64_t seed)
   return fromFamilies(weightedFamilies(), name, count, seed);
 }
 
+Cloud randomSites(int count, double weight, std::uint64_t seed)
+{
+  Random random(seed);
+  Cloud sites;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = random.uniform();
+    const double y = random.uniform();
+    sites.push_back({ x, y, random.uniform(0, weight) });
+  }
+  return sites;
+}
+
 Cloud squareGrid(int side)
 {
   return generate(side * side,

@@ -20,6 +20,8 @@ Input fromWeightedFamily(const std::string& name, int count, std::uint64_t seed)
 // Single clouds and changes to a cloud.
 /// side^2 points, their weight 0.
 Cloud squareGrid(int side);
+/// In the unit square, their weights between 0 and @p weight.
+Cloud randomSites(int count, double weight, std::uint64_t seed);
 /// All integer points with x^2 + y^2 = squaredRadius.
 Cloud cocircularIntegers(int squaredRadius);
 /// Weights anew: uniform between the two.

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The cells of a power diagram by position: what diagrams are compared by.
+/// What power diagrams are compared by: the bits, or the cells by position.
 #ifndef flipflop_test_PowerPolygons_h
 #define flipflop_test_PowerPolygons_h
+
+#include "Compare.h"
 
 #include "PowerDiagram.h"
 
@@ -11,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace flipflop
@@ -36,6 +39,24 @@ inline std::map<std::int64_t, Polygon> polygonsOf(const PowerDiagram& diagram)
     std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
   }
   return result;
+}
+
+/// What differs between two diagrams that must be equal bit for bit; empty when nothing does.
+inline std::string bitDifference(const PowerDiagram& a, const PowerDiagram& b)
+{
+  if (!sameBits(a.corners, b.corners))
+  {
+    return "corners";
+  }
+  if (!sameBits(a.connectivity, b.connectivity))
+  {
+    return "connectivity";
+  }
+  if (!sameBits(a.offsets, b.offsets))
+  {
+    return "offsets";
+  }
+  return sameBits(a.siteIds, b.siteIds) ? "" : "siteIds";
 }
 
 }

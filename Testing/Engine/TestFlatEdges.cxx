@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Insertion marks triangles that ties were about, and each flat edge is at one of these.
+/// Insertion marks the triangles at which it met ties, and each flat edge is at one of these.
 #include "CompareTriangulation.h"
 #include "InputsWeighted.h"
 
@@ -58,7 +58,7 @@ public:
   int missed = 0;
 };
 
-TEST(FlatEdges, AreAtTrianglesThatTiesWereAbout)
+TEST(FlatEdges, AreAtMarkedTriangles)
 {
   int flat = 0;
   for (const Family& family : weightedFamilies())

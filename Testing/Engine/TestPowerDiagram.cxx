@@ -4,7 +4,7 @@
 /// Power diagrams fill the box, agree with the power distance, and share their corners.
 /// Sites are a Cloud of (x, y, weight); their triangulations come from CGAL.
 #include "CompareTriangulation.h"
-#include "Inputs.h"
+#include "InputsWeighted.h"
 #include "PowerPolygons.h"
 
 #include "PowerDiagram.h"
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <set>
@@ -176,19 +175,6 @@ PowerDiagram diagramOf(const Cloud& sites, const Triangulation& triangulation, c
       std::binary_search(triangulation.pointIds.begin(), triangulation.pointIds.end(), id));
   }
   return diagram;
-}
-
-Cloud randomSites(int count, double weight, std::uint64_t seed)
-{
-  Random random(seed);
-  Cloud sites;
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = random.uniform();
-    const double y = random.uniform();
-    sites.push_back({ x, y, random.uniform(0, weight) });
-  }
-  return sites;
 }
 
 Cloud gridSites(int side)

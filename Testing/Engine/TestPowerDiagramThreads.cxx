@@ -4,7 +4,8 @@
 /// A power diagram is the same bits on any number of threads, and so is what it refuses. The inputs
 /// have several tasks' worth of sites.
 #include "CompareTriangulation.h"
-#include "Inputs.h"
+#include "InputsWeighted.h"
+#include "PowerPolygons.h"
 
 #include "PowerDiagram.h"
 #include "RegularTriangulation.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <set>
 #include <vector>
 
@@ -26,12 +26,6 @@ namespace
 {
 
 const int Count = isSanitized() ? 9000 : 20000;
-
-template <class T>
-bool sameBits(const Buffer<T>& a, const Buffer<T>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
 
 Triangulation triangulate(const Cloud& sites)
 {
@@ -57,10 +51,7 @@ PowerDiagram expectSameBits(const Cloud& sites, const double* box)
   {
     SCOPED_TRACE(std::to_string(threads) + " threads");
     const PowerDiagram found = diagramOf(sites, triangulation, box, threads);
-    EXPECT_TRUE(sameBits(found.corners, alone.corners));
-    EXPECT_TRUE(sameBits(found.connectivity, alone.connectivity));
-    EXPECT_TRUE(sameBits(found.offsets, alone.offsets));
-    EXPECT_TRUE(sameBits(found.siteIds, alone.siteIds));
+    EXPECT_EQ(bitDifference(found, alone), "");
   }
   return alone;
 }
@@ -77,26 +68,13 @@ void expectFirstUses(const PowerDiagram& diagram)
   EXPECT_EQ(2 * static_cast<std::size_t>(next), diagram.corners.size());
 }
 
-Cloud randomSites(double weight)
-{
-  Random random(71);
-  Cloud sites;
-  for (int i = 0; i < Count; ++i)
-  {
-    const double x = random.uniform();
-    const double y = random.uniform();
-    sites.push_back({ x, y, random.uniform(0, weight) });
-  }
-  return sites;
-}
-
 TEST(PowerDiagramThreads, OfSitesAtRandom)
 {
   // Some are hidden; the box cuts many cells, and leaves most of them out.
   const double box[] = { 0.3, 0.7, 0.4, 0.6 };
   for (const double weight : { 0.0, 1.0 / Count })
   {
-    const PowerDiagram diagram = expectSameBits(randomSites(weight), box);
+    const PowerDiagram diagram = expectSameBits(randomSites(Count, weight, 71), box);
     EXPECT_GT(static_cast<int>(diagram.siteIds.size()), Count / 20);
     EXPECT_LT(static_cast<int>(diagram.siteIds.size()), Count / 10);
     expectFirstUses(diagram);
@@ -172,7 +150,7 @@ TEST(PowerDiagramThreads, OfCentersThatRoundToOne)
 
 TEST(PowerDiagramThreads, TheFirstFaultIsTold)
 {
-  const Cloud sites = randomSites(0.0);
+  const Cloud sites = randomSites(Count, 0.0, 71);
   const double box[] = { 0, 1, 0, 1 };
   for (const std::int64_t from : { Count / 4, Count / 3, Count / 2 })
   {

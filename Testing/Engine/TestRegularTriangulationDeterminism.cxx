@@ -6,8 +6,6 @@
 #include "InputsWeighted.h"
 #include "Threads.h"
 
-#include <tbb/global_control.h>
-
 #include <cmath>
 #include <random>
 #include <thread>
@@ -157,8 +155,6 @@ Cloud crowdedSquare(std::uint64_t seed)
 
 TEST(RegularTriangulationDeterminism, ManyPatchesOfDuplicates)
 {
-  // More threads than this machine may have, so that levels fall into more patches.
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 8);
   // With the first, and without weights, two duplicates were corners of one quadrilateral.
   for (const std::uint64_t seed : { 102880, 1, 2, 3 })
   {
