@@ -192,8 +192,17 @@ public:
   /// May other patches read this vertex's label?
   bool isShared(std::uint32_t vertex) const { return this->shared(vertex); }
 
-  /// A triangle that the last flip left.
-  std::uint32_t recentTriangle() const { return this->recent; }
+  /// Follow a vertex through the flips to come, from one of its triangles on.
+  void follow(std::uint32_t vertex, std::uint32_t triangle)
+  {
+    this->followed = vertex;
+    this->near = triangle;
+  }
+
+  /// A triangle of the followed vertex; one that lies where it was, if it has gone.
+  std::uint32_t followedTriangle() const { return this->near; }
+
+  std::int64_t labelledCount() const { return this->labelled; }
 
   /// Half-edges that a larger patch must check.
   std::vector<std::uint32_t> deferred;
@@ -218,17 +227,29 @@ public:
 private:
   FF_APART void flip22(std::uint32_t h, std::uint32_t* outer)
   {
-    this->recent = triangleOf(h);
     const FlipPlan plan = planFlip22(this->mesh, h);
     flip(this->mesh, plan);
+    this->followThrough(plan);
     std::copy(plan.to, plan.to + 4, outer);
   }
   FF_APART void flip31(std::uint32_t h, std::uint32_t* outer)
   {
-    this->recent = triangleOf(h);
     const FlipPlan plan = planFlip31(this->mesh, h);
     flip(this->mesh, plan);
+    this->followThrough(plan);
     std::copy(plan.to, plan.to + 3, outer);
+  }
+
+  void followThrough(const FlipPlan& plan)
+  {
+    const std::uint32_t* const end = plan.triangle + plan.triangleCount;
+    if (std::find(plan.triangle, end, this->near) != end)
+    {
+      const std::uint32_t* const own = plan.corners[0];
+      const bool stays =
+        plan.triangleCount == 3 || std::find(own, own + 3, this->followed) != own + 3;
+      this->near = plan.triangle[stays ? 0 : 1];
+    }
   }
 
   bool isConcerned(std::uint32_t h)
@@ -342,7 +363,8 @@ private:
   Monitor& monitor;
   std::vector<std::uint32_t> stack;
   std::vector<std::uint32_t> pending;
-  std::uint32_t recent = NoIndex;
+  std::uint32_t followed = NoIndex; ///< a vertex
+  std::uint32_t near = NoIndex;     ///< a triangle
   std::uint32_t sincePoll = 0;
   std::int64_t checks = 0;
   std::int64_t flips22 = 0;

@@ -258,22 +258,42 @@ private:
       this->waiting[count++] = triangleOf(twin);
       this->waiting[count++] = triangleOf(h);
     }
-    // The edges at the new vertex are convex where all edges were before. They may not be where
-    // some wait for a larger patch; or where the new vertex hides one at the patch's border, whose
-    // edges are not all seen from here. Without weights, a duplicate can be hidden so.
     if (stuck || nearBorder || !this->flipper.deferred.empty())
     {
-      this->flipper.pushEdgesAt(halfEdge(child[0], 2));
-      stuck = true;
+      this->flipGenerally(child[0], nearBorder);
     }
-    if (stuck)
+  }
+
+  /// Leave the rest to the Flipper, around the new vertex, at the corner 2 of @p triangle.
+  ///
+  /// The edges at the new vertex are not tested, as long as flips only put triangles at it in the
+  /// place of those it sees: they are convex then, where all edges were before. That is so no more
+  /// - near the border of a patch: the vertex may hide one there, whose edges are not all seen from
+  ///   here (without weights, a duplicate can be hidden so);
+  /// - where some edges wait for a larger patch;
+  /// - after a label: flips at a labelled vertex take its triangles away without regard to the new
+  ///   one.
+  void flipGenerally(std::uint32_t triangle, bool nearBorder)
+  {
+    const std::uint32_t place = this->mesh.triangles[triangle].v[2];
+    this->flipper.follow(place, triangle);
+    bool testOwn = nearBorder || !this->flipper.deferred.empty();
+    for (bool again = true; again; testOwn = true)
     {
-      this->flipper.run();
-      if (this->mesh.triangles[this->last].flags & TriangleDead)
+      if (testOwn)
       {
-        this->last = this->flipper.recentTriangle();
+        const std::uint32_t t = this->flipper.followedTriangle();
+        const std::uint32_t* const v = this->mesh.triangles[t].v;
+        this->flipper.pushEdgesAt(halfEdge(t, static_cast<int>(std::find(v, v + 2, place) - v)));
       }
+      const std::int64_t labelled = this->flipper.labelledCount();
+      const std::size_t deferred = this->flipper.deferred.size();
+      this->flipper.run();
+      again = (this->mesh.vertices[place].flags & VertexAlive) != 0 &&
+        (this->flipper.labelledCount() > labelled ||
+          (!testOwn && this->flipper.deferred.size() > deferred));
     }
+    this->last = this->flipper.followedTriangle();
   }
 
   const Geometry& geometry;
