@@ -67,6 +67,8 @@ private:
     Buffer<Placed> placed; ///< room for all; memory is taken as it is written
     std::size_t placedCount = 0;
     std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
+    std::int64_t lastCell = -1;        ///< of the point that walked last
+    std::uint32_t lastTriangle = 0;    ///< in whose cone that is
     Tally tally;
   };
 
@@ -176,7 +178,12 @@ private:
     p.x[2] = block.x[2][k];
     p.id = id;
     p.flags = 0;
-    const std::uint32_t t = this->locator.locate(local, p, block.cell[k]);
+    // Points that follow each other often lie near each other, too.
+    const std::uint32_t start =
+      block.cell[k] == chunk.lastCell ? chunk.lastTriangle : this->locator.near(p, block.cell[k]);
+    const std::uint32_t t = this->locator.locate(local, p, start);
+    chunk.lastCell = block.cell[k];
+    chunk.lastTriangle = t;
     const auto& plane = this->locator.plane(t);
     const double height = plane.height(p.x);
     if (!(height > plane.error()))

@@ -12,7 +12,8 @@
 ///
 /// Growing wins by what it drops, and does without an order. Where the sample's hull leaves most
 /// points outside, most are vertices: these are inserted along a curve (InsertionBuilder), at a few
-/// flips each wherever they lie, as long as the walks are short.
+/// flips each wherever they lie, as long as the walks are short. Between the two, such as along
+/// curves, the points outside are grown in random levels, or flips would grow with their number.
 #ifndef flipflop_Builder_h
 #define flipflop_Builder_h
 
@@ -138,23 +139,91 @@ private:
     return false;
   }
 
+  /// @param base a convex polyhedron without gaps
   static Polyhedron grow(const BuildTask<Geometry>& task, Polyhedron&& base,
     const PointSubset& subset, Tally& tally, Statistics& statistics)
   {
-    Stopwatch watch;
-    Assignment assignment;
+    const bool last = !subset.ids;
+    const double from = last ? 0.15 : 0.1;
+    const double associated = last ? 0.5 : 0.15;
+    const double to = last ? 0.9 : 0.15;
+    Assignment outside = associate(task, base, subset, from, associated, tally, statistics);
+    const std::size_t count = outside.vertices.size() - base.vertexCount();
+    if (!isCrowded(base, count, tally.statistics))
     {
-      const bool last = !subset.ids;
-      task.monitor.stage(last ? 0.15 : 0.1, last ? 0.5 : 0.15, subset.count);
-      Association<Geometry> association(
-        task.geometry, task.source, base, task.threads, task.monitor);
-      assignment = association.run(subset, tally);
-      statistics.secondsLocate += watch.lap();
-      task.monitor.stage(last ? 0.5 : 0.15, last ? 0.9 : 0.15,
-        static_cast<std::int64_t>(assignment.vertices.size()));
+      return flipGrown(task, std::move(base), std::move(outside), associated, to, tally);
     }
+
+    std::vector<std::uint32_t> ids(count);
+    std::transform(outside.vertices.begin() + base.vertexCount(), outside.vertices.end(),
+      ids.begin(), [](const Vertex& v) { return v.id; });
+    outside = Assignment();
+    std::sort(ids.begin(), ids.end());
+    return growInLevels(task, std::move(base), ids, associated, to, tally, statistics);
+  }
+
+  /// @param ids      ascending
+  /// @param from, to which part of the run's progress this is
+  static Polyhedron growInLevels(const BuildTask<Geometry>& task, Polyhedron&& base,
+    const std::vector<std::uint32_t>& ids, double from, double to, Tally& tally,
+    Statistics& statistics)
+  {
+    Stopwatch watch;
+    const auto count = static_cast<std::uint32_t>(ids.size());
+    PointSubset level;
+    level.ids = ids.data();
+    level.count = count;
+    const InsertionOrder order =
+      insertionOrder(task.source, level, unfoldingOf(task.geometry, base), task.monitor);
+    statistics.secondsLocate += watch.lap();
+    const auto share = [&](double done) { return from + (to - from) * done / count; };
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : order.levelEnds)
+    {
+      if (end < count && end - begin < base.vertexCount())
+      {
+        continue; // with the next
+      }
+      if (begin > 0)
+      {
+        base = compact(std::move(base));
+      }
+      level.ids = order.ids.data() + begin;
+      level.count = end - begin;
+      const double half = share((begin + end) / 2.0);
+      Assignment outside = associate(task, base, level, share(begin), half, tally, statistics);
+      base = flipGrown(task, std::move(base), std::move(outside), half, share(end), tally);
+      begin = end;
+    }
+    return std::move(base);
+  }
+
+  /// Are there many points outside for each triangle, where the rounds before took many flips for
+  /// each vertex? Three or four are usual; along curves they grow with what a triangle has outside.
+  static bool isCrowded(const Polyhedron& base, std::size_t outside, const Statistics& before)
+  {
+    return outside > LeastSampled && outside > 8 * base.vertices.size() &&
+      before.flips22 > 5 * before.insertions;
+  }
+
+  /// @param from, to which part of the run's progress this is
+  static Assignment associate(const BuildTask<Geometry>& task, const Polyhedron& base,
+    const PointSubset& subset, double from, double to, Tally& tally, Statistics& statistics)
+  {
+    Stopwatch watch;
+    task.monitor.stage(from, to, subset.count);
+    Association<Geometry> association(task.geometry, task.source, base, task.threads, task.monitor);
+    Assignment outside = association.run(subset, tally);
+    statistics.secondsLocate += watch.lap();
+    return outside;
+  }
+
+  static Polyhedron flipGrown(const BuildTask<Geometry>& task, Polyhedron&& base,
+    Assignment&& outside, double from, double to, Tally& tally)
+  {
+    task.monitor.stage(from, to, static_cast<std::int64_t>(outside.vertices.size()));
     Patches<Geometry> patches(
-      task.geometry, std::move(base), std::move(assignment), task.options.vBiased, task.monitor);
+      task.geometry, std::move(base), std::move(outside), task.options.vBiased, task.monitor);
     tally.add(patches.run());
     return patches.take();
   }

@@ -43,16 +43,36 @@ FF_HD inline Expansion<16> minor(const Expansion<2>* u, const Expansion<2>* v, i
   return sum(product(u[p], v[q]), product(u[q], v[p]), -1.0);
 }
 
+/// Do the points lie on a line for a reason that comparisons tell: it is parallel to an axis, or
+/// two of them are at one position?
+FF_HD FF_INLINE bool collinearAtAGlance(const double* a, const double* b, const double* c)
+{
+  int ab = 0, bc = 0, ca = 0, all = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool x = a[i] == b[i], y = b[i] == c[i], z = c[i] == a[i];
+    ab += x ? 1 : 0;
+    bc += y ? 1 : 0;
+    ca += z ? 1 : 0;
+    all += x && y ? 1 : 0;
+  }
+  return all >= 2 || ab == 3 || bc == 3 || ca == 3;
+}
+
 /// Signs in expansions, for coordinates within their range.
 struct ExpansionSigns
 {
   /// Sign of det[b - a; c - a; d - a]. Most of what the floating-point filter leaves open is not
   /// zero, only small: twice its precision tells, at a fraction of the expansions' cost. What is
-  /// zero mostly fits integers of fixed size.
+  /// zero mostly comes of points on one edge of a box, or fits integers of fixed size.
   template <int Count>
   FF_HD FF_OUTLINED static int orient3(
     const double* a, const double* b, const double* c, const Row<Count>& d)
   {
+    if (collinearAtAGlance(a, b, c))
+    {
+      return 0;
+    }
     int sign = roundedOrient3(a, b, c, d);
     if (sign != 0 || (Count == 1 && fixedOrient3(a, b, c, d.point[0], sign)))
     {

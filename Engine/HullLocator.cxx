@@ -240,12 +240,12 @@ std::int32_t HullLocator::cellOf(const double* p) const
 }
 
 std::uint32_t HullLocator::locate(
-  const HullGeometry& geometry, const Vertex& p, std::int32_t cell) const
+  const HullGeometry& geometry, const Vertex& p, std::uint32_t start) const
 {
   const double q[3] = { p.x[0] - geometry.kernel()[0], p.x[1] - geometry.kernel()[1],
     p.x[2] - geometry.kernel()[2] };
   const double error = geometry.coneError();
-  std::uint32_t t = this->resolution ? this->hints[cell] : 0;
+  std::uint32_t t = start;
   int entry = -1; // the side we came through
   // Seen from inside a convex polyhedron, no walk meets a triangle twice.
   for (std::uint32_t step = 0; step <= this->count; ++step)

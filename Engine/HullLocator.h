@@ -48,9 +48,15 @@ public:
   /// The cell of one point.
   std::int32_t cellOf(const double* p) const;
 
+  /// A triangle near the points of a cell.
+  std::uint32_t near(const Vertex&, std::int32_t cell) const
+  {
+    return this->resolution ? this->hints[cell] : 0;
+  }
+
   /// The triangle in whose cone p lies, exactly (by perturbation, at a border); any triangle at a
-  /// vertex for a p at the position of that vertex.
-  std::uint32_t locate(const HullGeometry& geometry, const Vertex& p, std::int32_t cell) const;
+  /// vertex for a p at the position of that vertex. The walk starts at @p start.
+  std::uint32_t locate(const HullGeometry& geometry, const Vertex& p, std::uint32_t start) const;
 
   const HullPlane& plane(std::uint32_t triangle) const { return this->cones[triangle].plane; }
 

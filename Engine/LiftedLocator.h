@@ -87,11 +87,17 @@ public:
   /// The cell of one point.
   std::uint32_t cellOf(const double* p) const { return this->grid.cellOf(p[0], p[1]); }
 
-  /// The triangle in whose cone p lies, exactly (by perturbation, at a border); any triangle at a
-  /// vertex for a p at the position of that vertex, weight included.
-  std::uint32_t locate(const Geometry& geometry, const Vertex& p, std::uint32_t cell) const
+  /// A triangle near a point of a cell.
+  std::uint32_t near(const Vertex& p, std::uint32_t cell) const
   {
-    std::uint32_t t = this->grid.valueAt(cell, p.x[0], p.x[1]);
+    return this->grid.valueAt(cell, p.x[0], p.x[1]);
+  }
+
+  /// The triangle in whose cone p lies, exactly (by perturbation, at a border); any triangle at a
+  /// vertex for a p at the position of that vertex, weight included. The walk starts at @p start.
+  std::uint32_t locate(const Geometry& geometry, const Vertex& p, std::uint32_t start) const
+  {
+    std::uint32_t t = start;
     int entry = 3; // the side we came through
     // In a regular triangulation no walk meets a triangle twice.
     for (std::size_t step = 0; step <= this->cones.size(); ++step)

@@ -358,8 +358,8 @@ public:
         {
           return Fault::None;
         }
-        const std::uint32_t* v =
-          this->polyhedron.triangles[locator.locate(local, p, locator.cellOf(p.x))].v;
+        const std::uint32_t start = locator.near(p, locator.cellOf(p.x));
+        const std::uint32_t* v = this->polyhedron.triangles[locator.locate(local, p, start)].v;
         const Vertex& a = this->polyhedron.vertices[v[0]];
         const Vertex& b = this->polyhedron.vertices[v[1]];
         const Vertex& c = this->polyhedron.vertices[v[2]];

@@ -98,6 +98,41 @@ TEST(Predicates, NearlyDegenerate)
   EXPECT_GT(zero, 1000);
 }
 
+TEST(Predicates, OnALineParallelToAnAxis)
+{
+  SCOPED_TRACE(Seed + 6);
+  std::mt19937_64 random(Seed + 6);
+  int zero = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    // Three on such a line, or two at one position; every second case off by a unit somewhere.
+    std::vector<Vertex> v;
+    for (std::uint32_t k = 0; k < 4; ++k)
+    {
+      v.push_back(makeVertex(uniform(random), uniform(random), uniform(random), k));
+    }
+    const auto axis = static_cast<int>(random() % 4);
+    const std::size_t first = random() % 2;
+    for (std::size_t k = first; k < first + 2; ++k)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        v[k + 1].x[j] = j == axis ? v[k + 1].x[j] : v[k].x[j];
+      }
+    }
+    if (i % 2)
+    {
+      double& x = v[random() % 4].x[random() % 3];
+      x = std::nextafter(x, 10.0);
+    }
+    const HullGeometry geometry = geometryOf(v);
+    ASSERT_NO_FATAL_FAILURE(expectAllSigns(geometry, v)) << "case " << i;
+    zero += exactAbove(v[0], v[1], v[2], v[3]) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(zero, 10000);
+  EXPECT_LT(zero, 19000);
+}
+
 TEST(Predicates, FarFromTheOrigin)
 {
   std::mt19937_64 random(Seed + 1);

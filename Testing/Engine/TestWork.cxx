@@ -59,13 +59,11 @@ std::vector<Work> workOf(const Statistics& small, const Statistics& large)
   return all;
 }
 
-/// How much more a point may cost at eight times the size, shuffled or not. Where few points of
-/// curves are vertices, they are grown, and flips grow with them, most for a knot; walks through
-/// slivers are longer the more there are. What that comes to today is the bound.
+/// How much more a point may cost at eight times the size, shuffled or not. Walks through slivers
+/// are longer the more there are. What that comes to today is the bound.
 double mostGrowth(const std::string& name)
 {
-  static const std::map<std::string, double> most = { { "strands", 2.5 }, { "helix", 2.5 },
-    { "knot", 3.5 }, { "near-line", 2 } };
+  static const std::map<std::string, double> most = { { "helix", 2.5 }, { "near-line", 2 } };
   const auto known = most.find(name.substr(0, name.find("-shuffled")));
   return known == most.end() ? 1.5 : known->second;
 }
