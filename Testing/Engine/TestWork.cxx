@@ -156,6 +156,27 @@ TEST(Work, TriangulationsOfShapesInUse)
   }
 }
 
+TEST(Work, HullsThatAreGrownInLevelsAreRight)
+{
+  for (const char* name : { "strands", "strands-shuffled" })
+  {
+    SCOPED_TRACE(name);
+    const Cloud cloud = shape(name, Large);
+    Options options;
+    options.threads = 1;
+    const Hull alone = convexHull(viewOf(cloud), options);
+    // Grown at once, 20 and more.
+    EXPECT_LT(alone.statistics.flips22, 10 * alone.statistics.insertions);
+    const Validation valid = validate(viewOf(cloud), alone);
+    EXPECT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
+    for (const int threads : { 2, 4 })
+    {
+      options.threads = threads;
+      EXPECT_EQ(bitDifference(convexHull(viewOf(cloud), options), alone), "") << threads;
+    }
+  }
+}
+
 /// Patches are as large as users have them, not as small as the other tests make them.
 class PatchesAsUsersHaveThem : public ::testing::Test
 {
