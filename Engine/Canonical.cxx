@@ -8,9 +8,8 @@
 #include "Measure.h"
 #include "Parallel.h"
 
-#include <atomic>
-
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -213,33 +212,46 @@ void writeTriangles(const Buffer<Cell>& cells, Buffer<Triangle>&& memory, CellCo
 void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
   const FacetPolygons& polygons, std::uint32_t pointCount, Monitor& monitor, CellComplex& complex)
 {
-  StepPoll poll(monitor);
   const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
   const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
+  std::vector<std::size_t> next(runCount(cells.size(), Run)); // where each run's corners go
+  eachRun(cells.size(), Run,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      monitor.poll();
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        next[run] += isPolygon(cells[i]) ? polygons.size(number(cells[i])) : 3;
+      }
+    });
+  std::size_t total = 0;
+  for (std::size_t& at : next)
+  {
+    total += std::exchange(at, total);
+  }
   complex.cellSize = 0;
   complex.offsets.allocate(cells.size() + 1);
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    poll.step();
-    complex.offsets[i] = static_cast<std::int64_t>(at);
-    at += isPolygon(cells[i]) ? polygons.size(number(cells[i])) : 3;
-  }
-  complex.offsets[cells.size()] = static_cast<std::int64_t>(at);
-  complex.connectivity.allocate(at);
-  std::int64_t* out = complex.connectivity.data();
-  for (const Cell& cell : cells)
-  {
-    poll.step();
-    if (!isPolygon(cell))
+  complex.offsets[cells.size()] = static_cast<std::int64_t>(total);
+  complex.connectivity.allocate(total);
+  eachRun(cells.size(), Run,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
     {
-      out = std::copy(cell.corner, cell.corner + 3, out);
-      continue;
-    }
-    const std::uint32_t* first = polygons.first(number(cell));
-    out = std::transform(first, first + polygons.size(number(cell)), out,
-      [&rank](std::uint32_t v) { return static_cast<std::int64_t>(rank[v]); });
-  }
+      monitor.poll();
+      std::int64_t* const all = complex.connectivity.data();
+      std::int64_t* out = all + next[run];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        complex.offsets[i] = out - all;
+        if (!isPolygon(cells[i]))
+        {
+          out = std::copy(cells[i].corner, cells[i].corner + 3, out);
+          continue;
+        }
+        const std::uint32_t* first = polygons.first(number(cells[i]));
+        out = std::transform(first, first + polygons.size(number(cells[i])), out,
+          [&rank](std::uint32_t v) { return static_cast<std::int64_t>(rank[v]); });
+      }
+    });
 }
 
 /// The corner of lowest rank.
