@@ -202,6 +202,12 @@ public:
   FF_HD FF_APART int tieAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
+    const FirstTerm first = firstTermOf(a, b, c, p);
+    int turn;
+    if (this->filterPlanar(*first.rest[0], *first.rest[1], *first.rest[2], 1, 2, turn) && turn != 0)
+    {
+      return first.sign * turn;
+    }
     // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
     const Vertex* row[4] = { &a, &b, &c, &p };
     const int sign = -sortById(row);

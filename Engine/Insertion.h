@@ -173,8 +173,10 @@ public:
     if (flat)
     {
       ++this->ties; // the edges at the new vertex are flat, and not tested
-      this->mesh.markTied(halfEdge(child[0], 1));
-      this->mesh.markTied(halfEdge(child[0], 2));
+      for (const std::uint32_t t : child)
+      {
+        this->mesh.markTied(halfEdge(t, 1));
+      }
     }
     this->flipIn(child, p, inside);
     return true;
@@ -232,6 +234,10 @@ private:
         if (flat)
         {
           this->mesh.markTied(h);
+        }
+        if (!inside && ((a.flags | b.flags) & VertexVirtual))
+        {
+          this->last = triangleOf(h); // outside, the next point may well be, too
         }
         continue;
       }

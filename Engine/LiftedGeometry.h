@@ -217,6 +217,12 @@ public:
         (p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual);
       return twice ? 0 : this->tieTurn(verticesAbove(a, b, c, p));
     }
+    const FirstTerm first = firstTermOf(a, b, c, p);
+    int turn;
+    if (this->filterOrient(first.rest[0]->x, first.rest[1]->x, first.rest[2]->x, turn) && turn != 0)
+    {
+      return first.sign * turn;
+    }
     // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
     const Vertex* row[4] = { &a, &b, &c, &p };
     const int sign = -sortById(row);

@@ -25,7 +25,7 @@ namespace flipflop
 struct alignas(32) Triangle
 {
   std::uint32_t v[3];    ///< corners, counter-clockwise from outside
-  std::uint32_t flags;   ///< TriangleDead; or bit e: half-edge e waits to be checked, TriangleTied
+  std::uint32_t flags;   ///< TriangleDead; or bit e: half-edge e waits to be checked, EdgeTied
   std::uint32_t twin[3]; ///< opposite half-edges, or border slots
   std::uint32_t
     index; ///< a new number, which edges are flat, or the round of a split; 0 until then
@@ -33,9 +33,10 @@ struct alignas(32) Triangle
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;
 
-/// The triangle came of a flip or a split that only the perturbation decided, or an edge of it was
-/// found flat when it was tested. See Polyhedron::tiesMarked.
-constexpr std::uint32_t TriangleTied = 8;
+/// Shifted by e: the edge e came of a flip or a split that only the perturbation decided, or was
+/// found flat when it was tested. Both its half-edges are marked. See Polyhedron::tiesMarked.
+constexpr std::uint32_t EdgeTied = 8;
+constexpr std::uint32_t EdgesTied = 7 * EdgeTied;
 
 FF_HD constexpr int nextCorner(int e)
 {
@@ -79,11 +80,12 @@ struct Mesh
   FF_HD std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
   FF_HD std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
 
-  /// Mark both triangles at the edge of h.
+  /// Mark the edge of h, on both sides.
   void markTied(std::uint32_t h) const
   {
-    this->triangles[triangleOf(h)].flags |= TriangleTied;
-    this->triangles[triangleOf(this->twin(h))].flags |= TriangleTied;
+    const std::uint32_t other = this->twin(h);
+    this->triangles[triangleOf(h)].flags |= EdgeTied << cornerOf(h);
+    this->triangles[triangleOf(other)].flags |= EdgeTied << cornerOf(other);
   }
 
   /// Make h and other (a half-edge or a border slot) each other's opposite.
@@ -178,22 +180,32 @@ FF_HD FF_INLINE void replaceTriangles(const Mesh& mesh, const FlipPlan& plan)
   mesh.triangles[plan.triangle[2]].flags = TriangleDead;
 }
 
-/// Flip at once: for one thread in a patch of its own.
+/// Flip at once: for one thread in a patch of its own. The outer edges keep their marks.
 FF_INLINE void flip(const Mesh& mesh, const FlipPlan& plan)
 {
   std::uint32_t other[4];
+  std::uint32_t tied[4];
+  std::uint32_t anyTied = 0;
   for (int i = 0; i < plan.outerCount; ++i)
   {
-    other[i] = mesh.twin(plan.from[i]);
+    const Triangle& triangle = mesh.triangles[triangleOf(plan.from[i])];
+    other[i] = triangle.twin[cornerOf(plan.from[i])];
+    tied[i] = triangle.flags >> cornerOf(plan.from[i]) & EdgeTied;
+    anyTied |= tied[i];
   }
   replaceTriangles(mesh, plan);
   for (int i = 0; i < plan.outerCount; ++i)
   {
     mesh.link(plan.to[i], other[i]);
   }
+  for (int i = 0; anyTied && i < plan.outerCount; ++i)
+  {
+    mesh.triangles[triangleOf(plan.to[i])].flags |= tied[i] << cornerOf(plan.to[i]);
+  }
 }
 
 /// Split the triangle abc of @p child[0] by the vertex v into abv, bcv and cav: child[0], [1], [2].
+/// Its edges keep their marks.
 inline void splitTriangle(const Mesh& mesh, const std::uint32_t* child, std::uint32_t v)
 {
   const Triangle parent = mesh.triangles[child[0]];
@@ -203,7 +215,7 @@ inline void splitTriangle(const Mesh& mesh, const std::uint32_t* child, std::uin
     triangle.v[0] = parent.v[i];
     triangle.v[1] = parent.v[nextCorner(i)];
     triangle.v[2] = v;
-    triangle.flags = 0;
+    triangle.flags = parent.flags >> i & EdgeTied;
     triangle.index = 0;
     triangle.twin[1] = halfEdge(child[nextCorner(i)], 2);
     triangle.twin[2] = halfEdge(child[previousCorner(i)], 1);

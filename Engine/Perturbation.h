@@ -175,6 +175,27 @@ FF_HD int sortById(const Vertex* (&row)[Count])
   return sign;
 }
 
+/// The term that decides most ties of "above": the vertex of lowest id is moved most, in the first
+/// coordinate (lifted: in its height). Its row and that column are struck out, so the tie's sign is
+/// @p sign times the orientation of the three others in the two other coordinates. Where that is
+/// zero, a later term decides.
+struct FirstTerm
+{
+  const Vertex* rest[3];
+  int sign;
+};
+
+FF_HD inline FirstTerm firstTermOf(
+  const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+{
+  const bool inFront = (a.id < b.id ? a.id : b.id) < (c.id < p.id ? c.id : p.id);
+  if (inFront)
+  {
+    return a.id < b.id ? FirstTerm{ { &b, &c, &p }, -1 } : FirstTerm{ { &a, &c, &p }, 1 };
+  }
+  return c.id < p.id ? FirstTerm{ { &a, &b, &p }, -1 } : FirstTerm{ { &a, &b, &c }, 1 };
+}
+
 /// Sign of the perturbed determinant of the rows (r, 1) and last, whose unperturbed value is zero.
 /// Never zero.
 /// @tparam Order Columns + 1 rows

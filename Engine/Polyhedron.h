@@ -33,15 +33,17 @@ struct Polyhedron
   Buffer<Triangle> triangles;
   std::vector<Piece> pieces; ///< of a size that suits a task
 
-  /// Has each flat edge a triangle that is marked TriangleTied, on one side or both?
+  /// Is each flat edge marked EdgeTied, or at a triangle without area that has a marked edge?
   ///
-  /// After every insertion it has, where all points are extreme. An edge that was tested as it is
-  /// now was a tie, and that marked both its triangles. Not tested are the edges at the new vertex
-  /// v. If one is flat and its triangles have area, then v joins a facet that was there before:
-  /// v's triangles on it come of flips inside it, which are ties, and mark what they make. A
-  /// triangle without area comes of a tied flip or split, or one of its edges is tested next, and
-  /// is a tie. Where edges wait for a larger patch (Flipper::deferred), v's edges are tested, too,
-  /// or the mesh but for those that wait is Delaunay, and the same holds.
+  /// After every insertion it is, where all points are extreme. An edge that was tested as it is
+  /// now was a tie, and marked. Not tested are the edges at the new vertex v. Say that one, to u,
+  /// is flat, and its triangles have area. Then v joins a facet that was there before, u is a
+  /// corner of it, and v's triangles on it come of flips inside it, which are ties. From v, the
+  /// corners of a convex facet all lie beyond the chord of its outermost two, so the flip that
+  /// brought u between them crossed a chord, and made this very edge, marked. The flips beside it
+  /// keep the mark. A triangle without area comes of a tied flip or split, or one of its edges is
+  /// tested next, and is a tie. Where edges wait for a larger patch (Flipper::deferred), v's edges
+  /// are tested, too, or the mesh but for those that wait is Delaunay, and the same holds.
   ///
   /// It does not hold for points with weights. They can hide vertices above a facet that they
   /// join, so their edges may be flat without a tie.

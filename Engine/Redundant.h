@@ -47,17 +47,17 @@ public:
     {
       return false;
     }
-    const std::vector<std::uint32_t> flat = this->flatEdges();
-    if (flat.empty())
+    const FlatEdges flat = this->findFlat();
+    if (!flat.any)
     {
       return false;
     }
     this->markFlat(flat);
     this->judged.resize(this->polyhedron.vertexCount());
-    this->labelDuplicates(flat);
+    this->labelDuplicates(flat.withoutLength);
     if (!Geometry::AllExtreme)
     {
-      this->labelNotStrictlyExtreme(flat);
+      this->labelNotStrictlyExtreme(flat.found);
     }
     if (this->redundant.empty())
     {
@@ -139,15 +139,34 @@ private:
     int count = 0;
   };
 
-  /// One half-edge of each edge whose two triangles are exactly coplanar.
-  std::vector<std::uint32_t> flatEdges()
+  /// Edges whose two triangles are exactly coplanar.
+  struct FlatEdges
+  {
+    bool any = false;
+    std::vector<std::uint32_t> found; ///< one half-edge of each; none where all points are extreme
+    /// Half-edges between vertices of one position, from one side or both, some more than once.
+    std::vector<std::uint32_t> withoutLength;
+  };
+
+  /// use(e) for each edge that the flags mark: in grids that is one of each triangle, at any place,
+  /// so no branch asks for each place.
+  template <class Use>
+  static void eachTiedEdge(std::uint32_t flags, Use&& use)
+  {
+    for (std::uint32_t left = flags & EdgesTied; left != 0; left &= left - 1)
+    {
+      use(left & EdgeTied ? 0 : left & EdgeTied << 1 ? 1 : 2);
+    }
+  }
+
+  /// Look at all edges, or where ties are marked, at those. The mark EdgeTied tells then on the
+  /// lower side of each edge whether it is flat; edges of triangles without area may be missed.
+  FlatEdges findFlat()
   {
     const std::size_t pieceCount = this->polyhedron.pieces.size();
-    std::vector<std::vector<std::uint32_t>> found(pieceCount);
+    std::vector<FlatEdges> parts(pieceCount);
     std::vector<Geometry> local(pieceCount, this->geometry);
-    const Mesh mesh = this->polyhedron.mesh();
-    const auto mayHaveFlat = [mesh, all = !this->polyhedron.tiesMarked](std::uint32_t t)
-    { return all || (mesh.triangles[t].flags & TriangleTied) != 0; };
+    const std::uint32_t before = this->polyhedron.tiesMarked ? 0 : EdgesTied;
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t piece)
       {
@@ -155,55 +174,78 @@ private:
         {
           this->monitor.poll();
         }
-        if (!mayHaveFlat(t))
-        {
-          return;
-        }
-        const Triangle& triangle = mesh.triangles[t];
-        for (int e = 0; e < 3; ++e)
-        {
-          const std::uint32_t h = halfEdge(t, e);
-          const std::uint32_t twin = triangle.twin[e];
-          if ((h < twin || !mayHaveFlat(triangleOf(twin))) &&
-            local[piece].above(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
-              mesh.vertices[triangle.v[2]],
-              mesh.vertices[mesh.origin(previousHalfEdge(twin))]) == 0)
+        std::uint32_t& flags = this->polyhedron.triangles[t].flags;
+        flags |= before;
+        eachTiedEdge(flags,
+          [&](int e)
           {
-            found[piece].push_back(h);
-          }
-        }
+            if (!this->isFlat(local[piece], halfEdge(t, e), parts[piece]))
+            {
+              flags &= ~(EdgeTied << e);
+            }
+          });
       });
-    std::vector<std::uint32_t> flat;
+    FlatEdges flat;
     for (std::size_t piece = 0; piece < pieceCount; ++piece)
     {
-      flat.insert(flat.end(), found[piece].begin(), found[piece].end());
+      const FlatEdges& part = parts[piece];
+      flat.any = flat.any || part.any;
+      flat.found.insert(flat.found.end(), part.found.begin(), part.found.end());
+      flat.withoutLength.insert(
+        flat.withoutLength.end(), part.withoutLength.begin(), part.withoutLength.end());
       this->tally.addPredicates(local[piece], this->geometry);
     }
     return flat;
   }
 
+  /// Is the edge of a half-edge flat? Asked on its lower side; on the other, it is left open.
+  bool isFlat(const Geometry& local, std::uint32_t h, FlatEdges& part) const
+  {
+    const Polyhedron& surface = this->polyhedron;
+    const Triangle& triangle = surface.triangles[triangleOf(h)];
+    const std::uint32_t twin = triangle.twin[cornerOf(h)];
+    if (twin < h)
+    {
+      return true;
+    }
+    const Triangle& other = surface.triangles[triangleOf(twin)];
+    const Vertex* const v = surface.vertices.data();
+    if (local.above(v[triangle.v[0]], v[triangle.v[1]], v[triangle.v[2]],
+          v[other.v[previousCorner(cornerOf(twin))]]) != 0)
+    {
+      return false;
+    }
+    part.any = true;
+    if (!Geometry::AllExtreme)
+    {
+      part.found.push_back(h);
+    }
+    for (const std::uint32_t side :
+      { h, nextHalfEdge(h), previousHalfEdge(h), nextHalfEdge(twin), previousHalfEdge(twin) })
+    {
+      const std::uint32_t* const corner = surface.triangles[triangleOf(side)].v;
+      if (samePosition(v[corner[cornerOf(side)]], v[corner[nextCorner(cornerOf(side))]]))
+      {
+        part.withoutLength.push_back(side);
+      }
+    }
+    return true;
+  }
+
   /// Vertices at a strictly extreme position are connected by edges without length, which are flat.
   /// All but the lowest id are labelled; it too, where the position is not strictly extreme.
-  void labelDuplicates(const std::vector<std::uint32_t>& flat)
+  void labelDuplicates(const std::vector<std::uint32_t>& withoutLength)
   {
     const Mesh mesh = this->polyhedron.mesh();
     const auto idAt = [&mesh](std::uint32_t h) { return mesh.vertices[mesh.origin(h)].id; };
     LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() }; // of ids
     std::vector<std::uint32_t> ends;
-    for (const std::uint32_t h : flat)
+    for (const std::uint32_t side : withoutLength)
     {
-      const std::uint32_t* const v = mesh.triangles[triangleOf(h)].v;
-      for (int e = 0; e < 3; ++e)
-      {
-        if (samePosition(mesh.vertices[v[e]], mesh.vertices[v[nextCorner(e)]]))
-        {
-          const std::uint32_t side = halfEdge(triangleOf(h), e);
-          const std::uint32_t twin = mesh.twin(side);
-          lowest.join(idAt(side), idAt(twin));
-          ends.push_back(side);
-          ends.push_back(twin);
-        }
-      }
+      const std::uint32_t twin = mesh.twin(side);
+      lowest.join(idAt(side), idAt(twin));
+      ends.push_back(side);
+      ends.push_back(twin);
     }
     std::sort(ends.begin(), ends.end(),
       [&](std::uint32_t a, std::uint32_t b) {
@@ -289,17 +331,38 @@ private:
   }
 
   /// Bit e of a triangle's index: its edge e is flat.
-  void markFlat(const std::vector<std::uint32_t>& flat)
+  void markFlat(const FlatEdges& flat)
   {
     const Mesh mesh = this->polyhedron.mesh();
+    this->polyhedron.eachTriangle(
+      [&](std::uint32_t t, std::size_t)
+      {
+        if ((t & 0xFFF) == 0)
+        {
+          this->monitor.poll();
+        }
+        Triangle& triangle = mesh.triangles[t];
+        eachTiedEdge(triangle.flags,
+          [&](int e)
+          {
+            const std::uint32_t h = std::min(halfEdge(t, e), triangle.twin[e]);
+            triangle.index |= (mesh.triangles[triangleOf(h)].flags / EdgeTied >> cornerOf(h) & 1)
+              << e;
+          });
+      });
+    // A triangle without area is flat to all sides.
     StepPoll poll(this->monitor);
-    for (const std::uint32_t h : flat)
+    for (const std::uint32_t side : flat.withoutLength)
     {
       poll.step();
-      for (const std::uint32_t side : { h, mesh.twin(h) })
+      for (const std::uint32_t strip : { triangleOf(side), triangleOf(mesh.twin(side)) })
       {
-        Triangle& triangle = mesh.triangles[triangleOf(side)];
-        triangle.index |= 1u << cornerOf(side);
+        for (int e = 0; e < 3; ++e)
+        {
+          const std::uint32_t twin = mesh.triangles[strip].twin[e];
+          mesh.triangles[strip].index |= 1u << e;
+          mesh.triangles[triangleOf(twin)].index |= 1u << cornerOf(twin);
+        }
       }
     }
   }
