@@ -36,17 +36,48 @@ class Record:
     run: Task
 
 
-def _first_argument(body, name):
-    """The first template argument of the function in a type's name, without what it nests."""
-    begin = body.find(f"::{name}<")
-    depth, text = 0, ""
-    for letter in body[begin + len(name) + 3 :] if begin >= 0 else "":
+def _nested(text, begin):
+    """What stands before the bracket that ends the list of arguments, or a comma of that list."""
+    depth = 0
+    for end in range(begin, len(text)):
+        letter = text[end]
         depth -= letter in ">)"
         if depth < 0 or (depth == 0 and letter == ","):
-            break
-        text += letter if depth == 0 else ""
+            return text[begin:end]
         depth += letter in "<("
-    return text
+    return text[begin:]
+
+
+def _owner(body):
+    """The function that a lambda was written in, its number there, and that function's first
+    template argument; None for any other type."""
+    flat, depth = "", 0
+    for letter in body:
+        depth -= letter in ">)"
+        flat += letter if depth == 0 else ""
+        depth += letter in "<("
+    owner = re.search(r"(\w+)[<>()]*(?: const)?::\{lambda\(\)(#\d+)\}$", flat)
+    if not owner:
+        return None
+    name, number = owner.groups()
+    begin = body.find(f"{name}<")
+    argument = _nested(body, begin + len(name) + 1) if begin >= 0 else ""
+    return name, number, argument
+
+
+def _words(mangled):
+    """The functions that a mangled name tells of: what the demangler leaves so, is read roughly."""
+    words, at = [], 0
+    while number := re.compile(r"\d+").search(mangled, at):
+        at = number.end() + int(number.group())
+        word = mangled[number.end() : at]
+        if word[:1].islower() and word != "flipflop" and word not in words:
+            words.append(word)
+    return words
+
+
+# They call a body, and tell nothing of their own.
+PASSED_THROUGH = ("eachTask", "eachRun")
 
 
 def place_name(place):
@@ -54,14 +85,20 @@ def place_name(place):
 
     #2 is the second lambda of the function before it.
     """
-    names = [re.match(r"\w*", place["function"]).group()]
-    while True:
-        argument = _first_argument(place["body"], names[-1].partition("#")[0])
-        caller = re.search(r"(\w+)[<>()]*(?: const)?::\{lambda\(\)(#\d+)\}", argument)
-        if not caller or "".join(caller.groups()) in names:
+    function = re.match(r"\w*", place["function"]).group()
+    names, body = [], place["body"]
+    while owner := _owner(body):
+        if names or owner[0] != function:
+            names.append(owner[0] + owner[1])
+        elif not owner[2]:
             break
-        names.append("".join(caller.groups()))
-    return f"{os.path.basename(place['file'])}:{place['line']} {' of '.join(names)}"
+        body = owner[2]
+    if not names and body.startswith("ZN"):
+        names = _words(body)
+    told = [name for name in names if name.partition("#")[0] not in PASSED_THROUGH]
+    if told and function in PASSED_THROUGH:
+        return " of ".join(told)
+    return f"{os.path.basename(place['file'])}:{place['line']} {' of '.join([function] + told)}"
 
 
 def sort_task(work, count, place):

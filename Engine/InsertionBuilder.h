@@ -116,12 +116,16 @@ public:
           InsertionLevel<Geometry> level(
             task.geometry, result, inUse, task.options.vBiased, task.monitor);
           const std::size_t border = level.divide(begin, end, parts, tally);
-          joinsPay = !tells || border < size / 10;
-          if (joinsPay)
+          if (border < size / 10 || !tells)
           {
             joinsPay = level.insert(tally) < size / 4 || !tells;
             inUse = level.trianglesInUse();
             isInserted = true;
+          }
+          else
+          {
+            // Most triangles of a large mesh have no point of a small level, and many no patch.
+            joinsPay = size < 2 * inUse;
           }
         }
       }

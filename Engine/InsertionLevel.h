@@ -7,8 +7,12 @@
 /// as it is; a triangle with all of its points goes to the first chunk that has one there. So the
 /// mesh falls into patches, each near one piece of the curve, and a task inserts a patch's points
 /// in it alone. A star-shaped polyhedron may wait with its flips: edges at the border of a patch
-/// are tested when all patches are done, on the whole. So wait the few points whose walk would
-/// leave their patch, and labels of vertices that several patches share.
+/// are tested when both sides are done. So wait the few points whose walk would leave their patch,
+/// and labels of vertices that several patches share.
+///
+/// Patches are joined in pairs, and so on up a tree: height h joins 2^h that follow each other on
+/// the curve. A task joins two neighbours, tests the edges between them, and does what waited for
+/// that. What still has to wait goes up.
 ///
 /// A triangle at the border names no neighbour but a slot, see Mesh.h.
 #ifndef flipflop_InsertionLevel_h
@@ -71,12 +75,17 @@ public:
   }
 
   /// Insert the vertices, after divide().
-  /// @return how many flips waited for the whole
+  /// @return how many flips waited for a join
   std::int64_t insert(Tally& tally)
   {
     this->separate();
     eachPart([&](std::uint32_t k) { this->insertPart(k); });
-    return this->join(tally);
+    for (std::uint32_t height = 1; height <= this->top(); ++height)
+    {
+      eachTask(this->joints[height].size(),
+        [&](std::size_t k) { this->join(height, static_cast<std::uint32_t>(k)); });
+    }
+    return this->end(tally);
   }
 
   /// How many triangles are in use after insert(), some of them dead.
@@ -88,11 +97,16 @@ private:
   /// Bit of an owner that took its triangle from a neighbour.
   static constexpr std::uint32_t Adopted = 0x80000000u;
 
+  /// Does a vertex have triangles outside of what is joined at this height?
   struct SharedOutside
   {
-    const std::uint8_t* shared; ///< by vertex of the base
+    const std::uint8_t* innerAt; ///< by vertex of the base: the height from which on it has none
     std::uint32_t count;
-    bool operator()(std::uint32_t v) const { return v < this->count && this->shared[v] != 0; }
+    std::uint32_t height;
+    bool operator()(std::uint32_t v) const
+    {
+      return v<this->count&& this->innerAt[v]> this->height;
+    }
   };
   using PatchFlipper = Flipper<Geometry, SharedOutside>;
 
@@ -108,7 +122,8 @@ private:
     std::uint32_t firstFree;           ///< triangle
     std::uint32_t lastFree;
     std::vector<std::uint32_t> blocked;  ///< places: of points that wait
-    std::vector<std::uint32_t> deferred; ///< half-edges that wait
+    std::vector<std::uint32_t> deferred; ///< half-edges that wait; of what is joined, the first's
+    std::int64_t waited = 0;             ///< flips, likewise
     Tally tally;
   };
 
@@ -269,16 +284,45 @@ private:
     }
   }
 
-  /// Let the patches' borders name slots, and mark the vertices there.
+  /// The height at which all patches are joined.
+  std::uint32_t top() const
+  {
+    return heightOf(0, static_cast<std::uint32_t>(this->patches.size()) - 1);
+  }
+
+  /// The height at which two patches are joined.
+  static std::uint32_t heightOf(std::uint32_t a, std::uint32_t b)
+  {
+    std::uint32_t height = 0;
+    while (a >> height != b >> height)
+    {
+      ++height;
+    }
+    return height;
+  }
+
+  /// Let the patches' borders name slots, and tell where each is joined.
   void separate()
   {
     this->slots.allocate(4 * std::size_t(this->inUse));
     this->mesh.border = this->slots.data();
     this->mesh.borderBegin = NoIndex - 4 * this->inUse;
-    this->shared.assign(this->vertexCount, 0);
+    this->innerAt.assign(this->vertexCount, 0);
+    const std::uint32_t root = this->top();
+    this->joints.resize(root + 1);
+    for (std::uint32_t height = 1; height <= root; ++height)
+    {
+      this->joints[height].resize(runCount(this->patches.size(), std::size_t(1) << height));
+    }
     for (const BorderEdge& edge : this->border)
     {
-      this->shared[this->mesh.origin(edge.halfEdge)] = 1;
+      const std::uint32_t own = this->ownerOf(triangleOf(edge.halfEdge));
+      const std::uint32_t other = this->ownerOf(triangleOf(edge.twin));
+      const bool toNone = own == NoIndex || other == NoIndex;
+      const std::uint32_t height = toNone ? root : heightOf(own, other);
+      this->joints[height][toNone ? 0 : own >> height].push_back(edge);
+      std::uint8_t& innerAt = this->innerAt[this->mesh.origin(edge.halfEdge)];
+      innerAt = std::max(innerAt, static_cast<std::uint8_t>(height));
       this->mesh.link(edge.halfEdge, this->mesh.borderBegin + edge.halfEdge);
     }
   }
@@ -291,8 +335,7 @@ private:
       return;
     }
     const Geometry local = this->geometry;
-    PatchFlipper flipper(local, this->mesh, SharedOutside{ this->shared.data(), this->vertexCount },
-      this->vBiased, this->monitor);
+    PatchFlipper flipper(local, this->mesh, this->sharedOutside(0), this->vBiased, this->monitor);
     const std::uint32_t first = this->foundAt(patch.places[0]);
     Insertion<Geometry, SharedOutside> insertion(
       local, this->mesh, flipper, first, patch.firstFree, patch.lastFree);
@@ -315,50 +358,93 @@ private:
     patch.tally.addPredicates(local, this->geometry);
   }
 
-  /// Link the patches, and do what has waited.
-  /// @return the number of flips
-  std::int64_t join(Tally& tally)
+  SharedOutside sharedOutside(std::uint32_t height) const
   {
-    for (const BorderEdge& edge : this->border)
+    return { this->innerAt.data(), this->vertexCount, height };
+  }
+
+  /// Join the two halves of the 2^height patches from k * 2^height on, and do what waited for that.
+  void join(std::uint32_t height, std::uint32_t k)
+  {
+    const auto parts = static_cast<std::uint32_t>(this->patches.size());
+    const std::uint32_t first = k << height;
+    const std::uint32_t middle = first + (1u << (height - 1));
+    if (middle >= parts)
+    {
+      return; // the first half is all there is
+    }
+    const std::uint32_t last = std::min(parts, (k + 1) << height);
+    const std::vector<BorderEdge>& edges = this->joints[height][k];
+    Patch& head = this->patches[first];
+    for (const BorderEdge& edge : edges)
     {
       this->mesh.link(this->slots[edge.halfEdge], this->slots[edge.twin]);
     }
     const Geometry local = this->geometry;
-    const auto notShared = [](std::uint32_t) { return false; };
-    Flipper<Geometry, decltype(notShared)> flipper(
-      local, this->mesh, notShared, this->vBiased, this->monitor);
-    for (Patch& patch : this->patches)
+    PatchFlipper flipper(
+      local, this->mesh, this->sharedOutside(height), this->vBiased, this->monitor);
+    for (Patch* half : { &head, &this->patches[middle] })
     {
-      for (const std::uint32_t h : patch.deferred)
+      for (const std::uint32_t h : std::exchange(half->deferred, {}))
       {
         flipper.push(h);
       }
-      tally.add(std::move(patch.tally));
     }
-    for (const BorderEdge& edge : this->border)
+    for (const BorderEdge& edge : edges)
     {
       flipper.push(this->slots[edge.halfEdge]);
     }
-    const std::int64_t flips = tally.statistics.flips22;
+    const std::int64_t flips = head.tally.statistics.flips22;
     flipper.run();
+    for (std::uint32_t p = first; p < last; ++p)
+    {
+      this->insertBlocked(this->patches[p], local, flipper, height == this->top(), head.tally);
+    }
+    ensure(height < this->top() || flipper.deferred.empty());
+    head.deferred = std::move(flipper.deferred);
+    flipper.addTo(head.tally);
+    head.tally.addPredicates(local, this->geometry);
+    head.waited += head.tally.statistics.flips22 - flips;
+  }
+
+  /// Insert a patch's points that waited for a join.
+  /// @param all of them must be; else those whose way is still too far wait on
+  void insertBlocked(
+    Patch& patch, const Geometry& local, PatchFlipper& flipper, bool all, Tally& tally)
+  {
+    if (patch.blocked.empty())
+    {
+      return;
+    }
+    const std::uint32_t start = all ? this->anyTriangle() : this->foundAt(patch.blocked[0]);
+    Insertion<Geometry, SharedOutside> insertion(
+      local, this->mesh, flipper, start, patch.firstFree, this->patches.back().lastFree);
+    for (const std::uint32_t place : std::exchange(patch.blocked, {}))
+    {
+      if (!insertion.insertFrom(this->foundAt(place), place) && !insertion.insert(place))
+      {
+        ensure(!all);
+        patch.blocked.push_back(place);
+      }
+    }
+    patch.firstFree = insertion.firstFree();
+    insertion.addTo(tally);
+  }
+
+  /// @return how many flips waited for a join
+  std::int64_t end(Tally& tally)
+  {
+    std::int64_t waited = 0;
     for (Patch& patch : this->patches)
     {
-      Insertion<Geometry, decltype(notShared)> insertion(local, this->mesh, flipper,
-        this->anyTriangle(), patch.firstFree, this->patches.back().lastFree);
-      for (const std::uint32_t place : patch.blocked)
-      {
-        ensure(insertion.insertFrom(this->foundAt(place), place) || insertion.insert(place));
-      }
-      for (std::uint32_t t = insertion.firstFree(); t < patch.lastFree; ++t)
+      for (std::uint32_t t = patch.firstFree; t < patch.lastFree; ++t)
       {
         this->mesh.triangles[t].flags = TriangleDead;
       }
-      insertion.addTo(tally);
+      waited += patch.waited;
+      tally.add(std::move(patch.tally));
     }
-    ensure(flipper.deferred.empty());
-    flipper.addTo(tally);
-    tally.addPredicates(local, this->geometry);
-    return tally.statistics.flips22 - flips;
+    return waited;
   }
 
   const Geometry& geometry;
@@ -374,7 +460,8 @@ private:
   std::vector<Patch> patches;
   std::vector<BorderEdge> border;
   Buffer<std::uint32_t> slots;
-  std::vector<std::uint8_t> shared;
+  std::vector<std::uint8_t> innerAt;                        ///< see SharedOutside
+  std::vector<std::vector<std::vector<BorderEdge>>> joints; ///< by height, and which there
 };
 
 }

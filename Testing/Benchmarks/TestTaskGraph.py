@@ -186,6 +186,18 @@ class TestRecords(unittest.TestCase):
             place_name(place("for", 7, each, "each<X>")), "A.h:7 each of cut#3 of run#2"
         )
 
+    def test_names_without_what_passes_bodies_on(self):
+        scan = "flipflop::scan(flipflop::Points const&)::{lambda(long)#1}"
+        self.assertEqual(place_name(place("for", 7, scan, "eachTask<X>")), "scan#1")
+        run = "flipflop::(anonymous namespace)::Sorter::sort(int*) const::{lambda(long, long)#2}"
+        inner = f"flipflop::(anonymous namespace)::eachRun<{run}>(long, {run}&&)::{{lambda(long)#1}}"
+        outer = f"flipflop::eachRun<{inner}>(long, {inner} const&)::{{lambda(long)#1}}"
+        self.assertEqual(place_name(place("for", 7, outer, "eachTask<X>")), "sort#2")
+        mangled = "ZN8flipflop7eachRunIZNS_11numberFoundIZNS_14insertionOrderERKNS_11PointSourceE"
+        self.assertEqual(
+            place_name(place("for", 7, mangled, "eachTask<X>")), "numberFound of insertionOrder"
+        )
+
     def test_places_of_one_name_are_told_apart(self):
         twice = {**DATA, "places": [place("for", 1), place("invoke", 1), place("sort", 3)]}
         run = parse(twice).run
