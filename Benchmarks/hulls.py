@@ -14,16 +14,16 @@ TARGETS = {
     "ball": ("qhull", {10**6: (6, 10), 10**7: (12, 20)}),
     "box:0.01": ("qhull", {10**6: (6, 10), 10**7: (12, 20)}),
     "shell:0.01": ("qhull", {10**6: (5, 9), 10**7: (5, 9)}),
-    "shell:0.0001": ("qhull", {10**6: (6, 10), 10**7: (6, 10)}),
-    "shell:0": ("qhull", {10**6: (8, 14), 10**7: (8, 14)}),
+    "shell:0.0001": ("qhull", {10**6: (9, 17), 10**7: (9, 17)}),
+    "shell:0": ("qhull", {10**6: (13, 24), 10**7: (13, 24)}),
     "grid": ("cgal", {10**6: (5, 8), 10**7: (5, 8)}),
     "surface-grid": ("cgal", {10**6: (5, 8), 10**7: (5, 8)}),
     "rotated-grid": ("cgal", {10**6: (5, 8), 10**7: (5, 8)}),
     "duplicates": ("cgal", {10**6: (5, 8), 10**7: (5, 8)}),
 }
 # Bytes a point beyond the input, at the peak: all points extreme, few of them extreme.
-MEMORY_TARGETS = {"shell:0": 200}
-FEW_EXTREME = 60
+MEMORY_TARGETS = {"shell:0": 160}
+FEW_EXTREME = 20
 
 
 def speedups(results, name, n, contender, threads):
