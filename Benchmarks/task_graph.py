@@ -67,8 +67,9 @@ def _owner(body):
 
 def _words(mangled):
     """The functions that a mangled name tells of: what the demangler leaves so, is read roughly."""
+    length = re.compile(r"\d+")
     words, at = [], 0
-    while number := re.compile(r"\d+").search(mangled, at):
+    while number := length.search(mangled, at):
         at = number.end() + int(number.group())
         word = mangled[number.end() : at]
         if word[:1].islower() and word != "flipflop" and word not in words:

@@ -105,7 +105,7 @@ private:
     std::uint32_t height;
     bool operator()(std::uint32_t v) const
     {
-      return v<this->count&& this->innerAt[v]> this->height;
+      return v < this->count && this->height < this->innerAt[v];
     }
   };
   using PatchFlipper = Flipper<Geometry, SharedOutside>;

@@ -148,8 +148,7 @@ private:
     std::vector<std::uint32_t> withoutLength;
   };
 
-  /// use(e) for each edge that the flags mark: in grids that is one of each triangle, at any place,
-  /// so no branch asks for each place.
+  /// use(e) for each edge that the flags mark.
   template <class Use>
   static void eachTiedEdge(std::uint32_t flags, Use&& use)
   {
