@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnswerJudge.h"
 
-#include "ConvexHull.h"
-#include "HullRun.h"
-#include "RegularTriangulation.h"
-#include "TriangulationRun.h"
-#include "Validate.h"
+#include "Run/HullRun.h"
+#include "Run/TriangulationRun.h"
+#include <flipflop/ConvexHull.h>
+#include <flipflop/RegularTriangulation.h>
+#include <flipflop/Validate.h>
 
 #include <algorithm>
 #include <array>

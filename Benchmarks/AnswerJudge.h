@@ -10,8 +10,8 @@
 #ifndef flipflop_AnswerJudge_h
 #define flipflop_AnswerJudge_h
 
-#include "PointView.h"
 #include "SurfaceJudge.h"
+#include <flipflop/PointView.h>
 
 #include <cstdint>
 #include <string>

@@ -6,7 +6,7 @@
 #define flipflop_Contender_h
 
 #include "Coordinates.h"
-#include "Statistics.h"
+#include <flipflop/Statistics.h>
 
 #include <cstdint>
 #include <functional>

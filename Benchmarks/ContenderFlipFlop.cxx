@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HullContenders.h"
 
-#include "ConvexHull.h"
-#include "Validate.h"
+#include <flipflop/ConvexHull.h>
+#include <flipflop/Validate.h>
 
 namespace flipflop
 {

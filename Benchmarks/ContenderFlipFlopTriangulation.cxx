@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangulationContenders.h"
 
-#include "RegularTriangulation.h"
-#include "Validate.h"
+#include <flipflop/RegularTriangulation.h>
+#include <flipflop/Validate.h>
 
 namespace flipflop
 {

@@ -4,8 +4,8 @@
 /// Very many small runs, one after another: what a run costs; neither its time nor memory may grow.
 ///
 ///     many-runs [runs = 50000] [points = 200] [hull | triangulation]
-#include "ConvexHull.h"
-#include "RegularTriangulation.h"
+#include <flipflop/ConvexHull.h>
+#include <flipflop/RegularTriangulation.h>
 
 #include <chrono>
 #include <cstdio>

@@ -18,12 +18,12 @@
 #ifndef flipflop_SurfaceJudge_h
 #define flipflop_SurfaceJudge_h
 
-#include "CellComplex.h"
-#include "HullGeometry.h"
-#include "LiftedGeometry.h"
-#include "PointSource.h"
+#include "Geometry/HullGeometry.h"
+#include "Geometry/LiftedGeometry.h"
+#include "Points/PointSource.h"
+#include "Points/Vertex.h"
 #include "SurfaceEdges.h"
-#include "Vertex.h"
+#include <flipflop/CellComplex.h>
 
 #include <tbb/parallel_sort.h>
 

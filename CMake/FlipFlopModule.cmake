@@ -11,9 +11,6 @@ macro(flipflop_begin_source_tree_above)
 endmacro()
 
 # flipflop_build_module(): builds it against VTK. (Against ParaView: Plugin/CMakeLists.txt.)
-#
-# The headers get a folder of their own: the engine's names (Error.h, Options.h) must not be found by
-# those who look for the filters'.
 function(flipflop_build_module)
   flipflop_begin_source_tree_above()
   vtk_module_build(

@@ -4,27 +4,8 @@ include(CMakePackageConfigHelpers)
 set(FlipFlop_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/FlipFlop")
 set(config_dir "${CMAKE_BINARY_DIR}/${FlipFlop_CMAKE_DESTINATION}")
 
-# The engine's public headers; the others are its own business.
-set(engine_headers
-  Batch.h
-  Buffer.h
-  CellComplex.h
-  ConvexHull.h
-  Error.h
-  FlipFlop.h
-  Hull.h
-  Options.h
-  PointView.h
-  PowerDiagram.h
-  RegularTriangulation.h
-  Statistics.h
-  Triangulation.h
-  Validate.h)
-list(TRANSFORM engine_headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/Engine/")
-
-set(cuda_headers "${CMAKE_CURRENT_SOURCE_DIR}/Cuda/Engines.h")
-install(FILES ${engine_headers} ${cuda_headers}
-  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/flipflop" COMPONENT development)
+install(DIRECTORY Engine/include/flipflop Cuda/include/flipflop
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development)
 
 # An export set each: who wants the CPU engine alone needs no CUDA toolkit. vtk_module_build() exports and
 # installs the filters' targets in the same way.
@@ -32,7 +13,7 @@ foreach(engine IN ITEMS Engine Cuda)
   set_target_properties(FlipFlop${engine} PROPERTIES
     EXPORT_NAME ${engine}
     INTERFACE_INCLUDE_DIRECTORIES
-      "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${engine}>;$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+      "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${engine}/include>;$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   install(TARGETS FlipFlop${engine} EXPORT FlipFlop${engine}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
   install(EXPORT FlipFlop${engine}

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFAheadRuns.h"
 
-#include "Error.h"
-#include "Options.h"
-#include "Threads.h"
+#include "Support/Threads.h"
 #include "vtkFFBlockWork.h"
+#include <flipflop/Error.h>
+#include <flipflop/Options.h>
 
 #include <utility>
 

@@ -12,7 +12,7 @@
 #ifndef vtkFFAheadRuns_h
 #define vtkFFAheadRuns_h
 
-#include "Engines.h"
+#include <flipflop/Engines.h>
 
 #include "vtkType.h"
 

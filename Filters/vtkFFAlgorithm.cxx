@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFAlgorithm.h"
 
-#include "CellComplex.h"
-#include "Engines.h"
-#include "Error.h"
-#include "Options.h"
 #include "vtkFFExactValues.h"
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
+#include <flipflop/CellComplex.h>
+#include <flipflop/Engines.h>
+#include <flipflop/Error.h>
+#include <flipflop/Options.h>
 
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"

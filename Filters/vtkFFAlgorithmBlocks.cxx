@@ -11,8 +11,8 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
 
-#include "Engines.h"
-#include "Threads.h"
+#include "Support/Threads.h"
+#include <flipflop/Engines.h>
 
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"

@@ -5,8 +5,8 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
-#include "Engines.h"
-#include "FlipFlop.h"
+#include <flipflop/Engines.h>
+#include <flipflop/FlipFlop.h>
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"

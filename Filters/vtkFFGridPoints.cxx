@@ -4,7 +4,7 @@
 
 #include "vtkFFExactValues.h"
 
-#include "Buffer.h"
+#include <flipflop/Buffer.h>
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullAlgorithm.h"
 
-#include "Hull.h"
 #include "vtkFFOutput.h"
+#include <flipflop/Hull.h>
 
 #include "vtkPolyData.h"
 

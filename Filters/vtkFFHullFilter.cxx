@@ -6,7 +6,7 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
-#include "Engines.h"
+#include <flipflop/Engines.h>
 
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"

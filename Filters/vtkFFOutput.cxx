@@ -5,7 +5,7 @@
 #include "vtkFFExactValues.h"
 #include "vtkFFPointSource.h"
 
-#include "CellComplex.h"
+#include <flipflop/CellComplex.h>
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"

@@ -11,7 +11,7 @@
 #ifndef vtkFFOutput_h
 #define vtkFFOutput_h
 
-#include "Buffer.h"
+#include <flipflop/Buffer.h>
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

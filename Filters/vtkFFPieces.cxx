@@ -5,7 +5,7 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
-#include "Buffer.h"
+#include <flipflop/Buffer.h>
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"

@@ -17,8 +17,8 @@
 #ifndef vtkFFPointSource_h
 #define vtkFFPointSource_h
 
-#include "Buffer.h"
-#include "PointView.h"
+#include <flipflop/Buffer.h>
+#include <flipflop/PointView.h>
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFProjection.h"
 
-#include "Error.h"
+#include <flipflop/Error.h>
 
 #include "vtkAbstractTransform.h"
 #include "vtkHomogeneousTransform.h"

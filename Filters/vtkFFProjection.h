@@ -15,9 +15,9 @@
 #ifndef vtkFFProjection_h
 #define vtkFFProjection_h
 
-#include "Buffer.h"
-#include "Options.h"
-#include "PointView.h"
+#include <flipflop/Buffer.h>
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
 
 #include "vtkType.h"
 

@@ -10,9 +10,9 @@
 #include "vtkFFProjection.h"
 #include "vtkFFWeightSource.h"
 
-#include "Engines.h"
-#include "Error.h"
-#include "PowerDiagram.h"
+#include <flipflop/Engines.h>
+#include <flipflop/Error.h>
+#include <flipflop/PowerDiagram.h>
 
 #include "vtkAbstractTransform.h"
 #include "vtkCellData.h"

@@ -13,8 +13,8 @@
 #ifndef vtkFFWeightSource_h
 #define vtkFFWeightSource_h
 
-#include "Buffer.h"
-#include "PointView.h"
+#include <flipflop/Buffer.h>
+#include <flipflop/PointView.h>
 
 class vtkDataArray;
 

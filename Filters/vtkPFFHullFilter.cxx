@@ -8,7 +8,7 @@
 #include "vtkFFParcel.h"
 #include "vtkFFProcesses.h"
 
-#include "Engines.h"
+#include <flipflop/Engines.h>
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"

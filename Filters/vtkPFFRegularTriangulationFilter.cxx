@@ -7,7 +7,7 @@
 #include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
 
-#include "Engines.h"
+#include <flipflop/Engines.h>
 
 #include "vtkErrorCode.h"
 #include "vtkMultiProcessController.h"

@@ -4,8 +4,8 @@
 /// cuda-benchmark: what the CUDA engine takes beside the CPU's, where it spends it, and from how
 /// many points on it pays. With --host, what the rounds do, counted on the host: no times.
 #include "DeviceFloors.h"
-#include "Engines.h"
 #include "Parts.h"
+#include <flipflop/Engines.h>
 
 #include <algorithm>
 #include <cstring>

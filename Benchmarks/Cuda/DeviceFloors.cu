@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeviceFloors.h"
 
-#include "CudaExecutor.h"
-#include "ExecutorArray.h"
+#include "Device/CudaExecutor.h"
+#include "Rounds/ExecutorArray.h"
 
 #include <chrono>
 #include <functional>

@@ -4,10 +4,10 @@
 /// The judge of other libraries' answers is put to the test: right ones pass in whatever form they
 /// come, and each way to break one is found and named.
 #include "AnswerJudge.h"
-#include "Compare.h"
-#include "Inputs.h"
-#include "InputsWeighted.h"
-#include "ReferenceTriangulation.h"
+#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+#include "Testing/Engine/References/ReferenceTriangulation.h"
 
 #include <algorithm>
 #include <functional>

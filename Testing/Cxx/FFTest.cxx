@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FFTest.h"
 
-#include "Validate.h"
+#include <flipflop/Validate.h>
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"

@@ -4,7 +4,7 @@
 // is no device, asking for one is an error.
 #include "FFTest.h"
 
-#include "Error.h"
+#include <flipflop/Error.h>
 
 #include "vtkErrorCode.h"
 #include "vtkFFConvexifyFilter.h"

@@ -3,9 +3,9 @@
 // However points are projected, the work asks on its way whether to go on, and stops when told to.
 #include "FFTest.h"
 
-#include "Error.h"
-#include "Options.h"
 #include "vtkFFProjection.h"
+#include <flipflop/Error.h>
+#include <flipflop/Options.h>
 
 #include "vtkCommand.h"
 #include "vtkFFRegularTriangulationFilter.h"

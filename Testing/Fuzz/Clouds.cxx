@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Clouds.h"
-#include "InputsWeighted.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #define flipflop_fuzz_Clouds_h
 
 #include "Bytes.h"
-#include "Inputs.h"
+#include "Testing/Engine/Inputs/Inputs.h"
 
 namespace flipflop
 {

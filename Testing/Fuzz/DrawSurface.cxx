@@ -3,7 +3,7 @@
 #include "DrawSurface.h"
 #include "Clouds.h"
 
-#include "Compare.h"
+#include "Testing/Engine/Conformance/Compare.h"
 
 #include <algorithm>
 

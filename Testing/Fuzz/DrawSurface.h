@@ -7,7 +7,7 @@
 
 #include "Bytes.h"
 
-#include "Surfaces.h"
+#include "Testing/Engine/Inputs/Surfaces.h"
 
 namespace flipflop
 {

@@ -3,11 +3,11 @@
 #include "EngineCall.h"
 #include "EngineCalls.h"
 
-#include "ConvexHull.h"
-#include "FlipFlop.h"
-#include "PowerDiagram.h"
-#include "RegularTriangulation.h"
-#include "Validate.h"
+#include <flipflop/ConvexHull.h>
+#include <flipflop/FlipFlop.h>
+#include <flipflop/PowerDiagram.h>
+#include <flipflop/RegularTriangulation.h>
+#include <flipflop/Validate.h>
 
 #include <cstdint>
 

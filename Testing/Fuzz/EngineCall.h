@@ -9,9 +9,9 @@
 #include "Clouds.h"
 #include "Demand.h"
 
-#include "Error.h"
-#include "Options.h"
-#include "PointView.h"
+#include <flipflop/Error.h>
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
 
 #include <optional>
 #include <thread>

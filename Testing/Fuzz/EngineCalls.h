@@ -8,7 +8,7 @@
 
 #include "Bytes.h"
 
-#include "CellComplex.h"
+#include <flipflop/CellComplex.h>
 
 namespace flipflop
 {

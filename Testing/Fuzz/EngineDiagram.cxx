@@ -3,8 +3,8 @@
 #include "EngineCall.h"
 #include "EngineCalls.h"
 
-#include "CompareTriangulation.h"
-#include "PowerDiagram.h"
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include <flipflop/PowerDiagram.h>
 
 #include <algorithm>
 #include <array>

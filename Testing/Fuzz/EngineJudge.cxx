@@ -3,7 +3,7 @@
 #include "EngineCall.h"
 #include "EngineCalls.h"
 
-#include "CompareTriangulation.h"
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include "EngineCall.h"
 #include "EngineCalls.h"
 
-#include "CompareTriangulation.h"
-#include "ReferenceTriangulation.h"
-#include "RoundsOnHost.h"
+#include "Testing/Cuda/Rounds/RoundsOnHost.h"
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/References/ReferenceTriangulation.h"
 
 namespace flipflop
 {

@@ -4,8 +4,8 @@
 #include "EngineCall.h"
 #include "EngineCalls.h"
 
-#include "Compare.h"
-#include "FlipFlop.h"
+#include "Testing/Engine/Conformance/Compare.h"
+#include <flipflop/FlipFlop.h>
 
 #include <algorithm>
 #include <cmath>

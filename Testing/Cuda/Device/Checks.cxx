@@ -3,8 +3,8 @@
 #include "Checks.h"
 
 #include "DeviceInputs.h"
-#include "Engines.h"
-#include "Validate.h"
+#include <flipflop/Engines.h>
+#include <flipflop/Validate.h>
 
 #include <algorithm>
 #include <cstring>

@@ -5,8 +5,8 @@
 #ifndef flipflop_test_Checks_h
 #define flipflop_test_Checks_h
 
-#include "Error.h"
 #include "RoundsRunner.h"
+#include <flipflop/Error.h>
 
 #include <functional>
 #include <stdexcept>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CudaExecutor.h"
-#include "Engines.h"
+#include "Device/CudaExecutor.h"
 #include "RunnerOf.h"
+#include <flipflop/Engines.h>
 
 #include <vector>
 

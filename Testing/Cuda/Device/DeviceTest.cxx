@@ -7,7 +7,7 @@
 /// engine's bit for bit and valid, and nothing that goes wrong may leave anything behind. With
 /// --host, host threads take the device's place.
 #include "Checks.h"
-#include "Engines.h"
+#include <flipflop/Engines.h>
 
 #include <chrono>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ConvexHull.h"
-#include "RegularTriangulation.h"
 #include "RunnerOf.h"
+#include <flipflop/ConvexHull.h>
+#include <flipflop/RegularTriangulation.h>
 
 #include <atomic>
 #include <cstring>

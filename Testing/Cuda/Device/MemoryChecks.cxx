@@ -3,7 +3,7 @@
 #include "Checks.h"
 
 #include "DeviceInputs.h"
-#include "Engines.h"
+#include <flipflop/Engines.h>
 
 #include <algorithm>
 #include <chrono>

@@ -8,12 +8,12 @@
 #ifndef flipflop_RoundsRunner_h
 #define flipflop_RoundsRunner_h
 
-#include "HostOrder.h"
-#include "Hull.h"
-#include "Options.h"
-#include "PointView.h"
-#include "RoundReport.h"
-#include "Triangulation.h"
+#include "Rounds/RoundReport.h"
+#include "Testing/Cuda/Rounds/HostOrder.h"
+#include <flipflop/Hull.h>
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
+#include <flipflop/Triangulation.h>
 
 #include <cstdint>
 #include <map>

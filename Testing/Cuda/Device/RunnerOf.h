@@ -5,10 +5,10 @@
 #ifndef flipflop_RunnerOf_h
 #define flipflop_RunnerOf_h
 
-#include "EngineRuns.h"
-#include "HullGeometry.h"
-#include "RoundsBuilder.h"
+#include "Geometry/HullGeometry.h"
+#include "Rounds/RoundsBuilder.h"
 #include "RoundsRunner.h"
+#include "Testing/Cuda/Rounds/EngineRuns.h"
 
 namespace flipflop
 {

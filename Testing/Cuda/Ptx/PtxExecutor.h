@@ -6,7 +6,7 @@
 #ifndef flipflop_test_PtxExecutor_h
 #define flipflop_test_PtxExecutor_h
 
-#include "HostExecutor.h"
+#include "Rounds/HostExecutor.h"
 
 #include <cxxabi.h>
 

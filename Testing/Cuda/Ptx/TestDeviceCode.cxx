@@ -3,15 +3,15 @@
 /// @file
 /// The device's code, run on the host, leaves the same behind after every round as the host's code
 /// does.
-#include "HullRun.h"
-#include "Inputs.h"
-#include "InputsWeighted.h"
 #include "PtxExecutor.h"
-#include "RoundsBuilder.h"
-#include "TriangulationRun.h"
+#include "Rounds/RoundsBuilder.h"
+#include "Run/HullRun.h"
+#include "Run/TriangulationRun.h"
+#include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
 
-#include "Compare.h"
-#include "CompareTriangulation.h"
+#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What is known of the devices, so that each is looked at once: a look makes a context, which
+/// takes up to a second and memory of the device.
+#ifndef flipflop_DeviceStatus_h
+#define flipflop_DeviceStatus_h
+
+#include <flipflop/Engines.h>
+
+#include <map>
+#include <mutex>
+
+namespace flipflop
+{
+
+/// What a look at a device has found.
+struct DeviceFinding
+{
+  CudaStatus status;
+  bool lasting = true; ///< another look would find the same
+};
+
+class DeviceStatus
+{
+public:
+  /// @param device the number of the device, or -1 where none answers
+  /// @param look   DeviceFinding (): look at it. What does not last is not kept: a device that is
+  ///               busy now may be free for the next call
+  /// @return valid until the thread's next call
+  template <class Look>
+  const CudaStatus& of(int device, Look&& look)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    const auto known = this->lasting.find(device);
+    if (known != this->lasting.end())
+    {
+      return known->second;
+    }
+    const DeviceFinding found = look();
+    if (found.lasting && (device >= 0 || !found.status.present))
+    {
+      return this->lasting.emplace(device, found.status).first->second;
+    }
+    static thread_local CudaStatus passing;
+    passing = found.status;
+    return passing;
+  }
+
+private:
+  std::mutex mutex;
+  std::map<int, CudaStatus> lasting;
+};
+
+}
+
+#endif

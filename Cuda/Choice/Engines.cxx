@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <flipflop/Engines.h>
+
+#include "Choice/DeviceStatus.h"
+#include "Choice/EngineDecision.h"
+#include "Device/CudaBuilders.h"
+#include "Run/HullRun.h"
+#include "Run/TriangulationRun.h"
+
+#include <cstdio>
+#include <string>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// @tparam Run   a GeometryRun
+/// @param make   Run (): anew for each try
+/// @param work   Result (Run&)
+template <class Model, class Result, class Make, class Work>
+Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineReport& report,
+  Make&& make, Work&& work)
+{
+  if (wantsCuda(engine, pointCount, hasCudaKernels(), report, cudaStatus))
+  {
+    try
+    {
+      const auto builder = withTypedErrors([] { return makeCudaBuilder<Model>(); });
+      auto run = make();
+      run->engine = builder.get();
+      Result result = work(*run);
+      if (!builder->ran)
+      {
+        setReason(report, EngineChoice::CPU,
+          run->arithmetic.wide
+            ? "the coordinates' range needs integers of any size, which are the CPU's"
+            : "the points span too little for an engine to have work");
+      }
+      return result;
+    }
+    catch (const Error& error)
+    {
+      // The rounds count too many points from bounds, a little earlier than the CPU does.
+      const bool device = error.code() == ErrorCode::DeviceMemory ||
+        error.code() == ErrorCode::DeviceFailed || error.code() == ErrorCode::NoDevice ||
+        error.code() == ErrorCode::TooManyPoints;
+      if (!device || engine.choice == EngineChoice::CUDA)
+      {
+        throw;
+      }
+      char number[32] = "";
+      if (error.code() == ErrorCode::DeviceFailed)
+      {
+        std::snprintf(number, sizeof(number), " (CUDA error %d)", static_cast<int>(error.index()));
+      }
+      setReason(report, EngineChoice::CPU,
+        ("the CUDA engine gave up: " + std::string(error.what())).c_str(), number);
+    }
+  }
+  return work(*make());
+}
+
+}
+
+const CudaStatus& cudaStatus()
+{
+  static DeviceStatus devices;
+  return devices.of(currentCudaDevice(), findCudaDevice);
+}
+
+Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
+  EngineReport& report)
+{
+  return runEngine<HullGeometry, Hull>(
+    engine, points.count, report, [&] { return std::make_unique<HullRun>(points, options); },
+    [](HullRun& run) { return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); }); });
+}
+
+namespace
+{
+
+template <bool Weighted>
+Triangulation triangulate(const PointView& points, const WeightView& weights,
+  const Options& options, const EngineOptions& engine, EngineReport& report)
+{
+  using Run = TriangulationRun<Weighted>;
+  return runEngine<LiftedGeometry<Weighted>, Triangulation>(
+    engine, points.count, report, [&] { return std::make_unique<Run>(points, weights, options); },
+    [](Run& run)
+    {
+      return run.template execute<Triangulation>(
+        [&run](Triangulation& result) { run.triangulate(result); });
+    });
+}
+
+}
+
+Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
+  const Options& options, const EngineOptions& engine, EngineReport& report)
+{
+  return weights.data ? triangulate<true>(points, weights, options, engine, report)
+                      : triangulate<false>(points, weights, options, engine, report);
+}
+
+}

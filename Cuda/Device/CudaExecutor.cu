@@ -1,0 +1,456 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Device/CudaExecutor.h"
+
+#include <cub/device/device_scan.cuh>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// A piece of a large copy: long enough to pay, short enough to stay in the processor's cache.
+constexpr std::size_t PieceBytes = std::size_t(4) << 20;
+
+}
+
+void requireCuda(cudaError_t error, std::int64_t bytes)
+{
+  if (error == cudaSuccess)
+  {
+    return;
+  }
+  cudaGetLastError(); // or the next call would report it again
+  if (error == cudaErrorMemoryAllocation)
+  {
+    throw Error(ErrorCode::DeviceMemory, -1, bytes);
+  }
+  throw Error(ErrorCode::DeviceFailed, static_cast<std::int64_t>(error));
+}
+
+struct CudaSession
+{
+  int device = 0;
+  cudaStream_t stream = nullptr;
+  cudaMemPool_t pool = nullptr;
+  std::size_t keptBytes = 0;             ///< of the pool, between runs
+  void* piece[2] = { nullptr, nullptr }; ///< pinned
+  cudaEvent_t pieceDone[2] = { nullptr, nullptr };
+  Counters* records = nullptr; ///< pinned
+  cudaEvent_t recordDone[CudaExecutor::Records] = {};
+  cudaEvent_t timing[2] = { nullptr, nullptr };
+
+  CudaSession()
+  {
+    try
+    {
+      requireCuda(cudaGetDevice(&this->device));
+      requireCuda(cudaStreamCreateWithFlags(&this->stream, cudaStreamNonBlocking));
+      cudaMemPoolProps properties;
+      std::memset(&properties, 0, sizeof(properties));
+      properties.allocType = cudaMemAllocationTypePinned; // CUDA's word for device memory, too
+      properties.handleTypes = cudaMemHandleTypeNone;
+      properties.location.type = cudaMemLocationTypeDevice;
+      properties.location.id = this->device;
+      requireCuda(cudaMemPoolCreate(&this->pool, &properties));
+      // All that a run gives back is there for it again; what stays after it, trim() bounds.
+      std::uint64_t keepAll = UINT64_MAX;
+      requireCuda(cudaMemPoolSetAttribute(this->pool, cudaMemPoolAttrReleaseThreshold, &keepAll));
+      std::size_t free = 0;
+      std::size_t total = 0;
+      requireCuda(cudaMemGetInfo(&free, &total));
+      this->keptBytes = total / 8;
+      for (int i = 0; i < 2; ++i)
+      {
+        requireCuda(cudaMallocHost(&this->piece[i], PieceBytes));
+        requireCuda(cudaEventCreateWithFlags(&this->pieceDone[i], cudaEventDisableTiming));
+        requireCuda(cudaEventCreate(&this->timing[i]));
+      }
+      void* memory = nullptr;
+      requireCuda(cudaMallocHost(&memory, CudaExecutor::Records * sizeof(Counters)));
+      this->records = static_cast<Counters*>(memory);
+      for (cudaEvent_t& event : this->recordDone)
+      {
+        requireCuda(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
+      }
+    }
+    catch (...)
+    {
+      this->close();
+      throw;
+    }
+  }
+  CudaSession(const CudaSession&) = delete;
+  CudaSession& operator=(const CudaSession&) = delete;
+  ~CudaSession() { this->close(); }
+
+  /// Give back what the pool holds beyond what is kept between runs. @return whether that worked.
+  bool trim() { return cudaMemPoolTrimTo(this->pool, this->keptBytes) == cudaSuccess; }
+
+private:
+  void close() noexcept
+  {
+    const auto drop = [](cudaEvent_t event)
+    {
+      if (event)
+      {
+        cudaEventDestroy(event);
+      }
+    };
+    for (int i = 0; i < 2; ++i)
+    {
+      drop(this->pieceDone[i]);
+      drop(this->timing[i]);
+      cudaFreeHost(this->piece[i]);
+    }
+    for (const cudaEvent_t event : this->recordDone)
+    {
+      drop(event);
+    }
+    cudaFreeHost(this->records);
+    if (this->stream)
+    {
+      cudaStreamDestroy(this->stream);
+    }
+    if (this->pool)
+    {
+      cudaMemPoolDestroy(this->pool);
+    }
+    cudaGetLastError();
+  }
+};
+
+namespace
+{
+
+/// Sessions that no run uses now.
+struct IdleSessions
+{
+  /// Of one device; as many runs at once find all that they need.
+  static constexpr std::ptrdiff_t MostIdle = 2;
+
+  std::mutex mutex;
+  std::vector<std::unique_ptr<CudaSession>> sessions;
+
+  /// Never destroyed: at the process's end the driver may be gone first.
+  static IdleSessions& get()
+  {
+    static auto* const idle = new IdleSessions;
+    return *idle;
+  }
+
+  /// Where there are enough, or for want of memory, it is closed instead.
+  void keep(std::unique_ptr<CudaSession> session) noexcept
+  {
+    try
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      const auto same = [&session](const std::unique_ptr<CudaSession>& other)
+      { return other->device == session->device; };
+      if (std::count_if(this->sessions.begin(), this->sessions.end(), same) < MostIdle)
+      {
+        this->sessions.push_back(std::move(session));
+      }
+    }
+    catch (const std::exception&)
+    {
+    }
+  }
+
+  std::unique_ptr<CudaSession> take()
+  {
+    int device = 0;
+    requireCuda(cudaGetDevice(&device));
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      for (std::unique_ptr<CudaSession>& session : this->sessions)
+      {
+        if (session->device == device)
+        {
+          std::swap(session, this->sessions.back());
+          std::unique_ptr<CudaSession> found = std::move(this->sessions.back());
+          this->sessions.pop_back();
+          return found;
+        }
+      }
+    }
+    return std::make_unique<CudaSession>();
+  }
+};
+
+}
+
+void releaseCudaMemory()
+{
+  IdleSessions& idle = IdleSessions::get();
+  const std::lock_guard<std::mutex> lock(idle.mutex);
+  idle.sessions.clear();
+}
+
+CudaExecutor::CudaExecutor()
+  : session(IdleSessions::get().take())
+  , stream(session->stream)
+{
+  cudaGetLastError(); // another's error is not to be taken for one of ours
+  int count = 1;
+  requireCuda(
+    cudaDeviceGetAttribute(&count, cudaDevAttrMultiProcessorCount, this->session->device));
+  this->multiprocessors = static_cast<std::uint32_t>(count);
+}
+
+CudaExecutor::~CudaExecutor()
+{
+  this->release(this->scratch, this->scratchBytes);
+  // What a broken stream is good for is not known: it is not kept.
+  if (cudaStreamSynchronize(this->stream) == cudaSuccess && this->session->trim())
+  {
+    IdleSessions::get().keep(std::move(this->session));
+  }
+  else
+  {
+    cudaGetLastError();
+  }
+}
+
+void* CudaExecutor::allocate(std::size_t bytes)
+{
+  const auto take = [&](void** memory)
+  {
+    return cudaMallocFromPoolAsync(
+      memory, std::max<std::size_t>(bytes, 1), this->session->pool, this->stream);
+  };
+  void* memory = nullptr;
+  cudaError_t error = take(&memory);
+  if (error == cudaErrorMemoryAllocation)
+  {
+    // What is kept for later runs, and what this one has given back, may be enough.
+    cudaGetLastError();
+    releaseCudaMemory();
+    requireCuda(cudaStreamSynchronize(this->stream));
+    requireCuda(cudaMemPoolTrimTo(this->session->pool, 0));
+    error = take(&memory);
+  }
+  requireCuda(error, static_cast<std::int64_t>(bytes));
+  this->bytesNow += static_cast<std::int64_t>(bytes);
+  this->bytesMost = std::max(this->bytesMost, this->bytesNow);
+  return memory;
+}
+
+void CudaExecutor::release(void* memory, std::size_t bytes) noexcept
+{
+  if (memory)
+  {
+    this->bytesNow -= static_cast<std::int64_t>(bytes);
+    if (cudaFreeAsync(memory, this->stream) != cudaSuccess)
+    {
+      cudaGetLastError();
+    }
+  }
+}
+
+void CudaExecutor::fill(void* to, int byte, std::size_t bytes)
+{
+  requireCuda(cudaMemsetAsync(to, byte, bytes, this->stream));
+}
+
+void CudaExecutor::copy(void* to, const void* from, std::size_t bytes)
+{
+  requireCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, this->stream));
+}
+
+void CudaExecutor::fromHost(void* to, const void* from, std::size_t bytes)
+{
+  for (std::size_t done = 0; done < bytes; done += PieceBytes)
+  {
+    const std::size_t size = std::min(PieceBytes, bytes - done);
+    std::memcpy(this->session->piece[0], static_cast<const char*>(from) + done, size);
+    requireCuda(cudaMemcpyAsync(static_cast<char*>(to) + done, this->session->piece[0], size,
+      cudaMemcpyHostToDevice, this->stream));
+    requireCuda(cudaEventRecord(this->session->pieceDone[0], this->stream));
+    requireCuda(cudaEventSynchronize(this->session->pieceDone[0]));
+  }
+}
+
+void CudaExecutor::toHost(void* to, const void* from, std::size_t bytes)
+{
+  const Timing timing = this->before();
+  const std::size_t pieces = (bytes + PieceBytes - 1) / PieceBytes;
+  const auto sizeOf = [&](std::size_t i) { return std::min(PieceBytes, bytes - i * PieceBytes); };
+  const auto fetch = [&](std::size_t i)
+  {
+    requireCuda(
+      cudaMemcpyAsync(this->session->piece[i & 1], static_cast<const char*>(from) + i * PieceBytes,
+        sizeOf(i), cudaMemcpyDeviceToHost, this->stream));
+    requireCuda(cudaEventRecord(this->session->pieceDone[i & 1], this->stream));
+  };
+  for (std::size_t i = 0; i < pieces; ++i)
+  {
+    if (i == 0)
+    {
+      fetch(0);
+    }
+    if (i + 1 < pieces)
+    {
+      fetch(i + 1);
+    }
+    requireCuda(cudaEventSynchronize(this->session->pieceDone[i & 1]));
+    std::memcpy(static_cast<char*>(to) + i * PieceBytes, this->session->piece[i & 1], sizeOf(i));
+  }
+  this->after(timing, "to the host", nullptr, 1, static_cast<std::int64_t>(bytes));
+}
+
+void CudaExecutor::finish()
+{
+  requireCuda(cudaStreamSynchronize(this->stream));
+}
+
+void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
+{
+  std::size_t bytes = 0;
+  requireCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, values, values, n, this->stream));
+  if (bytes > this->scratchBytes)
+  {
+    this->release(this->scratch, this->scratchBytes);
+    this->scratch = nullptr;
+    this->scratchBytes = 0;
+    this->scratch = this->allocate(2 * bytes);
+    this->scratchBytes = 2 * bytes;
+  }
+  const Timing timing = this->before();
+  bytes = this->scratchBytes;
+  requireCuda(cub::DeviceScan::ExclusiveSum(this->scratch, bytes, values, values, n, this->stream));
+  this->after(timing, "prefix sum", nullptr, n, 2 * sizeof(std::uint32_t));
+}
+
+namespace
+{
+
+/// Can kernels on the current device read that memory?
+bool isReadable(const void* memory)
+{
+  int device = 0;
+  requireCuda(cudaGetDevice(&device));
+  cudaPointerAttributes attributes;
+  if (cudaPointerGetAttributes(&attributes, memory) != cudaSuccess)
+  {
+    cudaGetLastError();
+    return false;
+  }
+  return attributes.type == cudaMemoryTypeManaged ||
+    (attributes.type == cudaMemoryTypeDevice && attributes.device == device);
+}
+
+}
+
+PointSource CudaExecutor::resident(const PointSource& points, Residence& residence)
+{
+  if (points.isOnDevice(isReadable))
+  {
+    return points.onDevice();
+  }
+  const std::uint32_t count = points.count();
+  residence.bytes = std::size_t(count) * 3 * sizeof(double);
+  residence.memory = static_cast<double*>(this->allocate(residence.bytes));
+  const Timing timing = this->before();
+  constexpr std::uint64_t Piece = PieceBytes / (3 * sizeof(double));
+  std::uint32_t piece = 0;
+  for (std::uint64_t begin = 0; begin < count; begin += Piece, ++piece)
+  {
+    const std::uint64_t end = std::min<std::uint64_t>(count, begin + Piece);
+    const cudaEvent_t done = this->session->pieceDone[piece & 1];
+    if (piece >= 2)
+    {
+      requireCuda(cudaEventSynchronize(done));
+    }
+    auto* const packed = static_cast<double*>(this->session->piece[piece & 1]);
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(begin, end, 1u << 13),
+      [&](const tbb::blocked_range<std::uint64_t>& range)
+      {
+        for (std::uint64_t i = range.begin(); i < range.end(); ++i)
+        {
+          points.load(static_cast<std::uint32_t>(i), packed + 3 * (i - begin));
+        }
+      });
+    requireCuda(cudaMemcpyAsync(residence.memory + 3 * std::size_t(begin), packed,
+      3 * std::size_t(end - begin) * sizeof(double), cudaMemcpyHostToDevice, this->stream));
+    requireCuda(cudaEventRecord(done, this->stream));
+  }
+  // The pieces are free again for the next copy.
+  for (const cudaEvent_t done : this->session->pieceDone)
+  {
+    requireCuda(cudaEventSynchronize(done));
+  }
+  this->after(timing, "from the host", nullptr, 1, static_cast<std::int64_t>(residence.bytes));
+
+  PointView view;
+  view.data = residence.memory;
+  view.count = count;
+  view.stride = 3;
+  view.type = ScalarType::Float64;
+  return PointSource(view);
+}
+
+CudaExecutor::Residence::~Residence()
+{
+  this->executor.release(this->memory, this->bytes);
+}
+
+void CudaExecutor::record(const Counters* counters, int slot)
+{
+  requireCuda(cudaMemcpyAsync(&this->session->records[slot], counters, sizeof(Counters),
+    cudaMemcpyDeviceToHost, this->stream));
+  requireCuda(cudaEventRecord(this->session->recordDone[slot], this->stream));
+}
+
+const Counters& CudaExecutor::recorded(int slot)
+{
+  requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));
+  return this->session->records[slot];
+}
+
+CudaExecutor::Timing CudaExecutor::before()
+{
+  Timing timing;
+  if (this->measuring)
+  {
+    timing = { this->session->timing[0], this->session->timing[1] };
+    requireCuda(cudaEventRecord(timing.begin, this->stream));
+  }
+  return timing;
+}
+
+void CudaExecutor::after(const Timing& timing, const char* name, const std::uint32_t* count,
+  std::uint32_t most, std::int64_t bytesPerItem)
+{
+  KernelTally& tally = this->kernels.of(name);
+  ++tally.launches;
+  if (!this->measuring)
+  {
+    return;
+  }
+  requireCuda(cudaEventRecord(timing.end, this->stream));
+  std::uint32_t items = most;
+  if (count)
+  {
+    std::uint32_t counted = 0;
+    requireCuda(
+      cudaMemcpyAsync(&counted, count, sizeof(counted), cudaMemcpyDeviceToHost, this->stream));
+    requireCuda(cudaStreamSynchronize(this->stream));
+    items = std::min(most, counted);
+  }
+  requireCuda(cudaEventSynchronize(timing.end));
+  float milliseconds = 0;
+  requireCuda(cudaEventElapsedTime(&milliseconds, timing.begin, timing.end));
+  tally.items += items;
+  tally.bytes += items * bytesPerItem;
+  tally.seconds += 1e-3 * milliseconds;
+}
+
+}

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Runs the rounds' kernels on a CUDA device (see HostExecutor for what an executor offers).
+///
+/// One launch template serves all kernels. Everything goes to one stream, so it takes effect in its
+/// order and the host does not wait; memory comes from a pool of our own in the stream's order, and
+/// the pool keeps it for the next run. Large copies go through pinned memory in pieces, two at a
+/// time: one is packed or unpacked while the other is under way.
+#ifndef flipflop_CudaExecutor_h
+#define flipflop_CudaExecutor_h
+
+#include "Points/PointSource.h"
+#include "Rounds/Counters.h"
+#include "Rounds/Kernel.h"
+#include "Rounds/KernelTally.h"
+#include <flipflop/Engines.h>
+
+#include <cuda_runtime.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace flipflop
+{
+
+/// @throw Error DeviceMemory (of @p bytes), DeviceFailed
+void requireCuda(cudaError_t error, std::int64_t bytes = 0);
+
+template <class K>
+__global__ void runKernel(const K kernel, const std::uint32_t* count, std::uint32_t most)
+{
+  const std::uint32_t items = count && *count < most ? *count : most;
+  runItems(kernel, blockIdx.x * blockDim.x + threadIdx.x, gridDim.x * blockDim.x, items);
+}
+
+/// What is kept from run to run: a stream, memory, pinned buffers, events.
+struct CudaSession;
+
+class CudaExecutor
+{
+public:
+  static constexpr int Records = 4;
+
+  /// On the device that is current for the thread. @throw Error DeviceMemory, DeviceFailed
+  CudaExecutor();
+  /// Waits for all.
+  ~CudaExecutor();
+  CudaExecutor(const CudaExecutor&) = delete;
+  CudaExecutor& operator=(const CudaExecutor&) = delete;
+
+  /// @throw Error DeviceMemory
+  void* allocate(std::size_t bytes);
+  void release(void* memory, std::size_t bytes) noexcept;
+
+  void fill(void* to, int byte, std::size_t bytes);
+  void copy(void* to, const void* from, std::size_t bytes);
+  void fromHost(void* to, const void* from, std::size_t bytes);
+  void toHost(void* to, const void* from, std::size_t bytes);
+  void finish();
+
+  template <class K>
+  void each(std::uint32_t most, const std::uint32_t* count, const K& kernel)
+  {
+    if (most == 0)
+    {
+      return;
+    }
+    // Exact kernels take many registers and a stack; for the latter the driver sets memory aside
+    // for as many threads as the device can hold, however few there are.
+    const std::uint32_t block = K::Exact ? 64 : 256;
+    const std::uint32_t blocksEach = K::Exact ? 4 : 8;
+    const auto wanted = static_cast<std::uint32_t>((std::uint64_t(most) + block - 1) / block);
+    const std::uint32_t grid = std::min(wanted, blocksEach * this->multiprocessors);
+    const Timing timing = this->before();
+    runKernel<K><<<grid, block, 0, this->stream>>>(kernel, count, most);
+    requireCuda(cudaGetLastError());
+    this->after(timing, K::Name, count, most, K::Bytes);
+  }
+
+  void exclusiveSum(std::uint32_t* values, std::uint32_t n);
+
+  /// Points on their way to the device, and there.
+  struct Residence
+  {
+    explicit Residence(CudaExecutor& where)
+      : executor(where)
+    {
+    }
+    Residence(const Residence&) = delete;
+    Residence& operator=(const Residence&) = delete;
+    ~Residence();
+
+    CudaExecutor& executor;
+    double* memory = nullptr;
+    std::size_t bytes = 0;
+  };
+
+  /// In place, where the device has them; else packed as x y z x y z ..., as PointSource reads
+  /// them.
+  PointSource resident(const PointSource& points, Residence& residence);
+
+  void record(const Counters* counters, int slot);
+  const Counters& recorded(int slot);
+
+  /// Measure each launch from now on: every one is waited for, so the whole takes longer.
+  void measure(bool on) { this->measuring = on; }
+  const KernelTallies::Map& tallies() const { return this->kernels.map(); }
+  std::int64_t mostBytes() const { return this->bytesMost; }
+
+private:
+  struct Timing
+  {
+    cudaEvent_t begin = nullptr;
+    cudaEvent_t end = nullptr;
+  };
+  Timing before();
+  void after(const Timing& timing, const char* name, const std::uint32_t* count, std::uint32_t most,
+    std::int64_t bytesPerItem);
+
+  std::unique_ptr<CudaSession> session;
+  cudaStream_t stream = nullptr;
+  std::uint32_t multiprocessors = 1;
+  void* scratch = nullptr; ///< for prefix sums
+  std::size_t scratchBytes = 0;
+  bool measuring = false;
+  KernelTallies kernels;
+  std::int64_t bytesNow = 0;
+  std::int64_t bytesMost = 0;
+};
+
+}
+
+#endif

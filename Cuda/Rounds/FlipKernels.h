@@ -1,0 +1,444 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Algorithm 1, Flip-Flop (paper, sections 2.3 and 3.2), as rounds of kernels.
+///
+///   Check     each active triangle looks for an edge that the rule wants flipped, or an end of it
+///             labelled, and votes for itself on all triangles of that flip
+///   Resolve   a flip with all its triangles' votes is on; who lost stays active; labels are set
+///   Publish   the flips that are on tell where their outer half-edges go
+///   Relink    they replace their triangles; a neighbour that flips too is found by what it told
+///
+/// A vote is the least of the keys (newest round first, half-edge), so it needs no reset, and the
+/// least key of all wins all its triangles: every round that proposes a flip makes one. Flips that
+/// are on share no triangle, so neither their order nor that of the lists matters. Labels that
+/// Resolve sets are seen from the next round's Check on. What the floating-point filter leaves open
+/// in Check goes to its exact twin.
+///
+/// An edge has two triangles. If both are active, the lower one looks at it; if only one is, that
+/// one does. A triangle goes to rest when no edge that it looks at is of any concern, and is woken
+/// by a change of its own or by a label at a corner: so no edge is left unlooked at.
+///
+/// The V-biased variant sets labels only in a round in which no flip is proposed.
+#ifndef flipflop_FlipKernels_h
+#define flipflop_FlipKernels_h
+
+#include "FlipFlop/FlipRule.h"
+#include "Mesh/Mesh.h"
+#include "Rounds/Atomics.h"
+#include "Rounds/Counters.h"
+#include "Rounds/ExactKernel.h"
+#include "Rounds/FilteredGeometry.h"
+#include "Rounds/Kernel.h"
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// What an active triangle asks for.
+struct Proposal
+{
+  std::uint32_t edge; ///< its own half-edge
+  FlipAction action;
+  bool byDegree;
+};
+
+/// What the kernels work on, in the executor's memory.
+template <class Geometry>
+struct FlipData
+{
+  Geometry geometry;
+  Mesh mesh;
+  std::uint64_t* votes;   ///< by triangle: see voteKey
+  std::uint32_t* moved;   ///< by half-edge: where it goes in this round's flip
+  std::uint32_t* flipped; ///< by triangle: the last round that flipped it
+  std::uint32_t* queued;  ///< by triangle: the last round it is active in
+  std::uint32_t* sameAs;  ///< three by vertex: ids at its position, when it was last seen to go
+  std::uint32_t* active[2];
+  Proposal* proposals; ///< by place in the active list
+  Proposal* flips;     ///< those that are on
+  std::uint32_t* undecided;
+  Counters* counters;
+  bool vBiased;
+};
+
+/// Newer rounds go before older ones, then lower half-edges before higher.
+FF_HD inline std::uint64_t voteKey(std::uint32_t round, std::uint32_t h)
+{
+  return static_cast<std::uint64_t>(~round) << 32 | h;
+}
+
+namespace flips
+{
+
+FF_HD inline bool isFlip(const Proposal& p)
+{
+  return p.action == FlipAction::Flip22 || p.action == FlipAction::RemoveA ||
+    p.action == FlipAction::RemoveB;
+}
+
+/// The half-edge from the end that the proposal labels or removes.
+FF_HD inline std::uint32_t halfEdgeFromEnd(const Mesh& mesh, const Proposal& p)
+{
+  return p.action == FlipAction::RemoveB || p.action == FlipAction::LabelB ? mesh.twin(p.edge)
+                                                                           : p.edge;
+}
+
+FF_HD inline FlipPlan planOf(const Mesh& mesh, const Proposal& p)
+{
+  return p.action == FlipAction::Flip22 ? planFlip22(mesh, p.edge)
+                                        : planFlip31(mesh, halfEdgeFromEnd(mesh, p));
+}
+
+/// Let triangle t be active in round @p next.
+template <class Geometry>
+FF_HD void wake(const FlipData<Geometry>& data, std::uint32_t next, std::uint32_t t)
+{
+  if (atomics::exchange(&data.queued[t], next) != next)
+  {
+    data.active[next & 1][atomics::add(&data.counters->active[next & 1], 1u)] = t;
+  }
+}
+
+/// The origin of h lies in the tetrahedron of s and the three others at its edge: an extreme
+/// position can only do so as a duplicate of some of them, which then stand for its id. All are
+/// noted: one may go next. For one item of a launch alone to call.
+template <class Geometry>
+FF_HD void noteDuplicates(const FlipData<Geometry>& data, std::uint32_t h)
+{
+  const Mesh& mesh = data.mesh;
+  const std::uint32_t twin = mesh.twin(h);
+  const std::uint32_t vertex = mesh.origin(h);
+  const std::uint32_t other[3] = { mesh.origin(twin), mesh.origin(previousHalfEdge(h)),
+    mesh.origin(previousHalfEdge(twin)) };
+  for (int i = 0; i < 3; ++i)
+  {
+    if (samePosition(mesh.vertices[vertex], mesh.vertices[other[i]]))
+    {
+      data.sameAs[3 * vertex + static_cast<std::uint32_t>(i)] = mesh.vertices[other[i]].id;
+    }
+  }
+}
+
+/// What triangle @p t, active, asks for.
+template <class Geometry, class Oracle>
+FF_HD Proposal propose(const FlipData<Geometry>& data, const Oracle& geometry, std::uint32_t round,
+  std::uint32_t t, std::uint32_t& checks)
+{
+  for (int e = 0; e < 3; ++e)
+  {
+    const std::uint32_t h = halfEdge(t, e);
+    const std::uint32_t other = triangleOf(data.mesh.twin(h));
+    if (other < t && data.queued[other] == round)
+    {
+      continue; // it looks at this edge
+    }
+    ++checks;
+    const FlipDecision decision =
+      decideFlip(geometry, data.mesh.vertices, surroundingsOf(data.mesh, h));
+    if (decision.action != FlipAction::None || isUndecided(geometry))
+    {
+      return { h, decision.action, decision.byDegree };
+    }
+  }
+  return { NoIndex, FlipAction::None, false };
+}
+
+/// Place @p i of the active list.
+template <class Geometry, class Oracle>
+FF_HD void check(const FlipData<Geometry>& data, const Oracle& geometry, std::uint32_t round,
+  std::uint32_t i, std::uint32_t& checks)
+{
+  const std::uint32_t t = data.active[round & 1][i];
+  Proposal proposal = { NoIndex, FlipAction::None, false };
+  if (!(data.mesh.triangles[t].flags & TriangleDead))
+  {
+    proposal = propose(data, geometry, round, t, checks);
+    if (isUndecided(geometry))
+    {
+      data.undecided[atomics::add(&data.counters->undecided[round & 1], 1u)] = i;
+      return;
+    }
+  }
+  data.proposals[i] = proposal;
+  if (isFlip(proposal))
+  {
+    atomics::store(&data.counters->proposing, round);
+    const FlipPlan plan = planOf(data.mesh, proposal);
+    for (int k = 0; k < 3; ++k)
+    {
+      if (k < plan.triangleCount)
+      {
+        atomics::lower(&data.votes[plan.triangle[k]], voteKey(round, proposal.edge));
+      }
+    }
+  }
+}
+
+}
+
+/// Over all triangles, before the first round.
+template <class Geometry>
+struct WakeAll : Kernel
+{
+  static constexpr const char* Name = "wake all";
+  static constexpr int Bytes = 4 + 4;
+  FlipData<Geometry> data;
+  std::uint32_t count;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    this->data.active[1][i] = i;
+    this->data.queued[i] = 1;
+  }
+  FF_HD void once() const
+  {
+    Counters& counters = *this->data.counters;
+    counters.active[1] = this->count;
+    counters.undecided[0] = 0;
+    counters.undecided[1] = 0;
+  }
+};
+
+/// Over the active triangles.
+template <class Geometry>
+struct Check : Kernel
+{
+  static constexpr const char* Name = "check";
+  static constexpr int Bytes = 4 + 4 * 32 + 6 * 32 + 8 + 2 * 8;
+  using Local = std::uint32_t; ///< edges looked at
+  FlipData<Geometry> data;
+  std::uint32_t round;
+
+  FF_HD Local begin() const { return 0; }
+  FF_HD void operator()(std::uint32_t i, Local& checks) const
+  {
+    flips::check(
+      this->data, FilteredGeometry<Geometry>(this->data.geometry), this->round, i, checks);
+  }
+  FF_HD void end(Local checks) const
+  {
+    atomics::add(&this->data.counters->round.edgeChecks, checks);
+  }
+  FF_HD void once() const
+  {
+    Counters& counters = *this->data.counters;
+    counters.active[(this->round & 1) ^ 1] = 0;
+    counters.flips[this->round & 1] = 0;
+    // The round before is over. One without work comes after the last, so nothing is lost.
+    RoundCounts& counts = counters.round;
+    counters.flips22 += counts.flips22;
+    counters.flips31 += counts.flips31;
+    counters.flipsD += counts.flipsD;
+    counters.labelled += counts.labelled;
+    counts.flips22 = 0;
+    counts.flips31 = 0;
+    counts.flipsD = 0;
+    counts.labelled = 0;
+  }
+};
+
+/// Over the undecided of Check.
+template <class Geometry>
+struct CheckExact : ExactKernel<Geometry, FlipData<Geometry>>
+{
+  static constexpr const char* Name = "check, exact";
+  static constexpr int Bytes = Check<Geometry>::Bytes + 4;
+  std::uint32_t round;
+
+  FF_HD void operator()(std::uint32_t i, const Geometry& local) const
+  {
+    std::uint32_t checks = 0; // the fast kernel has counted them
+    flips::check(this->data, local, this->round, this->data.undecided[i], checks);
+  }
+};
+
+/// Over the active triangles.
+template <class Geometry>
+struct Resolve : Kernel
+{
+  static constexpr const char* Name = "resolve";
+  static constexpr int Bytes = 4 + 8 + 2 * 8 + 8 + 8;
+  using Local = std::uint32_t; ///< vertices labelled
+  FlipData<Geometry> data;
+  std::uint32_t round;
+
+  FF_HD Local begin() const { return 0; }
+  FF_HD void operator()(std::uint32_t i, Local& labelled) const
+  {
+    const FlipData<Geometry>& d = this->data;
+    const Proposal proposal = d.proposals[i];
+    if (proposal.action == FlipAction::None)
+    {
+      return; // to rest
+    }
+    if (!flips::isFlip(proposal))
+    {
+      if (d.vBiased && d.counters->proposing == this->round)
+      {
+        flips::wake(d, this->round + 1, triangleOf(proposal.edge));
+      }
+      else
+      {
+        this->label(flips::halfEdgeFromEnd(d.mesh, proposal), labelled);
+      }
+      return;
+    }
+    const std::uint64_t key = voteKey(this->round, proposal.edge);
+    const FlipPlan plan = flips::planOf(d.mesh, proposal);
+    bool won = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      won = won && (k >= plan.triangleCount || d.votes[plan.triangle[k]] == key);
+    }
+    if (won)
+    {
+      const int turn = static_cast<int>(this->round & 1);
+      d.flips[atomics::add(&d.counters->flips[turn], 1u)] = proposal;
+    }
+    else
+    {
+      flips::wake(d, this->round + 1, triangleOf(proposal.edge));
+    }
+  }
+  FF_HD void end(Local labelled) const
+  {
+    atomics::add(&this->data.counters->round.labelled, labelled);
+  }
+  /// Check has counted.
+  FF_HD void once() const
+  {
+    Counters& counters = *this->data.counters;
+    counters.undecided[(this->round & 1) ^ 1] = 0;
+    counters.edgeChecks += counters.round.edgeChecks;
+    counters.round.edgeChecks = 0;
+  }
+
+private:
+  /// Label the origin of h, and wake its triangles.
+  FF_HD void label(std::uint32_t h, Local& labelled) const
+  {
+    const FlipData<Geometry>& d = this->data;
+    std::uint32_t* const flags = &d.mesh.vertices[d.mesh.origin(h)].flags;
+    if (atomics::setBits(flags, std::uint32_t(VertexLabelled)) & VertexLabelled)
+    {
+      return; // another triangle has asked for it too
+    }
+    flips::noteDuplicates(d, h);
+    ++labelled;
+    std::uint32_t spoke = h;
+    do
+    {
+      flips::wake(d, this->round + 1, triangleOf(spoke));
+      spoke = d.mesh.twin(previousHalfEdge(spoke));
+    } while (spoke != h);
+  }
+};
+
+/// Over the round's flips.
+template <class Geometry>
+struct Publish : Kernel
+{
+  static constexpr const char* Name = "publish";
+  static constexpr int Bytes = 8 + 2 * 32 + 4 * 4 + 2 * 4;
+  FlipData<Geometry> data;
+  std::uint32_t round;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    const FlipData<Geometry>& d = this->data;
+    const FlipPlan plan = flips::planOf(d.mesh, d.flips[i]);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (k < plan.outerCount)
+      {
+        d.moved[plan.from[k]] = plan.to[k];
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      if (k < plan.triangleCount)
+      {
+        d.flipped[plan.triangle[k]] = this->round;
+      }
+    }
+  }
+};
+
+/// Over the round's flips. Each writes to its own triangles, and to half-edges opposite to them in
+/// triangles that do not flip.
+template <class Geometry>
+struct Relink : Kernel
+{
+  static constexpr const char* Name = "relink";
+  static constexpr int Bytes = 8 + 2 * 32 + 4 * (4 + 4 + 4) + 2 * 32 + 2 * 8;
+  struct Local
+  {
+    std::uint32_t flips22 = 0;
+    std::uint32_t flips31 = 0;
+    std::uint32_t byDegree = 0;
+  };
+  FlipData<Geometry> data;
+  std::uint32_t round;
+
+  FF_HD Local begin() const { return Local(); }
+  FF_HD void operator()(std::uint32_t i, Local& local) const
+  {
+    const FlipData<Geometry>& d = this->data;
+    const Proposal proposal = d.flips[i];
+    const FlipPlan plan = flips::planOf(d.mesh, proposal);
+    if (proposal.action == FlipAction::Flip22)
+    {
+      ++local.flips22;
+    }
+    else
+    {
+      ++local.flips31;
+      if (!proposal.byDegree)
+      {
+        flips::noteDuplicates(d, flips::halfEdgeFromEnd(d.mesh, proposal));
+      }
+    }
+    local.byDegree += proposal.byDegree ? 1 : 0;
+
+    std::uint32_t outer[4] = {};
+    for (int k = 0; k < 4; ++k)
+    {
+      if (k < plan.outerCount)
+      {
+        const std::uint32_t other = d.mesh.twin(plan.from[k]);
+        const bool flips = d.flipped[triangleOf(other)] == this->round;
+        outer[k] = flips ? d.moved[other] : other;
+        if (!flips)
+        {
+          d.mesh.triangles[triangleOf(other)].twin[cornerOf(other)] = plan.to[k];
+        }
+      }
+    }
+    replaceTriangles(d.mesh, plan);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (k < plan.outerCount)
+      {
+        d.mesh.triangles[triangleOf(plan.to[k])].twin[cornerOf(plan.to[k])] = outer[k];
+      }
+    }
+    flips::wake(d, this->round + 1, plan.triangle[0]);
+    if (proposal.action == FlipAction::Flip22)
+    {
+      flips::wake(d, this->round + 1, plan.triangle[1]);
+    }
+  }
+  FF_HD void end(const Local& local) const
+  {
+    RoundCounts& counts = this->data.counters->round;
+    atomics::add(&counts.flips22, local.flips22);
+    atomics::add(&counts.flips31, local.flips31);
+    atomics::add(&counts.flipsD, local.byDegree);
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Algorithm 2 (paper, sections 3.1 and 3.2) as rounds of kernels.
+///
+///   Associate    each input point finds its cone of the starting polyhedron
+/// then, in each round,
+///   Mark         which triangles have points?  (a prefix sum gives each of them its new slots)
+///   Insert       the furthest point splits its triangle in three
+///   LinkSplits   the new triangles find their neighbours, which may have been split too
+///   Relocate     each point that is left goes to its child, or is dropped
+///
+/// A point alive is a Vertex record whose flags name its triangle. The furthest point of a triangle
+/// is the greatest of the keys (height, lowest id), so any order of execution inserts the same
+/// points; new slots come from the prefix sum, never from a counter. What the floating-point filter
+/// leaves open in Associate and Relocate goes to a list, and from there to their exact twins.
+///
+/// How two neighbours are split at once: a triangle that is split in this round carries the round
+/// in its index. A child's outer neighbour is known by its old number; if that triangle was split
+/// too, the half of the edge is now edge 0 of the child of the same number.
+#ifndef flipflop_GrowthKernels_h
+#define flipflop_GrowthKernels_h
+
+#include "FlipFlop/GrowthRule.h"
+#include "Mesh/Mesh.h"
+#include "Points/PointSource.h"
+#include "Rounds/Atomics.h"
+#include "Rounds/Counters.h"
+#include "Rounds/ExactKernel.h"
+#include "Rounds/FilteredGeometry.h"
+#include "Rounds/Kernel.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace flipflop
+{
+
+/// What the kernels work on, in the executor's memory.
+template <class Geometry>
+struct GrowthData
+{
+  Geometry geometry;
+  PointSource points;
+  bool checkFinite; ///< there are points to ignore
+  Mesh mesh;
+  std::uint64_t* furthest; ///< by triangle: furthestKey of its points, 0: it has none
+  std::uint32_t* lowest;   ///< by vertex: the lowest id at its position
+  Vertex* live[2];         ///< points still above the polyhedron, by turns
+  std::uint32_t* candidates[2];
+  std::uint32_t* places; ///< by candidate: 1 if it has points, then the number of those before
+  std::uint32_t* undecided;
+  Counters* counters;
+};
+
+/// Orders points by height, then the lower id. Never 0.
+FF_HD inline std::uint64_t furthestKey(double height, std::uint32_t id)
+{
+  const double positive = height > 0 ? height : 0.0; // which goes first is no matter of exactness
+  std::uint64_t bits;
+  memcpy(&bits, &positive, sizeof(bits));
+  return (bits & 0xFFFFFFFF00000000u) | (NoIndex - id);
+}
+FF_HD inline std::uint32_t idOfKey(std::uint64_t key)
+{
+  return NoIndex - static_cast<std::uint32_t>(key);
+}
+
+namespace growth
+{
+
+/// Let p, in the cone of t and above it, live on.
+template <class Geometry>
+FF_HD void keep(
+  const GrowthData<Geometry>& data, int turn, const Vertex& p, std::uint32_t t, double height)
+{
+  const std::uint32_t slot = atomics::add(&data.counters->live[turn], 1u);
+  Vertex& record = data.live[turn][slot];
+  record = p;
+  record.flags = t;
+  atomics::raise(&data.furthest[t], furthestKey(height, p.id));
+}
+
+/// The rule's isAbove for the triangle of the corners v[0], v[1], v[2] in whose cone p is.
+template <class Geometry>
+FF_HD bool staysAbove(const GrowthData<Geometry>& data, const Geometry& geometry,
+  const std::uint32_t* v, const Vertex& p)
+{
+  const Vertex* const vertices = data.mesh.vertices;
+  return isAbove(geometry, vertices[v[0]], vertices[v[1]], vertices[v[2]], p,
+    [&](int i) {
+      atomics::lower(&data.lowest[i == 0 ? v[0] : i == 1 ? v[1] : v[2]], p.id);
+    });
+}
+template <class Geometry>
+FF_HD bool staysAbove(const GrowthData<Geometry>& data, const FilteredGeometry<Geometry>& geometry,
+  const std::uint32_t* v, const Vertex& p)
+{
+  const Vertex* const vertices = data.mesh.vertices;
+  return geometry.perturbedAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p) > 0;
+}
+
+/// Leave an item to the exact kernel.
+template <class Geometry>
+FF_HD void leaveOpen(const GrowthData<Geometry>& data, int turn, std::uint32_t item)
+{
+  data.undecided[atomics::add(&data.counters->undecided[turn], 1u)] = item;
+}
+
+/// The cone of the starting polyhedron that p is in, from triangle to triangle.
+template <class Oracle>
+FF_HD std::uint32_t walk(const Oracle& geometry, const Mesh& mesh, const Vertex& p)
+{
+  std::uint32_t t = 0;
+  int entry = 3; // the side we came through
+  for (;;)
+  {
+    const Triangle& triangle = mesh.triangles[t];
+    int out = 3;
+    for (int i = 0; i < 3; ++i)
+    {
+      if (out == 3 && i != entry &&
+        geometry.perturbedBeneathKernel(
+          mesh.vertices[triangle.v[i]], mesh.vertices[triangle.v[nextCorner(i)]], p) < 0)
+      {
+        out = i;
+      }
+    }
+    if (out == 3 || isUndecided(geometry))
+    {
+      return t;
+    }
+    const std::uint32_t twin = triangle.twin[out];
+    t = triangleOf(twin);
+    entry = cornerOf(twin);
+  }
+}
+
+/// Point @p id of the input goes to its cone.
+template <class Geometry, class Oracle>
+FF_HD void associate(const GrowthData<Geometry>& data, const Oracle& geometry, std::uint32_t id)
+{
+  const Vertex p = data.points.vertex(id);
+  const Vertex* const start = data.mesh.vertices;
+  if ((data.checkFinite && !isFinite(p.x)) || id == start[0].id || id == start[1].id ||
+    id == start[2].id || id == start[3].id)
+  {
+    return;
+  }
+  const std::uint32_t t = walk(geometry, data.mesh, p);
+  const std::uint32_t* const v = data.mesh.triangles[t].v;
+  const bool above = staysAbove(data, geometry, v, p);
+  if (isUndecided(geometry))
+  {
+    leaveOpen(data, 0, id);
+  }
+  else if (above)
+  {
+    keep(data, 0, p, t, Geometry::heightAbove(start[v[0]], start[v[1]], start[v[2]], p));
+  }
+}
+
+/// Point @p i alive, whose triangle has just been split, goes on.
+template <class Geometry, class Oracle>
+FF_HD void relocate(
+  const GrowthData<Geometry>& data, const Oracle& geometry, int turn, std::uint32_t i)
+{
+  Vertex p = data.live[turn][i];
+  const std::uint32_t t = p.flags;
+  p.flags = 0;
+  const Triangle& first = data.mesh.triangles[t];
+  const std::uint32_t child[3] = { t, triangleOf(first.twin[1]), triangleOf(first.twin[2]) };
+  const std::uint32_t corner[3] = { first.v[0], first.v[1], data.mesh.triangles[child[1]].v[1] };
+  const std::uint32_t apex = first.v[2];
+  const Vertex* const vertices = data.mesh.vertices;
+  const Vertex& v = vertices[apex];
+  if (v.id == p.id)
+  {
+    return; // it is the one
+  }
+  const int k =
+    childOf(geometry, v, vertices[corner[0]], vertices[corner[1]], vertices[corner[2]], p);
+  const std::uint32_t triangle[3] = { k == 0 ? corner[0]
+      : k == 1                               ? corner[1]
+                                             : corner[2],
+    k == 0     ? corner[1]
+      : k == 1 ? corner[2]
+               : corner[0],
+    apex };
+  const bool above = staysAbove(data, geometry, triangle, p);
+  if (isUndecided(geometry))
+  {
+    leaveOpen(data, turn, i);
+  }
+  else if (above)
+  {
+    keep(data, turn ^ 1, p,
+      k == 0     ? child[0]
+        : k == 1 ? child[1]
+                 : child[2],
+      Geometry::heightAbove(
+        vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]], p));
+  }
+}
+
+}
+
+/// Over the points of the input.
+template <class Geometry>
+struct Associate : Kernel
+{
+  static constexpr const char* Name = "associate";
+  static constexpr int Bytes = 24 + 32 + 8;
+  GrowthData<Geometry> data;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    growth::associate(this->data, FilteredGeometry<Geometry>(this->data.geometry), i);
+  }
+};
+
+/// Over the undecided of Associate.
+template <class Geometry>
+struct AssociateExact : ExactKernel<Geometry, GrowthData<Geometry>>
+{
+  static constexpr const char* Name = "associate, exact";
+  static constexpr int Bytes = Associate<Geometry>::Bytes + 4;
+
+  FF_HD void operator()(std::uint32_t i, const Geometry& local) const
+  {
+    growth::associate(this->data, local, this->data.undecided[i]);
+  }
+};
+
+/// Over the room for the sums: all places of a list of at most so many candidates, and one more.
+struct Mark : Kernel
+{
+  static constexpr const char* Name = "mark";
+  static constexpr int Bytes = 4 + 8 + 4;
+  const std::uint32_t* candidates;
+  const std::uint64_t* furthest;
+  std::uint32_t* places;
+  const Counters* counters;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    this->places[i] =
+      i < this->counters->candidates && this->furthest[this->candidates[i]] != 0 ? 1 : 0;
+  }
+};
+
+/// Over the candidates.
+template <class Geometry>
+struct Insert : Kernel
+{
+  static constexpr const char* Name = "insert";
+  static constexpr int Bytes = 4 + 8 + 4 + 24 + 32 + 3 * 32 + 3 * 8 + 3 * 4 + 32;
+  GrowthData<Geometry> data;
+  std::uint32_t round;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    const GrowthData<Geometry>& d = this->data;
+    const std::uint32_t place = d.places[i];
+    if (d.places[i + 1] == place)
+    {
+      return;
+    }
+    const std::uint32_t t = d.candidates[this->round & 1][i];
+    const std::uint32_t id = idOfKey(d.furthest[t]);
+    const std::uint32_t vertex = d.counters->vertices + place;
+    Vertex& v = d.mesh.vertices[vertex];
+    v = d.points.vertex(id);
+    v.flags = VertexAlive;
+    d.lowest[vertex] = id;
+
+    const std::uint32_t added = d.counters->triangles + 2 * place;
+    const std::uint32_t child[3] = { t, added, added + 1 };
+    const Triangle parent = d.mesh.triangles[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      Triangle& triangle = d.mesh.triangles[child[k]];
+      triangle.v[0] = parent.v[k];
+      triangle.v[1] = parent.v[nextCorner(k)];
+      triangle.v[2] = vertex;
+      triangle.flags = 0;
+      triangle.twin[0] = parent.twin[k]; // by its old number
+      triangle.twin[1] = halfEdge(child[nextCorner(k)], 2);
+      triangle.twin[2] = halfEdge(child[previousCorner(k)], 1);
+      triangle.index = k == 0 ? this->round : 0;
+      d.furthest[child[k]] = 0;
+      d.candidates[(this->round & 1) ^ 1][3 * place + static_cast<std::uint32_t>(k)] = child[k];
+    }
+  }
+};
+
+/// Over the candidates.
+template <class Geometry>
+struct LinkSplits : Kernel
+{
+  static constexpr const char* Name = "link splits";
+  static constexpr int Bytes = 8 + 4 + 3 * (8 + 4 + 12 + 4);
+  GrowthData<Geometry> data;
+  std::uint32_t round;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    const GrowthData<Geometry>& d = this->data;
+    if (d.places[i + 1] == d.places[i])
+    {
+      return;
+    }
+    const std::uint32_t t = d.candidates[this->round & 1][i];
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::uint32_t h = halfEdge(this->childOf(t, k), 0);
+      std::uint32_t& twin = d.mesh.triangles[triangleOf(h)].twin[0];
+      const std::uint32_t other = triangleOf(twin);
+      if (d.mesh.triangles[other].index == this->round)
+      {
+        twin = halfEdge(this->childOf(other, cornerOf(twin)), 0);
+      }
+      else
+      {
+        d.mesh.triangles[other].twin[cornerOf(twin)] = h;
+      }
+    }
+  }
+
+  FF_HD void once() const
+  {
+    Counters& counters = *this->data.counters;
+    counters.live[this->round & 1] = 0;
+    counters.undecided[(this->round & 1) ^ 1] = 0;
+  }
+
+private:
+  FF_HD std::uint32_t childOf(std::uint32_t t, int k) const
+  {
+    return k == 0 ? t : triangleOf(this->data.mesh.triangles[t].twin[k]);
+  }
+};
+
+/// Over the points alive. Round r reads turn (r + 1) & 1 and fills the other.
+template <class Geometry>
+struct Relocate : Kernel
+{
+  static constexpr const char* Name = "relocate";
+  static constexpr int Bytes = 32 + 64 + 4 * 32 + 32 + 8;
+  GrowthData<Geometry> data;
+  std::uint32_t round;
+  std::uint32_t* total; ///< of the candidates' places
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    growth::relocate(this->data, FilteredGeometry<Geometry>(this->data.geometry),
+      static_cast<int>((this->round & 1) ^ 1), i);
+  }
+
+  /// The round's vertices are all there: count them.
+  FF_HD void once() const
+  {
+    Counters& counters = *this->data.counters;
+    const std::uint32_t inserted = *this->total;
+    counters.vertices += inserted;
+    counters.triangles += 2 * inserted;
+    counters.candidates = 3 * inserted;
+    counters.inserted = inserted;
+    counters.insertions += inserted;
+  }
+};
+
+/// Over the undecided of Relocate.
+template <class Geometry>
+struct RelocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
+{
+  static constexpr const char* Name = "relocate, exact";
+  static constexpr int Bytes = Relocate<Geometry>::Bytes + 4;
+  std::uint32_t round;
+
+  FF_HD void operator()(std::uint32_t i, const Geometry& local) const
+  {
+    growth::relocate(
+      this->data, local, static_cast<int>((this->round & 1) ^ 1), this->data.undecided[i]);
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Runs the rounds' kernels on the host: in order, backwards, shuffled, or on several threads.
+///
+/// It exists so that every kernel is tested on every machine. What an executor offers:
+///
+///   allocate, release            memory that kernels can reach; uninitialised
+///   fill, copy, fromHost, toHost
+///   each(most, count, kernel)    run the kernel for items 0 to *count - 1: at most `most`, and
+///   just
+///                                so many where count is null
+///   exclusiveSum(values, n)      each value becomes the sum of those before it
+///   resident(points, residence)  the points as kernels can read them, while the residence lives
+///   record, recorded             a copy of the counters as they are now; wait for it, and read it
+///   finish                       wait for all
+/// Calls take effect in their order. Only toHost, recorded and finish wait.
+#ifndef flipflop_HostExecutor_h
+#define flipflop_HostExecutor_h
+
+#include "Points/PointSource.h"
+#include "Rounds/Counters.h"
+#include "Rounds/Kernel.h"
+#include "Rounds/KernelTally.h"
+#include <flipflop/Buffer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <numeric>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace flipflop
+{
+
+class HostExecutor
+{
+public:
+  enum class Order
+  {
+    Forwards,
+    Backwards,
+    Shuffled,
+    Threads ///< interleaved: thread k of n takes the items k, k + n, ...
+  };
+
+  /// How many recorded counters there can be at a time.
+  static constexpr int Records = 4;
+
+  explicit HostExecutor(Order chosen = Order::Forwards, unsigned seed = 1, int threadNumber = 4)
+    : order(chosen)
+    , random(seed)
+    , threadCount(threadNumber)
+  {
+  }
+
+  HostExecutor(const HostExecutor&) = delete;
+  HostExecutor& operator=(const HostExecutor&) = delete;
+
+  /// @throw Error OutOfMemory
+  void* allocate(std::size_t bytes)
+  {
+    void* const memory = std::aligned_alloc(64, (bytes + 63) / 64 * 64);
+    if (!memory)
+    {
+      throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(bytes));
+    }
+    this->bytesNow += static_cast<std::int64_t>(bytes);
+    this->bytesMost = std::max(this->bytesMost, this->bytesNow);
+    return memory;
+  }
+  void release(void* memory, std::size_t bytes) noexcept
+  {
+    this->bytesNow -= static_cast<std::int64_t>(bytes);
+    std::free(memory);
+  }
+
+  void fill(void* to, int byte, std::size_t bytes) { std::memset(to, byte, bytes); }
+  void copy(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
+  void fromHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
+  void toHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
+  void finish() {}
+
+  template <class K>
+  void each(std::uint32_t most, const std::uint32_t* count, const K& kernel)
+  {
+    this->run(this->log(most, count, kernel), kernel);
+  }
+
+  void exclusiveSum(std::uint32_t* values, std::uint32_t n)
+  {
+    std::exclusive_scan(values, values + n, values, std::uint32_t(0));
+  }
+
+  /// Here they are already.
+  struct Residence
+  {
+    explicit Residence(HostExecutor&) {}
+  };
+  PointSource resident(const PointSource& points, Residence&) { return points; }
+
+  void record(const Counters* counters, int slot) { this->records[slot] = *counters; }
+  const Counters& recorded(int slot) { return this->records[slot]; }
+
+  /// By kernel name.
+  const KernelTallies::Map& tallies() const { return this->kernels.map(); }
+  std::int64_t mostBytes() const { return this->bytesMost; }
+
+protected:
+  /// Count a launch. @return its items
+  template <class K>
+  std::uint32_t log(std::uint32_t most, const std::uint32_t* count, const K&)
+  {
+    const std::uint32_t items = count ? std::min(most, *count) : most;
+    KernelTally& tally = this->kernels.of(K::Name);
+    ++tally.launches;
+    tally.items += items;
+    tally.bytes += static_cast<std::int64_t>(items) * K::Bytes;
+    return items;
+  }
+
+private:
+  template <class K>
+  void run(std::uint32_t count, const K& kernel)
+  {
+    if (this->order == Order::Forwards || count == 0)
+    {
+      runItems(kernel, 0, 1, count);
+    }
+    else if (this->order == Order::Threads)
+    {
+      const auto step = static_cast<std::uint32_t>(this->threadCount);
+      std::vector<std::thread> threads;
+      for (std::uint32_t k = 0; k < step; ++k)
+      {
+        threads.emplace_back([&kernel, k, step, count] { runItems(kernel, k, step, count); });
+      }
+      for (std::thread& thread : threads)
+      {
+        thread.join();
+      }
+    }
+    else
+    {
+      // A thread an item.
+      this->listed.resize(count);
+      std::iota(this->listed.begin(), this->listed.end(), std::uint32_t(0));
+      if (this->order == Order::Backwards)
+      {
+        std::reverse(this->listed.begin(), this->listed.end());
+      }
+      else
+      {
+        std::shuffle(this->listed.begin(), this->listed.end(), this->random);
+      }
+      for (const std::uint32_t i : this->listed)
+      {
+        runItems(kernel, i, count, count);
+      }
+    }
+  }
+
+  Order order;
+  std::mt19937 random;
+  int threadCount;
+  Counters records[Records];
+  std::vector<std::uint32_t> listed;
+  KernelTallies kernels;
+  std::int64_t bytesNow = 0;
+  std::int64_t bytesMost = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,423 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The rounds of ffHull and ffRT (paper, sections 3.2 and 4): written once, over an executor and a
+/// geometry.
+///
+///   grow()      GrowthKernels.h, until no point is left
+///   flip()      FlipKernels.h, until no triangle is active
+///   compact()   CompactKernels.h, and back to the host
+///
+/// A round costs no wait: kernels take their counts from the executor's memory (Counters.h), and
+/// the host is a round ahead. It hands out round r knowing what round r - 2 left, which bounds how
+/// much memory round r can need; so a stage ends with a round that has nothing to do.
+#ifndef flipflop_Rounds_h
+#define flipflop_Rounds_h
+
+#include "FlipFlop/Tally.h"
+#include "Mesh/Polyhedron.h"
+#include "Rounds/CompactKernels.h"
+#include "Rounds/ExecutorArray.h"
+#include "Rounds/FlipKernels.h"
+#include "Rounds/GrowthKernels.h"
+#include "Rounds/RoundReport.h"
+#include "Support/Monitor.h"
+#include "Support/Stopwatch.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+template <class Executor, class Geometry>
+class Rounds
+{
+public:
+  /// @param points  of the input, as the host reads them
+  /// @param watcher may be null
+  Rounds(Executor& where, const Geometry& chosen, const PointSource& points, bool skipNonFinite,
+    bool vBiasedVariant, Monitor& watch, const RoundObserver* watcher = nullptr)
+    : executor(where)
+    , geometry(chosen)
+    , source(points)
+    , checkFinite(skipNonFinite)
+    , vBiased(vBiasedVariant)
+    , monitor(watch)
+    , observer(watcher)
+    , counters(where, 1)
+    , triangles(where)
+    , vertices(where)
+    , keys(where)
+    , lowest(where)
+    , sameAs(where)
+    , places(where)
+    , lists{ Array<std::uint32_t>(where), Array<std::uint32_t>(where) }
+    , undecided(where)
+  {
+  }
+
+  /// From a tetrahedron around the geometry's kernel point to a star-shaped polyhedron that no
+  /// point is outside of.
+  void grow(const Polyhedron& start)
+  {
+    const std::uint32_t count = this->source.count();
+    this->monitor.stage(0.1, 0.5, count);
+    typename Executor::Residence residence(this->executor);
+    const PointSource points = this->executor.resident(this->source, residence);
+    Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
+      Array<Vertex>(this->executor, count) };
+    this->undecided.reserve(count, 0);
+    this->begin(start);
+
+    Counters* const c = this->counters.data();
+    GrowthData<Geometry> data = { this->geometry, points, this->checkFinite, {}, nullptr, nullptr,
+      { live[0].data(), live[1].data() }, {}, nullptr, this->undecided.data(), c };
+    this->share(data);
+    this->executor.each(count, nullptr, Associate<Geometry>{ {}, data });
+    this->executor.each(count, &c->undecided[0], AssociateExact<Geometry>{ { {}, data } });
+    this->executor.record(c, 0);
+    this->observe(RoundReport::Stage::Associate, 0);
+
+    std::uint32_t aliveBefore = count;
+    for (std::uint32_t round = 1;; ++round)
+    {
+      const std::uint32_t known = round > 1 + Ahead ? round - 1 - Ahead : 0;
+      const Counters& then = this->recorded(known);
+      const std::uint32_t alive = then.live[known & 1];
+      this->monitor.advance(aliveBefore - alive);
+      aliveBefore = alive;
+      if (alive == 0)
+      {
+        break;
+      }
+      Bounds before(then, alive);
+      for (std::uint32_t r = known + 1; r < round; ++r)
+      {
+        before = before.afterRound();
+      }
+      this->makeRoom(round, before);
+      this->share(data);
+      this->growthRound(data, round, before);
+      this->growthRoundCount = round;
+      this->record(round);
+      this->observe(RoundReport::Stage::Grow, round);
+    }
+    this->places.clear();
+    this->undecided.clear();
+  }
+
+  /// Algorithm 1.
+  void flip()
+  {
+    const Counters& counted = this->now();
+    const std::uint32_t t = counted.triangles;
+    const std::uint32_t v = counted.vertices;
+    this->monitor.stage(0.5, 0.85, t);
+    Array<std::uint32_t> moved(this->executor, 4 * std::size_t(t));
+    Array<std::uint32_t> flipped(this->executor, t);
+    Array<std::uint32_t> queued(this->executor, t);
+    Array<Proposal> proposals(this->executor, t);
+    Array<Proposal> flips(this->executor, t);
+    this->lists[0].reserve(t, 0);
+    this->lists[1].reserve(t, 0);
+    this->undecided.reserve(t, 0);
+    this->sameAs.reserve(3 * std::size_t(v), 0);
+    this->executor.fill(this->sameAs.data(), 0xFF, 3 * std::size_t(v) * sizeof(std::uint32_t));
+    this->executor.fill(this->keys.data(), 0xFF, t * sizeof(std::uint64_t));
+    this->executor.fill(flipped.data(), 0, t * sizeof(std::uint32_t));
+
+    const FlipData<Geometry> data = { this->geometry, this->mesh(), this->keys.data(), moved.data(),
+      flipped.data(), queued.data(), this->sameAs.data(),
+      { this->lists[0].data(), this->lists[1].data() }, proposals.data(), flips.data(),
+      this->undecided.data(), this->counters.data(), this->vBiased };
+    this->executor.each(t, nullptr, WakeAll<Geometry>{ {}, data, t });
+
+    std::uint32_t activeBefore = t;
+    for (std::uint32_t round = 1;; ++round)
+    {
+      if (round > 1 + Ahead)
+      {
+        const std::uint32_t known = round - 1 - Ahead;
+        const std::uint32_t active = this->recorded(known).active[(known + 1) & 1];
+        this->monitor.advance(active < activeBefore ? activeBefore - active : 0);
+        activeBefore = active;
+        if (active == 0)
+        {
+          break;
+        }
+      }
+      this->flipRound(data, round, t);
+      this->flipRoundCount = round;
+      this->record(round);
+      this->observe(RoundReport::Stage::Flip, round);
+    }
+  }
+
+  /// The polyhedron without gaps, on the host.
+  Polyhedron compact(Tally& tally)
+  {
+    Counters counted = this->now();
+    const std::uint32_t t = counted.triangles;
+    const std::uint32_t v = counted.vertices;
+    Array<std::uint32_t> trianglePlaces(this->executor, std::size_t(t) + 1);
+    Array<std::uint32_t> vertexPlaces(this->executor, std::size_t(v) + 1);
+    this->executor.each(
+      t + 1, nullptr, MarkTriangles{ {}, this->mesh(), t, trianglePlaces.data() });
+    this->executor.each(v + 1, nullptr, MarkVertices{ {}, this->mesh(), v, vertexPlaces.data() });
+    this->executor.exclusiveSum(trianglePlaces.data(), t + 1);
+    this->executor.exclusiveSum(vertexPlaces.data(), v + 1);
+    Array<std::uint32_t> list(this->executor, v);
+    this->executor.each(v, nullptr,
+      ListDuplicates{ {}, this->mesh(), this->lowest.data(), this->sameAs.data(), list.data(),
+        this->counters.data() });
+    this->record(0);
+    std::uint32_t triangleCount;
+    std::uint32_t vertexCount;
+    this->executor.toHost(&triangleCount, trianglePlaces.data() + t, sizeof(triangleCount));
+    this->executor.toHost(&vertexCount, vertexPlaces.data() + v, sizeof(vertexCount));
+    counted = this->recorded(0);
+
+    Polyhedron result(vertexCount, triangleCount);
+    {
+      Array<Triangle> gathered(this->executor, triangleCount);
+      this->executor.each(t, nullptr,
+        GatherTriangles{
+          {}, this->mesh(), trianglePlaces.data(), vertexPlaces.data(), gathered.data() });
+      this->download(result.triangles, gathered);
+    }
+    {
+      Array<Vertex> gathered(this->executor, vertexCount);
+      this->executor.each(
+        v, nullptr, GatherVertices{ {}, this->mesh(), vertexPlaces.data(), gathered.data() });
+      this->download(result.vertices, gathered);
+    }
+    if (counted.duplicates)
+    {
+      const std::size_t count = GatherDuplicates::Pairs * std::size_t(counted.duplicates);
+      Array<Duplicate> gathered(this->executor, count);
+      this->executor.each(counted.duplicates, nullptr,
+        GatherDuplicates{ {}, this->mesh(), this->lowest.data(), this->sameAs.data(), list.data(),
+          gathered.data() });
+      Buffer<Duplicate> pairs(count);
+      this->download(pairs, gathered);
+      std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(tally.duplicates),
+        [](const Duplicate& d) { return d.first != d.second; });
+    }
+    addTo(tally, counted);
+    return result;
+  }
+
+  std::uint32_t growthRounds() const { return this->growthRoundCount; }
+  std::uint32_t flipRounds() const { return this->flipRoundCount; }
+
+private:
+  template <class T>
+  using Array = ExecutorArray<Executor, T>;
+
+  /// How many rounds the host is ahead of what it knows, beside the one it hands out.
+  static constexpr std::uint32_t Ahead = 1;
+  static_assert(Ahead + 2 <= Executor::Records, "a record is read before it is written anew");
+
+  /// No more than this is there.
+  struct Bounds
+  {
+    explicit Bounds(const Counters& known, std::uint32_t pointsAlive)
+      : triangles(known.triangles)
+      , vertices(known.vertices)
+      , candidates(known.candidates)
+      , alive(pointsAlive)
+      , allVertices(vertices + alive)
+    {
+    }
+
+    /// A round inserts a point into each candidate that has one, and makes three of it. In all
+    /// there are no more vertices than points alive.
+    Bounds afterRound() const
+    {
+      Bounds result = *this;
+      const std::uint64_t inserted =
+        std::min({ this->candidates, this->alive, this->allVertices - this->vertices });
+      result.triangles += 2 * inserted;
+      result.vertices += inserted;
+      result.candidates = 3 * std::min(this->candidates, this->alive);
+      return result;
+    }
+
+    std::uint64_t triangles, vertices, candidates, alive, allVertices;
+  };
+
+  Mesh mesh()
+  {
+    Mesh result;
+    result.triangles = this->triangles.data();
+    result.vertices = this->vertices.data();
+    return result;
+  }
+
+  void begin(const Polyhedron& start)
+  {
+    constexpr std::size_t Room = 1 << 10; // so that the first rounds need not grow
+    const std::uint32_t t = start.triangleCount();
+    const std::uint32_t v = start.vertexCount();
+    this->triangles.reserve(Room, 0);
+    this->vertices.reserve(Room, 0);
+    this->keys.reserve(Room, 0);
+    this->lowest.reserve(Room, 0);
+    this->lists[0].reserve(Room, 0);
+    this->lists[1].reserve(Room, 0);
+    this->places.reserve(Room, 0);
+
+    std::vector<std::uint32_t> all(t);
+    std::iota(all.begin(), all.end(), std::uint32_t(0));
+    std::vector<std::uint32_t> ids(v);
+    std::transform(start.vertices.begin(), start.vertices.end(), ids.begin(),
+      [](const Vertex& vertex) { return vertex.id; });
+    Counters first;
+    first.triangles = t;
+    first.vertices = v;
+    first.candidates = t;
+    this->executor.fromHost(this->triangles.data(), start.triangles.data(), t * sizeof(Triangle));
+    this->executor.fromHost(this->vertices.data(), start.vertices.data(), v * sizeof(Vertex));
+    this->executor.fromHost(this->lowest.data(), ids.data(), v * sizeof(std::uint32_t));
+    this->executor.fromHost(this->lists[1].data(), all.data(), t * sizeof(std::uint32_t));
+    this->executor.fromHost(this->counters.data(), &first, sizeof(first));
+    this->executor.fill(this->keys.data(), 0, t * sizeof(std::uint64_t));
+  }
+
+  /// Have room for what a round can add.
+  void makeRoom(std::uint32_t round, const Bounds& before)
+  {
+    const Bounds after = before.afterRound();
+    if (4 * after.triangles >= NoIndex)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(after.vertices));
+    }
+    this->triangles.reserve(after.triangles, before.triangles);
+    this->keys.reserve(after.triangles, before.triangles);
+    this->vertices.reserve(after.vertices, before.vertices);
+    this->lowest.reserve(after.vertices, before.vertices);
+    this->places.reserve(before.candidates + 1, 0);
+    this->lists[(round & 1) ^ 1].reserve(after.candidates, 0);
+  }
+
+  /// Where things are now.
+  void share(GrowthData<Geometry>& data)
+  {
+    data.mesh = this->mesh();
+    data.furthest = this->keys.data();
+    data.lowest = this->lowest.data();
+    data.candidates[0] = this->lists[0].data();
+    data.candidates[1] = this->lists[1].data();
+    data.places = this->places.data();
+  }
+
+  void growthRound(const GrowthData<Geometry>& data, std::uint32_t round, const Bounds& before)
+  {
+    Counters* const c = data.counters;
+    const auto candidates = static_cast<std::uint32_t>(before.candidates);
+    const auto alive = static_cast<std::uint32_t>(before.alive);
+    const std::uint32_t turn = (round & 1) ^ 1;
+    this->executor.each(candidates + 1, nullptr,
+      Mark{ {}, data.candidates[round & 1], data.furthest, data.places, c });
+    this->executor.exclusiveSum(data.places, candidates + 1);
+    this->executor.each(candidates, &c->candidates, Insert<Geometry>{ {}, data, round });
+    this->executor.each(candidates, &c->candidates, LinkSplits<Geometry>{ {}, data, round });
+    this->executor.each(
+      alive, &c->live[turn], Relocate<Geometry>{ {}, data, round, data.places + candidates });
+    this->executor.each(alive, &c->undecided[turn], RelocateExact<Geometry>{ { {}, data }, round });
+  }
+
+  void flipRound(const FlipData<Geometry>& data, std::uint32_t round, std::uint32_t most)
+  {
+    Counters* const c = data.counters;
+    const std::uint32_t turn = round & 1;
+    this->executor.each(most, &c->active[turn], Check<Geometry>{ {}, data, round });
+    this->executor.each(most, &c->undecided[turn], CheckExact<Geometry>{ { {}, data }, round });
+    this->executor.each(most, &c->active[turn], Resolve<Geometry>{ {}, data, round });
+    this->executor.each(most, &c->flips[turn], Publish<Geometry>{ {}, data, round });
+    this->executor.each(most, &c->flips[turn], Relink<Geometry>{ {}, data, round });
+  }
+
+  void record(std::uint32_t round)
+  {
+    this->executor.record(this->counters.data(), static_cast<int>(round % Executor::Records));
+  }
+  const Counters& recorded(std::uint32_t round)
+  {
+    return this->executor.recorded(static_cast<int>(round % Executor::Records));
+  }
+  /// Waits.
+  const Counters& now()
+  {
+    this->record(0);
+    return this->recorded(0);
+  }
+
+  template <class T>
+  void download(Buffer<T>& to, Array<T>& from)
+  {
+    this->executor.toHost(to.data(), from.data(), to.size() * sizeof(T));
+  }
+
+  void observe(RoundReport::Stage stage, std::uint32_t round)
+  {
+    if (!this->observer)
+    {
+      return;
+    }
+    Counters c;
+    this->executor.toHost(&c, this->counters.data(), sizeof(c));
+    Buffer<Triangle> t(c.triangles);
+    Buffer<Vertex> v(c.vertices);
+    this->download(t, this->triangles);
+    this->download(v, this->vertices);
+    const bool flipping = stage == RoundReport::Stage::Flip;
+    (*this->observer)({ stage, round, flipping ? c.active[(round & 1) ^ 1] : c.live[round & 1],
+      c.triangles, c.vertices, flipping ? c.flips[round & 1] : c.inserted,
+      c.labelled + c.round.labelled, hashOf(t.data(), c.triangles, v.data(), c.vertices) });
+  }
+
+  static void addTo(Tally& tally, const Counters& counted)
+  {
+    const auto signedOf = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
+    Statistics& s = tally.statistics;
+    s.insertions += signedOf(counted.insertions);
+    s.edgeChecks += signedOf(counted.edgeChecks);
+    s.exactCalls += signedOf(counted.exactCalls);
+    s.flips22 += signedOf(counted.flips22);
+    s.flips31 += signedOf(counted.flips31);
+    s.flipsD += signedOf(counted.flipsD);
+    s.flipsV += signedOf(counted.flips22 + counted.flips31 - counted.flipsD);
+    s.labelled += signedOf(counted.labelled);
+    tally.ties += signedOf(counted.ties);
+  }
+
+  Executor& executor;
+  const Geometry geometry;
+  const PointSource& source;
+  const bool checkFinite;
+  const bool vBiased;
+  Monitor& monitor;
+  const RoundObserver* const observer;
+
+  Array<Counters> counters;
+  Array<Triangle> triangles;
+  Array<Vertex> vertices;
+  Array<std::uint64_t> keys;     ///< by triangle: of the furthest point; then votes
+  Array<std::uint32_t> lowest;   ///< by vertex
+  Array<std::uint32_t> sameAs;   ///< three by vertex
+  Array<std::uint32_t> places;   ///< by candidate
+  Array<std::uint32_t> lists[2]; ///< candidates, then active triangles
+  Array<std::uint32_t> undecided;
+  std::uint32_t growthRoundCount = 0;
+  std::uint32_t flipRoundCount = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,440 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Finish/Canonical.h"
+
+#include "Finish/CellSort.h"
+#include "Finish/FacetPolygons.h"
+#include "Finish/Measure.h"
+#include "Support/LowestOf.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+namespace flipflop
+{
+
+namespace
+{
+
+constexpr std::uint32_t Run = 1 << 14;
+
+/// Ids as a set of bits that knows how many of them are below one.
+class IdSet
+{
+public:
+  explicit IdSet(std::uint32_t limit)
+    : bits((static_cast<std::size_t>(limit) + 63) / 64)
+    , before(this->bits.size())
+  {
+  }
+
+  /// By any thread.
+  void insert(std::uint32_t id)
+  {
+    this->bits[id / 64].fetch_or(std::uint64_t(1) << (id % 64), std::memory_order_relaxed);
+  }
+
+  /// After all are inserted; the ids in ascending order go to @p sorted.
+  void count(std::int64_t* sorted, Monitor& monitor)
+  {
+    std::vector<std::uint32_t> counts(runCount(this->bits.size(), Words));
+    eachRun(this->bits.size(), Words,
+      [&](std::size_t begin, std::size_t end, std::size_t run)
+      {
+        monitor.poll();
+        std::uint32_t count = 0;
+        for (std::size_t word = begin; word < end; ++word)
+        {
+          this->before[word] = count;
+          count += bitCount(this->word(word));
+        }
+        counts[run] = count;
+      });
+    std::uint32_t total = 0;
+    for (std::uint32_t& n : counts)
+    {
+      total += std::exchange(n, total);
+    }
+    eachRun(this->bits.size(), Words,
+      [&](std::size_t begin, std::size_t end, std::size_t run)
+      {
+        monitor.poll();
+        for (std::size_t word = begin; word < end; ++word)
+        {
+          this->before[word] += counts[run];
+          std::int64_t* out = sorted + this->before[word];
+          for (std::uint64_t rest = this->word(word); rest; rest &= rest - 1)
+          {
+            // The lowest bit's place is the number of bits below it.
+            *out++ = static_cast<std::int64_t>(64 * word + bitCount((rest & -rest) - 1));
+          }
+        }
+      });
+  }
+
+  std::uint32_t rank(std::uint32_t id) const
+  {
+    const std::uint64_t lower = this->word(id / 64) & ((std::uint64_t(1) << (id % 64)) - 1);
+    return this->before[id / 64] + bitCount(lower);
+  }
+
+private:
+  static constexpr std::size_t Words = 1 << 12; ///< that a task looks at
+
+  std::uint64_t word(std::size_t i) const { return this->bits[i].load(std::memory_order_relaxed); }
+
+  static std::uint32_t bitCount(std::uint64_t word)
+  {
+    word -= (word >> 1) & 0x5555555555555555ull;
+    word = (word & 0x3333333333333333ull) + ((word >> 2) & 0x3333333333333333ull);
+    word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0Full;
+    return static_cast<std::uint32_t>(word * 0x0101010101010101ull >> 56);
+  }
+
+  std::vector<std::atomic<std::uint64_t>> bits;
+  std::vector<std::uint32_t> before;
+};
+
+bool isPoint(const Vertex& vertex)
+{
+  return (vertex.flags & (VertexAlive | VertexVirtual)) == VertexAlive;
+}
+
+/// use(vertex) for every slot of the vertex array, in parallel by runs.
+template <class Use>
+void eachSlot(std::uint32_t slots, Monitor& monitor, Use&& use)
+{
+  eachRun(slots, Run,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      monitor.poll();
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        use(v, run);
+      }
+    });
+}
+
+/// The rank of every vertex among the result's points, by its lowest id; the ids themselves.
+Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
+  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, Monitor& monitor,
+  Buffer<std::int64_t>& pointIds)
+{
+  StepPoll poll(monitor);
+  const std::uint32_t slots = polyhedron.vertexCount();
+  Buffer<std::uint32_t> rank(slots); // until then the lowest id
+  std::vector<std::uint32_t> counts(runCount(slots, Run));
+  eachSlot(slots, monitor,
+    [&](std::size_t v, std::size_t run)
+    {
+      const Vertex& vertex = polyhedron.vertices[v];
+      ensure(!isPoint(vertex) || !(vertex.flags & VertexLabelled)); // or a flip is missing
+      rank[v] = isPoint(vertex) ? vertex.id : NoIndex;
+      counts[run] += isPoint(vertex) ? 1 : 0;
+    });
+  if (!duplicates.empty())
+  {
+    LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() };
+    for (const Duplicate& d : duplicates)
+    {
+      poll.step();
+      lowest.join(d.first, d.second);
+    }
+    for (std::uint32_t& id : rank)
+    {
+      poll.step();
+      id = id == NoIndex ? NoIndex : lowest(id);
+    }
+  }
+  const std::uint32_t count = std::accumulate(counts.begin(), counts.end(), 0u);
+  pointIds.allocate(count);
+
+  // A result that is a small part of the input is sorted; else no sort is needed.
+  if (count < pointCount / 64)
+  {
+    std::size_t n = 0;
+    for (const std::uint32_t id : rank)
+    {
+      poll.step();
+      if (id != NoIndex)
+      {
+        pointIds[n++] = id;
+      }
+    }
+    std::sort(pointIds.begin(), pointIds.end());
+    for (std::uint32_t& id : rank)
+    {
+      poll.step();
+      id = id == NoIndex
+        ? NoIndex
+        : static_cast<std::uint32_t>(
+            std::lower_bound(pointIds.begin(), pointIds.end(), id) - pointIds.begin());
+    }
+    return rank;
+  }
+  IdSet set(pointCount);
+  eachSlot(slots, monitor,
+    [&](std::size_t v, std::size_t)
+    {
+      if (rank[v] != NoIndex)
+      {
+        set.insert(rank[v]);
+      }
+    });
+  set.count(pointIds.data(), monitor);
+  eachSlot(slots, monitor,
+    [&](std::size_t v, std::size_t)
+    { rank[v] = rank[v] == NoIndex ? NoIndex : set.rank(rank[v]); });
+  return rank;
+}
+
+/// @param memory for the connectivity, where it is enough
+void writeTriangles(const Buffer<Cell>& cells, Buffer<Triangle>&& memory, CellComplex& complex)
+{
+  complex.cellSize = 3;
+  complex.connectivity = Buffer<std::int64_t>::recycle(std::move(memory), 3 * cells.size());
+  eachRun(cells.size(), Run,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        std::copy(cells[i].corner, cells[i].corner + 3, complex.connectivity.begin() + 3 * i);
+      }
+    });
+}
+
+void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
+  const FacetPolygons& polygons, std::uint32_t pointCount, Monitor& monitor, CellComplex& complex)
+{
+  const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
+  const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
+  std::vector<std::size_t> next(runCount(cells.size(), Run)); // where each run's corners go
+  eachRun(cells.size(), Run,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      monitor.poll();
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        next[run] += isPolygon(cells[i]) ? polygons.size(number(cells[i])) : 3;
+      }
+    });
+  std::size_t total = 0;
+  for (std::size_t& at : next)
+  {
+    total += std::exchange(at, total);
+  }
+  complex.cellSize = 0;
+  complex.offsets.allocate(cells.size() + 1);
+  complex.offsets[cells.size()] = static_cast<std::int64_t>(total);
+  complex.connectivity.allocate(total);
+  eachRun(cells.size(), Run,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      monitor.poll();
+      std::int64_t* const all = complex.connectivity.data();
+      std::int64_t* out = all + next[run];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        complex.offsets[i] = out - all;
+        if (!isPolygon(cells[i]))
+        {
+          out = std::copy(cells[i].corner, cells[i].corner + 3, out);
+          continue;
+        }
+        const std::uint32_t* first = polygons.first(number(cells[i]));
+        out = std::transform(first, first + polygons.size(number(cells[i])), out,
+          [&rank](std::uint32_t v) { return static_cast<std::int64_t>(rank[v]); });
+      }
+    });
+}
+
+/// The corner of lowest rank.
+int lowestOf(const std::uint32_t* r)
+{
+  return r[0] < r[1] ? (r[0] < r[2] ? 0 : 2) : (r[1] < r[2] ? 1 : 2);
+}
+
+/// Are all corners points of the result?
+bool isCell(const std::uint32_t* r)
+{
+  return r[0] != NoIndex && r[1] != NoIndex && r[2] != NoIndex;
+}
+
+}
+
+CanonicalForm::CanonicalForm(Polyhedron& mesh, bool anyFlat,
+  const std::vector<Duplicate>& duplicates, std::uint32_t pointCount, FacetMode facetMode,
+  Monitor& monitor, Buffer<std::int64_t>& pointIds)
+  : facets(facetMode)
+  , polyhedron(mesh)
+  , rank(rankVertices(mesh, duplicates, pointCount, monitor, pointIds))
+  , polygons(anyFlat
+        ? new FacetPolygons(mesh, this->rank, facetMode == FacetMode::Polygons, monitor)
+        : nullptr)
+{
+}
+
+CanonicalForm::~CanonicalForm() = default;
+
+/// use(triangle, vertices, the one of lowest rank first) for a facet that is one triangle; or,
+/// where polygons leave them out, for each of the fan's of a facet that is this one and a later.
+template <class Use>
+void CanonicalForm::useTriangle(std::uint32_t t, Use&& use) const
+{
+  const Triangle& triangle = this->polyhedron.triangles[t];
+  const std::uint32_t* v = triangle.v;
+  if (triangle.index == 0)
+  {
+    const std::uint32_t r[3] = { this->rank[v[0]], this->rank[v[1]], this->rank[v[2]] };
+    const int e = lowestOf(r);
+    if (isCell(r))
+    {
+      use(t, v[e], v[nextCorner(e)], v[previousCorner(e)]);
+    }
+    return;
+  }
+  const std::uint32_t other =
+    this->facets == FacetMode::Triangles ? otherOfPair(this->polyhedron, t) : NoIndex;
+  if (other == NoIndex || other < t)
+  {
+    return;
+  }
+  // The flat edge is ab; around the facet: a, d, b, c.
+  const int e = triangle.index == 1 ? 0 : (triangle.index == 2 ? 1 : 2);
+  const std::uint32_t d =
+    this->polyhedron.triangles[other].v[previousCorner(cornerOf(triangle.twin[e]))];
+  const std::uint32_t ring[4] = { v[e], d, v[nextCorner(e)], v[previousCorner(e)] };
+  int lowest = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (this->rank[ring[i]] == NoIndex)
+    {
+      return;
+    }
+    lowest = this->rank[ring[i]] < this->rank[ring[lowest]] ? i : lowest;
+  }
+  const auto at = [&](int i) { return ring[(lowest + i) % 4]; };
+  use(t, at(0), at(1), at(2));
+  use(other, at(0), at(2), at(3));
+}
+
+/// The other facets' fans: use(vertices, number of pieces), one after another.
+template <class Use>
+void CanonicalForm::eachFanTriangle(Use&& use) const
+{
+  for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+  {
+    const std::uint32_t* corner = this->polygons->first(p);
+    for (std::size_t i = 2; i < this->polygons->size(p); ++i)
+    {
+      use(corner[0], corner[i - 1], corner[i], this->polyhedron.pieces.size());
+    }
+  }
+}
+
+/// @param useToo void (vertices, number of the piece), of every triangle
+template <class Use>
+void CanonicalForm::write(Monitor& monitor, CellComplex& complex, Use&& useToo)
+{
+  const bool fans = this->facets == FacetMode::Triangles;
+  const auto pointCount = static_cast<std::uint32_t>(complex.pointIds.size());
+  const std::size_t pieceCount = this->polyhedron.pieces.size();
+  const auto eachLargeCell = [&](auto&& use)
+  {
+    if (fans)
+    {
+      this->eachFanTriangle(
+        [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t) {
+          use(Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
+        });
+      return;
+    }
+    for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+    {
+      const std::uint32_t* corner = this->polygons->first(p);
+      use(Cell{ { this->rank[corner[0]], this->rank[corner[1]],
+        pointCount + static_cast<std::uint32_t>(p) } });
+    }
+  };
+
+  // Triangles become cells in their place: the second pass need not look their ranks up again.
+  CellSort sort(pointCount, pieceCount + 1);
+  Buffer<Triangle>& triangles = this->polyhedron.triangles;
+  this->polyhedron.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece)
+    {
+      bool used = false;
+      this->useTriangle(t,
+        [&](std::uint32_t cell, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+        {
+          useToo(a, b, c, piece);
+          std::uint32_t* v = triangles[cell].v;
+          v[0] = this->rank[a];
+          v[1] = this->rank[b];
+          v[2] = this->rank[c];
+          sort.count(piece, v[0]);
+          used = true;
+        });
+      triangles[t].flags = used ? 0 : TriangleDead;
+    });
+  eachLargeCell([&](const Cell& cell) { sort.count(pieceCount, cell.corner[0]); });
+  this->eachFanTriangle(useToo);
+  monitor.poll();
+  sort.endCounting(std::move(this->polyhedron.vertices));
+  this->polyhedron.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece)
+    {
+      const auto put = [&](std::uint32_t cell)
+      {
+        const std::uint32_t* v = triangles[cell].v;
+        sort.put(piece, Cell{ { v[0], v[1], v[2] } });
+      };
+      put(t);
+      if (triangles[t].index != 0)
+      {
+        put(otherOfPair(this->polyhedron, t));
+      }
+    });
+  eachLargeCell([&](const Cell& cell) { sort.put(pieceCount, cell); });
+  monitor.poll();
+  const Buffer<Cell> cells = sort.sort();
+  monitor.poll();
+  if (fans || !this->polygons || this->polygons->count() == 0)
+  {
+    writeTriangles(cells, std::move(triangles), complex);
+  }
+  else
+  {
+    writeMixed(cells, this->rank, *this->polygons, pointCount, monitor, complex);
+  }
+}
+
+void CanonicalForm::writeCells(Monitor& monitor, CellComplex& complex)
+{
+  this->write(monitor, complex, [](std::uint32_t, std::uint32_t, std::uint32_t, std::size_t) {});
+}
+
+void CanonicalForm::writeHull(
+  const CoordinateRange& range, int exponent, Monitor& monitor, Hull& hull)
+{
+  const Buffer<Vertex>& vertices = this->polyhedron.vertices;
+  const auto first = std::find(this->rank.begin(), this->rank.end(), 0u) - this->rank.begin();
+  Measure total(range, exponent, vertices[static_cast<std::size_t>(first)].x);
+  std::vector<Measure> parts(this->polyhedron.pieces.size() + 1, total);
+  this->write(monitor, hull,
+    [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
+    { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); });
+  for (const Measure& part : parts)
+  {
+    total.add(part);
+  }
+  total.write(hull);
+}
+
+}

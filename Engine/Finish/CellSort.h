@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The order of cells in a result.
+#ifndef flipflop_CellSort_h
+#define flipflop_CellSort_h
+
+#include "Support/BucketSort.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// A triangle, lowest corner first; or a polygon's first two corners and, past all corners, its
+/// number.
+struct Cell
+{
+  std::uint32_t corner[3];
+
+  struct First
+  {
+    std::uint32_t operator()(const Cell& cell) const { return cell.corner[0]; }
+  };
+};
+
+/// Brings cells into lexicographic order. A directed edge is in one cell only, so the first two
+/// corners tell.
+class CellSort : public BucketSort<Cell, Cell::First>
+{
+public:
+  using BucketSort::BucketSort;
+
+  /// After all are put.
+  Buffer<Cell> sort()
+  {
+    return BucketSort::sort(
+      [](std::uint32_t, Cell* begin, Cell* end) {
+        std::sort(
+          begin, end, [](const Cell& a, const Cell& b) { return a.corner[1] < b.corner[1]; });
+      });
+  }
+};
+
+}
+
+#endif

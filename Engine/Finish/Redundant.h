@@ -1,0 +1,407 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The finish, first part: take back what the perturbation added.
+///
+/// A perturbed hull may keep points inside true facets and edges, and duplicates of its vertices.
+/// They are found here, by exact signs without the perturbation, and FacetRetriangulation takes
+/// them out. Then every vertex is strictly extreme, no triangle is without area, and true facets
+/// are the triangles joined across exactly flat edges.
+#ifndef flipflop_Redundant_h
+#define flipflop_Redundant_h
+
+#include "Finish/FacetRetriangulation.h"
+#include "FlipFlop/Tally.h"
+#include "Mesh/Polyhedron.h"
+#include "Support/LowestOf.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+template <class Geometry>
+class RedundantVertices
+{
+public:
+  RedundantVertices(
+    const Geometry& geometry, Polyhedron& polyhedron, Tally& tally, Monitor& monitor)
+    : geometry(geometry)
+    , polyhedron(polyhedron)
+    , tally(tally)
+    , monitor(monitor)
+  {
+  }
+
+  /// Remove them all. Afterwards bit e of a triangle's index tells that its edge e is flat.
+  /// @return whether there is any flat edge
+  bool remove()
+  {
+    if (this->tally.ties == 0)
+    {
+      return false;
+    }
+    const FlatEdges flat = this->findFlat();
+    if (!flat.any)
+    {
+      return false;
+    }
+    this->markFlat(flat);
+    this->judged.resize(this->polyhedron.vertexCount());
+    this->labelDuplicates(flat.withoutLength);
+    if (!Geometry::AllExtreme)
+    {
+      this->labelNotStrictlyExtreme(flat.found);
+    }
+    if (this->redundant.empty())
+    {
+      return true;
+    }
+    const Geometry local = this->geometry;
+    FacetRetriangulation<Geometry>(local, this->polyhedron, this->monitor).remove(this->redundant);
+    this->tally.addPredicates(local, this->geometry);
+    this->tally.statistics.redundant += static_cast<std::int64_t>(this->redundant.size());
+    std::atomic<bool> anyFlat{ false };
+    this->polyhedron.eachTriangle(
+      [&](std::uint32_t t, std::size_t)
+      {
+        if (this->polyhedron.triangles[t].index != 0)
+        {
+          anyFlat.store(true, std::memory_order_relaxed);
+        }
+      });
+    return anyFlat.load();
+  }
+
+private:
+  /// The planes of the triangles at one position, as far as they must be told apart: at a vertex of
+  /// a solid there are three or more.
+  class PlanesAround
+  {
+  public:
+    PlanesAround(const Geometry& geometry, const Mesh& mesh, const Vertex& apex)
+      : geometry(geometry)
+      , mesh(mesh)
+      , apex(apex)
+    {
+    }
+
+    /// The triangles with area around the origin of @p h, which is at the position.
+    void addStar(std::uint32_t h)
+    {
+      std::uint32_t spoke = h;
+      do
+      {
+        if (this->areMany())
+        {
+          return;
+        }
+        const Vertex& a = this->at(nextHalfEdge(spoke));
+        const Vertex& b = this->at(previousHalfEdge(spoke));
+        if (!this->geometry.collinear(this->apex, a, b) && !this->isKnown(a, b))
+        {
+          this->spokes[this->count++] = spoke;
+        }
+        spoke = this->mesh.twin(previousHalfEdge(spoke));
+      } while (spoke != h);
+    }
+
+    bool areMany() const { return this->count == 3; }
+
+  private:
+    const Vertex& at(std::uint32_t h) const { return this->mesh.vertices[this->mesh.origin(h)]; }
+
+    bool isKnown(const Vertex& a, const Vertex& b) const
+    {
+      for (int i = 0; i < this->count; ++i)
+      {
+        const Vertex& first = this->at(nextHalfEdge(this->spokes[i]));
+        const Vertex& second = this->at(previousHalfEdge(this->spokes[i]));
+        if (this->geometry.above(this->apex, first, second, a) == 0 &&
+          this->geometry.above(this->apex, first, second, b) == 0)
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+
+    const Geometry& geometry;
+    const Mesh& mesh;
+    const Vertex& apex;
+    std::uint32_t spokes[3]; ///< of one triangle for each plane
+    int count = 0;
+  };
+
+  /// Edges whose two triangles are exactly coplanar.
+  struct FlatEdges
+  {
+    bool any = false;
+    std::vector<std::uint32_t> found; ///< one half-edge of each; none where all points are extreme
+    /// Half-edges between vertices of one position, from one side or both, some more than once.
+    std::vector<std::uint32_t> withoutLength;
+  };
+
+  /// use(e) for each edge that the flags mark.
+  template <class Use>
+  static void eachTiedEdge(std::uint32_t flags, Use&& use)
+  {
+    for (std::uint32_t left = flags & EdgesTied; left != 0; left &= left - 1)
+    {
+      use(left & EdgeTied ? 0 : left & EdgeTied << 1 ? 1 : 2);
+    }
+  }
+
+  /// Look at all edges, or where ties are marked, at those. The mark EdgeTied tells then on the
+  /// lower side of each edge whether it is flat; edges of triangles without area may be missed.
+  FlatEdges findFlat()
+  {
+    const std::size_t pieceCount = this->polyhedron.pieces.size();
+    std::vector<FlatEdges> parts(pieceCount);
+    std::vector<Geometry> local(pieceCount, this->geometry);
+    const std::uint32_t before = this->polyhedron.tiesMarked ? 0 : EdgesTied;
+    this->polyhedron.eachTriangle(
+      [&](std::uint32_t t, std::size_t piece)
+      {
+        if ((t & 0xFFF) == 0)
+        {
+          this->monitor.poll();
+        }
+        std::uint32_t& flags = this->polyhedron.triangles[t].flags;
+        flags |= before;
+        eachTiedEdge(flags,
+          [&](int e)
+          {
+            if (!this->isFlat(local[piece], halfEdge(t, e), parts[piece]))
+            {
+              flags &= ~(EdgeTied << e);
+            }
+          });
+      });
+    FlatEdges flat;
+    for (std::size_t piece = 0; piece < pieceCount; ++piece)
+    {
+      const FlatEdges& part = parts[piece];
+      flat.any = flat.any || part.any;
+      flat.found.insert(flat.found.end(), part.found.begin(), part.found.end());
+      flat.withoutLength.insert(
+        flat.withoutLength.end(), part.withoutLength.begin(), part.withoutLength.end());
+      this->tally.addPredicates(local[piece], this->geometry);
+    }
+    return flat;
+  }
+
+  /// Is the edge of a half-edge flat? Asked on its lower side; on the other, it is left open.
+  bool isFlat(const Geometry& local, std::uint32_t h, FlatEdges& part) const
+  {
+    const Polyhedron& surface = this->polyhedron;
+    const Triangle& triangle = surface.triangles[triangleOf(h)];
+    const std::uint32_t twin = triangle.twin[cornerOf(h)];
+    if (twin < h)
+    {
+      return true;
+    }
+    const Triangle& other = surface.triangles[triangleOf(twin)];
+    const Vertex* const v = surface.vertices.data();
+    if (local.above(v[triangle.v[0]], v[triangle.v[1]], v[triangle.v[2]],
+          v[other.v[previousCorner(cornerOf(twin))]]) != 0)
+    {
+      return false;
+    }
+    part.any = true;
+    if (!Geometry::AllExtreme)
+    {
+      part.found.push_back(h);
+    }
+    for (const std::uint32_t side :
+      { h, nextHalfEdge(h), previousHalfEdge(h), nextHalfEdge(twin), previousHalfEdge(twin) })
+    {
+      const std::uint32_t* const corner = surface.triangles[triangleOf(side)].v;
+      if (samePosition(v[corner[cornerOf(side)]], v[corner[nextCorner(cornerOf(side))]]))
+      {
+        part.withoutLength.push_back(side);
+      }
+    }
+    return true;
+  }
+
+  /// Vertices at a strictly extreme position are connected by edges without length, which are flat.
+  /// All but the lowest id are labelled; it too, where the position is not strictly extreme.
+  void labelDuplicates(const std::vector<std::uint32_t>& withoutLength)
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    const auto idAt = [&mesh](std::uint32_t h) { return mesh.vertices[mesh.origin(h)].id; };
+    LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() }; // of ids
+    std::vector<std::uint32_t> ends;
+    for (const std::uint32_t side : withoutLength)
+    {
+      const std::uint32_t twin = mesh.twin(side);
+      lowest.join(idAt(side), idAt(twin));
+      ends.push_back(side);
+      ends.push_back(twin);
+    }
+    std::sort(ends.begin(), ends.end(),
+      [&](std::uint32_t a, std::uint32_t b) {
+        return std::make_pair(lowest(idAt(a)), idAt(a)) < std::make_pair(lowest(idAt(b)), idAt(b));
+      });
+    const Geometry local = this->geometry;
+    for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end)
+    {
+      const std::uint32_t low = idAt(ends[begin]);
+      PlanesAround planes(local, mesh, mesh.vertices[mesh.origin(ends[begin])]);
+      std::uint32_t last = NoIndex;
+      for (; end < ends.size() && lowest(idAt(ends[end])) == low; ++end)
+      {
+        const std::uint32_t id = idAt(ends[end]);
+        if (id == std::exchange(last, id))
+        {
+          continue;
+        }
+        planes.addStar(ends[end]);
+        this->judged[mesh.origin(ends[end])] = true;
+        if (id != low)
+        {
+          this->label(ends[end]);
+          this->tally.duplicates.push_back({ id, low });
+        }
+      }
+      if (!planes.areMany())
+      {
+        this->label(ends[begin]);
+      }
+    }
+    this->tally.addPredicates(local, this->geometry);
+  }
+
+  void label(std::uint32_t h)
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    mesh.vertices[mesh.origin(h)].flags |= VertexLabelled;
+    this->redundant.push_back(h);
+  }
+
+  /// Label the ends of flat edges that are not strictly extreme. Duplicates are told already.
+  void labelNotStrictlyExtreme(const std::vector<std::uint32_t>& flat)
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    std::vector<std::uint32_t> ends;
+    for (const std::uint32_t h : flat)
+    {
+      for (const std::uint32_t side : { h, mesh.twin(h) })
+      {
+        const std::uint32_t v = mesh.origin(side);
+        if (!this->judged[v] && !(mesh.vertices[v].flags & VertexVirtual))
+        {
+          this->judged[v] = true;
+          ends.push_back(side);
+        }
+      }
+    }
+    constexpr std::size_t Run = 1 << 10;
+    std::vector<std::uint8_t> extreme(ends.size());
+    std::vector<Geometry> locals(runCount(ends.size(), Run), this->geometry);
+    eachRun(ends.size(), Run,
+      [&](std::size_t begin, std::size_t end, std::size_t run)
+      {
+        const Geometry& local = locals[run];
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          extreme[i] = hasSharpEdges(local, mesh, ends[i]) ? 1 : 0;
+        }
+        this->monitor.poll();
+      });
+    for (const Geometry& local : locals)
+    {
+      this->tally.addPredicates(local, this->geometry);
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      if (!extreme[i])
+      {
+        this->label(ends[i]);
+      }
+    }
+  }
+
+  /// Bit e of a triangle's index: its edge e is flat.
+  void markFlat(const FlatEdges& flat)
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    this->polyhedron.eachTriangle(
+      [&](std::uint32_t t, std::size_t)
+      {
+        if ((t & 0xFFF) == 0)
+        {
+          this->monitor.poll();
+        }
+        Triangle& triangle = mesh.triangles[t];
+        eachTiedEdge(triangle.flags,
+          [&](int e)
+          {
+            const std::uint32_t h = std::min(halfEdge(t, e), triangle.twin[e]);
+            triangle.index |= (mesh.triangles[triangleOf(h)].flags / EdgeTied >> cornerOf(h) & 1)
+              << e;
+          });
+      });
+    // A triangle without area is flat to all sides.
+    StepPoll poll(this->monitor);
+    for (const std::uint32_t side : flat.withoutLength)
+    {
+      poll.step();
+      for (const std::uint32_t strip : { triangleOf(side), triangleOf(mesh.twin(side)) })
+      {
+        for (int e = 0; e < 3; ++e)
+        {
+          const std::uint32_t twin = mesh.triangles[strip].twin[e];
+          mesh.triangles[strip].index |= 1u << e;
+          mesh.triangles[triangleOf(twin)].index |= 1u << cornerOf(twin);
+        }
+      }
+    }
+  }
+
+  /// isStrictlyExtreme by the marks of flat edges: where all triangles have an area, the plane
+  /// changes at every other edge.
+  static bool hasSharpEdges(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
+  {
+    int sharp = 0;
+    std::uint32_t spoke = h;
+    do
+    {
+      const Triangle& triangle = mesh.triangles[triangleOf(spoke)];
+      if (geometry.collinear(mesh.vertices[triangle.v[0]], mesh.vertices[triangle.v[1]],
+            mesh.vertices[triangle.v[2]]))
+      {
+        return isStrictlyExtreme(geometry, mesh, h);
+      }
+      sharp += triangle.index >> cornerOf(spoke) & 1 ? 0 : 1;
+      spoke = mesh.twin(previousHalfEdge(spoke));
+    } while (spoke != h);
+    return sharp >= 3;
+  }
+
+  /// Do the triangles around the origin of @p h, those with area, lie in three or more planes?
+  static bool isStrictlyExtreme(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
+  {
+    PlanesAround planes(geometry, mesh, mesh.vertices[mesh.origin(h)]);
+    planes.addStar(h);
+    return planes.areMany();
+  }
+
+  const Geometry& geometry;
+  Polyhedron& polyhedron;
+  Tally& tally;
+  Monitor& monitor;
+  std::vector<bool> judged;             ///< vertices of which it is known whether they are labelled
+  std::vector<std::uint32_t> redundant; ///< a half-edge from each labelled vertex
+};
+
+}
+
+#endif

@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Associate points to the cones of a convex polyhedron (paper, Algorithm 2, line 3), and drop
+/// those inside.
+///
+/// Runs over the points block by block: the locator dismisses what is certainly inside, the others
+/// walk to their cone and stay if they are strictly above its triangle. Each chunk of points keeps
+/// its own list; a counting sort by triangle then lays all points out as the growing wants them.
+#ifndef flipflop_Associate_h
+#define flipflop_Associate_h
+
+#include "FlipFlop/Patches.h"
+#include "Points/PointSource.h"
+#include "Points/PointSubset.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+template <class Geometry>
+class Association
+{
+public:
+  using Locator = typename Geometry::Locator;
+
+  Association(const Geometry& geometry, const PointSource& source, const Polyhedron& base,
+    int threads, Monitor& monitor)
+    : geometry(geometry)
+    , source(source)
+    , base(base)
+    , threads(threads)
+    , monitor(monitor)
+    , locator(geometry, base.triangles.data(), base.triangleCount(), base.vertices.data(), monitor)
+  {
+  }
+
+  /// The polyhedron's vertices and, by triangle, the points outside it.
+  Assignment run(const PointSubset& subset, Tally& tally)
+  {
+    const std::uint32_t wanted =
+      this->threads == 1 ? 1 : 4 * static_cast<std::uint32_t>(this->threads);
+    // Chunks worth a task, whose cursors take no more memory than their points.
+    const std::uint32_t least = std::max<std::uint32_t>(16384, this->base.triangleCount());
+    this->chunks.resize(std::max(1u, std::min(wanted, subset.count / least)));
+    eachTask(this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
+    for (Chunk& chunk : this->chunks)
+    {
+      tally.add(std::move(chunk.tally));
+    }
+    return this->sort();
+  }
+
+private:
+  struct Placed
+  {
+    std::uint32_t id;
+    std::uint32_t triangle;
+  };
+
+  struct Chunk
+  {
+    Buffer<Placed> placed; ///< room for all; memory is taken as it is written
+    std::size_t placedCount = 0;
+    std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
+    std::int64_t lastCell = -1;        ///< of the point that walked last
+    std::uint32_t lastTriangle = 0;    ///< in whose cone that is
+    Tally tally;
+  };
+
+  std::uint32_t chunkBegin(std::uint32_t count, std::size_t i) const
+  {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(count) * i / this->chunks.size());
+  }
+
+  void associate(const PointSubset& subset, std::size_t index)
+  {
+    Chunk& chunk = this->chunks[index];
+    chunk.cursor.assign(this->base.triangleCount(), 0);
+    const Geometry local = this->geometry;
+    const std::uint32_t begin = this->chunkBegin(subset.count, index);
+    const std::uint32_t end = this->chunkBegin(subset.count, index + 1);
+    chunk.placed.allocate(end - begin);
+    const std::uint32_t* taken = subset.taken;
+    const std::uint32_t* const takenEnd = subset.taken + subset.takenCount;
+    if (begin < end)
+    {
+      taken = std::lower_bound(taken, takenEnd, subset.idAt(begin));
+    }
+
+    typename Locator::Block block;
+    std::uint32_t ids[Locator::BlockSize];
+    for (std::uint32_t i = begin; i < end;)
+    {
+      const std::uint32_t blockBegin = i;
+      int n = 0;
+      if (subset.ids || subset.checkFinite)
+      {
+        n = this->gather(subset, i, end, taken, takenEnd, block, ids);
+      }
+      else
+      {
+        // All points as they lie, up to the next that is taken.
+        const std::uint32_t stop = taken != takenEnd ? std::min(*taken, end) : end;
+        n = static_cast<int>(
+          std::min<std::uint32_t>(stop - i, static_cast<std::uint32_t>(Locator::BlockSize)));
+        this->source.load(i, n, block.x[0], block.x[1], block.x[2]);
+        for (int k = 0; k < n; ++k)
+        {
+          ids[k] = i + static_cast<std::uint32_t>(k);
+        }
+        i += static_cast<std::uint32_t>(n);
+        if (i < end && taken != takenEnd && *taken == i)
+        {
+          ++taken;
+          ++i;
+        }
+      }
+      this->locator.classify(block, n);
+      for (int k = 0; k < n; ++k)
+      {
+        if (block.inside[k])
+        {
+          ++chunk.tally.statistics.culled;
+        }
+        else
+        {
+          this->place(local, block, k, ids[k], chunk);
+        }
+      }
+      this->monitor.advance(i - blockBegin);
+    }
+    chunk.tally.addPredicates(local, this->geometry);
+  }
+
+  /// Fill a block with the finite, not yet taken points of the subset from place @p i on.
+  int gather(const PointSubset& subset, std::uint32_t& i, std::uint32_t end,
+    const std::uint32_t*& taken, const std::uint32_t* takenEnd, typename Locator::Block& block,
+    std::uint32_t* ids) const
+  {
+    int n = 0;
+    for (; i < end && n < Locator::BlockSize; ++i)
+    {
+      const std::uint32_t id = subset.idAt(i);
+      while (taken != takenEnd && *taken < id)
+      {
+        ++taken; // not in the subset
+      }
+      if (taken != takenEnd && *taken == id)
+      {
+        continue;
+      }
+      double x[3];
+      this->source.load(id, x);
+      if (subset.checkFinite && !isFinite(x))
+      {
+        continue;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        block.x[k][n] = x[k];
+      }
+      ids[n++] = id;
+    }
+    return n;
+  }
+
+  void place(const Geometry& local, const typename Locator::Block& block, int k, std::uint32_t id,
+    Chunk& chunk)
+  {
+    Vertex p;
+    p.x[0] = block.x[0][k];
+    p.x[1] = block.x[1][k];
+    p.x[2] = block.x[2][k];
+    p.id = id;
+    p.flags = 0;
+    // Points that follow each other often lie near each other, too.
+    const std::uint32_t start =
+      block.cell[k] == chunk.lastCell ? chunk.lastTriangle : this->locator.near(p, block.cell[k]);
+    const std::uint32_t t = this->locator.locate(local, p, start);
+    chunk.lastCell = block.cell[k];
+    chunk.lastTriangle = t;
+    const auto& plane = this->locator.plane(t);
+    const double height = plane.height(p.x);
+    if (!(height > plane.error()))
+    {
+      if (height < -plane.error())
+      {
+        return;
+      }
+      const std::uint32_t* v = this->base.triangles[t].v;
+      const Buffer<Vertex>& vertices = this->base.vertices;
+      if (!isAbove(
+            local, vertices[v[0]], vertices[v[1]], vertices[v[2]], p, chunk.tally.duplicates))
+      {
+        return;
+      }
+    }
+    chunk.placed[chunk.placedCount++] = { id, t };
+    ++chunk.cursor[t];
+  }
+
+  Assignment sort()
+  {
+    const std::uint32_t triangleCount = this->base.triangleCount();
+    const std::uint32_t vertexCount = this->base.vertexCount();
+    Assignment result;
+    result.begin.allocate(std::size_t(triangleCount) + 1);
+    std::uint64_t at = vertexCount;
+    for (std::uint32_t t = 0; t < triangleCount; ++t)
+    {
+      result.begin[t] = static_cast<std::uint32_t>(at);
+      for (Chunk& chunk : this->chunks)
+      {
+        const std::uint32_t n = chunk.cursor[t];
+        chunk.cursor[t] = static_cast<std::uint32_t>(at);
+        at += n;
+      }
+    }
+    if (at >= NoIndex)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(at));
+    }
+    result.begin[triangleCount] = static_cast<std::uint32_t>(at);
+    result.vertices.allocate(at);
+    std::copy(this->base.vertices.begin(), this->base.vertices.end(), result.vertices.begin());
+    eachTask(this->chunks.size(),
+      [&](std::size_t i)
+      {
+        Chunk& chunk = this->chunks[i];
+        for (std::size_t k = 0; k < chunk.placedCount; ++k)
+        {
+          const Placed& placed = chunk.placed[k];
+          result.vertices[chunk.cursor[placed.triangle]++] = this->source.vertex(placed.id);
+        }
+        chunk.placed.allocate(0);
+      });
+    return result;
+  }
+
+  const Geometry& geometry;
+  const PointSource& source;
+  const Polyhedron& base;
+  int threads;
+  Monitor& monitor;
+  Locator locator;
+  std::vector<Chunk> chunks;
+};
+
+}
+
+#endif

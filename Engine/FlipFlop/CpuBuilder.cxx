@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlipFlop/CpuBuilder.h"
+
+#include "FlipFlop/Builder.h"
+#include "FlipFlop/InsertionBuilder.h"
+#include "Geometry/HullCones.h"
+#include "Geometry/HullLocator.h"
+#include "Geometry/HullStart.h"
+#include "Geometry/LiftedLocator.h"
+#include "Geometry/LiftedStart.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace flipflop
+{
+
+template <class Geometry>
+Polyhedron CpuBuilder<Geometry>::build(
+  const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
+{
+  using Chosen =
+    std::conditional_t<Geometry::InsertsAtOnce, InsertionBuilder<Geometry>, Builder<Geometry>>;
+  return Chosen::build(task, std::move(start), tally, statistics);
+}
+
+template class CpuBuilder<HullGeometry>;
+template class CpuBuilder<LiftedGeometry<false>>;
+template class CpuBuilder<LiftedGeometry<true>>;
+
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The engine on this machine's threads. It is compiled once a geometry, in CpuBuilder.cxx.
+#ifndef flipflop_CpuBuilder_h
+#define flipflop_CpuBuilder_h
+
+#include "FlipFlop/PolyhedronBuilder.h"
+#include "Geometry/HullGeometry.h"
+#include "Geometry/LiftedGeometry.h"
+
+namespace flipflop
+{
+
+template <class Geometry>
+class CpuBuilder : public PolyhedronBuilder<Geometry>
+{
+public:
+  /// By InsertionBuilder or by Builder, whichever suits the geometry.
+  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override;
+};
+
+extern template class CpuBuilder<HullGeometry>;
+extern template class CpuBuilder<LiftedGeometry<false>>;
+extern template class CpuBuilder<LiftedGeometry<true>>;
+
+}
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The decision of Algorithm 1 (paper, section 2.3) for one edge, as a pure function.
+///
+/// The edge ab has the link c, d: its triangles are abc and bad. The D-criterion goes before the
+/// V-criterion, and among labelled vertices the lowest id goes first, so no edge is flipped back
+/// and forth.
+#ifndef flipflop_FlipRule_h
+#define flipflop_FlipRule_h
+
+#include "Mesh/Mesh.h"
+#include "Points/Vertex.h"
+#include "Support/HostDevice.h"
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+enum class FlipAction : std::uint8_t
+{
+  None,
+  Flip22,  ///< ab to cd
+  RemoveA, ///< 3-1 flip of a
+  RemoveB, ///< 3-1 flip of b
+  LabelA,  ///< a is non-extreme: it lies inside the tetrahedron of s, b, c, d
+  LabelB   ///< b is non-extreme
+};
+
+struct FlipDecision
+{
+  FlipAction action = FlipAction::None;
+  bool byDegree = false; ///< D-criterion, else V-criterion
+};
+
+FF_HD inline std::uint32_t leastOf(std::uint32_t x, std::uint32_t y)
+{
+  return x < y ? x : y;
+}
+
+/// Can the rule ask for anything at all? Only at an edge that is reflex, or near a labelled vertex.
+template <class Geometry>
+FF_HD bool isOfConcern(
+  const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
+{
+  return ((a.flags | b.flags | c.flags | d.flags) & VertexLabelled) != 0 ||
+    geometry.perturbedAbove(a, b, c, d) > 0;
+}
+
+/// @param vertices the mesh's
+template <class Geometry>
+FF_HD FF_INLINE FlipDecision decideFlip(
+  const Geometry& geometry, const Vertex* vertices, const EdgeSurroundings& edge)
+{
+  const Vertex& a = vertices[edge.a];
+  const Vertex& b = vertices[edge.b];
+  const Vertex& c = vertices[edge.c];
+  const Vertex& d = vertices[edge.d];
+  FlipDecision decision;
+  const bool reflex = geometry.perturbedAbove(a, b, c, d) > 0;
+  const std::uint32_t labels = (a.flags | b.flags | c.flags | d.flags) & VertexLabelled;
+  if (!reflex && !labels)
+  {
+    return decision;
+  }
+
+  if (edge.threeAtA && edge.threeAtB)
+  {
+    return decision; // a tetrahedron
+  }
+  if (edge.threeAtA || edge.threeAtB)
+  {
+    const bool labelled = ((edge.threeAtA ? a : b).flags & VertexLabelled) != 0;
+    if (labelled || reflex)
+    {
+      decision.action = edge.threeAtA ? FlipAction::RemoveA : FlipAction::RemoveB;
+      decision.byDegree = labelled;
+    }
+    return decision;
+  }
+
+  // Is the labelled vertex of lowest id an end of the edge? No id is NoIndex but the virtual
+  // vertex's, which is never labelled.
+  bool reducesDegree = false;
+  if (labels)
+  {
+    const auto idIfLabelled = [](const Vertex& v)
+    { return v.flags & VertexLabelled ? v.id : NoIndex; };
+    reducesDegree =
+      leastOf(idIfLabelled(a), idIfLabelled(b)) < leastOf(idIfLabelled(c), idIfLabelled(d));
+  }
+  if (!reducesDegree && !reflex)
+  {
+    return decision;
+  }
+
+  // The triangles after a 2-2 flip are adc and dbc. Where s is not beneath one of them, the end it
+  // touches lies inside the cone of the other three; where it is beneath neither, s is inside the
+  // tetrahedron.
+  const bool cutsA = geometry.perturbedBeneathKernel(a, d, c) < 0;
+  const bool cutsB = geometry.perturbedBeneathKernel(d, b, c) < 0;
+  if (!cutsA && !cutsB)
+  {
+    if (reducesDegree || !labels)
+    {
+      decision.action = FlipAction::Flip22;
+      decision.byDegree = reducesDegree;
+    }
+  }
+  else if (cutsA != cutsB && reflex)
+  {
+    const Vertex& inner = cutsA ? a : b;
+    if (!(inner.flags & VertexLabelled))
+    {
+      decision.action = cutsA ? FlipAction::LabelA : FlipAction::LabelB;
+    }
+  }
+  return decision;
+}
+
+}
+
+#endif

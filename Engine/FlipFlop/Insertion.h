@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Insert points one at a time, each flipped in at once.
+///
+/// A point walks from the triangle of the point before it to its own, splits it, and the edges
+/// opposite to the new vertex are tested and flipped until none is reflex. That is Algorithm 1
+/// (paper, section 2.3) on a polyhedron that was convex before: its commonest step, the 2-2 flip of
+/// such an edge, is taken here; what else it may ask for (a 3-1 flip, a label) goes to the Flipper.
+///
+/// In a random order each vertex costs a few flips wherever the points lie (see InsertionOrder.h).
+#ifndef flipflop_Insertion_h
+#define flipflop_Insertion_h
+
+#include "FlipFlop/Flipper.h"
+#include "FlipFlop/Growth.h"
+#include "FlipFlop/Tally.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Where a point was found.
+struct Located
+{
+  /// The triangle in whose cone it lies, exactly (by perturbation, at a border); for a point at the
+  /// position of a vertex, one of that vertex. NoIndex: the way there is not inside the patch.
+  std::uint32_t triangle;
+  bool strictly; ///< inside without the perturbation
+};
+
+/// Walk to the cone of @p p from triangle @p t on.
+/// @param mostSteps of a walk. Among the triangles of a convex polyhedron none is met twice; where
+///                  edges wait for their flips, a walk may go round.
+/// @param steps     is increased by those taken
+template <class Geometry>
+Located locateFrom(const Geometry& geometry, const Mesh& mesh, std::uint32_t t, const Vertex& p,
+  std::uint32_t mostSteps, std::int64_t& steps)
+{
+  int entry = 3;        // the side we came through
+  bool onEntry = false; // p lies on it, and the perturbation moved it across
+  for (std::uint32_t step = 0; step <= mostSteps; ++step)
+  {
+    const Triangle& triangle = mesh.triangles[t];
+    const Vertex* const corner[3] = { mesh.vertices + triangle.v[0], mesh.vertices + triangle.v[1],
+      mesh.vertices + triangle.v[2] };
+    // From outside first back in: around the border the way is long.
+    int i = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      i = corner[k]->flags & VertexVirtual ? nextCorner(k) : i;
+    }
+    int out = 3;
+    int zeros = 0;
+    for (int n = 0; n < 3; ++n, i = nextCorner(i))
+    {
+      if (i == entry)
+      {
+        continue;
+      }
+      const int sign = geometry.beneathKernel(*corner[i], *corner[nextCorner(i)], p);
+      if (sign < 0)
+      {
+        out = i;
+        break;
+      }
+      zeros |= static_cast<int>(sign == 0) << i;
+    }
+    bool byTie = false;
+    if (out == 3)
+    {
+      if (zeros == 0)
+      {
+        return { t, !onEntry };
+      }
+      for (const Vertex* v : corner)
+      {
+        if (samePosition(*v, p))
+        {
+          return { t, false };
+        }
+      }
+      for (int k = 0; k < 3 && out == 3; ++k)
+      {
+        if ((zeros >> k & 1) &&
+          geometry.tieBeneathKernel(*corner[k], *corner[nextCorner(k)], p) < 0)
+        {
+          out = k;
+        }
+      }
+      if (out == 3)
+      {
+        return { t, false };
+      }
+      byTie = true;
+    }
+    ++steps;
+    const std::uint32_t twin = triangle.twin[out];
+    if (mesh.isBorder(twin))
+    {
+      break;
+    }
+    t = triangleOf(twin);
+    entry = cornerOf(twin);
+    onEntry = byTie;
+  }
+  return { NoIndex, false };
+}
+
+/// @tparam Geometry a model of the geometry concept (see HullGeometry)
+/// @tparam Shared   see Flipper
+template <class Geometry, class Shared>
+class Insertion
+{
+public:
+  /// @param generalFlipper takes note of duplicates, too
+  /// @param firstTriangle from which the first walk starts
+  /// @param firstFree     new triangles go to this place and up, two an insertion
+  /// @param mostTriangles no more are there to walk through
+  Insertion(const Geometry& geometryToAsk, const Mesh& meshToGrow,
+    Flipper<Geometry, Shared>& generalFlipper, std::uint32_t firstTriangle, std::uint32_t firstFree,
+    std::uint32_t mostTriangles)
+    : geometry(geometryToAsk)
+    , mesh(meshToGrow)
+    , flipper(generalFlipper)
+    , last(firstTriangle)
+    , next(firstFree)
+    , mostSteps(mostTriangles)
+  {
+  }
+
+  /// Insert the vertex at a place of the mesh's array, unless it lies beneath its triangle. The
+  /// walk starts where the last one ended.
+  /// @return false: the way to the point's triangle is not inside the patch
+  bool insert(std::uint32_t place) { return this->insertFrom(this->last, place); }
+
+  /// The same, of a walk from a triangle, which may have gone.
+  bool insertFrom(std::uint32_t start, std::uint32_t place)
+  {
+    if (this->mesh.triangles[start].flags & TriangleDead)
+    {
+      return false;
+    }
+    const Vertex p = this->mesh.vertices[place];
+    const Located at =
+      locateFrom(this->geometry, this->mesh, start, p, this->mostSteps, this->walked);
+    if (at.triangle == NoIndex)
+    {
+      return false;
+    }
+    this->last = at.triangle;
+    const Triangle& triangle = this->mesh.triangles[at.triangle];
+    const Vertex* const v = this->mesh.vertices;
+    const Vertex& a = v[triangle.v[0]];
+    const Vertex& b = v[triangle.v[1]];
+    const Vertex& c = v[triangle.v[2]];
+    const bool inside = at.strictly && !((a.flags | b.flags | c.flags) & VertexVirtual);
+    // Where all points are extreme, one inside a triangle of points is above it.
+    if (!(Geometry::AllExtreme && inside) &&
+      !isAbove(this->geometry, a, b, c, p, this->flipper.duplicates))
+    {
+      return true;
+    }
+    const bool flat = !inside && this->geometry.above(a, b, c, p) == 0;
+    const std::uint32_t child[3] = { at.triangle, this->next, this->next + 1 };
+    this->next += 2;
+    ++this->insertions;
+    this->mesh.vertices[place].flags = VertexAlive;
+    splitTriangle(this->mesh, child, place);
+    if (flat)
+    {
+      ++this->ties; // the edges at the new vertex are flat, and not tested
+      for (const std::uint32_t t : child)
+      {
+        this->mesh.markTied(halfEdge(t, 1));
+      }
+    }
+    this->flipIn(child, p, inside);
+    return true;
+  }
+
+  /// The first triangle that is not in use.
+  std::uint32_t firstFree() const { return this->next; }
+
+  void addTo(Tally& tally) const
+  {
+    tally.ties += this->ties;
+    Statistics& statistics = tally.statistics;
+    statistics.insertions += this->insertions;
+    statistics.moves += this->walked;
+    statistics.flips22 += this->flips;
+    statistics.flipsV += this->flips;
+    statistics.edgeChecks += this->checks;
+  }
+
+private:
+  /// Test and flip the edges opposite to the new vertex, at the corner 2 of three triangles.
+  /// @param inside it lies strictly inside a triangle of points
+  void flipIn(const std::uint32_t* child, const Vertex& p, bool inside)
+  {
+    std::size_t count = 3;
+    std::reverse_copy(child, child + 3, this->waiting.begin());
+    bool stuck = false;
+    bool nearBorder = false;
+    while (count > 0)
+    {
+      const std::uint32_t h = halfEdge(this->waiting[--count], 0);
+      const Triangle& triangle = this->mesh.triangles[triangleOf(h)];
+      nearBorder = nearBorder || this->flipper.isShared(triangle.v[0]) ||
+        this->flipper.isShared(triangle.v[1]);
+      const std::uint32_t twin = triangle.twin[0];
+      if (this->mesh.isBorder(twin))
+      {
+        continue;
+      }
+      const Triangle& opposite = this->mesh.triangles[triangleOf(twin)];
+      const Vertex* const v = this->mesh.vertices;
+      const Vertex& a = v[triangle.v[0]];
+      const Vertex& b = v[triangle.v[1]];
+      const Vertex& d = v[opposite.v[previousCorner(cornerOf(twin))]];
+      ++this->checks;
+      int sign = this->geometry.above(a, b, p, d);
+      const bool flat = sign == 0;
+      if (flat)
+      {
+        ++this->ties;
+        sign = this->geometry.tieAbove(a, b, p, d);
+      }
+      if (sign <= 0)
+      {
+        if (flat)
+        {
+          this->mesh.markTied(h);
+        }
+        if (!inside && ((a.flags | b.flags) & VertexVirtual))
+        {
+          this->last = triangleOf(h); // outside, the next point may well be, too
+        }
+        continue;
+      }
+      // In the plane without weights, a quadrilateral whose edge is reflex is convex; one that is
+      // only so by perturbation may have two corners at one place.
+      if (!(Geometry::AllExtreme && inside && !flat && !(d.flags & VertexVirtual)) &&
+        (this->geometry.perturbedBeneathKernel(a, d, p) < 0 ||
+          this->geometry.perturbedBeneathKernel(d, b, p) < 0))
+      {
+        this->flipper.push(h);
+        stuck = true;
+        continue;
+      }
+      ++this->flips;
+      flip(this->mesh, planFlip22(this->mesh, h));
+      if (flat)
+      {
+        this->mesh.markTied(diagonalAfterFlip22(h));
+      }
+      if (count + 2 > this->waiting.size())
+      {
+        this->waiting.resize(2 * this->waiting.size());
+      }
+      this->waiting[count++] = triangleOf(twin);
+      this->waiting[count++] = triangleOf(h);
+    }
+    if (stuck || nearBorder || !this->flipper.deferred.empty())
+    {
+      this->flipGenerally(child[0], nearBorder);
+    }
+  }
+
+  /// Leave the rest to the Flipper, around the new vertex, at the corner 2 of @p triangle.
+  ///
+  /// The edges at the new vertex are not tested, as long as flips only put triangles at it in the
+  /// place of those it sees: they are convex then, where all edges were before. That is so no more
+  /// - near the border of a patch: the vertex may hide one there, whose edges are not all seen from
+  ///   here (without weights, a duplicate can be hidden so);
+  /// - where some edges wait for a larger patch;
+  /// - after a label: flips at a labelled vertex take its triangles away without regard to the new
+  ///   one.
+  void flipGenerally(std::uint32_t triangle, bool nearBorder)
+  {
+    const std::uint32_t place = this->mesh.triangles[triangle].v[2];
+    this->flipper.follow(place, triangle);
+    bool testOwn = nearBorder || !this->flipper.deferred.empty();
+    for (bool again = true; again; testOwn = true)
+    {
+      if (testOwn)
+      {
+        const std::uint32_t t = this->flipper.followedTriangle();
+        const std::uint32_t* const v = this->mesh.triangles[t].v;
+        this->flipper.pushEdgesAt(halfEdge(t, static_cast<int>(std::find(v, v + 2, place) - v)));
+      }
+      const std::int64_t labelled = this->flipper.labelledCount();
+      const std::size_t deferred = this->flipper.deferred.size();
+      this->flipper.run();
+      again = (this->mesh.vertices[place].flags & VertexAlive) != 0 &&
+        (this->flipper.labelledCount() > labelled ||
+          (!testOwn && this->flipper.deferred.size() > deferred));
+    }
+    this->last = this->flipper.followedTriangle();
+  }
+
+  const Geometry& geometry;
+  const Mesh mesh;
+  Flipper<Geometry, Shared>& flipper;
+  std::uint32_t last;
+  std::uint32_t next;
+  std::uint32_t mostSteps;
+  std::vector<std::uint32_t> waiting = std::vector<std::uint32_t>(64); ///< triangles
+  std::int64_t insertions = 0;
+  std::int64_t ties = 0;
+  std::int64_t walked = 0;
+  std::int64_t flips = 0;
+  std::int64_t checks = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What an engine does: from a tetrahedron to the hull of all points, perturbed. All else of a run
+/// is the same for every engine (see GeometryRun).
+#ifndef flipflop_PolyhedronBuilder_h
+#define flipflop_PolyhedronBuilder_h
+
+#include "FlipFlop/Tally.h"
+#include "Mesh/Polyhedron.h"
+#include "Points/PointSource.h"
+#include "Support/Monitor.h"
+#include <flipflop/Options.h>
+#include <flipflop/Statistics.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// What there is to build from.
+/// @tparam Model a model of the geometry concept (see HullGeometry)
+template <class Model>
+struct BuildTask
+{
+  Model& geometry; ///< its kernel point is inside the start
+  const PointSource& source;
+  bool checkFinite; ///< there are points to ignore
+  const Options& options;
+  int threads;
+  Monitor& monitor;
+  const std::vector<std::vector<std::uint32_t>>& samples; ///< as nestedSamples gives them
+};
+
+template <class Model>
+class PolyhedronBuilder
+{
+public:
+  virtual ~PolyhedronBuilder() = default;
+
+  /// @param start a tetrahedron
+  /// @return the hull, perhaps with gaps
+  virtual Polyhedron build(
+    const BuildTask<Model>& task, Polyhedron&& start, Tally& tally, Statistics& statistics) = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a task has done and found beside its part of the mesh.
+#ifndef flipflop_Tally_h
+#define flipflop_Tally_h
+
+#include "Points/Duplicate.h"
+#include <flipflop/Statistics.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Counters that tasks gather on their own and hand up.
+struct Tally
+{
+  Statistics statistics;
+  std::vector<Duplicate> duplicates;
+  std::int64_t ties = 0; ///< none: no edge of the mesh is flat, for its check would have met one
+
+  /// Count what a task's copy of a geometry has answered.
+  template <class Geometry>
+  void addPredicates(const Geometry& task, const Geometry& from)
+  {
+    this->statistics.exactCalls += task.predicateCounts().exact - from.predicateCounts().exact;
+    this->ties += task.predicateCounts().ties - from.predicateCounts().ties;
+  }
+
+  void add(Tally&& other)
+  {
+    Statistics& s = this->statistics;
+    const Statistics& o = other.statistics;
+    s.insertions += o.insertions;
+    s.moves += o.moves;
+    s.flips22 += o.flips22;
+    s.flips31 += o.flips31;
+    s.flipsV += o.flipsV;
+    s.flipsD += o.flipsD;
+    s.labelled += o.labelled;
+    s.redundant += o.redundant;
+    s.edgeChecks += o.edgeChecks;
+    s.exactCalls += o.exactCalls;
+    s.culled += o.culled;
+    s.secondsGrow += o.secondsGrow;
+    s.secondsFlip += o.secondsFlip;
+    this->ties += other.ties;
+    this->duplicates.insert(
+      this->duplicates.end(), other.duplicates.begin(), other.duplicates.end());
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where the growing of a hull in space starts, the kernel point it sees everything from, and the
+/// axes in which points are sorted around it.
+#ifndef flipflop_HullStart_h
+#define flipflop_HullStart_h
+
+#include "Geometry/HullGeometry.h"
+#include "Mesh/Polyhedron.h"
+#include "Points/InsertionOrder.h"
+#include "Points/PointSource.h"
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// The tetrahedron of four vertices, of which the last is beneath the triangle of the others.
+Polyhedron makeTetrahedron(const Vertex* corner);
+
+/// The tetrahedron of four independent points; the geometry's kernel point is set inside it.
+Polyhedron startingTetrahedron(
+  HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids);
+
+/// Move the kernel point to the middle of a convex polyhedron, where that is exactly inside.
+void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron);
+
+/// Directions from the kernel point, in the axes of a polyhedron's vertices: those of a thin or
+/// slanted one are spread as a ball's.
+Unfolding unfoldingOf(const HullGeometry& geometry, const Polyhedron& polyhedron);
+
+}
+
+#endif

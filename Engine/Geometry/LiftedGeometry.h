@@ -1,0 +1,532 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the algorithms may ask of space when they build a regular triangulation in the plane.
+///
+/// The second model of the geometry concept (see HullGeometry). A weighted point (x, y, w) is
+/// lifted to the height h = w - x^2 - y^2, and the triangulation is the upper hull of the lifted
+/// points (the paper's section 4 upside down). The lower hull never exists: the kernel point and a
+/// virtual vertex lie at height -infinity, the virtual vertex below the kernel point. So
+///
+///   beneathKernel(a, b, c)   of points is their orientation in the plane
+///   above(a, b, c, p)        of points tells whether p is nearer to the power center of a
+///                            counter-clockwise triangle abc than its corners are
+///   above, with the virtual vertex in place of one of the four, is the orientation of the others
+///   beneathKernel, with it in place of one of the three, is the orientation of the others and the
+///                            kernel point's place in the plane, s
+///
+/// Triangles of points are counter-clockwise; virtual triangles join the border's edges, turned
+/// around, to the virtual vertex. The perturbation moves heights more than places (MovedByHeight),
+/// so a tie of points in general position is decided by orientations.
+#ifndef flipflop_LiftedGeometry_h
+#define flipflop_LiftedGeometry_h
+
+#include "Geometry/HullGeometry.h"
+#include "Points/CoordinateRange.h"
+#include "Points/Vertex.h"
+#include "Predicates/KernelPoint.h"
+#include "Predicates/LiftedSigns.h"
+#include "Predicates/Perturbation.h"
+#include "Predicates/PredicateSteps.h"
+#include "Predicates/WideSigns.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace flipflop
+{
+
+/// Error of the determinant of three rows (x, y, height) of rounded differences, against the
+/// product of the columns' largest entries: six terms, each off by 13 roundings of 2^-53, rounded
+/// up. A height counts with the sum of its parts' magnitudes.
+constexpr double LiftedError = 80.0 * 1.1102230246251565e-16;
+
+/// The same against the sum of the terms' magnitudes: each passes 12 roundings, 5 of them its
+/// height.
+constexpr double LiftedTermError = 13.0 * 1.1102230246251565e-16;
+
+/// Error of an orientation in the plane, against the sum of its two products' magnitudes.
+constexpr double PlaneError = 4.01 * 1.1102230246251565e-16;
+
+/// Largest magnitude in the plane, and its square that of heights, below which nothing overflows.
+constexpr double LiftedCeiling = 1e70;
+
+/// Underflow costs a determinant less than 1e-183 then: nothing beside an error bound as large as
+/// this.
+constexpr double LiftedUnderflow = 1e-170;
+
+template <bool Weighted>
+class LiftedLocator;
+template <bool Weighted>
+class LiftedPlane;
+
+/// @tparam Weighted false: all weights are zero, and cost nothing
+template <bool Weighted>
+class LiftedGeometry : public PredicateSteps<LiftedGeometry<Weighted>>
+{
+public:
+  using Locator = LiftedLocator<Weighted>;
+  using Plane = LiftedPlane<Weighted>;
+
+  /// Are all points vertices but for duplicates? All are, on a paraboloid.
+  static constexpr bool AllExtreme = !Weighted;
+
+  /// Do threads of this machine insert all points one at a time (InsertionBuilder)? Else they grow
+  /// first and flip afterwards where that is faster (Builder).
+  static constexpr bool InsertsAtOnce = true;
+
+  /// Differences of up to 2^12 units of a lattice, and weights' below latticeWeights(), make
+  /// heights below 2^26 square units, and six products of three whose sums are below 2^53.
+  static constexpr int LatticeBits = 12;
+  static double latticeWeights(double unit) { return 0x1p25 * unit * unit; }
+
+  LiftedGeometry() = default;
+
+  /// @param range      of the scaled coordinates and weights
+  /// @param arithmetic how they were scaled
+  /// @param lattice    that they are on
+  LiftedGeometry(
+    const CoordinateRange& range, const Arithmetic& arithmetic, const Lattice& lattice = Lattice())
+    : exactWithin(std::ldexp(lattice.unit, LatticeBits))
+    , exactHeight(2 * latticeWeights(lattice.unit))
+    , wide(arithmetic.wide)
+    , exactInDouble(lattice.everywhere)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->reach[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
+    }
+    this->inRange = this->reach[0] <= LiftedCeiling && this->reach[1] <= LiftedCeiling &&
+      this->reach[2] <= LiftedCeiling * LiftedCeiling;
+    this->termError = this->exactInDouble ? 0.0 : LiftedTermError;
+    this->leastError = this->exactInDouble ? 0.0
+      : this->inRange                      ? LiftedUnderflow
+                                           : std::numeric_limits<double>::infinity();
+  }
+
+  /// Use a point of the plane as kernel point's place, as it is. Whether it is inside is for the
+  /// signs to tell.
+  void setKernel(const double* point) { this->kernelPoint.set(point); }
+
+  /// Use the exact centroid of four points, which no double need be.
+  void setSymbolicKernel(const Vertex* corners) { this->kernelPoint.setCentroid(corners); }
+
+  /// The kernel point's place, rounded when it is symbolic.
+  const double* kernel() const { return this->kernelPoint.place(); }
+  bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
+
+  /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
+  /// it cannot. On a border's line it can: between the edge's ends, it must be above their chord.
+  /// Where the cone is flat (the triangle without area, or the kernel point's place on the border's
+  /// line), p may lie anywhere on that line, and the perturbation tells. But what no weight lifts
+  /// above a chord is let go there, too, or each point of a crease would be inserted, one after
+  /// another.
+  FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      const Vertex& first = a.flags & VertexVirtual ? b : a;
+      const Vertex& second = c.flags & VertexVirtual ? b : c;
+      if (samePlace(first, second))
+      {
+        // An edge between weights of one place: a ray's width.
+        return !samePlace(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
+      }
+      return this->beneathKernel(a, b, c) == 0
+        ? !this->isBeneathChord(first, second, p) && this->perturbedAbove(a, b, c, p) > 0
+        : this->isAboveChord(first, p, second);
+    }
+    return this->beneathKernel(a, b, c) == 0 && !this->isBeneathChord(a, b, p) &&
+      !this->isBeneathChord(b, c, p) && !this->isBeneathChord(c, a, p) &&
+      this->perturbedAbove(a, b, c, p) > 0;
+  }
+
+  /// How far p lies above abc, times twice its area (of a virtual triangle: beyond its edge, times
+  /// the edge's length); rounded. For choosing the furthest point.
+  static FF_HD double heightAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      const Turn<Place> turn = placesAbove(a, b, c, p);
+      return (turn.b.x[0] - turn.a.x[0]) * (turn.c.x[1] - turn.a.x[1]) -
+        (turn.b.x[1] - turn.a.x[1]) * (turn.c.x[0] - turn.a.x[0]);
+    }
+    double most;
+    return Rows(a.x, b.x, c.x, p.x).determinant(most);
+  }
+
+  /// The first step alone: false when it cannot tell.
+  FF_HD FF_INLINE bool filterAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
+  {
+    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    {
+      return this->filterVirtualAbove(a, b, c, p, sign);
+    }
+    const Rows rows(a.x, b.x, c.x, p.x);
+    double most;
+    const double det = rows.determinant(most);
+    const double error = this->termError * most;
+    if (std::fabs(det) > error && error >= this->leastError)
+    {
+      sign = det > 0.0 ? 1 : -1;
+      return true;
+    }
+    return this->filterFar(rows, det, error, sign);
+  }
+
+  FF_HD FF_INLINE bool filterBeneathKernel(
+    const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      return this->filterVirtualBeneath(a, b, c, sign);
+    }
+    return this->filterOrient(a.x, b.x, c.x, sign);
+  }
+
+  /// The second step alone.
+  FF_HD FF_APART int exactAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    {
+      return this->exactTurn(verticesAbove(a, b, c, p));
+    }
+    ++this->counts.exact;
+    const Row<1> last = { { p.x } };
+    return inArithmetic<Signs, WideLiftedSigns>(
+      this->wide, [&](auto signs) { return signs.orient3(a.x, b.x, c.x, last); });
+  }
+
+  FF_HD FF_APART int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->exactTurn(verticesBeneath(a, b, c));
+  }
+
+  /// The third step alone, where the exact sign is zero. Never zero, but for a vertex against
+  /// itself.
+  FF_HD FF_APART int tieAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    {
+      const bool twice =
+        (p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual);
+      return twice ? 0 : this->tieTurn(verticesAbove(a, b, c, p));
+    }
+    const FirstTerm first = firstTermOf(a, b, c, p);
+    int turn;
+    if (this->filterOrient(first.rest[0]->x, first.rest[1]->x, first.rest[2]->x, turn) && turn != 0)
+    {
+      return first.sign * turn;
+    }
+    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
+    const Vertex* row[4] = { &a, &b, &c, &p };
+    const int sign = -sortById(row);
+    const double* const rows[3] = { row[0]->x, row[1]->x, row[2]->x };
+    const Row<1> last = { { row[3]->x } };
+    return sign *
+      inArithmetic<Signs, WideLiftedSigns>(this->wide,
+        [&](auto signs) { return perturbedSign<decltype(signs), MovedByHeight>(rows, last); });
+  }
+
+  FF_HD FF_APART int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->tieTurn(verticesBeneath(a, b, c));
+  }
+
+  /// Orientation of three points in the plane. Exact.
+  FF_HD int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    int sign;
+    return this->filterOrient(a.x, b.x, c.x, sign) ? sign : this->exactTurn({ &a, &b, &c, 1 });
+  }
+
+  static FF_HD bool samePlace(const Vertex& a, const Vertex& b)
+  {
+    return a.x[0] == b.x[0] && a.x[1] == b.x[1];
+  }
+
+  /// Is b, on the line of a and c and between them, strictly above them? Exact.
+  FF_HD bool isAboveChord(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    // In the coordinate in which they differ, and the height.
+    const int axis = a.x[0] != c.x[0] ? 0 : 1;
+    const int side = a.x[axis] < c.x[axis] ? 1 : -1;
+    return side * this->upright(a, c, b, axis, 2) > 0;
+  }
+
+  /// Is p's place between those of a and b, which differ, and p not above their chord? Exact.
+  /// Without weights no point is.
+  FF_HD bool isBeneathChord(const Vertex& a, const Vertex& b, const Vertex& p) const
+  {
+    return Weighted && !samePlace(a, b) && HullGeometry::isWithin(a, b, p, 2) &&
+      this->orient(a, b, p) == 0 && !this->isAboveChord(a, p, b);
+  }
+
+  /// Do the three lifted points lie on a line? Exact.
+  bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      const Vertex& p = a.flags & VertexVirtual ? b : a;
+      const Vertex& q = c.flags & VertexVirtual ? b : c;
+      return samePlace(p, q);
+    }
+    return this->orient(a, b, c) == 0 && this->upright(a, b, c, 1, 2) == 0 &&
+      this->upright(a, b, c, 2, 0) == 0;
+  }
+
+  bool isWide() const { return this->wide; }
+
+  /// No two points are further apart, by coordinate; infinite where floating-point bounds do not
+  /// hold.
+  double reachOf(int axis) const
+  {
+    return this->inRange ? this->reach[axis] : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  using Signs = LiftedSigns<Weighted>;
+
+  /// Three points relative to a, rounded: their places, and how deep they lie below a's tangent
+  /// plane of the paraboloid.
+  struct Rows
+  {
+    FF_HD Rows(const double* a, const double* b, const double* c, const double* p)
+      : ux(b[0] - a[0])
+      , uy(b[1] - a[1])
+      , vx(c[0] - a[0])
+      , vy(c[1] - a[1])
+      , wx(p[0] - a[0])
+      , wy(p[1] - a[1])
+      , ud(ux * ux + uy * uy)
+      , vd(vx * vx + vy * vy)
+      , wd(wx * wx + wy * wy)
+      , uSize(ud)
+      , vSize(vd)
+      , wSize(wd)
+    {
+      if (Weighted)
+      {
+        const double uw = b[2] - a[2], vw = c[2] - a[2], ww = p[2] - a[2];
+        this->uSize += std::fabs(uw);
+        this->vSize += std::fabs(vw);
+        this->wSize += std::fabs(ww);
+        this->ud -= uw;
+        this->vd -= vw;
+        this->wd -= ww;
+      }
+    }
+
+    /// @param most is set to the sum of the terms' magnitudes
+    FF_HD FF_INLINE double determinant(double& most) const
+    {
+      const double uv = uy * vx, vu = ux * vy;
+      const double vw = vy * wx, wv = vx * wy;
+      const double wu = wy * ux, uw = wx * uy;
+      most = (std::fabs(uv) + std::fabs(vu)) * wSize + (std::fabs(vw) + std::fabs(wv)) * uSize +
+        (std::fabs(wu) + std::fabs(uw)) * vSize;
+      return (uv - vu) * wd + (vw - wv) * ud + (wu - uw) * vd;
+    }
+
+    double ux, uy, vx, vy, wx, wy;
+    double ud, vd, wd;          ///< depths
+    double uSize, vSize, wSize; ///< the sums of their parts' magnitudes
+  };
+
+  /// A place in the plane. By value: a filter that kept the address of a point would force it out
+  /// of the registers.
+  struct Place
+  {
+    double x[2];
+    static FF_HD Place of(const double* p) { return { { p[0], p[1] } }; }
+  };
+
+  /// The rest of filterAbove: where the bound leaves the sign open, or may not hold.
+  FF_HD FF_APART bool filterFar(const Rows& rows, double det, double error, int& sign) const
+  {
+    const double x = HullGeometry::largestOf(rows.ux, rows.vx, rows.wx);
+    const double y = HullGeometry::largestOf(rows.uy, rows.vy, rows.wy);
+    const double height = HullGeometry::largestOf(rows.uSize, rows.vSize, rows.wSize);
+    sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
+    if (this->exactInDouble)
+    {
+      return true;
+    }
+    if (std::fabs(det) > error)
+    {
+      return error >= LiftedUnderflow && x <= LiftedCeiling && y <= LiftedCeiling &&
+        height <= LiftedCeiling * LiftedCeiling;
+    }
+    // Few units of a lattice: the determinant is exact.
+    if (x <= this->exactWithin && y <= this->exactWithin && height <= this->exactHeight)
+    {
+      return true;
+    }
+    // A column of exact zeros: so is the determinant.
+    sign = 0;
+    return x == 0.0 || y == 0.0;
+  }
+
+  /// sign times the orientation of three places in the plane.
+  /// @tparam Seat Place, or const Vertex*, for which null stands for s
+  template <class Seat>
+  struct Turn
+  {
+    Seat a, b, c;
+    int sign;
+  };
+
+  /// What above() comes to when one of the four, by their flags, is the virtual vertex.
+  template <class Seat>
+  static FF_HD Turn<Seat> turnAbove(std::uint32_t flagsA, std::uint32_t flagsB,
+    std::uint32_t flagsC, std::uint32_t flagsP, Seat a, Seat b, Seat c, Seat p)
+  {
+    if (flagsP & VertexVirtual)
+    {
+      return { a, b, c, -1 };
+    }
+    return { flagsA & VertexVirtual ? p : a, flagsB & VertexVirtual ? p : b,
+      flagsC & VertexVirtual ? p : c, 1 };
+  }
+
+  /// What beneathKernel() comes to when one of the three is the virtual vertex: c, if not a or b.
+  template <class Seat>
+  static FF_HD Turn<Seat> turnBeneath(
+    std::uint32_t flagsA, std::uint32_t flagsB, Seat a, Seat b, Seat c, Seat s)
+  {
+    const bool isA = (flagsA & VertexVirtual) != 0;
+    const bool isB = (flagsB & VertexVirtual) != 0;
+    return { isA ? b : isB ? c : a, isA ? c : isB ? a : b, s, -1 };
+  }
+
+  static FF_HD Turn<Place> placesAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    return turnAbove(a.flags, b.flags, c.flags, p.flags, Place::of(a.x), Place::of(b.x),
+      Place::of(c.x), Place::of(p.x));
+  }
+
+  using VertexTurn = Turn<const Vertex*>;
+
+  static FF_HD VertexTurn verticesAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    return turnAbove(a.flags, b.flags, c.flags, p.flags, &a, &b, &c, &p);
+  }
+
+  static FF_HD VertexTurn verticesBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
+  {
+    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    {
+      return turnBeneath<const Vertex*>(a.flags, b.flags, &a, &b, &c, nullptr);
+    }
+    return { &a, &b, &c, 1 };
+  }
+
+  /// With the virtual vertex among them.
+  FF_HD FF_APART bool filterVirtualAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
+  {
+    if ((p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual))
+    {
+      sign = 0; // it is one and the same
+      return true;
+    }
+    const Turn<Place> turn = placesAbove(a, b, c, p);
+    const bool known = this->filterOrient(turn.a.x, turn.b.x, turn.c.x, sign);
+    sign *= turn.sign;
+    return known;
+  }
+  FF_HD FF_APART bool filterVirtualBeneath(
+    const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
+  {
+    // The kernel point's place is on no lattice.
+    const Turn<Place> turn = turnBeneath(a.flags, b.flags, Place::of(a.x), Place::of(b.x),
+      Place::of(c.x), Place::of(this->kernelPoint.place()));
+    const bool known = ExpansionSigns::filterOrient2(turn.a.x, turn.b.x, turn.c.x, 0, 1, sign);
+    sign = -sign;
+    return known && !this->kernelPoint.isSymbolic();
+  }
+
+  /// Of three points in the plane.
+  FF_HD FF_INLINE bool filterOrient(
+    const double* a, const double* b, const double* c, int& sign) const
+  {
+    return ExpansionSigns::filterOrient2(a, b, c, 0, 1, sign) || this->exactInDouble ||
+      this->isExact(a, b, c);
+  }
+
+  /// Are the places so few units of a lattice apart that their orientation is exact?
+  FF_HD bool isExact(const double* a, const double* b, const double* c) const
+  {
+    // Products of two may be of 51 bits.
+    const double within = 0x1p13 * this->exactWithin;
+    bool isNear = true;
+    for (int i = 0; i < 2; ++i)
+    {
+      isNear = isNear && std::fabs(b[i] - a[i]) <= within && std::fabs(c[i] - a[i]) <= within;
+    }
+    return isNear && within > 0;
+  }
+
+  FF_HD int exactTurn(const VertexTurn& turn) const
+  {
+    ++this->counts.exact;
+    const auto orientTo = [&](const auto& last)
+    {
+      return inArithmetic<ExpansionSigns, WideSigns>(
+        this->wide, [&](auto signs) { return signs.orient2(turn.a->x, turn.b->x, last, 0, 1); });
+    };
+    return turn.sign *
+      (turn.c ? orientTo(Row<1>{ { turn.c->x } }) : this->kernelPoint.asRow(orientTo));
+  }
+
+  /// Orientation in two coordinates of which one is the height.
+  FF_HD int upright(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
+  {
+    ++this->counts.exact;
+    const Row<1> last = { { c.x } };
+    return inArithmetic<Signs, WideLiftedSigns>(
+      this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
+  }
+
+  FF_HD int tieTurn(const VertexTurn& turn) const
+  {
+    const auto orientTo = [&](const Vertex& a, const Vertex& b, const auto& last)
+    {
+      const double* const rows[2] = { a.x, b.x };
+      return inArithmetic<ExpansionSigns, WideSigns>(this->wide,
+        [&](auto signs) { return perturbedSign<decltype(signs), MovedInPlane>(rows, last); });
+    };
+    if (turn.c)
+    {
+      const Vertex* row[3] = { turn.a, turn.b, turn.c };
+      const int sign = turn.sign * sortById(row);
+      return sign * orientTo(*row[0], *row[1], Row<1>{ { row[2]->x } });
+    }
+    // s is the last of all ids.
+    const Vertex* row[2] = { turn.a, turn.b };
+    const int sign = turn.sign * sortById(row);
+    return sign *
+      this->kernelPoint.asRow([&](const auto& s) { return orientTo(*row[0], *row[1], s); });
+  }
+
+  KernelPoint<2> kernelPoint;
+  double reach[3] = { 0, 0, 0 };
+  double exactWithin = 0.0;           ///< determinants of no larger differences
+  double exactHeight = 0.0;           ///< and heights are exact
+  double termError = LiftedTermError; ///< of determinants, against the sum of their terms
+  double leastError = std::numeric_limits<double>::infinity(); ///< that underflow does not count in
+  bool wide = false;
+  bool inRange = false;
+  bool exactInDouble = false;
+};
+
+}
+
+#endif

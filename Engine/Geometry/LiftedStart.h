@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where the growing of a regular triangulation starts (paper, section 4): one triangle of points
+/// and the virtual vertex.
+#ifndef flipflop_LiftedStart_h
+#define flipflop_LiftedStart_h
+
+#include "Geometry/HullStart.h"
+#include "Geometry/LiftedGeometry.h"
+
+#include <utility>
+
+namespace flipflop
+{
+
+/// The tetrahedron of three points that are not collinear and the virtual vertex; the geometry's
+/// kernel point is set inside it.
+template <bool Weighted>
+Polyhedron startingTetrahedron(
+  LiftedGeometry<Weighted>& geometry, const PointSource& source, const std::uint32_t* ids)
+{
+  Vertex corner[4];
+  for (int i = 0; i < 3; ++i)
+  {
+    corner[i] = source.vertex(ids[i]);
+    corner[i].flags = VertexAlive;
+  }
+  if (geometry.orient(corner[0], corner[1], corner[2]) < 0)
+  {
+    std::swap(corner[1], corner[2]);
+  }
+  corner[3] = virtualVertex();
+  Polyhedron result = makeTetrahedron(corner);
+
+  // Unequal weights keep the kernel off the lines of a grid.
+  static constexpr double share[3] = { 0.3718281828, 0.3414213562, 0.286750461 };
+  double s[2] = { 0, 0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      s[i] += share[k] * corner[k].x[i];
+    }
+  }
+  geometry.setKernel(s);
+  for (int k = 0; k < 3; ++k)
+  {
+    if (geometry.beneathKernel(corner[(k + 1) % 3], corner[k], corner[3]) <= 0)
+    {
+      const Vertex centroid[4] = { corner[0], corner[1], corner[2], corner[0] };
+      geometry.setSymbolicKernel(centroid);
+      break;
+    }
+  }
+  return result;
+}
+
+/// The kernel point is inside for good: only the border's wedges see its place.
+template <bool Weighted>
+void centerKernel(LiftedGeometry<Weighted>&, const Polyhedron&)
+{
+}
+
+/// The curve is one of the plane as it is.
+template <bool Weighted>
+Unfolding unfoldingOf(const LiftedGeometry<Weighted>&, const Polyhedron&)
+{
+  return Unfolding();
+}
+
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/Compact.h"
+
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace flipflop
+{
+
+namespace
+{
+
+constexpr std::size_t VertexRun = 1 << 15;
+
+/// Turn counts into starts; the total comes back.
+std::uint32_t startsFromCounts(std::vector<std::uint32_t>& counts)
+{
+  std::uint32_t total = 0;
+  for (std::uint32_t& count : counts)
+  {
+    const std::uint32_t start = total;
+    total += count;
+    count = start;
+  }
+  return total;
+}
+
+/// use(vertex, run) for every vertex, in parallel by runs.
+template <class Use>
+void eachVertex(Polyhedron& polyhedron, Use&& use)
+{
+  eachRun(polyhedron.vertices.size(), VertexRun,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        if (polyhedron.vertices[v].flags & VertexAlive)
+        {
+          use(polyhedron.vertices[v], run);
+        }
+      }
+    });
+}
+
+}
+
+Polyhedron compact(Polyhedron&& old)
+{
+  // How many stay, by piece and by run of vertices.
+  std::vector<std::uint32_t> triangleNext(old.pieces.size());
+  std::vector<std::uint32_t> vertexNext(runCount(old.vertices.size(), VertexRun));
+  old.eachTriangle([&](std::uint32_t, std::size_t piece) { ++triangleNext[piece]; });
+  eachVertex(old, [&](const Vertex&, std::size_t run) { ++vertexNext[run]; });
+  const std::uint32_t triangleCount = startsFromCounts(triangleNext);
+  const std::uint32_t vertexCount = startsFromCounts(vertexNext);
+  Polyhedron result(vertexCount, triangleCount);
+
+  // New numbers; a vertex keeps its own where its flags were.
+  old.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece) { old.triangles[t].index = triangleNext[piece]++; });
+  eachVertex(old,
+    [&](Vertex& vertex, std::size_t run)
+    {
+      ensure(!(vertex.flags & VertexLabelled)); // or a flip is missing
+      const std::uint32_t index = vertexNext[run]++;
+      result.vertices[index] = vertex;
+      result.vertices[index].flags = vertex.flags & (VertexAlive | VertexVirtual);
+      vertex.flags = index;
+    });
+
+  old.eachTriangle(
+    [&](std::uint32_t t, std::size_t)
+    {
+      const Triangle& triangle = old.triangles[t];
+      Triangle& copy = result.triangles[triangle.index];
+      for (int e = 0; e < 3; ++e)
+      {
+        const std::uint32_t twin = triangle.twin[e];
+        copy.v[e] = old.vertices[triangle.v[e]].flags;
+        copy.twin[e] = halfEdge(old.triangles[triangleOf(twin)].index, cornerOf(twin));
+      }
+      copy.flags = 0;
+      copy.index = 0;
+    });
+  return result;
+}
+
+}

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Points/CoordinateRange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// All values of some axes are multiples of 2^bottom and below 2^top in magnitude.
+struct Bits
+{
+  int top;
+  int bottom;
+};
+
+/// @return false when all of them are zero
+bool bitsOf(const CoordinateRange& range, int firstAxis, int endAxis, Bits& bits)
+{
+  double largest = 0;
+  double smallest = HUGE_VAL;
+  for (int axis = firstAxis; axis < endAxis; ++axis)
+  {
+    largest = std::max(largest, range.largest(axis));
+    smallest = std::min(smallest, range.smallest[axis]);
+  }
+  if (largest == 0)
+  {
+    return false;
+  }
+  bits.top = std::ilogb(largest) + 1;
+  // A value's lowest bit is at most 52 places below its highest, and never below 2^-1074.
+  bits.bottom = std::max(std::ilogb(smallest) - 52, -1074);
+  return true;
+}
+
+}
+
+Arithmetic chooseArithmetic(const CoordinateRange& range)
+{
+  // Expansions need, for coordinates that are multiples of 2^bottom below 2^top, 3 * bottom >=
+  // -1074 and 3 * (top + 4) <= 1023, with room for the halves of a product. A kernel point that is
+  // computed is a rounded mean, or on a grid (see seekKernel): its bits reach lower than the
+  // points', by no more than the 170 places left here. One that is given counts in the range.
+  constexpr int lowestBottom = -300;
+  constexpr int highestTop = 300;
+
+  Arithmetic result;
+  Bits bits;
+  if (!bitsOf(range, 0, 3, bits))
+  {
+    return result;
+  }
+  const int top = bits.top;
+  const int bottom = bits.bottom;
+  if (top <= highestTop && bottom >= lowestBottom)
+  {
+    return result;
+  }
+  if (bottom - top >= lowestBottom)
+  {
+    result.scaleExponent = -top;
+    return result;
+  }
+  // As near to one as possible without pushing the lowest bit below 2^-1074, and away from overflow
+  // if that too is possible: the filters take an overflow for "undecided".
+  result.wide = true;
+  const int lossless = -1074 - bottom;
+  result.scaleExponent = std::max(std::min(std::max(-top, lossless), 1021 - top), lossless);
+  return result;
+}
+
+Arithmetic chooseLiftedArithmetic(const CoordinateRange& range)
+{
+  // Expansions carry x * y * (x^2 + y^2 - w), four coordinates to the product, when its lowest bit
+  // is above 2^-1074 and it stays below 2^1023 with some room for sums.
+  constexpr int lowestProduct = -1000;
+  // Far from one either way the filters tell less.
+  constexpr int ordinaryTop = 40;
+
+  Arithmetic result;
+  Bits place = { 0, 0 };
+  Bits weight = { 0, 0 };
+  const bool anyPlace = bitsOf(range, 0, 2, place);
+  const bool anyWeight = bitsOf(range, 2, 3, weight);
+  if (!anyPlace && !anyWeight)
+  {
+    return result;
+  }
+  if (!anyPlace || !anyWeight)
+  {
+    // Zeros have any bits.
+    (anyPlace ? weight : place) = anyPlace ? Bits{ 2 * place.top, 2 * place.bottom }
+                                           : Bits{ weight.top / 2, weight.bottom / 2 };
+  }
+  const int top = std::max(place.top, (weight.top + 1) / 2 + 1);
+  const int product = 2 * place.bottom + std::min(2 * place.bottom, weight.bottom);
+  if (std::abs(top) <= ordinaryTop && product >= lowestProduct)
+  {
+    return result;
+  }
+  if (product - 4 * top >= lowestProduct)
+  {
+    result.scaleExponent = -top;
+    return result;
+  }
+  result.wide = true;
+  return result;
+}
+
+}

@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Points/InsertionOrder.h"
+
+#include "Support/Parallel.h"
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace flipflop
+{
+
+namespace
+{
+
+struct Keyed
+{
+  std::uint32_t key; ///< place along the curve
+  std::uint32_t id;
+
+  /// What they are sorted by.
+  std::uint64_t digits() const { return static_cast<std::uint64_t>(this->key) << 32 | this->id; }
+  bool operator<(const Keyed& other) const { return this->digits() < other.digits(); }
+};
+
+/// Steps of Hilbert's curve, four bits of x and of y at once. A quadrant's curve is the whole one
+/// with x and y exchanged (bit 0 of the state), or mirrored as well (bit 1).
+struct HilbertTable
+{
+  static constexpr int Bits = 4;
+  static constexpr int Side = 1 << Bits;
+
+  struct Step
+  {
+    std::uint8_t key;
+    std::uint8_t state;
+  };
+
+  constexpr HilbertTable()
+  {
+    for (int state = 0; state < 4; ++state)
+    {
+      for (int place = 0; place < Side * Side; ++place)
+      {
+        int turned = state;
+        int key = 0;
+        for (int bit = Bits - 1; bit >= 0; --bit)
+        {
+          const int mirrored = turned >> 1;
+          const int u = (place >> (Bits + bit) & 1) ^ mirrored;
+          const int v = (place >> bit & 1) ^ mirrored;
+          const int right = turned & 1 ? v : u;
+          const int upper = turned & 1 ? u : v;
+          key = key << 2 | ((3 * right) ^ upper);
+          turned ^= upper ? 0 : (right ? 3 : 1);
+        }
+        this->step[state][place] = { static_cast<std::uint8_t>(key),
+          static_cast<std::uint8_t>(turned) };
+      }
+    }
+  }
+
+  Step step[4][Side * Side] = {};
+};
+
+constexpr HilbertTable Hilbert;
+
+/// The curve through a box: Hilbert's, of 2^16 steps along the longer side.
+class Curve
+{
+public:
+  Curve()
+  {
+    std::fill(this->low, this->low + 2, std::numeric_limits<double>::infinity());
+    std::fill(this->high, this->high + 2, -std::numeric_limits<double>::infinity());
+  }
+
+  /// Let the box hold a place.
+  void add(const double* uv)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      this->low[i] = std::min(this->low[i], uv[i]);
+      this->high[i] = std::max(this->high[i], uv[i]);
+    }
+  }
+
+  /// Let the box hold another's.
+  void add(const Curve& other)
+  {
+    this->add(other.low);
+    this->add(other.high);
+  }
+
+  /// The box is known.
+  void prepare()
+  {
+    // Halved: the whole may overflow. One scale for both axes: in a thin box the points' order
+    // along it is what tells who is near.
+    const double half =
+      std::max(0.5 * this->high[0] - 0.5 * this->low[0], 0.5 * this->high[1] - 0.5 * this->low[1]);
+    this->scale = half > 0 ? 0.5 * Steps / half : 0;
+  }
+
+  std::uint32_t at(const double* uv) const
+  {
+    const std::uint32_t x = this->step(0, uv[0]);
+    const std::uint32_t y = this->step(1, uv[1]);
+    std::uint32_t key = 0;
+    std::uint32_t state = 0;
+    for (int bit = 16 - HilbertTable::Bits; bit >= 0; bit -= HilbertTable::Bits)
+    {
+      constexpr std::uint32_t Mask = HilbertTable::Side - 1;
+      const HilbertTable::Step& step =
+        Hilbert.step[state][(x >> bit & Mask) << HilbertTable::Bits | (y >> bit & Mask)];
+      key = key << 2 * HilbertTable::Bits | step.key;
+      state = step.state;
+    }
+    return key;
+  }
+
+private:
+  static constexpr double Steps = 65535;
+
+  std::uint32_t step(int axis, double p) const
+  {
+    const double s = (p - this->low[axis]) * this->scale;
+    return static_cast<std::uint32_t>(s > 0 ? (s < Steps ? s : Steps) : 0);
+  }
+
+  double low[2];
+  double high[2];
+  double scale = 0;
+};
+
+constexpr std::size_t Run = 1 << 14; ///< what a task looks at
+
+/// use(begin, end, number) for runs of @p count things, in parallel.
+template <class Use>
+void eachRun(std::size_t count, Monitor& monitor, Use&& use)
+{
+  flipflop::eachRun(count, Run,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      monitor.poll();
+      use(begin, end, number);
+    });
+}
+
+/// Send each of @p count things to its bucket, in their order: put(i, place).
+/// @param bucketOf std::size_t (i)
+/// @return where the buckets begin, and where the last one ends
+template <class BucketOf, class Put>
+std::vector<std::uint32_t> distribute(
+  std::size_t count, std::size_t buckets, Monitor& monitor, BucketOf&& bucketOf, Put&& put)
+{
+  std::vector<std::uint32_t> cursor(runCount(count, Run) * buckets); // by run, then bucket
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ++cursor[number * buckets + bucketOf(i)];
+      }
+    });
+  std::vector<std::uint32_t> bucketBegin;
+  bucketBegin.reserve(buckets + 1);
+  std::uint32_t total = 0;
+  for (std::size_t bucket = 0; bucket < buckets; ++bucket)
+  {
+    bucketBegin.push_back(total);
+    for (std::size_t at = bucket; at < cursor.size(); at += buckets)
+    {
+      total += std::exchange(cursor[at], total);
+    }
+  }
+  bucketBegin.push_back(total);
+  eachRun(count, monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        put(i, cursor[number * buckets + bucketOf(i)]++);
+      }
+    });
+  return bucketBegin;
+}
+
+/// Sorts points along the curve through their box. Where many share a step of it (clusters, a far
+/// outlier), these are sorted along the curve through theirs.
+class Sorter
+{
+public:
+  Sorter(const PointSource& points, const Unfolding& unfoldingToUse, Monitor& monitorToTell)
+    : source(points)
+    , unfolding(unfoldingToUse)
+    , monitor(monitorToTell)
+  {
+  }
+
+  void sort(Keyed* keyed, std::size_t count) const
+  {
+    const Curve curve = this->curveThrough(keyed, count);
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          double uv[2];
+          this->place(keyed[i].id, uv);
+          keyed[i].key = curve.at(uv);
+        }
+      });
+    count <= Few ? this->sortFew(keyed, count) : this->sortByBuckets(keyed, count);
+  }
+
+private:
+  static constexpr std::size_t Few = 1 << 12;
+  static constexpr int BucketBits = 10;
+  static constexpr std::size_t Buckets = std::size_t(1) << BucketBits;
+
+  void place(std::uint32_t id, double* uv) const
+  {
+    double x[3];
+    this->source.load(id, x);
+    this->unfolding.place(x, uv);
+  }
+
+  Curve curveThrough(const Keyed* keyed, std::size_t count) const
+  {
+    std::vector<Curve> parts(runCount(count, Run));
+    eachRun(count, this->monitor,
+      [&](std::size_t begin, std::size_t end, std::size_t number)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          double uv[2];
+          this->place(keyed[i].id, uv);
+          parts[number].add(uv);
+        }
+      });
+    Curve whole;
+    for (const Curve& part : parts)
+    {
+      whole.add(part);
+    }
+    whole.prepare();
+    return whole;
+  }
+
+  void sortFew(Keyed* keyed, std::size_t count) const
+  {
+    constexpr std::size_t Many = 32; ///< at one step
+    boost::sort::spreadsort::integer_sort(
+      keyed, keyed + count, [](const Keyed& k, unsigned int shift) { return k.digits() >> shift; });
+    if (count == 0 || keyed[0].key == keyed[count - 1].key)
+    {
+      return; // one place, or too near each other for differences
+    }
+    for (std::size_t begin = 0, end = 0; begin < count; begin = end)
+    {
+      while (end < count && keyed[end].key == keyed[begin].key)
+      {
+        ++end;
+      }
+      if (end - begin > Many)
+      {
+        this->sort(keyed + begin, end - begin);
+      }
+    }
+  }
+
+  /// By the keys' highest digit, then each bucket alone.
+  void sortByBuckets(Keyed* keyed, std::size_t count) const
+  {
+    Buffer<Keyed> aside(count);
+    const std::vector<std::uint32_t> bucketBegin = distribute(
+      count, Buckets, this->monitor,
+      [&](std::size_t i) -> std::size_t { return keyed[i].key >> (32 - BucketBits); },
+      [&](std::size_t i, std::uint32_t place) { aside[place] = keyed[i]; });
+    eachTask(Buckets,
+      [&](std::size_t bucket)
+      {
+        const std::size_t begin = bucketBegin[bucket];
+        const std::size_t size = bucketBegin[bucket + 1] - begin;
+        std::copy_n(aside.begin() + begin, size, keyed + begin);
+        if (size <= Few)
+        {
+          this->sortFew(keyed + begin, size);
+        }
+        else if (size < count) // else all are at one place: ends of a box are buckets apart
+        {
+          this->sort(keyed + begin, size);
+        }
+      });
+  }
+
+  const PointSource& source;
+  const Unfolding& unfolding;
+  Monitor& monitor;
+};
+
+constexpr std::uint32_t Levels = 9;
+
+/// Of 8 points 7 are in the last level, of the others as many in the one before, and so on.
+std::uint32_t levelOf(std::uint32_t id)
+{
+  std::uint64_t hash = (id + std::uint64_t(1)) * 0x9E3779B97F4A7C15ull;
+  hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
+  std::uint32_t level = Levels - 1;
+  for (hash >>= 40; level > 0 && (hash & 7) == 0; hash >>= 3)
+  {
+    --level;
+  }
+  return level;
+}
+
+}
+
+Unfolding::Unfolding(const double* kernel, const double (*basis)[3])
+  : unfolds(true)
+{
+  std::copy_n(kernel, 3, this->origin);
+  for (int i = 0; i < 3; ++i)
+  {
+    std::copy_n(basis[i], 3, this->matrix[i]);
+  }
+}
+
+void Unfolding::unfold(const double* x, double* uv) const
+{
+  const double d[3] = { x[0] - this->origin[0], x[1] - this->origin[1], x[2] - this->origin[2] };
+  double q[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    q[i] = this->matrix[i][0] * d[0] + this->matrix[i][1] * d[1] + this->matrix[i][2] * d[2];
+  }
+  const double sum = std::fabs(q[0]) + std::fabs(q[1]) + std::fabs(q[2]);
+  // One at the kernel point has no direction.
+  const double factor = sum > 0 ? 1 / sum : 0;
+  uv[0] = q[0] * factor;
+  uv[1] = q[1] * factor;
+  if (q[2] < 0)
+  {
+    // The lower faces are folded up, outside the upper ones.
+    const double u = uv[0];
+    uv[0] = std::copysign(1 - std::fabs(uv[1]), u);
+    uv[1] = std::copysign(1 - std::fabs(u), uv[1]);
+  }
+}
+
+InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
+  const Unfolding& unfolding, Monitor& monitor)
+{
+  Buffer<Keyed> keyed;
+  numberFound(
+    subset.count, Run,
+    [&](std::size_t begin, std::size_t end, const auto& tell)
+    {
+      monitor.poll();
+      subset.eachWanted(
+        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), tell);
+    },
+    [&](std::size_t wanted) { keyed.allocate(wanted); },
+    [&](std::size_t at, std::uint32_t id) { keyed[at].id = id; });
+  const std::size_t count = keyed.size();
+  Sorter(source, unfolding, monitor).sort(keyed.data(), count);
+
+  // Each level's points in the curve's order.
+  InsertionOrder order;
+  order.ids.allocate(count);
+  order.levelEnds = distribute(
+    count, Levels, monitor, [&](std::size_t i) -> std::size_t { return levelOf(keyed[i].id); },
+    [&](std::size_t i, std::uint32_t place) { order.ids[place] = keyed[i].id; });
+  order.levelEnds.erase(order.levelEnds.begin()); // one begins where the one before ends
+  return order;
+}
+
+}

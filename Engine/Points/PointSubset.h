@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which points of the input take part in a round.
+#ifndef flipflop_PointSubset_h
+#define flipflop_PointSubset_h
+
+#include "Points/PointSource.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+struct PointSubset
+{
+  const std::uint32_t* ids = nullptr;   ///< ascending; null: all points
+  std::uint32_t count = 0;              ///< #ids, or #points
+  const std::uint32_t* taken = nullptr; ///< ascending: already vertices or decided, to be left out
+  std::uint32_t takenCount = 0;
+  bool checkFinite = false; ///< there are points to ignore
+
+  /// @param left ids, ascending; they must outlive this
+  void leaveOut(const std::vector<std::uint32_t>& left)
+  {
+    this->taken = left.data();
+    this->takenCount = static_cast<std::uint32_t>(left.size());
+  }
+
+  std::uint32_t idAt(std::uint32_t i) const { return this->ids ? this->ids[i] : i; }
+
+  /// use(id) for the points from place @p begin to @p end that are to be looked at.
+  template <class Use>
+  void eachWanted(
+    const PointSource& source, std::uint32_t begin, std::uint32_t end, Use&& use) const
+  {
+    eachLeft(
+      begin, end, [this](std::uint32_t i) { return this->idAt(i); }, this->taken,
+      this->taken + this->takenCount, this->checkFinite ? &source : nullptr, use);
+  }
+
+  /// use(idAt(i)) for i from @p begin to @p end, but for ids that are taken.
+  /// @param idAt      ascending
+  /// @param takenIds  ascending
+  /// @param finiteOf  leave points out that are not finite, too; null: there are none
+  template <class IdAt, class Id, class Use>
+  static void eachLeft(std::uint32_t begin, std::uint32_t end, const IdAt& idAt, const Id* takenIds,
+    const Id* takenEnd, const PointSource* finiteOf, Use&& use)
+  {
+    const Id* next =
+      begin < end ? std::lower_bound(takenIds, takenEnd, static_cast<Id>(idAt(begin))) : takenEnd;
+    for (std::uint32_t i = begin; i < end; ++i)
+    {
+      const std::uint32_t id = idAt(i);
+      while (next != takenEnd && *next < id)
+      {
+        ++next; // not in the subset
+      }
+      double x[3];
+      if (finiteOf)
+      {
+        finiteOf->load(id, x);
+      }
+      if ((next == takenEnd || *next != id) && (!finiteOf || isFinite(x)))
+      {
+        use(id);
+      }
+    }
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What rounding the corners of a diagram broke, mended.
+#ifndef flipflop_CellRepair_h
+#define flipflop_CellRepair_h
+
+#include "Support/Monitor.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Polygons that fill a box edge to edge, but for the rounding of their corners: every edge is
+/// there once in either direction, or lies on the box.
+struct RoundedCells
+{
+  std::vector<double> positions;      ///< two for each corner, no position twice
+  std::vector<std::uint32_t> corners; ///< of every cell: indices of positions (pairs)
+  std::vector<std::int64_t> ends;     ///< where cells begin in corners; one more than cells
+  std::vector<std::int64_t> ids;      ///< of the cells' sites
+};
+
+/// Make every cell a simple polygon, counter-clockwise, so that the cells fill the box exactly; for
+/// the means see PowerDiagram. Where every cell is convex already, nothing changes; else corners
+/// are numbered anew, in order of first use.
+///
+/// @param cells    as rounded, also those without an inside
+/// @param box      x least, x greatest, y least, y greatest
+/// @param monitor  is asked whether to stop
+void repairCells(RoundedCells& cells, const double* box, Monitor& monitor);
+
+}
+
+#endif

@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The diagram is read off the triangulation: a facet is a corner, the ring of facets around a site
+/// is its cell, and a border edge is a ray along its outward normal, which ends in a corner at
+/// infinity. Of that corner only the signs of its direction matter.
+#include <flipflop/PowerDiagram.h>
+
+#include "Points/PointSource.h"
+#include "PowerDiagram/CellClipper.h"
+#include "PowerDiagram/CellRepair.h"
+#include "PowerDiagram/CornerNumbers.h"
+#include "PowerDiagram/FacetRings.h"
+#include "PowerDiagram/PowerCorners.h"
+#include "Support/Monitor.h"
+#include "Support/Parallel.h"
+#include "Support/Threads.h"
+#include "Support/TypedErrors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace flipflop
+{
+namespace
+{
+
+using Index = std::uint32_t;
+
+/// What a task looks at.
+constexpr std::size_t SitesOfARun = 1 << 12;
+constexpr std::size_t FacetsOfARun = 1 << 13;
+
+[[noreturn]] void refuse(std::int64_t index = -1)
+{
+  throw Error(ErrorCode::BadArgument, index);
+}
+
+// ---- The input ---------------------------------------------------------------------------------
+
+/// The visible sites, by their index in the triangulation.
+Buffer<PowerSite> loadSites(
+  const PointView& points, const WeightView& weights, const Triangulation& triangulation)
+{
+  requireValid(points, 2);
+  requireValid(weights, points.count);
+  const PointSource source(points, weights);
+  Buffer<PowerSite> sites(triangulation.pointIds.size());
+  eachCheckedRun(sites.size(), SitesOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const std::int64_t id = triangulation.pointIds[i];
+        if (id <= (i > 0 ? triangulation.pointIds[i - 1] : -1) || id >= points.count)
+        {
+          refuse(id);
+        }
+        double x[3];
+        source.load(static_cast<std::uint32_t>(id), x);
+        if (!isFinite(x))
+        {
+          refuse(id);
+        }
+        sites[i] = { { x[0], x[1] }, x[2] };
+      }
+    });
+  return sites;
+}
+
+/// The cells' corners are in range, and each cell has @p least to @p most of them.
+void checkCells(const Triangulation& t, std::int64_t least, std::int64_t most)
+{
+  const std::int64_t size = static_cast<std::int64_t>(t.connectivity.size());
+  if (t.cellSize < 0 || (t.cellSize > 0 && size % t.cellSize != 0) ||
+    (t.cellSize == 0 && t.offsets.empty() && size > 0) || size >= NoIndex)
+  {
+    refuse();
+  }
+  const std::int64_t cells = t.cellCount();
+  if (cells == 0 ? size != 0 : t.cellBegin(0) != 0 || t.cellBegin(cells) != size)
+  {
+    refuse();
+  }
+  eachCheckedRun(static_cast<std::size_t>(cells), FacetsOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (auto c = static_cast<std::int64_t>(begin); c < static_cast<std::int64_t>(end); ++c)
+      {
+        const std::int64_t first = t.cellBegin(c);
+        const std::int64_t next = t.cellBegin(c + 1);
+        if (first < 0 || next < first || next > size || next - first < least || next - first > most)
+        {
+          refuse();
+        }
+      }
+    });
+  eachCheckedRun(t.connectivity.size(), FacetsOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      if (std::any_of(t.connectivity.begin() + begin, t.connectivity.begin() + end,
+            [&t](std::int64_t corner)
+            { return corner < 0 || corner >= static_cast<std::int64_t>(t.pointIds.size()); }))
+      {
+        refuse();
+      }
+    });
+}
+
+/// The power center of a facet: from the widest triangle of its fan, though any would give the
+/// same.
+Position facetCenter(const Triangulation& t, const Buffer<PowerSite>& sites, std::int64_t facet)
+{
+  const std::int64_t begin = t.cellBegin(facet);
+  const std::int64_t end = t.cellBegin(facet + 1);
+  const auto corner = [&](std::int64_t h) -> const PowerSite&
+  { return sites[static_cast<std::size_t>(t.connectivity[static_cast<std::size_t>(h)])]; };
+  const PowerSite& a = corner(begin);
+  std::int64_t best = begin + 1;
+  double most = 0.0;
+  for (std::int64_t h = begin + 1; end - begin > 3 && h + 1 < end; ++h)
+  {
+    const PowerSite& b = corner(h);
+    const PowerSite& c = corner(h + 1);
+    const double area =
+      (b.x[0] - a.x[0]) * (c.x[1] - a.x[1]) - (b.x[1] - a.x[1]) * (c.x[0] - a.x[0]);
+    if (area > most)
+    {
+      most = area;
+      best = h;
+    }
+  }
+  Position center;
+  powerCenter(a, corner(best), corner(best + 1), center.data());
+  return { center[0] + 0.0, center[1] + 0.0 }; // -0 is 0
+}
+
+// ---- The cells, by dimension -------------------------------------------------------------------
+
+/// One site: all of the box.
+void addBox(CellRun& run, std::int64_t id, const double* box)
+{
+  CellPolygon cell = { finiteCorner(box[0], box[2], boxSide(2)),
+    finiteCorner(box[1], box[2], boxSide(1)), finiteCorner(box[1], box[3], boxSide(3)),
+    finiteCorner(box[0], box[3], boxSide(0)) };
+  run.add(id, cell);
+}
+
+/// Sites on a line: strips. A strip's two lines are given by a point each, which is no corner.
+void addStrips(CellRun& run, const Triangulation& t, const Buffer<PowerSite>& sites,
+  const double* box, Monitor& monitor)
+{
+  Buffer<std::array<Index, 2>> neighbours(sites.size());
+  std::fill(neighbours.begin(), neighbours.end(), std::array<Index, 2>{ NoIndex, NoIndex });
+  for (std::size_t h = 0; h < t.connectivity.size(); ++h)
+  {
+    auto& mine = neighbours[static_cast<std::size_t>(t.connectivity[h])];
+    const Index other = static_cast<Index>(t.connectivity[h ^ 1]);
+    if (mine[1] != NoIndex)
+    {
+      refuse();
+    }
+    mine[mine[0] == NoIndex ? 0 : 1] = other;
+  }
+  CellClipper clipper(sites, box);
+  CellPolygon cell;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if ((i + 1) % StepPoll::Every == 0)
+    {
+      monitor.advance(StepPoll::Every);
+    }
+    if (neighbours[i][0] == NoIndex)
+    {
+      refuse(t.pointIds[i]);
+    }
+    // Up one line and down the other; an end site's other line is at infinity.
+    cell.clear();
+    for (int k = 0; k < 2; ++k)
+    {
+      const Index other = neighbours[i][k];
+      const PowerSite& a = sites[i];
+      const PowerSite& b = sites[other == NoIndex ? neighbours[i][0] : other];
+      const int x = (a.x[0] > b.x[0]) - (a.x[0] < b.x[0]);
+      const int y = (a.x[1] > b.x[1]) - (a.x[1] < b.x[1]);
+      if (other == NoIndex)
+      {
+        cell.back().line = LineAtInfinity;
+        cell.push_back(infiniteCorner(x, y, LineAtInfinity));
+        cell.push_back(infiniteCorner(-y, x, neighbours[i][0]));
+        continue;
+      }
+      double middle[2];
+      powerMiddle(a, b, middle);
+      if (k == 1)
+      {
+        cell.back().line = other;
+      }
+      cell.push_back(finiteCorner(middle[0], middle[1], other));
+      cell.push_back(infiniteCorner(y, -x, neighbours[i][0]));
+    }
+    clipper.clip(static_cast<Index>(i), cell);
+    // A point within its line's edge comes and goes along one line.
+    CellPolygon corners;
+    for (std::size_t c = 0; c < cell.size(); ++c)
+    {
+      if (cell[c].line < 0 || cell[(c + cell.size() - 1) % cell.size()].line != cell[c].line)
+      {
+        corners.push_back(cell[c]);
+      }
+    }
+    run.add(t.pointIds[i], corners);
+  }
+}
+
+/// The corners of a site's cell before the box cuts it.
+/// @return is all of it in the box?
+bool cellOf(Index site, const FacetRings& rings, const FacetRings::Ring& ring,
+  const Buffer<Position>& centers, const Buffer<PowerSite>& sites, const CellClipper& clipper,
+  CellPolygon& cell)
+{
+  bool inside = ring.closed;
+  cell.clear();
+  for (const Index h : ring.halfEdges)
+  {
+    const Index f = rings.facet(h);
+    cell.push_back(finiteCorner(centers[f][0], centers[f][1], rings.source(h), f));
+    inside = inside && clipper.inside(centers[f].data());
+  }
+  if (!ring.closed)
+  {
+    // Outwards along the last border edge's normal, and back along the first's.
+    const Index next = rings.destination(ring.halfEdges.front());
+    const PowerSite& a = sites[site];
+    const PowerSite& last = sites[rings.source(ring.halfEdges.back())];
+    const PowerSite& first = sites[next];
+    const auto compare = [](double p, double q) { return (p > q) - (p < q); };
+    cell.push_back(
+      infiniteCorner(compare(a.x[1], last.x[1]), compare(last.x[0], a.x[0]), LineAtInfinity));
+    cell.push_back(infiniteCorner(compare(first.x[1], a.x[1]), compare(a.x[0], first.x[0]), next));
+  }
+  return inside;
+}
+
+/// The cells of a run of sites.
+void addCells(CellRun& run, Index begin, Index end, const Triangulation& t, const FacetRings& rings,
+  const Buffer<Position>& centers, const Buffer<PowerSite>& sites, const double* box)
+{
+  CellClipper clipper(sites, box);
+  FacetRings::Ring ring;
+  CellPolygon cell;
+  for (Index i = begin; i < end; ++i)
+  {
+    rings.walk(i, ring);
+    if (!cellOf(i, rings, ring, centers, sites, clipper, cell))
+    {
+      clipper.clip(i, cell);
+    }
+    run.add(t.pointIds[i], cell);
+  }
+}
+
+Buffer<Position> facetCenters(
+  const Triangulation& t, const Buffer<PowerSite>& sites, Monitor& monitor)
+{
+  Buffer<Position> centers(static_cast<std::size_t>(t.cellCount()));
+  eachCheckedRun(centers.size(), FacetsOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        centers[f] = facetCenter(t, sites, static_cast<std::int64_t>(f));
+      }
+      monitor.advance(static_cast<std::int64_t>(end - begin));
+    });
+  return centers;
+}
+
+/// Corners and cells as rounded.
+RoundedCells roundedCells(
+  const Triangulation& t, const Buffer<PowerSite>& sites, const double* box, Monitor& monitor)
+{
+  if (t.dimension < 2)
+  {
+    std::vector<CellRun> runs(1, CellRun(0));
+    if (t.dimension == 0)
+    {
+      addBox(runs[0], t.pointIds[0], box);
+    }
+    else if (t.dimension == 1)
+    {
+      addStrips(runs[0], t, sites, box, monitor);
+    }
+    monitor.stage(0.8, 0.9, 1);
+    return numberCorners(runs, Buffer<Position>(), monitor);
+  }
+  const Buffer<Position> centers = facetCenters(t, sites, monitor);
+  const FacetRings rings(t);
+  monitor.poll();
+  std::vector<CellRun> runs(runCount(sites.size(), SitesOfARun), CellRun(centers.size()));
+  eachCheckedRun(sites.size(), SitesOfARun,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      addCells(runs[number], static_cast<Index>(begin), static_cast<Index>(end), t, rings, centers,
+        sites, box);
+      monitor.advance(static_cast<std::int64_t>(end - begin));
+    });
+  monitor.stage(0.8, 0.9, 1);
+  return numberCorners(runs, centers, monitor);
+}
+
+template <class From, class To>
+void copy(const std::vector<From>& from, Buffer<To>& to)
+{
+  to.allocate(from.size());
+  eachRun(from.size(), 1 << 16,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    { std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin); });
+}
+
+PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const double* box, const Options& options)
+{
+  Monitor monitor(options);
+  monitor.stage(
+    0.0, 0.8, triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()));
+  if (!box || !(box[0] < box[1] && box[2] < box[3]))
+  {
+    refuse();
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    if (!std::isfinite(box[k]))
+    {
+      refuse();
+    }
+  }
+  PowerDiagram result;
+  ArenaLoan arena(
+    threadCount(options.threads, static_cast<std::int64_t>(triangulation.pointIds.size())));
+  arena.execute(
+    [&]
+    {
+      const Buffer<PowerSite> sites = loadSites(points, weights, triangulation);
+      const int dimension = triangulation.dimension;
+      if (dimension < -1 || dimension > 2 || (dimension == -1 && !sites.empty()) ||
+        (dimension == 0 && sites.size() != 1) || (dimension == 1 && sites.size() < 2))
+      {
+        refuse();
+      }
+      checkCells(triangulation, dimension + 1, dimension < 2 ? dimension + 1 : NoIndex);
+      RoundedCells cells = roundedCells(triangulation, sites, box, monitor);
+      monitor.stage(0.9, 1.0, 1);
+      repairCells(cells, box, monitor);
+      copy(cells.positions, result.corners);
+      copy(cells.corners, result.connectivity);
+      copy(cells.ends, result.offsets);
+      copy(cells.ids, result.siteIds);
+      monitor.stage(1.0, 1.0, 1);
+    });
+  return result;
+}
+
+}
+
+PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const double* box, const Options& options)
+{
+  return withTypedErrors(
+    [&] { return diagramInBox(points, weights, triangulation, box, options); });
+}
+
+}

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Predicates/WideSigns.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+namespace flipflop
+{
+
+namespace
+{
+
+using Integer = boost::multiprecision::cpp_int;
+
+/// value * 2^1074: every finite double is a multiple of 2^-1074.
+Integer toInteger(double value)
+{
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent); // value = fraction * 2^exponent
+  Integer result = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+  const int shift = exponent - 53 + 1074;
+  // Of a denormal's 53 bits those below 2^-1074 are zero.
+  shift >= 0 ? result <<= shift : result >>= -shift;
+  return result;
+}
+
+Integer wideOffset(const double* point, const double* origin, int axis)
+{
+  return toInteger(point[axis]) - toInteger(origin[axis]);
+}
+
+template <int Count>
+Integer wideOffset(const Row<Count>& row, const double* origin, int axis)
+{
+  Integer result = 0;
+  for (const double* point : row.point)
+  {
+    result += wideOffset(point, origin, axis);
+  }
+  return result;
+}
+
+/// p - a in one coordinate, in units of 2^-1074; heights in units of the square of that.
+Integer liftedOffset(const double* p, const double* a, int axis)
+{
+  if (axis < 2)
+  {
+    return wideOffset(p, a, axis);
+  }
+  Integer height = wideOffset(p, a, 2) << 1074;
+  for (int i = 0; i < 2; ++i)
+  {
+    height -= wideOffset(p, a, i) * (toInteger(p[i]) + toInteger(a[i]));
+  }
+  return height;
+}
+
+int signOfDeterminant(const Integer* u, const Integer* v, const Integer* w)
+{
+  const Integer det = (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
+    (u[0] * v[1] - u[1] * v[0]) * w[2];
+  return det.sign();
+}
+
+template <int Count>
+int wideOrient3(const double* a, const double* b, const double* c, const Row<Count>& d)
+{
+  Integer u[3], v[3], w[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = wideOffset(b, a, i);
+    v[i] = wideOffset(c, a, i);
+    w[i] = wideOffset(d, a, i);
+  }
+  return signOfDeterminant(u, v, w);
+}
+
+template <int Count>
+int wideOrient2(const double* a, const double* b, const Row<Count>& c, int p, int q)
+{
+  const Integer det =
+    wideOffset(b, a, p) * wideOffset(c, a, q) - wideOffset(b, a, q) * wideOffset(c, a, p);
+  return det.sign();
+}
+
+}
+
+int WideSigns::orient3(const double* a, const double* b, const double* c, const Row<1>& d)
+{
+  return wideOrient3(a, b, c, d);
+}
+
+int WideSigns::orient3(const double* a, const double* b, const double* c, const Row<4>& d)
+{
+  return wideOrient3(a, b, c, d);
+}
+
+int WideSigns::orient2(const double* a, const double* b, const Row<1>& c, int p, int q)
+{
+  return wideOrient2(a, b, c, p, q);
+}
+
+int WideSigns::orient2(const double* a, const double* b, const Row<4>& c, int p, int q)
+{
+  return wideOrient2(a, b, c, p, q);
+}
+
+int WideSigns::compare(const double* a, const Row<1>& b, int p)
+{
+  return -wideOffset(b, a, p).sign();
+}
+
+int WideSigns::compare(const double* a, const Row<4>& b, int p)
+{
+  return -wideOffset(b, a, p).sign();
+}
+
+int WideLiftedSigns::orient3(const double* a, const double* b, const double* c, const Row<1>& d)
+{
+  Integer u[3], v[3], w[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = liftedOffset(b, a, i);
+    v[i] = liftedOffset(c, a, i);
+    w[i] = liftedOffset(d.point[0], a, i);
+  }
+  return signOfDeterminant(u, v, w);
+}
+
+int WideLiftedSigns::orient2(const double* a, const double* b, const Row<1>& c, int p, int q)
+{
+  const double* const d = c.point[0];
+  const Integer det =
+    liftedOffset(b, a, p) * liftedOffset(d, a, q) - liftedOffset(b, a, q) * liftedOffset(d, a, p);
+  return det.sign();
+}
+
+int WideLiftedSigns::compare(const double* a, const Row<1>& b, int p)
+{
+  return -liftedOffset(b.point[0], a, p).sign();
+}
+
+}

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Regular triangulations of points at one position or on one line.
+#ifndef flipflop_Chain_h
+#define flipflop_Chain_h
+
+#include "Geometry/LiftedGeometry.h"
+#include "Points/PointSource.h"
+#include "Support/Monitor.h"
+#include <flipflop/Triangulation.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Points that may be visible, along their line: of each position the greatest weight, then the
+/// lowest id.
+inline std::vector<Vertex> bestAlongLine(
+  const PointSource& source, bool checkFinite, Monitor& monitor)
+{
+  std::vector<Vertex> points;
+  for (std::uint32_t id = 0; id < source.count(); ++id)
+  {
+    if ((id & 0xFFFF) == 0)
+    {
+      monitor.poll();
+    }
+    const Vertex v = source.vertex(id);
+    if (!checkFinite || isFinite(v.x))
+    {
+      points.push_back(v);
+    }
+  }
+  const auto samePlace = LiftedGeometry<true>::samePlace;
+  std::sort(points.begin(), points.end(),
+    [samePlace](const Vertex& a, const Vertex& b)
+    {
+      if (!samePlace(a, b))
+      {
+        return a.x[0] != b.x[0] ? a.x[0] < b.x[0] : a.x[1] < b.x[1];
+      }
+      return a.x[2] != b.x[2] ? a.x[2] > b.x[2] : a.id < b.id;
+    });
+  points.erase(std::unique(points.begin(), points.end(), samePlace), points.end());
+  return points;
+}
+
+/// The chain through the visible ones of collinear points: the upper hull of their lifts, by A. M.
+/// Andrew's scan. One position gives one cell of one corner. Fills in the points and cells.
+template <bool Weighted>
+void chainOfPoints(const LiftedGeometry<Weighted>& geometry, const PointSource& source,
+  bool checkFinite, Monitor& monitor, Triangulation& result)
+{
+  std::vector<Vertex> chain;
+  for (const Vertex& point : bestAlongLine(source, checkFinite, monitor))
+  {
+    while (
+      chain.size() >= 2 && !geometry.isAboveChord(chain[chain.size() - 2], chain.back(), point))
+    {
+      chain.pop_back();
+    }
+    chain.push_back(point);
+  }
+
+  std::vector<std::uint32_t> ids;
+  for (const Vertex& v : chain)
+  {
+    ids.push_back(v.id);
+  }
+  std::sort(ids.begin(), ids.end());
+  result.pointIds.allocate(ids.size());
+  std::copy(ids.begin(), ids.end(), result.pointIds.begin());
+  const auto rank = [&ids](const Vertex& v)
+  { return std::lower_bound(ids.begin(), ids.end(), v.id) - ids.begin(); };
+  result.dimension = chain.size() > 1 ? 1 : 0;
+  result.cellSize = result.dimension + 1;
+  if (result.dimension == 0)
+  {
+    result.connectivity.allocate(1);
+    result.connectivity[0] = 0;
+    return;
+  }
+  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
+  for (std::size_t i = 1; i < chain.size(); ++i)
+  {
+    const std::int64_t a = rank(chain[i - 1]);
+    const std::int64_t b = rank(chain[i]);
+    cells.emplace_back(std::min(a, b), std::max(a, b));
+  }
+  std::sort(cells.begin(), cells.end());
+  result.connectivity.allocate(2 * cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    result.connectivity[2 * i] = cells[i].first;
+    result.connectivity[2 * i + 1] = cells[i].second;
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <flipflop/ConvexHull.h>
+
+#include "Run/HullRun.h"
+
+namespace flipflop
+{
+
+Hull convexHull(const PointView& points, const Options& options)
+{
+  HullRun run(points, options);
+  return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); });
+}
+
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A run over one geometry: from points to the perturbed result, and from there to the true one in
+/// its canonical form. Hulls and triangulations do all of this alike.
+#ifndef flipflop_GeometryRun_h
+#define flipflop_GeometryRun_h
+
+#include "Finish/Canonical.h"
+#include "Finish/Redundant.h"
+#include "FlipFlop/CpuBuilder.h"
+#include "FlipFlop/PolyhedronBuilder.h"
+#include "Mesh/Polyhedron.h"
+#include "Points/Samples.h"
+#include "Run/Run.h"
+#include "Run/Scan.h"
+#include <flipflop/CellComplex.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace flipflop
+{
+
+/// @tparam Model a model of the geometry concept (see HullGeometry), for which
+///               startingTetrahedron(Model&, const PointSource&, const std::uint32_t*) starts from
+///               points that span
+template <class Model>
+class GeometryRun : public Run
+{
+public:
+  using Run::Run;
+
+  Model geometry;
+
+  /// The engine; null: CpuBuilder, on the run's threads.
+  PolyhedronBuilder<Model>* engine = nullptr;
+
+  /// The result of all points, after a look at them.
+  /// @param dimension    of the space: as many and one points span it
+  /// @param spanOf       Span (ids, count): points that span what a sample (null: all points) does,
+  ///                     or what all do where that is more
+  /// @param lowerResult  void (const Span&): fill in the result of points that span less
+  /// @param write        see finish
+  /// @param watch        since the run began
+  template <class SpanOf, class LowerResult, class Write>
+  void grow(CellComplex& result, int dimension, Stopwatch& watch, SpanOf&& spanOf,
+    LowerResult&& lowerResult, Write&& write)
+  {
+    const std::uint32_t count = this->source.count();
+    const auto samples = nestedSamples(count);
+    const Span span = samples.empty()
+      ? spanOf(nullptr, count)
+      : spanOf(samples.back().data(), static_cast<std::uint32_t>(samples.back().size()));
+    result.statistics.secondsScan = watch.lap();
+    if (span.dimension < dimension)
+    {
+      lowerResult(span);
+      result.statistics.exactCalls = this->geometry.predicateCounts().exact;
+      result.statistics.secondsFinish = watch.lap();
+      return;
+    }
+    Tally tally;
+    Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
+    CpuBuilder<Model> onThreads;
+    Polyhedron polyhedron = (this->engine ? *this->engine : onThreads)
+                              .build({ this->geometry, this->source, this->checkFinite,
+                                       this->options, this->threads, this->monitor, samples },
+                                std::move(start), tally, result.statistics);
+    result.dimension = dimension;
+    this->finish(std::move(polyhedron), std::move(tally), result, write);
+  }
+
+  /// From a hull of perturbed points to the true one, in canonical form.
+  /// @param write void (CanonicalForm&): fill in the result's cells, and what else it has; its
+  ///              points are known
+  template <class Write>
+  void finish(Polyhedron&& polyhedron, Tally&& tally, CellComplex& result, Write&& write)
+  {
+    Stopwatch watch;
+    this->monitor.stage(0.9, 1.0, 1);
+    const bool anyFlat =
+      RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove();
+    CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
+      this->options.facets, this->monitor, result.pointIds);
+    this->monitor.poll();
+    write(form);
+    this->report(tally, result.statistics);
+    result.statistics.exactCalls += this->geometry.predicateCounts().exact;
+    result.statistics.secondsFinish = watch.lap();
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Run/Run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipflop
+{
+
+Run::Run(
+  const PointView& points, std::int64_t least, const PointSource& read, const Options& chosen)
+  : options(chosen)
+  , threads(threadCount(chosen.threads, points.count))
+  , monitor(chosen)
+  , source(read)
+{
+  requireValid(points, least);
+}
+
+bool Run::look(Statistics& statistics)
+{
+  statistics.points = this->source.count();
+  statistics.threads = this->threads;
+  this->monitor.stage(0.0, 0.1, statistics.points);
+  const ScanResult found = scan(this->source, this->threads, this->monitor);
+  statistics.nonFinite = found.nonFinite;
+  if (found.nonFinite && this->options.nonFinite == NonFinitePolicy::Error)
+  {
+    throw Error(ErrorCode::NonFinite, found.firstNonFinite, found.nonFinite);
+  }
+  this->checkFinite = found.nonFinite != 0;
+  this->range = found.range;
+  return found.firstFinite >= 0;
+}
+
+void Run::setArithmetic(const Arithmetic& chosen)
+{
+  this->arithmetic = chosen;
+  this->source.setArithmetic(chosen);
+  if (chosen.scaleExponent == 0)
+  {
+    return;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const int exponent = this->source.scaleExponent(i);
+    this->range.low[i] = std::ldexp(this->range.low[i], exponent);
+    this->range.high[i] = std::ldexp(this->range.high[i], exponent);
+    this->range.smallest[i] = std::ldexp(this->range.smallest[i], exponent);
+  }
+}
+
+Lattice Run::findLattice(int axes, int bits)
+{
+  double extent = 0;
+  for (int i = 0; i < axes; ++i)
+  {
+    extent = std::max(extent, this->range.high[i] - this->range.low[i]);
+  }
+  Lattice lattice;
+  if (!this->arithmetic.wide && extent > 1e-60 && extent < 1e60)
+  {
+    // With smaller units, exact differences are so small that few neighbours are that near.
+    constexpr double small = 0x1p-10;
+    const double most = std::ldexp(1.0, std::ilogb(extent) + 1 - bits);
+    lattice.unit = commonUnit(this->source, small * most, most, this->checkFinite, this->monitor);
+    lattice.everywhere = lattice.unit == most;
+  }
+  return lattice;
+}
+
+void Run::report(const Tally& tally, Statistics& statistics)
+{
+  const Statistics& work = tally.statistics;
+  statistics.culled = work.culled;
+  statistics.insertions = work.insertions;
+  statistics.moves = work.moves;
+  statistics.flips22 = work.flips22;
+  statistics.flips31 = work.flips31;
+  statistics.flipsV = work.flipsV;
+  statistics.flipsD = work.flipsD;
+  statistics.labelled = work.labelled;
+  statistics.redundant = work.redundant;
+  statistics.edgeChecks = work.edgeChecks;
+  statistics.exactCalls = work.exactCalls;
+  statistics.secondsGrow = work.secondsGrow;
+  statistics.secondsFlip = work.secondsFlip;
+}
+
+}

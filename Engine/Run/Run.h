@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What every run of the engine begins and ends with: threads, errors, a first look at all points,
+/// statistics.
+#ifndef flipflop_Run_h
+#define flipflop_Run_h
+
+#include "FlipFlop/Tally.h"
+#include "Points/PointSource.h"
+#include "Run/Scan.h"
+#include "Support/Monitor.h"
+#include "Support/Stopwatch.h"
+#include "Support/Threads.h"
+#include "Support/TypedErrors.h"
+#include <flipflop/Options.h>
+#include <flipflop/Statistics.h>
+
+#include <utility>
+
+namespace flipflop
+{
+
+class Run
+{
+public:
+  /// @param least the shortest stride that holds a point
+  /// @throw Error BadArgument, TooManyPoints
+  Run(
+    const PointView& points, std::int64_t least, const PointSource& source, const Options& options);
+
+  /// Run @p body (Result&) on the run's threads; see withTypedErrors.
+  template <class Result, class Body>
+  Result execute(Body&& body)
+  {
+    return withTypedErrors(
+      [&]
+      {
+        Result result;
+        Stopwatch watch;
+        ArenaLoan arena(this->threads);
+        arena.execute(
+          [&]
+          {
+            body(result);
+            this->monitor.stage(1.0, 1.0, 1);
+          });
+        result.statistics.secondsTotal = watch.lap();
+        return result;
+      });
+  }
+
+  const Options options;
+  const int threads;
+  Monitor monitor;
+  PointSource source;
+  CoordinateRange range{}; ///< of the scaled coordinates
+  Arithmetic arithmetic;
+  bool checkFinite = false; ///< there are points to ignore
+
+protected:
+  /// Look at all points: their range, the non-finite ones by policy. False: none is finite.
+  /// @throw Error NonFinite
+  bool look(Statistics& statistics);
+
+  /// Scale the points, and what is known of their range.
+  void setArithmetic(const Arithmetic& chosen);
+
+  /// Look for a lattice that all points are on.
+  /// @param axes of places: the first
+  /// @param bits determinants are exact where differences are below 2^bits units
+  Lattice findLattice(int axes, int bits);
+
+  /// Hand on what the stages counted.
+  static void report(const Tally& tally, Statistics& statistics);
+};
+
+}
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Loops on the run's threads.
+///
+/// Most runs are small, and most of their loops are one task: the caller does it at once, for to
+/// hand a task to the threads' library costs more than a few points do.
+#ifndef flipflop_Parallel_h
+#define flipflop_Parallel_h
+
+#include <flipflop/Error.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// use(i) for each task from 0 up to @p count, in no order.
+template <class Use>
+void eachTask(std::size_t count, const Use& use)
+{
+  if (count == 1)
+  {
+    use(std::size_t(0));
+    return;
+  }
+  tbb::parallel_for(std::size_t(0), count, use);
+}
+
+/// How many runs of @p size cover @p count things: the last may be shorter.
+constexpr std::size_t runCount(std::size_t count, std::size_t size)
+{
+  return (count + size - 1) / size;
+}
+
+/// use(begin, end, number) for runs of @p count things, a task each.
+/// @param size of a run
+template <class Use>
+void eachRun(std::size_t count, std::size_t size, const Use& use)
+{
+  eachTask(runCount(count, size),
+    [&](std::size_t number) { use(number * size, std::min(count, (number + 1) * size), number); });
+}
+
+/// The same for runs that may throw BadArgument. Where several do, the error of the lowest-numbered
+/// run is thrown in the end, so it does not depend on the threads. Other errors end the loop.
+template <class Use>
+void eachCheckedRun(std::size_t count, std::size_t size, const Use& use)
+{
+  std::mutex mutex;
+  std::atomic<std::size_t> first{ SIZE_MAX };
+  std::optional<Error> found;
+  eachRun(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      if (number > first.load(std::memory_order_relaxed))
+      {
+        return;
+      }
+      try
+      {
+        use(begin, end, number);
+      }
+      catch (const Error& error)
+      {
+        if (error.code() != ErrorCode::BadArgument)
+        {
+          throw;
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (number < first.load(std::memory_order_relaxed))
+        {
+          first.store(number, std::memory_order_relaxed);
+          found.emplace(error);
+        }
+      }
+    });
+  if (found)
+  {
+    throw Error(*found);
+  }
+}
+
+/// Number what is found among @p count things, in their order.
+/// @param size     of a run
+/// @param find     void (begin, end, tell): tell(x) for each that is found of a run; it is asked
+///                 twice
+/// @param allocate void (std::size_t): so many there are
+/// @param put      void (std::size_t number, x)
+template <class Find, class Allocate, class Put>
+void numberFound(
+  std::size_t count, std::size_t size, const Find& find, const Allocate& allocate, const Put& put)
+{
+  std::vector<std::size_t> cursor(runCount(count, size));
+  eachRun(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      std::size_t found = 0;
+      find(begin, end, [&](const auto&) { ++found; });
+      cursor[run] = found;
+    });
+  std::size_t total = 0;
+  for (std::size_t& at : cursor)
+  {
+    total += std::exchange(at, total);
+  }
+  allocate(total);
+  eachRun(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t run)
+    {
+      std::size_t at = cursor[run];
+      find(begin, end, [&](const auto& x) { put(at++, x); });
+    });
+}
+
+}
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Cells over some of the input's points, in the one canonical form that all results have.
+#ifndef flipflop_CellComplex_h
+#define flipflop_CellComplex_h
+
+#include <flipflop/Buffer.h>
+#include <flipflop/Statistics.h>
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// The form is a function of the input alone: points in ascending order of id; each cell starts at
+/// its lowest corner; cells in lexicographic order.
+struct CellComplex
+{
+  int dimension = -1; ///< of what the input spans, 0 to 3; -1: there was no point
+
+  /// One for each point that appears: its id (position in the input), ascending.
+  Buffer<std::int64_t> pointIds;
+
+  /// Corners of every cell, one after another: indices into pointIds.
+  Buffer<std::int64_t> connectivity;
+
+  /// One for each cell and one more: where the cell begins in connectivity, ascending from 0. Empty
+  /// when all cells have cellSize corners.
+  Buffer<std::int64_t> offsets;
+
+  /// Corners a cell, when the same for all; 0 when offsets tell.
+  std::int64_t cellSize = 0;
+
+  Statistics statistics; ///< of the run
+
+  /// How many cells there are.
+  std::int64_t cellCount() const
+  {
+    return this->cellSize ? static_cast<std::int64_t>(this->connectivity.size()) / this->cellSize
+      : this->offsets.empty() ? 0
+                              : static_cast<std::int64_t>(this->offsets.size()) - 1;
+  }
+  /// Where a cell begins in connectivity; the last one's successor is its size.
+  /// @param cell 0 to cellCount()
+  std::int64_t cellBegin(std::int64_t cell) const
+  {
+    return this->cellSize ? cell * this->cellSize : this->offsets[static_cast<std::size_t>(cell)];
+  }
+};
+
+}
+
+#endif

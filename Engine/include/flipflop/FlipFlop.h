@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Flip-Flop: a star-shaped polyhedron to its convex hull.
+#ifndef flipflop_FlipFlop_h
+#define flipflop_FlipFlop_h
+
+#include <flipflop/Hull.h>
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// A read-only view of a surface's triangles.
+struct TriangleView
+{
+  /// Three for each triangle: corners[3 * i + 0, 1, 2] are indices of points.
+  const std::int64_t* corners = nullptr;
+  std::int64_t count = 0; ///< triangles
+};
+
+/// The exact convex hull of a star-shaped polyhedron by flips (paper, Algorithm 1).
+///
+/// @param points    the polyhedron's points; those that no triangle uses do not count.
+/// @param triangles a closed, consistently oriented manifold. Its orientation may be either.
+/// @param kernel    three coordinates of a point that strictly sees the inside of every triangle,
+///                  or null: then one is sought. Star-shapedness is decided exactly.
+/// @param options   see Options; NonFinitePolicy::Ignore is no help to a point that is used
+/// @return the hull in its canonical form, as convexHull gives it for the points that are used
+/// @throw Error BadTriangle, NotClosed, NotManifold, NotOriented, NotStarShaped, NoKernel, and what
+///        convexHull throws.
+Hull flipFlop(const PointView& points, const TriangleView& triangles, const double* kernel,
+  const Options& options = Options());
+
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The oracle: is this the convex hull, or the regular triangulation, of these points, in canonical
+/// form?
+///
+/// It shares the exact predicates and the locator's walk with the engine, and nothing of how
+/// results are found; the predicates themselves are tested against rationals.
+#ifndef flipflop_Validate_h
+#define flipflop_Validate_h
+
+#include <flipflop/Hull.h>
+#include <flipflop/PointView.h>
+#include <flipflop/Triangulation.h>
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// What is wrong with a result.
+enum class Fault
+{
+  None,          ///< nothing
+  Structure,     ///< sizes, indices, order of ids or cells; a cell not at its lowest corner; a
+                 ///< facet's triangles not the fan from its lowest corner
+  NotClosed,     ///< an edge without its opposite, or used twice
+  NotConvex,     ///< an edge that is reflex, or flat where two polygons meet; a facet not planar
+  NotExtreme,    ///< a hull point that is not strictly extreme
+  PointOutside,  ///< an input point outside the hull
+  WrongId,       ///< a hull point that a duplicate with a lower id should stand for
+  WrongDimension ///< the input spans another dimension
+};
+
+/// A judgement: the first fault that was found, if any.
+struct Validation
+{
+  Fault fault = Fault::None; ///< what is wrong
+  std::int64_t index = -1;   ///< cell, hull point or input point at fault, by kind
+  /// Whether all is right.
+  explicit operator bool() const { return this->fault == Fault::None; }
+};
+
+/// Decide exactly whether @p hull is the convex hull of the finite ones among @p points, in the
+/// form that Hull promises. Near-linear in the number of points.
+/// @param points  those that the hull was taken of
+/// @param hull    with facets as triangles or as polygons
+/// @param threads as in Options
+/// @return what is wrong first, or nothing
+/// @throw Error   TooManyPoints, OutOfMemory, BadArgument
+Validation validate(const PointView& points, const Hull& hull, int threads = 0);
+
+/// Decide exactly whether @p triangulation is the regular triangulation of the finite ones among
+/// the weighted points, in the form that Triangulation promises: every triangle counter-clockwise,
+/// every edge regular, the union convex, every hidden point really hidden. Here NotExtreme is a
+/// point that should be hidden, PointOutside one that should not be.
+/// @param points        those that were triangulated
+/// @param weights       as they were triangulated
+/// @param triangulation with facets as triangles or as polygons
+/// @param threads       as in Options
+/// @return what is wrong first, or nothing
+/// @throw Error         WeightCount, TooManyPoints, OutOfMemory, BadArgument
+Validation validate(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, int threads = 0);
+
+/// A fault in words.
+const char* describe(Fault fault);
+
+}
+
+#endif

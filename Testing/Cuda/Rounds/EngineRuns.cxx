@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Testing/Cuda/Rounds/EngineRuns.h"
+
+#include "Run/HullRun.h"
+#include "Run/TriangulationRun.h"
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+template <bool Weighted>
+Triangulation triangulate(PolyhedronBuilder<LiftedGeometry<Weighted>>& engine,
+  const PointView& points, const WeightView& weights, const Options& options)
+{
+  TriangulationRun<Weighted> run(points, weights, options);
+  run.engine = &engine;
+  return run.template execute<Triangulation>(
+    [&run](Triangulation& result) { run.triangulate(result); });
+}
+
+}
+
+Hull hullBy(
+  PolyhedronBuilder<HullGeometry>& engine, const PointView& points, const Options& options)
+{
+  HullRun run(points, options);
+  run.engine = &engine;
+  return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); });
+}
+
+Triangulation triangulationBy(PolyhedronBuilder<LiftedGeometry<true>>& engine,
+  const PointView& points, const WeightView& weights, const Options& options)
+{
+  return triangulate(engine, points, weights, options);
+}
+
+Triangulation triangulationBy(
+  PolyhedronBuilder<LiftedGeometry<false>>& engine, const PointView& points, const Options& options)
+{
+  return triangulate(engine, points, WeightView(), options);
+}
+
+}
+}

@@ -1,0 +1,389 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the rounds promise beside their result: each one gets on, none waits for the host, and
+/// memory stays within bounds.
+#include "FlipFlop/FlipRule.h"
+#include "Geometry/HullGeometry.h"
+#include "Rounds/ExecutorArray.h"
+#include "Rounds/RoundsBuilder.h"
+#include "Testing/Cuda/Rounds/RoundsOnHost.h"
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+using Kind = WatchedExecutor::Call::Kind;
+
+/// Hulls that come with many flips, few flips, ties, labels.
+const Sized hullInputs[] = { { "ball", 3000 }, { "shell0", 1500 }, { "shell1e2", 3000 },
+  { "cube", 5000 }, { "paraboloid", 800 }, { "momentCurve", 200 }, { "smallIntegers", 1000 },
+  { "doubled", 1000 }, { "boxFaces", 1500 }, { "skewNeedle", 500 }, { "far15", 800 },
+  { "coplanarAndOutlier", 300 } };
+const Sized weightedInputs[] = { { "uniform", 1500 }, { "uniformHeavy", 3000 },
+  { "uniformHiding", 3000 }, { "grid", 900 }, { "gridOfManyWeights", 900 }, { "doubled", 800 },
+  { "wheel", 400 }, { "circle", 300 }, { "coplanarLifts", 500 }, { "lineAndPoint", 300 },
+  { "clusters", 1000 } };
+
+/// Call test(name, points, run) for all of them, where run takes an executor, options, and a
+/// RoundsSeen.
+template <class Test>
+void eachInput(const Test& test)
+{
+  for (const Sized& sized : hullInputs)
+  {
+    const Cloud cloud = fromFamily(sized.family, sized.count, 81).make();
+    test(sized.family, static_cast<std::int64_t>(cloud.size()),
+      [&](WatchedExecutor& executor, const Options& options, RoundsSeen* seen)
+      { hullByRounds(executor, viewOf(cloud), options, seen); });
+  }
+  for (const Sized& sized : weightedInputs)
+  {
+    const Cloud cloud = fromWeightedFamily(sized.family, sized.count, 82).make();
+    test(sized.family, static_cast<std::int64_t>(cloud.size()),
+      [&](WatchedExecutor& executor, const Options& options, RoundsSeen* seen)
+      { triangulationByRounds(executor, viewOf(cloud), weightsOf(cloud), options, seen); });
+  }
+}
+
+Options optionsOf(bool vBiased)
+{
+  Options options;
+  options.threads = 1;
+  options.vBiased = vBiased;
+  return options;
+}
+
+/// Growth takes points away and adds a vertex and two triangles each; returns the sum of
+/// insertions.
+void expectGrowth(const std::vector<RoundReport>& reports, const Statistics& counts)
+{
+  std::int64_t insertions = 0;
+  for (std::size_t i = 1; i < reports.size() && reports[i].stage == RoundReport::Stage::Grow; ++i)
+  {
+    const RoundReport& before = reports[i - 1];
+    const RoundReport& now = reports[i];
+    EXPECT_EQ(now.changes > 0, before.items > 0) << "growth round " << now.round;
+    EXPECT_LE(now.items + now.changes, before.items);
+    EXPECT_EQ(now.vertices, before.vertices + now.changes);
+    EXPECT_EQ(now.triangles, before.triangles + 2 * now.changes);
+    EXPECT_EQ(now.round, before.round + 1);
+    insertions += now.changes;
+  }
+  EXPECT_EQ(insertions, counts.insertions);
+}
+
+/// A round with an active triangle flips, or labels, or lets all go to rest.
+void expectFlips(const std::vector<RoundReport>& reports, const Statistics& counts)
+{
+  std::int64_t flips = 0;
+  std::int64_t idle = 0;
+  std::uint32_t active = reports.front().triangles;
+  std::uint64_t labelled = 0;
+  for (const RoundReport& now : reports)
+  {
+    if (now.stage != RoundReport::Stage::Flip)
+    {
+      active = now.triangles;
+      continue;
+    }
+    const bool gotOn = now.changes > 0 || now.labelled > labelled;
+    EXPECT_TRUE(gotOn || now.items == 0) << "flip round " << now.round << " stands still";
+    EXPECT_TRUE(!gotOn || active > 0);
+    idle += gotOn ? 0 : 1;
+    flips += now.changes;
+    active = now.items;
+    labelled = now.labelled;
+  }
+  EXPECT_EQ(flips, counts.flips22 + counts.flips31);
+  EXPECT_EQ(static_cast<std::int64_t>(labelled), counts.labelled);
+  EXPECT_EQ(active, 0u);
+  EXPECT_LE(idle, 3) << "rounds at the end without work";
+}
+
+TEST(RoundsProperties, EveryRoundGetsOn)
+{
+  eachInput(
+    [](const char* name, std::int64_t, const auto& run)
+    {
+      for (bool vBiased : { false, true })
+      {
+        SCOPED_TRACE(std::string(name) + (vBiased ? ", V-biased" : ""));
+        WatchedExecutor executor;
+        RoundsSeen seen;
+        run(executor, optionsOf(vBiased), &seen);
+        const Statistics& counts = seen.counts;
+        ASSERT_FALSE(seen.reports.empty());
+        expectGrowth(seen.reports, counts);
+        expectFlips(seen.reports, counts);
+        // So the number of rounds is bounded by what is done in them.
+        EXPECT_LE(seen.growthRounds, counts.insertions + 2);
+        EXPECT_LE(seen.flipRounds, counts.flips22 + counts.flips31 + counts.labelled + 3);
+        EXPECT_EQ(seen.reports.size(), 1u + seen.growthRounds + seen.flipRounds);
+      }
+    });
+}
+
+/// The rounds, which then have to leave no edge that concerns the flip rule.
+template <class Geometry>
+class CheckedRounds : public PolyhedronBuilder<Geometry>
+{
+public:
+  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override
+  {
+    WatchedExecutor executor(HostExecutor::Order::Shuffled, 9);
+    RoundsBuilder<WatchedExecutor, Geometry> rounds(executor);
+    Polyhedron result = rounds.build(task, std::move(start), tally, statistics);
+    const Mesh mesh = result.mesh();
+    EXPECT_EQ(result.triangleCount(), 2 * result.vertexCount() - 4);
+    for (std::uint32_t v = 0; v < result.vertexCount(); ++v)
+    {
+      EXPECT_EQ(mesh.vertices[v].flags & ~VertexVirtual, unsigned(VertexAlive));
+    }
+    for (std::uint32_t h = 0; h < 4 * result.triangleCount(); ++h)
+    {
+      if (cornerOf(h) == 3)
+      {
+        continue;
+      }
+      const std::uint32_t twin = mesh.twin(h);
+      if (triangleOf(twin) >= result.triangleCount() || mesh.twin(twin) != h ||
+        mesh.origin(twin) != mesh.origin(nextHalfEdge(h)))
+      {
+        ADD_FAILURE() << "half-edge " << h << " and its opposite " << twin;
+        break;
+      }
+      const FlipDecision decision =
+        decideFlip(task.geometry, mesh.vertices, surroundingsOf(mesh, h));
+      EXPECT_EQ(decision.action, FlipAction::None) << "half-edge " << h << " is not at rest";
+    }
+    this->built = true;
+    return result;
+  }
+
+  bool built = false;
+};
+
+TEST(RoundsProperties, LeaveAConvexMeshAtRest)
+{
+  for (const Sized& sized : hullInputs)
+  {
+    SCOPED_TRACE(sized.family);
+    const Cloud cloud = fromFamily(sized.family, effort(sized.count) + 20, 83).make();
+    for (bool vBiased : { false, true })
+    {
+      CheckedRounds<HullGeometry> engine;
+      hullBy(engine, viewOf(cloud), optionsOf(vBiased));
+      EXPECT_TRUE(engine.built);
+    }
+  }
+  for (const Sized& sized : weightedInputs)
+  {
+    SCOPED_TRACE(sized.family);
+    const Cloud cloud = fromWeightedFamily(sized.family, effort(sized.count) + 20, 84).make();
+    for (bool vBiased : { false, true })
+    {
+      CheckedRounds<LiftedGeometry<true>> engine;
+      triangulationBy(engine, viewOf(cloud), weightsOf(cloud), optionsOf(vBiased));
+      EXPECT_TRUE(engine.built);
+    }
+  }
+}
+
+TEST(RoundsProperties, LaunchesAreTheSameInEveryRound)
+{
+  eachInput(
+    [](const char* name, std::int64_t points, const auto& run)
+    {
+      SCOPED_TRACE(name);
+      WatchedExecutor executor;
+      RoundsSeen seen;
+      run(executor, optionsOf(false), &seen);
+      const std::int64_t growth = seen.growthRounds;
+      const std::int64_t flips = seen.flipRounds;
+      const struct
+      {
+        const char* kernel;
+        std::int64_t launches;
+      } wanted[] = { { "associate", 1 }, { "associate, exact", 1 }, { "mark", growth },
+        { "insert", growth }, { "link splits", growth }, { "relocate", growth },
+        { "relocate, exact", growth }, { "wake all", 1 }, { "check", flips },
+        { "check, exact", flips }, { "resolve", flips }, { "publish", flips },
+        { "relink", flips } };
+      for (const auto& w : wanted)
+      {
+        ASSERT_EQ(executor.tallies().count(w.kernel), 1u) << w.kernel;
+        const KernelTally& tally = executor.tallies().at(w.kernel);
+        EXPECT_EQ(tally.launches, w.launches) << w.kernel;
+        EXPECT_GE(tally.bytes, tally.items);
+      }
+      EXPECT_EQ(executor.tallies().at("associate").items, points);
+      // Two sums in the end, for triangles and vertices.
+      const auto sums = std::count_if(executor.calls().begin(), executor.calls().end(),
+        [](const WatchedExecutor::Call& call) { return call.kind == Kind::Sum; });
+      EXPECT_EQ(sums, growth + 2);
+    });
+}
+
+TEST(RoundsProperties, FiltersDecideNearlyAll)
+{
+  // Exact kernels are there for the few items that rounded values leave open.
+  for (const char* family : { "ball", "shell0", "cube" })
+  {
+    WatchedExecutor executor;
+    const Cloud cloud = fromFamily(family, 3000, 86).make();
+    hullByRounds(executor, viewOf(cloud), optionsOf(false));
+    for (const char* kernel : { "associate", "relocate", "check" })
+    {
+      const std::int64_t all = executor.tallies().at(kernel).items;
+      const std::int64_t open = executor.tallies().at(std::string(kernel) + ", exact").items;
+      EXPECT_LE(50 * open, all) << kernel << " of " << family;
+    }
+  }
+}
+
+TEST(RoundsProperties, NoRoundWaitsForItself)
+{
+  // In the course of the rounds the host reads nothing but records, one a round, and always of a
+  // round before the last that it has handed out: so the executor never stands still.
+  eachInput(
+    [](const char* name, std::int64_t, const auto& run)
+    {
+      SCOPED_TRACE(name);
+      WatchedExecutor executor;
+      run(executor, optionsOf(false), nullptr);
+      int newest = 0;                             // launches so far
+      int launchesAt[HostExecutor::Records] = {}; // at each record
+      bool inRounds = false;
+      int reads = 0; // since the last round was recorded
+      int rounds = 0;
+      for (const WatchedExecutor::Call& call : executor.calls())
+      {
+        if (call.kind == Kind::Launch)
+        {
+          const std::string kernel = call.kernel;
+          inRounds = kernel == "mark" || kernel == "wake all" ? true
+            : kernel == "mark triangles"                      ? false
+                                                              : inRounds;
+          ++newest;
+        }
+        else if (call.kind == Kind::Record)
+        {
+          launchesAt[call.slot] = newest;
+          rounds += inRounds ? 1 : 0;
+          reads = 0;
+        }
+        else if (call.kind == Kind::Recorded && inRounds && rounds > 1)
+        {
+          ++reads;
+          EXPECT_LE(reads, 1) << "after round " << rounds;
+          // The one wait between growing and flipping reads what is newest; rounds leave one of
+          // five launches in between.
+          const bool between = call.slot == 0 && launchesAt[0] == newest;
+          EXPECT_TRUE(between || newest - launchesAt[call.slot] >= 5) << "after round " << rounds;
+        }
+        EXPECT_FALSE(inRounds && call.kind == Kind::ToHost) << "after round " << rounds;
+      }
+      const auto reading = std::count_if(executor.calls().begin(), executor.calls().end(),
+        [](const WatchedExecutor::Call& call) { return call.kind == Kind::Recorded; });
+      EXPECT_LE(reading, rounds + 4);
+      EXPECT_GT(rounds, 1);
+    });
+}
+
+TEST(RoundsProperties, MemoryStaysWithinBounds)
+{
+  // 2 * 32 bytes and 4 for a list, a point; 64 + 12 a triangle while growing, of which there are
+  // twice as many as points at most, with room to grow by half and twice the array that grows.
+  double most = 0;
+  std::string where;
+  eachInput(
+    [&](const char* name, std::int64_t points, const auto& run)
+    {
+      SCOPED_TRACE(name);
+      WatchedExecutor executor;
+      run(executor, optionsOf(false), nullptr);
+      EXPECT_EQ(executor.bytesOut(), 0);
+      EXPECT_EQ(executor.blocksOut(), 0);
+      const double perPoint =
+        static_cast<double>(executor.mostBytes()) / static_cast<double>(points);
+      if (points >= 1000 && perPoint > most)
+      {
+        most = perPoint;
+        where = name;
+      }
+    });
+  std::printf("at most %.0f bytes a point, by %s\n", most, where.c_str());
+  EXPECT_LE(most, 600);
+}
+
+TEST(RoundsProperties, ArraysGrowOnDemand)
+{
+  WatchedExecutor executor;
+  {
+    ExecutorArray<WatchedExecutor, std::uint32_t> array(executor);
+    EXPECT_EQ(array.data(), nullptr);
+    EXPECT_EQ(array.capacity(), 0u);
+    std::size_t used = 0;
+    for (std::size_t size = 1; size < 3000; size += 1 + size / 7)
+    {
+      array.reserve(size, used);
+      ASSERT_GE(array.capacity(), size);
+      for (std::size_t i = 0; i < used; ++i)
+      {
+        ASSERT_EQ(array.data()[i], 3 * i);
+      }
+      for (; used < size; ++used)
+      {
+        array.data()[used] = static_cast<std::uint32_t>(3 * used);
+      }
+      EXPECT_EQ(executor.blocksOut(), 1);
+      EXPECT_EQ(executor.bytesOut(), static_cast<std::int64_t>(4 * array.capacity()));
+    }
+    // By half at least: few are the moves.
+    EXPECT_LE(executor.allocations(), 25);
+    const std::uint32_t* const before = array.data();
+    array.reserve(10, 5);
+    EXPECT_EQ(array.data(), before) << "what is there suffices";
+    // Where nothing is used, the old memory goes before the new comes.
+    const std::int64_t most = executor.mostBytes();
+    array.reserve(array.capacity() + 1, 0);
+    EXPECT_LE(executor.mostBytes(), std::max(most, executor.bytesOut()));
+    executor.failAt = executor.allocations() + 1;
+    const std::size_t room = array.capacity();
+    EXPECT_THROW(array.reserve(2 * room, room), Error);
+    EXPECT_EQ(array.capacity(), room) << "a failure changes nothing";
+    executor.failAt = executor.allocations() + 1;
+    EXPECT_THROW(array.reserve(2 * room, 0), Error);
+    EXPECT_EQ(array.capacity(), 0u) << "or leaves nothing";
+    EXPECT_EQ(executor.blocksOut(), 0);
+  }
+  EXPECT_EQ(executor.bytesOut(), 0);
+}
+
+TEST(RoundsProperties, RoundsGrowTheirArrays)
+{
+  // There is room for a thousand at the start; a shell needs more of everything.
+  const Cloud cloud = fromFamily("shell0", 4000, 85).make();
+  WatchedExecutor executor;
+  const Hull hull = hullByRounds(executor, viewOf(cloud), optionsOf(false));
+  const auto copies = std::count_if(executor.calls().begin(), executor.calls().end(),
+    [](const WatchedExecutor::Call& call) { return call.kind == Kind::Copy; });
+  EXPECT_GE(copies, 4);
+  EXPECT_LE(copies, 60);
+  EXPECT_EQ(bitDifference(hull, convexHull(viewOf(cloud))), "");
+}
+
+}
+}
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Run the engine and hold what it says to a reference, cell by cell.
+#ifndef flipflop_test_Compare_h
+#define flipflop_test_Compare_h
+
+#include "Testing/Engine/References/Reference.h"
+#include <flipflop/ConvexHull.h>
+#include <flipflop/Validate.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace flipflop
+{
+
+/// For GoogleTest's messages.
+inline void PrintTo(Fault fault, std::ostream* out)
+{
+  *out << describe(fault);
+}
+inline void PrintTo(ErrorCode code, std::ostream* out)
+{
+  *out << Error(code).what();
+}
+
+namespace test
+{
+
+PointView viewOf(const Cloud& cloud);
+std::vector<float> floatsOf(const Cloud& cloud);
+Hull clone(const Hull& hull);
+/// All that a CellComplex has.
+void copyCells(const CellComplex& from, CellComplex& to);
+
+/// The cells as input ids. Indices out of range become -1.
+std::vector<Cell> cellsOf(const CellComplex& complex);
+
+/// What differs from the reference, in words; empty when nothing does.
+std::string difference(
+  const CellComplex& complex, const ReferenceHull& reference, FacetMode facets);
+
+template <class T>
+bool sameBits(const Buffer<T>& a, const Buffer<T>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+/// What differs between two results that must be equal bit for bit; empty when nothing does.
+std::string bitDifference(const CellComplex& a, const CellComplex& b);
+std::string bitDifference(const Hull& a, const Hull& b);
+
+/// Identities that every run's statistics keep.
+std::string statisticsFault(const CellComplex& complex, std::int64_t points);
+
+/// Run every variant of the engine on the cloud: threadsTried(); double, and float where the
+/// cloud is; triangles and polygons; V-biased or not; and the CUDA engine's rounds on the host, in
+/// several orders. All must be the reference, be equal bit for bit, and pass validate.
+void expectHull(const Cloud& cloud, const ReferenceHull& reference);
+
+/// One plain run, for loops over very many clouds: the reference, and validate. Now and then one by
+/// the rounds too.
+/// @return what is wrong; empty when nothing is.
+std::string quickFault(
+  const Cloud& cloud, const ReferenceHull& reference, FacetMode facets, int threads, bool vBiased);
+
+/// Is this program slower than others by a factor of ten or more?
+bool isSanitized();
+
+/// Counts are cut under sanitizers.
+int effort(int count);
+
+/// The numbers of threads that each cloud is tried on: 1, 2, 4; under sanitizers 1, 4.
+std::vector<int> threadsTried();
+
+}
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Run the regular triangulation and hold what it says to a reference, cell by cell.
+#ifndef flipflop_test_CompareTriangulation_h
+#define flipflop_test_CompareTriangulation_h
+
+#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/References/ReferenceTriangulation.h"
+#include <flipflop/RegularTriangulation.h>
+
+namespace flipflop
+{
+namespace test
+{
+
+/// The weights of a weighted cloud, as they lie in it; its points are viewOf().
+WeightView weightsOf(const Cloud& weighted);
+
+Triangulation clone(const Triangulation& triangulation);
+
+/// A Triangulation from plain values.
+Triangulation makeTriangulation(const ReferenceTriangulation& reference, std::int64_t points,
+  FacetMode facets = FacetMode::Polygons);
+
+/// What differs from the reference, in words; empty when nothing does.
+std::string difference(const Triangulation& triangulation, const ReferenceTriangulation& reference,
+  FacetMode facets, std::int64_t points);
+
+std::string bitDifference(const Triangulation& a, const Triangulation& b);
+
+/// Identities that every run's statistics keep.
+std::string statisticsFault(const Triangulation& triangulation, std::int64_t points);
+
+/// Run every variant on the weighted cloud: threadsTried(); double, and float where points or
+/// weights are; triangles and polygons; V-biased or not; without weights where all are zero; and
+/// the CUDA engine's rounds on the host, in several orders. All must be the reference, be equal bit
+/// for bit, and pass validate.
+void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& reference);
+
+/// One plain run, for loops over very many clouds: the reference, and validate. Now and then one by
+/// the rounds too.
+/// @return what is wrong; empty when nothing is.
+std::string quickFault(
+  const Cloud& weighted, const ReferenceTriangulation& reference, const Options& options);
+
+}
+}
+
+#endif

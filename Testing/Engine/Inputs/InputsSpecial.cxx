@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Inputs that are made by hand: exactly degenerate ones, and those of extreme ranges.
+#include "Testing/Engine/Inputs/Inputs.h"
+
+#include <cmath>
+#include <limits>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+/// Signed powers of two (times a mantissa of 53 bits) with exponents over a whole range.
+Cloud logUniform(int count, int lowExponent, int highExponent, Random& random)
+{
+  Cloud cloud;
+  for (int i = 0; i < count; ++i)
+  {
+    Point p;
+    for (double& x : p)
+    {
+      const double m = random.uniform(1, 2);
+      x = std::ldexp(random.integer(0, 1) ? m : -m, random.integer(lowExponent, highExponent));
+    }
+    cloud.push_back(p);
+  }
+  return cloud;
+}
+
+/// A corner of a tetrahedron of size @p big, cut finely at size @p little: both scales are seen.
+Cloud cutCorner(int count, double big, double little, Random& random)
+{
+  Cloud cloud = { { big, 0, 0 }, { 0, big, 0 }, { 0, 0, big }, { big, big, 0 } };
+  for (int i = 0; i < count; ++i)
+  {
+    const Point u = random.direction();
+    cloud.push_back({ u[0] * little, u[1] * little, u[2] * little });
+  }
+  random.shuffle(cloud);
+  return cloud;
+}
+
+/// Denormals, a few units each.
+Cloud denormals(int count, int range, Random& random)
+{
+  const double unit = std::numeric_limits<double>::denorm_min();
+  Cloud cloud;
+  for (int i = 0; i < count; ++i)
+  {
+    Point p;
+    for (double& x : p)
+    {
+      x = unit * random.integer(-range, range);
+    }
+    cloud.push_back(p);
+  }
+  return cloud;
+}
+
+Cloud family(const char* name, int count, std::uint64_t seed)
+{
+  return fromFamily(name, count, seed).make();
+}
+
+/// A flat disc of many points with a few points off its plane: a sample of it is likely flat.
+Cloud mostlyCoplanar(int count, int off, Random& random)
+{
+  Cloud cloud;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = random.integer(-50000, 50000);
+    const double y = random.integer(-50000, 50000);
+    cloud.push_back({ x, y, x + 2 * y });
+  }
+  for (int i = 0; i < off; ++i)
+  {
+    Point& p = cloud[random.integer(0, count - 1)];
+    p[2] += random.integer(0, 1) ? 1 : -3;
+  }
+  return cloud;
+}
+
+/// One point high above many collinear ones and a second line: all facets are thin fans.
+Cloud twoLines(int count)
+{
+  Cloud cloud;
+  for (int i = 0; i < count; ++i)
+  {
+    cloud.push_back({ double(i), 0, 0 });
+    cloud.push_back({ 0, double(i), 1 });
+  }
+  return cloud;
+}
+
+/// A cube with points on its edges and diagonals, exactly.
+Cloud cubeWithEdges()
+{
+  Cloud cloud;
+  for (const Point& p : integerGrid(5))
+  {
+    const int ends = (p[0] == 0 || p[0] == 4) + (p[1] == 0 || p[1] == 4) + (p[2] == 0 || p[2] == 4);
+    if (ends >= 2 || (p[0] == p[1] && p[1] == p[2]))
+    {
+      cloud.push_back(p);
+    }
+  }
+  return cloud;
+}
+
+}
+
+std::vector<Input> smallSpecialInputs()
+{
+  std::vector<Input> inputs;
+  const auto add = [&](std::string name, std::function<Cloud()> make) {
+    inputs.push_back({ std::move(name), 0, std::move(make) });
+  };
+  const auto addRandom = [&](std::string name, std::uint64_t seed, auto make)
+  {
+    inputs.push_back({ std::move(name), seed,
+      [make, seed]()
+      {
+        Random random(seed);
+        return make(random);
+      } });
+  };
+  add("grid2", []() { return integerGrid(2); });
+  add("grid3", []() { return integerGrid(3); });
+  add("grid3rotated", []() { return rotated(integerGrid(3)); });
+  add("latticeTetrahedron4", []() { return latticeTetrahedron(4); });
+  add("octahedron", []() { return cosphericalIntegers(1); });
+  add("cuboctahedron", []() { return cosphericalIntegers(2); });
+  add("cospherical9", []() { return cosphericalIntegers(9); });
+  add("bipyramid3", []() { return bipyramid(3); });
+  add("bipyramid12", []() { return bipyramid(12); });
+  add("twoLines8", []() { return twoLines(8); });
+  add("cubeWithEdges", cubeWithEdges);
+  add("negativeZeros",
+    []()
+    {
+      return Cloud{ { -0.0, 0, 0 }, { 0, -0.0, 0 }, { 1, 0, -0.0 }, { 1, -0.0, 0 }, { 0, 1, 0 },
+        { -0.0, 1, -0.0 }, { 0, 0, 1 }, { -0.0, -0.0, 1 } };
+    });
+  addRandom("prism6", 11, [](Random& random) { return prism(6, 12, random); });
+  addRandom("grid2times4", 12, [](Random& random) { return repeated(integerGrid(2), 4, random); });
+  addRandom("tetrahedronTimes9", 13,
+    [](Random& random) { return repeated(latticeTetrahedron(2), 9, random); });
+  add("huge", []() { return scaled(family("shell0", 36, 21), 3e300, 3e300, 3e300); });
+  add("hugest",
+    []()
+    {
+      // The difference of two of these overflows.
+      const double m = std::numeric_limits<double>::max();
+      return scaled(integerGrid(2), m, m, m);
+    });
+  add("hugestAround",
+    []()
+    {
+      const double m = std::numeric_limits<double>::max();
+      return joined(scaled(cosphericalIntegers(3), m, m, m), family("ball", 10, 22));
+    });
+  // The centroid of these is rounded to their lattice: equal points lie on the cones' borders.
+  add("duplicatesOnConeBorders",
+    []()
+    {
+      const Cloud cloud = { { 0, 0, 1.5 }, { 2, 0, 0 }, { -1, 0, 1.5 }, { -0.5, 0, 1.5 },
+        { -1, 1, -1 }, { 0, -1.5, -2 }, { -2, 0, 0.5 }, { -1, 0, 1.5 } };
+      return moved(cloud, 0x1p51, 0x1p51, -0x1p51);
+    });
+  // The greatest numbers beside the least: no power of two brings both away from the ends.
+  add("greatestBesideLeast",
+    []() {
+      return Cloud{ { 0, 0x1p1023, 0 }, { 0, 0x1p1023, 0x1p-1074 } };
+    });
+  add("greatestAndLeastAtZero",
+    []() {
+      return Cloud{ { 0, 0x1p-1074, 0 }, { -0x1p1023, 0, 0 }, { 0, 0, 0 } };
+    });
+  add("tiny", []() { return scaled(family("shell0", 36, 23), 1e-300, 1e-300, 1e-300); });
+  addRandom("denormalsFew", 24, [](Random& random) { return denormals(30, 3, random); });
+  addRandom("denormalsMany", 25, [](Random& random) { return denormals(30, 100000, random); });
+  addRandom("corner1e20", 26, [](Random& random) { return cutCorner(26, 1e20, 1e-20, random); });
+  addRandom("corner1e300", 27, [](Random& random) { return cutCorner(26, 1e300, 1e-300, random); });
+  addRandom("corner1e8", 28, [](Random& random) { return cutCorner(26, 1e8, 1e-8, random); });
+  addRandom("cornerDenormal", 29,
+    [](Random& random)
+    { return joined(cutCorner(6, 1e308, 1, random), denormals(18, 9, random)); });
+  addRandom("log20", 30, [](Random& random) { return logUniform(30, -66, 66, random); });
+  addRandom("log300", 31, [](Random& random) { return logUniform(30, -1000, 1000, random); });
+  addRandom("logAll", 32, [](Random& random) { return logUniform(24, -1074, 1022, random); });
+  add("thinDenormal", []() { return scaled(family("ball", 30, 33), 1e300, 1, 1e-310); });
+  add("powersOfTwo",
+    []()
+    {
+      Cloud cloud;
+      for (int e = -1000; e <= 1000; e += 100)
+      {
+        cloud.push_back({ std::ldexp(1.0, e), std::ldexp(1.0, -e), std::ldexp(1.0, e / 2) });
+      }
+      return cloud;
+    });
+  add("farGrid", []() { return moved(integerGrid(3), 0x1p52, -0x1p52, 0x1p51); });
+  addRandom("ulpCube", 34,
+    [](Random& random)
+    {
+      // A cube's corners, each four times within an ulp.
+      Cloud cloud;
+      for (int i = 0; i < 4; ++i)
+      {
+        for (Point p : moved(integerGrid(2), 1, 1, 1))
+        {
+          for (double& x : p)
+          {
+            x += random.integer(-1, 1) * 0x1p-52;
+          }
+          cloud.push_back(p);
+        }
+      }
+      return cloud;
+    });
+  return inputs;
+}
+
+std::vector<Input> largeSpecialInputs()
+{
+  std::vector<Input> inputs;
+  const auto add = [&](std::string name, std::function<Cloud()> make) {
+    inputs.push_back({ std::move(name), 0, std::move(make) });
+  };
+  const auto addRandom = [&](std::string name, std::uint64_t seed, auto make)
+  {
+    inputs.push_back({ std::move(name), seed,
+      [make, seed]()
+      {
+        Random random(seed);
+        return make(random);
+      } });
+  };
+  for (int side = 4; side <= 12; side += 2)
+  {
+    add("grid" + std::to_string(side), [side]() { return integerGrid(side); });
+    add("grid" + std::to_string(side) + "rotated", [side]() { return rotated(integerGrid(side)); });
+  }
+  add("cubeSurfaceGrid20", []() { return cubeSurfaceGrid(20); });
+  add("cubeSurfaceGrid20rotated", []() { return rotated(cubeSurfaceGrid(20)); });
+  add("cubeSurfaceGrid20float", []() { return roundedToFloat(rotated(cubeSurfaceGrid(20))); });
+  add("cubeSurfaceGrid40rotated", []() { return rotated(cubeSurfaceGrid(40)); });
+  for (int n : { 41, 161, 569, 1001, 5201, 20021 })
+  {
+    add("cospherical" + std::to_string(n), [n]() { return cosphericalIntegers(n); });
+  }
+  add("cosphericalFar", []() { return moved(cosphericalIntegers(5201), 1e9, 1e9, -1e9); });
+  add("latticeTetrahedron20", []() { return latticeTetrahedron(20); });
+  add("latticeTetrahedron20rotated", []() { return rotated(latticeTetrahedron(20)); });
+  add("bipyramid1000", []() { return bipyramid(1000); });
+  add("twoLines400", []() { return twoLines(400); });
+  addRandom("prism100", 41, [](Random& random) { return prism(100, 1000, random); });
+  addRandom("prism1000", 42, [](Random& random) { return prism(1000, 0, random); });
+  addRandom(
+    "prism1000rotated", 43, [](Random& random) { return rotated(prism(1000, 500, random)); });
+  addRandom("grid8times5", 44, [](Random& random) { return repeated(integerGrid(8), 5, random); });
+  addRandom("shell0times4", 45,
+    [](Random& random) { return repeated(family("shell0", 1000, 45), 4, random); });
+  addRandom("corner1e20", 46, [](Random& random) { return cutCorner(300, 1e20, 1e-20, random); });
+  addRandom(
+    "corner1e300", 47, [](Random& random) { return cutCorner(300, 1e300, 1e-300, random); });
+  addRandom("log300", 48, [](Random& random) { return logUniform(400, -1000, 1000, random); });
+  addRandom("denormals", 49, [](Random& random) { return denormals(500, 1000, random); });
+  add("tiny", []() { return scaled(family("shell0", 500, 50), 1e-300, 1e-300, 1e-300); });
+  add("huge", []() { return scaled(family("shell0", 500, 51), 1e308, 1e308, 1e308); });
+  addRandom("mostlyCoplanar", 52, [](Random& random) { return mostlyCoplanar(100000, 3, random); });
+  addRandom(
+    "mostlyCoplanarOne", 53, [](Random& random) { return mostlyCoplanar(100000, 1, random); });
+  addRandom("sameButOne", 54,
+    [](Random& random)
+    {
+      // One position thousands of times, and a tetrahedron around it.
+      Cloud cloud(20000, Point{ 0.25, 0.25, 0.25 });
+      cloud = joined(std::move(cloud), latticeTetrahedron(2));
+      random.shuffle(cloud);
+      return cloud;
+    });
+  addRandom("collinearButTwo", 55,
+    [](Random& random)
+    {
+      Cloud cloud;
+      for (int i = 0; i < 20000; ++i)
+      {
+        cloud.push_back({ double(i), 2.0 * i, -3.0 * i });
+      }
+      cloud.push_back({ 1, 0, 0 });
+      cloud.push_back({ 0, 0, 1 });
+      random.shuffle(cloud);
+      return cloud;
+    });
+  addRandom("concentricShells", 56,
+    [](Random& random)
+    {
+      Cloud cloud;
+      for (double r : { 1.0, 0.999999, 0.99999999999, 0.5 })
+      {
+        cloud = joined(std::move(cloud), scaled(family("shell0", 600, 56), r, r, r));
+      }
+      random.shuffle(cloud);
+      return cloud;
+    });
+  return inputs;
+}
+
+}
+}

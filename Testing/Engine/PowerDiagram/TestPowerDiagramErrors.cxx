@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Power diagrams of boxes that are none, or of another's triangulation, are refused.
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+
+#include "Testing/Engine/Inputs/Inputs.h"
+#include <flipflop/PowerDiagram.h>
+#include <flipflop/RegularTriangulation.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+void expectError(ErrorCode code, const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const double* box)
+{
+  try
+  {
+    powerDiagram(points, weights, triangulation, box);
+    ADD_FAILURE() << "no error; wanted: " << Error(code).what();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), code) << error.what();
+  }
+}
+
+Triangulation triangulationOf(int dimension, const std::vector<Cell>& cells)
+{
+  ReferenceTriangulation reference;
+  reference.dimension = dimension;
+  for (const Cell& cell : cells)
+  {
+    reference.ids.insert(reference.ids.end(), cell.begin(), cell.end());
+  }
+  std::sort(reference.ids.begin(), reference.ids.end());
+  reference.ids.erase(std::unique(reference.ids.begin(), reference.ids.end()), reference.ids.end());
+  reference.cells = cells;
+  return makeTriangulation(reference, 4);
+}
+
+TEST(PowerDiagramErrors, BadArguments)
+{
+  const ErrorCode bad = ErrorCode::BadArgument;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Cloud sites = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  const PointView points = viewOf(sites);
+  const WeightView weights = weightsOf(sites);
+  const Triangulation good = triangulationOf(2, { { 0, 1, 2, 3 } });
+  const double box[] = { 0, 1, 0, 1 };
+  EXPECT_EQ(powerDiagram(points, weights, good, box).siteIds.size(), 4u);
+  EXPECT_EQ(powerDiagram(points, WeightView(), good, box).siteIds.size(), 4u);
+
+  expectError(bad, points, weights, good, nullptr);
+  for (const std::array<double, 4>& wrong : { std::array<double, 4>{ 1, 0, 0, 1 }, { 0, 0, 0, 1 },
+         { 0, 1, 1, 1 }, { nan, 1, 0, 1 }, { 0, 1, 0, infinity }, { -infinity, 1, 0, 1 } })
+  {
+    expectError(bad, points, weights, good, wrong.data());
+  }
+  expectError(bad, PointView(static_cast<const double*>(nullptr), 4), weights, good, box);
+  expectError(bad, PointView(sites.data()->data(), -1), WeightView(), good, box);
+  expectError(bad, PointView(sites.data()->data(), 4, 1), weights, good, box);
+  expectError(bad, points, WeightView(sites.data()->data(), 4, 0), good, box);
+  expectError(ErrorCode::WeightCount, points, WeightView(sites.data()->data(), 3, 3), good, box);
+
+  // Triangulations of something else, or of nothing.
+  expectError(bad, PointView(sites.data()->data(), 3), WeightView(), good, box);
+  expectError(bad, points, weights, triangulationOf(3, { { 0, 1, 2, 3 } }), box);
+  expectError(bad, points, weights, triangulationOf(-1, { { 0 } }), box);
+  expectError(bad, points, weights, triangulationOf(0, { { 0 }, { 1 } }), box);
+  expectError(bad, points, weights, triangulationOf(1, { { 0 } }), box);
+  expectError(bad, points, weights, triangulationOf(1, { { 0, 1 }, { 0, 2 }, { 0, 3 } }), box);
+  expectError(bad, points, weights, triangulationOf(1, { { 0, 0 }, { 1, 1 } }), box);
+  expectError(bad, points, weights, triangulationOf(2, { { 0, 1 } }), box);
+  expectError(bad, points, weights, triangulationOf(2, { { 0, 2, 1 } }), box);
+  expectError(bad, points, weights, triangulationOf(2, { { 0, 1, 2 }, { 0, 1, 3 } }), box);
+  expectError(bad, points, weights, triangulationOf(2, { { 0, 1, 2 }, { 0, 1, 2 } }), box);
+  expectError(bad, points, weights, triangulationOf(2, { { 0, 0, 1 } }), box);
+  const auto spoilt = [&](auto change)
+  {
+    Triangulation result = triangulationOf(2, { { 0, 1, 2 }, { 0, 2, 3 } });
+    change(result);
+    return result;
+  };
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.connectivity[4] = 4; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.connectivity[0] = -1; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.pointIds[3] = 4; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.pointIds[3] = 2; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.offsets[0] = 1; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.offsets[1] = 7; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.offsets[2] = 5; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.cellSize = -1; }), box);
+  expectError(bad, points, weights, spoilt([](Triangulation& t) { t.cellSize = 4; }), box);
+  Cloud broken = sites;
+  broken[2][1] = nan;
+  expectError(bad, viewOf(broken), weightsOf(broken), good, box);
+}
+
+TEST(PowerDiagramErrors, OtherWeights)
+{
+  // Corners of another diagram than the triangulation's turn cells over.
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Cloud sites(200);
+    for (Point& site : sites)
+    {
+      site = { random.uniform(), random.uniform(), 0 };
+    }
+    const Triangulation triangulation = regularTriangulation(viewOf(sites), weightsOf(sites));
+    for (Point& site : sites)
+    {
+      site[2] = random.uniform();
+    }
+    const double box[] = { 0, 1, 0, 1 };
+    expectError(ErrorCode::BadArgument, viewOf(sites), weightsOf(sites), triangulation, box);
+  }
+}
+
+/// The progress told, and when to stop.
+struct Watch
+{
+  std::vector<double> told;
+  double stopAt = 2.0;
+
+  static bool hear(double fraction, void* self)
+  {
+    auto* watch = static_cast<Watch*>(self);
+    watch->told.push_back(fraction);
+    return fraction < watch->stopAt;
+  }
+};
+
+TEST(PowerDiagramErrors, TellsProgressAndStops)
+{
+  Random random(5);
+  Cloud sites(20000);
+  for (Point& site : sites)
+  {
+    site = { random.uniform(), random.uniform(), 0 };
+  }
+  Options options;
+  options.facets = FacetMode::Polygons;
+  const Triangulation triangulation = regularTriangulation(viewOf(sites), WeightView(), options);
+  const double box[] = { 0, 1, 0, 1 };
+  Watch watch;
+  options.progress = &Watch::hear;
+  options.progressContext = &watch;
+  powerDiagram(viewOf(sites), WeightView(), triangulation, box, options);
+  ASSERT_GE(watch.told.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(watch.told.begin(), watch.told.end()));
+  EXPECT_EQ(watch.told.front(), 0.0);
+  EXPECT_EQ(watch.told.back(), 1.0);
+
+  for (const double mark : { 0.0, 1.0 })
+  {
+    watch.stopAt = mark;
+    try
+    {
+      powerDiagram(viewOf(sites), WeightView(), triangulation, box, options);
+      ADD_FAILURE() << "not stopped at " << mark;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.code(), ErrorCode::Aborted);
+    }
+  }
+}
+
+}
+}
+}

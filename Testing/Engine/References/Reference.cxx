@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Testing/Engine/References/Reference.h"
+#include "Testing/Engine/References/ReferenceDetail.h"
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <sstream>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+template <class Space>
+ReferenceHull bruteForce(const Space& space)
+{
+  const std::vector<int> points = distinct(space);
+  const std::vector<int> base = basis(space, points);
+  ReferenceHull hull;
+  if (base.size() < 4)
+  {
+    hull = flatHull(space, points, base);
+    finish(hull);
+    return hull;
+  }
+  hull.dimension = 3;
+  const int n = static_cast<int>(points.size());
+  std::set<std::vector<int>> facets;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = i + 1; j < n; ++j)
+    {
+      for (int k = j + 1; k < n; ++k)
+      {
+        int side = 0;
+        bool supporting = true;
+        std::vector<int> on;
+        for (int l = 0; l < n && supporting; ++l)
+        {
+          const int o = space.orient(points[i], points[j], points[k], points[l]);
+          if (o == 0)
+          {
+            on.push_back(points[l]);
+          }
+          supporting = o == 0 || side == 0 || o == side;
+          side = o != 0 ? o : side;
+        }
+        // A side of zero means three collinear points: every point is coplanar with them.
+        if (supporting && side != 0 && facets.insert(on).second)
+        {
+          const std::vector<int> polygon = side < 0
+            ? planarHull(space, on, points[i], points[j], points[k])
+            : planarHull(space, on, points[i], points[k], points[j]);
+          hull.cells.emplace_back(polygon.begin(), polygon.end());
+        }
+      }
+    }
+  }
+  finish(hull);
+  return hull;
+}
+
+template <class Int>
+Int narrow(const mpz_class& x)
+{
+  Int result = 0;
+  mpz_class rest = abs(x);
+  const mpz_class high = rest >> 60;
+  const mpz_class low = rest - (high << 60);
+  result = static_cast<Int>(high.get_si()) * (static_cast<Int>(1) << 60) + low.get_si();
+  return sgn(x) < 0 ? static_cast<Int>(-result) : result;
+}
+template <>
+mpz_class narrow<mpz_class>(const mpz_class& x)
+{
+  return x;
+}
+
+template <class Int>
+ReferenceHull bruteForceAs(const Cloud& cloud, int exponent)
+{
+  std::vector<typename IntegerSpace<Int>::Vector> points;
+  points.reserve(cloud.size());
+  for (const Point& p : cloud)
+  {
+    points.push_back({ narrow<Int>(toInteger(p[0], exponent)),
+      narrow<Int>(toInteger(p[1], exponent)), narrow<Int>(toInteger(p[2], exponent)) });
+  }
+  return bruteForce(IntegerSpace<Int>(std::move(points)));
+}
+
+__extension__ using Int128 = __int128;
+
+}
+
+bool operator==(const ReferenceHull& a, const ReferenceHull& b)
+{
+  return a.dimension == b.dimension && a.ids == b.ids && a.cells == b.cells;
+}
+
+ReferenceHull bruteForceHull(const Cloud& cloud)
+{
+  // A determinant of differences of b-bit numbers has at most 3 * (b + 1) + 3 bits.
+  const Scale scale = commonScale(cloud);
+  return scale.bits <= 40 ? bruteForceAs<Int128>(cloud, scale.exponent)
+                          : bruteForceAs<mpz_class>(cloud, scale.exponent);
+}
+
+ReferenceHull bruteForceHull(const std::vector<std::array<std::int64_t, 3>>& points)
+{
+  return bruteForce(IntegerSpace<std::int64_t>(points));
+}
+
+void canonicalise(std::vector<Cell>& cells)
+{
+  for (Cell& cell : cells)
+  {
+    std::rotate(cell.begin(), std::min_element(cell.begin(), cell.end()), cell.end());
+  }
+  std::sort(cells.begin(), cells.end());
+}
+
+std::vector<Cell> triangulate(const std::vector<Cell>& polygons)
+{
+  std::vector<Cell> cells;
+  for (const Cell& polygon : polygons)
+  {
+    if (polygon.size() < 3)
+    {
+      cells.push_back(polygon);
+    }
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+      cells.push_back({ polygon[0], polygon[i - 1], polygon[i] });
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+std::vector<std::int64_t> lowestIds(const Cloud& cloud)
+{
+  // Comparing doubles takes 0 and -0 for equal, as positions should.
+  std::vector<std::int64_t> order(cloud.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::int64_t i, std::int64_t j) { return cloud[i] < cloud[j]; });
+  std::vector<std::int64_t> lowest(cloud.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool same = i > 0 && cloud[order[i]] == cloud[order[i - 1]];
+    lowest[order[i]] = same ? lowest[order[i - 1]] : order[i];
+  }
+  return lowest;
+}
+
+Measures measure(const Cloud& cloud, const ReferenceHull& hull)
+{
+  Measures result;
+  if (hull.dimension < 2)
+  {
+    return result;
+  }
+  using Real = long double;
+  const Point& o = cloud[hull.ids[0]];
+  Real volume = 0;
+  Real area = 0;
+  for (const Cell& t : triangulate(hull.cells))
+  {
+    Real d[3][3];
+    for (int c = 0; c < 3; ++c)
+    {
+      d[0][c] = static_cast<Real>(cloud[t[0]][c]) - o[c];
+      d[1][c] = static_cast<Real>(cloud[t[1]][c]) - cloud[t[0]][c];
+      d[2][c] = static_cast<Real>(cloud[t[2]][c]) - cloud[t[0]][c];
+    }
+    Real length = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const int a = (c + 1) % 3;
+      const int b = (c + 2) % 3;
+      const Real normal = d[1][a] * d[2][b] - d[1][b] * d[2][a];
+      volume += d[0][c] * normal;
+      length += normal * normal;
+    }
+    area += std::sqrt(length);
+  }
+  result.volume = hull.dimension == 3 ? static_cast<double>(volume / 6) : 0;
+  result.area = static_cast<double>(area / 2);
+  return result;
+}
+
+std::string toString(const Cell& cell)
+{
+  std::ostringstream out;
+  for (std::size_t i = 0; i < cell.size(); ++i)
+  {
+    out << (i ? " " : "") << cell[i];
+  }
+  return out.str();
+}
+
+std::string toString(const Cloud& cloud)
+{
+  std::string text;
+  for (const Point& p : cloud)
+  {
+    char line[128];
+    std::snprintf(line, sizeof(line), "{ %.17g, %.17g, %.17g },\n", p[0], p[1], p[2]);
+    text += line;
+  }
+  return text;
+}
+
+}
+}
