@@ -8,7 +8,14 @@ import re
 import tempfile
 import unittest
 
-from dependencies import dependencies, folders
+from dependencies import (
+    dependencies,
+    folders,
+    private_includes,
+    reduced,
+    room_dependencies,
+    rooms,
+)
 from tree import TOP, read
 
 # What a folder of the library may use of the others.
@@ -18,6 +25,14 @@ PROMISED = {
     "Filters": {"Engine", "Cuda"},
     "Plugin": {"Filters"},
     "Wrapping": {"Filters"},
+}
+
+
+# The rooms of a folder of the library: each may use those before it.
+ROOMS = {
+    "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
+               "Surface", "PowerDiagram", "Validate"],
+    "Cuda": ["Rounds", "Device", "Choice"],
 }
 
 
@@ -32,7 +47,7 @@ def of_picture(svg):
     """The boxes and arrows that were drawn."""
     titles = [html.unescape(title) for title in re.findall(r"<title>(.*?)</title>", svg)]
     arrows = {tuple(title.split("->")) for title in titles if "->" in title}
-    return {title for title in titles if "->" not in title} - {"architecture"}, arrows
+    return {title for title in titles if "->" not in title} - {"architecture", "rooms"}, arrows
 
 
 def words_of_source(dot):
@@ -50,11 +65,22 @@ def of_page(page):
     return set(re.findall(r"^    (\w+)/ ", page, re.MULTILINE))
 
 
+def upward(pairs, order):
+    """Those that use a room which is not before them."""
+    return {(user, used) for user, used in pairs if order.index(used) > order.index(user)}
+
+
+def of_table(page, folder):
+    """The rooms that the page's table names, in its order."""
+    return re.findall(rf"^\| `{folder}/(\w+)/` \|", page, re.MULTILINE)
+
+
 def broken_promises(arrows):
     return {(user, used) for user, used in arrows if used not in PROMISED.get(user, {used})}
 
 
 SOURCE = read("Documentation", "architecture.dot")
+ROOMS_SOURCE = read("Documentation", "rooms.dot")
 
 
 class TestArchitecture(unittest.TestCase):
@@ -77,6 +103,26 @@ class TestArchitecture(unittest.TestCase):
 
     def test_the_library_keeps_its_promises(self):
         self.assertEqual(broken_promises(dependencies()), set())
+
+    def test_rooms_use_only_those_before_them(self):
+        for folder, order in ROOMS.items():
+            self.assertEqual(set(rooms(TOP, folder)), set(order))
+            self.assertEqual(upward(room_dependencies(TOP, folder), order), set())
+            self.assertEqual(private_includes(TOP, folder), set())
+
+    def test_the_page_tells_of_every_room(self):
+        page = read("Documentation", "Architecture.md")
+        for folder, order in ROOMS.items():
+            self.assertEqual(of_table(page, folder), order)
+        self.assertIn("](Figures/rooms.svg)", page)
+
+    def test_the_picture_of_rooms(self):
+        boxes, arrows = of_source(ROOMS_SOURCE)
+        self.assertEqual(boxes, set(ROOMS["Engine"]))
+        self.assertEqual(arrows, reduced(room_dependencies(TOP, "Engine")))
+        picture = read("Documentation", "Figures", "rooms.svg")
+        self.assertEqual(of_picture(picture), (boxes, arrows))
+        self.assertEqual(words_of_picture(picture), words_of_source(ROOMS_SOURCE))
 
     def test_mutants_are_noticed(self):
         self.assertIn("  Cuda -> Engine;", SOURCE)
@@ -104,9 +150,12 @@ class TestDependencies(unittest.TestCase):
         ".gitignore": "/build-*/\n__pycache__/\n",
         "build-1/Made.cxx": '#include "Hull.h"\n',
         ".hidden/none.py": "import vtkflipflop\n",
-        "Engine/Hull.h": "#include <vector>\n",
-        "Engine/Hull.cxx": '#include "Hull.h"\n',
-        "Cuda/Rounds.cu": '  #  include "Hull.h"\n',
+        "Engine/include/flipflop/Hull.h": "#include <vector>\n#include <flipflop/Error.h>\n",
+        "Engine/include/flipflop/Error.h": "#include <string>\n",
+        "Engine/Run/Run.h": "#include <flipflop/Hull.h>\n",
+        "Engine/Run/Run.cxx": '#include "Run/Run.h"\n#include "Mesh/Mesh.h"\n',
+        "Engine/Mesh/Mesh.h": "#include <flipflop/Error.h>\n",
+        "Cuda/Device/Rounds.cu": '  #  include "Run/Run.h"\n',
         "Cuda/Hull.py": "# import vtkflipflop\n",
         "Filters/vtkFFHullFilter.h": "// #include <flipflop/Hull.h>\n",
         "Plugin/Hull.xml.in": '<SourceProxy name="FlipFlopConvexHull" class="vtkPFFHullFilter">\n',
@@ -135,10 +184,28 @@ class TestDependencies(unittest.TestCase):
             )
             self.assertEqual(dependencies(top), self.USES)
             self.assertEqual(broken_promises(dependencies(top)), set())
+            self.assertEqual(rooms(top, "Engine"), ["Mesh", "Run"])
+            self.assertEqual(room_dependencies(top, "Engine"), {("Run", "Mesh")})
+            self.assertEqual(private_includes(top, "Engine"), set())
+
+    def test_a_way_up_is_noticed(self):
+        with tempfile.TemporaryDirectory() as top:
+            make_tree(top, {**self.FILES, "Engine/Mesh/Up.h": '#include "Run/Run.h"\n'})
+            found = room_dependencies(top, "Engine")
+            self.assertEqual(upward(found, ["Mesh", "Run"]), {("Mesh", "Run")})
+
+    def test_a_private_header_in_a_public_one_is_noticed(self):
+        with tempfile.TemporaryDirectory() as top:
+            public = "Engine/include/flipflop/Hull.h"
+            make_tree(top, {**self.FILES, public: '#include "Mesh/Mesh.h"\n'})
+            self.assertEqual(private_includes(top, "Engine"), {"Mesh/Mesh.h"})
+
+    def test_reduced(self):
+        self.assertEqual(reduced({("c", "a"), ("c", "b"), ("b", "a")}), {("c", "b"), ("b", "a")})
 
     def test_a_broken_promise_is_noticed(self):
         with tempfile.TemporaryDirectory() as top:
-            make_tree(top, {**self.FILES, "Engine/Run.cxx": '#include "vtkFFHullFilter.h"\n'})
+            make_tree(top, {**self.FILES, "Engine/Run/Run.cxx": '#include "vtkFFHullFilter.h"\n'})
             self.assertEqual(dependencies(top), self.USES | {("Engine", "Filters")})
             self.assertEqual(broken_promises(dependencies(top)), {("Engine", "Filters")})
 

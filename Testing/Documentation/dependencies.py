@@ -8,7 +8,8 @@ import re
 
 from tree import TOP
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*["<](?:flipflop/)?([^"<>/]+)[">]', re.MULTILINE)
+INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^"<>]+)[">]', re.MULTILINE)
+CXX = {".h", ".cxx", ".cu"}
 
 # Beside C++: who names this uses that folder. A suffix .in is CMake's, and means nothing.
 NAMES = [
@@ -45,12 +46,17 @@ def sources(top, folder, suffixes):
 
 
 def headers(top, folder):
-    return {
-        name
-        for _, _, names in os.walk(os.path.join(top, folder))
-        for name in names
-        if name.endswith(".h")
-    }
+    """All names by which a folder's headers may be included."""
+    names = set()
+    base = os.path.join(top, folder)
+    for path, _, files in os.walk(base):
+        for name in files:
+            if name.endswith(".h"):
+                whole = os.path.relpath(os.path.join(path, name), top)
+                own = os.path.relpath(whole, folder)
+                public = own[len("include/"):] if own.startswith("include/") else own
+                names |= {name, whole, public}
+    return names
 
 
 def dependencies(top=TOP):
@@ -59,10 +65,45 @@ def dependencies(top=TOP):
     headers_of = {folder: headers(top, folder) for folder in all_folders}
     found = set()
     for folder in all_folders:
-        for suffix, text in sources(top, folder, {".h", ".cxx", ".cu", ".py", ".xml"}):
-            for name in INCLUDE.findall(text) if suffix in {".h", ".cxx", ".cu"} else ():
+        for suffix, text in sources(top, folder, CXX | {".py", ".xml"}):
+            for name in INCLUDE.findall(text) if suffix in CXX else ():
                 if name not in headers_of[folder]:
                     found |= {(folder, other) for other in all_folders if name in headers_of[other]}
             found |= {(folder, other) for kind, mark, other in NAMES
                       if kind == suffix and mark.search(text)}
     return {(user, used) for user, used in found if user != used}
+
+
+def rooms(top, folder):
+    """The rooms of a folder: its own folders, but for the public headers."""
+    return [name for name in folders(os.path.join(top, folder)) if name != "include"]
+
+
+def room_dependencies(top, folder):
+    """The pairs (room, another of the same folder that it includes a header of)."""
+    all_rooms = set(rooms(top, folder))
+    return {
+        (room, name.split("/")[0])
+        for room in all_rooms
+        for _, text in sources(top, os.path.join(folder, room), CXX)
+        for name in INCLUDE.findall(text)
+        if name.split("/")[0] in all_rooms - {room}
+    }
+
+
+def private_includes(top, folder):
+    """What a folder's public headers include besides each other, the system's and the libraries'."""
+    return {
+        name
+        for _, text in sources(top, os.path.join(folder, "include"), CXX)
+        for name in INCLUDE.findall(text)
+        if f'"{name}"' in text or name.split("/")[0] in rooms(top, folder)
+    }
+
+
+def reduced(pairs):
+    """Without the pairs that a way over others tells, too."""
+    def reaches(start, end, left):
+        return any(a == start and (b == end or reaches(b, end, left)) for a, b in left)
+
+    return {(a, b) for a, b in pairs if not reaches(a, b, pairs - {(a, b)})}
