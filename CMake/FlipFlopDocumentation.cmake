@@ -16,8 +16,9 @@ if(DOXYGEN_VERSION VERSION_EQUAL 1.9.4)
   set(documentation_warnings FAIL_ON_WARNINGS)
 endif()
 
+file(GLOB public_headers CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/Engine/include/flipflop/*.h" "${PROJECT_SOURCE_DIR}/Cuda/include/flipflop/*.h")
 file(GLOB filter_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Filters/*.h")
-set(public_headers ${engine_headers} ${cuda_headers})
 foreach(header IN LISTS filter_headers)
   file(STRINGS "${header}" exported REGEX "^class VTKFILTERSFLIPFLOP_EXPORT ")
   if(exported)

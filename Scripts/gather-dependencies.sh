@@ -50,8 +50,8 @@ done
 
 say "Boost: the headers that the engine includes"
 # All of its configuration: another compiler may take another part of it.
-for source in "$top"/Engine/*.cxx "$top"/Cuda/*.cxx; do
-  g++ -std=c++17 -I "$top/Engine" -I "$top/Cuda" -M "$source"
+for source in "$top"/Engine/*/*.cxx "$top"/Cuda/*/*.cxx; do
+  g++ -std=c++17 -I "$top/Engine" -I "$top/Engine/include" -I "$top/Cuda" -I "$top/Cuda/include" -M "$source"
 done | tr -s ' \\' '\n' | sed -n 's|^.*/include/boost/|boost/|p' | sort -u >"$work/boost"
 includes=$(printf '#include <boost/version.hpp>\n' | g++ -xc++ -M - | tr -s ' \\' '\n' |
   sed -n 's|/boost/version.hpp$||p')

@@ -6,20 +6,13 @@
 #ifndef flipflop_DeviceStatus_h
 #define flipflop_DeviceStatus_h
 
-#include <flipflop/Engines.h>
+#include "Device/CudaBuilders.h"
 
 #include <map>
 #include <mutex>
 
 namespace flipflop
 {
-
-/// What a look at a device has found.
-struct DeviceFinding
-{
-  CudaStatus status;
-  bool lasting = true; ///< another look would find the same
-};
 
 class DeviceStatus
 {

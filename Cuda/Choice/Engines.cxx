@@ -5,6 +5,7 @@
 #include "Choice/DeviceStatus.h"
 #include "Choice/EngineDecision.h"
 #include "Device/CudaBuilders.h"
+#include "FlipFlop/CpuBuilder.h"
 #include "Run/HullRun.h"
 #include "Run/TriangulationRun.h"
 
@@ -19,7 +20,7 @@ namespace
 
 /// @tparam Run   a GeometryRun
 /// @param make   Run (): anew for each try
-/// @param work   Result (Run&)
+/// @param work   Result (Run&, PolyhedronBuilder<Model>&)
 template <class Model, class Result, class Make, class Work>
 Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineReport& report,
   Make&& make, Work&& work)
@@ -30,8 +31,7 @@ Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineRep
     {
       const auto builder = withTypedErrors([] { return makeCudaBuilder<Model>(); });
       auto run = make();
-      run->engine = builder.get();
-      Result result = work(*run);
+      Result result = work(*run, *builder);
       if (!builder->ran)
       {
         setReason(report, EngineChoice::CPU,
@@ -60,7 +60,8 @@ Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineRep
         ("the CUDA engine gave up: " + std::string(error.what())).c_str(), number);
     }
   }
-  return work(*make());
+  CpuBuilder<Model> onThreads;
+  return work(*make(), onThreads);
 }
 
 }
@@ -76,33 +77,27 @@ Hull convexHull(const PointView& points, const Options& options, const EngineOpt
 {
   return runEngine<HullGeometry, Hull>(
     engine, points.count, report, [&] { return std::make_unique<HullRun>(points, options); },
-    [](HullRun& run) { return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); }); });
-}
-
-namespace
-{
-
-template <bool Weighted>
-Triangulation triangulate(const PointView& points, const WeightView& weights,
-  const Options& options, const EngineOptions& engine, EngineReport& report)
-{
-  using Run = TriangulationRun<Weighted>;
-  return runEngine<LiftedGeometry<Weighted>, Triangulation>(
-    engine, points.count, report, [&] { return std::make_unique<Run>(points, weights, options); },
-    [](Run& run)
-    {
-      return run.template execute<Triangulation>(
-        [&run](Triangulation& result) { run.triangulate(result); });
-    });
-}
-
+    [](HullRun& run, PolyhedronBuilder<HullGeometry>& builder)
+    { return run.execute<Hull>([&](Hull& hull) { run.hullOfPoints(builder, hull); }); });
 }
 
 Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
   const Options& options, const EngineOptions& engine, EngineReport& report)
 {
-  return weights.data ? triangulate<true>(points, weights, options, engine, report)
-                      : triangulate<false>(points, weights, options, engine, report);
+  return withOrWithoutWeights(weights,
+    [&](auto weighted)
+    {
+      using Run = TriangulationRun<weighted>;
+      using Geometry = typename Run::Geometry;
+      return runEngine<Geometry, Triangulation>(
+        engine, points.count, report,
+        [&] { return std::make_unique<Run>(points, weights, options); },
+        [](Run& run, PolyhedronBuilder<Geometry>& builder)
+        {
+          return run.template execute<Triangulation>(
+            [&](Triangulation& result) { run.triangulate(builder, result); });
+        });
+    });
 }
 
 }

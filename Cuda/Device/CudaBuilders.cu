@@ -7,7 +7,6 @@
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
 #include "Geometry/HullStart.h"
-#include "Geometry/LiftedLocator.h"
 #include "Geometry/LiftedStart.h"
 #include "Rounds/RoundsBuilder.h"
 

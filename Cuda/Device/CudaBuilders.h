@@ -6,16 +6,23 @@
 #ifndef flipflop_CudaBuilders_h
 #define flipflop_CudaBuilders_h
 
-#include "Choice/DeviceStatus.h"
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/LiftedGeometry.h"
+#include <flipflop/Engines.h>
 
 #include <cstdio>
 #include <memory>
 
 namespace flipflop
 {
+
+/// What a look at a device has found.
+struct DeviceFinding
+{
+  CudaStatus status;
+  bool lasting = true; ///< another look would find the same
+};
 
 /// Has this build kernels for a device? Asks none.
 bool hasCudaKernels();

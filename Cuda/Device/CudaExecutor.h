@@ -14,7 +14,6 @@
 #include "Rounds/Counters.h"
 #include "Rounds/Kernel.h"
 #include "Rounds/KernelTally.h"
-#include <flipflop/Engines.h>
 
 #include <cuda_runtime.h>
 

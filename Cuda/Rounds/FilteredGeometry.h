@@ -15,7 +15,7 @@
 namespace flipflop
 {
 
-/// @tparam Geometry a model of the geometry concept (see HullGeometry)
+/// @tparam Geometry a model of the geometry concept (GeometryConcept.h)
 template <class Geometry>
 class FilteredGeometry
 {
@@ -32,10 +32,10 @@ public:
     return this->checked(known, sign);
   }
 
-  FF_HD int perturbedBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD int perturbedKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     int sign = 0;
-    const bool known = this->geometry.filterBeneathKernel(a, b, c, sign);
+    const bool known = this->geometry.filterKernelBeneath(a, b, c, sign);
     return this->checked(known, sign);
   }
 

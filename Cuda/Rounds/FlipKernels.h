@@ -101,24 +101,13 @@ FF_HD void wake(const FlipData<Geometry>& data, std::uint32_t next, std::uint32_
   }
 }
 
-/// The origin of h lies in the tetrahedron of s and the three others at its edge: an extreme
-/// position can only do so as a duplicate of some of them, which then stand for its id. All are
-/// noted: one may go next. For one item of a launch alone to call.
+/// Note all duplicates of the origin of h: one of them may go next. For one item of a launch alone
+/// to call.
 template <class Geometry>
 FF_HD void noteDuplicates(const FlipData<Geometry>& data, std::uint32_t h)
 {
-  const Mesh& mesh = data.mesh;
-  const std::uint32_t twin = mesh.twin(h);
-  const std::uint32_t vertex = mesh.origin(h);
-  const std::uint32_t other[3] = { mesh.origin(twin), mesh.origin(previousHalfEdge(h)),
-    mesh.origin(previousHalfEdge(twin)) };
-  for (int i = 0; i < 3; ++i)
-  {
-    if (samePosition(mesh.vertices[vertex], mesh.vertices[other[i]]))
-    {
-      data.sameAs[3 * vertex + static_cast<std::uint32_t>(i)] = mesh.vertices[other[i]].id;
-    }
-  }
+  std::uint32_t* const sameAs = data.sameAs + 3 * std::size_t(data.mesh.origin(h));
+  eachDuplicateOfOrigin(data.mesh, h, [=](const Vertex& other, int k) { sameAs[k] = other.id; });
 }
 
 /// What triangle @p t, active, asks for.

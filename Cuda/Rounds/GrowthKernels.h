@@ -120,7 +120,7 @@ FF_HD std::uint32_t walk(const Oracle& geometry, const Mesh& mesh, const Vertex&
     for (int i = 0; i < 3; ++i)
     {
       if (out == 3 && i != entry &&
-        geometry.perturbedBeneathKernel(
+        geometry.perturbedKernelBeneath(
           mesh.vertices[triangle.v[i]], mesh.vertices[triangle.v[nextCorner(i)]], p) < 0)
       {
         out = i;
@@ -287,7 +287,7 @@ struct Insert : Kernel
       triangle.twin[0] = parent.twin[k]; // by its old number
       triangle.twin[1] = halfEdge(child[nextCorner(k)], 2);
       triangle.twin[2] = halfEdge(child[previousCorner(k)], 1);
-      triangle.index = k == 0 ? this->round : 0;
+      splitRound(triangle) = k == 0 ? this->round : 0;
       d.furthest[child[k]] = 0;
       d.candidates[(this->round & 1) ^ 1][3 * place + static_cast<std::uint32_t>(k)] = child[k];
     }
@@ -316,7 +316,7 @@ struct LinkSplits : Kernel
       const std::uint32_t h = halfEdge(this->childOf(t, k), 0);
       std::uint32_t& twin = d.mesh.triangles[triangleOf(h)].twin[0];
       const std::uint32_t other = triangleOf(twin);
-      if (d.mesh.triangles[other].index == this->round)
+      if (splitRound(d.mesh.triangles[other]) == this->round)
       {
         twin = halfEdge(this->childOf(other, cornerOf(twin)), 0);
       }

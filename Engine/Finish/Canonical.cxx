@@ -22,7 +22,7 @@ namespace flipflop
 namespace
 {
 
-constexpr std::uint32_t Run = 1 << 14;
+constexpr std::uint32_t ItemsPerTask = 1 << 14; ///< slots or cells
 
 /// Ids as a set of bits that knows how many of them are below one.
 class IdSet
@@ -43,8 +43,8 @@ public:
   /// After all are inserted; the ids in ascending order go to @p sorted.
   void count(std::int64_t* sorted, Monitor& monitor)
   {
-    std::vector<std::uint32_t> counts(runCount(this->bits.size(), Words));
-    eachRun(this->bits.size(), Words,
+    std::vector<std::uint32_t> counts(runCount(this->bits.size(), WordsPerTask));
+    eachRun(this->bits.size(), WordsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         monitor.poll();
@@ -61,7 +61,7 @@ public:
     {
       total += std::exchange(n, total);
     }
-    eachRun(this->bits.size(), Words,
+    eachRun(this->bits.size(), WordsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         monitor.poll();
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t Words = 1 << 12; ///< that a task looks at
+  static constexpr std::size_t WordsPerTask = 1 << 12;
 
   std::uint64_t word(std::size_t i) const { return this->bits[i].load(std::memory_order_relaxed); }
 
@@ -110,7 +110,7 @@ bool isPoint(const Vertex& vertex)
 template <class Use>
 void eachSlot(std::uint32_t slots, Monitor& monitor, Use&& use)
 {
-  eachRun(slots, Run,
+  eachRun(slots, ItemsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();
@@ -129,7 +129,7 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   StepPoll poll(monitor);
   const std::uint32_t slots = polyhedron.vertexCount();
   Buffer<std::uint32_t> rank(slots); // until then the lowest id
-  std::vector<std::uint32_t> counts(runCount(slots, Run));
+  std::vector<std::uint32_t> counts(runCount(slots, ItemsPerTask));
   eachSlot(slots, monitor,
     [&](std::size_t v, std::size_t run)
     {
@@ -199,7 +199,7 @@ void writeTriangles(const Buffer<Cell>& cells, Buffer<Triangle>&& memory, CellCo
 {
   complex.cellSize = 3;
   complex.connectivity = Buffer<std::int64_t>::recycle(std::move(memory), 3 * cells.size());
-  eachRun(cells.size(), Run,
+  eachRun(cells.size(), ItemsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -214,8 +214,9 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
 {
   const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
   const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
-  std::vector<std::size_t> next(runCount(cells.size(), Run)); // where each run's corners go
-  eachRun(cells.size(), Run,
+  std::vector<std::size_t> next(
+    runCount(cells.size(), ItemsPerTask)); // where each run's corners go
+  eachRun(cells.size(), ItemsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();
@@ -233,7 +234,7 @@ void writeMixed(const Buffer<Cell>& cells, const Buffer<std::uint32_t>& rank,
   complex.offsets.allocate(cells.size() + 1);
   complex.offsets[cells.size()] = static_cast<std::int64_t>(total);
   complex.connectivity.allocate(total);
-  eachRun(cells.size(), Run,
+  eachRun(cells.size(), ItemsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();
@@ -282,34 +283,46 @@ CanonicalForm::CanonicalForm(Polyhedron& mesh, bool anyFlat,
 
 CanonicalForm::~CanonicalForm() = default;
 
-/// use(triangle, vertices, the one of lowest rank first) for a facet that is one triangle; or,
-/// where polygons leave them out, for each of the fan's of a facet that is this one and a later.
-template <class Use>
-void CanonicalForm::useTriangle(std::uint32_t t, Use&& use) const
+// A facet is of one of three kinds:
+// - one triangle;
+// - a pair of triangles, where triangles are asked for. Grids are full of them, and they need no
+// walk
+//   around the facet. They become two triangles again, from the corner of lowest rank;
+// - a polygon (FacetPolygons): of more triangles, or of a pair where polygons are asked for. As
+//   triangles it is a fan from its corner of lowest rank.
+// A facet with a corner that is no point of the result (at the virtual vertex) is left out.
+
+/// The other triangle of a facet that is a pair; NoIndex: the facet is of another kind.
+std::uint32_t CanonicalForm::otherOf(std::uint32_t t) const
 {
-  const Triangle& triangle = this->polyhedron.triangles[t];
-  const std::uint32_t* v = triangle.v;
-  if (triangle.index == 0)
+  return this->facets == FacetMode::Triangles ? otherOfPair(this->polyhedron, t) : NoIndex;
+}
+
+/// use(triangle, vertices) for a facet that is one triangle; the vertex of lowest rank is the
+/// first.
+template <class Use>
+void CanonicalForm::useSingle(std::uint32_t t, Use&& use) const
+{
+  const std::uint32_t* const v = this->polyhedron.triangles[t].v;
+  const std::uint32_t r[3] = { this->rank[v[0]], this->rank[v[1]], this->rank[v[2]] };
+  if (isCell(r))
   {
-    const std::uint32_t r[3] = { this->rank[v[0]], this->rank[v[1]], this->rank[v[2]] };
     const int e = lowestOf(r);
-    if (isCell(r))
-    {
-      use(t, v[e], v[nextCorner(e)], v[previousCorner(e)]);
-    }
-    return;
+    use(t, v[e], v[nextCorner(e)], v[previousCorner(e)]);
   }
-  const std::uint32_t other =
-    this->facets == FacetMode::Triangles ? otherOfPair(this->polyhedron, t) : NoIndex;
-  if (other == NoIndex || other < t)
-  {
-    return;
-  }
+}
+
+/// The same, twice, for the pair of triangle t and @p other.
+template <class Use>
+void CanonicalForm::usePair(std::uint32_t t, std::uint32_t other, Use&& use) const
+{
   // The flat edge is ab; around the facet: a, d, b, c.
-  const int e = triangle.index == 1 ? 0 : (triangle.index == 2 ? 1 : 2);
+  const Triangle& triangle = this->polyhedron.triangles[t];
+  const int e = onlyFlatEdge(triangle);
   const std::uint32_t d =
     this->polyhedron.triangles[other].v[previousCorner(cornerOf(triangle.twin[e]))];
-  const std::uint32_t ring[4] = { v[e], d, v[nextCorner(e)], v[previousCorner(e)] };
+  const std::uint32_t ring[4] = { triangle.v[e], d, triangle.v[nextCorner(e)],
+    triangle.v[previousCorner(e)] };
   int lowest = 0;
   for (int i = 0; i < 4; ++i)
   {
@@ -324,7 +337,7 @@ void CanonicalForm::useTriangle(std::uint32_t t, Use&& use) const
   use(other, at(0), at(2), at(3));
 }
 
-/// The other facets' fans: use(vertices, number of pieces), one after another.
+/// use(vertices) for each triangle of the polygons' fans, one after another.
 template <class Use>
 void CanonicalForm::eachFanTriangle(Use&& use) const
 {
@@ -333,85 +346,106 @@ void CanonicalForm::eachFanTriangle(Use&& use) const
     const std::uint32_t* corner = this->polygons->first(p);
     for (std::size_t i = 2; i < this->polygons->size(p); ++i)
     {
-      use(corner[0], corner[i - 1], corner[i], this->polyhedron.pieces.size());
+      use(corner[0], corner[i - 1], corner[i]);
     }
   }
 }
 
-/// @param useToo void (vertices, number of the piece), of every triangle
+/// use(cell) for each cell that the polygons become: their fans' triangles; or one for a polygon,
+/// which has the polygon's number, behind all ranks, for its third corner.
+template <class Use>
+void CanonicalForm::eachPolygonCell(std::uint32_t pointCount, Use&& use) const
+{
+  if (this->facets == FacetMode::Triangles)
+  {
+    this->eachFanTriangle(
+      [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        use(Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
+      });
+    return;
+  }
+  for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
+  {
+    const std::uint32_t* corner = this->polygons->first(p);
+    use(Cell{ { this->rank[corner[0]], this->rank[corner[1]],
+      pointCount + static_cast<std::uint32_t>(p) } });
+  }
+}
+
+/// @param useToo void (vertices, number of the piece), of every triangle of the result; polygons
+/// are
+///               measured as fans, in a piece of their own
 template <class Use>
 void CanonicalForm::write(Monitor& monitor, CellComplex& complex, Use&& useToo)
 {
-  const bool fans = this->facets == FacetMode::Triangles;
   const auto pointCount = static_cast<std::uint32_t>(complex.pointIds.size());
-  const std::size_t pieceCount = this->polyhedron.pieces.size();
-  const auto eachLargeCell = [&](auto&& use)
-  {
-    if (fans)
-    {
-      this->eachFanTriangle(
-        [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t) {
-          use(Cell{ { this->rank[a], this->rank[b], this->rank[c] } });
-        });
-      return;
-    }
-    for (std::size_t p = 0; this->polygons && p < this->polygons->count(); ++p)
-    {
-      const std::uint32_t* corner = this->polygons->first(p);
-      use(Cell{ { this->rank[corner[0]], this->rank[corner[1]],
-        pointCount + static_cast<std::uint32_t>(p) } });
-    }
-  };
-
-  // Triangles become cells in their place: the second pass need not look their ranks up again.
-  CellSort sort(pointCount, pieceCount + 1);
+  const std::size_t polygonPiece = this->polyhedron.pieces.size();
   Buffer<Triangle>& triangles = this->polyhedron.triangles;
+  CellSort sort(pointCount, polygonPiece + 1);
+
+  // First pass: count. A triangle's corners are replaced by its cell's ranks, so that the second
+  // pass need not look them up again; triangles that become no cell are dead to it. The lower
+  // triangle of a pair writes both.
   this->polyhedron.eachTriangle(
     [&](std::uint32_t t, std::size_t piece)
     {
       bool used = false;
-      this->useTriangle(t,
-        [&](std::uint32_t cell, std::uint32_t a, std::uint32_t b, std::uint32_t c)
-        {
-          useToo(a, b, c, piece);
-          std::uint32_t* v = triangles[cell].v;
-          v[0] = this->rank[a];
-          v[1] = this->rank[b];
-          v[2] = this->rank[c];
-          sort.count(piece, v[0]);
-          used = true;
-        });
+      const auto replace = [&](
+                             std::uint32_t slot, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+      {
+        useToo(a, b, c, piece);
+        std::uint32_t* const v = triangles[slot].v;
+        v[0] = this->rank[a];
+        v[1] = this->rank[b];
+        v[2] = this->rank[c];
+        sort.count(piece, v[0]);
+        used = true;
+      };
+      if (flatEdges(triangles[t]) == 0)
+      {
+        this->useSingle(t, replace);
+      }
+      else if (const std::uint32_t other = this->otherOf(t); other != NoIndex && t < other)
+      {
+        this->usePair(t, other, replace);
+      }
       triangles[t].flags = used ? 0 : TriangleDead;
     });
-  eachLargeCell([&](const Cell& cell) { sort.count(pieceCount, cell.corner[0]); });
-  this->eachFanTriangle(useToo);
+  this->eachPolygonCell(
+    pointCount, [&](const Cell& cell) { sort.count(polygonPiece, cell.corner[0]); });
+  this->eachFanTriangle(
+    [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { useToo(a, b, c, polygonPiece); });
   monitor.poll();
+
+  // Second pass: put the cells where the counts say.
   sort.endCounting(std::move(this->polyhedron.vertices));
   this->polyhedron.eachTriangle(
     [&](std::uint32_t t, std::size_t piece)
     {
-      const auto put = [&](std::uint32_t cell)
+      const auto put = [&](std::uint32_t slot)
       {
-        const std::uint32_t* v = triangles[cell].v;
+        const std::uint32_t* v = triangles[slot].v;
         sort.put(piece, Cell{ { v[0], v[1], v[2] } });
       };
       put(t);
-      if (triangles[t].index != 0)
+      if (flatEdges(triangles[t]) != 0)
       {
-        put(otherOfPair(this->polyhedron, t));
+        put(this->otherOf(t));
       }
     });
-  eachLargeCell([&](const Cell& cell) { sort.put(pieceCount, cell); });
+  this->eachPolygonCell(pointCount, [&](const Cell& cell) { sort.put(polygonPiece, cell); });
   monitor.poll();
+
   const Buffer<Cell> cells = sort.sort();
   monitor.poll();
-  if (fans || !this->polygons || this->polygons->count() == 0)
+  const bool anyPolygon = this->polygons && this->polygons->count() > 0;
+  if (anyPolygon && this->facets == FacetMode::Polygons)
   {
-    writeTriangles(cells, std::move(triangles), complex);
+    writeMixed(cells, this->rank, *this->polygons, pointCount, monitor, complex);
   }
   else
   {
-    writeMixed(cells, this->rank, *this->polygons, pointCount, monitor, complex);
+    writeTriangles(cells, std::move(triangles), complex);
   }
 }
 

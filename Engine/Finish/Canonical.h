@@ -26,8 +26,8 @@ class FacetPolygons;
 class CanonicalForm
 {
 public:
-  /// @param polyhedron strictly extreme vertices only; bit e of a triangle's index tells that its
-  ///                   edge e is flat. It must outlive this.
+  /// @param polyhedron strictly extreme vertices only; flatEdges() tells which edges are flat. It
+  ///                   must outlive this.
   /// @param anyFlat    whether there is a flat edge at all
   /// @param duplicates pairs of ids at one position
   /// @param pointCount ids are below this
@@ -49,10 +49,15 @@ public:
   void writeHull(const CoordinateRange& range, int exponent, Monitor& monitor, Hull& hull);
 
 private:
+  std::uint32_t otherOf(std::uint32_t t) const;
   template <class Use>
-  void useTriangle(std::uint32_t t, Use&& use) const;
+  void useSingle(std::uint32_t t, Use&& use) const;
+  template <class Use>
+  void usePair(std::uint32_t t, std::uint32_t other, Use&& use) const;
   template <class Use>
   void eachFanTriangle(Use&& use) const;
+  template <class Use>
+  void eachPolygonCell(std::uint32_t pointCount, Use&& use) const;
   template <class Use>
   void write(Monitor& monitor, CellComplex& complex, Use&& useToo);
 

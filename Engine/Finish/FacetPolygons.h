@@ -21,18 +21,25 @@
 namespace flipflop
 {
 
+/// The flat edge of a triangle that has just one; 3: it has none, or more.
+inline int onlyFlatEdge(const Triangle& triangle)
+{
+  const std::uint32_t flat = flatEdges(triangle);
+  return flat == 1 ? 0 : flat == 2 ? 1 : flat == 4 ? 2 : 3;
+}
+
 /// The other triangle of a true facet that is just two; else NoIndex. Grids are full of them, and
 /// as triangles they need no walk.
 inline std::uint32_t otherOfPair(const Polyhedron& polyhedron, std::uint32_t t)
 {
   const Triangle& triangle = polyhedron.triangles[t];
-  const int e = triangle.index == 1 ? 0 : (triangle.index == 2 ? 1 : 2);
-  if (triangle.index != 1u << e)
+  const int e = onlyFlatEdge(triangle);
+  if (e == 3)
   {
     return NoIndex;
   }
   const std::uint32_t twin = triangle.twin[e];
-  const bool pair = polyhedron.triangles[triangleOf(twin)].index == 1u << cornerOf(twin);
+  const bool pair = onlyFlatEdge(polyhedron.triangles[triangleOf(twin)]) == cornerOf(twin);
   return pair ? triangleOf(twin) : NoIndex;
 }
 
@@ -56,7 +63,7 @@ public:
         {
           monitor.poll();
         }
-        if (surface.triangles[t].index == 0 || (!pairs && otherOfPair(surface, t) != NoIndex))
+        if (flatEdges(surface.triangles[t]) == 0 || (!pairs && otherOfPair(surface, t) != NoIndex))
         {
           return;
         }
@@ -93,7 +100,7 @@ private:
 
   bool isFlat(std::uint32_t h) const
   {
-    return (this->polyhedron.triangles[triangleOf(h)].index >> cornerOf(h) & 1) != 0;
+    return (flatEdges(this->polyhedron.triangles[triangleOf(h)]) >> cornerOf(h) & 1) != 0;
   }
 
   /// The half-edge after h along its facet's border.

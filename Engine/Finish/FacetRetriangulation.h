@@ -32,12 +32,12 @@
 namespace flipflop
 {
 
-/// @tparam Geometry a model of the geometry concept (see HullGeometry)
+/// @tparam Geometry a model of the geometry concept (GeometryConcept.h)
 template <class Geometry>
 class FacetRetriangulation
 {
 public:
-  /// @param polyhedron convex; bit e of a triangle's index tells that its edge e is exactly flat
+  /// @param polyhedron convex; flatEdges() tells which edges are flat
   FacetRetriangulation(const Geometry& geometry, Polyhedron& polyhedron, Monitor& monitor)
     : geometry(geometry)
     , polyhedron(polyhedron)
@@ -120,11 +120,6 @@ private:
   const Vertex& corner(std::uint32_t t, int e) const
   {
     return this->mesh.vertices[this->mesh.triangles[t].v[e]];
-  }
-
-  bool isFlat(std::uint32_t h) const
-  {
-    return (this->mesh.triangles[triangleOf(h)].index >> cornerOf(h) & 1) != 0;
   }
 
   /// The triangles around the vertices that leave: strips, and seeds of facets.
@@ -237,7 +232,7 @@ private:
     for (int e = 0; e < 3; ++e)
     {
       const std::uint32_t h = halfEdge(t, e);
-      if (!this->isFlat(h))
+      if (!this->mesh.isFlat(h))
       {
         continue;
       }
@@ -287,7 +282,7 @@ private:
   /// Does the facet end at this edge of one of its triangles?
   bool isOnBorder(std::uint32_t h) const
   {
-    if (!this->isFlat(h))
+    if (!this->mesh.isFlat(h))
     {
       return true;
     }
@@ -357,7 +352,7 @@ private:
       triangle.v[1] = edge[i + 1].from;
       triangle.v[2] = edge[i + 2].from;
       triangle.flags = 0;
-      triangle.index = (i == 0 ? 0u : 1u) | (isLast ? 0u : 4u);
+      flatEdges(triangle) = (i == 0 ? 0u : 1u) | (isLast ? 0u : 4u);
       if (i == 0)
       {
         this->linkOuter(halfEdge(slot[0], 0), edge[0], edge[1].from);

@@ -39,7 +39,7 @@ public:
   {
   }
 
-  /// Remove them all. Afterwards bit e of a triangle's index tells that its edge e is flat.
+  /// Remove them all. Afterwards flatEdges() tells which edges are flat.
   /// @return whether there is any flat edge
   bool remove()
   {
@@ -71,7 +71,7 @@ public:
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t)
       {
-        if (this->polyhedron.triangles[t].index != 0)
+        if (flatEdges(this->polyhedron.triangles[t]) != 0)
         {
           anyFlat.store(true, std::memory_order_relaxed);
         }
@@ -303,10 +303,10 @@ private:
         }
       }
     }
-    constexpr std::size_t Run = 1 << 10;
+    constexpr std::size_t EndsPerTask = 1 << 10;
     std::vector<std::uint8_t> extreme(ends.size());
-    std::vector<Geometry> locals(runCount(ends.size(), Run), this->geometry);
-    eachRun(ends.size(), Run,
+    std::vector<Geometry> locals(runCount(ends.size(), EndsPerTask), this->geometry);
+    eachRun(ends.size(), EndsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         const Geometry& local = locals[run];
@@ -329,7 +329,7 @@ private:
     }
   }
 
-  /// Bit e of a triangle's index: its edge e is flat.
+  /// Set flatEdges(), by the marks on the lower side of each edge.
   void markFlat(const FlatEdges& flat)
   {
     const Mesh mesh = this->polyhedron.mesh();
@@ -345,8 +345,8 @@ private:
           [&](int e)
           {
             const std::uint32_t h = std::min(halfEdge(t, e), triangle.twin[e]);
-            triangle.index |= (mesh.triangles[triangleOf(h)].flags / EdgeTied >> cornerOf(h) & 1)
-              << e;
+            flatEdges(triangle) |=
+              (mesh.triangles[triangleOf(h)].flags / EdgeTied >> cornerOf(h) & 1) << e;
           });
       });
     // A triangle without area is flat to all sides.
@@ -359,8 +359,8 @@ private:
         for (int e = 0; e < 3; ++e)
         {
           const std::uint32_t twin = mesh.triangles[strip].twin[e];
-          mesh.triangles[strip].index |= 1u << e;
-          mesh.triangles[triangleOf(twin)].index |= 1u << cornerOf(twin);
+          flatEdges(mesh.triangles[strip]) |= 1u << e;
+          flatEdges(mesh.triangles[triangleOf(twin)]) |= 1u << cornerOf(twin);
         }
       }
     }
@@ -380,7 +380,7 @@ private:
       {
         return isStrictlyExtreme(geometry, mesh, h);
       }
-      sharp += triangle.index >> cornerOf(spoke) & 1 ? 0 : 1;
+      sharp += mesh.isFlat(spoke) ? 0 : 1;
       spoke = mesh.twin(previousHalfEdge(spoke));
     } while (spoke != h);
     return sharp >= 3;

@@ -10,7 +10,10 @@
 #ifndef flipflop_Associate_h
 #define flipflop_Associate_h
 
-#include "FlipFlop/Patches.h"
+#include "FlipFlop/ConflictLists.h"
+#include "FlipFlop/GrowthRule.h"
+#include "FlipFlop/Tally.h"
+#include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
 #include "Support/Parallel.h"
@@ -40,7 +43,7 @@ public:
   }
 
   /// The polyhedron's vertices and, by triangle, the points outside it.
-  Assignment run(const PointSubset& subset, Tally& tally)
+  ConflictLists run(const PointSubset& subset, Tally& tally)
   {
     const std::uint32_t wanted =
       this->threads == 1 ? 1 : 4 * static_cast<std::uint32_t>(this->threads);
@@ -72,18 +75,13 @@ private:
     Tally tally;
   };
 
-  std::uint32_t chunkBegin(std::uint32_t count, std::size_t i) const
-  {
-    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(count) * i / this->chunks.size());
-  }
-
   void associate(const PointSubset& subset, std::size_t index)
   {
     Chunk& chunk = this->chunks[index];
     chunk.cursor.assign(this->base.triangleCount(), 0);
     const Geometry local = this->geometry;
-    const std::uint32_t begin = this->chunkBegin(subset.count, index);
-    const std::uint32_t end = this->chunkBegin(subset.count, index + 1);
+    const std::uint32_t begin = partBegin(subset.count, this->chunks.size(), index);
+    const std::uint32_t end = partBegin(subset.count, this->chunks.size(), index + 1);
     chunk.placed.allocate(end - begin);
     const std::uint32_t* taken = subset.taken;
     const std::uint32_t* const takenEnd = subset.taken + subset.takenCount;
@@ -204,11 +202,11 @@ private:
     ++chunk.cursor[t];
   }
 
-  Assignment sort()
+  ConflictLists sort()
   {
     const std::uint32_t triangleCount = this->base.triangleCount();
     const std::uint32_t vertexCount = this->base.vertexCount();
-    Assignment result;
+    ConflictLists result;
     result.begin.allocate(std::size_t(triangleCount) + 1);
     std::uint64_t at = vertexCount;
     for (std::uint32_t t = 0; t < triangleCount; ++t)

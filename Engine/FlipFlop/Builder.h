@@ -23,7 +23,6 @@
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "Mesh/Compact.h"
 #include "Points/Samples.h"
-#include "Run/Scan.h"
 #include "Support/Monitor.h"
 #include "Support/Stopwatch.h"
 
@@ -36,7 +35,7 @@
 namespace flipflop
 {
 
-/// @tparam Geometry a model of the geometry concept (see HullGeometry), for which
+/// @tparam Geometry a model of the geometry concept (GeometryConcept.h), for which
 ///                  centerKernel(Geometry&, const Polyhedron&) may move the kernel point after a
 ///                  round
 template <class Geometry>
@@ -147,7 +146,7 @@ private:
     const double from = last ? 0.15 : 0.1;
     const double associated = last ? 0.5 : 0.15;
     const double to = last ? 0.9 : 0.15;
-    Assignment outside = associate(task, base, subset, from, associated, tally, statistics);
+    ConflictLists outside = associate(task, base, subset, from, associated, tally, statistics);
     const std::size_t count = outside.vertices.size() - base.vertexCount();
     if (!isCrowded(base, count, tally.statistics))
     {
@@ -157,7 +156,7 @@ private:
     std::vector<std::uint32_t> ids(count);
     std::transform(outside.vertices.begin() + base.vertexCount(), outside.vertices.end(),
       ids.begin(), [](const Vertex& v) { return v.id; });
-    outside = Assignment();
+    outside = ConflictLists();
     std::sort(ids.begin(), ids.end());
     return growInLevels(task, std::move(base), ids, associated, to, tally, statistics);
   }
@@ -191,7 +190,7 @@ private:
       level.ids = order.ids.data() + begin;
       level.count = end - begin;
       const double half = share((begin + end) / 2.0);
-      Assignment outside = associate(task, base, level, share(begin), half, tally, statistics);
+      ConflictLists outside = associate(task, base, level, share(begin), half, tally, statistics);
       base = flipGrown(task, std::move(base), std::move(outside), half, share(end), tally);
       begin = end;
     }
@@ -207,19 +206,19 @@ private:
   }
 
   /// @param from, to which part of the run's progress this is
-  static Assignment associate(const BuildTask<Geometry>& task, const Polyhedron& base,
+  static ConflictLists associate(const BuildTask<Geometry>& task, const Polyhedron& base,
     const PointSubset& subset, double from, double to, Tally& tally, Statistics& statistics)
   {
     Stopwatch watch;
     task.monitor.stage(from, to, subset.count);
     Association<Geometry> association(task.geometry, task.source, base, task.threads, task.monitor);
-    Assignment outside = association.run(subset, tally);
+    ConflictLists outside = association.run(subset, tally);
     statistics.secondsLocate += watch.lap();
     return outside;
   }
 
   static Polyhedron flipGrown(const BuildTask<Geometry>& task, Polyhedron&& base,
-    Assignment&& outside, double from, double to, Tally& tally)
+    ConflictLists&& outside, double from, double to, Tally& tally)
   {
     task.monitor.stage(from, to, static_cast<std::int64_t>(outside.vertices.size()));
     Patches<Geometry> patches(

@@ -4,6 +4,7 @@
 
 #include "FlipFlop/Builder.h"
 #include "FlipFlop/InsertionBuilder.h"
+#include "Geometry/GeometryConcept.h"
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
 #include "Geometry/HullStart.h"
@@ -15,6 +16,10 @@
 
 namespace flipflop
 {
+
+static_assert(isGeometry<HullGeometry>());
+static_assert(isGeometry<LiftedGeometry<false>>());
+static_assert(isGeometry<LiftedGeometry<true>>());
 
 template <class Geometry>
 Polyhedron CpuBuilder<Geometry>::build(

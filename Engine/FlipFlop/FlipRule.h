@@ -34,12 +34,34 @@ struct FlipDecision
   bool byDegree = false; ///< D-criterion, else V-criterion
 };
 
+/// use(vertex, k) for each of the three other vertices around the edge of @p h that is at the
+/// position of its origin; k: 0 the other end, 1 and 2 the link.
+///
+/// Where the rule removes or labels the origin, that lies in the tetrahedron of s and these three.
+/// A point at an extreme position can only lie there as a duplicate of one of them, which then
+/// stands for its id.
+template <class Use>
+FF_HD void eachDuplicateOfOrigin(const Mesh& mesh, std::uint32_t h, Use&& use)
+{
+  const std::uint32_t twin = mesh.twin(h);
+  const std::uint32_t others[3] = { mesh.origin(twin), mesh.origin(previousHalfEdge(h)),
+    mesh.origin(previousHalfEdge(twin)) };
+  for (int k = 0; k < 3; ++k)
+  {
+    if (samePosition(mesh.vertices[mesh.origin(h)], mesh.vertices[others[k]]))
+    {
+      use(mesh.vertices[others[k]], k);
+    }
+  }
+}
+
 FF_HD inline std::uint32_t leastOf(std::uint32_t x, std::uint32_t y)
 {
   return x < y ? x : y;
 }
 
-/// Can the rule ask for anything at all? Only at an edge that is reflex, or near a labelled vertex.
+/// Can the rule ask for anything at all? Only where the edge is reflex, or one of the four vertices
+/// is labelled. One sign, against up to three of decideFlip: most edges are quiet.
 template <class Geometry>
 FF_HD bool isOfConcern(
   const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
@@ -98,8 +120,8 @@ FF_HD FF_INLINE FlipDecision decideFlip(
   // The triangles after a 2-2 flip are adc and dbc. Where s is not beneath one of them, the end it
   // touches lies inside the cone of the other three; where it is beneath neither, s is inside the
   // tetrahedron.
-  const bool cutsA = geometry.perturbedBeneathKernel(a, d, c) < 0;
-  const bool cutsB = geometry.perturbedBeneathKernel(d, b, c) < 0;
+  const bool cutsA = geometry.perturbedKernelBeneath(a, d, c) < 0;
+  const bool cutsB = geometry.perturbedKernelBeneath(d, b, c) < 0;
   if (!cutsA && !cutsB)
   {
     if (reducesDegree || !labels)

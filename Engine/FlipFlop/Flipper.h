@@ -28,7 +28,7 @@
 namespace flipflop
 {
 
-/// @tparam Geometry a model of the geometry concept (see HullGeometry).
+/// @tparam Geometry a model of the geometry concept (GeometryConcept.h).
 /// @tparam Shared   bool operator()(std::uint32_t vertex): may other patches read this vertex's
 /// label?
 template <class Geometry, class Shared>
@@ -146,7 +146,7 @@ public:
         const std::uint32_t removed = decision.action == FlipAction::RemoveA ? h : twin;
         if (!decision.byDegree)
         {
-          this->noteDuplicate(removed);
+          this->noteDuplicates(removed);
         }
         std::uint32_t outer[4];
         this->flip31(removed, outer);
@@ -305,30 +305,18 @@ private:
     }
     else
     {
-      this->noteDuplicate(h);
+      this->noteDuplicates(h);
       this->label(h);
     }
   }
 
-  /// The origin of h lies in the tetrahedron of s and the three others at its edge: an extreme
-  /// position can only do so as a duplicate of one of them, which then stands for its id.
-  void noteDuplicate(std::uint32_t h)
+  void noteDuplicates(std::uint32_t h)
   {
-    const Vertex& a = this->vertexAt(h);
-    const std::uint32_t twin = this->mesh.twin(h);
-    for (const std::uint32_t other : { twin, previousHalfEdge(h), previousHalfEdge(twin) })
-    {
-      const Vertex& b = this->vertexAt(other);
-      if (samePosition(a, b))
-      {
-        this->duplicates.push_back({ a.id, b.id });
-      }
-    }
-  }
-
-  const Vertex& vertexAt(std::uint32_t h) const
-  {
-    return this->mesh.vertices[this->mesh.origin(h)];
+    const std::uint32_t id = this->mesh.vertices[this->mesh.origin(h)].id;
+    eachDuplicateOfOrigin(this->mesh, h,
+      [&](const Vertex& other, int) {
+        this->duplicates.push_back({ id, other.id });
+      });
   }
 
   /// V-biased: all V-flips are done; label what still asks for it.

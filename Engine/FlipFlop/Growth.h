@@ -51,22 +51,6 @@ struct Furthest
   }
 };
 
-/// isAbove(), with a point's corner noted where it may stand for the corner's lower id.
-template <class Geometry>
-bool isAbove(const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c,
-  const Vertex& p, std::vector<Duplicate>& duplicates)
-{
-  return isAbove(geometry, a, b, c, p,
-    [&](int i)
-    {
-      const std::uint32_t id = (i == 0 ? a : i == 1 ? b : c).id;
-      if (p.id < id)
-      {
-        duplicates.push_back({ id, p.id });
-      }
-    });
-}
-
 template <class Geometry>
 class Growth
 {

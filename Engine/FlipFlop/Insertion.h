@@ -13,8 +13,9 @@
 #define flipflop_Insertion_h
 
 #include "FlipFlop/Flipper.h"
-#include "FlipFlop/Growth.h"
+#include "FlipFlop/GrowthRule.h"
 #include "FlipFlop/Tally.h"
+#include "Geometry/VisibilityWalk.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -23,94 +24,7 @@
 namespace flipflop
 {
 
-/// Where a point was found.
-struct Located
-{
-  /// The triangle in whose cone it lies, exactly (by perturbation, at a border); for a point at the
-  /// position of a vertex, one of that vertex. NoIndex: the way there is not inside the patch.
-  std::uint32_t triangle;
-  bool strictly; ///< inside without the perturbation
-};
-
-/// Walk to the cone of @p p from triangle @p t on.
-/// @param mostSteps of a walk. Among the triangles of a convex polyhedron none is met twice; where
-///                  edges wait for their flips, a walk may go round.
-/// @param steps     is increased by those taken
-template <class Geometry>
-Located locateFrom(const Geometry& geometry, const Mesh& mesh, std::uint32_t t, const Vertex& p,
-  std::uint32_t mostSteps, std::int64_t& steps)
-{
-  int entry = 3;        // the side we came through
-  bool onEntry = false; // p lies on it, and the perturbation moved it across
-  for (std::uint32_t step = 0; step <= mostSteps; ++step)
-  {
-    const Triangle& triangle = mesh.triangles[t];
-    const Vertex* const corner[3] = { mesh.vertices + triangle.v[0], mesh.vertices + triangle.v[1],
-      mesh.vertices + triangle.v[2] };
-    // From outside first back in: around the border the way is long.
-    int i = 0;
-    for (int k = 0; k < 3; ++k)
-    {
-      i = corner[k]->flags & VertexVirtual ? nextCorner(k) : i;
-    }
-    int out = 3;
-    int zeros = 0;
-    for (int n = 0; n < 3; ++n, i = nextCorner(i))
-    {
-      if (i == entry)
-      {
-        continue;
-      }
-      const int sign = geometry.beneathKernel(*corner[i], *corner[nextCorner(i)], p);
-      if (sign < 0)
-      {
-        out = i;
-        break;
-      }
-      zeros |= static_cast<int>(sign == 0) << i;
-    }
-    bool byTie = false;
-    if (out == 3)
-    {
-      if (zeros == 0)
-      {
-        return { t, !onEntry };
-      }
-      for (const Vertex* v : corner)
-      {
-        if (samePosition(*v, p))
-        {
-          return { t, false };
-        }
-      }
-      for (int k = 0; k < 3 && out == 3; ++k)
-      {
-        if ((zeros >> k & 1) &&
-          geometry.tieBeneathKernel(*corner[k], *corner[nextCorner(k)], p) < 0)
-        {
-          out = k;
-        }
-      }
-      if (out == 3)
-      {
-        return { t, false };
-      }
-      byTie = true;
-    }
-    ++steps;
-    const std::uint32_t twin = triangle.twin[out];
-    if (mesh.isBorder(twin))
-    {
-      break;
-    }
-    t = triangleOf(twin);
-    entry = cornerOf(twin);
-    onEntry = byTie;
-  }
-  return { NoIndex, false };
-}
-
-/// @tparam Geometry a model of the geometry concept (see HullGeometry)
+/// @tparam Geometry a model of the geometry concept (GeometryConcept.h)
 /// @tparam Shared   see Flipper
 template <class Geometry, class Shared>
 class Insertion
@@ -244,8 +158,8 @@ private:
       // In the plane without weights, a quadrilateral whose edge is reflex is convex; one that is
       // only so by perturbation may have two corners at one place.
       if (!(Geometry::AllExtreme && inside && !flat && !(d.flags & VertexVirtual)) &&
-        (this->geometry.perturbedBeneathKernel(a, d, p) < 0 ||
-          this->geometry.perturbedBeneathKernel(d, b, p) < 0))
+        (this->geometry.perturbedKernelBeneath(a, d, p) < 0 ||
+          this->geometry.perturbedKernelBeneath(d, b, p) < 0))
       {
         this->flipper.push(h);
         stuck = true;

@@ -24,7 +24,7 @@
 namespace flipflop
 {
 
-/// @tparam Geometry a model of the geometry concept (see HullGeometry), for which
+/// @tparam Geometry a model of the geometry concept (GeometryConcept.h), for which
 ///                  unfoldingOf(const Geometry&, const Polyhedron&) tells where the curve sees its
 ///                  points
 template <class Geometry>

@@ -62,7 +62,7 @@ public:
     this->found.allocate(this->count);
     this->patches.resize(parts);
     const auto chunkBegin = [=](std::uint32_t k)
-    { return begin + static_cast<std::uint32_t>(std::uint64_t(this->count) * k / parts); };
+    { return begin + partBegin(this->count, parts, k); };
     eachPart([&](std::uint32_t k) { this->locate(chunkBegin(k), chunkBegin(k + 1), k); });
     for (Patch& patch : this->patches)
     {
@@ -92,7 +92,7 @@ public:
   std::uint32_t trianglesInUse() const { return this->inUse + 2 * this->count; }
 
 private:
-  static constexpr std::uint32_t Run = 1 << 13; ///< triangles that a task looks at
+  static constexpr std::uint32_t TrianglesPerTask = 1 << 13;
 
   /// Bit of an owner that took its triangle from a neighbour.
   static constexpr std::uint32_t Adopted = 0x80000000u;
@@ -137,7 +137,7 @@ private:
   template <class Use>
   void eachTriangle(Use&& use)
   {
-    eachRun(this->inUse, Run,
+    eachRun(this->inUse, TrianglesPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
@@ -264,7 +264,7 @@ private:
   /// Find the half-edges between patches.
   void findBorder()
   {
-    std::vector<std::vector<BorderEdge>> ofRun(runCount(this->inUse, Run));
+    std::vector<std::vector<BorderEdge>> ofRun(runCount(this->inUse, TrianglesPerTask));
     eachTriangle(
       [&](std::uint32_t t)
       {
@@ -274,7 +274,7 @@ private:
         {
           if (this->ownerOf(triangleOf(triangle.twin[e])) != own)
           {
-            ofRun[t / Run].push_back({ halfEdge(t, e), triangle.twin[e] });
+            ofRun[t / TrianglesPerTask].push_back({ halfEdge(t, e), triangle.twin[e] });
           }
         }
       });

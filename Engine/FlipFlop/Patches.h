@@ -11,6 +11,7 @@
 #ifndef flipflop_Patches_h
 #define flipflop_Patches_h
 
+#include "FlipFlop/ConflictLists.h"
 #include "FlipFlop/Flipper.h"
 #include "FlipFlop/Growth.h"
 #include "FlipFlop/Tally.h"
@@ -29,19 +30,11 @@
 namespace flipflop
 {
 
-/// Points handed to the triangles of a polyhedron: triangle t has those from begin[t] to begin[t +
-/// 1].
-struct Assignment
-{
-  Buffer<std::uint32_t> begin; ///< #triangles + 1, places in vertices
-  Buffer<Vertex> vertices;     ///< the polyhedron's vertices, then all triangles' points
-};
-
 template <class Geometry>
 class Patches
 {
 public:
-  Patches(const Geometry& geometry, Polyhedron&& base, Assignment&& points, bool vBiased,
+  Patches(const Geometry& geometry, Polyhedron&& base, ConflictLists&& points, bool vBiased,
     Monitor& monitor)
     : geometry(geometry)
     , vBiased(vBiased)
@@ -75,7 +68,7 @@ public:
       const Triangle& triangle = base.triangles[t];
       this->triangles[t] = triangle;
       this->triangles[t].flags = 0;
-      this->triangles[t].index = 0;
+      this->triangles[t].note = 0;
       for (int e = 0; e < 3; ++e)
       {
         this->baseTwins[halfEdge(t, e)] = triangle.twin[e];
@@ -336,7 +329,7 @@ private:
   Monitor& monitor;
   std::uint32_t baseTriangles;
   std::uint32_t baseVertices;
-  Assignment points;
+  ConflictLists points;
   Buffer<Triangle> triangles;
   Buffer<std::uint32_t> baseTwins; ///< by half-edge of the base
   Buffer<std::uint32_t> border;    ///< slots, by half-edge of the base

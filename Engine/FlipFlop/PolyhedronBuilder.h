@@ -20,7 +20,7 @@ namespace flipflop
 {
 
 /// What there is to build from.
-/// @tparam Model a model of the geometry concept (see HullGeometry)
+/// @tparam Model a model of the geometry concept (GeometryConcept.h)
 template <class Model>
 struct BuildTask
 {

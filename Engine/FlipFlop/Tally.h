@@ -31,21 +31,7 @@ struct Tally
 
   void add(Tally&& other)
   {
-    Statistics& s = this->statistics;
-    const Statistics& o = other.statistics;
-    s.insertions += o.insertions;
-    s.moves += o.moves;
-    s.flips22 += o.flips22;
-    s.flips31 += o.flips31;
-    s.flipsV += o.flipsV;
-    s.flipsD += o.flipsD;
-    s.labelled += o.labelled;
-    s.redundant += o.redundant;
-    s.edgeChecks += o.edgeChecks;
-    s.exactCalls += o.exactCalls;
-    s.culled += o.culled;
-    s.secondsGrow += o.secondsGrow;
-    s.secondsFlip += o.secondsFlip;
+    this->statistics += other.statistics;
     this->ties += other.ties;
     this->duplicates.insert(
       this->duplicates.end(), other.duplicates.begin(), other.duplicates.end());

@@ -9,7 +9,7 @@
 #ifndef flipflop_HullCones_h
 #define flipflop_HullCones_h
 
-#include "FlipFlop/GrowthRule.h"
+#include "Geometry/ConeSplit.h"
 #include "Geometry/HullGeometry.h"
 
 namespace flipflop

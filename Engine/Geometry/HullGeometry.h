@@ -1,28 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the algorithms may ask of space when they build a hull in R3.
+/// The geometry of hulls in R3, a model of the concept in GeometryConcept.h: points, a kernel point
+/// s, and signs.
 ///
-/// One of the models of the geometry concept: points, a kernel point s, and signs. Algorithms take
-/// every decision by asking
-///
-///   above(a, b, c, p)          is p beyond the triangle abc, seen from s? Exact: -1, 0, 1
-///   beneathKernel(a, b, c)     does abc turn its outer side away from s? Exact: -1, 0, 1
-///   perturbedAbove, perturbedBeneathKernel     the same, never 0 (Simulation of Simplicity by id)
-///   mayAppearOn(a, b, c, p)    can p, in the cone and on the plane of abc, still be a vertex?
-///   heightAbove(a, b, c, p)    how far p is above abc, rounded
-///   Plane, Locator             their tests, prepared for many points: a value and its error;
-///   Split                      the same, where points are grown (not InsertsAtOnce)
-///
-/// Triangles are counter-clockwise seen from outside, so beneathKernel > 0 for every triangle of a
-/// polyhedron that is star-shaped from s. Seen from s, p lies in the cone of abc when
-/// beneathKernel(a, b, p), beneathKernel(b, c, p) and beneathKernel(c, a, p) are all positive.
-///
-/// Each sign is decided in two steps (paper, section 3.3): a floating-point value with a forward
-/// error bound, then an exact expansion (wide integers where the range asks for them).
+/// above(a, b, c, p) is orient3d, the orientation of the four points; kernelBeneath(a, b, c) that
+/// of the three and s. Each sign is decided in two steps (paper, section 3.3): a floating-point
+/// value with a forward error bound, then an exact expansion (wide integers where the range asks
+/// for them).
 #ifndef flipflop_HullGeometry_h
 #define flipflop_HullGeometry_h
 
+#include "Geometry/Extents.h"
 #include "Points/CoordinateRange.h"
 #include "Points/Vertex.h"
 #include "Predicates/KernelPoint.h"
@@ -46,7 +35,6 @@ constexpr double DeterminantError = 48.1 * 1.1102230246251565e-16;
 constexpr double FilterFloor = 1e-97;
 constexpr double FilterCeiling = 1e102;
 
-class HullCone;
 class HullLocator;
 class HullPlane;
 class HullSplit;
@@ -54,7 +42,6 @@ class HullSplit;
 class HullGeometry : public PredicateSteps<HullGeometry>
 {
 public:
-  using Cone = HullCone;
   using Locator = HullLocator;
   using Plane = HullPlane;
   using Split = HullSplit;
@@ -143,7 +130,7 @@ public:
   /// inserted, one after another.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    return this->beneathKernel(a, b, c) == 0 && !this->isBetween(a, b, p) &&
+    return this->kernelBeneath(a, b, c) == 0 && !this->isBetween(a, b, p) &&
       !this->isBetween(b, c, p) && !this->isBetween(c, a, p) &&
       this->perturbedAbove(a, b, c, p) > 0;
   }
@@ -170,7 +157,7 @@ public:
   }
 
   /// The same, of det[a - s; b - s; c - s].
-  FF_HD FF_INLINE bool filterBeneathKernel(
+  FF_HD FF_INLINE bool filterKernelBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
     const Rows rows(a.x, b.x, c.x, this->kernelPoint.place());
@@ -191,7 +178,7 @@ public:
     return this->orient(a, b, c, Row<1>{ { p.x } });
   }
 
-  FF_HD FF_APART int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     ++this->counts.exact;
     // det[a - s; b - s; c - s] = -det[b - a; c - a; s - a].
@@ -215,7 +202,7 @@ public:
     return sign * this->tie(*row[0], *row[1], *row[2], last);
   }
 
-  FF_HD FF_APART int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int tieKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     // det[a - s; b - s; c - s] = det of the rows (a, 1), (b, 1), (c, 1), (s, 1); s is the last of
     // all ids.
@@ -260,18 +247,6 @@ public:
     return isWithin(a, b, p, 3) && this->collinear(a, b, p);
   }
 
-  /// Is p in the box of a and b, in the first @p axes axes?
-  static FF_HD bool isWithin(const Vertex& a, const Vertex& b, const Vertex& p, int axes)
-  {
-    bool within = true;
-    for (int i = 0; i < axes; ++i)
-    {
-      within =
-        within && !(p.x[i] < a.x[i] && p.x[i] < b.x[i]) && !(p.x[i] > a.x[i] && p.x[i] > b.x[i]);
-    }
-    return within;
-  }
-
   bool isWide() const { return this->wide; }
 
   /// Error bound of det[u; v; p - q] for any two input points p, q and differences u, v of input
@@ -303,16 +278,6 @@ public:
 
   /// Error bound of det[a - s; b - s; p - s] for any three input points.
   double coneError() const { return this->kernelError; }
-
-  /// Without branches: the signs of differences are anyone's guess.
-  static FF_HD double largestOf(double a, double b, double c)
-  {
-    a = std::fabs(a);
-    b = std::fabs(b);
-    c = std::fabs(c);
-    const double ab = a > b ? a : b;
-    return ab > c ? ab : c;
-  }
 
 private:
   /// Three points relative to an origin, rounded.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/HullLocator.h"
 
+#include "Geometry/VisibilityWalk.h"
 #include "Support/VectorClones.h"
 
 #include <algorithm>
@@ -75,22 +76,14 @@ double HullLocator::innerRadius(const HullGeometry& geometry, StepPoll& poll) co
 std::uint32_t HullLocator::walkTo(
   const double* direction, std::uint32_t start, StepPoll& poll) const
 {
-  std::uint32_t t = start;
-  for (std::uint32_t step = 0; step < this->count; ++step)
-  {
-    poll.step();
-    int out = -1;
-    for (int i = 0; i < 3 && out < 0; ++i)
+  // Rounding may lead in circles.
+  return visibilityWalk(this->triangles, NoIndex, start, this->count,
+    [&](std::uint32_t t, int)
     {
-      out = this->cones[t].inside(i, direction) < 0 ? i : -1;
-    }
-    if (out < 0)
-    {
-      return t;
-    }
-    t = triangleOf(this->triangles[t].twin[out]);
-  }
-  return NoIndex; // rounding led in circles
+      poll.step();
+      return firstExit(
+        NoSide, [&](int i) { return this->cones[t].inside(i, direction) < 0 ? -1 : 1; });
+    });
 }
 
 void HullLocator::buildGrid(const HullGeometry& geometry, StepPoll& poll)
@@ -245,45 +238,23 @@ std::uint32_t HullLocator::locate(
   const double q[3] = { p.x[0] - geometry.kernel()[0], p.x[1] - geometry.kernel()[1],
     p.x[2] - geometry.kernel()[2] };
   const double error = geometry.coneError();
-  std::uint32_t t = start;
-  int entry = -1; // the side we came through
-  // Seen from inside a convex polyhedron, no walk meets a triangle twice.
-  for (std::uint32_t step = 0; step <= this->count; ++step)
-  {
-    const HullCone& cone = this->cones[t];
-    const Triangle& triangle = this->triangles[t];
-    int out = -1;
-    for (int i = 0; i < 3 && out < 0; ++i)
+  const std::uint32_t found = visibilityWalk(this->triangles, NoIndex, start, this->count,
+    [&](std::uint32_t t, int entry)
     {
-      if (i == entry)
-      {
-        continue;
-      }
-      const double value = cone.inside(i, q);
-      if (value < -error)
-      {
-        out = i;
-      }
-      else if (!(value > error))
-      {
-        const Vertex& a = this->vertices[triangle.v[i]];
-        const Vertex& b = this->vertices[triangle.v[nextCorner(i)]];
-        if (samePosition(a, p) || samePosition(b, p))
+      return firstExit(entry,
+        [&](int i)
         {
-          return t; // the walk around a corner, by exact signs, would tell no more
-        }
-        out = geometry.perturbedBeneathKernel(a, b, p) < 0 ? i : -1;
-      }
-    }
-    if (out < 0)
-    {
-      return t;
-    }
-    const std::uint32_t twin = triangle.twin[out];
-    t = triangleOf(twin);
-    entry = cornerOf(twin);
-  }
-  throw Error(ErrorCode::Internal);
+          const double value = this->cones[t].inside(i, q);
+          if (value > error || value < -error)
+          {
+            return value < 0 ? -1 : 1;
+          }
+          const std::uint32_t* const v = this->triangles[t].v;
+          return exactSide(geometry, this->vertices[v[i]], this->vertices[v[nextCorner(i)]], p);
+        });
+    });
+  ensure(found != NoIndex);
+  return found;
 }
 
 }

@@ -20,7 +20,7 @@ bool seesAll(const HullGeometry& geometry, const Polyhedron& polyhedron)
     const Vertex& a = polyhedron.vertices[t.v[0]];
     const Vertex& b = polyhedron.vertices[t.v[1]];
     const Vertex& c = polyhedron.vertices[t.v[2]];
-    const int sign = geometry.beneathKernel(a, b, c);
+    const int sign = geometry.kernelBeneath(a, b, c);
     if (sign < 0 || (sign == 0 && !geometry.collinear(a, b, c)))
     {
       return false;
@@ -41,7 +41,7 @@ Polyhedron makeTetrahedron(const Vertex* corner)
   {
     std::copy(corners[t], corners[t] + 3, result.triangles[t].v);
     result.triangles[t].flags = 0;
-    result.triangles[t].index = 0;
+    result.triangles[t].note = 0;
   }
   static constexpr std::uint32_t twins[6][2] = { { halfEdge(0, 0), halfEdge(1, 2) },
     { halfEdge(0, 1), halfEdge(2, 2) }, { halfEdge(0, 2), halfEdge(3, 2) },
@@ -84,7 +84,7 @@ Polyhedron startingTetrahedron(
   for (const Triangle& t : result.triangles)
   {
     inside = inside &&
-      geometry.beneathKernel(
+      geometry.kernelBeneath(
         result.vertices[t.v[0]], result.vertices[t.v[1]], result.vertices[t.v[2]]) > 0;
   }
   if (!inside)

@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the algorithms may ask of space when they build a regular triangulation in the plane.
+/// The geometry of regular triangulations in the plane, a model of the concept in
+/// GeometryConcept.h.
 ///
-/// The second model of the geometry concept (see HullGeometry). A weighted point (x, y, w) is
+/// A weighted point (x, y, w) is
 /// lifted to the height h = w - x^2 - y^2, and the triangulation is the upper hull of the lifted
 /// points (the paper's section 4 upside down). The lower hull never exists: the kernel point and a
 /// virtual vertex lie at height -infinity, the virtual vertex below the kernel point. So
 ///
-///   beneathKernel(a, b, c)   of points is their orientation in the plane
-///   above(a, b, c, p)        of points tells whether p is nearer to the power center of a
-///                            counter-clockwise triangle abc than its corners are
+///   kernelBeneath(a, b, c)   of points is their orientation in the plane
+///   above(a, b, c, p)        of points is the power test: does p lie inside the orthocircle of the
+///                            counter-clockwise triangle abc, nearer to its center by power
+///                            distance than the corners are? Without weights, the in-circle test
 ///   above, with the virtual vertex in place of one of the four, is the orientation of the others
-///   beneathKernel, with it in place of one of the three, is the orientation of the others and the
+///   kernelBeneath, with it in place of one of the three, is the orientation of the others and the
 ///                            kernel point's place in the plane, s
 ///
 /// Triangles of points are counter-clockwise; virtual triangles join the border's edges, turned
@@ -21,7 +23,7 @@
 #ifndef flipflop_LiftedGeometry_h
 #define flipflop_LiftedGeometry_h
 
-#include "Geometry/HullGeometry.h"
+#include "Geometry/Extents.h"
 #include "Points/CoordinateRange.h"
 #include "Points/Vertex.h"
 #include "Predicates/KernelPoint.h"
@@ -37,13 +39,9 @@
 namespace flipflop
 {
 
-/// Error of the determinant of three rows (x, y, height) of rounded differences, against the
-/// product of the columns' largest entries: six terms, each off by 13 roundings of 2^-53, rounded
-/// up. A height counts with the sum of its parts' magnitudes.
-constexpr double LiftedError = 80.0 * 1.1102230246251565e-16;
-
-/// The same against the sum of the terms' magnitudes: each passes 12 roundings, 5 of them its
-/// height.
+/// Error of the determinant of three rows (x, y, height) of rounded differences, against the sum of
+/// its six terms' magnitudes: each passes 12 roundings, 5 of them its height. A height counts with
+/// the sum of its parts' magnitudes.
 constexpr double LiftedTermError = 13.0 * 1.1102230246251565e-16;
 
 /// Error of an orientation in the plane, against the sum of its two products' magnitudes.
@@ -58,8 +56,6 @@ constexpr double LiftedUnderflow = 1e-170;
 
 template <bool Weighted>
 class LiftedLocator;
-template <bool Weighted>
-class LiftedPlane;
 
 /// @tparam Weighted false: all weights are zero, and cost nothing
 template <bool Weighted>
@@ -67,7 +63,6 @@ class LiftedGeometry : public PredicateSteps<LiftedGeometry<Weighted>>
 {
 public:
   using Locator = LiftedLocator<Weighted>;
-  using Plane = LiftedPlane<Weighted>;
 
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
@@ -93,15 +88,16 @@ public:
     , wide(arithmetic.wide)
     , exactInDouble(lattice.everywhere)
   {
+    double extent[3];
     for (int i = 0; i < 3; ++i)
     {
-      this->reach[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
+      extent[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
     }
-    this->inRange = this->reach[0] <= LiftedCeiling && this->reach[1] <= LiftedCeiling &&
-      this->reach[2] <= LiftedCeiling * LiftedCeiling;
+    const bool inRange = extent[0] <= LiftedCeiling && extent[1] <= LiftedCeiling &&
+      extent[2] <= LiftedCeiling * LiftedCeiling;
     this->termError = this->exactInDouble ? 0.0 : LiftedTermError;
     this->leastError = this->exactInDouble ? 0.0
-      : this->inRange                      ? LiftedUnderflow
+      : inRange                            ? LiftedUnderflow
                                            : std::numeric_limits<double>::infinity();
   }
 
@@ -124,20 +120,21 @@ public:
   /// another.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    if (isVirtual(a, b, c))
     {
-      const Vertex& first = a.flags & VertexVirtual ? b : a;
-      const Vertex& second = c.flags & VertexVirtual ? b : c;
+      const BorderEdge edge = borderEdge(a, b, c);
+      const Vertex& first = *edge.from;
+      const Vertex& second = *edge.to;
       if (samePlace(first, second))
       {
         // An edge between weights of one place: a ray's width.
         return !samePlace(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
       }
-      return this->beneathKernel(a, b, c) == 0
+      return this->kernelBeneath(a, b, c) == 0
         ? !this->isBeneathChord(first, second, p) && this->perturbedAbove(a, b, c, p) > 0
         : this->isAboveChord(first, p, second);
     }
-    return this->beneathKernel(a, b, c) == 0 && !this->isBeneathChord(a, b, p) &&
+    return this->kernelBeneath(a, b, c) == 0 && !this->isBeneathChord(a, b, p) &&
       !this->isBeneathChord(b, c, p) && !this->isBeneathChord(c, a, p) &&
       this->perturbedAbove(a, b, c, p) > 0;
   }
@@ -147,11 +144,10 @@ public:
   static FF_HD double heightAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
   {
-    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    if (isVirtual(a, b, c))
     {
-      const Turn<Place> turn = placesAbove(a, b, c, p);
-      return (turn.b.x[0] - turn.a.x[0]) * (turn.c.x[1] - turn.a.x[1]) -
-        (turn.b.x[1] - turn.a.x[1]) * (turn.c.x[0] - turn.a.x[0]);
+      const Place u = cornerPlace(a, p), v = cornerPlace(b, p), w = cornerPlace(c, p);
+      return (v.x[0] - u.x[0]) * (w.x[1] - u.x[1]) - (v.x[1] - u.x[1]) * (w.x[0] - u.x[0]);
     }
     double most;
     return Rows(a.x, b.x, c.x, p.x).determinant(most);
@@ -161,7 +157,7 @@ public:
   FF_HD FF_INLINE bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
-    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    if (isVirtual(a, b, c, p))
     {
       return this->filterVirtualAbove(a, b, c, p, sign);
     }
@@ -177,10 +173,10 @@ public:
     return this->filterFar(rows, det, error, sign);
   }
 
-  FF_HD FF_INLINE bool filterBeneathKernel(
+  FF_HD FF_INLINE bool filterKernelBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
-    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    if (isVirtual(a, b, c))
     {
       return this->filterVirtualBeneath(a, b, c, sign);
     }
@@ -191,9 +187,9 @@ public:
   FF_HD FF_APART int exactAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    if (isVirtual(a, b, c, p))
     {
-      return this->exactTurn(verticesAbove(a, b, c, p));
+      return this->exactTurn(turnAbove(a, b, c, p));
     }
     ++this->counts.exact;
     const Row<1> last = { { p.x } };
@@ -201,9 +197,9 @@ public:
       this->wide, [&](auto signs) { return signs.orient3(a.x, b.x, c.x, last); });
   }
 
-  FF_HD FF_APART int exactBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    return this->exactTurn(verticesBeneath(a, b, c));
+    return this->exactTurn(turnBeneath(a, b, c));
   }
 
   /// The third step alone, where the exact sign is zero. Never zero, but for a vertex against
@@ -211,11 +207,10 @@ public:
   FF_HD FF_APART int tieAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
-    if ((a.flags | b.flags | c.flags | p.flags) & VertexVirtual)
+    if (isVirtual(a, b, c, p))
     {
-      const bool twice =
-        (p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual);
-      return twice ? 0 : this->tieTurn(verticesAbove(a, b, c, p));
+      const bool twice = isVirtual(p) && isVirtual(a, b, c);
+      return twice ? 0 : this->tieTurn(turnAbove(a, b, c, p));
     }
     const FirstTerm first = firstTermOf(a, b, c, p);
     int turn;
@@ -233,9 +228,9 @@ public:
         [&](auto signs) { return perturbedSign<decltype(signs), MovedByHeight>(rows, last); });
   }
 
-  FF_HD FF_APART int tieBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_APART int tieKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    return this->tieTurn(verticesBeneath(a, b, c));
+    return this->tieTurn(turnBeneath(a, b, c));
   }
 
   /// Orientation of three points in the plane. Exact.
@@ -243,6 +238,26 @@ public:
   {
     int sign;
     return this->filterOrient(a.x, b.x, c.x, sign) ? sign : this->exactTurn({ &a, &b, &c, 1 });
+  }
+
+  /// Is one of them the virtual vertex?
+  template <class... Others>
+  static FF_HD bool isVirtual(const Vertex& first, const Others&... others)
+  {
+    return ((first.flags | ... | others.flags) & VertexVirtual) != 0;
+  }
+
+  /// The edge of points of a virtual triangle, in the triangle's direction.
+  struct BorderEdge
+  {
+    const Vertex* from;
+    const Vertex* to;
+  };
+  static FF_HD BorderEdge borderEdge(const Vertex& a, const Vertex& b, const Vertex& c)
+  {
+    return isVirtual(a) ? BorderEdge{ &b, &c }
+      : isVirtual(b)    ? BorderEdge{ &c, &a }
+                        : BorderEdge{ &a, &b };
   }
 
   static FF_HD bool samePlace(const Vertex& a, const Vertex& b)
@@ -263,31 +278,23 @@ public:
   /// Without weights no point is.
   FF_HD bool isBeneathChord(const Vertex& a, const Vertex& b, const Vertex& p) const
   {
-    return Weighted && !samePlace(a, b) && HullGeometry::isWithin(a, b, p, 2) &&
-      this->orient(a, b, p) == 0 && !this->isAboveChord(a, p, b);
+    return Weighted && !samePlace(a, b) && isWithin(a, b, p, 2) && this->orient(a, b, p) == 0 &&
+      !this->isAboveChord(a, p, b);
   }
 
   /// Do the three lifted points lie on a line? Exact.
   bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    if ((a.flags | b.flags | c.flags) & VertexVirtual)
+    if (isVirtual(a, b, c))
     {
-      const Vertex& p = a.flags & VertexVirtual ? b : a;
-      const Vertex& q = c.flags & VertexVirtual ? b : c;
-      return samePlace(p, q);
+      const BorderEdge edge = borderEdge(a, b, c);
+      return samePlace(*edge.from, *edge.to);
     }
     return this->orient(a, b, c) == 0 && this->upright(a, b, c, 1, 2) == 0 &&
       this->upright(a, b, c, 2, 0) == 0;
   }
 
   bool isWide() const { return this->wide; }
-
-  /// No two points are further apart, by coordinate; infinite where floating-point bounds do not
-  /// hold.
-  double reachOf(int axis) const
-  {
-    return this->inRange ? this->reach[axis] : std::numeric_limits<double>::infinity();
-  }
 
 private:
   using Signs = LiftedSigns<Weighted>;
@@ -343,15 +350,50 @@ private:
   struct Place
   {
     double x[2];
-    static FF_HD Place of(const double* p) { return { { p[0], p[1] } }; }
   };
+
+  /// Of a corner, or of p where the corner is the virtual vertex.
+  static FF_HD Place cornerPlace(const Vertex& corner, const Vertex& p)
+  {
+    const bool replace = isVirtual(corner);
+    return { { replace ? p.x[0] : corner.x[0], replace ? p.x[1] : corner.x[1] } };
+  }
+
+  /// Three points whose orientation in the plane, times a sign, is what a predicate comes to when
+  /// one of its vertices is the virtual vertex. A null c stands for the kernel point.
+  struct Turn
+  {
+    const Vertex *a, *b, *c;
+    int sign;
+  };
+
+  /// above() with the virtual vertex among the four: p takes its corner.
+  static FF_HD Turn turnAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    if (isVirtual(p))
+    {
+      return { &a, &b, &c, -1 };
+    }
+    return { isVirtual(a) ? &p : &a, isVirtual(b) ? &p : &b, isVirtual(c) ? &p : &c, 1 };
+  }
+
+  /// kernelBeneath(), of points or with the virtual vertex: the kernel point takes its corner.
+  static FF_HD Turn turnBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
+  {
+    if (isVirtual(a, b, c))
+    {
+      const BorderEdge edge = borderEdge(a, b, c);
+      return { edge.from, edge.to, nullptr, -1 };
+    }
+    return { &a, &b, &c, 1 };
+  }
 
   /// The rest of filterAbove: where the bound leaves the sign open, or may not hold.
   FF_HD FF_APART bool filterFar(const Rows& rows, double det, double error, int& sign) const
   {
-    const double x = HullGeometry::largestOf(rows.ux, rows.vx, rows.wx);
-    const double y = HullGeometry::largestOf(rows.uy, rows.vy, rows.wy);
-    const double height = HullGeometry::largestOf(rows.uSize, rows.vSize, rows.wSize);
+    const double x = largestOf(rows.ux, rows.vx, rows.wx);
+    const double y = largestOf(rows.uy, rows.vy, rows.wy);
+    const double height = largestOf(rows.uSize, rows.vSize, rows.wSize);
     sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
     if (this->exactInDouble)
     {
@@ -372,83 +414,31 @@ private:
     return x == 0.0 || y == 0.0;
   }
 
-  /// sign times the orientation of three places in the plane.
-  /// @tparam Seat Place, or const Vertex*, for which null stands for s
-  template <class Seat>
-  struct Turn
-  {
-    Seat a, b, c;
-    int sign;
-  };
-
-  /// What above() comes to when one of the four, by their flags, is the virtual vertex.
-  template <class Seat>
-  static FF_HD Turn<Seat> turnAbove(std::uint32_t flagsA, std::uint32_t flagsB,
-    std::uint32_t flagsC, std::uint32_t flagsP, Seat a, Seat b, Seat c, Seat p)
-  {
-    if (flagsP & VertexVirtual)
-    {
-      return { a, b, c, -1 };
-    }
-    return { flagsA & VertexVirtual ? p : a, flagsB & VertexVirtual ? p : b,
-      flagsC & VertexVirtual ? p : c, 1 };
-  }
-
-  /// What beneathKernel() comes to when one of the three is the virtual vertex: c, if not a or b.
-  template <class Seat>
-  static FF_HD Turn<Seat> turnBeneath(
-    std::uint32_t flagsA, std::uint32_t flagsB, Seat a, Seat b, Seat c, Seat s)
-  {
-    const bool isA = (flagsA & VertexVirtual) != 0;
-    const bool isB = (flagsB & VertexVirtual) != 0;
-    return { isA ? b : isB ? c : a, isA ? c : isB ? a : b, s, -1 };
-  }
-
-  static FF_HD Turn<Place> placesAbove(
-    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
-  {
-    return turnAbove(a.flags, b.flags, c.flags, p.flags, Place::of(a.x), Place::of(b.x),
-      Place::of(c.x), Place::of(p.x));
-  }
-
-  using VertexTurn = Turn<const Vertex*>;
-
-  static FF_HD VertexTurn verticesAbove(
-    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
-  {
-    return turnAbove(a.flags, b.flags, c.flags, p.flags, &a, &b, &c, &p);
-  }
-
-  static FF_HD VertexTurn verticesBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
-  {
-    if ((a.flags | b.flags | c.flags) & VertexVirtual)
-    {
-      return turnBeneath<const Vertex*>(a.flags, b.flags, &a, &b, &c, nullptr);
-    }
-    return { &a, &b, &c, 1 };
-  }
-
-  /// With the virtual vertex among them.
+  /// With the virtual vertex among the four: the orientation of the three others, p in its corner.
   FF_HD FF_APART bool filterVirtualAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
-    if ((p.flags & VertexVirtual) && ((a.flags | b.flags | c.flags) & VertexVirtual))
+    if (isVirtual(p))
     {
-      sign = 0; // it is one and the same
-      return true;
+      if (isVirtual(a, b, c))
+      {
+        sign = 0; // it is one and the same
+        return true;
+      }
+      const bool known = this->filterOrient(a.x, b.x, c.x, sign);
+      sign = -sign;
+      return known;
     }
-    const Turn<Place> turn = placesAbove(a, b, c, p);
-    const bool known = this->filterOrient(turn.a.x, turn.b.x, turn.c.x, sign);
-    sign *= turn.sign;
-    return known;
+    return this->filterOrient(cornerPlace(a, p).x, cornerPlace(b, p).x, cornerPlace(c, p).x, sign);
   }
+
   FF_HD FF_APART bool filterVirtualBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
+    const BorderEdge edge = borderEdge(a, b, c);
     // The kernel point's place is on no lattice.
-    const Turn<Place> turn = turnBeneath(a.flags, b.flags, Place::of(a.x), Place::of(b.x),
-      Place::of(c.x), Place::of(this->kernelPoint.place()));
-    const bool known = ExpansionSigns::filterOrient2(turn.a.x, turn.b.x, turn.c.x, 0, 1, sign);
+    const bool known = ExpansionSigns::filterOrient2(
+      edge.from->x, edge.to->x, this->kernelPoint.place(), 0, 1, sign);
     sign = -sign;
     return known && !this->kernelPoint.isSymbolic();
   }
@@ -474,7 +464,7 @@ private:
     return isNear && within > 0;
   }
 
-  FF_HD int exactTurn(const VertexTurn& turn) const
+  FF_HD int exactTurn(const Turn& turn) const
   {
     ++this->counts.exact;
     const auto orientTo = [&](const auto& last)
@@ -495,7 +485,7 @@ private:
       this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
   }
 
-  FF_HD int tieTurn(const VertexTurn& turn) const
+  FF_HD int tieTurn(const Turn& turn) const
   {
     const auto orientTo = [&](const Vertex& a, const Vertex& b, const auto& last)
     {
@@ -517,13 +507,11 @@ private:
   }
 
   KernelPoint<2> kernelPoint;
-  double reach[3] = { 0, 0, 0 };
   double exactWithin = 0.0;           ///< determinants of no larger differences
   double exactHeight = 0.0;           ///< and heights are exact
   double termError = LiftedTermError; ///< of determinants, against the sum of their terms
   double leastError = std::numeric_limits<double>::infinity(); ///< that underflow does not count in
   bool wide = false;
-  bool inRange = false;
   bool exactInDouble = false;
 };
 

@@ -10,8 +10,9 @@
 #ifndef flipflop_LiftedLocator_h
 #define flipflop_LiftedLocator_h
 
-#include "Geometry/LiftedCones.h"
+#include "Geometry/LiftedGeometry.h"
 #include "Geometry/PlaceGrid.h"
+#include "Geometry/VisibilityWalk.h"
 #include "Mesh/Mesh.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,16 +31,6 @@ template <bool Weighted>
 class LiftedLocator
 {
 public:
-  /// Points looked at together: they stay in the first cache.
-  static constexpr int BlockSize = 256;
-
-  struct Block
-  {
-    double x[3][BlockSize];
-    std::uint32_t cell[BlockSize];  ///< of the grid
-    std::int32_t inside[BlockSize]; ///< certainly hidden: never told here
-  };
-
   using Geometry = LiftedGeometry<Weighted>;
 
   /// @param triangles, count a regular triangulation and its virtual triangles: a mesh without
@@ -49,17 +41,14 @@ public:
     : triangles(triangleArray)
     , vertices(vertexArray)
     , cones(count)
-    , planes(count)
   {
     StepPoll poll(monitor);
     for (std::uint32_t t = 0; t < count; ++t)
     {
       poll.step();
       const std::uint32_t* v = triangleArray[t].v;
-      this->planes[t] =
-        LiftedPlane<Weighted>(geometry, vertexArray[v[0]], vertexArray[v[1]], vertexArray[v[2]]);
       Cone& cone = this->cones[t];
-      cone.virtualCorner = 3;
+      cone.virtualCorner = NoSide;
       for (int i = 0; i < 3; ++i)
       {
         const Vertex& corner = vertexArray[v[i]];
@@ -68,20 +57,9 @@ public:
         const double* place = isVirtual ? geometry.kernel() : corner.x;
         cone.x[i] = place[0];
         cone.y[i] = place[1];
-        cone.twin[i] = triangleArray[t].twin[i];
       }
     }
     this->buildGrid(poll);
-  }
-
-  /// Fill in the block's results for the first @p n points.
-  void classify(Block& block, int n) const
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      block.cell[i] = this->grid.cellOf(block.x[0][i], block.x[1][i]);
-      block.inside[i] = 0;
-    }
   }
 
   /// The cell of one point.
@@ -97,66 +75,46 @@ public:
   /// vertex for a p at the position of that vertex, weight included. The walk starts at @p start.
   std::uint32_t locate(const Geometry& geometry, const Vertex& p, std::uint32_t start) const
   {
-    std::uint32_t t = start;
-    int entry = 3; // the side we came through
-    // In a regular triangulation no walk meets a triangle twice.
-    for (std::size_t step = 0; step <= this->cones.size(); ++step)
-    {
-      const Cone& cone = this->cones[t];
-      const bool trusted = cone.virtualCorner == 3 || !geometry.kernelIsSymbolic();
-      int out = 3;
-      for (int i = 0; i < 3 && out == 3; ++i)
+    const auto mostSteps = static_cast<std::uint32_t>(this->cones.size());
+    const std::uint32_t found = visibilityWalk(this->triangles, NoIndex, start, mostSteps,
+      [&](std::uint32_t t, int entry)
       {
-        if (i == entry)
-        {
-          continue;
-        }
-        double error;
-        const double value = cone.side(i, p.x[0], p.x[1], error);
-        if (trusted && (value > error || value < -error))
-        {
-          out = value < 0 ? i : 3;
-          continue;
-        }
-        const Vertex& a = this->vertices[this->triangles[t].v[i]];
-        const Vertex& b = this->vertices[this->triangles[t].v[nextCorner(i)]];
-        if (samePosition(a, p) || samePosition(b, p))
-        {
-          return t; // the walk around a corner, by exact signs, would tell no more
-        }
-        out = geometry.perturbedBeneathKernel(a, b, p) < 0 ? i : 3;
-      }
-      if (out == 3)
-      {
-        return t;
-      }
-      const std::uint32_t twin = cone.twin[out];
-      t = triangleOf(twin);
-      entry = cornerOf(twin);
-    }
-    throw Error(ErrorCode::Internal);
-  }
-
-  const LiftedPlane<Weighted>& plane(std::uint32_t triangle) const
-  {
-    return this->planes[triangle];
+        const Cone& cone = this->cones[t];
+        const bool trusted = cone.virtualCorner == NoSide || !geometry.kernelIsSymbolic();
+        return firstExit(entry,
+          [&](int i)
+          {
+            double error;
+            const double value = cone.side(i, p.x[0], p.x[1], error);
+            if (trusted && (value > error || value < -error))
+            {
+              return value < 0 ? -1 : 1;
+            }
+            const std::uint32_t* const v = this->triangles[t].v;
+            return exactSide(geometry, this->vertices[v[i]], this->vertices[v[nextCorner(i)]], p);
+          });
+      });
+    ensure(found != NoIndex);
+    return found;
   }
 
 private:
-  /// All that a step of the walk reads, in one cache line.
+  /// What a step of the walk reads of the corners, in one cache line.
   struct alignas(64) Cone
   {
-    double x[3], y[3]; ///< places of the corners; the kernel point's for a virtual one
-    std::uint32_t twin[3];
-    std::int32_t virtualCorner; ///< 3: none
+    double x[3], y[3];          ///< places of the corners; the kernel point's for a virtual one
+    std::int32_t virtualCorner; ///< NoSide: none
 
-    /// beneathKernel(v(i), v(i+1), p): positive inside.
+    /// kernelBeneath(v(i), v(i+1), p): positive inside.
     double side(int i, double px, double py, double& error) const
     {
       const int j = nextCorner(i);
       const double left = (this->x[j] - this->x[i]) * (py - this->y[i]);
       const double right = (this->y[j] - this->y[i]) * (px - this->x[i]);
-      error = LiftedNormal::boundInPlane(std::fabs(left) + std::fabs(right));
+      const double most = std::fabs(left) + std::fabs(right);
+      // Below, products lose bits.
+      error =
+        most > 1e-280 ? PlaneError * (1 + 1e-15) * most : std::numeric_limits<double>::infinity();
       // From and to the virtual corner, the kernel point's place is on the other side.
       const double turn = left - right;
       return i == this->virtualCorner || j == this->virtualCorner ? -turn : turn;
@@ -177,7 +135,7 @@ private:
     for (std::uint32_t t = 0; t < this->cones.size(); ++t)
     {
       poll.step();
-      for (int i = 0; i < 3 && this->cones[t].virtualCorner == 3; ++i)
+      for (int i = 0; i < 3 && this->cones[t].virtualCorner == NoSide; ++i)
       {
         at[this->triangles[t].v[i]] = t;
       }
@@ -200,30 +158,22 @@ private:
   /// About the triangle of a place, if that is near.
   std::uint32_t walkTo(double px, double py, std::uint32_t start) const
   {
-    constexpr int MostSteps = 24;
-    std::uint32_t t = start;
-    for (int step = 0; step < MostSteps; ++step)
-    {
-      const Cone& cone = this->cones[t];
-      int out = 3;
-      for (int i = 0; i < 3 && out == 3; ++i)
+    constexpr std::uint32_t MostSteps = 24;
+    std::uint32_t last = start;
+    visibilityWalk(this->triangles, NoIndex, start, MostSteps,
+      [&](std::uint32_t t, int)
       {
+        last = t;
         double error;
-        out = cone.side(i, px, py, error) < 0 ? i : 3;
-      }
-      if (out == 3)
-      {
-        break;
-      }
-      t = triangleOf(cone.twin[out]);
-    }
-    return t;
+        return firstExit(
+          NoSide, [&](int i) { return this->cones[t].side(i, px, py, error) < 0 ? -1 : 1; });
+      });
+    return last;
   }
 
   const Triangle* triangles;
   const Vertex* vertices;
   Buffer<Cone> cones;
-  Buffer<LiftedPlane<Weighted>> planes;
   PlaceGrid grid; ///< of triangles
 };
 

@@ -46,7 +46,7 @@ Polyhedron startingTetrahedron(
   geometry.setKernel(s);
   for (int k = 0; k < 3; ++k)
   {
-    if (geometry.beneathKernel(corner[(k + 1) % 3], corner[k], corner[3]) <= 0)
+    if (geometry.kernelBeneath(corner[(k + 1) % 3], corner[k], corner[3]) <= 0)
     {
       const Vertex centroid[4] = { corner[0], corner[1], corner[2], corner[0] };
       geometry.setSymbolicKernel(centroid);

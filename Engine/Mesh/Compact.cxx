@@ -13,7 +13,7 @@ namespace flipflop
 namespace
 {
 
-constexpr std::size_t VertexRun = 1 << 15;
+constexpr std::size_t VerticesPerTask = 1 << 15;
 
 /// Turn counts into starts; the total comes back.
 std::uint32_t startsFromCounts(std::vector<std::uint32_t>& counts)
@@ -32,7 +32,7 @@ std::uint32_t startsFromCounts(std::vector<std::uint32_t>& counts)
 template <class Use>
 void eachVertex(Polyhedron& polyhedron, Use&& use)
 {
-  eachRun(polyhedron.vertices.size(), VertexRun,
+  eachRun(polyhedron.vertices.size(), VerticesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       for (std::size_t v = begin; v < end; ++v)
@@ -51,7 +51,7 @@ Polyhedron compact(Polyhedron&& old)
 {
   // How many stay, by piece and by run of vertices.
   std::vector<std::uint32_t> triangleNext(old.pieces.size());
-  std::vector<std::uint32_t> vertexNext(runCount(old.vertices.size(), VertexRun));
+  std::vector<std::uint32_t> vertexNext(runCount(old.vertices.size(), VerticesPerTask));
   old.eachTriangle([&](std::uint32_t, std::size_t piece) { ++triangleNext[piece]; });
   eachVertex(old, [&](const Vertex&, std::size_t run) { ++vertexNext[run]; });
   const std::uint32_t triangleCount = startsFromCounts(triangleNext);
@@ -59,8 +59,8 @@ Polyhedron compact(Polyhedron&& old)
   Polyhedron result(vertexCount, triangleCount);
 
   // New numbers; a vertex keeps its own where its flags were.
-  old.eachTriangle(
-    [&](std::uint32_t t, std::size_t piece) { old.triangles[t].index = triangleNext[piece]++; });
+  old.eachTriangle([&](std::uint32_t t, std::size_t piece)
+    { newNumber(old.triangles[t]) = triangleNext[piece]++; });
   eachVertex(old,
     [&](Vertex& vertex, std::size_t run)
     {
@@ -74,16 +74,16 @@ Polyhedron compact(Polyhedron&& old)
   old.eachTriangle(
     [&](std::uint32_t t, std::size_t)
     {
-      const Triangle& triangle = old.triangles[t];
-      Triangle& copy = result.triangles[triangle.index];
+      Triangle& triangle = old.triangles[t];
+      Triangle& copy = result.triangles[newNumber(triangle)];
       for (int e = 0; e < 3; ++e)
       {
         const std::uint32_t twin = triangle.twin[e];
         copy.v[e] = old.vertices[triangle.v[e]].flags;
-        copy.twin[e] = halfEdge(old.triangles[triangleOf(twin)].index, cornerOf(twin));
+        copy.twin[e] = halfEdge(newNumber(old.triangles[triangleOf(twin)]), cornerOf(twin));
       }
       copy.flags = 0;
-      copy.index = 0;
+      copy.note = 0;
     });
   return result;
 }

@@ -27,9 +27,30 @@ struct alignas(32) Triangle
   std::uint32_t v[3];    ///< corners, counter-clockwise from outside
   std::uint32_t flags;   ///< TriangleDead; or bit e: half-edge e waits to be checked, EdgeTied
   std::uint32_t twin[3]; ///< opposite half-edges, or border slots
-  std::uint32_t
-    index; ///< a new number, which edges are flat, or the round of a split; 0 until then
+  std::uint32_t note;    ///< what a stage keeps here, by one of the three names below; else 0
 };
+
+/// While compact() renumbers: the triangle's number in the copy.
+FF_HD inline std::uint32_t& newNumber(Triangle& triangle)
+{
+  return triangle.note;
+}
+
+/// In the finish: bit e tells that the edge e is exactly flat.
+FF_HD inline std::uint32_t& flatEdges(Triangle& triangle)
+{
+  return triangle.note;
+}
+FF_HD inline std::uint32_t flatEdges(const Triangle& triangle)
+{
+  return triangle.note;
+}
+
+/// In rounds of splits: the last round in which the triangle was split.
+FF_HD inline std::uint32_t& splitRound(Triangle& triangle)
+{
+  return triangle.note;
+}
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;
 
@@ -79,6 +100,12 @@ struct Mesh
 
   FF_HD std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
   FF_HD std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
+
+  /// In the finish: is the edge of h exactly flat?
+  bool isFlat(std::uint32_t h) const
+  {
+    return (flatEdges(this->triangles[triangleOf(h)]) >> cornerOf(h) & 1) != 0;
+  }
 
   /// Mark the edge of h, on both sides.
   void markTied(std::uint32_t h) const
@@ -216,7 +243,7 @@ inline void splitTriangle(const Mesh& mesh, const std::uint32_t* child, std::uin
     triangle.v[1] = parent.v[nextCorner(i)];
     triangle.v[2] = v;
     triangle.flags = parent.flags >> i & EdgeTied;
-    triangle.index = 0;
+    triangle.note = 0;
     triangle.twin[1] = halfEdge(child[nextCorner(i)], 2);
     triangle.twin[2] = halfEdge(child[previousCorner(i)], 1);
   }

@@ -137,13 +137,13 @@ private:
   double scale = 0;
 };
 
-constexpr std::size_t Run = 1 << 14; ///< what a task looks at
+constexpr std::size_t PointsPerTask = 1 << 14;
 
 /// use(begin, end, number) for runs of @p count things, in parallel.
 template <class Use>
 void eachRun(std::size_t count, Monitor& monitor, Use&& use)
 {
-  flipflop::eachRun(count, Run,
+  flipflop::eachRun(count, PointsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       monitor.poll();
@@ -158,7 +158,8 @@ template <class BucketOf, class Put>
 std::vector<std::uint32_t> distribute(
   std::size_t count, std::size_t buckets, Monitor& monitor, BucketOf&& bucketOf, Put&& put)
 {
-  std::vector<std::uint32_t> cursor(runCount(count, Run) * buckets); // by run, then bucket
+  std::vector<std::uint32_t> cursor(
+    runCount(count, PointsPerTask) * buckets); // by run, then bucket
   eachRun(count, monitor,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
@@ -232,7 +233,7 @@ private:
 
   Curve curveThrough(const Keyed* keyed, std::size_t count) const
   {
-    std::vector<Curve> parts(runCount(count, Run));
+    std::vector<Curve> parts(runCount(count, PointsPerTask));
     eachRun(count, this->monitor,
       [&](std::size_t begin, std::size_t end, std::size_t number)
       {
@@ -358,7 +359,7 @@ InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subs
 {
   Buffer<Keyed> keyed;
   numberFound(
-    subset.count, Run,
+    subset.count, PointsPerTask,
     [&](std::size_t begin, std::size_t end, const auto& tell)
     {
       monitor.poll();

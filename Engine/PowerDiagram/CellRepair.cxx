@@ -520,9 +520,9 @@ void repairCells(RoundedCells& cells, const double* box, Monitor& monitor)
 {
   const PlanarRings plane(cells.positions);
   const BoxScale scale(box);
-  constexpr std::size_t CellsOfARun = 1 << 12;
-  std::vector<std::vector<Index>> found(runCount(cells.ids.size(), CellsOfARun));
-  eachCheckedRun(cells.ids.size(), CellsOfARun,
+  constexpr std::size_t CellsPerTask = 1 << 12;
+  std::vector<std::vector<Index>> found(runCount(cells.ids.size(), CellsPerTask));
+  eachCheckedRun(cells.ids.size(), CellsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();

@@ -31,7 +31,7 @@ public:
   {
     if (t.cellSize == 0)
     {
-      eachRun(static_cast<std::size_t>(t.cellCount()), Run,
+      eachRun(static_cast<std::size_t>(t.cellCount()), ItemsPerTask,
         [this](std::size_t begin, std::size_t end, std::size_t)
         {
           for (std::size_t c = begin; c < end; ++c)
@@ -137,7 +137,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t Run = 1 << 14; ///< facets or half-edges that a task looks at
+  static constexpr std::size_t ItemsPerTask = 1 << 14; ///< facets or half-edges
 
   struct Leaving
   {
@@ -155,7 +155,7 @@ private:
   };
 
   /// Some hundred runs at most, for the sort counts in each.
-  std::size_t runSize() const { return std::max(Run, this->t.connectivity.size() >> 9); }
+  std::size_t runSize() const { return std::max(ItemsPerTask, this->t.connectivity.size() >> 9); }
 
   /// use(number of the run, half-edge) for runs in parallel.
   template <class Use>

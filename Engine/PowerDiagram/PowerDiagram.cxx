@@ -31,8 +31,8 @@ namespace
 using Index = std::uint32_t;
 
 /// What a task looks at.
-constexpr std::size_t SitesOfARun = 1 << 12;
-constexpr std::size_t FacetsOfARun = 1 << 13;
+constexpr std::size_t SitesPerTask = 1 << 12;
+constexpr std::size_t FacetsPerTask = 1 << 13;
 
 [[noreturn]] void refuse(std::int64_t index = -1)
 {
@@ -49,7 +49,7 @@ Buffer<PowerSite> loadSites(
   requireValid(weights, points.count);
   const PointSource source(points, weights);
   Buffer<PowerSite> sites(triangulation.pointIds.size());
-  eachCheckedRun(sites.size(), SitesOfARun,
+  eachCheckedRun(sites.size(), SitesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -85,7 +85,7 @@ void checkCells(const Triangulation& t, std::int64_t least, std::int64_t most)
   {
     refuse();
   }
-  eachCheckedRun(static_cast<std::size_t>(cells), FacetsOfARun,
+  eachCheckedRun(static_cast<std::size_t>(cells), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (auto c = static_cast<std::int64_t>(begin); c < static_cast<std::int64_t>(end); ++c)
@@ -98,7 +98,7 @@ void checkCells(const Triangulation& t, std::int64_t least, std::int64_t most)
         }
       }
     });
-  eachCheckedRun(t.connectivity.size(), FacetsOfARun,
+  eachCheckedRun(t.connectivity.size(), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       if (std::any_of(t.connectivity.begin() + begin, t.connectivity.begin() + end,
@@ -267,7 +267,7 @@ Buffer<Position> facetCenters(
   const Triangulation& t, const Buffer<PowerSite>& sites, Monitor& monitor)
 {
   Buffer<Position> centers(static_cast<std::size_t>(t.cellCount()));
-  eachCheckedRun(centers.size(), FacetsOfARun,
+  eachCheckedRun(centers.size(), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t f = begin; f < end; ++f)
@@ -300,8 +300,8 @@ RoundedCells roundedCells(
   const Buffer<Position> centers = facetCenters(t, sites, monitor);
   const FacetRings rings(t);
   monitor.poll();
-  std::vector<CellRun> runs(runCount(sites.size(), SitesOfARun), CellRun(centers.size()));
-  eachCheckedRun(sites.size(), SitesOfARun,
+  std::vector<CellRun> runs(runCount(sites.size(), SitesPerTask), CellRun(centers.size()));
+  eachCheckedRun(sites.size(), SitesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       addCells(runs[number], static_cast<Index>(begin), static_cast<Index>(end), t, rings, centers,

@@ -19,6 +19,8 @@
 namespace flipflop
 {
 
+/// The last row of a determinant: a point (Count 1), or four points whose sum stands for their
+/// centroid (Count 4), the symbolic kernel point. The coordinates stay the caller's.
 template <int Count>
 struct Row
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Simulation of Simplicity for orientations (H. Edelsbrunner, E. P. Mucke, 1990).
+/// Simulation of Simplicity (SoS) for orientations (H. Edelsbrunner, E. P. Mucke, 1990).
 ///
 /// Every coordinate of every point is moved by a power of e, infinitesimal, each so much smaller
 /// than the one before that it counts for less than any product of those. The perturbed determinant
@@ -41,9 +41,10 @@ struct MovedInPlane
   static constexpr int column(int entry) { return entry % 2; }
 };
 
-/// Lifted points: all heights are moved more than any place in the plane, and the places as in
-/// MovedInPlane. So ties between places in general position are decided by orientations in the
-/// plane.
+/// Lifted points, in the order of the moves: the heights of all four rows first (entries 0 to 3),
+/// each by rank; then the places, as in MovedInPlane. A height's minor is an orientation in the
+/// plane. So a tie of four points no three of which are collinear is decided by one such
+/// orientation.
 struct MovedByHeight
 {
   static constexpr int Columns = 3;

@@ -22,7 +22,7 @@ struct PredicateCounts
 };
 
 /// @tparam Model derives from this, and has each step alone: filterAbove, exactAbove, tieAbove and
-///               filterBeneathKernel, exactBeneathKernel, tieBeneathKernel
+///               filterKernelBeneath, exactKernelBeneath, tieKernelBeneath
 template <class Model>
 class PredicateSteps
 {
@@ -47,18 +47,18 @@ public:
     return this->model().tieAbove(a, b, c, p);
   }
 
-  FF_HD int beneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD int kernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     int sign;
-    return this->model().filterBeneathKernel(a, b, c, sign)
+    return this->model().filterKernelBeneath(a, b, c, sign)
       ? sign
-      : this->model().exactBeneathKernel(a, b, c);
+      : this->model().exactKernelBeneath(a, b, c);
   }
 
-  FF_HD int perturbedBeneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD int perturbedKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    const int sign = this->beneathKernel(a, b, c);
-    return sign ? sign : this->model().tieBeneathKernel(a, b, c);
+    const int sign = this->kernelBeneath(a, b, c);
+    return sign ? sign : this->model().tieKernelBeneath(a, b, c);
   }
 
   FF_HD const PredicateCounts& predicateCounts() const { return this->counts; }

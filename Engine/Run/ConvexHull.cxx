@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/ConvexHull.h>
 
+#include "FlipFlop/CpuBuilder.h"
 #include "Run/HullRun.h"
 
 namespace flipflop
@@ -10,7 +11,8 @@ namespace flipflop
 Hull convexHull(const PointView& points, const Options& options)
 {
   HullRun run(points, options);
-  return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); });
+  CpuBuilder<HullGeometry> engine;
+  return run.execute<Hull>([&](Hull& hull) { run.hullOfPoints(engine, hull); });
 }
 
 }

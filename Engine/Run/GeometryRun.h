@@ -8,7 +8,6 @@
 
 #include "Finish/Canonical.h"
 #include "Finish/Redundant.h"
-#include "FlipFlop/CpuBuilder.h"
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/Samples.h"
@@ -22,7 +21,7 @@
 namespace flipflop
 {
 
-/// @tparam Model a model of the geometry concept (see HullGeometry), for which
+/// @tparam Model a model of the geometry concept (GeometryConcept.h), for which
 ///               startingTetrahedron(Model&, const PointSource&, const std::uint32_t*) starts from
 ///               points that span
 template <class Model>
@@ -33,10 +32,8 @@ public:
 
   Model geometry;
 
-  /// The engine; null: CpuBuilder, on the run's threads.
-  PolyhedronBuilder<Model>* engine = nullptr;
-
   /// The result of all points, after a look at them.
+  /// @param engine       does the work between the start and the finish
   /// @param dimension    of the space: as many and one points span it
   /// @param spanOf       Span (ids, count): points that span what a sample (null: all points) does,
   ///                     or what all do where that is more
@@ -44,8 +41,8 @@ public:
   /// @param write        see finish
   /// @param watch        since the run began
   template <class SpanOf, class LowerResult, class Write>
-  void grow(CellComplex& result, int dimension, Stopwatch& watch, SpanOf&& spanOf,
-    LowerResult&& lowerResult, Write&& write)
+  void build(PolyhedronBuilder<Model>& engine, CellComplex& result, int dimension, Stopwatch& watch,
+    SpanOf&& spanOf, LowerResult&& lowerResult, Write&& write)
   {
     const std::uint32_t count = this->source.count();
     const auto samples = nestedSamples(count);
@@ -62,11 +59,9 @@ public:
     }
     Tally tally;
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
-    CpuBuilder<Model> onThreads;
-    Polyhedron polyhedron = (this->engine ? *this->engine : onThreads)
-                              .build({ this->geometry, this->source, this->checkFinite,
-                                       this->options, this->threads, this->monitor, samples },
-                                std::move(start), tally, result.statistics);
+    Polyhedron polyhedron = engine.build({ this->geometry, this->source, this->checkFinite,
+                                           this->options, this->threads, this->monitor, samples },
+      std::move(start), tally, result.statistics);
     result.dimension = dimension;
     this->finish(std::move(polyhedron), std::move(tally), result, write);
   }
@@ -85,7 +80,7 @@ public:
       this->options.facets, this->monitor, result.pointIds);
     this->monitor.poll();
     write(form);
-    this->report(tally, result.statistics);
+    result.statistics += tally.statistics;
     result.statistics.exactCalls += this->geometry.predicateCounts().exact;
     result.statistics.secondsFinish = watch.lap();
   }

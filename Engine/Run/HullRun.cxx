@@ -42,7 +42,7 @@ bool HullRun::inspect(Hull& hull, const double* kernel)
   return true;
 }
 
-void HullRun::hullOfPoints(Hull& hull)
+void HullRun::hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull)
 {
   Stopwatch watch;
   if (!this->inspect(hull))
@@ -57,8 +57,8 @@ void HullRun::hullOfPoints(Hull& hull)
     lowDimensionalHull(this->geometry, this->source, span, this->checkFinite, this->range,
       this->arithmetic.scaleExponent, this->options.facets, this->monitor, hull);
   };
-  this->grow(
-    hull, 3, watch, spanOf, lowerHull, [&](CanonicalForm& form) { this->write(form, hull); });
+  this->build(engine, hull, 3, watch, spanOf, lowerHull,
+    [&](CanonicalForm& form) { this->write(form, hull); });
 }
 
 void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)

@@ -25,7 +25,7 @@ public:
   }
 
   /// The hull of all points.
-  void hullOfPoints(Hull& hull);
+  void hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull);
 
   /// Look at all points, and choose the arithmetic. False: there is no finite point.
   /// @param kernel a further point that the arithmetic has to carry, or null

@@ -2,30 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/RegularTriangulation.h>
 
+#include "FlipFlop/CpuBuilder.h"
 #include "Run/TriangulationRun.h"
 
 namespace flipflop
 {
 
-namespace
-{
-
-template <bool Weighted>
-Triangulation triangulate(
-  const PointView& points, const WeightView& weights, const Options& options)
-{
-  TriangulationRun<Weighted> run(points, weights, options);
-  return run.template execute<Triangulation>(
-    [&run](Triangulation& result) { run.triangulate(result); });
-}
-
-}
-
 Triangulation regularTriangulation(
   const PointView& points, const WeightView& weights, const Options& options)
 {
-  return weights.data ? triangulate<true>(points, weights, options)
-                      : triangulate<false>(points, weights, options);
+  return withOrWithoutWeights(weights,
+    [&](auto weighted)
+    {
+      TriangulationRun<weighted> run(points, weights, options);
+      CpuBuilder<LiftedGeometry<weighted>> engine;
+      return run.template execute<Triangulation>(
+        [&](Triangulation& result) { run.triangulate(engine, result); });
+    });
 }
 
 }

@@ -70,22 +70,4 @@ Lattice Run::findLattice(int axes, int bits)
   return lattice;
 }
 
-void Run::report(const Tally& tally, Statistics& statistics)
-{
-  const Statistics& work = tally.statistics;
-  statistics.culled = work.culled;
-  statistics.insertions = work.insertions;
-  statistics.moves = work.moves;
-  statistics.flips22 = work.flips22;
-  statistics.flips31 = work.flips31;
-  statistics.flipsV = work.flipsV;
-  statistics.flipsD = work.flipsD;
-  statistics.labelled = work.labelled;
-  statistics.redundant = work.redundant;
-  statistics.edgeChecks = work.edgeChecks;
-  statistics.exactCalls = work.exactCalls;
-  statistics.secondsGrow = work.secondsGrow;
-  statistics.secondsFlip = work.secondsFlip;
-}
-
 }

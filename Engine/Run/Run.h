@@ -6,7 +6,6 @@
 #ifndef flipflop_Run_h
 #define flipflop_Run_h
 
-#include "FlipFlop/Tally.h"
 #include "Points/PointSource.h"
 #include "Run/Scan.h"
 #include "Support/Monitor.h"
@@ -70,9 +69,6 @@ protected:
   /// @param axes of places: the first
   /// @param bits determinants are exact where differences are below 2^bits units
   Lattice findLattice(int axes, int bits);
-
-  /// Hand on what the stages counted.
-  static void report(const Tally& tally, Statistics& statistics);
 };
 
 }

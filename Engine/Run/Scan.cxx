@@ -199,12 +199,11 @@ ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
   eachTask(chunkCount,
     [&](std::size_t chunk)
     {
-      const auto edge = [&](std::size_t i)
-      { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(count) * i / chunkCount); };
+      const std::uint32_t chunkEnd = partBegin(count, chunkCount, chunk + 1);
       // In pieces, each a result of its own, so that the accumulators stay in registers.
-      for (std::uint32_t begin = edge(chunk); begin < edge(chunk + 1);)
+      for (std::uint32_t begin = partBegin(count, chunkCount, chunk); begin < chunkEnd;)
       {
-        const std::uint32_t end = begin + std::min(PollEvery, edge(chunk + 1) - begin);
+        const std::uint32_t end = begin + std::min(PollEvery, chunkEnd - begin);
         ScanResult piece = emptyScan();
         scanRange(source, begin, end, piece);
         merge(results[chunk], piece);
@@ -368,9 +367,9 @@ private:
       case -1:
         return -p.x[0];
       case 0:
-        return HullGeometry::largestOf(u[0], u[1], u[2]);
+        return largestOf(u[0], u[1], u[2]);
       case 1:
-        return HullGeometry::largestOf(
+        return largestOf(
           u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
       default:
         return std::fabs(u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +

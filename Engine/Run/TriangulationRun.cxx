@@ -43,7 +43,8 @@ Span TriangulationRun<Weighted>::spanOf(const std::uint32_t* ids, std::uint32_t 
 }
 
 template <bool Weighted>
-void TriangulationRun<Weighted>::triangulate(Triangulation& result)
+void TriangulationRun<Weighted>::triangulate(
+  PolyhedronBuilder<Geometry>& engine, Triangulation& result)
 {
   Stopwatch watch;
   if (!this->inspect(result.statistics))
@@ -55,8 +56,8 @@ void TriangulationRun<Weighted>::triangulate(Triangulation& result)
     chainOfPoints(this->geometry, this->source, this->checkFinite, this->monitor, result);
     this->listHidden(result);
   };
-  this->grow(
-    result, 2, watch,
+  this->build(
+    engine, result, 2, watch,
     [this](const std::uint32_t* ids, std::uint32_t count) { return this->spanOf(ids, count); },
     chain,
     [&](CanonicalForm& form)
@@ -77,9 +78,9 @@ void TriangulationRun<Weighted>::listHidden(Triangulation& result)
     result.hiddenIds.allocate(0);
     return;
   }
-  constexpr std::size_t PointsOfATask = 1 << 14;
+  constexpr std::size_t PointsPerTask = 1 << 14;
   numberFound(
-    this->source.count(), PointsOfATask,
+    this->source.count(), PointsPerTask,
     [&](std::size_t begin, std::size_t end, const auto& tell)
     {
       this->monitor.poll();

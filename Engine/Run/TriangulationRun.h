@@ -12,9 +12,18 @@
 #include <flipflop/Triangulation.h>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace flipflop
 {
+
+/// use (std::bool_constant): with true where there are weights. Without, their geometry is another,
+/// which does not pay for them.
+template <class Use>
+auto withOrWithoutWeights(const WeightView& weights, Use&& use)
+{
+  return weights.data ? use(std::true_type()) : use(std::false_type());
+}
 
 /// @tparam Weighted false: there are no weights
 template <bool Weighted>
@@ -35,7 +44,7 @@ public:
   Span spanOf(const std::uint32_t* ids, std::uint32_t count);
 
   /// The regular triangulation of all points.
-  void triangulate(Triangulation& result);
+  void triangulate(PolyhedronBuilder<Geometry>& engine, Triangulation& result);
 
 private:
   /// All finite points that do not appear.

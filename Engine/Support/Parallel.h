@@ -42,6 +42,12 @@ constexpr std::size_t runCount(std::size_t count, std::size_t size)
   return (count + size - 1) / size;
 }
 
+/// Where part @p i begins when @p count things are cut into @p parts that differ by one at most.
+constexpr std::uint32_t partBegin(std::uint32_t count, std::size_t parts, std::size_t i)
+{
+  return static_cast<std::uint32_t>(std::uint64_t(count) * i / parts);
+}
+
 /// use(begin, end, number) for runs of @p count things, a task each.
 /// @param size of a run
 template <class Use>

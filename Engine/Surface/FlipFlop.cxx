@@ -101,7 +101,7 @@ Polyhedron makePolyhedron(const PointSource& source, const std::vector<std::uint
     Triangle& triangle = polyhedron.triangles[t];
     std::copy(corner.begin() + 3 * t, corner.begin() + 3 * t + 3, triangle.v);
     triangle.flags = 0;
-    triangle.index = 0;
+    triangle.note = 0;
   }
   const TopologyFault fault = linkTriangles(
     polyhedron.triangles.data(), polyhedron.triangleCount(), polyhedron.vertexCount());
@@ -112,15 +112,15 @@ Polyhedron makePolyhedron(const PointSource& source, const std::vector<std::uint
   return polyhedron;
 }
 
-/// Points without triangles, handed to growing: none.
-Assignment assignNothing(const Polyhedron& polyhedron)
+/// No point is to be grown: every conflict list is empty.
+ConflictLists noConflicts(const Polyhedron& polyhedron)
 {
-  Assignment assignment;
-  assignment.begin.allocate(polyhedron.triangles.size() + 1);
-  std::fill(assignment.begin.begin(), assignment.begin.end(), polyhedron.vertexCount());
-  assignment.vertices.allocate(polyhedron.vertices.size());
-  std::copy(polyhedron.vertices.begin(), polyhedron.vertices.end(), assignment.vertices.begin());
-  return assignment;
+  ConflictLists lists;
+  lists.begin.allocate(polyhedron.triangles.size() + 1);
+  std::fill(lists.begin.begin(), lists.begin.end(), polyhedron.vertexCount());
+  lists.vertices.allocate(polyhedron.vertices.size());
+  std::copy(polyhedron.vertices.begin(), polyhedron.vertices.end(), lists.vertices.begin());
+  return lists;
 }
 
 /// Set the run's kernel point, and turn the surface's outer side out.
@@ -208,7 +208,7 @@ Hull flipFlop(const PointView& points, const TriangleView& triangles, const doub
       result.statistics.secondsScan = watch.lap();
 
       run.monitor.stage(0.1, 0.9, static_cast<std::int64_t>(polyhedron.triangles.size()));
-      Assignment nothing = assignNothing(polyhedron);
+      ConflictLists nothing = noConflicts(polyhedron);
       Patches<HullGeometry> patches(
         run.geometry, std::move(polyhedron), std::move(nothing), options.vBiased, run.monitor);
       Tally tally = patches.run();

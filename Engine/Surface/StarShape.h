@@ -34,7 +34,7 @@ StarFault findStarFault(const Geometry& geometry, const Polyhedron& polyhedron)
   for (std::uint32_t t = 0; t < polyhedron.triangleCount(); ++t)
   {
     const std::uint32_t* corner = polyhedron.triangles[t].v;
-    if (geometry.beneathKernel(v[corner[0]], v[corner[1]], v[corner[2]]) <= 0)
+    if (geometry.kernelBeneath(v[corner[0]], v[corner[1]], v[corner[2]]) <= 0)
     {
       note(t);
     }
@@ -65,9 +65,9 @@ StarFault findStarFault(const Geometry& geometry, const Polyhedron& polyhedron)
     const Vertex& a = v[corner[0]];
     const Vertex& b = v[corner[1]];
     const Vertex& c = v[corner[2]];
-    if (geometry.perturbedBeneathKernel(a, b, probe) > 0 &&
-      geometry.perturbedBeneathKernel(b, c, probe) > 0 &&
-      geometry.perturbedBeneathKernel(c, a, probe) > 0 && covered++ > 0)
+    if (geometry.perturbedKernelBeneath(a, b, probe) > 0 &&
+      geometry.perturbedKernelBeneath(b, c, probe) > 0 &&
+      geometry.perturbedKernelBeneath(c, a, probe) > 0 && covered++ > 0)
     {
       note(t);
     }

@@ -140,10 +140,10 @@ public:
   template <class Test>
   Validation eachPoint(Test&& test)
   {
-    constexpr std::uint32_t Run = 1 << 14;
+    constexpr std::uint32_t PointsPerTask = 1 << 14;
     const std::uint32_t count = this->run.source.count();
     std::atomic<std::uint32_t> first{ NoIndex };
-    eachRun(count, Run,
+    eachRun(count, PointsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         const Geometry local = this->geometry;
@@ -245,7 +245,7 @@ public:
       Triangle& triangle = this->polyhedron.triangles[t];
       std::copy(fans[t].begin(), fans[t].end(), triangle.v);
       triangle.flags = 0;
-      triangle.index = 0;
+      triangle.note = 0;
     }
     const TopologyFault fault = linkTriangles(this->polyhedron.triangles.data(),
       this->polyhedron.triangleCount(), this->polyhedron.vertexCount());

@@ -246,8 +246,8 @@ Validation validateAs(const PointView& points, const WeightView& weights,
 Validation validate(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, int threads)
 {
-  return weights.data ? validateAs<true>(points, weights, triangulation, threads)
-                      : validateAs<false>(points, weights, triangulation, threads);
+  return withOrWithoutWeights(weights,
+    [&](auto weighted) { return validateAs<weighted>(points, weights, triangulation, threads); });
 }
 
 }

@@ -49,6 +49,12 @@ struct CellComplex
   }
 };
 
+/// Turn polygons into the triangles that FacetMode::Triangles gives, bit for bit: each polygon's
+/// fan from its lowest corner, in canonical order. Nothing is done where there are none.
+/// @param complex   of polygons and triangles, in canonical form; its statistics stay
+/// @throw Error     OutOfMemory; the complex is as it was then
+void fanPolygons(CellComplex& complex);
+
 }
 
 #endif

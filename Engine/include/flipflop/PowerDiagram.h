@@ -10,6 +10,7 @@
 #include <flipflop/PointView.h>
 #include <flipflop/Triangulation.h>
 
+#include <array>
 #include <cstdint>
 
 namespace flipflop
@@ -72,6 +73,15 @@ struct PowerDiagram
 ///                        Aborted. Whether its power circles are empty is not looked at.
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options = Options());
+
+/// A box for powerDiagram(): that of the points that appear, which is that of all finite ones, for
+/// a corner of their hull is never hidden. A range of one value becomes as wide as the other (1, if
+/// that has one value, too), or wider, where that would round to nothing.
+/// @param points        as they were triangulated
+/// @param triangulation of them; with a point at least
+/// @return x least, x greatest, y least, y greatest
+/// @throw Error         BadArgument (an id out of range; no point)
+std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulation& triangulation);
 
 }
 

@@ -38,29 +38,37 @@ struct Statistics
   double secondsTotal = 0;   ///< wall time of the whole run
   int threads = 0;           ///< threads that the run was given
 
+  /// use(name, member) for each count and each time; threads is neither. Whoever adds up, compares
+  /// or writes all of them goes by this list.
+  template <class Use>
+  static void eachField(Use&& use)
+  {
+    use("points", &Statistics::points);
+    use("nonFinite", &Statistics::nonFinite);
+    use("culled", &Statistics::culled);
+    use("insertions", &Statistics::insertions);
+    use("moves", &Statistics::moves);
+    use("flips22", &Statistics::flips22);
+    use("flips31", &Statistics::flips31);
+    use("flipsV", &Statistics::flipsV);
+    use("flipsD", &Statistics::flipsD);
+    use("labelled", &Statistics::labelled);
+    use("redundant", &Statistics::redundant);
+    use("edgeChecks", &Statistics::edgeChecks);
+    use("exactCalls", &Statistics::exactCalls);
+    use("secondsScan", &Statistics::secondsScan);
+    use("secondsLocate", &Statistics::secondsLocate);
+    use("secondsGrow", &Statistics::secondsGrow);
+    use("secondsFlip", &Statistics::secondsFlip);
+    use("secondsCompact", &Statistics::secondsCompact);
+    use("secondsFinish", &Statistics::secondsFinish);
+    use("secondsTotal", &Statistics::secondsTotal);
+  }
+
   /// Adds what another run did; of the threads, the most.
   Statistics& operator+=(const Statistics& other)
   {
-    this->points += other.points;
-    this->nonFinite += other.nonFinite;
-    this->culled += other.culled;
-    this->insertions += other.insertions;
-    this->moves += other.moves;
-    this->flips22 += other.flips22;
-    this->flips31 += other.flips31;
-    this->flipsV += other.flipsV;
-    this->flipsD += other.flipsD;
-    this->labelled += other.labelled;
-    this->redundant += other.redundant;
-    this->edgeChecks += other.edgeChecks;
-    this->exactCalls += other.exactCalls;
-    this->secondsScan += other.secondsScan;
-    this->secondsLocate += other.secondsLocate;
-    this->secondsGrow += other.secondsGrow;
-    this->secondsFlip += other.secondsFlip;
-    this->secondsCompact += other.secondsCompact;
-    this->secondsFinish += other.secondsFinish;
-    this->secondsTotal += other.secondsTotal;
+    eachField([&](const char*, auto field) { this->*field += other.*field; });
     this->threads = std::max(this->threads, other.threads);
     return *this;
   }

@@ -40,8 +40,7 @@ Seen hullBy(Executor& executor, const Cloud& cloud, const Options& options)
   const RoundObserver observer = [&seen](const RoundReport& r) { seen.reports.push_back(r); };
   HullRun run(viewOf(cloud), options);
   RoundsBuilder<Executor, HullGeometry> rounds(executor, &observer);
-  run.engine = &rounds;
-  const Hull hull = run.execute<Hull>([&run](Hull& h) { run.hullOfPoints(h); });
+  const Hull hull = run.execute<Hull>([&](Hull& h) { run.hullOfPoints(rounds, h); });
   seen.statistics = hull.statistics;
   seen.built = !run.arithmetic.wide;
   return seen;
@@ -55,9 +54,8 @@ Seen triangulationBy(Executor& executor, const Cloud& cloud, const Options& opti
   const WeightView weights = Weighted ? weightsOf(cloud) : WeightView();
   TriangulationRun<Weighted> run(viewOf(cloud), weights, options);
   RoundsBuilder<Executor, LiftedGeometry<Weighted>> rounds(executor, &observer);
-  run.engine = &rounds;
   const Triangulation result =
-    run.template execute<Triangulation>([&run](Triangulation& t) { run.triangulate(t); });
+    run.template execute<Triangulation>([&](Triangulation& t) { run.triangulate(rounds, t); });
   seen.statistics = result.statistics;
   seen.built = !run.arithmetic.wide;
   return seen;

@@ -18,9 +18,8 @@ Triangulation triangulate(PolyhedronBuilder<LiftedGeometry<Weighted>>& engine,
   const PointView& points, const WeightView& weights, const Options& options)
 {
   TriangulationRun<Weighted> run(points, weights, options);
-  run.engine = &engine;
   return run.template execute<Triangulation>(
-    [&run](Triangulation& result) { run.triangulate(result); });
+    [&](Triangulation& result) { run.triangulate(engine, result); });
 }
 
 }
@@ -29,8 +28,7 @@ Hull hullBy(
   PolyhedronBuilder<HullGeometry>& engine, const PointView& points, const Options& options)
 {
   HullRun run(points, options);
-  run.engine = &engine;
-  return run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); });
+  return run.execute<Hull>([&](Hull& hull) { run.hullOfPoints(engine, hull); });
 }
 
 Triangulation triangulationBy(PolyhedronBuilder<LiftedGeometry<true>>& engine,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <sstream>
+#include <type_traits>
 
 namespace flipflop
 {
@@ -165,25 +166,17 @@ std::string reportDifference(const std::vector<RoundReport>& a, const std::vecto
 
 std::string countDifference(const Statistics& a, const Statistics& b)
 {
-  const struct
-  {
-    const char* name;
-    std::int64_t Statistics::*count;
-  } counts[] = { { "points", &Statistics::points }, { "nonFinite", &Statistics::nonFinite },
-    { "culled", &Statistics::culled }, { "insertions", &Statistics::insertions },
-    { "flips22", &Statistics::flips22 }, { "flips31", &Statistics::flips31 },
-    { "flipsV", &Statistics::flipsV }, { "flipsD", &Statistics::flipsD },
-    { "labelled", &Statistics::labelled }, { "edgeChecks", &Statistics::edgeChecks },
-    { "exactCalls", &Statistics::exactCalls } };
-  for (const auto& c : counts)
-  {
-    if (a.*c.count != b.*c.count)
+  std::string difference;
+  Statistics::eachField(
+    [&](const char* name, auto field)
     {
-      return std::string(c.name) + ": " + std::to_string(a.*c.count) + " for " +
-        std::to_string(b.*c.count);
-    }
-  }
-  return "";
+      // Times differ.
+      if (std::is_integral_v<std::decay_t<decltype(a.*field)>> && a.*field != b.*field)
+      {
+        difference += name + (": " + std::to_string(a.*field)) + " for " + std::to_string(b.*field);
+      }
+    });
+  return difference;
 }
 
 }

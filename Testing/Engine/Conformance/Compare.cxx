@@ -215,13 +215,12 @@ std::string statisticsFault(const CellComplex& complex, std::int64_t points)
   {
     return "flips by kind and flips by criterion differ in sum";
   }
-  for (std::int64_t x : { s.nonFinite, s.culled, s.insertions, s.flips22, s.flips31, s.flipsV,
-         s.flipsD, s.labelled, s.edgeChecks, s.exactCalls })
+  std::string negative;
+  Statistics::eachField(
+    [&](const char* name, auto field) { negative = s.*field < 0 ? name : negative; });
+  if (!negative.empty())
   {
-    if (x < 0)
-    {
-      return "a negative count";
-    }
+    return negative + " is negative";
   }
   return s.culled > points ? "more culled points than there are" : "";
 }

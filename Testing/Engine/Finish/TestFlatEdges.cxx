@@ -93,8 +93,8 @@ TEST(FlatEdges, AreMarked)
         options.threads = threads;
         CheckedBuilder builder;
         TriangulationRun<false> run(viewOf(cloud), WeightView(), options);
-        run.engine = &builder;
-        run.execute<Triangulation>([&run](Triangulation& result) { run.triangulate(result); });
+        run.execute<Triangulation>(
+          [&](Triangulation& result) { run.triangulate(builder, result); });
         EXPECT_EQ(builder.missed, 0);
         flat += builder.flat;
       }

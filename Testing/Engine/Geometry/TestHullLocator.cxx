@@ -146,7 +146,7 @@ Solid solidOf(const Cloud& cloud)
     {
       triangle.v[k] = static_cast<std::uint32_t>(hull.connectivity[3 * t + k]);
     }
-    triangle.flags = triangle.index = 0;
+    triangle.flags = triangle.note = 0;
   }
   EXPECT_FALSE(linkTriangles(solid.polyhedron.triangles.data(), solid.polyhedron.triangleCount(),
     solid.polyhedron.vertexCount())

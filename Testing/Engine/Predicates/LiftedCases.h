@@ -123,7 +123,7 @@ public:
 
   /// Seen from all points alike, the kernel point is straight down too; but the virtual vertex is
   /// below it.
-  int beneathKernel(const Vertex& a, const Vertex& b, const Vertex& c) const
+  int kernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     IntegerRow s = { 0, 0, -1, 0 };
     if ((a.flags | b.flags | c.flags) & VertexVirtual)

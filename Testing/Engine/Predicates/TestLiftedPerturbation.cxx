@@ -196,13 +196,13 @@ void checkBeneath(unsigned seed, int count)
       }
       const int wanted = movedBeneath(three, s);
       ASSERT_NE(wanted, 0);
-      ASSERT_EQ(geometry.perturbedBeneathKernel(three[0], three[1], three[2]), wanted)
+      ASSERT_EQ(geometry.perturbedKernelBeneath(three[0], three[1], three[2]), wanted)
         << "case " << i << ", virtual " << place;
-      ASSERT_EQ(geometry.perturbedBeneathKernel(three[1], three[0], three[2]), -wanted)
+      ASSERT_EQ(geometry.perturbedKernelBeneath(three[1], three[0], three[2]), -wanted)
         << "case " << i << ", virtual " << place;
-      ASSERT_EQ(geometry.perturbedBeneathKernel(three[1], three[2], three[0]), wanted)
+      ASSERT_EQ(geometry.perturbedKernelBeneath(three[1], three[2], three[0]), wanted)
         << "case " << i << ", virtual " << place;
-      ties += geometry.beneathKernel(three[0], three[1], three[2]) == 0 ? 1 : 0;
+      ties += geometry.kernelBeneath(three[0], three[1], three[2]) == 0 ? 1 : 0;
     }
   }
   EXPECT_GT(ties, count);
@@ -274,7 +274,7 @@ void checkHulls(unsigned seed, int count)
       {
         // Triangles of points are counter-clockwise.
         const auto at = [&v](int k) -> const Vertex& { return v[static_cast<std::size_t>(k)]; };
-        ASSERT_GT(geometry.perturbedBeneathKernel(at(t[0]), at(t[1]), at(t[2])), 0);
+        ASSERT_GT(geometry.perturbedKernelBeneath(at(t[0]), at(t[1]), at(t[2])), 0);
       }
       virtualTriangles += turn ? 0 : 1;
     }
@@ -312,13 +312,13 @@ void checkWide(unsigned seed)
     wideGeometry.setSymbolicKernel(corner.data());
     ASSERT_EQ(geometry.perturbedAbove(v[0], v[1], v[2], v[3]),
       wideGeometry.perturbedAbove(v[0], v[1], v[2], v[3]));
-    ASSERT_EQ(geometry.perturbedBeneathKernel(v[0], v[1], v[2]),
-      wideGeometry.perturbedBeneathKernel(v[0], v[1], v[2]));
+    ASSERT_EQ(geometry.perturbedKernelBeneath(v[0], v[1], v[2]),
+      wideGeometry.perturbedKernelBeneath(v[0], v[1], v[2]));
     const Vertex down = virtualVertex();
     ASSERT_EQ(geometry.perturbedAbove(v[0], down, v[2], v[3]),
       wideGeometry.perturbedAbove(v[0], down, v[2], v[3]));
-    ASSERT_EQ(geometry.perturbedBeneathKernel(v[0], v[1], down),
-      wideGeometry.perturbedBeneathKernel(v[0], v[1], down));
+    ASSERT_EQ(geometry.perturbedKernelBeneath(v[0], v[1], down),
+      wideGeometry.perturbedKernelBeneath(v[0], v[1], down));
   }
 }
 

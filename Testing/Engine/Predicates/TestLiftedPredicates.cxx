@@ -122,14 +122,14 @@ private:
       {
         v[static_cast<std::size_t>(place)] = virtualVertex();
       }
-      const int wanted = this->exact.beneathKernel(v[0], v[1], v[2]);
-      ASSERT_EQ(g.beneathKernel(v[0], v[1], v[2]), wanted) << "virtual " << place;
-      ASSERT_EQ(g.beneathKernel(v[1], v[2], v[0]), wanted) << "virtual " << place;
-      ASSERT_EQ(g.beneathKernel(v[2], v[1], v[0]), -wanted) << "virtual " << place;
-      ASSERT_EQ(g.exactBeneathKernel(v[0], v[1], v[2]), wanted) << "virtual " << place;
-      ASSERT_EQ(g.exactBeneathKernel(v[0], v[2], v[1]), -wanted) << "virtual " << place;
+      const int wanted = this->exact.kernelBeneath(v[0], v[1], v[2]);
+      ASSERT_EQ(g.kernelBeneath(v[0], v[1], v[2]), wanted) << "virtual " << place;
+      ASSERT_EQ(g.kernelBeneath(v[1], v[2], v[0]), wanted) << "virtual " << place;
+      ASSERT_EQ(g.kernelBeneath(v[2], v[1], v[0]), -wanted) << "virtual " << place;
+      ASSERT_EQ(g.exactKernelBeneath(v[0], v[1], v[2]), wanted) << "virtual " << place;
+      ASSERT_EQ(g.exactKernelBeneath(v[0], v[2], v[1]), -wanted) << "virtual " << place;
       int sign = 7;
-      ASSERT_TRUE(!g.filterBeneathKernel(v[0], v[1], v[2], sign) || sign == wanted);
+      ASSERT_TRUE(!g.filterKernelBeneath(v[0], v[1], v[2], sign) || sign == wanted);
     }
   }
 
@@ -182,7 +182,7 @@ private:
       const auto wanted = [&](const Vertex& from, const Vertex& to)
       {
         return g.samePlace(a, b) ? !g.samePlace(a, p) || heavier
-          : g.beneathKernel(from, to, corner) == 0
+          : g.kernelBeneath(from, to, corner) == 0
           ? !this->isBeneathChord(a, b, p) && g.perturbedAbove(from, to, corner, p) > 0
           : this->exact.isAboveChord(a, p, b);
       };
@@ -515,8 +515,8 @@ TEST(LiftedPredicates, EasyInputsAreDecidedInDouble)
     geometry.setKernel(s);
     ASSERT_NE(geometry.above(v[0], v[1], v[2], v[3]), 0);
     ASSERT_NE(geometry.above(v[0], v[1], virtualVertex(), v[3]), 0);
-    ASSERT_NE(geometry.beneathKernel(v[0], v[1], v[2]), 0);
-    ASSERT_NE(geometry.beneathKernel(v[0], v[1], virtualVertex()), 0);
+    ASSERT_NE(geometry.kernelBeneath(v[0], v[1], v[2]), 0);
+    ASSERT_NE(geometry.kernelBeneath(v[0], v[1], virtualVertex()), 0);
     ASSERT_NE(geometry.orient(v[0], v[1], v[3]), 0);
     ASSERT_EQ(geometry.predicateCounts().exact, 0) << "case " << i;
     ASSERT_EQ(geometry.predicateCounts().ties, 0);
@@ -546,7 +546,7 @@ TEST(LiftedPredicates, OnALatticeDoublesAreExact)
     const ExactLift exact(v);
     ASSERT_EQ(geometry.above(v[0], v[1], v[2], v[3]), exact.above(v[0], v[1], v[2], v[3]));
     ASSERT_EQ(geometry.orient(v[0], v[1], v[2]), exact.orient(v[0], v[1], v[2]));
-    ASSERT_EQ(geometry.beneathKernel(v[1], v[2], v[3]), exact.orient(v[1], v[2], v[3]));
+    ASSERT_EQ(geometry.kernelBeneath(v[1], v[2], v[3]), exact.orient(v[1], v[2], v[3]));
     const Vertex corner = virtualVertex();
     ASSERT_EQ(geometry.above(v[0], corner, v[1], v[2]), exact.above(v[0], corner, v[1], v[2]));
     ASSERT_EQ(geometry.predicateCounts().exact, 0);

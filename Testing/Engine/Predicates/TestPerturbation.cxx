@@ -98,8 +98,8 @@ TEST(Perturbation, TheKernelIsNotMoved)
     const int wanted = sgn(det4(row[0], row[1], row[2], rowOf(s)));
     HullGeometry geometry = geometryOf(v);
     geometry.setKernel(s.x);
-    ASSERT_EQ(geometry.perturbedBeneathKernel(v[0], v[1], v[2]), wanted) << "case " << i;
-    ASSERT_EQ(geometry.perturbedBeneathKernel(v[1], v[0], v[2]), -wanted) << "case " << i;
+    ASSERT_EQ(geometry.perturbedKernelBeneath(v[0], v[1], v[2]), wanted) << "case " << i;
+    ASSERT_EQ(geometry.perturbedKernelBeneath(v[1], v[0], v[2]), -wanted) << "case " << i;
   }
 }
 
@@ -125,7 +125,7 @@ TEST(Perturbation, NorIsTheSymbolicKernel)
     HullGeometry geometry = geometryOf(v);
     geometry.setSymbolicKernel(corner.data());
     ASSERT_EQ(
-      geometry.perturbedBeneathKernel(v[0], v[1], v[2]), sgn(det4(row[0], row[1], row[2], s)))
+      geometry.perturbedKernelBeneath(v[0], v[1], v[2]), sgn(det4(row[0], row[1], row[2], s)))
       << "case " << i;
   }
 }

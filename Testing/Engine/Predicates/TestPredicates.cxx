@@ -63,8 +63,8 @@ void expectAllSigns(const HullGeometry& geometry, const std::vector<Vertex>& v)
   HullGeometry kernel = geometry;
   kernel.setKernel(v[3].x);
   const int beneath = exactBeneath(v[0], v[1], v[2], rowOf(v[3]));
-  ASSERT_EQ(kernel.beneathKernel(v[0], v[1], v[2]), beneath);
-  ASSERT_EQ(kernel.exactBeneathKernel(v[2], v[1], v[0]), -beneath);
+  ASSERT_EQ(kernel.kernelBeneath(v[0], v[1], v[2]), beneath);
+  ASSERT_EQ(kernel.exactKernelBeneath(v[2], v[1], v[0]), -beneath);
   for (int i = 0; i < 3; ++i)
   {
     const int p = i;
@@ -255,9 +255,9 @@ TEST(Predicates, SymbolicKernelIsTheExactCentroid)
     }
     const int volume = exactAbove(v[0], v[1], v[2], v[3]);
     zero += volume == 0 ? 1 : 0;
-    ASSERT_EQ(geometry.beneathKernel(v[0], v[1], v[2]), exactBeneath(v[0], v[1], v[2], s));
-    ASSERT_EQ(geometry.beneathKernel(v[0], v[1], v[2]), -volume);
-    ASSERT_EQ(geometry.beneathKernel(v[1], v[3], v[0]), exactBeneath(v[1], v[3], v[0], s));
+    ASSERT_EQ(geometry.kernelBeneath(v[0], v[1], v[2]), exactBeneath(v[0], v[1], v[2], s));
+    ASSERT_EQ(geometry.kernelBeneath(v[0], v[1], v[2]), -volume);
+    ASSERT_EQ(geometry.kernelBeneath(v[1], v[3], v[0]), exactBeneath(v[1], v[3], v[0], s));
   }
   EXPECT_LT(zero, 9000);
 }

@@ -52,7 +52,7 @@ Solid solidOf(const Surface& surface)
   {
     Triangle& triangle = solid.polyhedron.triangles[t];
     std::copy(surface.triangles[t].begin(), surface.triangles[t].end(), triangle.v);
-    triangle.flags = triangle.index = 0;
+    triangle.flags = triangle.note = 0;
   }
   EXPECT_FALSE(linkTriangles(solid.polyhedron.triangles.data(), solid.polyhedron.triangleCount(),
     solid.polyhedron.vertexCount())
@@ -103,7 +103,7 @@ void expectCarried(const Surface& surface)
       {
         for (int c = 0; c < b; ++c)
         {
-          ASSERT_EQ(geometry.beneathKernel(v[static_cast<std::size_t>(a)],
+          ASSERT_EQ(geometry.kernelBeneath(v[static_cast<std::size_t>(a)],
                       v[static_cast<std::size_t>(b)], v[static_cast<std::size_t>(c)]),
             -space.orient(a, b, c, static_cast<int>(surface.points.size())));
         }

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The geometry concept: all that the algorithms may ask of space. A model is written by filling in
+/// this list; a static assertion on isGeometry checks that it has all.
+///
+/// Vertices are seen from a kernel point s, inside of what is built. Triangles are
+/// counter-clockwise seen from outside, so s is beneath every triangle of a polyhedron that is
+/// star-shaped from s. Every sign is exact: -1, 0 or 1.
+///
+/// Two models: HullGeometry (points in space) and LiftedGeometry (weighted points of the plane).
+#ifndef flipflop_GeometryConcept_h
+#define flipflop_GeometryConcept_h
+
+#include "Mesh/Mesh.h"
+#include "Mesh/Polyhedron.h"
+#include "Points/InsertionOrder.h"
+#include "Points/PointSource.h"
+#include "Points/Vertex.h"
+#include "Predicates/PredicateSteps.h"
+#include "Support/Monitor.h"
+
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace flipflop
+{
+
+/// A static assertion for each line of the list: this expression, of this type.
+#define FF_GIVES(Type, ...) static_assert(std::is_same_v<Type, decltype(__VA_ARGS__)>, #__VA_ARGS__)
+
+/// What every model gives. Derive from PredicateSteps<Model>, and most signs follow from their
+/// steps.
+template <class Model>
+constexpr bool hasSigns()
+{
+  using std::declval;
+  using G = const Model&;
+  using V = const Vertex&;
+
+  // Are all points vertices but for duplicates? Do threads insert all points one at a time
+  // (InsertionBuilder)? Else they grow first and flip afterwards where that is faster (Builder).
+  FF_GIVES(const bool, Model::AllExtreme);
+  FF_GIVES(const bool, Model::InsertsAtOnce);
+
+  // The kernel point: a place, or the exact centroid of four vertices, which no double need be.
+  // kernel() is rounded then.
+  FF_GIVES(void, declval<Model&>().setKernel(declval<const double*>()));
+  FF_GIVES(void, declval<Model&>().setSymbolicKernel(declval<const Vertex*>()));
+  FF_GIVES(const double*, declval<G>().kernel());
+  FF_GIVES(bool, declval<G>().kernelIsSymbolic());
+
+  // Is p beyond the triangle abc, seen from s? orient3d of points in space; the power test of
+  // weighted points.
+  FF_GIVES(int, declval<G>().above(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+
+  // Is s beneath the triangle abc? p is in the cone of abc when s is beneath abp, bcp and cap.
+  FF_GIVES(int, declval<G>().kernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+
+  // The same, never zero: ties by Simulation of Simplicity, by the vertices' ids.
+  FF_GIVES(
+    int, declval<G>().perturbedAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_GIVES(int, declval<G>().perturbedKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+
+  // Each step alone. The filters, in floating point, return false when they cannot tell; where the
+  // exact sign is zero, the ties are never zero.
+  FF_GIVES(bool,
+    declval<G>().filterAbove(
+      declval<V>(), declval<V>(), declval<V>(), declval<V>(), declval<int&>()));
+  FF_GIVES(bool,
+    declval<G>().filterKernelBeneath(declval<V>(), declval<V>(), declval<V>(), declval<int&>()));
+  FF_GIVES(int, declval<G>().exactAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_GIVES(int, declval<G>().exactKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+  FF_GIVES(int, declval<G>().tieAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_GIVES(int, declval<G>().tieKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+
+  // May p, in the cone of abc and exactly on its plane, still be a vertex of the perturbed result?
+  // On a triangle it is never strictly extreme, and dropped. Where the cone is flat (s is on the
+  // plane, too) that does not follow.
+  FF_GIVES(bool, declval<G>().mayAppearOn(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+
+  // Do the three lie on a line? Exact.
+  FF_GIVES(bool, declval<G>().collinear(declval<V>(), declval<V>(), declval<V>()));
+
+  // How far p is above abc, times twice the area; rounded. For choosing the furthest point.
+  FF_GIVES(double, Model::heightAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+
+  // Are integers of any size needed? Devices have none.
+  FF_GIVES(bool, declval<G>().isWide());
+
+  // What it has answered. Each task has a copy of its own, which counts.
+  FF_GIVES(const PredicateCounts&, declval<G>().predicateCounts());
+  static_assert(std::is_copy_constructible_v<Model>);
+  return true;
+}
+
+/// Functions beside the class.
+template <class Model>
+constexpr bool hasStart()
+{
+  using std::declval;
+  // The tetrahedron of the points that findSpan chose; the kernel point is set inside it.
+  FF_GIVES(Polyhedron,
+    startingTetrahedron(
+      declval<Model&>(), declval<const PointSource&>(), declval<const std::uint32_t*>()));
+  // The curve that points are inserted along.
+  FF_GIVES(Unfolding, unfoldingOf(declval<const Model&>(), declval<const Polyhedron&>()));
+  return true;
+}
+
+/// A Locator starts walks near where they end. It keeps a triangle for each of some cells.
+template <class Model>
+constexpr bool hasLocator()
+{
+  using std::declval;
+  using Locator = typename Model::Locator;
+  using L = const Locator&;
+  static_assert(std::is_constructible_v<Locator, const Model&, const Triangle*, std::uint32_t,
+    const Vertex*, Monitor&>);
+  using Cell = decltype(declval<L>().cellOf(declval<const double*>()));
+  FF_GIVES(std::uint32_t, declval<L>().near(declval<const Vertex&>(), declval<Cell>()));
+  // The triangle in whose cone p lies, by a visibility walk from a given one.
+  FF_GIVES(std::uint32_t,
+    declval<L>().locate(
+      declval<const Model&>(), declval<const Vertex&>(), declval<std::uint32_t>()));
+  return true;
+}
+
+/// What a model that grows (not InsertsAtOnce) gives besides: tests of planes and split cones,
+/// prepared for many points, each a rounded value and its error bound.
+template <class Model>
+constexpr bool canGrow()
+{
+  using std::declval;
+  using V = const Vertex&;
+  using G = const Model&;
+
+  // The kernel point may move to the middle of a convex polyhedron.
+  FF_GIVES(void, centerKernel(declval<Model&>(), declval<const Polyhedron&>()));
+
+  using Plane = typename Model::Plane;
+  static_assert(std::is_constructible_v<Plane, G, V, V, V>);
+  FF_GIVES(double, declval<const Plane&>().height(declval<const double*>()));
+  FF_GIVES(double, declval<const Plane&>().error());
+
+  // The cone of abc split by v: which child holds p (-1: too close to tell), how far p is above it.
+  using Split = typename Model::Split;
+  static_assert(std::is_constructible_v<Split, G, V, V, V, V>);
+  FF_GIVES(int, declval<const Split&>().child(declval<const double*>()));
+  FF_GIVES(double, declval<const Split&>().height(0, declval<const double*>()));
+  FF_GIVES(double, declval<const Split&>().heightError(0));
+
+  // A locator that dismisses points that are certainly inside, a block at a time.
+  using Locator = typename Model::Locator;
+  FF_GIVES(void, declval<const Locator&>().classify(declval<typename Locator::Block&>(), 0));
+  FF_GIVES(const Plane&, declval<const Locator&>().plane(std::uint32_t(0)));
+  return true;
+}
+
+#undef FF_GIVES
+
+/// Has the model all that it must give? A compiler that says no names the line of the list.
+template <class Model>
+constexpr bool isGeometry()
+{
+  if constexpr (!Model::InsertsAtOnce)
+  {
+    static_assert(canGrow<Model>());
+  }
+  return hasSigns<Model>() && hasStart<Model>() && hasLocator<Model>();
+}
+
+}
+
+#endif

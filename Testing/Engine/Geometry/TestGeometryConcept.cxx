@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A third geometry: what the concept lists is all that the algorithms need. It takes its signs
+/// from rationals, so its hulls are also a check of HullGeometry's filters and exact steps.
+#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Inputs/Inputs.h"
+
+#include "FlipFlop/InsertionBuilder.h"
+#include "Geometry/GeometryConcept.h"
+#include "Geometry/HullGeometry.h"
+#include "Geometry/HullStart.h"
+#include "Geometry/VisibilityWalk.h"
+#include "Run/GeometryRun.h"
+#include "Run/HullRun.h"
+
+#include <gtest/gtest.h>
+
+#include <gmpxx.h>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+class RationalLocator;
+
+/// Space, with signs from rationals. Only the kernel point and the ties are HullGeometry's.
+class RationalGeometry : public PredicateSteps<RationalGeometry>
+{
+public:
+  using Locator = RationalLocator;
+  static constexpr bool AllExtreme = false;
+  static constexpr bool InsertsAtOnce = true;
+
+  HullGeometry hull;
+
+  void setKernel(const double* point) { this->hull.setKernel(point); }
+  void setSymbolicKernel(const Vertex* corners) { this->hull.setSymbolicKernel(corners); }
+  const double* kernel() const { return this->hull.kernel(); }
+  bool kernelIsSymbolic() const { return this->hull.kernelIsSymbolic(); }
+
+  bool filterAbove(const Vertex&, const Vertex&, const Vertex&, const Vertex&, int&) const
+  {
+    return false;
+  }
+  bool filterKernelBeneath(const Vertex&, const Vertex&, const Vertex&, int&) const
+  {
+    return false;
+  }
+  int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    return orient(a.x, b.x, c.x, p.x);
+  }
+  int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    EXPECT_FALSE(this->kernelIsSymbolic());
+    return -orient(a.x, b.x, c.x, this->kernel());
+  }
+  int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    return this->hull.tieAbove(a, b, c, p);
+  }
+  int tieKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->hull.tieKernelBeneath(a, b, c);
+  }
+  bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    return this->hull.mayAppearOn(a, b, c, p);
+  }
+  bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->hull.collinear(a, b, c);
+  }
+  static double heightAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  {
+    return HullGeometry::heightAbove(a, b, c, p);
+  }
+  static bool isWide() { return false; }
+
+private:
+  /// Sign of det[b - a; c - a; d - a].
+  static int orient(const double* a, const double* b, const double* c, const double* d)
+  {
+    mpq_class row[3][3];
+    const double* const point[3] = { b, c, d };
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        row[i][k] = mpq_class(point[i][k]) - mpq_class(a[k]);
+      }
+    }
+    const mpq_class det = row[0][0] * (row[1][1] * row[2][2] - row[1][2] * row[2][1]) +
+      row[0][1] * (row[1][2] * row[2][0] - row[1][0] * row[2][2]) +
+      row[0][2] * (row[1][0] * row[2][1] - row[1][1] * row[2][0]);
+    return sgn(det);
+  }
+};
+
+/// Every walk starts at triangle 0.
+class RationalLocator
+{
+public:
+  RationalLocator(const RationalGeometry&, const Triangle* triangleArray,
+    std::uint32_t triangleCount, const Vertex* vertexArray, Monitor&)
+    : triangles(triangleArray)
+    , count(triangleCount)
+    , vertices(vertexArray)
+  {
+  }
+
+  static int cellOf(const double*) { return 0; }
+  static std::uint32_t near(const Vertex&, int) { return 0; }
+  std::uint32_t locate(const RationalGeometry& geometry, const Vertex& p, std::uint32_t start) const
+  {
+    return visibilityWalk(this->triangles, NoIndex, start, this->count,
+      [&](std::uint32_t t, int entry)
+      {
+        const std::uint32_t* const v = this->triangles[t].v;
+        return firstExit(entry,
+          [&](int i) {
+            return exactSide(geometry, this->vertices[v[i]], this->vertices[v[nextCorner(i)]], p);
+          });
+      });
+  }
+
+private:
+  const Triangle* triangles;
+  std::uint32_t count;
+  const Vertex* vertices;
+};
+
+Polyhedron startingTetrahedron(
+  RationalGeometry& geometry, const PointSource& source, const std::uint32_t* ids)
+{
+  return startingTetrahedron(geometry.hull, source, ids);
+}
+
+Unfolding unfoldingOf(const RationalGeometry& geometry, const Polyhedron& polyhedron)
+{
+  return unfoldingOf(geometry.hull, polyhedron);
+}
+
+static_assert(isGeometry<RationalGeometry>());
+
+class RationalBuilder : public PolyhedronBuilder<RationalGeometry>
+{
+public:
+  Polyhedron build(const BuildTask<RationalGeometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override
+  {
+    return InsertionBuilder<RationalGeometry>::build(task, std::move(start), tally, statistics);
+  }
+};
+
+/// What HullRun does, over the third geometry.
+class RationalRun : public GeometryRun<RationalGeometry>
+{
+public:
+  RationalRun(const PointView& points, const Options& options)
+    : GeometryRun(points, 3, PointSource(points), options)
+  {
+  }
+
+  void hullOfPoints(Hull& hull)
+  {
+    Stopwatch watch;
+    ASSERT_TRUE(this->look(hull.statistics));
+    this->setArithmetic(chooseArithmetic(this->range));
+    ASSERT_FALSE(this->arithmetic.wide);
+    this->geometry.hull = HullGeometry(this->range, this->arithmetic);
+    RationalBuilder engine;
+    this->build(
+      engine, hull, 3, watch,
+      [this](const std::uint32_t* ids, std::uint32_t count)
+      {
+        return findSpan(
+          this->geometry.hull, this->source, ids, count, 3, this->checkFinite, this->monitor);
+      },
+      [](const Span&) { ADD_FAILURE() << "the points span space"; },
+      [&](CanonicalForm& form)
+      { form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull); });
+  }
+};
+
+TEST(GeometryConcept, AThirdGeometryBuildsTheSameHulls)
+{
+  for (const char* family : { "cube", "shell0", "smallIntegers", "boxFaces" })
+  {
+    SCOPED_TRACE(family);
+    const Cloud cloud = fromFamily(family, 400, 5).make();
+    for (const int threads : threadsTried())
+    {
+      Options options;
+      options.threads = threads;
+      RationalRun run(viewOf(cloud), options);
+      const Hull found = run.execute<Hull>([&run](Hull& hull) { run.hullOfPoints(hull); });
+      EXPECT_EQ(bitDifference(found, convexHull(viewOf(cloud), options)), "");
+    }
+  }
+}
+
+}
+}
+}
