@@ -226,7 +226,7 @@ public:
   /**
    * Set/Get whether the input's point data arrays are passed to the output, in their full type and
    * precision. On by default. Attributes that describe the input's own surface (normals, tangents,
-   * edge flags) become plain arrays, since they would shade and draw another surface falsely.
+   * edge flags) become plain arrays: they would shade and draw another surface falsely.
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
@@ -281,10 +281,10 @@ public:
   /**
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
    * each. All are 0 before a run, and after a run that failed or was aborted, also if some blocks
-   * had results. Engines do the work in a different order, so from CulledPoints on the numbers
-   * differ between engines; the output does not. If the CPU engine inserts points one at a time (in
-   * triangulations, and in hulls of which most points are vertices), the numbers also depend on the
-   * number of threads.
+   * had results. From CulledPoints on, the numbers differ between engines, which work in different
+   * orders. If the CPU engine inserts points one at a time (in triangulations, and in hulls whose
+   * vertices are most of the points), they also depend on the number of threads. The output is the
+   * same.
    *
    * - InputPoints: points given, without ghost points that are left out
    * - NonFinitePoints: points left out (or, after an error, found)
@@ -407,8 +407,7 @@ protected:
   }
 
   /**
-   * The types that a leaf of the input may have: some of vtkPointSet, vtkImageData and
-   * vtkRectilinearGrid, or types derived from these.
+   * The types of an input's leaf: of vtkPointSet, vtkImageData, vtkRectilinearGrid, or derived.
    */
   virtual std::vector<std::string> GetLeafTypes()
   {
@@ -466,8 +465,7 @@ protected:
   void ReportError(const std::string& message);
 
   /**
-   * Which part of the current block's progress the next runs of the engine cover: by default all of
-   * it.
+   * The part of the current block's progress that the engine's next runs cover: by default all.
    */
   void SetProgressPart(double begin, double end);
 
@@ -482,8 +480,8 @@ protected:
   void NoteAbort(vtkFFFailure& failure);
 
   /**
-   * The place, among all points of CurrentBlocks, of the engine's point @p index. It is the same
-   * number, unless the engine was given only some of the points.
+   * The place, among all points of CurrentBlocks, of the engine's point @p index: the same number,
+   * unless the engine was given only some of the points.
    */
   virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
   {
@@ -523,8 +521,7 @@ protected:
   std::string OfBlock();
 
   /**
-   * Which numbers are not finite, where the first one is, and how many there are: the sentence
-   * before the advice.
+   * Which numbers are not finite, the first one, and how many: the sentence before the advice.
    */
   std::string DescribeNonFinite(const std::string& what, const flipflop::Error& error);
 
@@ -534,7 +531,7 @@ protected:
   virtual std::string DescribeError(const flipflop::Error& error);
 
   /**
-   * The blocks that are worked on now.
+   * The blocks in work.
    */
   std::vector<Block> CurrentBlocks;
 #endif
