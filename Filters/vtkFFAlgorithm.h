@@ -407,7 +407,7 @@ protected:
   }
 
   /**
-   * The types of an input's leaf: of vtkPointSet, vtkImageData, vtkRectilinearGrid, or derived.
+   * The types that a leaf may have: vtkPointSet, vtkImageData, vtkRectilinearGrid, or derived types.
    */
   virtual std::vector<std::string> GetLeafTypes()
   {
