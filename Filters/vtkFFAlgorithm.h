@@ -407,7 +407,7 @@ protected:
   }
 
   /**
-   * The types that a leaf may have: vtkPointSet, vtkImageData, vtkRectilinearGrid, or derived types.
+   * The types that a leaf may have: vtkPointSet, vtkImageData, vtkRectilinearGrid, or derived.
    */
   virtual std::vector<std::string> GetLeafTypes()
   {
