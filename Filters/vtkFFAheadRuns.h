@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFFAheadRuns
- * @brief   the engine's runs of some blocks, side by side, before the blocks' turn
+ * @brief   runs the engine on several blocks side by side, before their turn
  *
- * vtkFFAheadRuns gathers the points of some blocks, has the engine run on all of them side by side,
- * and keeps what each run gave, told and threw until its block's turn comes. What users see is then
- * what they would see of one run after another: the same progress, the same error.
+ * vtkFFAheadRuns gathers the points of some blocks, and runs the engine on all of them side by
+ * side. It keeps each run's result, progress and error until its block's turn comes. So users see
+ * the same progress and the same error as for one run after another.
  */
 
 #ifndef vtkFFAheadRuns_h
@@ -39,25 +39,26 @@ public:
   ~vtkFFAheadRuns();
 
   /**
-   * Gather a block's points; @p places is what the work sets meanwhile, and is taken. False if
-   * something was thrown: no later block need be added.
+   * Gather a block's points. The work sets @p places meanwhile; this object takes them over. False
+   * after an exception: no later block need be added.
    */
   bool Gather(std::unique_ptr<vtkFFBlockWork> work, const flipflop::Options& options,
     std::vector<vtkIdType>& places);
 
   /**
-   * Run the engine on all that was gathered, on so many threads.
+   * Run the engine on all gathered blocks, on @p threads threads.
    */
   void Run(int threads, const flipflop::Options& options, const flipflop::EngineOptions& engine);
 
   /**
-   * Whether there is a run whose turn has not come.
+   * Whether there is a run whose turn has not come yet.
    */
   bool HasNext() const { return this->Next < this->Runs.size(); }
 
   /**
-   * The turn of the next one, in the order in which they were gathered: its places are given back
-   * first, then its progress is told by @p options, what it threw is thrown, or its result written.
+   * Take the turn of the next run, in the order in which they were gathered. First, give its places
+   * back; then report its progress through @p options; then throw its exception, or write its
+   * result.
    *
    * @throw flipflop::Error, std::exception.
    */

@@ -4,19 +4,19 @@
  * @class   vtkFFAlgorithm
  * @brief   what the Flip-Flop filters have in common
  *
- * vtkFFAlgorithm is the abstract superclass of the filters that run the Flip-Flop engine. It holds
- * the choices that all of them offer (which engine, how many threads, what to do with points that
- * are not finite, how facets are given, whether point data is passed), and what a run reports: the
- * dimension of the result, which engine ran and why, and the statistics that the paper gives for
- * its own runs.
+ * vtkFFAlgorithm is the abstract superclass of the filters that run the Flip-Flop engine. It has
+ * the properties that all of them share (which engine, how many threads, what to do with points
+ * that are not finite, how facets are given, whether point data is passed). It also has the figures
+ * that a run reports: the dimension of the result, which engine ran and why, and the statistics
+ * that the paper gives for its own runs.
  *
- * The filters are exact: every branch that decides the output is taken on the exact sign of a
- * determinant, so no tolerance exists and none can be set. The output is a function of the input
+ * The filters are exact: the exact sign of a determinant decides every branch that affects the
+ * output. So there is no tolerance, and none can be set. The output is a function of the input
  * alone. It does not depend on the engine, nor on the number of threads.
  *
- * An error is reported with vtkErrorMacro, in a sentence that names what is wrong and where. The
- * output is empty then, and GetErrorCode() differs from vtkErrorCode::NoError. A run reports
- * progress, and stops soon after it is asked to abort; its output is empty then, too.
+ * Errors are reported with vtkErrorMacro, in a sentence that names what is wrong and where. After
+ * an error, the output is empty, and GetErrorCode() differs from vtkErrorCode::NoError. A run
+ * reports progress. It stops soon after a request to abort; its output is then empty, too.
  *
  * The algorithm is that of
  *
@@ -24,15 +24,15 @@
  * Construction via Star-Shaped Polyhedron in 3D". Proceedings of the ACM SIGGRAPH Symposium on
  * Interactive 3D Graphics and Games (I3D), 2013.
  *
- * Input is any vtkPointSet, and any vtkImageData or vtkRectilinearGrid, whose points are laid out
- * first, in double (in float, if all coordinates of a rectilinear grid are), 24 bytes each; or a
- * composite of these. vtkFFConvexifyFilter takes a vtkPolyData. Anything else, and no input at all,
- * is an error.
+ * Input is any vtkPointSet, vtkImageData or vtkRectilinearGrid, or a composite of these. The points
+ * of the latter two are first copied to an array of double, 24 bytes each (of float, if all
+ * coordinates of a rectilinear grid are float). vtkFFConvexifyFilter accepts a vtkPolyData. Any
+ * other input, and no input, is an error.
  *
  * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
  * vtkDataObjectTrees) gives a result for each block, in a composite of the same structure on every
- * port (get it by GetOutputDataObject()). A vtkPartitionedDataSet is one block: its partitions are
- * pieces of one data set, appended in their order, and the result has a single partition.
+ * port (get it with GetOutputDataObject()). A vtkPartitionedDataSet is one block: its partitions
+ * are pieces of one data set, appended in their order, and the result has a single partition.
  *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
@@ -117,21 +117,21 @@ public:
    * Set/Get the engine. Whatever engine runs, the output is the same, bit for bit.
    *
    * - ENGINE_AUTOMATIC (the default): the CUDA engine for inputs of
-   *   CUDAThreshold points or more where IsCUDAAvailable(), else the
-   *   CPU engine. Should the device fail, or its memory not suffice,
+   *   CUDAThreshold points or more if IsCUDAAvailable(), otherwise
+   *   the CPU engine. If the device fails, or has too little memory,
    *   the CPU engine does the work.
    * - ENGINE_CPU: the CPU engine.
-   * - ENGINE_CUDA: the CUDA engine, for inputs of any size. It is an
-   *   error, and gives an empty output, where it is not available,
-   *   fails or lacks memory. Points that span too little for an engine
-   *   to have work, and coordinates that only integers of any size can
-   *   decide, are left to the CPU engine all the same.
+   * - ENGINE_CUDA: the CUDA engine, for inputs of any size. If it is
+   *   not available, fails or lacks memory, that is an error, and the
+   *   output is empty. The CPU engine still does two kinds of input:
+   *   points that span too little to give an engine work, and
+   *   coordinates that only integers of any size can decide.
    *
-   * With VTK 9.6 or later, the CUDA engine reads a single array of float or double that lives on
-   * the device (a vtkmDataArray can) in place; it must be the current device. The host reads it,
-   * too.
+   * With VTK 9.6 or later, the CUDA engine reads a single array of float or double in place if the
+   * array is on the device (a vtkmDataArray can be). The device must be the current one. The host
+   * reads the array, too.
    *
-   * vtkFFConvexifyFilter runs on the CPU engine only: asking it for the CUDA engine is an error.
+   * vtkFFConvexifyFilter runs on the CPU engine only: setting the CUDA engine for it is an error.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_CUDA);
   vtkGetMacro(Engine, int);
@@ -143,9 +143,9 @@ public:
 
   //@{
   /**
-   * Set/Get from how many points on ENGINE_AUTOMATIC takes the CUDA engine. From how many on it
-   * pays is for a measurement to tell, and none has been made: the default is VTK_ID_MAX, which
-   * leaves all inputs to the CPU engine, as anything from VTK_INT_MAX on does.
+   * Set/Get the number of points from which on ENGINE_AUTOMATIC uses the CUDA engine. The crossover
+   * has not been measured. The default is VTK_ID_MAX: the CPU engine does all inputs. Every value
+   * from VTK_INT_MAX on means the same.
    */
   vtkSetClampMacro(CUDAThreshold, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(CUDAThreshold, vtkIdType);
@@ -153,9 +153,9 @@ public:
 
   //@{
   /**
-   * Get whether this build has a CUDA engine and this machine a device that can run it; the
-   * device's name (empty where there is none); and why there is none (empty where there is one).
-   * Looks once, at the first call.
+   * Get whether this build has a CUDA engine and this machine has a device that can run it; the
+   * device's name (empty if there is none); and why there is none (empty if there is one). It
+   * checks once, at the first call.
    */
   static bool IsCUDAAvailable();
   static const char* GetCUDADeviceName();
@@ -164,9 +164,9 @@ public:
 
   //@{
   /**
-   * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE where none gave a
-   * result), and why it was that one, in words. For several blocks with a result each: ENGINE_CUDA
-   * if any block used it, and the reason of the last block that used the same engine.
+   * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE if there was no result),
+   * and the reason for it, in words. For several blocks with a result each: ENGINE_CUDA if any
+   * block used it, and the reason of the last block that used the same engine.
    */
   vtkGetMacro(EngineUsed, int);
   const char* GetEngineUsedAsString();
@@ -175,8 +175,8 @@ public:
 
   //@{
   /**
-   * Set/Get the number of threads. 0 (the default) takes as many as vtkSMPTools would. The output
-   * does not depend on it.
+   * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools would use. The
+   * output does not depend on it.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
@@ -184,8 +184,8 @@ public:
 
   //@{
   /**
-   * Set/Get how facets are given: as triangles (the default), where a facet of more than three
-   * corners is a fan from the corner of lowest id, or as one polygon a facet.
+   * Set/Get how facets are given: as triangles (the default), or as one polygon a facet. As
+   * triangles, a facet of more than three corners is a fan from the corner of lowest id.
    */
   vtkSetClampMacro(FacetMode, int, FACETS_AS_TRIANGLES, FACETS_AS_POLYGONS);
   vtkGetMacro(FacetMode, int);
@@ -196,8 +196,8 @@ public:
 
   //@{
   /**
-   * Set/Get what to do with points that have a NaN or infinite coordinate or weight: an error that
-   * names the first one (the default), or leave them out and count them in
+   * Set/Get what to do with points that have a NaN or infinite coordinate or weight: report an
+   * error that names the first one (the default), or leave them out and count them in
    * GetNumberOfNonFinitePoints().
    */
   vtkSetClampMacro(NonFinitePoints, int, NON_FINITE_ERROR, NON_FINITE_IGNORE);
@@ -209,12 +209,13 @@ public:
 
   //@{
   /**
-   * Set/Get whether ghost points are left out: those that the input's point array vtkGhostType
-   * marks as another piece's (vtkDataSetAttributes::DUPLICATEPOINT) or as hidden (HIDDENPOINT:
-   * blanked points of grids). On by default. They are on no output then and are not counted; the
-   * others keep their ids. Off, they are points like all others. Marks of cells do not matter.
+   * Set/Get whether ghost points are left out. On by default. Ghost points are those that the
+   * input's point array vtkGhostType marks as another piece's
+   * (vtkDataSetAttributes::DUPLICATEPOINT) or as hidden (HIDDENPOINT: blanked points of grids). If
+   * on, they are on no output and are not counted; the other points keep their ids. If off, ghost
+   * points are points like all others. Marks of cells do not matter.
    *
-   * vtkFFConvexifyFilter takes its surface whole, whatever is marked.
+   * vtkFFConvexifyFilter uses its whole surface and ignores the marks.
    */
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
@@ -224,8 +225,8 @@ public:
   //@{
   /**
    * Set/Get whether the input's point data arrays are passed to the output, in their full type and
-   * precision. On by default. Attributes that tell of the input's own surface (normals, tangents,
-   * edge flags) are plain arrays there: another surface would be shaded and drawn falsely by them.
+   * precision. On by default. Attributes that describe the input's own surface (normals, tangents,
+   * edge flags) become plain arrays: they would shade and draw another surface falsely.
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
@@ -244,12 +245,13 @@ public:
 
   //@{
   /**
-   * Set/Get whether what a run found is also given as field data of its output (of the first port,
-   * in each block): some applications show their users nothing else. Off by default. The arrays, of
-   * one value each, are FlipFlopDimension, FlipFlopInputPoints, FlipFlopNonFinitePoints,
-   * FlipFlopEngine and FlipFlopEngineReason (strings), FlipFlopThreads and FlipFlopSeconds; of a
-   * hull FlipFlopVolume and FlipFlopArea; of a triangulation FlipFlopHiddenPoints. An input's field
-   * data is passed, but for arrays whose names begin with FlipFlop: they tell of another run.
+   * Set/Get whether the figures of a run are also given as field data of its output (of the first
+   * port, in each block), since some applications show their users nothing else. Off by default.
+   * The arrays have one value each: FlipFlopDimension, FlipFlopInputPoints,
+   * FlipFlopNonFinitePoints, FlipFlopEngine and FlipFlopEngineReason (strings), FlipFlopThreads and
+   * FlipFlopSeconds; for a hull also FlipFlopVolume and FlipFlopArea; for a triangulation also
+   * FlipFlopHiddenPoints. An input's field data is passed, except arrays whose names begin with
+   * FlipFlop, since they describe another run.
    */
   vtkSetMacro(ReportAsFieldData, bool);
   vtkGetMacro(ReportAsFieldData, bool);
@@ -259,9 +261,9 @@ public:
   //@{
   /**
    * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
-   * 2.3), which flips by the volume criterion alone as long as it can, and labels a vertex only
-   * then. The output is the same; the statistics are not. On by default: where points lie along
-   * curves, labels that come early cost very many flips.
+   * 2.3). It flips by the volume criterion alone as long as it can, and only then labels a vertex.
+   * The output is the same; the statistics differ. On by default: if points lie along curves, early
+   * labels cost very many flips.
    */
   vtkSetMacro(VBiased, bool);
   vtkGetMacro(VBiased, bool);
@@ -270,18 +272,19 @@ public:
 
   /**
    * Get the dimension of what the last run's points span: -1 for no point, 0 for one position, 1
-   * for collinear points, 2 for coplanar ones, else 3. For several blocks with a result each: the
-   * greatest.
+   * for collinear points, 2 for coplanar points, otherwise 3. For several blocks with a result
+   * each: the greatest dimension.
    */
   vtkGetMacro(Dimension, int);
 
   //@{
   /**
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
-   * each. 0 before a run, and after one that failed or was aborted, whatever some blocks gave
-   * before. Engines do the work in a different order, so from Culled points on the numbers differ
-   * between them, where the output does not; between numbers of threads, too, where the CPU engine
-   * inserts points one at a time (triangulations, hulls that most points are vertices of).
+   * each. All are 0 before a run, and after a run that failed or was aborted, also if some blocks
+   * had results. From CulledPoints on, the numbers differ between engines, which work in different
+   * orders. If the CPU engine inserts points one at a time (in triangulations, and in hulls whose
+   * vertices are most of the points), they also depend on the number of threads. The output is the
+   * same.
    *
    * - InputPoints: points given, without ghost points that are left out
    * - NonFinitePoints: points left out (or, after an error, found)
@@ -290,14 +293,14 @@ public:
    *   triangle (none by the CUDA engine)
    * - Insertions: vertices inserted while growing (1-3 flips), over
    *   all levels
-   * - PointMoves: times that growing handed a point on to a child of
-   *   its cone (none by the CUDA engine)
+   * - PointMoves: how often growing moved a point to a child of its
+   *   cone (none by the CUDA engine)
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
    * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume)
    *   and the D-criterion (degree)
    * - LabelledVertices: vertices labelled non-extreme
-   * - RedundantVertices: vertices taken out of true facets and edges in
-   *   the end, and duplicates
+   * - RedundantVertices: vertices removed from true facets and edges
+   *   at the end, and duplicates
    * - EdgeChecks: edges examined for a flip
    * - ExactPredicates: predicates that the floating-point filter left
    *   undecided
@@ -322,14 +325,14 @@ public:
   //@{
   /**
    * Get the seconds that the last run took, by stage; sums for several blocks with a result each,
-   * whose runs may have been side by side. Scan, Locate, Finish and Total are wall time of a run;
-   * Grow and Flip are summed over the threads; of the CUDA engine, and where points are inserted
-   * and flipped at once, they are wall time.
+   * whose runs may have been side by side. Scan, Locate, Finish and Total are wall time of a run.
+   * Grow and Flip are summed over the threads. They are wall time for the CUDA engine, and if each
+   * insertion is followed by its flips.
    *
    * - Scan: ranges, points that are not finite, the first polyhedron
    * - Locate: culling, associating points to triangles. The CUDA
-   *   engine does that while it grows; here it counts the time to
-   *   bring its result back
+   *   engine does that while it grows; its Locate is the time to
+   *   copy its result to the host
    * - Grow: growing the star-shaped polyhedron (the paper's Algorithm
    *   2)
    * - Flip: flipping it to convexity (the paper's Algorithm 1)
@@ -353,8 +356,8 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * A block of the input: a leaf, or a vtkPartitionedDataSet, whose partitions are the pieces of
-   * one data set. Its pieces here, its flat index (0 where the input itself is the only block), and
-   * its number of points, wherever they are.
+   * one data set. It has the pieces on this process, the flat index (0 if the input itself is the
+   * only block), and the number of points on all processes.
    */
   struct Block
   {
@@ -378,25 +381,25 @@ protected:
 #ifndef __VTK_WRAP__
   /**
    * What a subclass does: one result from the points of @p blocks (of a single one, unless
-   * CombinesBlocks()), on all its ports. False when there was an error or an abort.
+   * CombinesBlocks()), on all its ports. False if there was an error or an abort.
    */
   virtual bool Execute(
     const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) = 0;
 
   /**
-   * The work that Execute() would do on @p block alone, for small blocks to be run side by side.
-   * Null (the default): nothing but Execute() does it.
+   * The work that Execute() would do on @p block alone, so that small blocks can run side by side.
+   * Null (the default): only Execute() can do it.
    */
   virtual std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block);
 
   /**
-   * Do all of some work here and now, guarded as RunEngine() is. False when there was an error or
+   * Do all steps of @p work immediately, guarded as RunEngine() is. False if there was an error or
    * an abort.
    */
   bool ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs);
 
   /**
-   * Whether one result is made of all blocks, which is no composite then.
+   * Whether all blocks give one result, which is then no composite.
    */
   virtual bool CombinesBlocks()
   {
@@ -404,8 +407,7 @@ protected:
   }
 
   /**
-   * The types of which a leaf of the input must be one; of vtkPointSet, vtkImageData and
-   * vtkRectilinearGrid, or derived from these.
+   * The types that a leaf may have: vtkPointSet, vtkImageData, vtkRectilinearGrid, or derived.
    */
   virtual std::vector<std::string> GetLeafTypes()
   {
@@ -413,36 +415,36 @@ protected:
   }
 
   /**
-   * It is a failure if the settings do not go together. None by default.
+   * Set the failure if the settings contradict each other. By default they never do.
    */
   virtual void CheckSettings(vtkFFFailure&) {}
 
   /**
-   * Leave the blocks that are to be worked on: by default, those with data. False where there is
-   * a failure, here or already: it is reported.
+   * Keep only the blocks to work on: by default, those with data. False if there is a failure, new
+   * or already in @p failure; it is reported.
    */
   virtual bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure);
 
   /**
-   * Forget what the last run reported. The first act of RequestData.
+   * Reset the figures of the last run. RequestData does this first.
    */
   virtual void ResetReport();
 
   /**
-   * Add a result to what this run reports; and to the output's field data, if that was asked for.
+   * Add a result to this run's report, and to the output's field data if ReportAsFieldData is on.
    */
   void AddToReport(
     const flipflop::CellComplex& cells, const flipflop::EngineReport& engine, vtkPolyData* output);
 
   /**
-   * What a subclass has the engine do. Which engine ran, and why, goes into the report.
+   * What the engine is to do for a subclass. The report receives which engine ran, and why.
    */
   using EngineWork = std::function<void(
     const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)>;
 
   /**
-   * Run @p work with the options set here, guarded: whatever it throws becomes a failure. False
-   * when it threw. No exception leaves this.
+   * Run @p work with the options set here, guarded: any exception becomes a failure, and the result
+   * is false. No exception leaves this function.
    */
   bool TryEngine(const EngineWork& work, vtkFFFailure& failure);
 
@@ -452,8 +454,8 @@ protected:
   bool RunEngine(const EngineWork& work);
 
   /**
-   * A failure becomes an error, unless it is an abort. Where it is not for this process to say it,
-   * only the error code tells.
+   * A failure becomes an error, unless it is an abort. If @p aloud is false, another process
+   * reports the error, and this one only sets the error code.
    */
   void ReportFailure(const vtkFFFailure& failure, bool aloud = true);
 
@@ -463,8 +465,7 @@ protected:
   void ReportError(const std::string& message);
 
   /**
-   * Where progress of the next runs of the engine lies within what is being worked on, which is
-   * one of the blocks: the whole by default.
+   * The part of the current block's progress that the engine's next runs cover: by default all.
    */
   void SetProgressPart(double begin, double end);
 
@@ -474,13 +475,13 @@ protected:
   bool IsAbortRequested();
 
   /**
-   * An abort, if somebody asked for one, is a failure; unless there is another.
+   * If somebody asked for an abort, and there is no other failure, the abort is the failure.
    */
   void NoteAbort(vtkFFFailure& failure);
 
   /**
-   * The place, among all points of CurrentBlocks, of the point that the engine counts as @p index:
-   * the same, unless a subclass gave the engine only some of them.
+   * The place, among all points of CurrentBlocks, of the engine's point @p index: the same number,
+   * unless the engine was given only some of the points.
    */
   virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
   {
@@ -489,8 +490,8 @@ protected:
   }
 
   /**
-   * The points that count of some pieces: all, or those that are no ghosts, if these are to be
-   * skipped. @p places becomes the ids that they have among all points, empty where all count.
+   * The pieces with the points to use: all points, or all but ghosts if SkipGhostPoints is on.
+   * @p places becomes the ids of these points among all points; it is empty if all are used.
    *
    * @throw std::runtime_error, flipflop::Error.
    */
@@ -498,39 +499,39 @@ protected:
     const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
 
   /**
-   * Where the points that the engine was given have their places among all points of CurrentBlocks:
-   * empty where it was given all.
+   * The places, among all points of CurrentBlocks, of the points that the engine was given; empty
+   * if it was given all.
    */
   std::vector<vtkIdType> PlacesOfPoints;
 
   /**
-   * Have the original ids of @p output, which count the points given to the engine, count all.
+   * The original ids of @p output count the points given to the engine: make them count all points.
    */
   void RestoreIds(vtkDataSetAttributes* output);
 
   /**
-   * How errors speak of a point of CurrentBlocks: "point 7 of the block of flat index 2".
+   * How errors name a point of CurrentBlocks: "point 7 of the block of flat index 2".
    */
   std::string DescribePoint(vtkIdType place);
 
   /**
-   * How they tell the one block that is worked on: " of the block of flat index 2", or nothing
-   * where it is the whole input.
+   * How errors name the current block: " of the block of flat index 2", or nothing if it is the
+   * whole input.
    */
   std::string OfBlock();
 
   /**
-   * Which numbers are not finite, where first, and how many: the sentence before what helps.
+   * Which numbers are not finite, the first one, and how many: the sentence before the advice.
    */
   std::string DescribeNonFinite(const std::string& what, const flipflop::Error& error);
 
   /**
-   * What is wrong, where, how often, and what helps: an engine's error as a sentence.
+   * An engine's error as a sentence: what is wrong, where, how often, and what helps.
    */
   virtual std::string DescribeError(const flipflop::Error& error);
 
   /**
-   * What is being worked on.
+   * The blocks in work.
    */
   std::vector<Block> CurrentBlocks;
 #endif

@@ -4,10 +4,10 @@
  * @class   vtkFFBlockWork
  * @brief   the work on one result, in three steps
  *
- * vtkFFBlockWork is what a filter does for one block (or for one result of all), cut where VTK ends
- * and the engine begins. The first step and the last touch VTK's objects and the filter: they are
- * the filter's thread's. The one between is the engine's alone, and may be on any thread: so small
- * blocks can have their runs side by side. Each step is called once, in this order.
+ * vtkFFBlockWork is what a filter does for one block (or for one result of all blocks), divided at
+ * the border between VTK and the engine. The first and the last step use VTK's objects and the
+ * filter, so they run on the filter's thread. The step between uses only the engine, and may run on
+ * any thread: so small blocks can run side by side. Each step is called once, in this order.
  */
 
 #ifndef vtkFFBlockWork_h
@@ -35,7 +35,7 @@ public:
   /**
    * Bring the input into the engine's form. It may set the filter's PlacesOfPoints.
    *
-   * @throw flipflop::Error, std::exception: so may the next two.
+   * @throw flipflop::Error, std::exception: also in the next two steps.
    */
   virtual void Gather(const flipflop::Options& options) = 0;
 

@@ -2,29 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFFConvexifyFilter
- * @brief   a star-shaped surface to its convex hull, by flips
+ * @brief   turns a star-shaped surface into its convex hull, by flips
  *
  * vtkFFConvexifyFilter is the Flip-Flop algorithm itself (Algorithm 1 of the paper named in
- * vtkFFAlgorithm): it turns a star-shaped polyhedron into its convex hull by local flips. It takes
- * time in the order of what is to be flipped, so a surface that is nearly convex, such as a hull
- * whose points have moved a little, is done sooner than a hull from scratch.
+ * vtkFFAlgorithm): it turns a star-shaped polyhedron into its convex hull by local flips. Its time
+ * is proportional to the flips needed. So a surface that is nearly convex, such as a hull whose
+ * points have moved a little, takes less time than a hull from scratch.
  *
- * The input is a vtkPolyData of triangles that form a closed, consistently oriented manifold;
- * whether its normals point outward or inward does not matter. It must be star-shaped: there is a
- * kernel point that strictly sees the inside of every triangle. Give that point with
- * SetKernelPoint(), or have one sought (the default). Whether the surface is
- * star-shaped from it is decided exactly.
+ * The input is a vtkPolyData of triangles that form a closed, consistently oriented manifold. Its
+ * normals may point outward or inward. It must be star-shaped: there is a kernel point that
+ * strictly sees the inside of every triangle. Give that point with SetKernelPoint(), or let the
+ * filter search for one (the default). An exact test decides whether the surface is star-shaped
+ * from it.
  *
- * Of the partitions of a vtkPartitionedDataSet only one may have cells: it is the input.
+ * Only one partition of a vtkPartitionedDataSet may have cells: it is the input.
  *
  * The output is the exact hull in the same canonical form as vtkFFHullFilter's, with the same
- * arrays. Points that no triangle uses do not count. An input without points gives an empty output.
+ * arrays. Points that no triangle uses are ignored. An input without points gives an empty output.
  *
- * These are errors, which name the first cell at fault and give an empty output: points without a
- * cell, a cell that is no triangle (also vertices, lines and strips), a triangle with a corner that
- * does not exist or is used twice, a surface that is not closed, not a manifold or not oriented
- * consistently, and one that is not star-shaped from the kernel point. A NaN or infinite coordinate
- * of a used point is always an error: without its point, a surface would not be closed.
+ * The following inputs are errors. They name the first cell at fault and give an empty output:
+ * points without a cell; a cell that is not a triangle (also vertices, lines and strips); a
+ * triangle with a corner that does not exist or is used twice; a surface that is not closed, not a
+ * manifold or not oriented consistently; a surface that is not star-shaped from the kernel point. A
+ * NaN or infinite coordinate of a used point is always an error, since the surface would not be
+ * closed without the point.
  *
  * This filter runs on the CPU engine, whatever GetCUDAThreshold() is. Asking it for the CUDA engine
  * is an error.
@@ -53,11 +54,11 @@ public:
 
   //@{
   /**
-   * Set/Get the kernel point, which strictly sees the inside of every triangle. To set it turns
-   * UseKernelPoint on, which can be turned off later. (0, 0, 0) by default.
+   * Set/Get the kernel point, which strictly sees the inside of every triangle. (0, 0, 0) by
+   * default. SetKernelPoint() also turns UseKernelPoint on; you can turn it off later.
    *
-   * StoreKernelPoint() never turns it on: it is for applications that set all they have, in
-   * whatever order.
+   * StoreKernelPoint() never turns it on. It is for applications that set all properties, in any
+   * order.
    */
   virtual void SetKernelPoint(double x, double y, double z);
   virtual void SetKernelPoint(const double point[3]);
@@ -67,8 +68,8 @@ public:
 
   //@{
   /**
-   * Set/Get whether KernelPoint is used. Off by default: a kernel point is sought. SetKernelPoint()
-   * turns it on.
+   * Set/Get whether KernelPoint is used. Off by default: the filter searches for a kernel point.
+   * SetKernelPoint() turns it on.
    */
   vtkSetMacro(UseKernelPoint, bool);
   vtkGetMacro(UseKernelPoint, bool);

@@ -4,9 +4,9 @@
  * @class   vtkFFExactValues
  * @brief   the values of VTK arrays as plain memory, never rounded
  *
- * vtkFFExactValues reads VTK arrays of any type and layout for the engine, which takes float and
- * double. A value that no double holds (a 64-bit integer can be one) is refused: results are exact
- * or they are not given.
+ * vtkFFExactValues reads VTK arrays of any type and layout for the engine, which reads float and
+ * double. A value that no double holds (some 64-bit integers) is an error, so that all results are
+ * exact.
  */
 
 #ifndef vtkFFExactValues_h
@@ -32,7 +32,7 @@ public:
   }
   const char* what() const noexcept override { return "a value that no double holds"; }
 
-  /// What the value is, in a word: "coordinate".
+  /// The kind of the value, in a word: "coordinate".
   const char* GetKind() const { return this->Kind; }
 
   /// Which point it belongs to.
@@ -47,29 +47,29 @@ class vtkFFExactValues
 {
 public:
   /**
-   * The plain memory of an array of T (float or double), null when it is of another type or layout.
+   * The plain memory of an array of T (float or double); null if it has another type or layout.
    */
   template <class T>
   static const T* Memory(vtkDataArray* array);
 
   /**
-   * Where the values of an array lie on the CUDA device, tuple by tuple; null when they are not
-   * there, or when this VTK cannot tell (before 9.6).
+   * Where the values of an array lie on the CUDA device, tuple by tuple; null if they are not
+   * there, or if this VTK cannot tell (before 9.6).
    */
   static const void* DeviceMemory(vtkDataArray* array);
 
   /**
-   * Whether VTK copies the array's values through double, which rounds them: 64-bit integers of
-   * another layout than the plain one. One by one, as vtkVariant, they stay as they are.
+   * Whether VTK copies the array's values through double, which rounds them: 64-bit integers in any
+   * layout but the plain one. Copies of single values, as vtkVariant, do not round them.
    */
   static bool AreRoundedByCopies(vtkAbstractArray* array);
 
   /**
    * Copy an array of that many components (1 or 3) to plain memory of float or double. Only arrays
-   * of float may go to floats.
+   * of float may be copied to floats.
    *
-   * @param kind  what the values are, and
-   * @param begin which point the first one belongs to, should one be refused
+   * @param kind  the kind of the values, for errors
+   * @param begin the point of the first value, for errors
    * @throw vtkFFInexactValue
    */
   template <int Components, class Out>

@@ -4,8 +4,8 @@
  * @class   vtkFFFailure
  * @brief   why a run gave no result
  *
- * vtkFFFailure is what a guarded run ends with that gave no result. It is kept apart from the error
- * that users see, so that several processes can agree on one error before it is reported.
+ * vtkFFFailure says why a guarded run gave no result. It is separate from the error that users see,
+ * so that several processes can agree on one error before it is reported.
  */
 
 #ifndef vtkFFFailure_h
@@ -42,7 +42,8 @@ struct vtkFFFailure
   }
 
   /**
-   * Both together: the graver one, of equals this one; points that are not finite are all counted.
+   * Combine both: the graver one remains, or this one if they are equal. All points that are not
+   * finite are counted.
    */
   void Add(const vtkFFFailure& other)
   {

@@ -4,8 +4,8 @@
  * @class   vtkFFGridPoints
  * @brief   the points of data sets that do not store them
  *
- * vtkFFGridPoints lays out the points of a vtkImageData or a vtkRectilinearGrid, so that all that
- * the filters take is a vtkPointSet.
+ * vtkFFGridPoints stores the points of a vtkImageData or a vtkRectilinearGrid in a vtkPointSet, so
+ * that the filters handle only vtkPointSets.
  */
 
 #ifndef vtkFFGridPoints_h
@@ -22,15 +22,15 @@ class vtkFFGridPoints
 {
 public:
   /**
-   * The points of @p data, which is a vtkPointSet (it is given back as it is), a vtkImageData or a
-   * vtkRectilinearGrid. Of the latter two new points are made, without cells, with the point data
-   * (vtkGhostType is part of it) and the field data: the doubles that vtkImageData::GetPoint()
-   * computes, or the coordinates as they are, as float if all three arrays are of float, else as
-   * double.
+   * The points of @p data. A vtkPointSet is returned unchanged. For a vtkImageData or a
+   * vtkRectilinearGrid, new points are made, without cells, with the point data (also vtkGhostType)
+   * and the field data. For an image, they are the doubles that vtkImageData::GetPoint() computes.
+   * For a rectilinear grid, they are its coordinates: as float if all three arrays are float,
+   * otherwise as double.
    *
-   * @param ofWhat how errors tell which data it is: " of the block of flat index 2"
-   * @throw std::runtime_error for coordinates that are missing, not one each or that no double
-   *        holds; flipflop::Error TooManyPoints, OutOfMemory.
+   * @param ofWhat how errors name the data: " of the block of flat index 2"
+   * @throw std::runtime_error for coordinates that are missing, have not one component, or that no
+   *        double holds; flipflop::Error TooManyPoints, OutOfMemory.
    */
   static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
 };

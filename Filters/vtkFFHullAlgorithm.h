@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFFHullAlgorithm
- * @brief   what the filters have in common whose result is a convex hull
+ * @brief   what the filters that give a convex hull have in common
  *
  * vtkFFHullAlgorithm is the abstract superclass of the Flip-Flop filters that give a convex hull.
- * To what all Flip-Flop filters report it adds the hull's volume and area.
+ * It adds the hull's volume and area to the figures that all Flip-Flop filters report.
  *
  * @sa
  * vtkFFAlgorithm vtkFFHullFilter vtkFFConvexifyFilter
@@ -52,7 +52,7 @@ protected:
   void ResetReport() override;
 
   /**
-   * Add a hull to what this run reports; and to the output's field data, if that was asked for.
+   * Add a hull to this run's report, and to the output's field data if ReportAsFieldData is on.
    */
   void AddToReport(
     const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output);

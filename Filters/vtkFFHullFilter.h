@@ -4,24 +4,24 @@
  * @class   vtkFFHullFilter
  * @brief   the exact convex hull of points in 3D
  *
- * vtkFFHullFilter gives the convex hull of the points of any vtkPointSet, vtkImageData or
- * vtkRectilinearGrid, as a vtkPolyData. Cells of the input do not matter. The hull is exact for
- * every finite input: no tolerance decides anything, whether the points are nearly coplanar, far
+ * vtkFFHullFilter computes the convex hull of the points of any vtkPointSet, vtkImageData or
+ * vtkRectilinearGrid, as a vtkPolyData. Cells of the input are ignored. The hull is exact for
+ * every finite input. No tolerance decides anything, also if the points are nearly coplanar, far
  * from the origin, or 1e300 apart.
  *
- * The algorithm is ffHull of the paper named in vtkFFAlgorithm. A tetrahedron is grown into a
- * star-shaped polyhedron by inserting, for each of its triangles, a point far outside it; all
- * triangles can grow at the same time. Flip-Flop then turns the polyhedron into the convex hull by
- * local flips: an edge is flipped when that increases the volume (the V-criterion), or when it
- * decreases the degree of a vertex known not to be extreme (the D-criterion), which is removed in
- * the end.
+ * The algorithm is ffHull of the paper named in vtkFFAlgorithm. A tetrahedron grows into a
+ * star-shaped polyhedron: each of its triangles inserts a point far outside it, and all triangles
+ * can grow at the same time. Flip-Flop then turns the polyhedron into the convex hull by local
+ * flips. An edge is flipped if that increases the volume (the V-criterion), or if it decreases the
+ * degree of a vertex known not to be extreme (the D-criterion). Such a vertex is removed in the
+ * end.
  *
- * What comes out is the canonical form of the hull, a function of the input alone:
+ * The output is the canonical form of the hull, a function of the input alone:
  *
  * - The points are the strictly extreme points, by ascending id. Points
- *   inside a facet or an edge of the hull are not part; the lowest id
- *   stands for all points of one position. They have the type and the
- *   bits of the input's points (floats stay floats).
+ *   inside a facet or an edge of the hull are not part of it. The lowest
+ *   id represents all points of one position. The points have the type
+ *   and the bits of the input's points (floats stay floats).
  * - The cells are the true facets, counter-clockwise from outside: as
  *   triangles, or as one polygon a facet (see SetFacetMode()). Each
  *   starts at its lowest id; all are in lexicographic order.
@@ -35,18 +35,18 @@
  * - one position: one vertex cell
  * - collinear points: one line cell between the two ends
  * - coplanar points: one polygon, once (or its triangles)
- * - duplicates: the lowest id stands for all
+ * - duplicates: the lowest id represents all
  * - NaN or infinite coordinate: an error naming the first point and the
  *   count, and empty output
- * - the same, to be ignored: left out and counted:
- *   SetNonFinitePointsToIgnore()
+ * - NaN or infinity with SetNonFinitePointsToIgnore(): left out and
+ *   counted
  * - ghost points: left out, unless SkipGhostPoints is off
  * - too many points, no memory: an error, and empty output
  *
  * Composite input gives a hull of each block (see vtkFFAlgorithm), or one hull of all blocks; see
- * SetCompositeMode(). In the latter case ids run on from block to block, and the point array
- * BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's block. A
- * vtkPartitionedDataSet by itself is a single block, and gets no such array.
+ * SetCompositeMode(). For one hull, ids count the points of all blocks in order, and the point
+ * array BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's block. A
+ * vtkPartitionedDataSet by itself is a single block; its hull has no such array.
  *
  * @warning
  * At most 2^32 - 2 points can be given.
@@ -90,7 +90,7 @@ public:
   //@{
   /**
    * Set/Get what a composite input gives: a hull of each block (the default), or one hull of the
-   * points of all blocks. Of no consequence for other inputs.
+   * points of all blocks. It has no effect on other inputs.
    */
   vtkSetClampMacro(CompositeMode, int, HULL_OF_EACH_BLOCK, HULL_OF_ALL_BLOCKS);
   vtkGetMacro(CompositeMode, int);
@@ -112,8 +112,8 @@ protected:
   }
 
   /**
-   * The hull of the points of all @p pieces, one after another: points, cells, point data and ids
-   * of @p output are set. What is left in the hull is what to report.
+   * The hull of the points of all @p pieces, one after another. Sets points, cells, point data and
+   * ids of @p output. The returned hull still has the figures to report.
    *
    * @throw vtkFFInexactValue, flipflop::Error.
    */
@@ -121,8 +121,8 @@ protected:
     const flipflop::EngineOptions& engine, flipflop::EngineReport& report, vtkPolyData* output);
 
   /**
-   * Add the array BlockIndex to the hull of all blocks, whose points are CurrentBlocks'. Nothing is
-   * to be done for an input that is no composite.
+   * Add the array BlockIndex to the hull of all blocks, whose points are CurrentBlocks'. Does
+   * nothing if the input is no composite.
    */
   void AddBlockIndex(vtkPolyData* output);
 #endif
@@ -137,7 +137,7 @@ private:
   class Work;
 
   /**
-   * The hull of the @p points of @p pieces becomes the output, which takes over its cells and ids.
+   * Make the hull of the @p points of @p pieces the output, which takes over its cells and ids.
    */
   void AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
     const std::vector<vtkPointSet*>& pieces, vtkPolyData* output);

@@ -4,8 +4,8 @@
  * @class   vtkFFOutput
  * @brief   the engine's results as VTK data
  *
- * vtkFFOutput turns what the engine gives into the parts of a vtkPolyData. The engine's buffers are
- * adopted by the VTK arrays, not copied.
+ * vtkFFOutput turns the engine's results into the parts of a vtkPolyData. The VTK arrays take over
+ * the engine's buffers without a copy.
  */
 
 #ifndef vtkFFOutput_h
@@ -46,8 +46,8 @@ public:
   };
 
   /**
-   * The whole of a result as a poly data: points, cells, point data, ids. @p data may be empty:
-   * then none is passed. Gives the ids back.
+   * A complete result as a poly data: points, cells, point data, ids. If @p data is empty, no point
+   * data is passed. Returns the ids.
    */
   static vtkSmartPointer<vtkIdTypeArray> Adopt(flipflop::CellComplex& cells,
     const vtkFFPointSource& points, const std::vector<Source>& data, bool visibleIds,
@@ -65,29 +65,30 @@ public:
   static void AddIds(vtkIdTypeArray* ids, bool visible, vtkDataSetAttributes* output);
 
   /**
-   * The cells as vertices, lines or polygons of @p output, which takes them over.
+   * Make the cells vertices, lines or polygons of @p output, which takes them over.
    */
   static void AdoptCells(flipflop::CellComplex& cells, vtkPolyData* output);
 
   /**
-   * The point data of the points named by @p ids, ascending, where the points of @p sources are
-   * counted one after another. Arrays keep their type, names and attributes. An array is passed
-   * when every source with a point has it, of one type and number of components, and a value for
-   * every point. The output is point data, or cell data where each cell stands for one point.
+   * Copy the point data of the points that @p ids names, ascending. Ids count the points of all
+   * @p sources, one source after another. Arrays keep their type, names and attributes. An array is
+   * passed if every source with a point has it, with the same type and number of components, and
+   * with a value for every point. The output is point data, or cell data if each cell represents
+   * one point.
    */
   static void CopyPointData(
     const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 
   /**
-   * Remove the arrays whose names begin with FlipFlop: what filters upstream report.
+   * Remove the arrays whose names begin with FlipFlop: the reports of filters upstream.
    */
   static void RemoveReport(vtkFieldData* data);
 
   //@{
   /**
-   * The same for an output that users see. Attributes that tell of the input's own surface
-   * (normals, tangents, edge flags, and what curved cells need) are active no more: they would
-   * shade and draw another surface falsely. In cell data the marks of vtkGhostType are those of
+   * The same for an output that users see. Attributes that describe the input's own surface
+   * (normals, tangents, edge flags, and those that curved cells need) are no longer active, since
+   * they would shade and draw another surface falsely. In cell data, vtkGhostType has the marks for
    * cells.
    */
   static void PassPointData(
@@ -97,7 +98,7 @@ public:
   //@}
 
   /**
-   * Put another id, @p idOf(id), in the place of each of the output's original ids, if it has any.
+   * Replace each of the output's original ids by @p idOf(id), if it has any.
    */
   static void Renumber(
     vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf);

@@ -5,11 +5,11 @@
  * @brief   points and their data as bytes, for another process
  *
  * vtkFFParcel packs the points of a vtkPointSet and their point data into one string, and unpacks
- * it. VTK's own formats will not do: they turn vtkCharArray into vtkSignedCharArray and
- * vtkLongLongArray into vtkLongArray, name what has no name, and give up all data for one array
- * that they do not know.
+ * it. VTK's own formats are not suitable: they turn vtkCharArray into vtkSignedCharArray and
+ * vtkLongLongArray into vtkLongArray, give names to arrays that have none, and lose all data if
+ * they do not know one array.
  *
- * Both processes must run on machines of one kind: numbers travel as they lie in memory.
+ * Both processes must run on machines of the same kind: numbers are sent as they are in memory.
  */
 
 #ifndef vtkFFParcel_h
@@ -24,7 +24,7 @@ class vtkPointSet;
 class vtkPolyData;
 
 /**
- * Thrown for bytes that are no parcel.
+ * Thrown for bytes that are not a parcel.
  */
 class vtkFFDamagedParcel : public std::exception
 {
@@ -39,15 +39,15 @@ class vtkFFParcel
 {
 public:
   /**
-   * The points, and of their data the arrays of numbers or strings: type, values, number of
-   * tuples, name, names of components, and for which attributes they are active.
+   * Pack the points, and the arrays of numbers or strings of their data: type, values, number of
+   * tuples, name, names of components, and the attributes for which they are active.
    */
   static std::string Pack(vtkPointSet* data);
 
   /**
-   * What was packed. Of bytes that something else wrote no more is taken than there is.
+   * Unpack what Pack() packed. Never reads past the end, also of bytes that something else wrote.
    *
-   * @throw vtkFFDamagedParcel for bytes that Pack() does not give, as far as it shows.
+   * @throw vtkFFDamagedParcel for bytes that are not from Pack(), as far as it shows.
    */
   static vtkSmartPointer<vtkPolyData> Unpack(const std::string& parcel);
 };

@@ -4,7 +4,7 @@
  * @class   vtkFFPieces
  * @brief   points that come in pieces
  *
- * vtkFFPieces is about the pieces of one data set: partitions, or what several processes have.
+ * vtkFFPieces handles the pieces of one data set: partitions, or the parts on several processes.
  */
 
 #ifndef vtkFFPieces_h
@@ -21,8 +21,8 @@ class vtkFFPieces
 {
 public:
   /**
-   * The points of all @p pieces, one piece after another, with the point data that all have. A
-   * piece that has them all is given back as it is.
+   * The points of all @p pieces, one piece after another, with the point arrays that all of them
+   * have. A piece that has all points is returned unchanged.
    *
    * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */
@@ -30,9 +30,9 @@ public:
 
   /**
    * The pieces without their ghost points, which are marked as duplicates of another piece's or as
-   * hidden (vtkDataSetAttributes::DUPLICATEPOINT, HIDDENPOINT); point data goes along. A piece
-   * without ghosts is given back as it is. @p places becomes the ids that the points left have
-   * among those of all pieces; it is empty where all are left.
+   * hidden (vtkDataSetAttributes::DUPLICATEPOINT, HIDDENPOINT), and with the point data of the
+   * other points. A piece without ghosts is returned unchanged. @p places becomes the ids of the
+   * remaining points among the points of all pieces; it is empty if all remain.
    *
    * @throw std::runtime_error unless there are as many marks as points.
    */

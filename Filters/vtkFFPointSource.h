@@ -4,14 +4,14 @@
  * @class   vtkFFPointSource
  * @brief   the coordinates of VTK data as the engine reads them
  *
- * vtkFFPointSource presents the points of one or several data sets to the engine as one
- * flipflop::PointView. A single array of float or double that lies in memory as the engine wants it
- * is not copied. All else is: float arrays of another layout, and several float arrays, to floats;
- * anything else to doubles. Of a single array of float or double that lives on the CUDA device the
- * view names that memory as well. A value that no double holds (a 64-bit integer can be one) is
- * refused: results are exact or they are not given.
+ * vtkFFPointSource gives the engine the points of one or several data sets as one
+ * flipflop::PointView. A single array of float or double is not copied if it has the layout that
+ * the engine needs. Everything else is copied: float arrays of another layout, and several float
+ * arrays, to floats; other arrays to doubles. If a single array of float or double is on the CUDA
+ * device, the view names that memory as well. A value that no double holds (some 64-bit integers)
+ * is an error, so that all results are exact.
  *
- * It is also the way back: Gather() makes output points of the input's own type and bits.
+ * Gather() goes the other way: it makes output points with the input's own type and bits.
  */
 
 #ifndef vtkFFPointSource_h
@@ -44,7 +44,7 @@ public:
   void operator=(const vtkFFPointSource&) = delete;
 
   /**
-   * All points, valid as long as this and the arrays are.
+   * All points; valid as long as this object and the arrays exist.
    */
   const flipflop::PointView& GetView() const { return this->View; }
 
@@ -54,7 +54,7 @@ public:
   bool IsZeroCopy() const { return this->ZeroCopy; }
 
   /**
-   * The points named by @p ids, in the type of the arrays (double where these differ).
+   * The points that @p ids names, in the type of the arrays (double if the types differ).
    */
   vtkSmartPointer<vtkPoints> Gather(const std::int64_t* ids, vtkIdType count) const;
 

@@ -4,10 +4,10 @@
  * @class   vtkFFProcesses
  * @brief   what the processes of a distributed filter tell each other
  *
- * vtkFFProcesses is a vtkMultiProcessController in the terms of the Flip-Flop filters. Unless they
- * say otherwise, its methods are collective: every process calls them, in the same order, whatever
- * went wrong on it. What goes wrong on one process is known to all after the next Share(), so that
- * they stop together and none waits for another.
+ * vtkFFProcesses wraps a vtkMultiProcessController for the Flip-Flop filters. Unless stated
+ * otherwise, its methods are collective: every process calls them, in the same order, also after a
+ * failure. After the next Share(), all processes know of a failure on one of them. So they stop
+ * together, and none waits for another.
  */
 
 #ifndef vtkFFProcesses_h
@@ -42,31 +42,33 @@ public:
   //@}
 
   /**
-   * Every process's values, one process after another. All give equally many.
+   * Every process's values, one process after another. Each process gives the same number of
+   * values.
    */
   std::vector<vtkIdType> Gather(const std::vector<vtkIdType>& values);
 
   /**
-   * Every process's values, of which each may give another number.
+   * Every process's values. Each process may give a different number of values.
    */
   std::vector<std::vector<vtkIdType>> GatherLists(const std::vector<vtkIdType>& values);
 
   /**
-   * The failures of all processes together, the same for each. False if there is any.
+   * Combine the failures of all processes; each process gets the same. False if there is any.
    */
   bool Share(vtkFFFailure& failure);
 
   /**
-   * Leave the blocks that any process has data for; blocks in the same place of their process's
-   * list are one. It is a failure where lists differ in length and are to be @p alike. False if
-   * there is a failure, here or already on some process.
+   * Keep only the blocks for which some process has data. Blocks in the same place of their
+   * process's list belong together. If lists must be @p alike but differ in length, that is a
+   * failure. False if there is a failure, new or already on some process.
    */
   bool SelectBlocks(bool alike, std::vector<vtkFFAlgorithm::Block>& blocks, vtkFFFailure& failure);
 
   /**
-   * Process @p from sends @p data, of which nothing is lost, to process @p to, which gets it as
-   * @p received (for others, null). Several pairs may be under way at once: a process that has no
-   * part gives -1 for both. Ends with a Share().
+   * Process @p from sends @p data without loss to process @p to, which gets it as @p received (null
+   * on other processes). Several pairs may send at the same time. A process that takes no part
+   * gives
+   * -1 for both. Ends with a Share().
    */
   bool Send(vtkPointSet* data, int from, int to, vtkSmartPointer<vtkPolyData>& received,
     vtkFFFailure& failure);

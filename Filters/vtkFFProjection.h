@@ -4,12 +4,12 @@
  * @class   vtkFFProjection
  * @brief   points in space as points of a plane, and back
  *
- * vtkFFProjection gives the engine the x and y of points: as they lie in memory, measured in the
- * plane that fits the points best, or after a transform. A point of which any coordinate is not
- * finite, or does not stay so, has a NaN there: the engine then deals with it.
+ * vtkFFProjection gives the engine the x and y of points: as they are in memory, measured in the
+ * plane that fits the points best, or after a transform. If a coordinate of a point is not finite,
+ * or becomes so, the projected point has a NaN, and the engine handles it.
  *
- * To project can be stopped, as the engine can: by the progress function, which is told 0 every
- * now and then.
+ * A projection can be stopped, as the engine can: by the progress function, which is called with 0
+ * from time to time.
  */
 
 #ifndef vtkFFProjection_h
@@ -27,7 +27,7 @@ class vtkFFProjection
 {
 public:
   /**
-   * Only the progress function of @p options counts.
+   * Only the progress function of @p options is used.
    */
   explicit vtkFFProjection(const flipflop::Options& options)
     : Progress(options.progress)
@@ -40,17 +40,18 @@ public:
   /**
    * Leave z out. The points are not copied, unless a z is not finite.
    *
-   * @throw flipflop::Error Aborted, OutOfMemory; so do the next two.
+   * @throw flipflop::Error Aborted, OutOfMemory; also in the next two functions.
    */
   void ToXY(const flipflop::PointView& points);
 
   /**
    * Measure the points in the plane through their centroid that has the least sum of squared
-   * distances to them. The plane's frame is right-handed: the normal's component of largest
-   * magnitude is positive (the last such one, of equals), and the first axis is the next coordinate
-   * axis (y after x, x after z), laid into the plane. The first finite point is at (0, 0).
+   * distances to them. The plane's frame is right-handed. The normal's component of largest
+   * magnitude is positive (the last one, if several are equal). The first axis is the next
+   * coordinate axis (y after x, x after z), projected into the plane. The first finite point is at
+   * (0, 0).
    *
-   * All is computed in double and in a fixed order, so the same points give the same bits.
+   * Everything is computed in double and in a fixed order, so the same points give the same bits.
    */
   void ToBestFittingPlane(const flipflop::PointView& points);
 
@@ -60,13 +61,13 @@ public:
   void ByTransform(const flipflop::PointView& points, vtkAbstractTransform* transform);
 
   /**
-   * The projected points, valid as long as this and the points are.
+   * The projected points; valid as long as this object and the points exist.
    */
   const flipflop::PointView& GetView() const { return this->View; }
 
   /**
-   * The positions in space, as x, y, z, of positions in the plane, given as x, y. In the XY plane
-   * and before a transform is undone, z is 0. False when a position has none.
+   * The positions in space, as x, y, z, of positions in the plane, given as x, y. In the XY plane,
+   * and before a transform is undone, z is 0. False if a position in the plane has none in space.
    */
   bool ToSpace(const double* xy, vtkIdType count, double* xyz) const;
 
@@ -79,7 +80,8 @@ private:
   };
 
   /**
-   * Calls work(begin, end) for one stretch of @p count points after another, of @p length each.
+   * Calls work(begin, end) for one stretch of points after another: @p count points in stretches of
+   * @p length.
    *
    * @throw flipflop::Error Aborted
    */

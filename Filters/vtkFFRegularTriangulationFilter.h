@@ -4,50 +4,50 @@
  * @class   vtkFFRegularTriangulationFilter
  * @brief   the exact Delaunay or regular (weighted) triangulation in the plane
  *
- * vtkFFRegularTriangulationFilter gives the regular triangulation of the points of any vtkPointSet,
- * vtkImageData or vtkRectilinearGrid, and on request the power diagram, its dual. Without weights
- * these are the Delaunay triangulation and the Voronoi diagram. Cells of the input do not matter.
- * The triangulation is exact for every finite input: no tolerance decides anything.
+ * vtkFFRegularTriangulationFilter computes the regular triangulation of the points of any
+ * vtkPointSet, vtkImageData or vtkRectilinearGrid. On request it also computes the dual, the power
+ * diagram. Without weights, these are the Delaunay triangulation and the Voronoi diagram. Cells of
+ * the input are ignored. The triangulation is exact for every finite input: no tolerance decides
+ * anything.
  *
  * Weights come from a point array of one component and any numeric type:
  *
  *     filter->SetInputArrayToProcess(
  *       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
  *
- * None is set by default, nor by an empty name, nor by the name None where no array has it: all
- * points then weigh the same. A weight is a
- * squared length and may be negative: the power distance of x from a point p of weight w is
- * |x - p|^2 - w, so a disk of radius r has the weight r^2. The same number added to all weights
- * changes nothing.
+ * By default there is no array, and all points weigh the same. So it is for an empty name, and for
+ * the name None if no array has it. A weight is a squared length and may be negative: the power
+ * distance of x from a point p of weight w is |x - p|^2 - w, so a disk of radius r has the weight
+ * r^2. Adding the same number to all weights changes nothing.
  *
- * The algorithm is ffRT of the paper named in vtkFFAlgorithm: the points are lifted to (x, y,
- * x^2 + y^2 - w), a star-shaped surface below all lifts is grown, and Flip-Flop turns it into their
- * lower hull by local flips. A point appears when its lift is a strictly extreme vertex of the
- * lower hull; of points with one position and one weight, the one of lowest id. All others are
- * hidden, ties included. Without weights, only duplicates are hidden.
+ * The algorithm is ffRT of the paper named in vtkFFAlgorithm. The points are lifted to (x, y,
+ * x^2 + y^2 - w), a star-shaped surface below all lifts is grown, and Flip-Flop turns it into the
+ * lower hull of the lifts by local flips. A point appears if its lift is a strictly extreme vertex
+ * of the lower hull. Of points with the same position and weight, the one of lowest id appears. All
+ * other points are hidden, also ties. Without weights, only duplicates are hidden.
  *
- * What comes out is a function of the input alone:
+ * The output is a function of the input alone:
  *
  * - Port 0, the triangulation: the points that appear, by ascending id,
  *   in their original place in space, type and bits (floats stay
  *   floats). The cells are triangles, counter-clockwise as seen from the
- *   plane's upper side, none without area; or, as polygons (see
- *   SetFacetMode()), one cell for all points of one empty power circle,
- *   without weights one circle. The triangles of such points are the fan
- *   from the lowest id. Each cell starts at its lowest id; all are in
- *   lexicographic order.
+ *   plane's upper side, none without area. As polygons (see
+ *   SetFacetMode()), there is one cell for all points of one empty power
+ *   circle, which is a circle without weights. As triangles, such points
+ *   give the fan from the lowest id. Each cell starts at its lowest id;
+ *   all are in lexicographic order.
  * - Port 1, the hidden points: a vertex cell each, by ascending id.
  * - Port 2, the power diagram: empty unless GeneratePowerDiagram is on.
- *   One polygon for each point of port 0 whose region meets the
+ *   It has one polygon for each point of port 0 whose region meets the
  *   inside of a box, by ascending id. Neighbours share their corners,
- *   and points of one power circle meet in one corner. Which regions
- *   meet is exact, the corners' coordinates are rounded (see
- *   SetGeneratePowerDiagram()).
+ *   and points of one power circle meet in one corner. The choice of
+ *   the regions that meet is exact; the corners' coordinates are
+ *   rounded (see SetGeneratePowerDiagram()).
  *
- * On ports 0 and 1 the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each
- * point has in the input, and the input's point data is passed, unless PassPointData is off. On
- * port 2 both belong to the cells: each carries the data of its point, and in vtkGhostType the
- * marks of cells that say the same.
+ * On ports 0 and 1, the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each
+ * point has in the input. The input's point data is passed, unless PassPointData is off. On port 2,
+ * both are cell data: each cell has the data of its point. In vtkGhostType, each cell has the mark
+ * for cells that corresponds to its point's mark.
  *
  * Every input has an answer:
  *
@@ -56,21 +56,22 @@
  *   id
  * - collinear points: a chain of line cells through the points that
  *   appear
- * - duplicates: the greatest weight, then the lowest id, stands for all
+ * - duplicates: the greatest weight, then the lowest id, represents all
  * - NaN or infinity: an error naming the first point and the count, and
  *   empty output
- * - the same, to be ignored: left out and counted:
- *   SetNonFinitePointsToIgnore()
- * - no or unusable weights: an error naming the array, and empty output
+ * - NaN or infinity with SetNonFinitePointsToIgnore(): left out and
+ *   counted
+ * - missing or unusable weights: an error naming the array, and empty
+ *   output
  * - ghost points: left out, unless SkipGhostPoints is off
  * - too many points, no memory: an error, and empty output
  *
- * Weights are unusable if they are no numbers, or not one for each point; for no point, none are
- * needed. NaN or infinity counts wherever it is: in a weight, in a coordinate, in z even where z
- * does not matter. Points left out for that are on no port.
+ * Weights are unusable if they are not numbers, or if there is not one for each point. Without
+ * points, no weights are needed. A point is not finite if its weight or any coordinate is NaN or
+ * infinite, also z if z does not matter. Points left out for that are on no port.
  *
  * @warning
- * At most 2^32 - 2 points can be given, about 5e8 where nearly all are visible.
+ * At most 2^32 - 2 points can be given, about 5e8 if nearly all are visible.
  *
  * @sa
  * vtkFFAlgorithm vtkFFHullFilter vtkDelaunay2D vtkVoronoi2D
@@ -131,24 +132,24 @@ public:
   //@{
   /**
    * Set/Get the plane in which the points are triangulated. The output's points keep their original
-   * places.
+   * positions.
    *
    * - XY_PLANE (the default): z is left out. The points are not
    *   copied, and nothing is rounded.
    * - TRANSFORM_PLANE: the points are transformed by Transform, and z
    *   is left out. Weights are squared lengths after the transform.
    * - BEST_FITTING_PLANE: the points are projected to the plane
-   *   through their centroid with the least sum of squared distances;
-   *   all finite points count alike, whatever their weight. Its normal
-   *   is turned so that the component of largest magnitude (the last
-   *   one, of equals) is positive; seen from the normal's tip,
+   *   through their centroid with the least sum of squared distances.
+   *   All finite points count the same, whatever their weight. The
+   *   normal's component of largest magnitude (the last one, if
+   *   several are equal) is positive. Seen from the normal's tip,
    *   triangles are counter-clockwise. Positions in the plane are
    *   measured from the first finite point. The first axis is a
-   *   coordinate axis laid into the plane: x if the normal is mostly
-   *   along z, y if along x, z if along y.
+   *   coordinate axis projected into the plane: x if the normal is
+   *   mostly along z, y if along x, z if along y.
    *
-   * In the latter two the triangulation is exact for the projected positions, which are rounded
-   * to double. Both are computed alike each time, for any number of threads.
+   * In the latter two modes, the triangulation is exact for the projected positions, which are
+   * rounded to double. These positions are the same in each run, for any number of threads.
    */
   vtkSetClampMacro(ProjectionPlaneMode, int, XY_PLANE, BEST_FITTING_PLANE);
   vtkGetMacro(ProjectionPlaneMode, int);
@@ -163,12 +164,12 @@ public:
 
   //@{
   /**
-   * Set/Get the transform that takes the points to the XY plane. To set one sets
-   * ProjectionPlaneMode to TRANSFORM_PLANE, which needs one; a mode set later prevails. To set none
-   * leaves the mode as it is. None by default.
+   * Set/Get the transform that takes the points to the XY plane. None by default. SetTransform()
+   * with a transform also sets ProjectionPlaneMode to TRANSFORM_PLANE; you can set another mode
+   * later. SetTransform() with null does not change the mode. TRANSFORM_PLANE needs a transform.
    *
-   * StoreTransform() never changes the mode: it is for applications that set all they have, in
-   * whatever order.
+   * StoreTransform() never changes the mode. It is for applications that set all properties, in
+   * any order.
    */
   virtual void SetTransform(vtkAbstractTransform* transform);
   void StoreTransform(vtkAbstractTransform* transform);
@@ -180,15 +181,15 @@ public:
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
    * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
-   * for BEST_FITTING_PLANE, and for TRANSFORM_PLANE where the inverse transform takes z = 0; a
-   * transform without an inverse is an error then. The seconds reported are the triangulation's.
+   * for BEST_FITTING_PLANE, and for TRANSFORM_PLANE where the inverse transform takes z = 0. A
+   * transform without an inverse is then an error. The reported seconds are the triangulation's.
    *
    * In the plane, the cells are simple polygons, counter-clockwise, that fill the box edge to edge
-   * without gap or overlap, exactly so for the corners as they were rounded. They are convex but
-   * for rounding: a corner may turn the other way by a few units in the last place. Cells that
-   * rounding leaves no inside are missing; corners within some units of each other may be merged
-   * where a cell would not be simple or convex otherwise. (Fitted planes and transforms round the
-   * corners once more on their way back into space.)
+   * without gap or overlap. That holds exactly for the rounded corners. The cells are convex except
+   * for rounding: a corner may turn the other way by a few units in the last place. Cells that have
+   * no inside after rounding are missing. Corners within a few units of each other may be merged if
+   * a cell would otherwise not be simple or convex. (Fitted planes and transforms round the corners
+   * once more on the way back into space.)
    */
   vtkSetMacro(GeneratePowerDiagram, bool);
   vtkGetMacro(GeneratePowerDiagram, bool);
@@ -198,9 +199,9 @@ public:
   //@{
   /**
    * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
-   * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). Points without an extent
-   * along x or y get that of the other direction, half of it on either side; a single position gets
-   * a box of side 1.
+   * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). If the points have no
+   * extent along x or y, the box has the extent of the other direction, half of it on either side.
+   * A single position gets a box of side 1.
    */
   vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
   vtkGetMacro(PowerDiagramBoxMode, int);
@@ -212,12 +213,12 @@ public:
   //@{
   /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
-   * transformed points, or measured in the fitted plane. It must be finite and have an inside. To
-   * set it sets PowerDiagramBoxMode to BOX_OF_BOUNDS; a mode set later prevails. (0, 1, 0, 1) by
-   * default.
+   * transformed points, or measured in the fitted plane. (0, 1, 0, 1) by default. It must be finite
+   * and have an inside. SetPowerDiagramBounds() also sets PowerDiagramBoxMode to BOX_OF_BOUNDS; you
+   * can set another mode later.
    *
-   * StorePowerDiagramBounds() never changes the mode: it is for applications that set all they
-   * have, in whatever order.
+   * StorePowerDiagramBounds() never changes the mode. It is for applications that set all
+   * properties, in any order.
    */
   virtual void SetPowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   virtual void SetPowerDiagramBounds(const double bounds[4]);
@@ -239,7 +240,7 @@ public:
   vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
 
   /**
-   * The transform counts.
+   * The time of the last change, also of the transform.
    */
   vtkMTimeType GetMTime() override;
 
@@ -269,9 +270,9 @@ private:
   class Work;
 
   /**
-   * The array of weights that was chosen; null: none was.
+   * The chosen array of weights; null if none was chosen.
    *
-   * @throw std::runtime_error where it does not fit.
+   * @throw std::runtime_error if it cannot be used.
    */
   vtkDataArray* FindWeights(vtkPointSet* input);
 

@@ -4,10 +4,10 @@
  * @class   vtkFFWeightSource
  * @brief   the weights of a VTK array as the engine reads them
  *
- * vtkFFWeightSource presents an array of one component to the engine. An array of float or double
- * that lies in memory as the engine wants it is not copied. All else is: float arrays of another
- * layout to floats, anything else to doubles. Of an array of float or double that lives on the CUDA
- * device the view names that memory as well. A value that no double holds is refused.
+ * vtkFFWeightSource gives the engine an array of one component. An array of float or double is not
+ * copied if it has the layout that the engine needs. Everything else is copied: float arrays of
+ * another layout to floats, other arrays to doubles. If an array of float or double is on the CUDA
+ * device, the view names that memory as well. A value that no double holds is an error.
  */
 
 #ifndef vtkFFWeightSource_h
@@ -32,7 +32,7 @@ public:
   void operator=(const vtkFFWeightSource&) = delete;
 
   /**
-   * All weights, valid as long as this and the array are.
+   * All weights; valid as long as this object and the array exist.
    */
   const flipflop::WeightView& GetView() const { return this->View; }
 

@@ -5,40 +5,41 @@
  * @brief   the exact convex hull of points that are distributed over processes
  *
  * vtkPFFHullFilter is vtkFFHullFilter for data in pieces, one on each process of a
- * vtkMultiProcessController: it gives the one hull of all pieces, on process 0. It is the hull that
- * vtkFFHullFilter gives for the pieces of process 0, 1, 2... appended in this order, bit for bit:
- * points, cells, point data and original ids, which count the points of all pieces. On the other
- * processes the output has no points.
+ * vtkMultiProcessController. It gives one hull of all pieces, on process 0. That hull is the one
+ * that vtkFFHullFilter gives for the pieces of process 0, 1, 2... appended in this order, bit for
+ * bit: points, cells, point data and original ids, which count the points of all pieces. On the
+ * other processes, the output has no points.
  *
- * Each process takes the hull of its piece. Hulls are then joined in pairs, in as many steps as a
- * binary tree over the processes is high, each by the hull of their vertices. What leaves a process
- * are its extreme points: few of a solid, nearly all of points on a thin shell.
+ * Each process computes the hull of its piece. Hulls are then joined in pairs: a join computes the
+ * hull of their vertices. The joins form a binary tree over the processes, and each level of the
+ * tree is one step. A process sends only its extreme points: few for a solid, nearly all for points
+ * on a thin shell.
  *
- * - Ghost points (see SetSkipGhostPoints()) are left out where they
- *   are, and not counted: ids count the points left. Where there is a
+ * - Ghost points (see SetSkipGhostPoints()) are left out on their
+ *   process and not counted: ids count the remaining points. With a
  *   single process, this filter is its superclass, whose ids count all.
- * - Arrays of numbers and strings travel, without the lookup tables and
- *   keys that they may have.
- * - For composite input, a block's pieces are what the processes have in
- *   its place: the first block of each belong together, the second ones,
- *   and so on. A vtkPartitionedDataSet is one block, of any number of
- *   partitions on each process. For HULL_OF_EACH_BLOCK all processes
- *   must have equally many blocks, with or without data in them; if not,
- *   that is an error. For HULL_OF_ALL_BLOCKS ids run on from block to
- *   block, within a block from process to process.
- * - An error on any process is an error of all; it is reported by
- *   process 0 and speaks of the appended points. The other processes
- *   only set their error code. To abort on one process is to abort on
+ * - Arrays of numbers and strings are sent, without the lookup tables
+ *   and keys that they may have.
+ * - For composite input, the blocks in the same place on all processes
+ *   belong together: the first blocks, the second blocks, and so on. A
+ *   vtkPartitionedDataSet is one block, with any number of partitions
+ *   on each process. For HULL_OF_EACH_BLOCK, all processes must have
+ *   the same number of blocks, with or without data in them; otherwise
+ *   that is an error. For HULL_OF_ALL_BLOCKS, ids count from block to
+ *   block, and within a block from process to process.
+ * - An error on any process is an error of all processes. Process 0
+ *   reports it, and it names the appended points. The other processes
+ *   only set their error code. An abort on one process is an abort on
  *   all.
  * - Process 0 reports dimension, volume, area and the numbers of input
  *   points and of points that are not finite for all pieces. All other
- *   statistics are of its own share of the work; the others report
- *   nothing.
+ *   statistics are of its own share of the work; the other processes
+ *   report nothing.
  *
- * - Field data is that of what process 0 has of a block.
+ * - Field data of a block is the field data of process 0's piece.
  *
- * All processes have to update the filter, with the same settings: a change on one, of the flag
- * that aborts too, is to be made on all.
+ * All processes must update the filter, with the same settings: make a change, also of the flag
+ * that aborts, on all of them.
  *
  * @sa
  * vtkFFHullFilter vtkPFFRegularTriangulationFilter vtkMultiProcessController
@@ -70,7 +71,7 @@ public:
 
   //@{
   /**
-   * Set/Get the controller of the processes that have the pieces; null for none but this one. By
+   * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
@@ -96,24 +97,24 @@ private:
 
 #ifndef __VTK_WRAP__
   /**
-   * A hull, and what is to be told of it.
+   * A hull, and the figures to report.
    */
   struct Result;
 
   /**
-   * The hull of what all processes have of a block; on process 0 it is whole in the end. False if
-   * there is a failure, on any process.
+   * The hull of all processes' pieces of a block; in the end, process 0 has the complete hull.
+   * False if there is a failure on any process.
    */
   bool TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces, vtkFFProcesses& processes,
     Result& result, vtkFFFailure& failure);
 
   /**
-   * The hull of hulls, whose ids it takes over. False if there is a failure.
+   * The hull of @p hulls; it takes over their ids. False if there is a failure.
    */
   bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
 
   /**
-   * The hull of the hulls of all blocks becomes the output, and is reported.
+   * Make the hull of the hulls of all blocks the output, and report it.
    */
   void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
 

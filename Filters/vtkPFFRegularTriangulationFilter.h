@@ -5,33 +5,33 @@
  * @brief   the exact regular triangulation of points that are distributed over processes
  *
  * vtkPFFRegularTriangulationFilter is vtkFFRegularTriangulationFilter for data in pieces, one on
- * each process of a vtkMultiProcessController: it gives the one triangulation of all pieces, on
- * process 0. It is what vtkFFRegularTriangulationFilter gives for the pieces of process 0, 1, 2...
- * appended in this order, bit for bit, with ids that count the points of all pieces. On the other
- * processes the outputs have no points.
+ * each process of a vtkMultiProcessController. It gives one triangulation of all pieces, on process
+ * 0. That triangulation is the one that vtkFFRegularTriangulationFilter gives for the pieces of
+ * process 0, 1, 2... appended in this order, bit for bit, with ids that count the points of all
+ * pieces. On the other processes, the outputs have no points.
  *
- * Process 0 gathers all points and does all the work. Where several processes have points, a
- * warning says so: its memory must hold them all.
+ * Process 0 gathers all points and does all the work, so its memory must hold them all. If several
+ * processes have points, a warning says so.
  *
- * - Ghost points (see SetSkipGhostPoints()) are left out where they
- *   are, and not counted: ids count the points left. Where there is a
+ * - Ghost points (see SetSkipGhostPoints()) are left out on their
+ *   process and not counted: ids count the remaining points. With a
  *   single process, this filter is its superclass, whose ids count all.
- * - Arrays of numbers and strings travel, without the lookup tables and
- *   keys that they may have.
- * - For composite input, a block's pieces are what the processes have in
- *   its place: the first block of each belong together, the second ones,
- *   and so on. A vtkPartitionedDataSet is one block, of any number of
- *   partitions on each process. All processes must have equally many
- *   blocks, with or without data in them; if not, that is an error.
- * - An error is one of all processes; it is reported by process 0. The
- *   others only set their error code, and report nothing else either.
- *   All can be aborted on any process until process 0 begins its work,
- *   then on process 0.
+ * - Arrays of numbers and strings are sent, without the lookup tables
+ *   and keys that they may have.
+ * - For composite input, the blocks in the same place on all processes
+ *   belong together: the first blocks, the second blocks, and so on. A
+ *   vtkPartitionedDataSet is one block, with any number of partitions
+ *   on each process. All processes must have the same number of
+ *   blocks, with or without data in them; otherwise that is an error.
+ * - An error on any process is an error of all processes. Process 0
+ *   reports it. The others only set their error code; they report no
+ *   figures either. Until process 0 begins its work, any process can
+ *   abort all of them; later, only process 0 can.
  *
- * - Field data is that of what process 0 has of a block.
+ * - Field data of a block is the field data of process 0's piece.
  *
- * All processes have to update the filter, with the same settings: a change on one, of the flag
- * that aborts too, is to be made on all.
+ * All processes must update the filter, with the same settings: make a change, also of the flag
+ * that aborts, on all of them.
  *
  * @sa
  * vtkFFRegularTriangulationFilter vtkPFFHullFilter vtkMultiProcessController
@@ -60,7 +60,7 @@ public:
 
   //@{
   /**
-   * Set/Get the controller of the processes that have the pieces; null for none but this one. By
+   * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);

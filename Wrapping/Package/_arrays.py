@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Users' numbers as arrays that VTK takes: of a type that it has, in this machine's byte order, none changed."""
+"""Users' numbers as arrays that VTK accepts: of a type that VTK has, in this machine's byte order, none changed."""
 
 from collections.abc import Sequence
 
@@ -8,13 +8,13 @@ import numpy as np
 
 
 class FilterError(RuntimeError):
-    """What a filter reported as its error, or data that none can take."""
+    """An error that a filter reported, or data that no filter accepts."""
 
     __module__ = "vtkflipflop.pyvista"  # where users import it from
 
 
 def is_array_like(values):
-    """Whether it is numbers: an array of NumPy's or of whatever gives one, or (nested) lists."""
+    """Whether values is an array of NumPy, an object that gives one, or a (nested) list."""
     nested = isinstance(values, Sequence) and not isinstance(values, (str, bytes))
     return nested or isinstance(values, np.ndarray) or hasattr(values, "__array__")
 
@@ -22,9 +22,9 @@ def is_array_like(values):
 def as_points(values, masked_as_nan):
     """n by 3 coordinates, from n by 3 or n by 2, or from 3 of one point.
 
-    Masked coordinates are a FilterError, or NaN. As VTK has no such types, float16 becomes float32, longdouble and
-    Python's numbers become double, bool becomes uint8. A number that this would change is a FilterError, values
-    that are no real numbers a TypeError, another shape a ValueError.
+    Masked coordinates are a FilterError, or become NaN. Types that VTK does not have are converted: float16 to
+    float32, longdouble and Python's numbers to double, bool to uint8. A number that this would change is a
+    FilterError, values that are not real numbers are a TypeError, another shape is a ValueError.
     """
     array = _as_array(values, "coordinate")
     if array.shape in ((0,), (3,)):
@@ -38,7 +38,7 @@ def as_points(values, masked_as_nan):
 
 
 def as_weights(values, masked_as_nan):
-    """n weights; on masked ones and on types, as as_points()."""
+    """n weights; masked weights and types are handled as in as_points()."""
     array = _as_array(values, "weight")
     if array.ndim == 2 and array.shape[1] == 1:
         array = array[:, 0]
@@ -48,7 +48,7 @@ def as_weights(values, masked_as_nan):
 
 
 def _as_array(values, what):
-    """As NumPy's array of numbers, masked where the values are."""
+    """The values as a NumPy array of numbers, masked where the values are masked."""
     if not is_array_like(values):
         raise TypeError(f"{what}s are an array or a list of numbers, not of type {type(values).__name__}")
     array = np.asanyarray(values) if not isinstance(values, Sequence) else _of_lists(values, what)
@@ -62,7 +62,7 @@ def _as_array(values, what):
 
 
 def _of_lists(values, what):
-    """Lists as an array; none of its numbers is rounded to the type of others."""
+    """Lists as an array; no number is rounded to the type of the others."""
     try:
         array = _as_masked(values) if any(map(np.ma.isMaskedArray, values)) else np.asarray(values)
         # Among floats, NumPy rounds integers.
@@ -81,7 +81,7 @@ def _as_masked(rows):
 
 
 def _exact(array, what, masked_as_nan):
-    """The same numbers in a type of VTK's, contiguous."""
+    """The same numbers in a type that VTK has, contiguous."""
     mask = np.ma.getmask(array)
     if not masked_as_nan:
         _refuse(mask, f"A {what} is masked", 'Remove them, or have them ignored: non_finite_points="ignore".')
@@ -101,7 +101,7 @@ def _exact(array, what, masked_as_nan):
 
 
 def _as_doubles(array, mask, what):
-    """As doubles; a FilterError if one would not be the same number."""
+    """The numbers as doubles; a FilterError if a double would not be the same number."""
     with np.errstate(over="ignore"):
         doubles = np.frompyfunc(_as_double, 1, 1)(np.where(mask, 0.0, array.astype(object)))
     changed = np.equal(doubles, None)
@@ -121,7 +121,7 @@ def _as_double(value):
 
 
 def _refuse(wrong, sentence, advice=""):
-    """An error if any is wrong, in the words in which the filters tell of points that are not finite."""
+    """Raise an error if any is wrong, in the words of the filters' error for points that are not finite."""
     if wrong.any():
         points = wrong.reshape(len(wrong), -1).any(axis=1)
         message = f"{sentence}: first at point {points.argmax()}, {points.sum()} such point(s) in all. {advice}"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A filter's properties as keyword arguments: snake_case for VTK's names, choices by name, nothing else taken."""
+"""A filter's properties as keyword arguments: snake_case for VTK's names, choices by name, nothing else accepted."""
 
 import re
 
@@ -11,8 +11,9 @@ from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 def set_properties(algorithm, properties):
     """Sets number_of_threads=4 by SetNumberOfThreads(4), engine="cpu" by SetEngineToCPU().
 
-    An unknown name is a TypeError that lists the known ones. A value that the filter does not take, or would
-    silently replace by the nearest that it does, is a ValueError that lists the choices or tells what it would be.
+    An unknown name is a TypeError that lists the known ones. A value that the filter does not accept is a ValueError.
+    So is a value that the filter would silently replace by the nearest accepted one. The error lists the choices, or
+    tells the replacement.
     """
     setters = [name for name in dir(algorithm) if name.startswith("Set") and not hasattr(vtkPolyDataAlgorithm, name)]
     choices = {}
@@ -34,14 +35,14 @@ def set_properties(algorithm, properties):
 
 
 def flag(name, value):
-    """An argument that is True or False."""
+    """The value of an argument that is True or False."""
     if not isinstance(value, (bool, np.bool_, int, np.integer)) or value not in (0, 1):
         raise ValueError(f"{name} is True or False, not {value!r}")
     return bool(value)
 
 
 def _choose(algorithm, name, value, setter, choices):
-    """A choice by its name, or by VTK's number."""
+    """Sets a choice by its name, or by VTK's number."""
     if isinstance(value, str):
         chosen = {_plain(choice): method for choice, method in choices.items()}.get(_plain(value))
         if chosen:
@@ -72,7 +73,7 @@ def _set(algorithm, name, value, setter):
 
 
 def _is_kept(algorithm, value, setter):
-    """Sets it, and whether the filter has that value then, not another that it has put in its place."""
+    """Sets the value, and tells whether the filter kept it, instead of replacing it by another."""
     getattr(algorithm, setter)(value)
     kept = _value_of(algorithm, setter)
     return kept is value or np.array_equal(kept, value)

@@ -7,17 +7,17 @@
 
     hull = convex_hull(pv.examples.download_bunny())
 
-Each function takes a mesh (or whatever pyvista.wrap makes one of), or an array or list of points, runs one filter
-and gives its output as a PyVista mesh, with the point data and "vtkOriginalPointIds". PyVista 0.48 and later offer
-the same as methods of a mesh, without an import: mesh.flipflop.convex_hull().
+Each function accepts a mesh (or anything that pyvista.wrap turns into one), or an array or list of points. It runs
+one filter and returns its output as a PyVista mesh, with the point data and "vtkOriginalPointIds". PyVista 0.48 and
+later offer the same as methods of a mesh, without an import: mesh.flipflop.convex_hull().
 
-Arrays are taken exactly, in any byte order and of any type of real numbers. Masked numbers are an error like NaN, or
+Arrays are read exactly, in any byte order and of any type of real numbers. Masked numbers are an error like NaN, or
 ignored like NaN.
 
-A filter's properties are keyword arguments, by VTK's names in snake_case: number_of_threads=4. Choices are given
-by name: facet_mode="polygons", engine="cpu", non_finite_points="ignore". Where a filter reports an error, or data
-are such that none can take them, the functions raise FilterError; an argument of the wrong type is a TypeError,
-one that is out of its range a ValueError.
+A filter's properties are keyword arguments: VTK's names in snake_case, such as number_of_threads=4. Give choices
+by name: facet_mode="polygons", engine="cpu", non_finite_points="ignore". If a filter reports an error, or no filter
+accepts the data, the functions raise FilterError. An argument of the wrong type is a TypeError; an argument out of
+its range is a ValueError.
 """
 
 import pyvista
@@ -58,8 +58,8 @@ def convex_hull(mesh, *, progress_bar=False, **properties):
 
     Returns
     -------
-    pyvista.PolyData, closed, facets facing outwards; of a composite one like it with the hull of each block, or one
-    hull with composite_mode="all_blocks".
+    pyvista.PolyData, closed, with facets facing outwards. For a composite, a composite of the same structure with the
+    hull of each block, or one hull with composite_mode="all_blocks".
     """
     hull = vtkFFHullFilter()
     set_properties(hull, properties)
@@ -95,8 +95,8 @@ def regular_triangulation(
     Parameters
     ----------
     mesh : any PyVista or VTK data set or composite, or an array or list of n by 3 or n by 2 coordinates
-    weights : a point array's name, or n numbers where mesh is no composite; squared lengths. By default none: Delaunay
-    return_hidden_points : give the points that do not appear in the triangulation, too
+    weights : a point array's name, or n numbers if mesh is no composite; squared lengths. By default none: Delaunay
+    return_hidden_points : also return the points that do not appear in the triangulation
     progress_bar : show progress in the terminal; needs tqdm
     properties : of vtkFFRegularTriangulationFilter; projection_plane_mode="best_fitting_plane" for tilted points
 
@@ -110,7 +110,7 @@ def regular_triangulation(
 
 
 def power_diagram(mesh, weights=None, *, progress_bar=False, **properties):
-    """The power diagram of points in the plane, a polygon for each cell; without weights, Voronoi's.
+    """The power diagram of points in the plane, a polygon for each cell; without weights, the Voronoi diagram.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ if hasattr(pyvista, "register_dataset_accessor"):  # distributions have older on
 
 
 def _points_of(mesh, algorithm):
-    """The mesh as a data set with points of its own, or a composite of such: the algorithm's input."""
+    """The algorithm's input: the mesh as a data set that stores its points, or as a composite of such data sets."""
     if isinstance(mesh, vtkDataObjectTree):
         copy = mesh.NewInstance()
         copy.ShallowCopy(mesh)
@@ -187,7 +187,7 @@ def _points_of(mesh, algorithm):
 
 
 def _wrapped(mesh):
-    """What PyVista makes of what is no VTK object, None of None."""
+    """PyVista's mesh for an object that is not VTK's; None for None."""
     try:
         return pyvista.wrap(mesh)
     except (NotImplementedError, TypeError):
@@ -226,7 +226,7 @@ def _triangulated(mesh, weights, properties, progress_bar):
 
 
 def _outputs(algorithm, mesh, progress_bar):
-    """Runs the algorithm on the mesh; its outputs as PyVista's, which do not share its pipeline."""
+    """Runs the algorithm on the mesh; returns its outputs as PyVista meshes, which do not share its pipeline."""
     errors = []
 
     def keep(caller, event, message):
@@ -254,7 +254,7 @@ def _outputs(algorithm, mesh, progress_bar):
 
 
 def _of_pyvista(data):
-    """As PyVista's class where it has one, else a copy."""
+    """The data as PyVista's class if it has one, otherwise a copy."""
     try:
         return pyvista.wrap(data)
     except TypeError:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Hulls and triangulations by a chosen engine: the CPU's, or CUDA's where this build and this
-/// machine have it. The result is the same bit for bit.
+/// Hulls and triangulations by a chosen engine: the CPU engine, or the CUDA engine if this build
+/// and this machine have it. The result is the same bit for bit.
 #ifndef flipflop_Engines_h
 #define flipflop_Engines_h
 
@@ -17,12 +17,12 @@ namespace flipflop
 /// Which engine is to do the work, or did it.
 enum class EngineChoice
 {
-  Automatic, ///< CUDA where there is a device and the input is large enough to pay, else CPU
+  Automatic, ///< CUDA if there is a device and the input is large enough, otherwise CPU
   CPU,       ///< on this machine's cores
-  CUDA       ///< or an error
+  CUDA       ///< an error if there is no device for it
 };
 
-/// From how many points on the CUDA engine pays is for measurements to tell; there are none yet.
+/// The default threshold: never CUDA. The crossover has not been measured.
 constexpr std::int64_t CudaPaysNever = INT64_MAX;
 
 /// How the engine is chosen.
@@ -30,7 +30,7 @@ struct EngineOptions
 {
   EngineChoice choice = EngineChoice::Automatic; ///< what the caller asks for
 
-  /// Automatic takes the CUDA engine from so many points on.
+  /// Automatic uses the CUDA engine for this many points or more.
   std::int64_t cudaFrom = CudaPaysNever;
 };
 
@@ -45,39 +45,39 @@ struct EngineReport
 struct CudaStatus
 {
   bool built = false;     ///< this build has kernels for a device
-  bool present = false;   ///< and there is a device that can run them
-  char device[256] = "";  ///< its name
+  bool present = false;   ///< there is also a device that can run them
+  char device[256] = "";  ///< the device's name
   char problem[256] = ""; ///< why there is none
 };
 
-/// Looks at the device that is current for the thread: once at each, and again where it only failed
-/// for now. The look takes up to a second, and memory of the device.
+/// Checks the thread's current device: once for each device, and again if the device failed only
+/// temporarily. The check takes up to a second, and uses memory of the device.
 /// @return valid until the thread's next call
 const CudaStatus& cudaStatus();
 
 /// Give back to the device the memory that is kept for the next run: at most an eighth of the
-/// device's for each of the last two runs that ran at once.
+/// device's memory for each of the last two runs that ran at once.
 void releaseCudaMemory();
 
-/// As convexHull(points, options), by the engine that is chosen.
-/// @param points  any number of them up to 2^32 - 2
+/// convexHull(points, options), by the chosen engine.
+/// @param points  any number up to 2^32 - 2
 /// @param options see Options
-/// @param engine  what the choice goes by
-/// @param report  gets which engine it was, and why
-/// @return the same hull, bit for bit, whichever engine it was
-/// @throw Error   the same; NoDevice, DeviceMemory, DeviceFailed where CUDA is chosen
-///                (Automatic leaves such a run to the CPU)
+/// @param engine  how the engine is chosen
+/// @param report  receives which engine ran, and why
+/// @return the same hull, bit for bit, for either engine
+/// @throw Error   the errors of convexHull; NoDevice, DeviceMemory, DeviceFailed if CUDA is chosen
+///                (with Automatic, the CPU does such a run)
 Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
   EngineReport& report);
 
-/// As regularTriangulation(points, weights, options), by the engine that is chosen.
-/// @param points  any number of them up to 2^32 - 2
-/// @param weights one for each point, or without data
+/// regularTriangulation(points, weights, options), by the chosen engine.
+/// @param points  any number up to 2^32 - 2
+/// @param weights one for each point, or none
 /// @param options see Options
-/// @param engine  what the choice goes by
-/// @param report  gets which engine it was, and why
-/// @return the same triangulation, bit for bit, whichever engine it was
-/// @throw Error   the same, and as convexHull
+/// @param engine  how the engine is chosen
+/// @param report  receives which engine ran, and why
+/// @return the same triangulation, bit for bit, for either engine
+/// @throw Error   the errors of regularTriangulation, and the CUDA errors of convexHull
 Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
   const Options& options, const EngineOptions& engine, EngineReport& report);
 

@@ -4,8 +4,8 @@
 /// A move-only array of plain values, left uninitialised.
 ///
 /// Large arrays here are written exactly once, often by many threads, so clearing them first would
-/// double the memory traffic. The memory ends with std::free and can be released to a caller (VTK's
-/// arrays adopt it), so results leave the engine by move, never by copy.
+/// double the memory traffic. std::free() frees the memory, and a caller can take it over (VTK's
+/// arrays adopt it). So results leave the engine by move, never by copy.
 #ifndef flipflop_Buffer_h
 #define flipflop_Buffer_h
 
@@ -34,7 +34,7 @@ class Buffer
 public:
   Buffer() = default;
 
-  /// @throw Error OutOfMemory when the memory is not to be had.
+  /// @throw Error OutOfMemory if there is not enough memory.
   explicit Buffer(std::size_t size) { this->allocate(size); }
 
   Buffer(const Buffer&) = delete;
@@ -93,8 +93,8 @@ public:
     this->count = size;
   }
 
-  /// A buffer of @p size uninitialised values in the memory of another, where that is enough: what
-  /// is used already need not be had anew. The rest of it goes back.
+  /// A buffer of @p size uninitialised values in the memory of @p other, if that is large enough;
+  /// otherwise in new memory. The rest of @p other's memory is freed.
   template <class Other>
   static Buffer recycle(Buffer<Other>&& other, std::size_t size)
   {
@@ -121,7 +121,7 @@ public:
     this->count = size < this->count ? size : this->count;
   }
 
-  /// Hand the memory to the caller, who ends it with std::free.
+  /// Give the memory to the caller, who frees it with std::free.
   T* release()
   {
     this->count = 0;

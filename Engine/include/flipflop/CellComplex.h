@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Cells over some of the input's points, in the one canonical form that all results have.
+/// Cells over some of the input's points, in the canonical form that all results have.
 #ifndef flipflop_CellComplex_h
 #define flipflop_CellComplex_h
 
@@ -19,17 +19,17 @@ struct CellComplex
 {
   int dimension = -1; ///< of what the input spans, 0 to 3; -1: there was no point
 
-  /// One for each point that appears: its id (position in the input), ascending.
+  /// The id (position in the input) of each point that appears, ascending.
   Buffer<std::int64_t> pointIds;
 
-  /// Corners of every cell, one after another: indices into pointIds.
+  /// The corners of all cells, one cell after another: indices into pointIds.
   Buffer<std::int64_t> connectivity;
 
-  /// One for each cell and one more: where the cell begins in connectivity, ascending from 0. Empty
-  /// when all cells have cellSize corners.
+  /// Where each cell begins in connectivity, ascending from 0; then the size of connectivity. Empty
+  /// if all cells have cellSize corners.
   Buffer<std::int64_t> offsets;
 
-  /// Corners a cell, when the same for all; 0 when offsets tell.
+  /// Number of corners of a cell, if it is the same for all cells; 0 if offsets tell it.
   std::int64_t cellSize = 0;
 
   Statistics statistics; ///< of the run
@@ -41,8 +41,8 @@ struct CellComplex
       : this->offsets.empty() ? 0
                               : static_cast<std::int64_t>(this->offsets.size()) - 1;
   }
-  /// Where a cell begins in connectivity; the last one's successor is its size.
-  /// @param cell 0 to cellCount()
+  /// Where a cell begins in connectivity.
+  /// @param cell 0 to cellCount(), which gives the size of connectivity
   std::int64_t cellBegin(std::int64_t cell) const
   {
     return this->cellSize ? cell * this->cellSize : this->offsets[static_cast<std::size_t>(cell)];

@@ -13,12 +13,11 @@ namespace flipflop
 {
 
 /// The exact convex hull of @p points (paper, Algorithm 2), for every finite input: no tolerance
-/// decides anything. Duplicates are one point, their lowest id; points inside a facet or an edge
-/// are not part.
+/// decides anything. Duplicates are one point, with their lowest id. Points inside a facet or an
+/// edge are not part of the hull.
 ///
-/// @param points  any number of them up to 2^32 - 2, of which about 5e8 may be vertices of the
-/// hull:
-///                cells are 32-bit half-edges
+/// @param points  any number up to 2^32 - 2. About 5e8 of them may be vertices of the hull, since
+///                half-edges are 32-bit
 /// @param options see Options
 /// @return the hull in its canonical form, which is the same for any number of threads
 /// @throw Error   NonFinite (by policy), TooManyPoints, OutOfMemory, Aborted, BadArgument

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the engine throws: one type, a code, and the place that is at fault.
+/// The exception that the engine throws: a code, and the place that is at fault.
 #ifndef flipflop_Error_h
 #define flipflop_Error_h
 
@@ -35,7 +35,7 @@ enum class ErrorCode
   Internal       ///< an invariant of the engine does not hold: a fault of FlipFlop, to be reported
 };
 
-/// The engine's exception. what() is a constant sentence: callers compose their own from the parts.
+/// The engine's exception. what() is a constant text: callers compose their own from the parts.
 class Error : public std::exception
 {
 public:
@@ -49,7 +49,7 @@ public:
 
   /// What went wrong.
   ErrorCode code() const noexcept { return this->Code; }
-  /// The first point or triangle at fault, -1 where there is none.
+  /// The first point or triangle at fault, -1 if there is none.
   std::int64_t index() const noexcept { return this->Index; }
   /// How many are at fault, or the size asked for.
   std::int64_t count() const noexcept { return this->Count; }
@@ -101,8 +101,8 @@ private:
   std::int64_t Count;
 };
 
-/// Ends the run where an invariant does not hold: better than a hang or a wrong result. For what
-/// costs nothing beside the work around it.
+/// Ends the run if an invariant does not hold. That is better than a hang or a wrong result. Use it
+/// for checks that cost nothing compared with the work around them.
 /// @throw Error Internal
 inline void ensure(bool holds)
 {

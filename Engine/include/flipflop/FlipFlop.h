@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Flip-Flop: a star-shaped polyhedron to its convex hull.
+/// Flip-Flop: turns a star-shaped polyhedron into its convex hull.
 #ifndef flipflop_FlipFlop_h
 #define flipflop_FlipFlop_h
 
@@ -24,14 +24,15 @@ struct TriangleView
 
 /// The exact convex hull of a star-shaped polyhedron by flips (paper, Algorithm 1).
 ///
-/// @param points    the polyhedron's points; those that no triangle uses do not count.
-/// @param triangles a closed, consistently oriented manifold. Its orientation may be either.
-/// @param kernel    three coordinates of a point that strictly sees the inside of every triangle,
-///                  or null: then one is sought. Star-shapedness is decided exactly.
-/// @param options   see Options; NonFinitePolicy::Ignore is no help to a point that is used
+/// @param points    the polyhedron's points; points that no triangle uses are ignored.
+/// @param triangles a closed, consistently oriented manifold. It may be oriented outward or inward.
+/// @param kernel    the coordinates of a kernel point, which strictly sees the inside of every
+///                  triangle; null: the engine searches for one. An exact test decides whether the
+///                  polyhedron is star-shaped.
+/// @param options   see Options; NonFinitePolicy::Ignore has no effect on points that are used
 /// @return the hull in its canonical form, as convexHull gives it for the points that are used
-/// @throw Error BadTriangle, NotClosed, NotManifold, NotOriented, NotStarShaped, NoKernel, and what
-///        convexHull throws.
+/// @throw Error BadTriangle, NotClosed, NotManifold, NotOriented, NotStarShaped, NoKernel, and
+///        the errors of convexHull.
 Hull flipFlop(const PointView& points, const TriangleView& triangles, const double* kernel,
   const Options& options = Options());
 

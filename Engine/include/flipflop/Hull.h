@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A convex hull, in its one canonical form.
+/// A convex hull, in its canonical form.
 #ifndef flipflop_Hull_h
 #define flipflop_Hull_h
 
@@ -21,7 +21,7 @@ namespace flipflop
 /// |           | component is positive                                             |
 /// | 3         | the facets (or their triangles), counter-clockwise from outside   |
 ///
-/// Each point is the lowest id of its position and strictly extreme.
+/// Each point is strictly extreme, and has the lowest id of its position.
 struct Hull : CellComplex
 {
   double volume = 0; ///< of the solid; 0 below dimension 3

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a caller may choose, and how a long run is watched and stopped.
+/// The choices of a caller, and how to watch and stop a long run.
 #ifndef flipflop_Options_h
 #define flipflop_Options_h
 
@@ -22,8 +22,8 @@ enum class NonFinitePolicy
   Ignore ///< leave it out, and count it in Statistics::nonFinite
 };
 
-/// Told how far the run is (0 to 1), on the calling thread only; returns false to stop the run,
-/// which then throws ErrorCode::Aborted.
+/// Called with the progress of the run (0 to 1), on the calling thread only. Returns false to stop
+/// the run, which then throws ErrorCode::Aborted.
 using ProgressFunction = bool (*)(double fraction, void* context);
 
 /// The choices of one run.
@@ -32,11 +32,11 @@ struct Options
   int threads = 0; ///< 1 or more; 0: as many as the machine has. The output never depends on it.
   FacetMode facets = FacetMode::Triangles;            ///< how facets are given
   NonFinitePolicy nonFinite = NonFinitePolicy::Error; ///< what NaN and infinity lead to
-  /// The V-biased Flip-Flop (paper, end of section 2.3): vertices are labelled only where no other
-  /// flip is left. The same output; without it a label may set off very many flips.
+  /// The V-biased Flip-Flop (paper, end of section 2.3): vertices are labelled only if no other
+  /// flip is left. The output is the same. Without it, a label may cause very many flips.
   bool vBiased = true;
-  ProgressFunction progress = nullptr; ///< null: nobody is told, and nobody can stop the run
-  void* progressContext = nullptr;     ///< handed to progress as it is
+  ProgressFunction progress = nullptr; ///< null: no progress reports, and no way to stop the run
+  void* progressContext = nullptr;     ///< passed to progress unchanged
 };
 
 }

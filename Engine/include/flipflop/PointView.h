@@ -17,9 +17,9 @@ enum class ScalarType
   Float64  ///< double
 };
 
-/// A read-only view of @c count points: x, y, z at data[i * stride + 0, 1, 2], counted in scalars;
-/// of points in the plane only x and y are read. float values are taken as they are (each is a
-/// double exactly); nothing is copied.
+/// A read-only view of @c count points: x, y, z at data[i * stride + 0, 1, 2], counted in scalars.
+/// For points in the plane, only x and y are read. float values are used directly (each is exactly
+/// a double); nothing is copied.
 struct PointView
 {
   const void* data = nullptr;            ///< the first point's x; null only if count is 0
@@ -27,15 +27,16 @@ struct PointView
   std::int64_t count = 0;                ///< points
   std::int64_t stride = 3;               ///< scalars from a point's x to the next one's
 
-  /// The same scalars, laid out alike, in the memory of the CUDA device, and all written; null:
-  /// they are not there. An engine on the device reads them in place; all else is read from data.
+  /// The same scalars in the memory of the CUDA device, in the same layout and completely written;
+  /// null if they are not there. An engine on the device reads them in place; everything else reads
+  /// data.
   const void* deviceData = nullptr;
 
   /// No point.
   PointView() = default;
 
   ///@{
-  /// @p n points, of which the first begins at @p xyz, @p step scalars apart.
+  /// @p n points; the first begins at @p xyz, and they are @p step scalars apart.
   PointView(const float* xyz, std::int64_t n, std::int64_t step = 3)
     : data(xyz)
     , type(ScalarType::Float32)
@@ -66,7 +67,7 @@ struct WeightView
   WeightView() = default;
 
   ///@{
-  /// @p n weights, of which the first is at @p weights, @p step scalars apart.
+  /// @p n weights; the first is at @p weights, and they are @p step scalars apart.
   WeightView(const float* weights, std::int64_t n, std::int64_t step = 1)
     : data(weights)
     , type(ScalarType::Float32)

@@ -17,60 +17,61 @@ namespace flipflop
 {
 
 /// Polygons, counter-clockwise, one for each visible site whose power cell meets the inside of the
-/// box. Every corner is a true one, each coordinate rounded to the nearest double.
+/// box. Every corner is a true corner with each coordinate rounded to the nearest double.
 ///
-/// What holds exactly, of the corners as they are: each cell is a simple polygon, which comes to no
-/// corner twice. Cells fill the box without gap or overlap, and meet edge to edge: inside the box
-/// each edge is in two cells, once in either direction, on its sides in one.
+/// These hold exactly, for the rounded corners: Each cell is a simple polygon, which visits no
+/// corner twice. Cells fill the box without gap or overlap, and meet edge to edge: an edge inside
+/// the box is in two cells, once in either direction; an edge on a side of the box is in one.
 ///
-/// What rounding costs: true cells are convex; of these a corner may turn right by as much as its
-/// rounding explains. Corners that round to one position are one. Where a corner that turns right
-/// ends an edge of at most four units (in the last place of the greater coordinate), the two ends
-/// are merged; a corner comes no further than that, and corners of the box stay. A cell that
-/// crosses itself all the same, such as the tip of a needle thinner than a unit, loses a few
-/// corners, or all of it, to a neighbour; a cell without an inside is left out. (No cell reached
-/// further than 8 units beyond its true border in a million cells of nearly cocircular, collinear
-/// and gridded sites; the tests allow 16.) Where all rounded cells are convex, nothing is merged,
-/// cut or joined.
+/// These are effects of rounding: True cells are convex, but a corner of a rounded cell may turn
+/// right by as much as rounding explains. Corners that round to one position are one. If a corner
+/// turns right, and ends an edge of at most four units (in the last place of the greater
+/// coordinate), the two ends are merged. A corner moves no further than that, and corners of the
+/// box stay. If a cell still crosses itself, such as the tip of a needle thinner than a unit, a
+/// neighbour gets some of its corners, or the whole cell. A cell without an inside is left out.
+/// (No cell reached further than 8 units beyond its true border in a million cells of nearly
+/// cocircular, collinear and gridded sites; the tests allow 16.) If all rounded cells are convex,
+/// nothing is merged, cut or joined.
 ///
 /// A cell starts at the corner of its site's lowest facet (at the border of the triangulation: of
-/// the first facet counter-clockwise), or at the first corner after it that is in the box and was
-/// not cut off. Corners come in the order in which the cells first use them.
+/// the first facet counter-clockwise). If that corner is not in the box or was cut off, the cell
+/// starts at the first corner after it. Corners come in the order in which the cells first use
+/// them.
 struct PowerDiagram
 {
-  /// Two for each corner: its x and y. Neighbours share their corners: no position is listed
-  /// twice.
+  /// The x and y of each corner. Neighbours share their corners: no position is listed twice.
   Buffer<double> corners;
 
-  /// Corners of every cell, one after another: indices into corners (pairs).
+  /// The corners of all cells, one cell after another: indices into corners (pairs).
   Buffer<std::int64_t> connectivity;
 
-  /// One for each cell and one more: where the cell begins in connectivity, ascending from 0.
+  /// Where each cell begins in connectivity, ascending from 0; then the size of connectivity.
   Buffer<std::int64_t> offsets;
 
-  /// One for each cell: the id (position in the input) of its site, ascending.
+  /// The id (position in the input) of each cell's site, ascending.
   Buffer<std::int64_t> siteIds;
 };
 
-/// The power diagram of the sites that @p triangulation shows. Which cells meet where is taken from
-/// the exact triangulation (cocircular sites meet in one corner, without edges of no length); only
-/// the corners' coordinates are rounded, with what that costs (PowerDiagram). Takes time and memory
-/// in proportion to the triangulation. Equal bits on any number of threads, whichever engine and
-/// however many triangulated.
+/// The power diagram of the points that appear in @p triangulation (the sites). The exact
+/// triangulation tells which cells meet, and where: cocircular sites meet in one corner, and no
+/// edge has zero length. Only the corners' coordinates are rounded; PowerDiagram lists the effects.
+/// Time and memory are proportional to the triangulation. The bits are the same for any number of
+/// threads, also of the triangulation, and for either engine.
 ///
 /// @param points          as they were triangulated
 /// @param weights         as they were triangulated
-/// @param triangulation   of them: with FacetMode::Polygons. Fans of triangles cannot be told from
-///                        polygons; as equal centers round alike, they give the same cells, which
-///                        may start elsewhere.
-/// @param box             x least, x greatest, y least, y greatest; finite, least below greatest
-/// @param options         only the threads and the progress function count
+/// @param triangulation   of these points, with FacetMode::Polygons. With FacetMode::Triangles the
+///                        cells are the same, since equal centers round to equal corners; but they
+///                        may start at another corner.
+/// @param box             least x, greatest x, least y, greatest y; finite, least below greatest
+/// @param options         only the threads and the progress function are used
 /// @return the cells, by ascending id of their sites
-/// @throw Error           BadArgument (also for a complex that is no triangulation of these points,
-///                        where that shows: an index or id out of range, a facet that is not
+/// @throw Error           WeightCount, TooManyPoints, OutOfMemory, Aborted, BadArgument. The last
+///                        one also for a complex that is not a triangulation of these points, if
+///                        that shows: an index or id out of range, a facet that is not
 ///                        counter-clockwise, facets that form no ring, a cell that turns over by
-///                        more than rounding explains), WeightCount, TooManyPoints, OutOfMemory,
-///                        Aborted. Whether its power circles are empty is not looked at.
+///                        more than rounding explains. Whether power circles are empty is not
+///                        checked.
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options = Options());
 

@@ -12,14 +12,14 @@
 namespace flipflop
 {
 
-/// The regular triangulation of all points, whatever their number and position: see Triangulation.h
-/// for the form, and for what is visible.
+/// The regular triangulation of all points, whatever their number and position. Triangulation.h
+/// describes its form, and which points are visible.
 ///
-/// @param points  any number of them up to 2^32 - 2; about 5e8 where nearly all are visible, for
-///                cells are 32-bit half-edges. Only x and y are read: a stride of 2 is enough.
+/// @param points  any number up to 2^32 - 2; about 5e8 if nearly all are visible, since half-edges
+///                are 32-bit. Only x and y are read: a stride of 2 is enough.
 /// @param weights one for each point, in units of squared length: the power distance of x from a
-///                point p is |x - p|^2 - w. Any finite values, negative ones too. Without data: the
-///                Delaunay triangulation.
+///                point p is |x - p|^2 - w. Any finite values, also negative ones. Without weights:
+///                the Delaunay triangulation.
 /// @param options see Options
 /// @return the triangulation in its canonical form, which is the same for any number of threads
 /// @throw Error   NonFinite (the first point whose coordinate or weight is not finite),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A regular (weighted Delaunay) triangulation in the plane, in its one canonical form.
+/// A regular (weighted Delaunay) triangulation in the plane, in its canonical form.
 #ifndef flipflop_Triangulation_h
 #define flipflop_Triangulation_h
 
@@ -20,13 +20,13 @@ namespace flipflop
 /// | 2         | the triangles, counter-clockwise, none without area; or, as polygons, |
 /// |           | one cell for all points of one power circle                          |
 ///
-/// A point appears when its lift (x, y, x^2 + y^2 - w) is a strictly extreme vertex of the lower
-/// hull of all lifts; of points with one position and one weight, the lowest id stands for all. All
-/// others are hidden, ties included.
+/// A point appears if its lift (x, y, x^2 + y^2 - w) is a strictly extreme vertex of the lower hull
+/// of all lifts. The lowest id represents points with the same position and weight. All other
+/// points are hidden, also ties.
 struct Triangulation : CellComplex
 {
-  /// The ids of the points that do not appear, ascending; points left out as not finite are in
-  /// neither list.
+  /// The ids of the points that do not appear, ascending. Points that were left out because they
+  /// are not finite are in neither list.
   Buffer<std::int64_t> hiddenIds;
 };
 

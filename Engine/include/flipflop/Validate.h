@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The oracle: is this the convex hull, or the regular triangulation, of these points, in canonical
-/// form?
+/// The validator: is this the convex hull, or the regular triangulation, of these points, in
+/// canonical form?
 ///
-/// It shares the exact predicates and the locator's walk with the engine, and nothing of how
-/// results are found; the predicates themselves are tested against rationals.
+/// It uses the engine's exact predicates and the locator's walk, but no code that computes
+/// results. The predicates themselves are tested against rationals.
 #ifndef flipflop_Validate_h
 #define flipflop_Validate_h
 
@@ -28,7 +28,7 @@ enum class Fault
   NotConvex,     ///< an edge that is reflex, or flat where two polygons meet; a facet not planar
   NotExtreme,    ///< a hull point that is not strictly extreme
   PointOutside,  ///< an input point outside the hull
-  WrongId,       ///< a hull point that a duplicate with a lower id should stand for
+  WrongId,       ///< a hull point that has a duplicate with a lower id
   WrongDimension ///< the input spans another dimension
 };
 
@@ -41,24 +41,24 @@ struct Validation
   explicit operator bool() const { return this->fault == Fault::None; }
 };
 
-/// Decide exactly whether @p hull is the convex hull of the finite ones among @p points, in the
+/// Decide exactly whether @p hull is the convex hull of the finite points among @p points, in the
 /// form that Hull promises. Near-linear in the number of points.
-/// @param points  those that the hull was taken of
+/// @param points  the points of the hull
 /// @param hull    with facets as triangles or as polygons
 /// @param threads as in Options
-/// @return what is wrong first, or nothing
+/// @return the first fault, or none
 /// @throw Error   TooManyPoints, OutOfMemory, BadArgument
 Validation validate(const PointView& points, const Hull& hull, int threads = 0);
 
-/// Decide exactly whether @p triangulation is the regular triangulation of the finite ones among
+/// Decide exactly whether @p triangulation is the regular triangulation of the finite points among
 /// the weighted points, in the form that Triangulation promises: every triangle counter-clockwise,
 /// every edge regular, the union convex, every hidden point really hidden. Here NotExtreme is a
-/// point that should be hidden, PointOutside one that should not be.
-/// @param points        those that were triangulated
+/// point that should be hidden, and PointOutside is a point that should not be hidden.
+/// @param points        the points that were triangulated
 /// @param weights       as they were triangulated
 /// @param triangulation with facets as triangles or as polygons
 /// @param threads       as in Options
-/// @return what is wrong first, or nothing
+/// @return the first fault, or none
 /// @throw Error         WeightCount, TooManyPoints, OutOfMemory, BadArgument
 Validation validate(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, int threads = 0);
