@@ -117,9 +117,9 @@ public:
    * Set/Get the engine. Whatever engine runs, the output is the same, bit for bit.
    *
    * - ENGINE_AUTOMATIC (the default): the CUDA engine for inputs of
-   *   CUDAThreshold points or more if IsCUDAAvailable(), otherwise
-   *   the CPU engine. If the device fails, or has too little memory,
-   *   the CPU engine does the work.
+   *   CUDAThreshold points or more if IsCUDAAvailable(), otherwise the
+   *   CPU engine. If the device fails, or has too little memory, the
+   *   CPU engine does the work.
    * - ENGINE_CPU: the CPU engine.
    * - ENGINE_CUDA: the CUDA engine, for inputs of any size. If it is
    *   not available, fails or lacks memory, that is an error, and the
@@ -286,7 +286,7 @@ public:
    * vertices are most of the points), they also depend on the number of threads. The output is the
    * same.
    *
-   * - InputPoints: points given, without ghost points that are left out
+   * - InputPoints: points given, without ghosts that are left out
    * - NonFinitePoints: points left out (or, after an error, found)
    *   with a NaN or infinite coordinate or weight
    * - CulledPoints: points found inside without being associated to a
@@ -331,8 +331,8 @@ public:
    *
    * - Scan: ranges, points that are not finite, the first polyhedron
    * - Locate: culling, associating points to triangles. The CUDA
-   *   engine does that while it grows; its Locate is the time to
-   *   copy its result to the host
+   *   engine does that while it grows; its Locate is the time to copy
+   *   its result to the host
    * - Grow: growing the star-shaped polyhedron (the paper's Algorithm
    *   2)
    * - Flip: flipping it to convexity (the paper's Algorithm 1)

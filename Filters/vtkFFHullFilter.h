@@ -19,9 +19,9 @@
  * The output is the canonical form of the hull, a function of the input alone:
  *
  * - The points are the strictly extreme points, by ascending id. Points
- *   inside a facet or an edge of the hull are not part of it. The lowest
- *   id represents all points of one position. The points have the type
- *   and the bits of the input's points (floats stay floats).
+ *   inside a facet or an edge of the hull are not part of it. The
+ *   lowest id represents all points of one position. The points have
+ *   the type and the bits of the input's points (floats stay floats).
  * - The cells are the true facets, counter-clockwise from outside: as
  *   triangles, or as one polygon a facet (see SetFacetMode()). Each
  *   starts at its lowest id; all are in lexicographic order.

@@ -30,12 +30,12 @@
  *
  * - Port 0, the triangulation: the points that appear, by ascending id,
  *   in their original place in space, type and bits (floats stay
- *   floats). The cells are triangles, counter-clockwise as seen from the
- *   plane's upper side, none without area. As polygons (see
- *   SetFacetMode()), there is one cell for all points of one empty power
- *   circle, which is a circle without weights. As triangles, such points
- *   give the fan from the lowest id. Each cell starts at its lowest id;
- *   all are in lexicographic order.
+ *   floats). The cells are triangles, counter-clockwise as seen from
+ *   the plane's upper side, none without area. As polygons (see
+ *   SetFacetMode()), there is one cell for all points of one empty
+ *   power circle, which is a circle without weights. As triangles, such
+ *   points give the fan from the lowest id. Each cell starts at its
+ *   lowest id; all are in lexicographic order.
  * - Port 1, the hidden points: a vertex cell each, by ascending id.
  * - Port 2, the power diagram: empty unless GeneratePowerDiagram is on.
  *   It has one polygon for each point of port 0 whose region meets the

@@ -21,8 +21,8 @@
  * - For composite input, the blocks in the same place on all processes
  *   belong together: the first blocks, the second blocks, and so on. A
  *   vtkPartitionedDataSet is one block, with any number of partitions
- *   on each process. All processes must have the same number of
- *   blocks, with or without data in them; otherwise that is an error.
+ *   on each process. All processes must have the same number of blocks,
+ *   with or without data in them; otherwise that is an error.
  * - An error on any process is an error of all processes. Process 0
  *   reports it. The others only set their error code; they report no
  *   figures either. Until process 0 begins its work, any process can
