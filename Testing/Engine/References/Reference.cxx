@@ -94,7 +94,11 @@ ReferenceHull bruteForceAs(const Cloud& cloud, int exponent)
   return bruteForce(IntegerSpace<Int>(std::move(points)));
 }
 
+#if defined(__SIZEOF_INT128__)
 __extension__ using Int128 = __int128;
+#else
+using Int128 = mpz_class; // of any size, and slower
+#endif
 
 }
 

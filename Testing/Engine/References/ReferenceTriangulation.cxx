@@ -126,7 +126,11 @@ ReferenceTriangulation bruteForce(const Space& space)
   return result;
 }
 
+#if defined(__SIZEOF_INT128__)
 __extension__ using Int128 = __int128;
+#else
+using Int128 = mpz_class; // of any size, and slower
+#endif
 
 template <class Int>
 Int narrow(const mpz_class& x)
