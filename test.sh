@@ -61,7 +61,7 @@ if [ "$what" = all ]; then
     layout=(setarch "$(uname -m)" -R)
   fi
   build_and_test asan
-  build_and_test tsan -DCMAKE_CXX_FLAGS="-I$top/Scripts/tsan"
+  build_and_test tsan
   layout=()
 fi
 build_and_test ci

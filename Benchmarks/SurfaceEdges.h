@@ -5,7 +5,7 @@
 #ifndef flipflop_SurfaceEdges_h
 #define flipflop_SurfaceEdges_h
 
-#include <tbb/parallel_sort.h>
+#include "Support/Parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +49,7 @@ template <class Visit>
 void forEachEdge(std::vector<SurfaceEdge> edges, Visit&& visit)
 {
   const auto ends = [](const SurfaceEdge& edge) { return std::tie(edge.low, edge.high); };
-  tbb::parallel_sort(edges.begin(), edges.end(),
+  threads::sort(edges.begin(), edges.end(),
     [&](const SurfaceEdge& a, const SurfaceEdge& b) { return ends(a) < ends(b); });
   for (std::size_t i = 0; i < edges.size();)
   {

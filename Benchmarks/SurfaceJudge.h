@@ -22,10 +22,9 @@
 #include "Geometry/LiftedGeometry.h"
 #include "Points/PointSource.h"
 #include "Points/Vertex.h"
+#include "Support/Parallel.h"
 #include "SurfaceEdges.h"
 #include <flipflop/CellComplex.h>
-
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -192,7 +191,7 @@ private:
           pairs.emplace_back(edge.high, NoIndex);
         }
       });
-    tbb::parallel_sort(pairs.begin(), pairs.end(), std::less<>());
+    threads::sort(pairs.begin(), pairs.end(), std::less<>());
     for (const auto& pair : pairs)
     {
       ++this->starts[pair.first + 1];

@@ -1,6 +1,6 @@
 # The flags that every target of ours is built with.
 #
-# flipflop_compile_options(<target>): warnings, and the rules that exactness depends on
+# flipflop_compile_options(<target>): warnings, the rules that exactness depends on, whose threads
 
 function(flipflop_compile_options target)
   # A contracted a*b-c*d is no longer antisymmetric: the predicates' signs would depend on the compiler.
@@ -14,6 +14,7 @@ function(flipflop_compile_options target)
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wshadow=local>
     $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wshadow>
     $<${msvc}:/fp:precise /W4>)
+  target_compile_definitions(${target} PRIVATE "FLIPFLOP_THREADS_HEADER=\"${FLIPFLOP_THREADS_HEADER}\"")
   if(FLIPFLOP_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE $<${gcc_like}:-Werror> $<${msvc}:/WX>)
   endif()
@@ -26,9 +27,4 @@ if(FLIPFLOP_SANITIZE)
     # AddressSanitizer finds these, too, and they are a quarter of the time to compile.
     add_compile_options(-fno-sanitize=null,object-size)
   endif()
-endif()
-
-# Headers that stand in for oneTBB's (Documentation/TaskGraph.md).
-if(FLIPFLOP_RECORD_TASKS)
-  include_directories(BEFORE "${PROJECT_SOURCE_DIR}/Benchmarks/TaskGraph")
 endif()

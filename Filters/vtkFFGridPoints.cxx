@@ -71,7 +71,7 @@ vtkSmartPointer<vtkPoints> layOut(const int* dimensions, const Place& place)
   if (count > 0)
   {
     array->SetArray(values.release(), static_cast<vtkIdType>(3 * count), 0,
-      vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+      vtkAbstractArray::VTK_DATA_ARRAY_ALIGNED_FREE);
   }
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(array);

@@ -46,7 +46,7 @@ vtkSmartPointer<ArrayT> adopt(flipflop::Buffer<std::int64_t>& buffer)
   if constexpr (sizeof(Value) == sizeof(std::int64_t))
   {
     array->SetArray(
-      reinterpret_cast<Value*>(buffer.release()), size, 0, ArrayT::VTK_DATA_ARRAY_FREE);
+      reinterpret_cast<Value*>(buffer.release()), size, 0, ArrayT::VTK_DATA_ARRAY_ALIGNED_FREE);
   }
   else
   {

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# install-dependencies.sh demo|test|fuzz|benchmark|paraview|wheel...: install what is missing (Debian 12, Ubuntu 22.04
+# install-dependencies.sh demo|test|fuzz|libcxx|mingw|benchmark|paraview|wheel...: install what is missing (Debian 12, Ubuntu 22.04
 # or later). Where everything is there, nothing is done and no privilege is needed.
 #
 # paraview: what a build of the plugin needs beside ParaView itself, for which see install-paraview.sh.
@@ -15,6 +15,9 @@ peers=(libcgal-dev libqhull-dev)
 tests=(ccache libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-dev doxygen graphviz)
 # clang, and what comes with it only by itself: libFuzzer and the sanitizers.
 fuzzers=(clang libclang-rt-dev)
+libcxx=(clang libc++-dev libc++abi-dev)
+# The tests' GoogleTest is built for Windows from its source.
+mingw=(cmake ninja-build g++-mingw-w64-x86-64-posix libboost-dev googletest wine wine64)
 # What the VTK within ParaView asks for when CMake looks for it, MPI, the GUI's icons; for FlipFlopCancel Qt and
 # XCB; PyQt and a pointer for the GUI's tests, and what its window of traces asks for.
 plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
@@ -31,10 +34,12 @@ for purpose in "$@"; do
     demo) packages+=("${build[@]}" "${vtk[@]}") ;;
     test) packages+=("${build[@]}" "${vtk[@]}" "${peers[@]}" "${tests[@]}") ;;
     fuzz) packages+=("${build[@]}" "${vtk[@]}" "${peers[@]}" "${tests[@]}" "${fuzzers[@]}") ;;
+    libcxx) packages+=("${libcxx[@]}") ;;
+    mingw) packages+=("${mingw[@]}") ;;
     benchmark) packages+=("${build[@]}" "${peers[@]}" python3-matplotlib python3-venv) ;;
     paraview) packages+=("${build[@]}" "${plugin[@]}") ;;
     wheel) packages+=("${build[@]}" "${wheel[@]}") ;;
-    *) echo "usage: install-dependencies.sh demo|test|fuzz|benchmark|paraview|wheel..." >&2; exit 2 ;;
+    *) echo "usage: install-dependencies.sh demo|test|fuzz|libcxx|mingw|benchmark|paraview|wheel..." >&2; exit 2 ;;
   esac
 done
 

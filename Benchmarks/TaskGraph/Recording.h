@@ -3,8 +3,8 @@
 /// @file
 /// What one thread does, as the tasks that several threads would share: a tree of forks and joins.
 ///
-/// The headers in tbb/ stand in for oneTBB's. They run every task here and now, one after another,
-/// and tell it to the Recording under way. Where there is none, they run the tasks alone.
+/// RecordedThreads.h stands in for a library of threads. It runs every task here and now, one after
+/// another, and tells it to the Recording under way. Where there is none, it runs the tasks alone.
 #ifndef flipflop_tasks_Recording_h
 #define flipflop_tasks_Recording_h
 

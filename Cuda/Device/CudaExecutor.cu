@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device/CudaExecutor.h"
 
-#include <cub/device/device_scan.cuh>
+#include "Support/Parallel.h"
 
-#include <tbb/parallel_for.h>
+#include <cub/device/device_scan.cuh>
 
 #include <algorithm>
 #include <cstring>
@@ -370,12 +370,12 @@ PointSource CudaExecutor::resident(const PointSource& points, Residence& residen
       requireCuda(cudaEventSynchronize(done));
     }
     auto* const packed = static_cast<double*>(this->session->piece[piece & 1]);
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(begin, end, 1u << 13),
-      [&](const tbb::blocked_range<std::uint64_t>& range)
+    eachRun(end - begin, std::size_t(1) << 13,
+      [&](std::size_t first, std::size_t last, std::size_t)
       {
-        for (std::uint64_t i = range.begin(); i < range.end(); ++i)
+        for (std::size_t i = first; i < last; ++i)
         {
-          points.load(static_cast<std::uint32_t>(i), packed + 3 * (i - begin));
+          points.load(static_cast<std::uint32_t>(begin + i), packed + 3 * i);
         }
       });
     requireCuda(cudaMemcpyAsync(residence.memory + 3 * std::size_t(begin), packed,

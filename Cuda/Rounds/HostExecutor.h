@@ -23,11 +23,11 @@
 #include "Rounds/Kernel.h"
 #include "Rounds/KernelTally.h"
 #include <flipflop/Buffer.h>
+#include <flipflop/Memory.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <numeric>
 #include <random>
@@ -64,7 +64,7 @@ public:
   /// @throw Error OutOfMemory
   void* allocate(std::size_t bytes)
   {
-    void* const memory = std::aligned_alloc(64, (bytes + 63) / 64 * 64);
+    void* const memory = allocateMemory(64, bytes);
     if (!memory)
     {
       throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(bytes));
@@ -76,7 +76,7 @@ public:
   void release(void* memory, std::size_t bytes) noexcept
   {
     this->bytesNow -= static_cast<std::int64_t>(bytes);
-    std::free(memory);
+    freeMemory(memory);
   }
 
   void fill(void* to, int byte, std::size_t bytes) { std::memset(to, byte, bytes); }

@@ -321,8 +321,8 @@ private:
       const bool toNone = own == NoIndex || other == NoIndex;
       const std::uint32_t height = toNone ? root : heightOf(own, other);
       this->joints[height][toNone ? 0 : own >> height].push_back(edge);
-      std::uint8_t& innerAt = this->innerAt[this->mesh.origin(edge.halfEdge)];
-      innerAt = std::max(innerAt, static_cast<std::uint8_t>(height));
+      std::uint8_t& inner = this->innerAt[this->mesh.origin(edge.halfEdge)];
+      inner = std::max(inner, static_cast<std::uint8_t>(height));
       this->mesh.link(edge.halfEdge, this->mesh.borderBegin + edge.halfEdge);
     }
   }

@@ -17,9 +17,8 @@
 #include "FlipFlop/Tally.h"
 #include "Mesh/Polyhedron.h"
 #include "Support/Monitor.h"
+#include "Support/Parallel.h"
 #include "Support/Stopwatch.h"
-
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -165,7 +164,7 @@ private:
       weight(middle) < half ? low = middle + 1 : high = middle;
     }
     Node left, right;
-    tbb::parallel_invoke(
+    threads::invoke(
       [&] { left = this->visit(first, low); }, [&] { right = this->visit(low, last); });
     // Another task threw, and this one's context was cancelled with all below it: then the call
     // above returns though not all is done. What was thrown there is what the caller will see.

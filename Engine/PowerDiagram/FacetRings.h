@@ -146,7 +146,7 @@ private:
   };
   struct SiteOf
   {
-    std::uint32_t operator()(const Leaving& leaving) const { return leaving.site; }
+    std::uint32_t operator()(const Leaving& edge) const { return edge.site; }
   };
   struct Around
   {

@@ -15,7 +15,9 @@
 #include <cmath>
 #include <cstdint>
 
-#if defined(__SIZEOF_INT128__)
+// Where the compiler has no integers of 128 bits, expansions tell the signs: the same, later. A
+// build can ask for that (FLIPFLOP_NO_INT128).
+#if defined(__SIZEOF_INT128__) && !defined(FLIPFLOP_NO_INT128)
 #define FLIPFLOP_HAS_FIXED_SIGNS 1
 #else
 #define FLIPFLOP_HAS_FIXED_SIGNS 0

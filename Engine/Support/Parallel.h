@@ -1,7 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Loops on the run's threads.
+/// Loops on the run's threads. All that knows a library of threads is here and in the headers that
+/// this one chooses from.
+///
+/// A library is a header that offers in the namespace threads:
+///
+///   Arena(n).execute(body)     body(), and its loops on n threads: the caller and others
+///   allowed()                  as many threads as a run may have
+///   Allowance(n)               while it lives, that is n
+///   each(count, body)          body(i) for each i below count, in no order, several a task
+///   eachAlone(count, body)     the same, each a task
+///   invoke(first, second)      both
+///   sort(first, last, less)
+/// Calls wait for their tasks; tasks may call in turn. What one of them throws comes out of the
+/// call: one of it, where several throw. By then all tasks have ended, but not all have begun.
 ///
 /// Most runs are small, and most of their loops are one task: the caller does it at once, for to
 /// hand a task to the threads' library costs more than a few points do.
@@ -10,7 +23,11 @@
 
 #include <flipflop/Error.h>
 
-#include <tbb/parallel_for.h>
+// The build chooses (CMake/FlipFlopThreads.cmake).
+#ifndef FLIPFLOP_THREADS_HEADER
+#define FLIPFLOP_THREADS_HEADER "Support/TbbThreads.h"
+#endif
+#include FLIPFLOP_THREADS_HEADER
 
 #include <algorithm>
 #include <atomic>
@@ -33,7 +50,7 @@ void eachTask(std::size_t count, const Use& use)
     use(std::size_t(0));
     return;
   }
-  tbb::parallel_for(std::size_t(0), count, use);
+  threads::each(count, use);
 }
 
 /// How many runs of @p size cover @p count things: the last may be shorter.

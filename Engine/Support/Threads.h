@@ -9,7 +9,7 @@
 #ifndef flipflop_Threads_h
 #define flipflop_Threads_h
 
-#include <tbb/task_arena.h>
+#include "Support/Parallel.h"
 
 #include <atomic>
 #include <cstddef>
@@ -30,7 +30,8 @@ inline std::atomic<std::int64_t>& pointsPerThread()
 }
 
 /// @param asked threads; 0 or less: as many as there are
-/// @return 1 or more: no more than asked for, than oneTBB has (tbb::global_control), and than
+/// @return 1 or more: no more than asked for, than are allowed (with oneTBB: its global_control),
+/// and than
 ///         @p points are worth
 int threadCount(int asked, std::int64_t points);
 
@@ -54,7 +55,7 @@ public:
 
 private:
   const int threads;
-  tbb::task_arena* const arena;
+  threads::Arena* const arena;
 };
 
 /// Calls @p body (i) for each i from 0 up to @p count, in no order, by so many threads: the caller

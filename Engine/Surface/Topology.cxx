@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/Topology.h"
 
+#include "Support/Parallel.h"
 #include <flipflop/Buffer.h>
-
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <vector>
@@ -93,7 +92,7 @@ TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint3
       sides[std::size_t(3) * t + e] = { std::min(a, b), std::max(a, b), halfEdge(t, e) };
     }
   }
-  tbb::parallel_sort(sides.begin(), sides.end(),
+  threads::sort(sides.begin(), sides.end(),
     [](const Side& a, const Side& b)
     {
       return a.low != b.low ? a.low < b.low

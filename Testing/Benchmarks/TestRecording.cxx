@@ -3,12 +3,7 @@
 /// @file
 /// A small program's tasks are recorded as it forks them, and its time is theirs.
 #include "RecordFile.h"
-
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/parallel_sort.h>
-#include <tbb/task_arena.h>
+#include "RecordedThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +71,7 @@ TEST(Recording, TimesBelongToTheirTasks)
     []
     {
       work(3 * Millisecond);
-      tbb::parallel_for(0, 3, [](int i) { work((i + 1) * Millisecond); });
+      each(3, [](std::size_t i) { work(std::int64_t(i + 1) * Millisecond); });
       work(2 * Millisecond);
     });
   const std::int64_t most = spent() - begin;
@@ -103,11 +98,11 @@ TEST(Recording, ForksLieInTheTasksThatForked)
   const Task run = recorded(2,
     [&]
     {
-      const auto loop = [] { tbb::parallel_for(0, 2, [](int) { work(Millisecond); }); };
+      const auto loop = [] { each(2, [](std::size_t) { work(Millisecond); }); };
       line = __LINE__ + 1;
-      tbb::parallel_invoke([&] { loop(); }, [] { work(Millisecond); });
+      invoke([&] { loop(); }, [] { work(Millisecond); });
       std::vector<int> numbers = { 3, 1, 2 };
-      tbb::parallel_sort(numbers.begin(), numbers.end(), std::less<>());
+      flipflop::threads::sort(numbers.begin(), numbers.end(), std::less<>());
       EXPECT_EQ(numbers, (std::vector<int>{ 1, 2, 3 }));
     });
 
@@ -131,38 +126,32 @@ TEST(Recording, ForksLieInTheTasksThatForked)
 
 TEST(Recording, LongLoopsAreCut)
 {
-  std::vector<std::uint32_t> seen;
+  std::vector<std::size_t> seen;
   const Task run = recorded(4,
     [&]
     {
-      tbb::parallel_for(
-        std::uint32_t(7), std::uint32_t(107), [&](std::uint32_t i) { seen.push_back(i); });
-      tbb::parallel_for(5, 5, [](int) { FAIL(); });
+      each(100, [&](std::size_t i) { seen.push_back(i); });
+      each(0, [](std::size_t) { FAIL(); });
     });
   ASSERT_EQ(run.forks.size(), 1u);
   EXPECT_EQ(run.forks[0].calls, 100u);
   EXPECT_EQ(run.forks[0].tasks.size(), 32u);
   ASSERT_EQ(seen.size(), 100u);
-  for (std::uint32_t i = 0; i < 100; ++i)
+  for (std::size_t i = 0; i < 100; ++i)
   {
-    EXPECT_EQ(seen[i], 7 + i);
+    EXPECT_EQ(seen[i], i);
   }
-}
-
-std::size_t allowed()
-{
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }
 
 TEST(Recording, ArenasLimitWhatIsForked)
 {
-  const auto loop = [] { tbb::parallel_for(0, 100, [](int) {}); };
+  const auto loop = [] { each(100, [](std::size_t) {}); };
   const Task run = recorded(64,
     [&]
     {
-      EXPECT_EQ(allowed(), 64u);
-      tbb::task_arena(1).execute(loop);
-      tbb::task_arena(2).execute(loop);
+      EXPECT_EQ(allowed(), 64);
+      Arena(1).execute(loop);
+      Arena(2).execute(loop);
     });
   ASSERT_EQ(run.forks.size(), 1u);
   EXPECT_EQ(run.forks[0].tasks.size(), 16u);
@@ -173,16 +162,15 @@ TEST(Recording, AnExceptionEndsItsTasks)
   const Task run = recorded(2,
     []
     {
-      const auto fail = [](int i)
+      const auto fail = [](std::size_t i)
       {
         if (i == 1)
         {
           throw std::runtime_error("second");
         }
       };
-      EXPECT_THROW(tbb::parallel_invoke([&] { tbb::parallel_for(0, 3, fail); }, [] { FAIL(); }),
-        std::runtime_error);
-      tbb::parallel_for(0, 4, [](int) {});
+      EXPECT_THROW(invoke([&] { each(3, fail); }, [] { FAIL(); }), std::runtime_error);
+      each(4, [](std::size_t) {});
     });
   ASSERT_EQ(run.forks.size(), 2u);
   ASSERT_EQ(run.stretches.size(), 3u);
@@ -192,11 +180,11 @@ TEST(Recording, AnExceptionEndsItsTasks)
 
 TEST(Recording, WithoutOneTasksJustRun)
 {
-  int sum = 0;
-  tbb::parallel_for(0, 10, [&](int i) { sum += i; });
-  tbb::parallel_invoke([&] { sum += 100; }, [&] { sum += 1000; });
-  EXPECT_EQ(sum, 1145);
-  EXPECT_EQ(allowed(), 1u);
+  std::size_t sum = 0;
+  each(10, [&](std::size_t i) { sum += i; });
+  invoke([&] { sum += 100; }, [&] { sum += 1000; });
+  EXPECT_EQ(sum, 1145u);
+  EXPECT_EQ(allowed(), 1);
 }
 
 TEST(RecordFile, IsJson)

@@ -4,16 +4,16 @@
 /// A move-only array of plain values, left uninitialised.
 ///
 /// Large arrays here are written exactly once, often by many threads, so clearing them first would
-/// double the memory traffic. std::free() frees the memory, and a caller can take it over (VTK's
-/// arrays adopt it). So results leave the engine by move, never by copy.
+/// double the memory traffic. A caller can take the memory over (VTK's arrays adopt it), so results
+/// leave the engine by move, never by copy.
 #ifndef flipflop_Buffer_h
 #define flipflop_Buffer_h
 
 #include <flipflop/Error.h>
+#include <flipflop/Memory.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <type_traits>
 #include <utility>
 
@@ -52,13 +52,13 @@ public:
     std::swap(this->count, other.count);
     return *this;
   }
-  ~Buffer() { std::free(this->first); }
+  ~Buffer() { freeMemory(this->first); }
 
   /// Drop the contents and hold @p size uninitialised values.
   /// @throw Error OutOfMemory
   void allocate(std::size_t size)
   {
-    std::free(std::exchange(this->first, nullptr));
+    freeMemory(std::exchange(this->first, nullptr));
     this->count = 0;
     if (size == 0)
     {
@@ -70,16 +70,14 @@ public:
     }
     // Aligned for records of half a cache line. Large arrays are read and written all over: in huge
     // pages, where the system has them, that costs a fraction of the page faults and look-ups.
-    constexpr std::size_t Line = 64;
     constexpr std::size_t HugePage = std::size_t(1) << 21;
     const std::size_t alignment = size * sizeof(T) >= 2 * HugePage ? HugePage : Line;
     const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
-    // A small run has many small arrays: these come out of malloc's caches, which are no help where
-    // an alignment is asked for.
+    // A small run has many small arrays: these have no alignment of their own.
     constexpr std::size_t Small = 1024;
     const bool anyPlace = alignof(T) <= alignof(std::max_align_t) && bytes <= Small;
     this->first =
-      static_cast<T*>(anyPlace ? std::malloc(bytes) : std::aligned_alloc(alignment, bytes));
+      static_cast<T*>(allocateMemory(anyPlace ? alignof(std::max_align_t) : alignment, bytes));
     if (!this->first)
     {
       throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(bytes));
@@ -109,7 +107,7 @@ public:
     }
     void* const memory = other.release();
     // Shrinking can fail; then the memory stays as large as it is.
-    void* const kept = had - wanted > had / 8 ? std::realloc(memory, wanted) : nullptr;
+    void* const kept = had - wanted > had / 8 ? shrinkMemory(memory, Line, wanted) : nullptr;
     result.first = static_cast<T*>(kept ? kept : memory);
     result.count = size;
     return result;
@@ -121,7 +119,7 @@ public:
     this->count = size < this->count ? size : this->count;
   }
 
-  /// Give the memory to the caller, who frees it with std::free.
+  /// Give the memory to the caller, who frees it with freeMemory().
   T* release()
   {
     this->count = 0;
@@ -186,6 +184,8 @@ public:
   ///@}
 
 private:
+  static constexpr std::size_t Line = 64; // bytes of a cache line
+
   T* first = nullptr;
   std::size_t count = 0;
 };

@@ -189,6 +189,7 @@ class Probe:
                                (("Cuda", "include"), ("Engine",), ("Engine", "include"), ())]
         command = [self.arguments.compiler, "-std=c++17", "-O1", "-ffp-contract=off", "-w", "-o", binary]
         command += ["-I" + include for include in includes]
+        command += [f'-DFLIPFLOP_THREADS_HEADER="{self.arguments.threads}"']
         command += [os.path.join(source, "Testing", "Cuda", "Rounds", "MutantProbe.cxx")] + libraries
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               check=False)
@@ -226,6 +227,7 @@ def main():
     parser.add_argument("--work", required=True, help="a folder to build in")
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--libraries", required=True, nargs="+", help="files, or names to link")
+    parser.add_argument("--threads", required=True, help="the header of the library of threads")
     parser.add_argument("--only", help="this mutant alone")
     arguments = parser.parse_args()
     probe = Probe(arguments)

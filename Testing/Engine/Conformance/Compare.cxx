@@ -5,8 +5,6 @@
 #include "Testing/Cuda/Rounds/RoundsOnHost.h"
 #include "Testing/Engine/Inputs/Inputs.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <cstring>
 #include <sstream>
@@ -23,7 +21,7 @@ namespace
 const struct ThreadsOnRequest
 {
   ThreadsOnRequest() { pointsPerThread() = 1; }
-  const tbb::global_control allowed{ tbb::global_control::max_allowed_parallelism, 4 };
+  const threads::Allowance allowed{ 4 };
 } threadsOnRequest;
 
 template <class T>

@@ -8,10 +8,9 @@
 #include "Mesh/Compact.h"
 #include "Run/HullRun.h"
 #include "Run/TriangulationRun.h"
+#include "Support/Threads.h"
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
-
-#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <functional>
@@ -48,7 +47,7 @@ int looksOf(const Work& work, int stopAt, bool& aborted)
   options.progress = Looks::see;
   options.progressContext = &looks;
   aborted = false;
-  tbb::task_arena arena(1);
+  ArenaLoan arena(1);
   arena.execute(
     [&]
     {
@@ -99,7 +98,7 @@ struct Built
     : run(std::forward<Arguments>(arguments)...)
   {
     using Geometry = decltype(GivenRun::geometry);
-    tbb::task_arena arena(1);
+    ArenaLoan arena(1);
     arena.execute(
       [&]
       {

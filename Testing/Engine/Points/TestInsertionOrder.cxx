@@ -4,10 +4,9 @@
 /// The order of insertion: every point once, in levels that grow, each along a curve that stays
 /// near, wherever the points crowd.
 #include "Points/InsertionOrder.h"
+#include "Support/Threads.h"
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
-
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,7 @@ InsertionOrder orderOf(const Cloud& cloud, const std::vector<std::uint32_t>& wit
   const Options options;
   Monitor monitor(options);
   InsertionOrder result;
-  tbb::task_arena arena(threads);
+  ArenaLoan arena(threads);
   arena.execute(
     [&]
     {

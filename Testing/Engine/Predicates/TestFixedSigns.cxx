@@ -23,9 +23,12 @@ mpz_class toInteger(Int128 value)
 {
   const bool negative = value < 0;
   const UInt128 magnitude = negative ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);
-  mpz_class result(static_cast<unsigned long>(magnitude >> 64));
-  result <<= 64;
-  result += static_cast<unsigned long>(magnitude);
+  mpz_class result(0);
+  for (int shift = 96; shift >= 0; shift -= 32) // a long may have 32 bits
+  {
+    result <<= 32;
+    result += static_cast<unsigned long>(static_cast<std::uint32_t>(magnitude >> shift));
+  }
   return negative ? mpz_class(-result) : result;
 }
 
@@ -160,7 +163,7 @@ TEST(FixedSigns, UnitsAreExact)
     const double perUnit = static_cast<double>(many) / largest;
     if (unit.convert(value, one))
     {
-      ASSERT_EQ(mpq_class(value) * mpq_class(perUnit), mpq_class(mpz_class(long(one))));
+      ASSERT_EQ(mpq_class(value) * mpq_class(perUnit), mpq_class(toInteger(one)));
       ++told;
     }
     Int128 square = 0;

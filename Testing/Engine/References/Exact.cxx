@@ -68,7 +68,7 @@ mpz_class toInteger(double x, int exponent)
     return 0;
   }
   const Parts parts = split(x);
-  mpz_class result(static_cast<long>(parts.mantissa));
+  mpz_class result(static_cast<double>(parts.mantissa)); // of 53 bits
   mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), parts.exponent - exponent);
   return result;
 }

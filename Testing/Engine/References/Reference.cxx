@@ -69,10 +69,12 @@ template <class Int>
 Int narrow(const mpz_class& x)
 {
   Int result = 0;
-  mpz_class rest = abs(x);
-  const mpz_class high = rest >> 60;
-  const mpz_class low = rest - (high << 60);
-  result = static_cast<Int>(high.get_si()) * (static_cast<Int>(1) << 60) + low.get_si();
+  const mpz_class size = abs(x);
+  for (int shift = 120; shift >= 0; shift -= 30) // a long may have 32 bits
+  {
+    const mpz_class digit = (size >> shift) % (1 << 30);
+    result = result * (1 << 30) + digit.get_si();
+  }
   return sgn(x) < 0 ? static_cast<Int>(-result) : result;
 }
 template <>
@@ -94,7 +96,11 @@ ReferenceHull bruteForceAs(const Cloud& cloud, int exponent)
   return bruteForce(IntegerSpace<Int>(std::move(points)));
 }
 
+#if defined(__SIZEOF_INT128__)
 __extension__ using Int128 = __int128;
+#else
+using Int128 = mpz_class; // of any size, and slower
+#endif
 
 }
 

@@ -1,13 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which of several errors a loop on threads throws.
+/// Loops on threads: each task once, loops in loops, no more threads than are allowed, and which of
+/// several errors is thrown.
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
 
 namespace flipflop
 {
@@ -81,6 +90,206 @@ TEST(Parallel, FewThingsAreOneRun)
       ++runs;
     });
   EXPECT_EQ(runs, 1);
+}
+
+/// Counts how many threads are in some place at a time.
+class Crowd
+{
+public:
+  void enter()
+  {
+    const int here = ++this->now;
+    int before = this->most.load();
+    while (before < here && !this->most.compare_exchange_weak(before, here))
+    {
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    --this->now;
+  }
+
+  int largest() const { return this->most.load(); }
+
+private:
+  std::atomic<int> now{ 0 };
+  std::atomic<int> most{ 0 };
+};
+
+TEST(Parallel, EachTaskOnceAndLoopsInLoops)
+{
+  for (const int threads : { 1, 2, 4 })
+  {
+    std::vector<std::vector<int>> runs(40);
+    const auto loops = [&]
+    {
+      eachTask(runs.size(),
+        [&](std::size_t i)
+        {
+          runs[i].resize(i);
+          eachTask(i, [&](std::size_t k) { ++runs[i][k]; });
+        });
+    };
+    ArenaLoan(threads).execute(loops);
+    loops(); // where no arena is, too
+    for (std::size_t i = 0; i < runs.size(); ++i)
+    {
+      EXPECT_EQ(runs[i], std::vector<int>(i, 2)) << threads;
+    }
+  }
+}
+
+/// The sum of the numbers from first to last - 1, by a tree of tasks.
+std::uint64_t sum(std::uint64_t first, std::uint64_t last)
+{
+  if (last - first == 1)
+  {
+    return first;
+  }
+  const std::uint64_t middle = first + (last - first) / 2;
+  std::uint64_t low = 0;
+  std::uint64_t high = 0;
+  threads::invoke([&] { low = sum(first, middle); }, [&] { high = sum(middle, last); });
+  return low + high;
+}
+
+TEST(Parallel, TasksForkTasks)
+{
+  for (const int threads : { 1, 2, 4 })
+  {
+    std::uint64_t found = 0;
+    ArenaLoan(threads).execute([&] { found = sum(0, 1000); });
+    EXPECT_EQ(found, 499500u) << threads;
+  }
+}
+
+TEST(Parallel, NoMoreThreadsThanTheArenaHas)
+{
+  for (const int threads : { 1, 2, 3 })
+  {
+    Crowd crowd;
+    ArenaLoan(threads).execute(
+      [&]
+      {
+        threads::eachAlone(8,
+          [&](std::size_t)
+          {
+            crowd.enter();
+            threads::invoke(
+              [&] { crowd.enter(); }, [&] { eachTask(4, [&](std::size_t) { crowd.enter(); }); });
+          });
+      });
+    EXPECT_LE(crowd.largest(), threads);
+    EXPECT_GE(crowd.largest(), std::min(threads, 2)); // a busy machine may keep one from starting
+  }
+}
+
+/// An arena in an arena has threads of its own; what is around it is as before.
+TEST(Parallel, ArenasInArenas)
+{
+  Crowd crowd;
+  std::vector<int> runs(50);
+  ArenaLoan(4).execute(
+    [&]
+    {
+      eachTask(runs.size(),
+        [&](std::size_t i)
+        {
+          Crowd inner;
+          ArenaLoan(1).execute([&] { eachTask(3, [&](std::size_t) { inner.enter(); }); });
+          EXPECT_EQ(inner.largest(), 1);
+          eachTask(2, [&](std::size_t) { crowd.enter(); });
+          ++runs[i];
+        });
+    });
+  EXPECT_EQ(runs, std::vector<int>(50, 1));
+  EXPECT_LE(crowd.largest(), 4);
+}
+
+TEST(Parallel, WhatATaskThrowsComesOut)
+{
+  const auto thrown = [](const std::function<void()>& body) -> std::string
+  {
+    try
+    {
+      body();
+    }
+    catch (const std::runtime_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  for (const int threads : { 1, 2, 4 })
+  {
+    ArenaLoan arena(threads);
+    for (int time = 0; time < 20; ++time)
+    {
+      EXPECT_EQ(thrown(
+                  [&]
+                  {
+                    arena.execute(
+                      [&]
+                      {
+                        threads::invoke([] { std::this_thread::yield(); },
+                          []
+                          {
+                            eachTask(100,
+                              [](std::size_t i)
+                              {
+                                if (i == 7)
+                                {
+                                  throw std::runtime_error("seven");
+                                }
+                              });
+                          });
+                      });
+                  }),
+        "seven");
+      // The threads are as good as new.
+      std::uint64_t found = 0;
+      arena.execute([&] { found = sum(0, 100); });
+      EXPECT_EQ(found, 4950u);
+    }
+  }
+}
+
+TEST(Parallel, ManyCallersAtOnce)
+{
+  std::vector<std::uint64_t> found(6);
+  std::vector<std::thread> callers;
+  for (std::uint64_t& one : found)
+  {
+    callers.emplace_back(
+      [&one]
+      {
+        for (int i = 0; i < 20; ++i)
+        {
+          ArenaLoan(1 + i % 3).execute([&one] { one += sum(0, 100); });
+        }
+      });
+  }
+  for (std::thread& caller : callers)
+  {
+    caller.join();
+  }
+  EXPECT_EQ(found, std::vector<std::uint64_t>(6, 20 * 4950));
+}
+
+TEST(Parallel, Sorts)
+{
+  std::vector<std::uint32_t> wanted(100000);
+  std::iota(wanted.begin(), wanted.end(), 0u);
+  for (const std::size_t count :
+    { wanted.size(), std::size_t(20000), std::size_t(1), std::size_t(0) })
+  {
+    wanted.resize(count);
+    std::vector<std::uint32_t> numbers = wanted;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      std::swap(numbers[i], numbers[i * 2654435761u % count]);
+    }
+    ArenaLoan(4).execute([&] { threads::sort(numbers.begin(), numbers.end(), std::less<>()); });
+    EXPECT_EQ(numbers, wanted);
+  }
 }
 
 }

@@ -6,8 +6,6 @@
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
 
-#include <tbb/global_control.h>
-
 #include <cstdio>
 #include <limits>
 #include <thread>
@@ -56,11 +54,15 @@ TEST(Threads, FewPointsAreForOneThread)
 
 TEST(Threads, NoMoreThanThereAre)
 {
-  const auto most = static_cast<int>(
-    tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  const int most = threads::allowed();
   EXPECT_EQ(threadCount(std::numeric_limits<int>::max(), 1 << 30), most);
   EXPECT_EQ(threadCount(0, 1 << 30), most);
   EXPECT_EQ(threadCount(-5, 1 << 30), most);
+  ASSERT_GT(most, 3); // Compare.cxx allows so many
+  const threads::Allowance three(3);
+  EXPECT_EQ(threadCount(std::numeric_limits<int>::max(), 1 << 30), 3);
+  EXPECT_EQ(threadCount(0, 1 << 30), 3);
+  EXPECT_EQ(threadCount(2, 1 << 30), 2);
 }
 
 /// Hundreds of megabytes, a crash, or "out of memory" once.

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# mingw.sh [OPTION OF CTEST]...: build the engine and its tests for Windows by MinGW-w64, on std::thread, and run them by
+# Wine. As with Microsoft's compiler there are no integers of 128 bits. What the tests take is put in build/mingw-root: GoogleTest, GMP
+# and MPFR are built from Debian's sources, Boost and CGAL are headers.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+"$top/Scripts/install-dependencies.sh" test mingw
+root="$top/build/mingw-root"
+sources="$top/build/mingw-sources"
+mkdir -p "$root/include" "$root/lib/cmake/CGAL" "$sources"
+
+# fetch_source PACKAGE: its source package, by lists of our own
+fetch_source() {
+  local release options
+  release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+  mkdir -p "$sources/lists/partial"
+  echo "deb-src http://deb.debian.org/debian $release main" >"$sources/sources.list"
+  options=(-o "Dir::Etc::SourceList=$sources/sources.list" -o Dir::Etc::SourceParts=- -o "Dir::State::Lists=$sources/lists"
+    -o APT::Sandbox::User=root)
+  [ -n "$(ls "$sources"/lists/*Sources* 2>/dev/null)" ] || apt-get -qq "${options[@]}" update
+  (cd "$sources" && apt-get -qq "${options[@]}" source --download-only "$1")
+}
+
+# build_library PACKAGE LIBRARY [OPTION OF CONFIGURE]...
+build_library() {
+  local package=$1 library=$2 folder="$sources/$1"
+  shift 2
+  [ ! -f "$root/lib/$library" ] || return 0
+  say "Build: $package for Windows"
+  fetch_source "$package"
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  tar -xf "$(ls "$sources/$package"*_*.orig.tar.*z | head -1)" -C "$folder" --strip-components=1
+  # Debian leaves GMP's manual out, which its makefiles ask for.
+  [ -e "$folder/doc/Makefile.in" ] || { mkdir -p "$folder/doc" && printf '%%:\n\t@:\n' >"$folder/doc/Makefile.in"; }
+  (cd "$folder" && ./configure --host=x86_64-w64-mingw32 --prefix="$root" --disable-shared --enable-static \
+    CC=x86_64-w64-mingw32-gcc-posix CXX=x86_64-w64-mingw32-g++-posix CC_FOR_BUILD=gcc CFLAGS=-O2 CXXFLAGS=-O2 "$@" \
+    && make -j"$(parallel_jobs)" && make install) >"$folder.log" 2>&1 || { tail -40 "$folder.log"; return 1; }
+}
+
+build_library gmp libgmpxx.a --enable-cxx
+build_library mpfr4 libmpfr.a --with-gmp="$root"
+for headers in boost CGAL; do
+  ln -sfn "/usr/include/$headers" "$root/include/$headers"
+done
+# Debian's own file would bring the headers of Linux.
+cat >"$root/lib/cmake/CGAL/CGALConfig.cmake" <<'END'
+add_library(CGAL::CGAL INTERFACE IMPORTED)
+get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+set_target_properties(CGAL::CGAL PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES "${root}/include"
+  INTERFACE_COMPILE_DEFINITIONS "CGAL_USE_GMP=1;CGAL_USE_MPFR=1"
+  INTERFACE_COMPILE_OPTIONS -frounding-math
+  INTERFACE_LINK_LIBRARIES "${root}/lib/libmpfr.a;${root}/lib/libgmp.a")
+END
+if [ ! -f "$root/lib/libgtest.a" ]; then
+  say "Build: GoogleTest for Windows"
+  cmake -S /usr/src/googletest -B "$sources/googletest" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$top/CMake/mingw.cmake" \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$root" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_GMOCK=OFF >/dev/null
+  cmake --build "$sources/googletest" --target install >/dev/null
+fi
+
+configure_and_build mingw mingw
+say "Test: by Wine"
+# A Wine of our own; it starts once, before tests run side by side.
+export WINEPREFIX="$top/build/mingw-wine" WINEDEBUG=-all
+wine wineboot --init >/dev/null 2>&1 || true
+ctest --test-dir "$top/build/mingw" --output-on-failure --no-tests=error --parallel "$(parallel_jobs)" \
+  --label-regex '^(Engine|Cuda)' "$@"
