@@ -15,10 +15,10 @@
  *     filter->SetInputArrayToProcess(
  *       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
  *
- * By default there is no array, and all points weigh the same. So it is for an empty name, and for
- * the name None if no array has it. A weight is a squared length and may be negative: the power
- * distance of x from a point p of weight w is |x - p|^2 - w, so a disk of radius r has the weight
- * r^2. Adding the same number to all weights changes nothing.
+ * By default there is no array, and all points weigh the same. An empty name means the same, and so
+ * does the name None if no array has it. A weight is a squared length and may be negative: the
+ * power distance of x from a point p of weight w is |x - p|^2 - w, so a disk of radius r has the
+ * weight r^2. Adding the same number to all weights changes nothing.
  *
  * The algorithm is ffRT of the paper named in vtkFFAlgorithm. The points are lifted to (x, y,
  * x^2 + y^2 - w), a star-shaped surface below all lifts is grown, and Flip-Flop turns it into the
