@@ -59,6 +59,26 @@ configure_and_build() {
   cmake --build "$build" --parallel "$(parallel_jobs)"
 }
 
+# What comes before a test's command.
+layout=()
+
+# The sanitizers' shadow memory does not fit every random layout that newer kernels choose.
+fixed_layout() {
+  if setarch "$(uname -m)" -R true 2>/dev/null; then
+    layout=(setarch "$(uname -m)" -R)
+  fi
+}
+
+# build_and_test PRESET FOLDER [OPTION OF CMAKE]...: in build/FOLDER
+build_and_test() {
+  local preset=$1 folder=$2
+  shift 2
+  configure_and_build "$preset" "$folder" -DFLIPFLOP_ALL_TESTS=ON "$@"
+  say "Test: preset $preset"
+  "${layout[@]}" ctest --test-dir "$top/build/$folder" --output-on-failure --no-tests=error \
+    --parallel "$(parallel_jobs)"
+}
+
 # A display of our own. Debian's VTK draws through X only; -displayfd picks a free number, -noreset
 # keeps the server alive between clients.
 start_display() {

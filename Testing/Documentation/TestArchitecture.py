@@ -1,8 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The architecture's picture is the tree: boxes are its folders, arrows tell which uses which."""
+"""The tree keeps what Documentation/Architecture.md promises: which folder, and which room, may use which."""
 
-import html
 import os
 import re
 import tempfile
@@ -12,7 +11,6 @@ from dependencies import (
     dependencies,
     folders,
     private_includes,
-    reduced,
     room_dependencies,
     rooms,
 )
@@ -36,30 +34,6 @@ ROOMS = {
 }
 
 
-def of_source(dot):
-    """The boxes and arrows of the picture's source."""
-    boxes = set(re.findall(r"^\s*(\w+) \[label", dot, re.MULTILINE))
-    arrows = set(re.findall(r"^\s*(\w+) -> (\w+);", dot, re.MULTILINE))
-    return boxes, arrows
-
-
-def of_picture(svg):
-    """The boxes and arrows that were drawn."""
-    titles = [html.unescape(title) for title in re.findall(r"<title>(.*?)</title>", svg)]
-    arrows = {tuple(title.split("->")) for title in titles if "->" in title}
-    return {title for title in titles if "->" not in title} - {"architecture", "rooms"}, arrows
-
-
-def words_of_source(dot):
-    """What the boxes say, line by line."""
-    lines = re.split(r"<[^<>]*>", " ".join(re.findall(r"label = <(.*)>\]", dot)))
-    return {line.strip() for line in lines} - {""}
-
-
-def words_of_picture(svg):
-    return {html.unescape(text).strip() for text in re.findall(r"<text[^>]*>(.*?)</text>", svg)}
-
-
 def of_page(page):
     """The folders that the tree of Architecture.md lists."""
     return set(re.findall(r"^    (\w+)/ ", page, re.MULTILINE))
@@ -79,21 +53,7 @@ def broken_promises(arrows):
     return {(user, used) for user, used in arrows if used not in PROMISED.get(user, {used})}
 
 
-SOURCE = read("Documentation", "architecture.dot")
-ROOMS_SOURCE = read("Documentation", "rooms.dot")
-
-
 class TestArchitecture(unittest.TestCase):
-    def test_source(self):
-        boxes, arrows = of_source(SOURCE)
-        self.assertEqual(boxes, set(folders()))
-        self.assertEqual(arrows, dependencies())
-
-    def test_picture_is_drawn_from_the_source(self):
-        picture = read("Documentation", "Figures", "architecture.svg")
-        self.assertEqual(of_picture(picture), of_source(SOURCE))
-        self.assertEqual(words_of_picture(picture), words_of_source(SOURCE))
-
     def test_page_lists_every_folder(self):
         page = read("Documentation", "Architecture.md")
         self.assertEqual(of_page(page), set(folders()))
@@ -115,26 +75,6 @@ class TestArchitecture(unittest.TestCase):
         for folder, order in ROOMS.items():
             self.assertEqual(of_table(page, folder), order)
         self.assertIn("](Figures/rooms.svg)", page)
-
-    def test_the_picture_of_rooms(self):
-        boxes, arrows = of_source(ROOMS_SOURCE)
-        self.assertEqual(boxes, set(ROOMS["Engine"]))
-        self.assertEqual(arrows, reduced(room_dependencies(TOP, "Engine")))
-        picture = read("Documentation", "Figures", "rooms.svg")
-        self.assertEqual(of_picture(picture), (boxes, arrows))
-        self.assertEqual(words_of_picture(picture), words_of_source(ROOMS_SOURCE))
-
-    def test_mutants_are_noticed(self):
-        self.assertIn("  Cuda -> Engine;", SOURCE)
-        for mutant in (
-            SOURCE.replace("  Cuda -> Engine;", ""),
-            SOURCE.replace("  Cuda -> Engine;", "  Cuda -> Engine;\n  Engine -> Cuda;"),
-            SOURCE.replace("  Cuda -> Engine;", "  Engine -> Cuda;"),
-        ):
-            self.assertNotEqual(of_source(mutant)[1], dependencies())
-        mutant = SOURCE.replace("Data [label", "Date [label")
-        self.assertNotEqual(of_source(mutant)[0], set(folders()))
-
 
 def make_tree(top, files):
     for path, text in files.items():
@@ -199,9 +139,6 @@ class TestDependencies(unittest.TestCase):
             public = "Engine/include/flipflop/Hull.h"
             make_tree(top, {**self.FILES, public: '#include "Mesh/Mesh.h"\n'})
             self.assertEqual(private_includes(top, "Engine"), {"Mesh/Mesh.h"})
-
-    def test_reduced(self):
-        self.assertEqual(reduced({("c", "a"), ("c", "b"), ("b", "a")}), {("c", "b"), ("b", "a")})
 
     def test_a_broken_promise_is_noticed(self):
         with tempfile.TemporaryDirectory() as top:

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# nightly.sh [sanitizers|tests|compilers|windows|fuzz]...: what takes too long for every change. By default all:
+#   sanitizers  every test that a sanitizer can find something in (test.sh runs a part of them)
+#   tests       the tests that only FLIPFLOP_NIGHTLY builds: the tests of the tests, by mutants; the pictures beside
+#               their sources; the device code's budgets for every architecture
+#   compilers   clang with libc++, compiled only
+#   windows     MinGW-w64, run by Wine
+#   fuzz        each fuzzer for half an hour
+# The first failure ends it.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests compilers windows fuzz)
+
+trap stop_display EXIT
+"$top/Scripts/install-dependencies.sh" test
+[ -n "${DISPLAY:-}" ] || start_display
+for part in "${parts[@]}"; do
+  say "Nightly: $part"
+  case "$part" in
+    sanitizers)
+      fixed_layout
+      build_and_test asan asan-nightly -DFLIPFLOP_NIGHTLY=ON
+      build_and_test tsan tsan-nightly -DFLIPFLOP_NIGHTLY=ON
+      layout=()
+      ;;
+    tests) build_and_test ci ci-nightly -DFLIPFLOP_NIGHTLY=ON ;;
+    compilers) "$top/Scripts/libcxx.sh" ;;
+    windows) "$top/Scripts/mingw.sh" ;;
+    fuzz)
+      for entry in Engine Filters; do
+        "$top/Scripts/fuzz.sh" "$entry" 1800
+      done
+      ;;
+    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|fuzz]..." >&2; exit 2 ;;
+  esac
+done
