@@ -13,15 +13,18 @@ root="$top/build/mingw-root"
 sources="$top/build/mingw-sources"
 mkdir -p "$root/include" "$root/lib/cmake/CGAL" "$sources"
 
-# fetch_source PACKAGE: its source package, by lists of our own
+# fetch_source PACKAGE: its source package, from where this machine's packages come from, by lists of our own
 fetch_source() {
-  local release options
-  release=$(. /etc/os-release && echo "$VERSION_CODENAME")
-  mkdir -p "$sources/lists/partial"
-  echo "deb-src http://deb.debian.org/debian $release main" >"$sources/sources.list"
-  options=(-o "Dir::Etc::SourceList=$sources/sources.list" -o Dir::Etc::SourceParts=- -o "Dir::State::Lists=$sources/lists"
-    -o APT::Sandbox::User=root)
-  [ -n "$(ls "$sources"/lists/*Sources* 2>/dev/null)" ] || apt-get -qq "${options[@]}" update
+  local file options=(-o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$sources/parts"
+    -o "Dir::State::Lists=$sources/lists" -o APT::Sandbox::User=root)
+  if [ ! -d "$sources/parts" ]; then
+    mkdir -p "$sources/parts" "$sources/lists/partial"
+    for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+      [ ! -s "$file" ] || sed -e 's/^Types: *deb *$/Types: deb-src/' -e 's/^deb /deb-src /' "$file" \
+        >"$sources/parts/$(basename "$file")"
+    done
+    apt-get -qq "${options[@]}" update || true # others' archives may have no sources
+  fi
   (cd "$sources" && apt-get -qq "${options[@]}" source --download-only "$1")
 }
 
