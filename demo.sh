@@ -32,10 +32,9 @@ if [ -n "$plugin" ]; then
   configure_and_build paraview paraview "${plugin_options[@]}"
   start_display
   say "Convex hulls and triangulations in ParaView"
-  export PV_PLUGIN_PATH PYTHONPATH
+  export PV_PLUGIN_PATH
   PV_PLUGIN_PATH=$(plugin_path "$top/build/paraview")
-  PYTHONPATH=$(python_path "$top/build/paraview")
-  "$paraview/bin/pvpython" --dr "$top/Scripts/demo_paraview.py" \
+  "$paraview/bin/pvpython" --dr "$top/Scripts/demo/demo.py" --paraview \
     --output "$top/demo-output/paraview" "${inputs[@]}"
   say "The GUI with the plugin"
   echo "PV_PLUGIN_PATH=$PV_PLUGIN_PATH $paraview/bin/paraview"
@@ -48,4 +47,4 @@ configure_and_build default demo -DFLIPFLOP_BUILD_TESTING=OFF -DFLIPFLOP_BUILD_E
 start_display
 say "Convex hulls and triangulations"
 PYTHONPATH="$(python_path "$top/build/demo")" \
-  "$python" "$top/Scripts/demo.py" --output "$top/demo-output" "${inputs[@]}"
+  "$python" "$top/Scripts/demo/demo.py" --output "$top/demo-output" "${inputs[@]}"

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What all pictures share: views, actors, captions, the camera, and files."""
+import itertools
+
 import numpy
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 (text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (drawing)
@@ -17,105 +19,84 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-# How to look at a data set: from where, which way is up, how much heights are exaggerated.
-VIEWS = {
-    "autzen": {
-        "title": "Autzen",
-        "from": (0.45, -1.0, 0.5),
-        "up": (0, 0, 1),
-        "heights": 4.0,
-    },
-    "sainthelens": {
-        "title": "St Helens",
-        "from": (0.7, 0.9, 0.75),
-        "up": (0, 0, 1),
-        "heights": 1.5,
-    },
-    "spot": {"title": "Spot", "from": (1.0, 0.25, -0.75), "up": (0, 1, 0), "heights": 1.0},
-}
-DEFAULT_VIEW = {"from": (0.7, -1.0, 0.6), "up": (0, 0, 1), "heights": 1.0}
-
 # Low to high: forest, meadow, rock, ash, snow.
 HEIGHTS = [(0.0, (52, 98, 74)), (0.3, (120, 146, 92)), (0.55, (168, 142, 104)),
            (0.8, (176, 160, 150)), (1.0, (206, 208, 222))]  # fmt: skip
 
 
-def camera_axes(view):
-    """Right, up, and towards the camera: orthonormal rows."""
-    towards = numpy.array(view["from"], float)
-    towards /= numpy.linalg.norm(towards)
-    right = numpy.cross(view["up"], towards)
-    right /= numpy.linalg.norm(right)
-    return numpy.array([right, numpy.cross(towards, right), towards])
+class View:
+    """How to look at data: from where, which way is up, how much heights are exaggerated."""
+
+    def __init__(self, title, towards=(0.7, -1.0, 0.6), up=(0, 0, 1), heights=1.0):
+        self.title = title
+        self.heights = heights
+        self.note = f"heights x {heights:g}" if heights != 1 else ""
+        towards = numpy.array(towards, float)
+        towards /= numpy.linalg.norm(towards)
+        right = numpy.cross(up, towards)
+        right /= numpy.linalg.norm(right)
+        # Right, up, and towards the camera: orthonormal rows.
+        self.axes = numpy.array([right, numpy.cross(towards, right), towards])
+
+    def coordinates(self, data):
+        xyz = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        return xyz * (1, 1, self.heights)
 
 
-def coordinates(data, heights):
-    """Of a data set, moved to its own origin and with its heights exaggerated."""
-    xyz = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-    return xyz * (1, 1, heights)
+VIEWS = {
+    "autzen": View("Autzen", (0.45, -1.0, 0.5), heights=4.0),
+    "sainthelens": View("St Helens", (0.7, 0.9, 0.75), heights=1.5),
+    "spot": View("Spot", (1.0, 0.25, -0.75), up=(0, 1, 0)),
+}
 
 
-def exaggerated(view):
-    return f"heights x {view['heights']:g}" if view["heights"] != 1 else ""
+def view_of(name):
+    return VIEWS.get(name) or View(name)
 
 
 def cells_of(cell_array):
     offsets = vtk_to_numpy(cell_array.GetOffsetsArray())
     corners = vtk_to_numpy(cell_array.GetConnectivityArray())
-    return [corners[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
+    return [corners[a:b].tolist() for a, b in zip(offsets[:-1], offsets[1:])]
 
 
-def array_of(cells):
-    """The vtkCellArray of lists of ids."""
-    sizes = [len(cell) for cell in cells]
-    offsets = numpy.concatenate([[0], numpy.cumsum(sizes)]).astype(numpy.int64)
-    corners = numpy.concatenate([numpy.asarray(c) for c in cells] or [[]]).astype(numpy.int64)
+def edges_of(cells):
+    return sorted({(min(e), max(e)) for cell in cells for e in zip(cell, [*cell[1:], cell[0]])})
+
+
+def actor_of(xyz, cells, kind, **look):
+    """An actor for cells, all "Verts", "Lines" or "Polys"; its look in vtkProperty's words."""
     array = vtkCellArray()
-    array.SetData(
-        numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(corners, deep=True)
-    )
-    return array
-
-
-def actor_of(xyz, cells, kind):
-    """An actor for cells of one kind: "verts", "lines" or "polys"."""
-    array = cells if isinstance(cells, vtkCellArray) else array_of(cells)
+    ends = numpy.cumsum([0, *map(len, cells)])
+    corners = numpy.fromiter(itertools.chain.from_iterable(cells), numpy.int64)
+    array.SetData(*(numpy_to_vtkIdTypeArray(ids, deep=True) for ids in (ends, corners)))
     points = vtkPoints()
     points.SetData(numpy_to_vtk(numpy.ascontiguousarray(xyz), deep=True))
     data = vtkPolyData()
     data.SetPoints(points)
-    {"verts": data.SetVerts, "lines": data.SetLines, "polys": data.SetPolys}[kind](array)
+    getattr(data, f"Set{kind}")(array)
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
+    for name, value in {"Lighting": False, **look}.items():
+        getattr(actor.GetProperty(), f"Set{name}")(value)
     return actor
 
 
-def dots_actor(xyz, ids, colour, size):
-    actor = actor_of(xyz, [numpy.asarray(ids)], "verts")
-    actor.GetProperty().SetColor(*colour)
-    actor.GetProperty().SetPointSize(size)
-    actor.GetProperty().RenderPointsAsSpheresOn()
-    return actor
-
-
-def colour_table(stops):
-    table = vtkLookupTable()
-    table.SetNumberOfTableValues(256)
-    table.Build()
-    places = [place for place, _ in stops]
-    for i in range(256):
-        rgb = [numpy.interp(i / 255, places, [c[k] for _, c in stops]) / 255 for k in range(3)]
-        table.SetTableValue(i, *rgb, 1.0)
-    return table
+def dots_actor(xyz, ids, size, **look):
+    return actor_of(xyz, [ids], "Verts", PointSize=size, RenderPointsAsSpheres=True, **look)
 
 
 def colour_points(actor, values, stops):
+    places, colours = zip(*stops)
+    shades = [numpy.interp(numpy.linspace(0, 1, 256), places, shade) for shade in zip(*colours)]
+    rgba = numpy.column_stack([*shades, numpy.full(256, 255)]).round().astype(numpy.uint8)
+    table = vtkLookupTable()
+    table.SetTable(numpy_to_vtk(rgba, deep=True))
     mapper = actor.GetMapper()
     mapper.GetInput().GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
-    mapper.SetLookupTable(colour_table(stops))
+    mapper.SetLookupTable(table)
     # A few outliers, such as birds in a scan, do not take the colours from the rest.
     low, high = numpy.percentile(values, [1, 99])
     mapper.SetScalarRange(*((low, high) if low < high else (low - 1, high + 1)))
@@ -151,29 +132,30 @@ def fit_camera(camera, xyz, axes, aspect, room):
     camera.SetClippingRange(0.4 * half, distance + depth)
 
 
-def renderer_of(actors, text, scale, xyz, axes, aspect):
+def renderer_of(actors, text, xyz, view, aspect, scale):
     """A renderer of the actors, which shows all of xyz, and the text below."""
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    for actor in actors:
+    for actor in [*actors, caption(text, int(21 * scale))]:
         renderer.AddActor(actor)
-    renderer.AddActor(caption(text, int(21 * scale)))
     renderer.SetUseDepthPeeling(True)
     renderer.SetMaximumNumberOfPeels(8)
     renderer.SetUseFXAA(True)
-    fit_camera(renderer.GetActiveCamera(), xyz, axes, aspect, 0.05 + 0.05 * len(text.split("\n")))
+    room = 0.05 + 0.05 * len(text.split("\n"))
+    fit_camera(renderer.GetActiveCamera(), xyz, view.axes, aspect, room)
     return renderer
 
 
-def write_picture(path, renderers, widths, height):
-    """One PNG, the renderers side by side in it."""
+def draw(path, scenes, widths, height, scale):
+    """One PNG of scenes side by side: each makes a renderer for an aspect ratio and a scale."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetAlphaBitPlanes(True)
     window.SetMultiSamples(0)
     window.SetSize(sum(widths), height)
     ends = numpy.cumsum([0, *widths]) / sum(widths)
-    for renderer, left, right in zip(renderers, ends[:-1], ends[1:]):
+    for scene, width, left, right in zip(scenes, widths, ends[:-1], ends[1:]):
+        renderer = scene(width / height, scale)
         renderer.SetViewport(left, 0, right, 1)
         window.AddRenderer(renderer)
     window.Render()
@@ -182,6 +164,6 @@ def write_picture(path, renderers, widths, height):
     image.SetInputBufferTypeToRGB()
     image.ReadFrontBufferOff()
     writer = vtkPNGWriter()
-    writer.SetFileName(path)
+    writer.SetFileName(str(path))
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()

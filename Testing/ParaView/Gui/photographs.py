@@ -4,9 +4,10 @@
 The pictures of Documentation/ParaView.md: ParaView's window, photographed where a user would look.
 
     PV_PLUGIN_PATH=BUILD/lib/paraview-5.11/plugins/FlipFlop \\
-      Testing/ParaView/Gui/run-in-paraview.sh PARAVIEW/bin/paraview Scripts/picture_paraview.py FOLDER
+      Testing/ParaView/Gui/run-in-paraview.sh PARAVIEW/bin/paraview \\
+      Testing/ParaView/Gui/photographs.py FOLDER
 
-leaves them in FOLDER. Testing/ParaView/Gui/gui.py tells how a script gets at the window.
+leaves them in FOLDER. gui.py tells how a script gets at the window.
 """
 import os
 

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo's runs of the ParaView plugin's filters, by their proxies in pvpython."""
+import time
+
+from paraview import servermanager, simple
+
+if not hasattr(simple, "FlipFlopConvexHull"):
+    raise SystemExit("the plugin is not loaded: PV_PLUGIN_PATH names no folder that holds it")
+
+
+def updated(kind, points, **properties):
+    """A proxy of the kind after its run on the points, and the seconds that took."""
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(points)
+    source.UpdatePipeline()
+    proxy = kind(Input=source, **properties)
+    start = time.perf_counter()
+    proxy.UpdatePipeline()
+    seconds = time.perf_counter() - start
+    if proxy.GetClientSideObject().GetErrorCode() != 0:
+        raise SystemExit(f"{proxy.GetXMLLabel()} failed")
+    proxy.UpdatePropertyInformation()
+    return proxy, seconds
+
+
+def hull(points):
+    """The hull, its volume, the engine's name, and the seconds that took."""
+    proxy, seconds = updated(simple.FlipFlopConvexHull, points, FacetMode="Polygons")
+    return servermanager.Fetch(proxy), proxy.Volume, proxy.EngineUsed, seconds
+
+
+def triangulation(points, weights=None, bounds=None):
+    """(Triangulation, hidden points, power diagram in the bounds), the engine's name, seconds."""
+    properties = {}
+    if weights:
+        properties.update(Weights=["POINTS", weights])
+    if bounds:
+        properties.update(GeneratePowerDiagram=1, PowerDiagramBoxMode="Bounds Given")
+        properties.update(PowerDiagramBounds=bounds)
+    proxy, seconds = updated(simple.FlipFlopRegularTriangulation, points, **properties)
+    return [servermanager.Fetch(proxy, idx=port) for port in range(3)], proxy.EngineUsed, seconds

@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo's runs of the VTK filters."""
+import time
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from vtkflipflop import vtkFFHullFilter, vtkFFRegularTriangulationFilter
+
+
+def updated(filter):
+    """The seconds that its run took."""
+    start = time.perf_counter()
+    filter.Update()
+    seconds = time.perf_counter() - start
+    if filter.GetErrorCode() != 0:
+        raise SystemExit(f"{filter.GetClassName()} failed")
+    return seconds
+
+
+def hull(points):
+    """The hull, its volume, the engine's name, and the seconds that took."""
+    filter = vtkFFHullFilter()
+    filter.SetInputData(points)
+    filter.SetFacetModeToPolygons()
+    seconds = updated(filter)
+    return filter.GetOutput(), filter.GetVolume(), filter.GetEngineUsedAsString(), seconds
+
+
+def triangulation(points, weights=None, bounds=None):
+    """(Triangulation, hidden points, power diagram in the bounds), the engine's name, seconds."""
+    filter = vtkFFRegularTriangulationFilter()
+    filter.SetInputData(points)
+    if weights:
+        filter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, weights)
+    if bounds:
+        filter.GeneratePowerDiagramOn()
+        filter.SetPowerDiagramBounds(*bounds)
+        filter.SetPowerDiagramBoxModeToBounds()
+    seconds = updated(filter)
+    return [filter.GetOutput(port) for port in range(3)], filter.GetEngineUsedAsString(), seconds
