@@ -16,10 +16,11 @@ if(DOXYGEN_VERSION VERSION_EQUAL 1.9.4)
   set(documentation_warnings FAIL_ON_WARNINGS)
 endif()
 
-file(GLOB filter_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Filters/*.h")
+file(GLOB filter_headers CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/Filters/*.h" "${PROJECT_SOURCE_DIR}/Filters/Parallel/*.h")
 set(public_headers ${engine_headers} ${cuda_headers})
 foreach(header IN LISTS filter_headers)
-  file(STRINGS "${header}" exported REGEX "^class VTKFILTERSFLIPFLOP_EXPORT ")
+  file(STRINGS "${header}" exported REGEX "^class VTKFILTERS(PARALLEL)?FLIPFLOP_EXPORT ")
   if(exported)
     list(APPEND public_headers "${header}")
   endif()

@@ -6,6 +6,8 @@
  *
  * vtkFFOutput turns what the engine gives into the parts of a vtkPolyData. The engine's buffers are
  * adopted by the VTK arrays, not copied.
+ *
+ * What the filters for distributed data need of it is exported: their module is another library.
  */
 
 #ifndef vtkFFOutput_h
@@ -13,6 +15,7 @@
 
 #include <flipflop/Buffer.h>
 
+#include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -99,7 +102,7 @@ public:
   /**
    * Put another id, @p idOf(id), in the place of each of the output's original ids, if it has any.
    */
-  static void Renumber(
+  VTKFILTERSFLIPFLOP_EXPORT static void Renumber(
     vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf);
 
   //@{

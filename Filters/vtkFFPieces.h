@@ -5,11 +5,13 @@
  * @brief   points that come in pieces
  *
  * vtkFFPieces is about the pieces of one data set: partitions, or what several processes have.
+ * What the filters for distributed data need of it is exported: their module is another library.
  */
 
 #ifndef vtkFFPieces_h
 #define vtkFFPieces_h
 
+#include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -26,7 +28,8 @@ public:
    *
    * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */
-  static vtkSmartPointer<vtkPointSet> Append(const std::vector<vtkPointSet*>& pieces);
+  VTKFILTERSFLIPFLOP_EXPORT static vtkSmartPointer<vtkPointSet> Append(
+    const std::vector<vtkPointSet*>& pieces);
 
   /**
    * The pieces without their ghost points, which are marked as duplicates of another piece's or as

@@ -41,11 +41,11 @@
 #define vtkPFFRegularTriangulationFilter_h
 
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkFiltersParallelFlipFlopModule.h" // For export macro
 
 class vtkMultiProcessController;
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkPFFRegularTriangulationFilter
+class VTKFILTERSPARALLELFLIPFLOP_EXPORT vtkPFFRegularTriangulationFilter
   : public vtkFFRegularTriangulationFilter
 {
 public:

@@ -48,7 +48,7 @@
 #define vtkPFFHullFilter_h
 
 #include "vtkFFHullFilter.h"
-#include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkFiltersParallelFlipFlopModule.h" // For export macro
 
 class vtkMultiProcessController;
 
@@ -56,7 +56,7 @@ class vtkMultiProcessController;
 class vtkFFProcesses;
 #endif
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
+class VTKFILTERSPARALLELFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
   //@{
