@@ -30,4 +30,8 @@ function(flipflop_build_modules)
     LICENSE_DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/FlipFlop"
     ENABLE_WRAPPING ${FLIPFLOP_WRAP_PYTHON}
     TEST_DIRECTORY_NAME NONE)
+  vtk_module_export_find_packages(
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/FlipFlop"
+    FILE_NAME "FlipFlop-vtk-module-find-packages.cmake"
+    MODULES ${FLIPFLOP_MODULES})
 endfunction()
