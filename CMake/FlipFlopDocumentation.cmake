@@ -20,7 +20,7 @@ file(GLOB filter_headers CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/Filters/*.h" "${PROJECT_SOURCE_DIR}/Filters/Parallel/*.h")
 set(public_headers ${engine_headers} ${cuda_headers})
 foreach(header IN LISTS filter_headers)
-  file(STRINGS "${header}" exported REGEX "^class VTKFILTERS(PARALLEL)?FLIPFLOP_EXPORT ")
+  file(STRINGS "${header}" exported REGEX "^class VTKFILTERS(PARALLEL)?FLIPFLOP_EXPORT [A-Za-z_ ]+( : |$)")
   if(exported)
     list(APPEND public_headers "${header}")
   endif()

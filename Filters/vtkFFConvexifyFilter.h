@@ -79,14 +79,7 @@ protected:
   vtkFFConvexifyFilter();
   ~vtkFFConvexifyFilter() override;
 
-#ifndef __VTK_WRAP__
-  std::vector<std::string> GetLeafTypes() override
-  {
-    return { "vtkPolyData" };
-  }
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::string DescribeError(const flipflop::Error& error) override;
-#endif
+  class vtkInternals;
 
   double KernelPoint[3];
   bool UseKernelPoint;
@@ -94,11 +87,6 @@ protected:
 private:
   vtkFFConvexifyFilter(const vtkFFConvexifyFilter&) = delete;
   void operator=(const vtkFFConvexifyFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  bool CheckCells(vtkPolyData* input);
-  bool Convexify(vtkPolyData* input, vtkPolyData* output);
-#endif
 };
 
 #endif

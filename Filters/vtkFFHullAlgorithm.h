@@ -17,13 +17,6 @@
 #include "vtkFFAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-#ifndef __VTK_WRAP__
-namespace flipflop
-{
-struct Hull;
-}
-#endif
-
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
@@ -48,15 +41,7 @@ protected:
   vtkFFHullAlgorithm();
   ~vtkFFHullAlgorithm() override;
 
-#ifndef __VTK_WRAP__
-  void ResetReport() override;
-
-  /**
-   * Add a hull to what this run reports; and to the output's field data, if that was asked for.
-   */
-  void AddToReport(
-    const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output);
-#endif
+  class vtkInternals;
 
 private:
   vtkFFHullAlgorithm(const vtkFFHullAlgorithm&) = delete;

@@ -62,10 +62,6 @@
 #include "vtkFFHullAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-#ifndef __VTK_WRAP__
-class vtkFFPointSource;
-#endif
-
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
@@ -103,45 +99,13 @@ protected:
   vtkFFHullFilter();
   ~vtkFFHullFilter() override;
 
-#ifndef __VTK_WRAP__
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  bool CombinesBlocks() override
-  {
-    return this->CompositeMode == HULL_OF_ALL_BLOCKS;
-  }
-
-  /**
-   * The hull of the points of all @p pieces, one after another: points, cells, point data and ids
-   * of @p output are set. What is left in the hull is what to report.
-   *
-   * @throw vtkFFInexactValue, flipflop::Error.
-   */
-  flipflop::Hull TakeHull(const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options,
-    const flipflop::EngineOptions& engine, flipflop::EngineReport& report, vtkPolyData* output);
-
-  /**
-   * Add the array BlockIndex to the hull of all blocks, whose points are CurrentBlocks'. Nothing is
-   * to be done for an input that is no composite.
-   */
-  void AddBlockIndex(vtkPolyData* output);
-#endif
+  class vtkInternals;
 
   int CompositeMode;
 
 private:
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;
   void operator=(const vtkFFHullFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  class Work;
-
-  /**
-   * The hull of the @p points of @p pieces becomes the output, which takes over its cells and ids.
-   */
-  void AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
-    const std::vector<vtkPointSet*>& pieces, vtkPolyData* output);
-#endif
 };
 
 #endif

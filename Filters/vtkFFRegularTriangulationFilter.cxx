@@ -8,6 +8,7 @@
 #include "vtkFFPieces.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFProjection.h"
+#include "vtkFFRegularTriangulationInternals.h"
 #include "vtkFFWeightSource.h"
 
 #include <flipflop/Engines.h>
@@ -153,6 +154,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , NumberOfHiddenPoints(0)
 {
   this->SetNumberOfOutputPorts(3);
+  this->SetInternals(std::make_unique<vtkInternals>(this));
 }
 
 //------------------------------------------------------------------------------
@@ -223,18 +225,27 @@ vtkPolyData* vtkFFRegularTriangulationFilter::GetPowerDiagramOutput()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::ResetReport()
+void vtkFFRegularTriangulationFilter::vtkInternals::ResetReport()
 {
-  this->Superclass::ResetReport();
-  this->NumberOfHiddenPoints = 0;
+  auto* filter = this->GetTriangulationFilter();
+  this->vtkFFAlgorithm::vtkInternals::ResetReport();
+  filter->NumberOfHiddenPoints = 0;
 }
 
 //------------------------------------------------------------------------------
-class vtkFFRegularTriangulationFilter::Work : public vtkFFBlockWork
+vtkFFRegularTriangulationFilter*
+vtkFFRegularTriangulationFilter::vtkInternals::GetTriangulationFilter()
+{
+  return static_cast<vtkFFRegularTriangulationFilter*>(this->GetFilter());
+}
+
+//------------------------------------------------------------------------------
+class vtkFFRegularTriangulationFilter::vtkInternals::Work : public vtkFFBlockWork
 {
 public:
-  Work(vtkFFRegularTriangulationFilter* filter, const Block& block)
-    : Filter(filter)
+  Work(vtkInternals* internals, const Block& block)
+    : Internals(internals)
+    , Filter(internals->GetTriangulationFilter())
     , Pieces(block.Pieces)
   {
   }
@@ -245,15 +256,15 @@ public:
     // points.
     if (this->Pieces.size() == 1)
     {
-      this->Filter->FindWeights(this->Pieces[0]);
+      this->Internals->FindWeights(this->Pieces[0]);
     }
-    this->Counted = this->Filter->TakePoints(this->Pieces, this->Filter->PlacesOfPoints);
+    this->Counted = this->Internals->TakePoints(this->Pieces, this->Internals->PlacesOfPoints);
     this->Input = vtkFFPieces::Append({ this->Counted.begin(), this->Counted.end() });
     vtkPoints* points = this->Input->GetPoints();
     this->Points.emplace(points ? points->GetData() : nullptr);
-    this->Weights.emplace(this->Filter->FindWeights(this->Input));
+    this->Weights.emplace(this->Internals->FindWeights(this->Input));
     this->Projection.emplace(options);
-    this->Filter->Project(*this->Points, *this->Projection);
+    this->Internals->Project(*this->Points, *this->Projection);
   }
 
   void Run(const flipflop::Options& chosen, const flipflop::EngineOptions& engine,
@@ -265,7 +276,7 @@ public:
     if (this->Filter->GeneratePowerDiagram)
     {
       options.facets = flipflop::FacetMode::Polygons;
-      this->Filter->SetProgressPart(0.0, shareOfTriangulation);
+      this->Internals->SetProgressPart(0.0, shareOfTriangulation);
     }
     this->Triangulation = flipflop::regularTriangulation(
       this->Projection->GetView(), this->Weights->GetView(), options, engine, report);
@@ -275,6 +286,7 @@ public:
     const std::vector<vtkPolyData*>& outputs) override;
 
 private:
+  vtkInternals* Internals;
   vtkFFRegularTriangulationFilter* Filter;
   std::vector<vtkPointSet*> Pieces;
   std::vector<vtkSmartPointer<vtkPointSet>> Counted;
@@ -286,7 +298,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::Execute(
+bool vtkFFRegularTriangulationFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
   Work work(this, blocks[0]);
@@ -294,26 +306,29 @@ bool vtkFFRegularTriangulationFilter::Execute(
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkFFRegularTriangulationFilter::NewBlockWork(const Block& block)
+std::unique_ptr<vtkFFBlockWork> vtkFFRegularTriangulationFilter::vtkInternals::NewBlockWork(
+  const Block& block)
 {
+  auto* filter = this->GetTriangulationFilter();
   // With a power diagram there are two runs, and VTK's objects between them.
-  return this->GeneratePowerDiagram ? nullptr : std::make_unique<Work>(this, block);
+  return filter->GeneratePowerDiagram ? nullptr : std::make_unique<Work>(this, block);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::CheckSettings(vtkFFFailure& failure)
+void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& failure)
 {
-  if (this->ProjectionPlaneMode == TRANSFORM_PLANE && !this->Transform)
+  auto* filter = this->GetTriangulationFilter();
+  if (filter->ProjectionPlaneMode == TRANSFORM_PLANE && !filter->Transform)
   {
     failure.Say(
       "The projection is to be a transform, and none is set. Use SetTransform() or another "
       "ProjectionPlaneMode.");
     return;
   }
-  const double* box = this->PowerDiagramBounds;
+  const double* box = filter->PowerDiagramBounds;
   const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
     box[0] < box[1] && box[2] < box[3];
-  if (this->GeneratePowerDiagram && this->PowerDiagramBoxMode == BOX_OF_BOUNDS && !isBox)
+  if (filter->GeneratePowerDiagram && filter->PowerDiagramBoxMode == BOX_OF_BOUNDS && !isBox)
   {
     std::ostringstream message;
     message << "The power diagram's box has no inside or is not finite: PowerDiagramBounds (xmin, "
@@ -324,9 +339,10 @@ void vtkFFRegularTriangulationFilter::CheckSettings(vtkFFFailure& failure)
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input)
+vtkDataArray* vtkFFRegularTriangulationFilter::vtkInternals::FindWeights(vtkPointSet* input)
 {
-  vtkInformationVector* chosen = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
+  auto* filter = this->GetTriangulationFilter();
+  vtkInformationVector* chosen = filter->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
   vtkInformation* choice = chosen ? chosen->GetInformationObject(0) : nullptr;
   if (!choice || input->GetNumberOfPoints() == 0)
   {
@@ -391,13 +407,14 @@ vtkDataArray* vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::Project(
+void vtkFFRegularTriangulationFilter::vtkInternals::Project(
   const vtkFFPointSource& points, vtkFFProjection& projection)
 {
-  switch (this->ProjectionPlaneMode)
+  auto* filter = this->GetTriangulationFilter();
+  switch (filter->ProjectionPlaneMode)
   {
     case TRANSFORM_PLANE:
-      projection.ByTransform(points.GetView(), this->Transform);
+      projection.ByTransform(points.GetView(), filter->Transform);
       break;
     case BEST_FITTING_PLANE:
       projection.ToBestFittingPlane(points.GetView());
@@ -409,22 +426,23 @@ void vtkFFRegularTriangulationFilter::Project(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::Work::Write(const flipflop::Options& options,
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::Options& options,
   const flipflop::EngineReport& report, const std::vector<vtkPolyData*>& outputs)
 {
   vtkFFRegularTriangulationFilter* const filter = this->Filter;
+  vtkInternals* const internals = this->Internals;
   flipflop::Triangulation& triangulation = this->Triangulation;
   if (filter->GeneratePowerDiagram)
   {
-    filter->SetProgressPart(shareOfTriangulation, 1.0);
-    filter->BuildPowerDiagram(
+    internals->SetProgressPart(shareOfTriangulation, 1.0);
+    internals->BuildPowerDiagram(
       *this->Projection, this->Weights->GetView(), triangulation, options, this->Input, outputs[2]);
     if (options.facets == flipflop::FacetMode::Triangles)
     {
       fanPolygons(triangulation);
     }
   }
-  filter->AddToReport(triangulation, report, outputs[0]);
+  internals->AddToReport(triangulation, report, outputs[0]);
   const auto hiddenPoints = static_cast<std::int64_t>(triangulation.hiddenIds.size());
   filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hiddenPoints);
   if (filter->ReportAsFieldData)
@@ -445,23 +463,25 @@ void vtkFFRegularTriangulationFilter::Work::Write(const flipflop::Options& optio
   vertices.pointIds = std::move(triangulation.hiddenIds);
   vtkFFOutput::Adopt(vertices, *this->Points, data, filter->VisiblePointIds, outputs[1]);
   vtkFFOutput::Adopt(triangulation, *this->Points, data, filter->VisiblePointIds, outputs[0]);
-  filter->RestoreIds(outputs[0]->GetPointData());
-  filter->RestoreIds(outputs[1]->GetPointData());
-  filter->RestoreIds(outputs[2]->GetCellData());
+  internals->RestoreIds(outputs[0]->GetPointData());
+  internals->RestoreIds(outputs[1]->GetPointData());
+  internals->RestoreIds(outputs[2]->GetCellData());
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& projection,
-  const flipflop::WeightView& weights, const flipflop::Triangulation& triangulation,
-  const flipflop::Options& options, vtkPointSet* input, vtkPolyData* output)
+void vtkFFRegularTriangulationFilter::vtkInternals::BuildPowerDiagram(
+  const vtkFFProjection& projection, const flipflop::WeightView& weights,
+  const flipflop::Triangulation& triangulation, const flipflop::Options& options,
+  vtkPointSet* input, vtkPolyData* output)
 {
+  auto* filter = this->GetTriangulationFilter();
   flipflop::PowerDiagram diagram;
   if (triangulation.dimension >= 0)
   {
-    const bool given = this->PowerDiagramBoxMode == BOX_OF_BOUNDS;
+    const bool given = filter->PowerDiagramBoxMode == BOX_OF_BOUNDS;
     const auto bounds = boxOf(projection.GetView(), triangulation.pointIds);
     diagram = flipflop::powerDiagram(projection.GetView(), weights, triangulation,
-      given ? this->PowerDiagramBounds : bounds.data(), options);
+      given ? filter->PowerDiagramBounds : bounds.data(), options);
   }
 
   const auto count = static_cast<vtkIdType>(diagram.corners.size() / 2);
@@ -484,25 +504,27 @@ void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& p
   vtkFFOutput::AdoptCells(cells, output);
 
   const auto ids = vtkFFOutput::AdoptIds(diagram.siteIds);
-  if (this->PassPointData)
+  if (filter->PassPointData)
   {
     vtkFFOutput::PassPointData(
       { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetCellData());
   }
-  vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetCellData());
+  vtkFFOutput::AddIds(ids, filter->VisiblePointIds, output->GetCellData());
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFRegularTriangulationFilter::DescribeError(const flipflop::Error& error)
+std::string vtkFFRegularTriangulationFilter::vtkInternals::DescribeError(
+  const flipflop::Error& error)
 {
+  auto* filter = this->GetTriangulationFilter();
   if (error.code() == flipflop::ErrorCode::NonFinite)
   {
     const std::string projected =
-      this->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)";
+      filter->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)";
     return this->DescribeNonFinite("A coordinate" + projected + " or a weight", error) +
       " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
   }
-  return this->Superclass::DescribeError(error);
+  return this->vtkFFAlgorithm::vtkInternals::DescribeError(error);
 }
 
 //------------------------------------------------------------------------------

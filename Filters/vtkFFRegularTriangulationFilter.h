@@ -83,19 +83,6 @@
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
 class vtkAbstractTransform;
-class vtkDataArray;
-class vtkPointSet;
-
-#ifndef __VTK_WRAP__
-class vtkFFPointSource;
-class vtkFFProjection;
-
-namespace flipflop
-{
-struct Triangulation;
-struct WeightView;
-}
-#endif
 
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter : public vtkFFAlgorithm
 {
@@ -247,13 +234,7 @@ protected:
   vtkFFRegularTriangulationFilter();
   ~vtkFFRegularTriangulationFilter() override;
 
-#ifndef __VTK_WRAP__
-  void CheckSettings(vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  void ResetReport() override;
-  std::string DescribeError(const flipflop::Error& error) override;
-#endif
+  class vtkInternals;
 
   int ProjectionPlaneMode;
   vtkAbstractTransform* Transform;
@@ -264,22 +245,6 @@ protected:
 private:
   vtkFFRegularTriangulationFilter(const vtkFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkFFRegularTriangulationFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  class Work;
-
-  /**
-   * The array of weights that was chosen; null: none was.
-   *
-   * @throw std::runtime_error where it does not fit.
-   */
-  vtkDataArray* FindWeights(vtkPointSet* input);
-
-  void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
-  void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
-    const flipflop::Triangulation& triangulation, const flipflop::Options& options,
-    vtkPointSet* input, vtkPolyData* output);
-#endif
 
   vtkIdType NumberOfHiddenPoints;
 };

@@ -106,7 +106,7 @@ bool vtkFFProcesses::Share(vtkFFFailure& failure)
 
 //------------------------------------------------------------------------------
 bool vtkFFProcesses::SelectBlocks(
-  bool alike, std::vector<vtkFFAlgorithm::Block>& blocks, vtkFFFailure& failure)
+  bool alike, std::vector<vtkFFBlock>& blocks, vtkFFFailure& failure)
 {
   if (!this->Share(failure))
   {
@@ -114,7 +114,7 @@ bool vtkFFProcesses::SelectBlocks(
   }
   // For each block its flat index, and whether there is data for it.
   std::vector<vtkIdType> mine;
-  for (const vtkFFAlgorithm::Block& block : blocks)
+  for (const vtkFFBlock& block : blocks)
   {
     mine.push_back(block.FlatIndex);
     mine.push_back(!block.Pieces.empty());
@@ -134,11 +134,11 @@ bool vtkFFProcesses::SelectBlocks(
     }
   }
 
-  std::vector<vtkFFAlgorithm::Block> selected;
+  std::vector<vtkFFBlock> selected;
   for (std::size_t b = 0; b < most; ++b)
   {
     // Without it here, the block is what the first process calls it that has it.
-    vtkFFAlgorithm::Block block{ {}, 0, 0 };
+    vtkFFBlock block{ {}, 0, 0 };
     bool hasData = false;
     for (auto list = all.rbegin(); list != all.rend(); ++list)
     {

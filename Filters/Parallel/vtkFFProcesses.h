@@ -13,7 +13,7 @@
 #ifndef vtkFFProcesses_h
 #define vtkFFProcesses_h
 
-#include "vtkFFAlgorithm.h"
+#include "vtkFFBlock.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -61,7 +61,7 @@ public:
    * list are one. It is a failure where lists differ in length and are to be @p alike. False if
    * there is a failure, here or already on some process.
    */
-  bool SelectBlocks(bool alike, std::vector<vtkFFAlgorithm::Block>& blocks, vtkFFFailure& failure);
+  bool SelectBlocks(bool alike, std::vector<vtkFFBlock>& blocks, vtkFFFailure& failure);
 
   /**
    * Process @p from sends @p data, of which nothing is lost, to process @p to, which gets it as

@@ -52,10 +52,6 @@
 
 class vtkMultiProcessController;
 
-#ifndef __VTK_WRAP__
-class vtkFFProcesses;
-#endif
-
 class VTKFILTERSPARALLELFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
@@ -81,44 +77,13 @@ protected:
   vtkPFFHullFilter();
   ~vtkPFFHullFilter() override;
 
-#ifndef __VTK_WRAP__
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
-#endif
+  class vtkInternals;
 
   vtkMultiProcessController* Controller;
 
 private:
   vtkPFFHullFilter(const vtkPFFHullFilter&) = delete;
   void operator=(const vtkPFFHullFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  /**
-   * A hull, and what is to be told of it.
-   */
-  struct Result;
-
-  /**
-   * The hull of what all processes have of a block; on process 0 it is whole in the end. False if
-   * there is a failure, on any process.
-   */
-  bool TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces, vtkFFProcesses& processes,
-    Result& result, vtkFFFailure& failure);
-
-  /**
-   * The hull of hulls, whose ids it takes over. False if there is a failure.
-   */
-  bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
-
-  /**
-   * The hull of the hulls of all blocks becomes the output, and is reported.
-   */
-  void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
-
-  vtkIdType PlaceOfPiece; // of this process's first point of the block that is worked on
-#endif
 };
 
 #endif

@@ -71,22 +71,13 @@ protected:
   vtkPFFRegularTriangulationFilter();
   ~vtkPFFRegularTriangulationFilter() override;
 
-#ifndef __VTK_WRAP__
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
-#endif
+  class vtkInternals;
 
   vtkMultiProcessController* Controller;
 
 private:
   vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkPFFRegularTriangulationFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  vtkIdType PlaceOfPiece; // of this process's first point of the block that is worked on
-#endif
 };
 
 #endif
