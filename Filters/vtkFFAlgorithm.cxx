@@ -30,6 +30,7 @@
 #define VTK_FF_HAS_CHECK_ABORT 0
 #endif
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -521,3 +522,4 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SecondsToFinish: " << this->SecondsToFinish << "\n";
   os << indent << "SecondsTotal: " << this->SecondsTotal << "\n";
 }
+VTK_ABI_NAMESPACE_END

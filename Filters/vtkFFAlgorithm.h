@@ -41,12 +41,14 @@
 #ifndef vtkFFAlgorithm_h
 #define vtkFFAlgorithm_h
 
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm : public vtkPolyDataAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
   //@{
@@ -388,5 +390,6 @@ private:
   double SecondsToFinish;
   double SecondsTotal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

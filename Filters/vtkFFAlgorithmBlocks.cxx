@@ -35,6 +35,7 @@
 #include <memory>
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -476,3 +477,4 @@ bool vtkFFAlgorithm::vtkInternals::ExecuteEachBlock(const std::vector<Block>& bl
   }
   return true;
 }
+VTK_ABI_NAMESPACE_END

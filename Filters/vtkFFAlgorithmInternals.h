@@ -16,6 +16,7 @@
 #include "vtkFFAlgorithm.h"
 #include "vtkFFBlock.h"
 
+#include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
@@ -23,13 +24,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-class vtkDataObject;
-class vtkDataSetAttributes;
-class vtkFFAheadRuns;
-class vtkFFBlockWork;
-class vtkPolyData;
-struct vtkFFFailure;
 
 namespace flipflop
 {
@@ -39,6 +33,14 @@ struct EngineOptions;
 struct EngineReport;
 struct Options;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class vtkDataSetAttributes;
+class vtkFFAheadRuns;
+class vtkFFBlockWork;
+class vtkPolyData;
+struct vtkFFFailure;
 
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm::vtkInternals
 {
@@ -238,5 +240,6 @@ private:
   double ProgressPart[2];  // within that
   double ProgressReached;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

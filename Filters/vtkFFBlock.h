@@ -11,10 +11,12 @@
 #ifndef vtkFFBlock_h
 #define vtkFFBlock_h
 
+#include "vtkFFMarks.h"
 #include "vtkType.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 
 struct vtkFFBlock
@@ -23,5 +25,6 @@ struct vtkFFBlock
   unsigned int FlatIndex;           ///< 0 where the input itself is the only block
   vtkIdType NumberOfPoints;         ///< wherever they are
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

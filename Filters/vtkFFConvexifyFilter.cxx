@@ -24,6 +24,7 @@
 #include <memory>
 #include <sstream>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFConvexifyFilter);
 
 namespace
@@ -292,3 +293,4 @@ void vtkFFConvexifyFilter::PrintSelf(ostream& os, vtkIndent indent)
      << this->KernelPoint[2] << ")\n";
   os << indent << "UseKernelPoint: " << (this->UseKernelPoint ? "On" : "Off") << "\n";
 }
+VTK_ABI_NAMESPACE_END

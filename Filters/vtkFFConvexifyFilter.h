@@ -37,9 +37,11 @@
 #define vtkFFConvexifyFilter_h
 
 #include "vtkFFHullAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFConvexifyFilter : public vtkFFHullAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
   //@{
@@ -88,5 +90,6 @@ private:
   vtkFFConvexifyFilter(const vtkFFConvexifyFilter&) = delete;
   void operator=(const vtkFFConvexifyFilter&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "vtkPolyData.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkFFHullAlgorithm::vtkFFHullAlgorithm()
   : Volume(0.0)
@@ -49,3 +50,4 @@ void vtkFFHullAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Volume: " << this->Volume << "\n";
   os << indent << "Area: " << this->Area << "\n";
 }
+VTK_ABI_NAMESPACE_END

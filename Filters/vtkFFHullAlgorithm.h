@@ -15,9 +15,11 @@
 #define vtkFFHullAlgorithm_h
 
 #include "vtkFFAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm : public vtkFFAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
   //@{
@@ -50,5 +52,6 @@ private:
   double Volume;
   double Area;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFHullFilter);
 
 namespace
@@ -186,3 +187,4 @@ void vtkFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CompositeMode: " << this->GetCompositeModeAsString() << "\n";
 }
+VTK_ABI_NAMESPACE_END

@@ -60,9 +60,11 @@
 #define vtkFFHullFilter_h
 
 #include "vtkFFHullAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
   //@{
@@ -107,5 +109,6 @@ private:
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;
   void operator=(const vtkFFHullFilter&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -12,13 +12,15 @@
 
 #include "vtkFFAlgorithmInternals.h"
 #include "vtkFFHullFilter.h"
-
-class vtkFFPointSource;
+#include "vtkFFMarks.h"
 
 namespace flipflop
 {
 struct Hull;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkFFPointSource;
 
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm::vtkInternals
   : public vtkFFAlgorithm::vtkInternals
@@ -71,5 +73,6 @@ private:
 
   vtkFFHullFilter* GetHullFilter();
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

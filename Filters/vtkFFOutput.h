@@ -15,6 +15,7 @@
 
 #include <flipflop/Buffer.h>
 
+#include "vtkFFMarks.h"
 #include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -23,6 +24,12 @@
 #include <functional>
 #include <vector>
 
+namespace flipflop
+{
+struct CellComplex;
+}
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCellData;
 class vtkDataSetAttributes;
 class vtkFFPointSource;
@@ -30,11 +37,6 @@ class vtkFieldData;
 class vtkIdTypeArray;
 class vtkPointData;
 class vtkPolyData;
-
-namespace flipflop
-{
-struct CellComplex;
-}
 
 class vtkFFOutput
 {
@@ -115,5 +117,6 @@ public:
   static void AddValue(vtkFieldData* output, const char* name, const char* value);
   //@}
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

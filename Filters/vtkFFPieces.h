@@ -11,12 +11,14 @@
 #ifndef vtkFFPieces_h
 #define vtkFFPieces_h
 
+#include "vtkFFMarks.h"
 #include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 
 class vtkFFPieces
@@ -42,5 +44,6 @@ public:
   static std::vector<vtkSmartPointer<vtkPointSet>> SkipGhosts(
     const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -42,6 +42,7 @@
 #include <stdexcept>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFRegularTriangulationFilter);
 
 namespace
@@ -563,3 +564,4 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
      << box[3] << ")\n";
   os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
 }
+VTK_ABI_NAMESPACE_END

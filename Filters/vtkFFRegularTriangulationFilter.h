@@ -80,11 +80,14 @@
 #define vtkFFRegularTriangulationFilter_h
 
 #include "vtkFFAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractTransform;
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter : public vtkFFAlgorithm
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
+  : public vtkFFAlgorithm
 {
 public:
   //@{
@@ -114,6 +117,23 @@ public:
     BOX_OF_POINTS = 0,
     BOX_OF_BOUNDS = 1
   };
+
+  // What sets a mode as well comes before that mode: VTK reads a state back in this order, so that
+  // the mode is the one that was written.
+
+  //@{
+  /**
+   * Set/Get the transform that takes the points to the XY plane. To set one sets
+   * ProjectionPlaneMode to TRANSFORM_PLANE, which needs one; a mode set later prevails. To set none
+   * leaves the mode as it is. None by default.
+   *
+   * StoreTransform() never changes the mode: it is for applications that set all they have, in
+   * whatever order.
+   */
+  virtual void SetTransform(vtkAbstractTransform* transform);
+  void StoreTransform(vtkAbstractTransform* transform);
+  vtkGetObjectMacro(Transform, vtkAbstractTransform);
+  //@}
 
   //@{
   /**
@@ -150,20 +170,6 @@ public:
 
   //@{
   /**
-   * Set/Get the transform that takes the points to the XY plane. To set one sets
-   * ProjectionPlaneMode to TRANSFORM_PLANE, which needs one; a mode set later prevails. To set none
-   * leaves the mode as it is. None by default.
-   *
-   * StoreTransform() never changes the mode: it is for applications that set all they have, in
-   * whatever order.
-   */
-  virtual void SetTransform(vtkAbstractTransform* transform);
-  void StoreTransform(vtkAbstractTransform* transform);
-  vtkGetObjectMacro(Transform, vtkAbstractTransform);
-  //@}
-
-  //@{
-  /**
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
    * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
@@ -184,20 +190,6 @@ public:
 
   //@{
   /**
-   * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
-   * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). Points without an extent
-   * along x or y get that of the other direction, half of it on either side; a single position gets
-   * a box of side 1.
-   */
-  vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
-  vtkGetMacro(PowerDiagramBoxMode, int);
-  void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
-  void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
-  const char* GetPowerDiagramBoxModeAsString();
-  //@}
-
-  //@{
-  /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
    * transformed points, or measured in the fitted plane. It must be finite and have an inside. To
    * set it sets PowerDiagramBoxMode to BOX_OF_BOUNDS; a mode set later prevails. (0, 1, 0, 1) by
@@ -210,6 +202,20 @@ public:
   virtual void SetPowerDiagramBounds(const double bounds[4]);
   void StorePowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   vtkGetVector4Macro(PowerDiagramBounds, double);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
+   * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). Points without an extent
+   * along x or y get that of the other direction, half of it on either side; a single position gets
+   * a box of side 1.
+   */
+  vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
+  vtkGetMacro(PowerDiagramBoxMode, int);
+  void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
+  void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
+  const char* GetPowerDiagramBoxModeAsString();
   //@}
 
   //@{
@@ -248,5 +254,6 @@ private:
 
   vtkIdType NumberOfHiddenPoints;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

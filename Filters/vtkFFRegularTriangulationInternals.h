@@ -12,18 +12,20 @@
 #define vtkFFRegularTriangulationInternals_h
 
 #include "vtkFFAlgorithmInternals.h"
+#include "vtkFFMarks.h"
 #include "vtkFFRegularTriangulationFilter.h"
-
-class vtkDataArray;
-class vtkFFPointSource;
-class vtkFFProjection;
-class vtkPointSet;
 
 namespace flipflop
 {
 struct Triangulation;
 struct WeightView;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkFFPointSource;
+class vtkFFProjection;
+class vtkPointSet;
 
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter::vtkInternals
   : public vtkFFAlgorithm::vtkInternals
@@ -54,5 +56,6 @@ private:
 
   vtkFFRegularTriangulationFilter* GetTriangulationFilter();
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

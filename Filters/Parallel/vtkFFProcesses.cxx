@@ -15,6 +15,7 @@
 #include <new>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -200,3 +201,4 @@ bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
   }
   return this->Share(failure);
 }
+VTK_ABI_NAMESPACE_END

@@ -15,11 +15,13 @@
 
 #include "vtkFFBlock.h"
 
+#include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 class vtkPointSet;
 class vtkPolyData;
@@ -76,5 +78,6 @@ private:
   int Count;
   int Rank;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -28,6 +28,7 @@
 #include <limits>
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFHullFilter);
 vtkCxxSetObjectMacro(vtkPFFHullFilter, Controller, vtkMultiProcessController);
 
@@ -391,3 +392,4 @@ void vtkPFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
 }
+VTK_ABI_NAMESPACE_END

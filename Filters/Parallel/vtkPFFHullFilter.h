@@ -48,11 +48,13 @@
 #define vtkPFFHullFilter_h
 
 #include "vtkFFHullFilter.h"
+#include "vtkFFMarks.h"                       // For VTK_MARSHALAUTO
 #include "vtkFiltersParallelFlipFlopModule.h" // For export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
-class VTKFILTERSPARALLELFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
+class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
   //@{
@@ -69,7 +71,9 @@ public:
    * Set/Get the controller of the processes that have the pieces; null for none but this one. By
    * default the global controller.
    */
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   virtual void SetController(vtkMultiProcessController* controller);
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   //@}
 
@@ -85,5 +89,6 @@ private:
   vtkPFFHullFilter(const vtkPFFHullFilter&) = delete;
   void operator=(const vtkPFFHullFilter&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <numeric>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
 vtkCxxSetObjectMacro(vtkPFFRegularTriangulationFilter, Controller, vtkMultiProcessController);
 
@@ -204,3 +205,4 @@ void vtkPFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
 }
+VTK_ABI_NAMESPACE_END

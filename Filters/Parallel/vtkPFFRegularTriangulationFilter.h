@@ -40,12 +40,14 @@
 #ifndef vtkPFFRegularTriangulationFilter_h
 #define vtkPFFRegularTriangulationFilter_h
 
+#include "vtkFFMarks.h" // For VTK_MARSHALAUTO
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFiltersParallelFlipFlopModule.h" // For export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
-class VTKFILTERSPARALLELFLIPFLOP_EXPORT vtkPFFRegularTriangulationFilter
+class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFRegularTriangulationFilter
   : public vtkFFRegularTriangulationFilter
 {
 public:
@@ -63,7 +65,9 @@ public:
    * Set/Get the controller of the processes that have the pieces; null for none but this one. By
    * default the global controller.
    */
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   virtual void SetController(vtkMultiProcessController* controller);
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   //@}
 
@@ -79,5 +83,6 @@ private:
   vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkPFFRegularTriangulationFilter&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
