@@ -18,9 +18,10 @@ endif()
 
 file(GLOB public_headers CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/Engine/include/flipflop/*.h" "${PROJECT_SOURCE_DIR}/Cuda/include/flipflop/*.h")
-file(GLOB filter_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Filters/*.h")
+file(GLOB filter_headers CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/Filters/*.h" "${PROJECT_SOURCE_DIR}/Filters/Parallel/*.h")
 foreach(header IN LISTS filter_headers)
-  file(STRINGS "${header}" exported REGEX "^class VTKFILTERSFLIPFLOP_EXPORT ")
+  file(STRINGS "${header}" exported REGEX "^class VTKFILTERS(PARALLEL)?FLIPFLOP_EXPORT [A-Za-z_ ]+( : |$)")
   if(exported)
     list(APPEND public_headers "${header}")
   endif()

@@ -1,4 +1,9 @@
-# How the VTK module is built whose vtk.module lies beside the top CMakeLists.txt.
+# How the VTK modules are built: the one whose vtk.module lies beside the top CMakeLists.txt, and that of the filters for
+# distributed data, which builds on it.
+set(FLIPFLOP_MODULES FlipFlop::FiltersFlipFlop FlipFlop::FiltersParallelFlipFlop)
+set(FLIPFLOP_MODULE_FILES
+  "${FlipFlop_SOURCE_DIR}/vtk.module"
+  "${FlipFlop_SOURCE_DIR}/Filters/Parallel/vtk.module")
 
 # vtk_module_build() names a module's folders relative to CMAKE_SOURCE_DIR, and that of a module at the
 # very top would have no name: CMake would take it for the project's own. So, in the scope of that call
@@ -10,11 +15,11 @@ macro(flipflop_begin_source_tree_above)
   endif()
 endmacro()
 
-# flipflop_build_module(): builds it against VTK. (Against ParaView: Plugin/CMakeLists.txt.)
-function(flipflop_build_module)
+# flipflop_build_modules(): builds them against VTK. (Against ParaView: Plugin/CMakeLists.txt.)
+function(flipflop_build_modules)
   flipflop_begin_source_tree_above()
   vtk_module_build(
-    MODULES FlipFlop::FiltersFlipFlop
+    MODULES ${FLIPFLOP_MODULES}
     PACKAGE FlipFlop
     VERSION "${FlipFlop_VERSION}"
     SOVERSION "${FlipFlop_VERSION_MAJOR}.${FlipFlop_VERSION_MINOR}"
@@ -25,4 +30,8 @@ function(flipflop_build_module)
     LICENSE_DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/FlipFlop"
     ENABLE_WRAPPING ${FLIPFLOP_WRAP_PYTHON}
     TEST_DIRECTORY_NAME NONE)
+  vtk_module_export_find_packages(
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/FlipFlop"
+    FILE_NAME "FlipFlop-vtk-module-find-packages.cmake"
+    MODULES ${FLIPFLOP_MODULES})
 endfunction()

@@ -13,7 +13,7 @@ function(flipflop_build_wheel)
   flipflop_begin_source_tree_above()
   vtksdk_build_modules(vtkflipflop
     SOURCE_DIR "${FlipFlop_SOURCE_DIR}"
-    MODULES FlipFlop::FiltersFlipFlop)
+    MODULES ${FLIPFLOP_MODULES})
 endfunction()
 flipflop_build_wheel()
 

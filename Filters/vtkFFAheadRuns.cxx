@@ -9,6 +9,7 @@
 
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkFFAheadRuns::RunType
 {
   vtkFFAheadRuns* Owner;
@@ -115,3 +116,4 @@ void vtkFFAheadRuns::WriteNext(const flipflop::Options& options, flipflop::Engin
   report = run->Report;
   run->Work->Write(options, report, outputs);
 }
+VTK_ABI_NAMESPACE_END

@@ -14,6 +14,7 @@
 
 #include <flipflop/Engines.h>
 
+#include "vtkFFMarks.h"
 #include "vtkType.h"
 
 #include <atomic>
@@ -24,6 +25,7 @@
 #include <thread>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFFBlockWork;
 class vtkPolyData;
 
@@ -77,5 +79,6 @@ private:
   std::vector<std::unique_ptr<RunType>> Runs;
   std::size_t Next = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFAlgorithm.h"
 
+#include "vtkFFAlgorithmInternals.h"
 #include "vtkFFExactValues.h"
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
@@ -20,6 +21,7 @@
 #include <atomic>
 #include <exception>
 #include <new>
+#include <utility>
 
 // ParaView 5.11 carries a VTK 9.2 that has CheckAbort() already.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230000)
@@ -28,6 +30,7 @@
 #define VTK_FF_HAS_CHECK_ABORT 0
 #endif
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -56,7 +59,6 @@ vtkFFAlgorithm::vtkFFAlgorithm()
   , VBiased(true)
 {
   ++filterCount;
-  this->vtkFFAlgorithm::ResetReport();
 }
 
 //------------------------------------------------------------------------------
@@ -69,86 +71,103 @@ vtkFFAlgorithm::~vtkFFAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::ResetReport()
+void vtkFFAlgorithm::SetInternals(std::unique_ptr<vtkInternals> internals)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
-  this->EngineUsed = ENGINE_NONE;
+  this->Internals = std::move(internals);
+  this->Internals->ResetReport();
+}
+
+//------------------------------------------------------------------------------
+vtkFFAlgorithm::vtkInternals::vtkInternals(vtkFFAlgorithm* filter)
+  : Filter(filter)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFFAlgorithm::vtkInternals::~vtkInternals() = default;
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::vtkInternals::ResetReport()
+{
+  this->Filter->SetErrorCode(vtkErrorCode::NoError);
+  this->Filter->EngineUsed = ENGINE_NONE;
   this->EngineReason = "no engine has run";
-  this->Dimension = -1;
+  this->Filter->Dimension = -1;
 
-  this->NumberOfInputPoints = 0;
-  this->NumberOfNonFinitePoints = 0;
+  this->Filter->NumberOfInputPoints = 0;
+  this->Filter->NumberOfNonFinitePoints = 0;
   this->NonFinitePointsOfFailure = 0;
-  this->NumberOfCulledPoints = 0;
-  this->NumberOfInsertions = 0;
-  this->NumberOfPointMoves = 0;
-  this->NumberOfFlips22 = 0;
-  this->NumberOfFlips31 = 0;
-  this->NumberOfFlipsByVolume = 0;
-  this->NumberOfFlipsByDegree = 0;
-  this->NumberOfLabelledVertices = 0;
-  this->NumberOfRedundantVertices = 0;
-  this->NumberOfEdgeChecks = 0;
-  this->NumberOfExactPredicates = 0;
-  this->NumberOfThreadsUsed = 0;
+  this->Filter->NumberOfCulledPoints = 0;
+  this->Filter->NumberOfInsertions = 0;
+  this->Filter->NumberOfPointMoves = 0;
+  this->Filter->NumberOfFlips22 = 0;
+  this->Filter->NumberOfFlips31 = 0;
+  this->Filter->NumberOfFlipsByVolume = 0;
+  this->Filter->NumberOfFlipsByDegree = 0;
+  this->Filter->NumberOfLabelledVertices = 0;
+  this->Filter->NumberOfRedundantVertices = 0;
+  this->Filter->NumberOfEdgeChecks = 0;
+  this->Filter->NumberOfExactPredicates = 0;
+  this->Filter->NumberOfThreadsUsed = 0;
 
-  this->SecondsToScan = 0.0;
-  this->SecondsToLocate = 0.0;
-  this->SecondsToGrow = 0.0;
-  this->SecondsToFlip = 0.0;
-  this->SecondsToFinish = 0.0;
-  this->SecondsTotal = 0.0;
+  this->Filter->SecondsToScan = 0.0;
+  this->Filter->SecondsToLocate = 0.0;
+  this->Filter->SecondsToGrow = 0.0;
+  this->Filter->SecondsToFlip = 0.0;
+  this->Filter->SecondsToFinish = 0.0;
+  this->Filter->SecondsTotal = 0.0;
 
   this->SetProgressRange(0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::ReduceReportToFailure()
+void vtkFFAlgorithm::vtkInternals::ReduceReportToFailure()
 {
-  const unsigned long code = this->GetErrorCode();
+  const unsigned long code = this->Filter->GetErrorCode();
   const vtkIdType nonFinite = this->NonFinitePointsOfFailure;
   this->ResetReport();
-  this->SetErrorCode(code);
-  this->NumberOfNonFinitePoints = nonFinite;
+  this->Filter->SetErrorCode(code);
+  this->Filter->NumberOfNonFinitePoints = nonFinite;
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::AddToReport(
+void vtkFFAlgorithm::vtkInternals::AddToReport(
   const flipflop::CellComplex& cells, const flipflop::EngineReport& engine, vtkPolyData* output)
 {
-  this->Dimension = std::max(this->Dimension, cells.dimension);
+  this->Filter->Dimension = std::max(this->Filter->Dimension, cells.dimension);
   const int used = engine.used == flipflop::EngineChoice::CUDA ? ENGINE_CUDA : ENGINE_CPU;
-  if (used >= this->EngineUsed)
+  if (used >= this->Filter->EngineUsed)
   {
-    this->EngineUsed = used;
+    this->Filter->EngineUsed = used;
     this->EngineReason = engine.reason;
   }
 
   const flipflop::Statistics& statistics = cells.statistics;
   const auto add = [](vtkIdType& sum, std::int64_t n) { sum += static_cast<vtkIdType>(n); };
-  add(this->NumberOfInputPoints, statistics.points);
-  add(this->NumberOfNonFinitePoints, statistics.nonFinite);
-  add(this->NumberOfCulledPoints, statistics.culled);
-  add(this->NumberOfInsertions, statistics.insertions);
-  add(this->NumberOfPointMoves, statistics.moves);
-  add(this->NumberOfFlips22, statistics.flips22);
-  add(this->NumberOfFlips31, statistics.flips31);
-  add(this->NumberOfFlipsByVolume, statistics.flipsV);
-  add(this->NumberOfFlipsByDegree, statistics.flipsD);
-  add(this->NumberOfLabelledVertices, statistics.labelled);
-  add(this->NumberOfRedundantVertices, statistics.redundant);
-  add(this->NumberOfEdgeChecks, statistics.edgeChecks);
-  add(this->NumberOfExactPredicates, statistics.exactCalls);
-  this->NumberOfThreadsUsed = std::max(this->NumberOfThreadsUsed, statistics.threads);
+  add(this->Filter->NumberOfInputPoints, statistics.points);
+  add(this->Filter->NumberOfNonFinitePoints, statistics.nonFinite);
+  add(this->Filter->NumberOfCulledPoints, statistics.culled);
+  add(this->Filter->NumberOfInsertions, statistics.insertions);
+  add(this->Filter->NumberOfPointMoves, statistics.moves);
+  add(this->Filter->NumberOfFlips22, statistics.flips22);
+  add(this->Filter->NumberOfFlips31, statistics.flips31);
+  add(this->Filter->NumberOfFlipsByVolume, statistics.flipsV);
+  add(this->Filter->NumberOfFlipsByDegree, statistics.flipsD);
+  add(this->Filter->NumberOfLabelledVertices, statistics.labelled);
+  add(this->Filter->NumberOfRedundantVertices, statistics.redundant);
+  add(this->Filter->NumberOfEdgeChecks, statistics.edgeChecks);
+  add(this->Filter->NumberOfExactPredicates, statistics.exactCalls);
+  this->Filter->NumberOfThreadsUsed =
+    std::max(this->Filter->NumberOfThreadsUsed, statistics.threads);
 
-  this->SecondsToScan += statistics.secondsScan;
-  this->SecondsToLocate += statistics.secondsLocate;
-  this->SecondsToGrow += statistics.secondsGrow;
-  this->SecondsToFlip += statistics.secondsFlip;
-  this->SecondsToFinish += statistics.secondsFinish;
-  this->SecondsTotal += statistics.secondsTotal;
+  this->Filter->SecondsToScan += statistics.secondsScan;
+  this->Filter->SecondsToLocate += statistics.secondsLocate;
+  this->Filter->SecondsToGrow += statistics.secondsGrow;
+  this->Filter->SecondsToFlip += statistics.secondsFlip;
+  this->Filter->SecondsToFinish += statistics.secondsFinish;
+  this->Filter->SecondsTotal += statistics.secondsTotal;
 
-  if (this->ReportAsFieldData)
+  if (this->Filter->ReportAsFieldData)
   {
     vtkFieldData* data = output->GetFieldData();
     vtkFFOutput::AddValue(data, "FlipFlopDimension", cells.dimension);
@@ -162,14 +181,14 @@ void vtkFFAlgorithm::AddToReport(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::ReportError(const std::string& message)
+void vtkFFAlgorithm::vtkInternals::ReportError(const std::string& message)
 {
-  this->SetErrorCode(vtkErrorCode::UserError);
-  vtkErrorMacro(<< message);
+  this->Filter->SetErrorCode(vtkErrorCode::UserError);
+  vtkErrorWithObjectMacro(this->Filter, << message);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
+void vtkFFAlgorithm::vtkInternals::ReportFailure(const vtkFFFailure& failure, bool aloud)
 {
   if (failure.Kind == vtkFFFailure::None)
   {
@@ -180,18 +199,18 @@ void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
     // The pipeline is to know that the output is not whole, where another process was aborted, too:
     // all run again, or none.
 #if VTK_FF_HAS_CHECK_ABORT
-    this->SetAbortOutput(true);
+    this->Filter->SetAbortOutput(true);
 #endif
     return;
   }
   if (!aloud)
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
+    this->Filter->SetErrorCode(vtkErrorCode::UserError);
   }
   else if (failure.Kind == vtkFFFailure::NonFinite)
   {
     this->NonFinitePointsOfFailure = failure.Count;
-    this->NumberOfNonFinitePoints = failure.Count;
+    this->Filter->NumberOfNonFinitePoints = failure.Count;
     this->ReportError(this->DescribeError(
       flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));
   }
@@ -202,7 +221,7 @@ void vtkFFAlgorithm::ReportFailure(const vtkFFFailure& failure, bool aloud)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::RunEngine(const EngineWork& work)
+bool vtkFFAlgorithm::vtkInternals::RunEngine(const EngineWork& work)
 {
   vtkFFFailure failure;
   const bool done = this->TryEngine(work, failure);
@@ -211,28 +230,29 @@ bool vtkFFAlgorithm::RunEngine(const EngineWork& work)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::TryEngine(const EngineWork& work, vtkFFFailure& failure)
+bool vtkFFAlgorithm::vtkInternals::TryEngine(const EngineWork& work, vtkFFFailure& failure)
 {
   try
   {
     flipflop::Options options;
-    options.threads = this->NumberOfThreads > 0 ? this->NumberOfThreads
-                                                : vtkSMPTools::GetEstimatedNumberOfThreads();
-    options.facets = this->FacetMode == FACETS_AS_POLYGONS ? flipflop::FacetMode::Polygons
-                                                           : flipflop::FacetMode::Triangles;
-    options.nonFinite = this->NonFinitePoints == NON_FINITE_IGNORE
+    options.threads = this->Filter->NumberOfThreads > 0
+      ? this->Filter->NumberOfThreads
+      : vtkSMPTools::GetEstimatedNumberOfThreads();
+    options.facets = this->Filter->FacetMode == FACETS_AS_POLYGONS ? flipflop::FacetMode::Polygons
+                                                                   : flipflop::FacetMode::Triangles;
+    options.nonFinite = this->Filter->NonFinitePoints == NON_FINITE_IGNORE
       ? flipflop::NonFinitePolicy::Ignore
       : flipflop::NonFinitePolicy::Error;
-    options.vBiased = this->VBiased;
-    options.progress = &vtkFFAlgorithm::ForwardProgress;
+    options.vBiased = this->Filter->VBiased;
+    options.progress = &vtkInternals::ForwardProgress;
     options.progressContext = this;
     flipflop::EngineOptions engine;
-    engine.choice = this->Engine == ENGINE_CUDA ? flipflop::EngineChoice::CUDA
-      : this->Engine == ENGINE_CPU              ? flipflop::EngineChoice::CPU
-                                                : flipflop::EngineChoice::Automatic;
+    engine.choice = this->Filter->Engine == ENGINE_CUDA ? flipflop::EngineChoice::CUDA
+      : this->Filter->Engine == ENGINE_CPU              ? flipflop::EngineChoice::CPU
+                                                        : flipflop::EngineChoice::Automatic;
     // VTK_INT_MAX is as much as a panel of ParaView can say.
-    engine.cudaFrom =
-      this->CUDAThreshold >= VTK_INT_MAX ? flipflop::CudaPaysNever : this->CUDAThreshold;
+    engine.cudaFrom = this->Filter->CUDAThreshold >= VTK_INT_MAX ? flipflop::CudaPaysNever
+                                                                 : this->Filter->CUDAThreshold;
     flipflop::EngineReport report;
     work(options, engine, report);
     return true;
@@ -277,7 +297,7 @@ bool vtkFFAlgorithm::TryEngine(const EngineWork& work, vtkFFFailure& failure)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::SetProgressRange(double begin, double end)
+void vtkFFAlgorithm::vtkInternals::SetProgressRange(double begin, double end)
 {
   this->ProgressRange[0] = begin;
   this->ProgressRange[1] = end;
@@ -286,38 +306,38 @@ void vtkFFAlgorithm::SetProgressRange(double begin, double end)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::SetProgressPart(double begin, double end)
+void vtkFFAlgorithm::vtkInternals::SetProgressPart(double begin, double end)
 {
   this->ProgressPart[0] = begin;
   this->ProgressPart[1] = end;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::ForwardProgress(double fraction, void* self)
+bool vtkFFAlgorithm::vtkInternals::ForwardProgress(double fraction, void* self)
 {
-  auto* filter = static_cast<vtkFFAlgorithm*>(self);
-  const double* range = filter->ProgressRange;
-  const double* part = filter->ProgressPart;
+  auto* internals = static_cast<vtkInternals*>(self);
+  const double* range = internals->ProgressRange;
+  const double* part = internals->ProgressPart;
   const double inRange = part[0] + fraction * (part[1] - part[0]);
   // Never back: a run that the CUDA engine gave up starts anew on the CPU.
-  filter->ProgressReached =
-    std::max(filter->ProgressReached, range[0] + inRange * (range[1] - range[0]));
-  filter->UpdateProgress(filter->ProgressReached);
-  return !filter->IsAbortRequested();
+  internals->ProgressReached =
+    std::max(internals->ProgressReached, range[0] + inRange * (range[1] - range[0]));
+  internals->Filter->UpdateProgress(internals->ProgressReached);
+  return !internals->IsAbortRequested();
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::IsAbortRequested()
+bool vtkFFAlgorithm::vtkInternals::IsAbortRequested()
 {
 #if VTK_FF_HAS_CHECK_ABORT
-  return this->CheckAbort();
+  return this->Filter->CheckAbort();
 #else
-  return this->GetAbortExecute() != 0;
+  return this->Filter->GetAbortExecute() != 0;
 #endif
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::NoteAbort(vtkFFFailure& failure)
+void vtkFFAlgorithm::vtkInternals::NoteAbort(vtkFFFailure& failure)
 {
   if (failure.Kind == vtkFFFailure::None && this->IsAbortRequested())
   {
@@ -326,7 +346,7 @@ void vtkFFAlgorithm::NoteAbort(vtkFFFailure& failure)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::DescribePoint(vtkIdType place)
+std::string vtkFFAlgorithm::vtkInternals::DescribePoint(vtkIdType place)
 {
   for (const Block& block : this->CurrentBlocks)
   {
@@ -340,14 +360,15 @@ std::string vtkFFAlgorithm::DescribePoint(vtkIdType place)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::OfBlock()
+std::string vtkFFAlgorithm::vtkInternals::OfBlock()
 {
   return this->CurrentBlocks.size() == 1 ? ofBlock(this->CurrentBlocks[0].FlatIndex)
                                          : std::string();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::DescribeNonFinite(const std::string& what, const flipflop::Error& error)
+std::string vtkFFAlgorithm::vtkInternals::DescribeNonFinite(
+  const std::string& what, const flipflop::Error& error)
 {
   return what + " is NaN or infinite: first at " +
     this->DescribePoint(static_cast<vtkIdType>(error.index())) + ", " +
@@ -355,7 +376,7 @@ std::string vtkFFAlgorithm::DescribeNonFinite(const std::string& what, const fli
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
+std::string vtkFFAlgorithm::vtkInternals::DescribeError(const flipflop::Error& error)
 {
   using flipflop::ErrorCode;
   const auto index = static_cast<vtkIdType>(error.index());
@@ -399,7 +420,7 @@ std::string vtkFFAlgorithm::DescribeError(const flipflop::Error& error)
         " is not star-shaped, or no point was found from which it is. Give one with "
         "SetKernelPoint().";
     case ErrorCode::NoDevice:
-      return std::string("The CUDA engine was asked for, but ") + GetCUDAProblem() +
+      return std::string("The CUDA engine was asked for, but ") + vtkFFAlgorithm::GetCUDAProblem() +
         ". Use SetEngineToAutomatic() or SetEngineToCPU().";
     case ErrorCode::DeviceMemory:
       return "The CUDA device has not enough memory for this input: " + count +
@@ -444,6 +465,12 @@ const char* vtkFFAlgorithm::GetEngineUsedAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetEngineReason()
+{
+  return this->Internals->GetEngineReason();
+}
+
+//------------------------------------------------------------------------------
 const char* vtkFFAlgorithm::GetFacetModeAsString()
 {
   return this->FacetMode == FACETS_AS_POLYGONS ? "Polygons" : "Triangles";
@@ -472,7 +499,7 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReportAsFieldData: " << onOff(this->ReportAsFieldData) << "\n";
   os << indent << "VBiased: " << onOff(this->VBiased) << "\n";
   os << indent << "EngineUsed: " << this->GetEngineUsedAsString() << "\n";
-  os << indent << "EngineReason: " << this->EngineReason << "\n";
+  os << indent << "EngineReason: " << this->GetEngineReason() << "\n";
   os << indent << "Dimension: " << this->Dimension << "\n";
   os << indent << "NumberOfInputPoints: " << this->NumberOfInputPoints << "\n";
   os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
@@ -495,3 +522,4 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SecondsToFinish: " << this->SecondsToFinish << "\n";
   os << indent << "SecondsTotal: " << this->SecondsTotal << "\n";
 }
+VTK_ABI_NAMESPACE_END

@@ -41,38 +41,14 @@
 #ifndef vtkFFAlgorithm_h
 #define vtkFFAlgorithm_h
 
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <string> // For std::string
+#include <memory> // For std::unique_ptr
 
-class vtkDataObject;
-class vtkDataSetAttributes;
-class vtkPointSet;
-
-#ifndef __VTK_WRAP__
-#include "vtkSmartPointer.h" // For vtkSmartPointer
-
-#include <cstddef>    // For std::size_t
-#include <functional> // For std::function
-#include <memory>     // For std::unique_ptr
-#include <vector>     // For std::vector
-
-class vtkFFAheadRuns;
-class vtkFFBlockWork;
-struct vtkFFFailure;
-
-namespace flipflop
-{
-class Error;
-struct CellComplex;
-struct EngineOptions;
-struct EngineReport;
-struct Options;
-}
-#endif
-
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm : public vtkPolyDataAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
   //@{
@@ -155,7 +131,7 @@ public:
   /**
    * Get whether this build has a CUDA engine and this machine has a device that can run it; the
    * device's name (empty if there is none); and why there is none (empty if there is one). It
-   * checks once, at the first call.
+   * checks at the first call, and again where the device only failed for a moment.
    */
   static bool IsCUDAAvailable();
   static const char* GetCUDADeviceName();
@@ -170,7 +146,7 @@ public:
    */
   vtkGetMacro(EngineUsed, int);
   const char* GetEngineUsedAsString();
-  const char* GetEngineReason() { return this->EngineReason.c_str(); }
+  const char* GetEngineReason();
   //@}
 
   //@{
@@ -293,8 +269,8 @@ public:
    *   triangle (none by the CUDA engine)
    * - Insertions: vertices inserted while growing (1-3 flips), over
    *   all levels
-   * - PointMoves: how often growing moved a point to a child of its
-   *   cone (none by the CUDA engine)
+   * - PointMoves: how often a point was handed on: by growing, to
+   *   a child cone; on a walk, to the next triangle
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
    * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume)
    *   and the D-criterion (degree)
@@ -353,20 +329,6 @@ public:
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-#ifndef __VTK_WRAP__
-  /**
-   * A block of the input: a leaf, or a vtkPartitionedDataSet, whose partitions are the pieces of
-   * one data set. It has the pieces on this process, the flat index (0 if the input itself is the
-   * only block), and the number of points on all processes.
-   */
-  struct Block
-  {
-    std::vector<vtkPointSet*> Pieces;
-    unsigned int FlatIndex;
-    vtkIdType NumberOfPoints;
-  };
-#endif
-
 protected:
   vtkFFAlgorithm();
   ~vtkFFAlgorithm() override;
@@ -378,163 +340,16 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-#ifndef __VTK_WRAP__
   /**
-   * What a subclass does: one result from the points of @p blocks (of a single one, unless
-   * CombinesBlocks()), on all its ports. False if there was an error or an abort.
+   * What the filters do and how they differ in that. It is a matter of this module and of
+   * FlipFlop::FiltersParallelFlipFlop: no installed header defines it.
    */
-  virtual bool Execute(
-    const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) = 0;
+  class vtkInternals;
 
   /**
-   * The work that Execute() would do on @p block alone, so that small blocks can run side by side.
-   * Null (the default): only Execute() can do it.
+   * What a subclass does its own way, in the place of what its superclass does.
    */
-  virtual std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block);
-
-  /**
-   * Do all steps of @p work immediately, guarded as RunEngine() is. False if there was an error or
-   * an abort.
-   */
-  bool ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs);
-
-  /**
-   * Whether all blocks give one result, which is then no composite.
-   */
-  virtual bool CombinesBlocks()
-  {
-    return false;
-  }
-
-  /**
-   * The types that a leaf may have: vtkPointSet, vtkImageData, vtkRectilinearGrid, or derived.
-   */
-  virtual std::vector<std::string> GetLeafTypes()
-  {
-    return { "vtkPointSet", "vtkImageData", "vtkRectilinearGrid" };
-  }
-
-  /**
-   * Set the failure if the settings contradict each other. By default they never do.
-   */
-  virtual void CheckSettings(vtkFFFailure&) {}
-
-  /**
-   * Keep only the blocks to work on: by default, those with data. False if there is a failure, new
-   * or already in @p failure; it is reported.
-   */
-  virtual bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure);
-
-  /**
-   * Reset the figures of the last run. RequestData does this first.
-   */
-  virtual void ResetReport();
-
-  /**
-   * Add a result to this run's report, and to the output's field data if ReportAsFieldData is on.
-   */
-  void AddToReport(
-    const flipflop::CellComplex& cells, const flipflop::EngineReport& engine, vtkPolyData* output);
-
-  /**
-   * What the engine is to do for a subclass. The report receives which engine ran, and why.
-   */
-  using EngineWork = std::function<void(
-    const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)>;
-
-  /**
-   * Run @p work with the options set here, guarded: any exception becomes a failure, and the result
-   * is false. No exception leaves this function.
-   */
-  bool TryEngine(const EngineWork& work, vtkFFFailure& failure);
-
-  /**
-   * The same, and a failure becomes an error (an abort becomes none).
-   */
-  bool RunEngine(const EngineWork& work);
-
-  /**
-   * A failure becomes an error, unless it is an abort. If @p aloud is false, another process
-   * reports the error, and this one only sets the error code.
-   */
-  void ReportFailure(const vtkFFFailure& failure, bool aloud = true);
-
-  /**
-   * Report an error: the message, and the error code that tells callers of the failure.
-   */
-  void ReportError(const std::string& message);
-
-  /**
-   * The part of the current block's progress that the engine's next runs cover: by default all.
-   */
-  void SetProgressPart(double begin, double end);
-
-  /**
-   * Whether somebody asked this filter to stop.
-   */
-  bool IsAbortRequested();
-
-  /**
-   * If somebody asked for an abort, and there is no other failure, the abort is the failure.
-   */
-  void NoteAbort(vtkFFFailure& failure);
-
-  /**
-   * The place, among all points of CurrentBlocks, of the engine's point @p index: the same number,
-   * unless the engine was given only some of the points.
-   */
-  virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
-  {
-    return this->PlacesOfPoints.empty() ? index
-                                        : this->PlacesOfPoints[static_cast<std::size_t>(index)];
-  }
-
-  /**
-   * The pieces with the points to use: all points, or all but ghosts if SkipGhostPoints is on.
-   * @p places becomes the ids of these points among all points; it is empty if all are used.
-   *
-   * @throw std::runtime_error, flipflop::Error.
-   */
-  std::vector<vtkSmartPointer<vtkPointSet>> TakePoints(
-    const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
-
-  /**
-   * The places, among all points of CurrentBlocks, of the points that the engine was given; empty
-   * if it was given all.
-   */
-  std::vector<vtkIdType> PlacesOfPoints;
-
-  /**
-   * The original ids of @p output count the points given to the engine: make them count all points.
-   */
-  void RestoreIds(vtkDataSetAttributes* output);
-
-  /**
-   * How errors name a point of CurrentBlocks: "point 7 of the block of flat index 2".
-   */
-  std::string DescribePoint(vtkIdType place);
-
-  /**
-   * How errors name the current block: " of the block of flat index 2", or nothing if it is the
-   * whole input.
-   */
-  std::string OfBlock();
-
-  /**
-   * Which numbers are not finite, the first one, and how many: the sentence before the advice.
-   */
-  std::string DescribeNonFinite(const std::string& what, const flipflop::Error& error);
-
-  /**
-   * An engine's error as a sentence: what is wrong, where, how often, and what helps.
-   */
-  virtual std::string DescribeError(const flipflop::Error& error);
-
-  /**
-   * The blocks in work.
-   */
-  std::vector<Block> CurrentBlocks;
-#endif
+  void SetInternals(std::unique_ptr<vtkInternals> internals);
 
   int Engine;
   vtkIdType CUDAThreshold;
@@ -551,27 +366,13 @@ private:
   vtkFFAlgorithm(const vtkFFAlgorithm&) = delete;
   void operator=(const vtkFFAlgorithm&) = delete;
 
-#ifndef __VTK_WRAP__
-  void CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
-  void AddBlock(
-    vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure);
-  bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
-    const std::vector<vtkDataObject*>& outputs);
-  bool RunAhead(const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs);
-  void ReduceReportToFailure(); // blocks that went well before it are forgotten
-  void SetProgressRange(double begin, double end);
-  static bool ForwardProgress(double fraction, void* self);
-
-  std::vector<vtkSmartPointer<vtkPointSet>> LaidOutPoints; // of blocks, while these are worked on
-#endif
+  std::unique_ptr<vtkInternals> Internals;
 
   int EngineUsed;
-  std::string EngineReason;
   int Dimension;
 
   vtkIdType NumberOfInputPoints;
   vtkIdType NumberOfNonFinitePoints;
-  vtkIdType NonFinitePointsOfFailure;
   vtkIdType NumberOfCulledPoints;
   vtkIdType NumberOfInsertions;
   vtkIdType NumberOfPointMoves;
@@ -591,10 +392,7 @@ private:
   double SecondsToFlip;
   double SecondsToFinish;
   double SecondsTotal;
-
-  double ProgressRange[2]; // of what is being worked on
-  double ProgressPart[2];  // within that
-  double ProgressReached;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

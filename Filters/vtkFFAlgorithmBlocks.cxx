@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The way of vtkFFAlgorithm through the pipeline and through composites: its input taken apart into
 // blocks, its outputs put together from their results.
-#include "vtkFFAlgorithm.h"
+#include "vtkFFAlgorithmInternals.h"
 
 #include "vtkFFAheadRuns.h"
 #include "vtkFFBlockWork.h"
@@ -15,6 +15,7 @@
 #include <flipflop/Engines.h>
 
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -34,6 +35,7 @@
 #include <memory>
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -138,7 +140,7 @@ int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
   // report stay, and processes that have a good one wait for ever.
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  for (const std::string& type : this->GetLeafTypes())
+  for (const std::string& type : this->Internals->GetLeafTypes())
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type.c_str());
   }
@@ -170,7 +172,7 @@ int vtkFFAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* tree = vtkDataObjectTree::GetData(inputVector[0]);
-  const bool likeTree = tree && !this->CombinesBlocks();
+  const bool likeTree = tree && !this->Internals->CombinesBlocks();
   const char* type = likeTree ? tree->GetClassName() : "vtkPolyData";
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
@@ -206,6 +208,14 @@ int vtkFFAlgorithm::RequestData(
     outputs.push_back(vtkDataObject::GetData(outputVector, port));
     vtkFFOutput::RemoveReport(outputs.back()->GetFieldData()); // the executive passed the input's
   }
+  this->Internals->RunFilter(input, outputs);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::vtkInternals::RunFilter(
+  vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
+{
   this->ResetReport();
 
   std::vector<Block> blocks;
@@ -243,11 +253,11 @@ int vtkFFAlgorithm::RequestData(
     }
     this->ReduceReportToFailure();
   }
-  return 1;
+  return done;
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::AddBlock(
+void vtkFFAlgorithm::vtkInternals::AddBlock(
   vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   std::vector<vtkDataObject*> pieces{ data };
@@ -298,7 +308,7 @@ void vtkFFAlgorithm::AddBlock(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::CollectBlocks(
+void vtkFFAlgorithm::vtkInternals::CollectBlocks(
   vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   if (!input)
@@ -314,7 +324,7 @@ void vtkFFAlgorithm::CollectBlocks(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
+bool vtkFFAlgorithm::vtkInternals::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   const auto isMissing = [](const Block& block) { return block.Pieces.empty(); };
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
@@ -323,11 +333,11 @@ bool vtkFFAlgorithm::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& fail
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkPointSet>> vtkFFAlgorithm::TakePoints(
+std::vector<vtkSmartPointer<vtkPointSet>> vtkFFAlgorithm::vtkInternals::TakePoints(
   const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places)
 {
   places.clear();
-  if (this->SkipGhostPoints)
+  if (this->Filter->SkipGhostPoints)
   {
     return vtkFFPieces::SkipGhosts(pieces, places);
   }
@@ -335,7 +345,7 @@ std::vector<vtkSmartPointer<vtkPointSet>> vtkFFAlgorithm::TakePoints(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::RestoreIds(vtkDataSetAttributes* output)
+void vtkFFAlgorithm::vtkInternals::RestoreIds(vtkDataSetAttributes* output)
 {
   if (!this->PlacesOfPoints.empty())
   {
@@ -345,13 +355,14 @@ void vtkFFAlgorithm::RestoreIds(vtkDataSetAttributes* output)
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkFFAlgorithm::NewBlockWork(const Block&)
+std::unique_ptr<vtkFFBlockWork> vtkFFAlgorithm::vtkInternals::NewBlockWork(const Block&)
 {
   return nullptr;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs)
+bool vtkFFAlgorithm::vtkInternals::ExecuteWork(
+  vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs)
 {
   return this->RunEngine(
     [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
@@ -364,7 +375,7 @@ bool vtkFFAlgorithm::ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPoly
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::RunAhead(
+bool vtkFFAlgorithm::vtkInternals::RunAhead(
   const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs)
 {
   return this->RunEngine(
@@ -405,8 +416,8 @@ bool vtkFFAlgorithm::RunAhead(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
-  const std::vector<vtkDataObject*>& outputs)
+bool vtkFFAlgorithm::vtkInternals::ExecuteEachBlock(const std::vector<Block>& blocks,
+  vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
 {
   auto* inputTree = vtkDataObjectTree::SafeDownCast(input);
   double total = 1.0; // avoids 0 / 0 for blocks without a point
@@ -466,3 +477,4 @@ bool vtkFFAlgorithm::ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataO
   }
   return true;
 }
+VTK_ABI_NAMESPACE_END

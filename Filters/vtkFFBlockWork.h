@@ -13,9 +13,9 @@
 #ifndef vtkFFBlockWork_h
 #define vtkFFBlockWork_h
 
-#include <vector>
+#include "vtkFFMarks.h"
 
-class vtkPolyData;
+#include <vector>
 
 namespace flipflop
 {
@@ -23,6 +23,9 @@ struct EngineOptions;
 struct EngineReport;
 struct Options;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
 
 class vtkFFBlockWork
 {
@@ -51,5 +54,6 @@ public:
   virtual void Write(const flipflop::Options& options, const flipflop::EngineReport& report,
     const std::vector<vtkPolyData*>& outputs) = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

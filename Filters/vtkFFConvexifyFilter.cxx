@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFConvexifyFilter.h"
 
+#include "vtkFFHullInternals.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
@@ -20,8 +21,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <sstream>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFConvexifyFilter);
 
 namespace
@@ -77,10 +80,26 @@ private:
 }
 
 //------------------------------------------------------------------------------
+class vtkFFConvexifyFilter::vtkInternals : public vtkFFHullAlgorithm::vtkInternals
+{
+public:
+  using vtkFFHullAlgorithm::vtkInternals::vtkInternals;
+
+  std::vector<std::string> GetLeafTypes() override { return { "vtkPolyData" }; }
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::string DescribeError(const flipflop::Error& error) override;
+
+private:
+  bool CheckCells(vtkPolyData* input);
+  bool Convexify(vtkPolyData* input, vtkPolyData* output);
+};
+
+//------------------------------------------------------------------------------
 vtkFFConvexifyFilter::vtkFFConvexifyFilter()
   : KernelPoint{ 0.0, 0.0, 0.0 }
   , UseKernelPoint(false)
 {
+  this->SetInternals(std::make_unique<vtkInternals>(this));
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +130,7 @@ void vtkFFConvexifyFilter::StoreKernelPoint(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFConvexifyFilter::Execute(
+bool vtkFFConvexifyFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
   vtkPolyData* input = vtkPolyData::SafeDownCast(blocks[0].Pieces.front());
@@ -142,7 +161,7 @@ bool vtkFFConvexifyFilter::Execute(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFConvexifyFilter::CheckCells(vtkPolyData* input)
+bool vtkFFConvexifyFilter::vtkInternals::CheckCells(vtkPolyData* input)
 {
   // Cells are counted as vtkPolyData does: vertices, lines, polygons, strips.
   const char* kind = nullptr;
@@ -205,15 +224,16 @@ bool vtkFFConvexifyFilter::CheckCells(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
+bool vtkFFConvexifyFilter::vtkInternals::Convexify(vtkPolyData* input, vtkPolyData* output)
 {
-  if (this->Engine == ENGINE_CUDA)
+  const auto* filter = static_cast<vtkFFConvexifyFilter*>(this->GetFilter());
+  if (filter->Engine == ENGINE_CUDA)
   {
     this->ReportError("The CUDA engine was asked for, but this filter runs on the CPU. Use "
                       "SetEngineToAutomatic() or SetEngineToCPU().");
     return false;
   }
-  const double* kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
+  const double* kernel = filter->UseKernelPoint ? filter->KernelPoint : nullptr;
   if (kernel && !std::all_of(kernel, kernel + 3, [](double x) { return vtkMath::IsFinite(x); }))
   {
     std::ostringstream message;
@@ -228,7 +248,8 @@ bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
   {
     report.used = flipflop::EngineChoice::CPU;
     std::snprintf(report.reason, sizeof(report.reason), "%s",
-      this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "this filter runs on the CPU");
+      filter->Engine == ENGINE_CPU ? "the CPU engine was asked for"
+                                   : "this filter runs on the CPU");
 
     flipflop::Options options = chosen;
     options.nonFinite = flipflop::NonFinitePolicy::Error;
@@ -244,24 +265,24 @@ bool vtkFFConvexifyFilter::Convexify(vtkPolyData* input, vtkPolyData* output)
     this->AddToReport(hull, report, output);
 
     std::vector<vtkFFOutput::Source> data;
-    if (this->PassPointData)
+    if (filter->PassPointData)
     {
       data.push_back({ input->GetPointData(), input->GetNumberOfPoints() });
     }
-    vtkFFOutput::Adopt(hull, source, data, this->VisiblePointIds, output);
+    vtkFFOutput::Adopt(hull, source, data, filter->VisiblePointIds, output);
   };
   return this->RunEngine(work);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFConvexifyFilter::DescribeError(const flipflop::Error& error)
+std::string vtkFFConvexifyFilter::vtkInternals::DescribeError(const flipflop::Error& error)
 {
   if (error.code() == flipflop::ErrorCode::NonFinite)
   {
     return this->DescribeNonFinite("A coordinate", error) +
       " They are corners of the surface, which has to be mended.";
   }
-  return this->Superclass::DescribeError(error);
+  return this->vtkFFHullAlgorithm::vtkInternals::DescribeError(error);
 }
 
 //------------------------------------------------------------------------------
@@ -272,3 +293,4 @@ void vtkFFConvexifyFilter::PrintSelf(ostream& os, vtkIndent indent)
      << this->KernelPoint[2] << ")\n";
   os << indent << "UseKernelPoint: " << (this->UseKernelPoint ? "On" : "Off") << "\n";
 }
+VTK_ABI_NAMESPACE_END

@@ -38,9 +38,11 @@
 #define vtkFFConvexifyFilter_h
 
 #include "vtkFFHullAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFConvexifyFilter : public vtkFFHullAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
   //@{
@@ -80,14 +82,7 @@ protected:
   vtkFFConvexifyFilter();
   ~vtkFFConvexifyFilter() override;
 
-#ifndef __VTK_WRAP__
-  std::vector<std::string> GetLeafTypes() override
-  {
-    return { "vtkPolyData" };
-  }
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::string DescribeError(const flipflop::Error& error) override;
-#endif
+  class vtkInternals;
 
   double KernelPoint[3];
   bool UseKernelPoint;
@@ -95,11 +90,7 @@ protected:
 private:
   vtkFFConvexifyFilter(const vtkFFConvexifyFilter&) = delete;
   void operator=(const vtkFFConvexifyFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  bool CheckCells(vtkPolyData* input);
-  bool Convexify(vtkPolyData* input, vtkPolyData* output);
-#endif
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -19,6 +19,7 @@
 #define VTK_FF_HAS_DEVICE_ARRAYS 0
 #endif
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -162,3 +163,4 @@ template void vtkFFExactValues::Copy<3>(vtkDataArray*, const char*, vtkIdType, f
 template void vtkFFExactValues::Copy<3>(vtkDataArray*, const char*, vtkIdType, double*);
 template void vtkFFExactValues::Copy<1>(vtkDataArray*, const char*, vtkIdType, float*);
 template void vtkFFExactValues::Copy<1>(vtkDataArray*, const char*, vtkIdType, double*);
+VTK_ABI_NAMESPACE_END

@@ -12,10 +12,12 @@
 #ifndef vtkFFExactValues_h
 #define vtkFFExactValues_h
 
+#include "vtkFFMarks.h"
 #include "vtkType.h"
 
 #include <exception>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractArray;
 class vtkDataArray;
 
@@ -75,5 +77,6 @@ public:
   template <int Components, class Out>
   static void Copy(vtkDataArray* array, const char* kind, vtkIdType begin, Out* to);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -11,11 +11,13 @@
 #ifndef vtkFFFailure_h
 #define vtkFFFailure_h
 
+#include "vtkFFMarks.h"
 #include "vtkType.h"
 
 #include <algorithm>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkFFFailure
 {
   /// The graver kinds come last.
@@ -58,5 +60,6 @@ struct vtkFFFailure
     }
   }
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -25,6 +25,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -163,3 +164,4 @@ vtkSmartPointer<vtkPointSet> vtkFFGridPoints::PointsOf(
   result->GetFieldData()->ShallowCopy(data->GetFieldData());
   return result;
 }
+VTK_ABI_NAMESPACE_END

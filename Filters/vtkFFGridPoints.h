@@ -11,10 +11,12 @@
 #ifndef vtkFFGridPoints_h
 #define vtkFFGridPoints_h
 
+#include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkPointSet;
 
@@ -34,5 +36,6 @@ public:
    */
   static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

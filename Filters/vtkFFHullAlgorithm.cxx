@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullAlgorithm.h"
 
+#include "vtkFFHullInternals.h"
 #include "vtkFFOutput.h"
 #include <flipflop/Hull.h>
 
 #include "vtkPolyData.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkFFHullAlgorithm::vtkFFHullAlgorithm()
   : Volume(0.0)
@@ -18,21 +20,23 @@ vtkFFHullAlgorithm::vtkFFHullAlgorithm()
 vtkFFHullAlgorithm::~vtkFFHullAlgorithm() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::ResetReport()
+void vtkFFHullAlgorithm::vtkInternals::ResetReport()
 {
-  this->Superclass::ResetReport();
-  this->Volume = 0.0;
-  this->Area = 0.0;
+  auto* filter = static_cast<vtkFFHullAlgorithm*>(this->GetFilter());
+  this->vtkFFAlgorithm::vtkInternals::ResetReport();
+  filter->Volume = 0.0;
+  filter->Area = 0.0;
 }
 
 //------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::AddToReport(
+void vtkFFHullAlgorithm::vtkInternals::AddToReport(
   const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output)
 {
-  this->Superclass::AddToReport(hull, engine, output);
-  this->Volume += hull.volume;
-  this->Area += hull.area;
-  if (this->ReportAsFieldData)
+  auto* filter = static_cast<vtkFFHullAlgorithm*>(this->GetFilter());
+  this->vtkFFAlgorithm::vtkInternals::AddToReport(hull, engine, output);
+  filter->Volume += hull.volume;
+  filter->Area += hull.area;
+  if (filter->ReportAsFieldData)
   {
     vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopVolume", hull.volume);
     vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopArea", hull.area);
@@ -46,3 +50,4 @@ void vtkFFHullAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Volume: " << this->Volume << "\n";
   os << indent << "Area: " << this->Area << "\n";
 }
+VTK_ABI_NAMESPACE_END

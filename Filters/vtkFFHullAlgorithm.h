@@ -15,16 +15,11 @@
 #define vtkFFHullAlgorithm_h
 
 #include "vtkFFAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-#ifndef __VTK_WRAP__
-namespace flipflop
-{
-struct Hull;
-}
-#endif
-
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm : public vtkFFAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
   //@{
@@ -48,15 +43,7 @@ protected:
   vtkFFHullAlgorithm();
   ~vtkFFHullAlgorithm() override;
 
-#ifndef __VTK_WRAP__
-  void ResetReport() override;
-
-  /**
-   * Add a hull to this run's report, and to the output's field data if ReportAsFieldData is on.
-   */
-  void AddToReport(
-    const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output);
-#endif
+  class vtkInternals;
 
 private:
   vtkFFHullAlgorithm(const vtkFFHullAlgorithm&) = delete;
@@ -65,5 +52,6 @@ private:
   double Volume;
   double Area;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

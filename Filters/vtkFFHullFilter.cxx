@@ -3,6 +3,7 @@
 #include "vtkFFHullFilter.h"
 
 #include "vtkFFBlockWork.h"
+#include "vtkFFHullInternals.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFHullFilter);
 
 namespace
@@ -43,16 +45,29 @@ std::vector<vtkDataArray*> arraysOf(const std::vector<vtkPointSet*>& pieces)
 vtkFFHullFilter::vtkFFHullFilter()
   : CompositeMode(HULL_OF_EACH_BLOCK)
 {
+  this->SetInternals(std::make_unique<vtkInternals>(this));
 }
 
 //------------------------------------------------------------------------------
 vtkFFHullFilter::~vtkFFHullFilter() = default;
 
 //------------------------------------------------------------------------------
-class vtkFFHullFilter::Work : public vtkFFBlockWork
+vtkFFHullFilter* vtkFFHullFilter::vtkInternals::GetHullFilter()
+{
+  return static_cast<vtkFFHullFilter*>(this->GetFilter());
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFHullFilter::vtkInternals::CombinesBlocks()
+{
+  return this->GetHullFilter()->CompositeMode == HULL_OF_ALL_BLOCKS;
+}
+
+//------------------------------------------------------------------------------
+class vtkFFHullFilter::vtkInternals::Work : public vtkFFBlockWork
 {
 public:
-  Work(vtkFFHullFilter* filter, const std::vector<Block>& blocks)
+  Work(vtkInternals* filter, const std::vector<Block>& blocks)
     : Filter(filter)
   {
     for (const Block& block : blocks)
@@ -87,7 +102,7 @@ public:
   }
 
 private:
-  vtkFFHullFilter* Filter;
+  vtkInternals* Filter;
   std::vector<vtkPointSet*> Pieces;
   std::vector<vtkSmartPointer<vtkPointSet>> Counted;
   std::optional<vtkFFPointSource> Points;
@@ -95,7 +110,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool vtkFFHullFilter::Execute(
+bool vtkFFHullFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
   Work work(this, blocks);
@@ -103,13 +118,13 @@ bool vtkFFHullFilter::Execute(
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkFFHullFilter::NewBlockWork(const Block& block)
+std::unique_ptr<vtkFFBlockWork> vtkFFHullFilter::vtkInternals::NewBlockWork(const Block& block)
 {
   return std::make_unique<Work>(this, std::vector<Block>{ block });
 }
 
 //------------------------------------------------------------------------------
-flipflop::Hull vtkFFHullFilter::TakeHull(const std::vector<vtkPointSet*>& pieces,
+flipflop::Hull vtkFFHullFilter::vtkInternals::TakeHull(const std::vector<vtkPointSet*>& pieces,
   const flipflop::Options& options, const flipflop::EngineOptions& engine,
   flipflop::EngineReport& report, vtkPolyData* output)
 {
@@ -120,22 +135,22 @@ flipflop::Hull vtkFFHullFilter::TakeHull(const std::vector<vtkPointSet*>& pieces
 }
 
 //------------------------------------------------------------------------------
-void vtkFFHullFilter::AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
+void vtkFFHullFilter::vtkInternals::AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
   const std::vector<vtkPointSet*>& pieces, vtkPolyData* output)
 {
   std::vector<vtkFFOutput::Source> data;
-  if (this->PassPointData)
+  if (this->GetHullFilter()->PassPointData)
   {
     for (vtkPointSet* piece : pieces)
     {
       data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
     }
   }
-  vtkFFOutput::Adopt(hull, points, data, this->VisiblePointIds, output);
+  vtkFFOutput::Adopt(hull, points, data, this->GetHullFilter()->VisiblePointIds, output);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFHullFilter::AddBlockIndex(vtkPolyData* output)
+void vtkFFHullFilter::vtkInternals::AddBlockIndex(vtkPolyData* output)
 {
   const std::vector<Block>& blocks = this->CurrentBlocks;
   if (blocks.size() == 1 && blocks[0].FlatIndex == 0)
@@ -172,3 +187,4 @@ void vtkFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CompositeMode: " << this->GetCompositeModeAsString() << "\n";
 }
+VTK_ABI_NAMESPACE_END

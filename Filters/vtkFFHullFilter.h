@@ -60,13 +60,11 @@
 #define vtkFFHullFilter_h
 
 #include "vtkFFHullAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-#ifndef __VTK_WRAP__
-class vtkFFPointSource;
-#endif
-
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter : public vtkFFHullAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
   //@{
@@ -103,45 +101,14 @@ protected:
   vtkFFHullFilter();
   ~vtkFFHullFilter() override;
 
-#ifndef __VTK_WRAP__
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  bool CombinesBlocks() override
-  {
-    return this->CompositeMode == HULL_OF_ALL_BLOCKS;
-  }
-
-  /**
-   * The hull of the points of all @p pieces, one after another. Sets points, cells, point data and
-   * ids of @p output. The returned hull still has the figures to report.
-   *
-   * @throw vtkFFInexactValue, flipflop::Error.
-   */
-  flipflop::Hull TakeHull(const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options,
-    const flipflop::EngineOptions& engine, flipflop::EngineReport& report, vtkPolyData* output);
-
-  /**
-   * Add the array BlockIndex to the hull of all blocks, whose points are CurrentBlocks'. Does
-   * nothing if the input is no composite.
-   */
-  void AddBlockIndex(vtkPolyData* output);
-#endif
+  class vtkInternals;
 
   int CompositeMode;
 
 private:
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;
   void operator=(const vtkFFHullFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  class Work;
-
-  /**
-   * Make the hull of the @p points of @p pieces the output, which takes over its cells and ids.
-   */
-  void AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
-    const std::vector<vtkPointSet*>& pieces, vtkPolyData* output);
-#endif
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

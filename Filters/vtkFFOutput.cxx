@@ -29,6 +29,7 @@
 #include <memory>
 #include <numeric>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -361,3 +362,4 @@ void vtkFFOutput::AddValue(vtkFieldData* output, const char* name, const char* v
 {
   addValue<vtkStringArray>(output, name, value);
 }
+VTK_ABI_NAMESPACE_END

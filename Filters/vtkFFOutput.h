@@ -6,6 +6,8 @@
  *
  * vtkFFOutput turns the engine's results into the parts of a vtkPolyData. The VTK arrays take over
  * the engine's buffers without a copy.
+ *
+ * The filters for distributed data are another library: the functions that they need are exported.
  */
 
 #ifndef vtkFFOutput_h
@@ -13,6 +15,8 @@
 
 #include <flipflop/Buffer.h>
 
+#include "vtkFFMarks.h"
+#include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -20,6 +24,12 @@
 #include <functional>
 #include <vector>
 
+namespace flipflop
+{
+struct CellComplex;
+}
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCellData;
 class vtkDataSetAttributes;
 class vtkFFPointSource;
@@ -27,11 +37,6 @@ class vtkFieldData;
 class vtkIdTypeArray;
 class vtkPointData;
 class vtkPolyData;
-
-namespace flipflop
-{
-struct CellComplex;
-}
 
 class vtkFFOutput
 {
@@ -100,7 +105,7 @@ public:
   /**
    * Replace each of the output's original ids by @p idOf(id), if it has any.
    */
-  static void Renumber(
+  VTKFILTERSFLIPFLOP_EXPORT static void Renumber(
     vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf);
 
   //@{
@@ -113,5 +118,6 @@ public:
   static void AddValue(vtkFieldData* output, const char* name, const char* value);
   //@}
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

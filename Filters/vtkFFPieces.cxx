@@ -23,6 +23,7 @@
 #include <stdexcept>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -126,3 +127,4 @@ std::vector<vtkSmartPointer<vtkPointSet>> vtkFFPieces::SkipGhosts(
   }
   return left;
 }
+VTK_ABI_NAMESPACE_END

@@ -5,16 +5,21 @@
  * @brief   points that come in pieces
  *
  * vtkFFPieces handles the pieces of one data set: partitions, or the parts on several processes.
+ *
+ * The filters for distributed data are another library: the functions that they need are exported.
  */
 
 #ifndef vtkFFPieces_h
 #define vtkFFPieces_h
 
+#include "vtkFFMarks.h"
+#include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 
 class vtkFFPieces
@@ -26,7 +31,8 @@ public:
    *
    * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */
-  static vtkSmartPointer<vtkPointSet> Append(const std::vector<vtkPointSet*>& pieces);
+  VTKFILTERSFLIPFLOP_EXPORT static vtkSmartPointer<vtkPointSet> Append(
+    const std::vector<vtkPointSet*>& pieces);
 
   /**
    * The pieces without their ghost points, which are marked as duplicates of another piece's or as
@@ -39,5 +45,6 @@ public:
   static std::vector<vtkSmartPointer<vtkPointSet>> SkipGhosts(
     const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -158,3 +159,4 @@ vtkSmartPointer<vtkPoints> vtkFFPointSource::Gather(const std::int64_t* ids, vtk
   }
   return points;
 }
+VTK_ABI_NAMESPACE_END

@@ -20,12 +20,14 @@
 #include <flipflop/Buffer.h>
 #include <flipflop/PointView.h>
 
+#include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkPoints;
 
@@ -69,5 +71,6 @@ private:
   int OutputType;
   bool ZeroCopy = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

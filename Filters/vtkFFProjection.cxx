@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -304,3 +305,4 @@ bool vtkFFProjection::ToSpace(const double* xy, vtkIdType count, double* xyz) co
   }
   return allFinite;
 }
+VTK_ABI_NAMESPACE_END

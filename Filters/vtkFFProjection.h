@@ -19,8 +19,10 @@
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
 
+#include "vtkFFMarks.h"
 #include "vtkType.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractTransform;
 
 class vtkFFProjection
@@ -111,5 +113,6 @@ private:
   bool Fitted = false;
   Plane BestPlane;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

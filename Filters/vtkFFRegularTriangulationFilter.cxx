@@ -8,6 +8,7 @@
 #include "vtkFFPieces.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFProjection.h"
+#include "vtkFFRegularTriangulationInternals.h"
 #include "vtkFFWeightSource.h"
 
 #include <flipflop/Engines.h>
@@ -31,16 +32,14 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFRegularTriangulationFilter);
 
 namespace
@@ -48,98 +47,6 @@ namespace
 
 /// Of the progress, where a power diagram follows.
 constexpr double shareOfTriangulation = 0.4;
-
-/// The triangles that canonical polygons stand for: each one's fan from its lowest corner.
-void fanPolygons(flipflop::Triangulation& triangulation)
-{
-  const std::int64_t count = triangulation.cellCount();
-  if (triangulation.dimension < 2 || triangulation.cellSize == 3)
-  {
-    return;
-  }
-  const std::int64_t* corners = triangulation.connectivity.data();
-  std::vector<std::array<std::int64_t, 3>> triangles;
-  triangles.reserve(triangulation.connectivity.size());
-  std::size_t group = 0; // polygons are sorted: only triangles of one lowest corner can be mixed up
-  for (std::int64_t cell = 0; cell < count; ++cell)
-  {
-    const std::int64_t begin = triangulation.cellBegin(cell);
-    const std::int64_t end = triangulation.cellBegin(cell + 1);
-    if (group < triangles.size() && triangles[group][0] != corners[begin])
-    {
-      std::sort(triangles.begin() + static_cast<std::ptrdiff_t>(group), triangles.end());
-      group = triangles.size();
-    }
-    for (std::int64_t k = begin + 1; k + 1 < end; ++k)
-    {
-      triangles.push_back({ corners[begin], corners[k], corners[k + 1] });
-    }
-  }
-  std::sort(triangles.begin() + static_cast<std::ptrdiff_t>(group), triangles.end());
-
-  flipflop::Buffer<std::int64_t> connectivity(3 * triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    std::copy(triangles[i].begin(), triangles[i].end(), connectivity.data() + 3 * i);
-  }
-  triangulation.connectivity = std::move(connectivity);
-  triangulation.offsets = flipflop::Buffer<std::int64_t>();
-  triangulation.cellSize = 3;
-}
-
-/// The points of a view that are named by ids, bounded: (xmin, xmax, ymin, ymax).
-template <class T>
-void boundPoints(
-  const flipflop::PointView& view, const flipflop::Buffer<std::int64_t>& ids, double* box)
-{
-  const T* data = static_cast<const T*>(view.data);
-  for (const std::int64_t id : ids)
-  {
-    for (int k = 0; k < 2; ++k)
-    {
-      const double x = data[id * view.stride + k];
-      box[2 * k] = std::min(box[2 * k], x);
-      box[2 * k + 1] = std::max(box[2 * k + 1], x);
-    }
-  }
-}
-
-/// Makes a range of one value one of that half extent: more where that would round to nothing.
-void widen(double* range, double half)
-{
-  constexpr double most = std::numeric_limits<double>::max();
-  const double middle = range[0];
-  for (; !(range[0] < range[1]); half *= 2.0)
-  {
-    range[0] = std::max(-most, middle - half);
-    range[1] = std::min(most, middle + half);
-  }
-}
-
-/// The box of points that appear, which is that of all: a corner of their hull is never hidden.
-std::array<double, 4> boxOf(
-  const flipflop::PointView& view, const flipflop::Buffer<std::int64_t>& ids)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 4> box{ infinity, -infinity, infinity, -infinity };
-  if (view.type == flipflop::ScalarType::Float32)
-  {
-    boundPoints<float>(view, ids, box.data());
-  }
-  else
-  {
-    boundPoints<double>(view, ids, box.data());
-  }
-  const double half[2] = { 0.5 * box[1] - 0.5 * box[0], 0.5 * box[3] - 0.5 * box[2] };
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    if (box[2 * k] == box[2 * k + 1])
-    {
-      widen(&box[2 * k], half[1 - k] > 0.0 ? half[1 - k] : 0.5);
-    }
-  }
-  return box;
-}
 
 }
 
@@ -153,6 +60,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , NumberOfHiddenPoints(0)
 {
   this->SetNumberOfOutputPorts(3);
+  this->SetInternals(std::make_unique<vtkInternals>(this));
 }
 
 //------------------------------------------------------------------------------
@@ -223,18 +131,27 @@ vtkPolyData* vtkFFRegularTriangulationFilter::GetPowerDiagramOutput()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::ResetReport()
+void vtkFFRegularTriangulationFilter::vtkInternals::ResetReport()
 {
-  this->Superclass::ResetReport();
-  this->NumberOfHiddenPoints = 0;
+  auto* filter = this->GetTriangulationFilter();
+  this->vtkFFAlgorithm::vtkInternals::ResetReport();
+  filter->NumberOfHiddenPoints = 0;
 }
 
 //------------------------------------------------------------------------------
-class vtkFFRegularTriangulationFilter::Work : public vtkFFBlockWork
+vtkFFRegularTriangulationFilter*
+vtkFFRegularTriangulationFilter::vtkInternals::GetTriangulationFilter()
+{
+  return static_cast<vtkFFRegularTriangulationFilter*>(this->GetFilter());
+}
+
+//------------------------------------------------------------------------------
+class vtkFFRegularTriangulationFilter::vtkInternals::Work : public vtkFFBlockWork
 {
 public:
-  Work(vtkFFRegularTriangulationFilter* filter, const Block& block)
-    : Filter(filter)
+  Work(vtkInternals* internals, const Block& block)
+    : Internals(internals)
+    , Filter(internals->GetTriangulationFilter())
     , Pieces(block.Pieces)
   {
   }
@@ -245,15 +162,15 @@ public:
     // points.
     if (this->Pieces.size() == 1)
     {
-      this->Filter->FindWeights(this->Pieces[0]);
+      this->Internals->FindWeights(this->Pieces[0]);
     }
-    this->Counted = this->Filter->TakePoints(this->Pieces, this->Filter->PlacesOfPoints);
+    this->Counted = this->Internals->TakePoints(this->Pieces, this->Internals->PlacesOfPoints);
     this->Input = vtkFFPieces::Append({ this->Counted.begin(), this->Counted.end() });
     vtkPoints* points = this->Input->GetPoints();
     this->Points.emplace(points ? points->GetData() : nullptr);
-    this->Weights.emplace(this->Filter->FindWeights(this->Input));
+    this->Weights.emplace(this->Internals->FindWeights(this->Input));
     this->Projection.emplace(options);
-    this->Filter->Project(*this->Points, *this->Projection);
+    this->Internals->Project(*this->Points, *this->Projection);
   }
 
   void Run(const flipflop::Options& chosen, const flipflop::EngineOptions& engine,
@@ -265,7 +182,7 @@ public:
     if (this->Filter->GeneratePowerDiagram)
     {
       options.facets = flipflop::FacetMode::Polygons;
-      this->Filter->SetProgressPart(0.0, shareOfTriangulation);
+      this->Internals->SetProgressPart(0.0, shareOfTriangulation);
     }
     this->Triangulation = flipflop::regularTriangulation(
       this->Projection->GetView(), this->Weights->GetView(), options, engine, report);
@@ -275,6 +192,7 @@ public:
     const std::vector<vtkPolyData*>& outputs) override;
 
 private:
+  vtkInternals* Internals;
   vtkFFRegularTriangulationFilter* Filter;
   std::vector<vtkPointSet*> Pieces;
   std::vector<vtkSmartPointer<vtkPointSet>> Counted;
@@ -286,7 +204,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::Execute(
+bool vtkFFRegularTriangulationFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
   Work work(this, blocks[0]);
@@ -294,26 +212,29 @@ bool vtkFFRegularTriangulationFilter::Execute(
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkFFRegularTriangulationFilter::NewBlockWork(const Block& block)
+std::unique_ptr<vtkFFBlockWork> vtkFFRegularTriangulationFilter::vtkInternals::NewBlockWork(
+  const Block& block)
 {
+  auto* filter = this->GetTriangulationFilter();
   // With a power diagram there are two runs, and VTK's objects between them.
-  return this->GeneratePowerDiagram ? nullptr : std::make_unique<Work>(this, block);
+  return filter->GeneratePowerDiagram ? nullptr : std::make_unique<Work>(this, block);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::CheckSettings(vtkFFFailure& failure)
+void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& failure)
 {
-  if (this->ProjectionPlaneMode == TRANSFORM_PLANE && !this->Transform)
+  auto* filter = this->GetTriangulationFilter();
+  if (filter->ProjectionPlaneMode == TRANSFORM_PLANE && !filter->Transform)
   {
     failure.Say(
       "The projection is to be a transform, and none is set. Use SetTransform() or another "
       "ProjectionPlaneMode.");
     return;
   }
-  const double* box = this->PowerDiagramBounds;
+  const double* box = filter->PowerDiagramBounds;
   const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
     box[0] < box[1] && box[2] < box[3];
-  if (this->GeneratePowerDiagram && this->PowerDiagramBoxMode == BOX_OF_BOUNDS && !isBox)
+  if (filter->GeneratePowerDiagram && filter->PowerDiagramBoxMode == BOX_OF_BOUNDS && !isBox)
   {
     std::ostringstream message;
     message << "The power diagram's box has no inside or is not finite: PowerDiagramBounds (xmin, "
@@ -324,9 +245,10 @@ void vtkFFRegularTriangulationFilter::CheckSettings(vtkFFFailure& failure)
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input)
+vtkDataArray* vtkFFRegularTriangulationFilter::vtkInternals::FindWeights(vtkPointSet* input)
 {
-  vtkInformationVector* chosen = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
+  auto* filter = this->GetTriangulationFilter();
+  vtkInformationVector* chosen = filter->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
   vtkInformation* choice = chosen ? chosen->GetInformationObject(0) : nullptr;
   if (!choice || input->GetNumberOfPoints() == 0)
   {
@@ -391,13 +313,14 @@ vtkDataArray* vtkFFRegularTriangulationFilter::FindWeights(vtkPointSet* input)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::Project(
+void vtkFFRegularTriangulationFilter::vtkInternals::Project(
   const vtkFFPointSource& points, vtkFFProjection& projection)
 {
-  switch (this->ProjectionPlaneMode)
+  auto* filter = this->GetTriangulationFilter();
+  switch (filter->ProjectionPlaneMode)
   {
     case TRANSFORM_PLANE:
-      projection.ByTransform(points.GetView(), this->Transform);
+      projection.ByTransform(points.GetView(), filter->Transform);
       break;
     case BEST_FITTING_PLANE:
       projection.ToBestFittingPlane(points.GetView());
@@ -409,22 +332,23 @@ void vtkFFRegularTriangulationFilter::Project(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::Work::Write(const flipflop::Options& options,
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::Options& options,
   const flipflop::EngineReport& report, const std::vector<vtkPolyData*>& outputs)
 {
   vtkFFRegularTriangulationFilter* const filter = this->Filter;
+  vtkInternals* const internals = this->Internals;
   flipflop::Triangulation& triangulation = this->Triangulation;
   if (filter->GeneratePowerDiagram)
   {
-    filter->SetProgressPart(shareOfTriangulation, 1.0);
-    filter->BuildPowerDiagram(
+    internals->SetProgressPart(shareOfTriangulation, 1.0);
+    internals->BuildPowerDiagram(
       *this->Projection, this->Weights->GetView(), triangulation, options, this->Input, outputs[2]);
     if (options.facets == flipflop::FacetMode::Triangles)
     {
-      fanPolygons(triangulation);
+      flipflop::fanPolygons(triangulation);
     }
   }
-  filter->AddToReport(triangulation, report, outputs[0]);
+  internals->AddToReport(triangulation, report, outputs[0]);
   const auto hiddenPoints = static_cast<std::int64_t>(triangulation.hiddenIds.size());
   filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hiddenPoints);
   if (filter->ReportAsFieldData)
@@ -445,23 +369,25 @@ void vtkFFRegularTriangulationFilter::Work::Write(const flipflop::Options& optio
   vertices.pointIds = std::move(triangulation.hiddenIds);
   vtkFFOutput::Adopt(vertices, *this->Points, data, filter->VisiblePointIds, outputs[1]);
   vtkFFOutput::Adopt(triangulation, *this->Points, data, filter->VisiblePointIds, outputs[0]);
-  filter->RestoreIds(outputs[0]->GetPointData());
-  filter->RestoreIds(outputs[1]->GetPointData());
-  filter->RestoreIds(outputs[2]->GetCellData());
+  internals->RestoreIds(outputs[0]->GetPointData());
+  internals->RestoreIds(outputs[1]->GetPointData());
+  internals->RestoreIds(outputs[2]->GetCellData());
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& projection,
-  const flipflop::WeightView& weights, const flipflop::Triangulation& triangulation,
-  const flipflop::Options& options, vtkPointSet* input, vtkPolyData* output)
+void vtkFFRegularTriangulationFilter::vtkInternals::BuildPowerDiagram(
+  const vtkFFProjection& projection, const flipflop::WeightView& weights,
+  const flipflop::Triangulation& triangulation, const flipflop::Options& options,
+  vtkPointSet* input, vtkPolyData* output)
 {
+  auto* filter = this->GetTriangulationFilter();
   flipflop::PowerDiagram diagram;
   if (triangulation.dimension >= 0)
   {
-    const bool given = this->PowerDiagramBoxMode == BOX_OF_BOUNDS;
-    const auto bounds = boxOf(projection.GetView(), triangulation.pointIds);
+    const bool given = filter->PowerDiagramBoxMode == BOX_OF_BOUNDS;
+    const auto bounds = flipflop::powerDiagramBox(projection.GetView(), triangulation);
     diagram = flipflop::powerDiagram(projection.GetView(), weights, triangulation,
-      given ? this->PowerDiagramBounds : bounds.data(), options);
+      given ? filter->PowerDiagramBounds : bounds.data(), options);
   }
 
   const auto count = static_cast<vtkIdType>(diagram.corners.size() / 2);
@@ -484,25 +410,27 @@ void vtkFFRegularTriangulationFilter::BuildPowerDiagram(const vtkFFProjection& p
   vtkFFOutput::AdoptCells(cells, output);
 
   const auto ids = vtkFFOutput::AdoptIds(diagram.siteIds);
-  if (this->PassPointData)
+  if (filter->PassPointData)
   {
     vtkFFOutput::PassPointData(
       { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetCellData());
   }
-  vtkFFOutput::AddIds(ids, this->VisiblePointIds, output->GetCellData());
+  vtkFFOutput::AddIds(ids, filter->VisiblePointIds, output->GetCellData());
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFRegularTriangulationFilter::DescribeError(const flipflop::Error& error)
+std::string vtkFFRegularTriangulationFilter::vtkInternals::DescribeError(
+  const flipflop::Error& error)
 {
+  auto* filter = this->GetTriangulationFilter();
   if (error.code() == flipflop::ErrorCode::NonFinite)
   {
     const std::string projected =
-      this->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)";
+      filter->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)";
     return this->DescribeNonFinite("A coordinate" + projected + " or a weight", error) +
       " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
   }
-  return this->Superclass::DescribeError(error);
+  return this->vtkFFAlgorithm::vtkInternals::DescribeError(error);
 }
 
 //------------------------------------------------------------------------------
@@ -541,3 +469,4 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
      << box[3] << ")\n";
   os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
 }
+VTK_ABI_NAMESPACE_END

@@ -81,24 +81,14 @@
 #define vtkFFRegularTriangulationFilter_h
 
 #include "vtkFFAlgorithm.h"
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractTransform;
-class vtkDataArray;
-class vtkPointSet;
 
-#ifndef __VTK_WRAP__
-class vtkFFPointSource;
-class vtkFFProjection;
-
-namespace flipflop
-{
-struct Triangulation;
-struct WeightView;
-}
-#endif
-
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter : public vtkFFAlgorithm
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
+  : public vtkFFAlgorithm
 {
 public:
   //@{
@@ -128,6 +118,23 @@ public:
     BOX_OF_POINTS = 0,
     BOX_OF_BOUNDS = 1
   };
+
+  // What sets a mode as well comes before that mode: VTK reads a state back in this order, so that
+  // the mode is the one that was written.
+
+  //@{
+  /**
+   * Set/Get the transform that takes the points to the XY plane. None by default. SetTransform()
+   * with a transform also sets ProjectionPlaneMode to TRANSFORM_PLANE; you can set another mode
+   * later. SetTransform() with null does not change the mode. TRANSFORM_PLANE needs a transform.
+   *
+   * StoreTransform() never changes the mode. It is for applications that set all properties, in
+   * any order.
+   */
+  virtual void SetTransform(vtkAbstractTransform* transform);
+  void StoreTransform(vtkAbstractTransform* transform);
+  vtkGetObjectMacro(Transform, vtkAbstractTransform);
+  //@}
 
   //@{
   /**
@@ -164,20 +171,6 @@ public:
 
   //@{
   /**
-   * Set/Get the transform that takes the points to the XY plane. None by default. SetTransform()
-   * with a transform also sets ProjectionPlaneMode to TRANSFORM_PLANE; you can set another mode
-   * later. SetTransform() with null does not change the mode. TRANSFORM_PLANE needs a transform.
-   *
-   * StoreTransform() never changes the mode. It is for applications that set all properties, in
-   * any order.
-   */
-  virtual void SetTransform(vtkAbstractTransform* transform);
-  void StoreTransform(vtkAbstractTransform* transform);
-  vtkGetObjectMacro(Transform, vtkAbstractTransform);
-  //@}
-
-  //@{
-  /**
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
    * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
@@ -198,20 +191,6 @@ public:
 
   //@{
   /**
-   * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
-   * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). If the points have no
-   * extent along x or y, the box has the extent of the other direction, half of it on either side.
-   * A single position gets a box of side 1.
-   */
-  vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
-  vtkGetMacro(PowerDiagramBoxMode, int);
-  void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
-  void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
-  const char* GetPowerDiagramBoxModeAsString();
-  //@}
-
-  //@{
-  /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
    * transformed points, or measured in the fitted plane. (0, 1, 0, 1) by default. It must be finite
    * and have an inside. SetPowerDiagramBounds() also sets PowerDiagramBoxMode to BOX_OF_BOUNDS; you
@@ -224,6 +203,20 @@ public:
   virtual void SetPowerDiagramBounds(const double bounds[4]);
   void StorePowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   vtkGetVector4Macro(PowerDiagramBounds, double);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
+   * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). If the points have no
+   * extent along x or y, the box has the extent of the other direction, half of it on either side.
+   * A single position gets a box of side 1.
+   */
+  vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
+  vtkGetMacro(PowerDiagramBoxMode, int);
+  void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
+  void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
+  const char* GetPowerDiagramBoxModeAsString();
   //@}
 
   //@{
@@ -248,13 +241,7 @@ protected:
   vtkFFRegularTriangulationFilter();
   ~vtkFFRegularTriangulationFilter() override;
 
-#ifndef __VTK_WRAP__
-  void CheckSettings(vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  void ResetReport() override;
-  std::string DescribeError(const flipflop::Error& error) override;
-#endif
+  class vtkInternals;
 
   int ProjectionPlaneMode;
   vtkAbstractTransform* Transform;
@@ -266,23 +253,8 @@ private:
   vtkFFRegularTriangulationFilter(const vtkFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkFFRegularTriangulationFilter&) = delete;
 
-#ifndef __VTK_WRAP__
-  class Work;
-
-  /**
-   * The chosen array of weights; null if none was chosen.
-   *
-   * @throw std::runtime_error if it cannot be used.
-   */
-  vtkDataArray* FindWeights(vtkPointSet* input);
-
-  void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
-  void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
-    const flipflop::Triangulation& triangulation, const flipflop::Options& options,
-    vtkPointSet* input, vtkPolyData* output);
-#endif
-
   vtkIdType NumberOfHiddenPoints;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "vtkDataArray.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array)
 {
@@ -45,3 +46,4 @@ void vtkFFWeightSource::Convert(vtkDataArray* array, flipflop::Buffer<T>& copy)
     this->View.deviceData = vtkFFExactValues::DeviceMemory(array);
   }
 }
+VTK_ABI_NAMESPACE_END

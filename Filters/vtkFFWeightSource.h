@@ -13,9 +13,12 @@
 #ifndef vtkFFWeightSource_h
 #define vtkFFWeightSource_h
 
+#include "vtkFFMarks.h"
+
 #include <flipflop/Buffer.h>
 #include <flipflop/PointView.h>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 
 class vtkFFWeightSource
@@ -44,5 +47,6 @@ private:
   flipflop::Buffer<float> Floats;
   flipflop::Buffer<double> Doubles;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -8,14 +8,14 @@
 
 #include "vtkErrorCode.h"
 #include "vtkFFConvexifyFilter.h"
-#include "vtkFFHullFilter.h"
+#include "vtkFFHullInternals.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 
 #include <cstring>
 #include <limits>
+#include <string>
 
 using namespace fftest;
 
@@ -335,22 +335,21 @@ void testFailure()
 class Describer : public vtkFFHullFilter
 {
 public:
-  static Describer* New();
-  vtkTypeMacro(Describer, vtkFFHullFilter);
-  using vtkFFHullFilter::DescribeError;
+  static std::string Describe(const flipflop::Error& error)
+  {
+    const vtkNew<vtkFFHullFilter> filter;
+    return vtkInternals(filter).DescribeError(error);
+  }
 };
-vtkStandardNewMacro(Describer);
 
 void testDescriptions()
 {
   using flipflop::Error;
   using flipflop::ErrorCode;
-  vtkNew<Describer> describer;
-  const std::string memory =
-    describer->DescribeError(Error(ErrorCode::DeviceMemory, -1, 123456789));
+  const std::string memory = Describer::Describe(Error(ErrorCode::DeviceMemory, -1, 123456789));
   FF_CHECK(memory.find("123456789 bytes") != std::string::npos);
   FF_CHECK(memory.find("SetEngineToCPU()") != std::string::npos);
-  const std::string failed = describer->DescribeError(Error(ErrorCode::DeviceFailed, 719));
+  const std::string failed = Describer::Describe(Error(ErrorCode::DeviceFailed, 719));
   FF_CHECK(failed.find("error 719") != std::string::npos);
   FF_CHECK(failed.find("SetEngineToCPU()") != std::string::npos);
 }

@@ -19,6 +19,7 @@
 #include <limits>
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -310,3 +311,4 @@ vtkSmartPointer<vtkPolyData> vtkFFParcel::Unpack(const std::string& parcel)
   }
   return data;
 }
+VTK_ABI_NAMESPACE_END

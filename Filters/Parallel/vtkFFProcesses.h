@@ -13,13 +13,15 @@
 #ifndef vtkFFProcesses_h
 #define vtkFFProcesses_h
 
-#include "vtkFFAlgorithm.h"
+#include "vtkFFBlock.h"
 
+#include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 class vtkPointSet;
 class vtkPolyData;
@@ -62,7 +64,7 @@ public:
    * process's list belong together. If lists must be @p alike but differ in length, that is a
    * failure. False if there is a failure, new or already on some process.
    */
-  bool SelectBlocks(bool alike, std::vector<vtkFFAlgorithm::Block>& blocks, vtkFFFailure& failure);
+  bool SelectBlocks(bool alike, std::vector<vtkFFBlock>& blocks, vtkFFFailure& failure);
 
   /**
    * Process @p from sends @p data without loss to process @p to, which gets it as @p received (null
@@ -78,5 +80,6 @@ private:
   int Count;
   int Rank;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,6 +15,7 @@
 #include <new>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
@@ -106,7 +107,7 @@ bool vtkFFProcesses::Share(vtkFFFailure& failure)
 
 //------------------------------------------------------------------------------
 bool vtkFFProcesses::SelectBlocks(
-  bool alike, std::vector<vtkFFAlgorithm::Block>& blocks, vtkFFFailure& failure)
+  bool alike, std::vector<vtkFFBlock>& blocks, vtkFFFailure& failure)
 {
   if (!this->Share(failure))
   {
@@ -114,7 +115,7 @@ bool vtkFFProcesses::SelectBlocks(
   }
   // For each block its flat index, and whether there is data for it.
   std::vector<vtkIdType> mine;
-  for (const vtkFFAlgorithm::Block& block : blocks)
+  for (const vtkFFBlock& block : blocks)
   {
     mine.push_back(block.FlatIndex);
     mine.push_back(!block.Pieces.empty());
@@ -134,11 +135,11 @@ bool vtkFFProcesses::SelectBlocks(
     }
   }
 
-  std::vector<vtkFFAlgorithm::Block> selected;
+  std::vector<vtkFFBlock> selected;
   for (std::size_t b = 0; b < most; ++b)
   {
     // Without it here, the block is what the first process calls it that has it.
-    vtkFFAlgorithm::Block block{ {}, 0, 0 };
+    vtkFFBlock block{ {}, 0, 0 };
     bool hasData = false;
     for (auto list = all.rbegin(); list != all.rend(); ++list)
     {
@@ -200,3 +201,4 @@ bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
   }
   return this->Share(failure);
 }
+VTK_ABI_NAMESPACE_END

@@ -15,11 +15,13 @@
 #ifndef vtkFFParcel_h
 #define vtkFFParcel_h
 
+#include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
 #include <exception>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 class vtkPolyData;
 
@@ -51,5 +53,6 @@ public:
    */
   static vtkSmartPointer<vtkPolyData> Unpack(const std::string& parcel);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -49,15 +49,13 @@
 #define vtkPFFHullFilter_h
 
 #include "vtkFFHullFilter.h"
-#include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkFFMarks.h"                       // For VTK_MARSHALAUTO
+#include "vtkFiltersParallelFlipFlopModule.h" // For export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
-#ifndef __VTK_WRAP__
-class vtkFFProcesses;
-#endif
-
-class VTKFILTERSFLIPFLOP_EXPORT vtkPFFHullFilter : public vtkFFHullFilter
+class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
   //@{
@@ -74,7 +72,9 @@ public:
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
    */
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   virtual void SetController(vtkMultiProcessController* controller);
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   //@}
 
@@ -82,44 +82,14 @@ protected:
   vtkPFFHullFilter();
   ~vtkPFFHullFilter() override;
 
-#ifndef __VTK_WRAP__
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
-#endif
+  class vtkInternals;
 
   vtkMultiProcessController* Controller;
 
 private:
   vtkPFFHullFilter(const vtkPFFHullFilter&) = delete;
   void operator=(const vtkPFFHullFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  /**
-   * A hull, and the figures to report.
-   */
-  struct Result;
-
-  /**
-   * The hull of all processes' pieces of a block; in the end, process 0 has the complete hull.
-   * False if there is a failure on any process.
-   */
-  bool TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces, vtkFFProcesses& processes,
-    Result& result, vtkFFFailure& failure);
-
-  /**
-   * The hull of @p hulls; it takes over their ids. False if there is a failure.
-   */
-  bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
-
-  /**
-   * Make the hull of the hulls of all blocks the output, and report it.
-   */
-  void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
-
-  vtkIdType PlaceOfPiece; // of this process's first point of the block that is worked on
-#endif
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -40,12 +40,14 @@
 #ifndef vtkPFFRegularTriangulationFilter_h
 #define vtkPFFRegularTriangulationFilter_h
 
+#include "vtkFFMarks.h" // For VTK_MARSHALAUTO
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkFiltersParallelFlipFlopModule.h" // For export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkPFFRegularTriangulationFilter
+class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFRegularTriangulationFilter
   : public vtkFFRegularTriangulationFilter
 {
 public:
@@ -63,7 +65,9 @@ public:
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
    */
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   virtual void SetController(vtkMultiProcessController* controller);
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   //@}
 
@@ -71,22 +75,14 @@ protected:
   vtkPFFRegularTriangulationFilter();
   ~vtkPFFRegularTriangulationFilter() override;
 
-#ifndef __VTK_WRAP__
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
-#endif
+  class vtkInternals;
 
   vtkMultiProcessController* Controller;
 
 private:
   vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkPFFRegularTriangulationFilter&) = delete;
-
-#ifndef __VTK_WRAP__
-  vtkIdType PlaceOfPiece; // of this process's first point of the block that is worked on
-#endif
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

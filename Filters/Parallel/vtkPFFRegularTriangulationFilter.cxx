@@ -6,6 +6,7 @@
 #include "vtkFFFailure.h"
 #include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
+#include "vtkFFRegularTriangulationInternals.h"
 
 #include <flipflop/Engines.h>
 
@@ -19,14 +20,36 @@
 #include <cstddef>
 #include <numeric>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
 vtkCxxSetObjectMacro(vtkPFFRegularTriangulationFilter, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
+class vtkPFFRegularTriangulationFilter::vtkInternals
+  : public vtkFFRegularTriangulationFilter::vtkInternals
+{
+public:
+  using vtkFFRegularTriangulationFilter::vtkInternals::vtkInternals;
+
+  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
+  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
+
+private:
+  vtkMultiProcessController* GetController()
+  {
+    return static_cast<vtkPFFRegularTriangulationFilter*>(this->GetFilter())->Controller;
+  }
+
+  vtkIdType PlaceOfPiece = 0; // of this process's first point of the block that is worked on
+};
+
+//------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()
   : Controller(nullptr)
-  , PlaceOfPiece(0)
 {
+  this->SetInternals(std::make_unique<vtkInternals>(this));
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -37,13 +60,13 @@ vtkPFFRegularTriangulationFilter::~vtkPFFRegularTriangulationFilter()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFRegularTriangulationFilter::SelectBlocks(
+bool vtkPFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
   std::vector<Block>& blocks, vtkFFFailure& failure)
 {
-  vtkFFProcesses processes(this->Controller);
+  vtkFFProcesses processes(this->GetController());
   if (processes.GetCount() == 1)
   {
-    return this->Superclass::SelectBlocks(blocks, failure);
+    return this->vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(blocks, failure);
   }
   const bool done = processes.SelectBlocks(true, blocks, failure);
   this->ReportFailure(failure, processes.GetRank() == 0);
@@ -51,14 +74,14 @@ bool vtkPFFRegularTriangulationFilter::SelectBlocks(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFRegularTriangulationFilter::Execute(
+bool vtkPFFRegularTriangulationFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  vtkFFProcesses processes(this->Controller);
+  vtkFFProcesses processes(this->GetController());
   this->PlaceOfPiece = 0;
   if (processes.GetCount() == 1)
   {
-    return this->Superclass::Execute(blocks, outputs);
+    return this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(blocks, outputs);
   }
   const bool isFirst = processes.GetRank() == 0;
 
@@ -133,19 +156,22 @@ bool vtkPFFRegularTriangulationFilter::Execute(
   {
     if (senders > 1)
     {
-      vtkWarningMacro(<< "The points of " << senders << " processes are gathered on one, which "
-                      << "triangulates them alone.");
+      vtkWarningWithObjectMacro(this->GetFilter(), << "The points of " << senders
+                                                   << " processes are gathered on one, which "
+                                                   << "triangulates them alone.");
     }
     this->PlaceOfPiece = 0;
     const Block whole{ pieces, blocks[0].FlatIndex,
       std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0)) };
     this->CurrentBlocks = { whole };
-    done = this->Superclass::Execute(this->CurrentBlocks, outputs);
+    done =
+      this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(this->CurrentBlocks, outputs);
   }
   // The others learn how it ended.
+  auto* filter = static_cast<vtkPFFRegularTriangulationFilter*>(this->GetFilter());
   const std::vector<vtkIdType> end =
-    processes.Gather({ done, static_cast<vtkIdType>(this->GetErrorCode()) });
-  this->SetErrorCode(static_cast<unsigned long>(end[1]));
+    processes.Gather({ done, static_cast<vtkIdType>(filter->GetErrorCode()) });
+  filter->SetErrorCode(static_cast<unsigned long>(end[1]));
   if (end[0] == 0 && end[1] == vtkErrorCode::NoError)
   {
     failure.Kind = vtkFFFailure::Aborted;
@@ -155,20 +181,22 @@ bool vtkPFFRegularTriangulationFilter::Execute(
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkPFFRegularTriangulationFilter::NewBlockWork(const Block& block)
+std::unique_ptr<vtkFFBlockWork> vtkPFFRegularTriangulationFilter::vtkInternals::NewBlockWork(
+  const Block& block)
 {
-  if (vtkFFProcesses(this->Controller).GetCount() > 1)
+  if (vtkFFProcesses(this->GetController()).GetCount() > 1)
   {
     return nullptr; // all processes go through their blocks in step
   }
   this->PlaceOfPiece = 0;
-  return this->Superclass::NewBlockWork(block);
+  return this->vtkFFRegularTriangulationFilter::vtkInternals::NewBlockWork(block);
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPFFRegularTriangulationFilter::GetPlaceOfPoint(vtkIdType index)
+vtkIdType vtkPFFRegularTriangulationFilter::vtkInternals::GetPlaceOfPoint(vtkIdType index)
 {
-  return this->PlaceOfPiece + this->Superclass::GetPlaceOfPoint(index);
+  return this->PlaceOfPiece +
+    this->vtkFFRegularTriangulationFilter::vtkInternals::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------
@@ -177,3 +205,4 @@ void vtkPFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
 }
+VTK_ABI_NAMESPACE_END

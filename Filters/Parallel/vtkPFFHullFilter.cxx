@@ -4,6 +4,7 @@
 
 #include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
+#include "vtkFFHullInternals.h"
 #include "vtkFFOutput.h"
 #include "vtkFFParcel.h"
 #include "vtkFFProcesses.h"
@@ -27,15 +28,9 @@
 #include <limits>
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFHullFilter);
 vtkCxxSetObjectMacro(vtkPFFHullFilter, Controller, vtkMultiProcessController);
-
-struct vtkPFFHullFilter::Result
-{
-  vtkSmartPointer<vtkPolyData> Data = vtkSmartPointer<vtkPolyData>::New();
-  flipflop::Hull Hull; // its statistics are of all work so far
-  flipflop::EngineReport Engine;
-};
 
 namespace
 {
@@ -81,10 +76,57 @@ void keepKind(vtkPolyData* data, const flipflop::Hull& hull)
 }
 
 //------------------------------------------------------------------------------
+class vtkPFFHullFilter::vtkInternals : public vtkFFHullFilter::vtkInternals
+{
+public:
+  using vtkFFHullFilter::vtkInternals::vtkInternals;
+
+  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
+  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
+
+private:
+  /**
+   * A hull, and what is to be told of it.
+   */
+  struct Result
+  {
+    vtkSmartPointer<vtkPolyData> Data = vtkSmartPointer<vtkPolyData>::New();
+    flipflop::Hull Hull; // its statistics are of all work so far
+    flipflop::EngineReport Engine;
+  };
+
+  /**
+   * The hull of what all processes have of a block; on process 0 it is whole in the end. False if
+   * there is a failure, on any process.
+   */
+  bool TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces, vtkFFProcesses& processes,
+    Result& result, vtkFFFailure& failure);
+
+  /**
+   * The hull of hulls, whose ids it takes over. False if there is a failure.
+   */
+  bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
+
+  /**
+   * The hull of the hulls of all blocks becomes the output, and is reported.
+   */
+  void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
+
+  vtkMultiProcessController* GetController()
+  {
+    return static_cast<vtkPFFHullFilter*>(this->GetFilter())->Controller;
+  }
+
+  vtkIdType PlaceOfPiece = 0; // of this process's first point of the block that is worked on
+};
+
+//------------------------------------------------------------------------------
 vtkPFFHullFilter::vtkPFFHullFilter()
   : Controller(nullptr)
-  , PlaceOfPiece(0)
 {
+  this->SetInternals(std::make_unique<vtkInternals>(this));
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -95,12 +137,12 @@ vtkPFFHullFilter::~vtkPFFHullFilter()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
+bool vtkPFFHullFilter::vtkInternals::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
 {
-  vtkFFProcesses processes(this->Controller);
+  vtkFFProcesses processes(this->GetController());
   if (processes.GetCount() == 1)
   {
-    return this->Superclass::SelectBlocks(blocks, failure);
+    return this->vtkFFHullFilter::vtkInternals::SelectBlocks(blocks, failure);
   }
   const bool done = processes.SelectBlocks(!this->CombinesBlocks(), blocks, failure);
   this->ReportFailure(failure, processes.GetRank() == 0);
@@ -108,14 +150,14 @@ bool vtkPFFHullFilter::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& fa
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::Execute(
+bool vtkPFFHullFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  vtkFFProcesses processes(this->Controller);
+  vtkFFProcesses processes(this->GetController());
   this->PlaceOfPiece = 0;
   if (processes.GetCount() == 1)
   {
-    return this->Superclass::Execute(blocks, outputs);
+    return this->vtkFFHullFilter::vtkInternals::Execute(blocks, outputs);
   }
 
   // The points are counted block by block, and within a block process by process.
@@ -188,7 +230,7 @@ bool vtkPFFHullFilter::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkPFFHullFilter::ReportHull(
+void vtkPFFHullFilter::vtkInternals::ReportHull(
   std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure)
 {
   Result whole;
@@ -220,7 +262,7 @@ void vtkPFFHullFilter::ReportHull(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
+bool vtkPFFHullFilter::vtkInternals::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
   vtkFFProcesses& processes, Result& result, vtkFFFailure& failure)
 {
   this->TryEngine(
@@ -279,7 +321,7 @@ bool vtkPFFHullFilter::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::JoinHulls(
+bool vtkPFFHullFilter::vtkInternals::JoinHulls(
   const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure)
 {
   for (const Result& hull : hulls)
@@ -328,20 +370,20 @@ bool vtkPFFHullFilter::JoinHulls(
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkPFFHullFilter::NewBlockWork(const Block& block)
+std::unique_ptr<vtkFFBlockWork> vtkPFFHullFilter::vtkInternals::NewBlockWork(const Block& block)
 {
-  if (vtkFFProcesses(this->Controller).GetCount() > 1)
+  if (vtkFFProcesses(this->GetController()).GetCount() > 1)
   {
     return nullptr; // all processes go through their blocks in step
   }
   this->PlaceOfPiece = 0;
-  return this->Superclass::NewBlockWork(block);
+  return this->vtkFFHullFilter::vtkInternals::NewBlockWork(block);
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPFFHullFilter::GetPlaceOfPoint(vtkIdType index)
+vtkIdType vtkPFFHullFilter::vtkInternals::GetPlaceOfPoint(vtkIdType index)
 {
-  return this->PlaceOfPiece + this->Superclass::GetPlaceOfPoint(index);
+  return this->PlaceOfPiece + this->vtkFFHullFilter::vtkInternals::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------
@@ -350,3 +392,4 @@ void vtkPFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
 }
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFAlgorithm::vtkInternals
+ * @brief   what the filters do, and how they differ in that
+ *
+ * A filter is settings, and a report; its vtkInternals is how a run goes from the one to the other.
+ * That of vtkFFAlgorithm takes the input apart into blocks, guards the engine's runs, and turns
+ * failures into errors; that of a filter makes one result from one block. The filters for
+ * distributed data derive theirs, in another library, so the classes are exported.
+ */
+
+#ifndef vtkFFAlgorithmInternals_h
+#define vtkFFAlgorithmInternals_h
+
+#include "vtkFFAlgorithm.h"
+#include "vtkFFBlock.h"
+
+#include "vtkFFMarks.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flipflop
+{
+class Error;
+struct CellComplex;
+struct EngineOptions;
+struct EngineReport;
+struct Options;
+}
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class vtkDataSetAttributes;
+class vtkFFAheadRuns;
+class vtkFFBlockWork;
+class vtkPolyData;
+struct vtkFFFailure;
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm::vtkInternals
+{
+public:
+  using Block = vtkFFBlock;
+
+  explicit vtkInternals(vtkFFAlgorithm* filter);
+  vtkInternals(const vtkInternals&) = delete;
+  void operator=(const vtkInternals&) = delete;
+  virtual ~vtkInternals();
+
+  vtkFFAlgorithm* GetFilter() const { return this->Filter; }
+
+  /**
+   * A whole run, from the input to the outputs. False when there was an error or an abort: the
+   * outputs are empty then.
+   */
+  bool RunFilter(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs);
+
+  /**
+   * Why the last run's engine was the one that it was.
+   */
+  const char* GetEngineReason() const { return this->EngineReason.c_str(); }
+
+  /**
+   * What a filter does: one result from the points of @p blocks (of a single one, unless
+   * CombinesBlocks()), on all its ports. False when there was an error or an abort.
+   */
+  virtual bool Execute(
+    const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) = 0;
+
+  /**
+   * The work that Execute() would do on @p block alone, for small blocks to be run side by side.
+   * Null (the default): nothing but Execute() does it.
+   */
+  virtual std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block);
+
+  /**
+   * Do all of some work here and now, guarded as RunEngine() is. False when there was an error or
+   * an abort.
+   */
+  bool ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs);
+
+  /**
+   * Whether one result is made of all blocks, which is no composite then.
+   */
+  virtual bool CombinesBlocks() { return false; }
+
+  /**
+   * The types of which a leaf of the input must be one; of vtkPointSet, vtkImageData and
+   * vtkRectilinearGrid, or derived from these.
+   */
+  virtual std::vector<std::string> GetLeafTypes()
+  {
+    return { "vtkPointSet", "vtkImageData", "vtkRectilinearGrid" };
+  }
+
+  /**
+   * It is a failure if the settings do not go together. None by default.
+   */
+  virtual void CheckSettings(vtkFFFailure&) {}
+
+  /**
+   * Leave the blocks that are to be worked on: by default, those with data. False where there is
+   * a failure, here or already: it is reported.
+   */
+  virtual bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure);
+
+  /**
+   * Forget what the last run reported. The first act of a run.
+   */
+  virtual void ResetReport();
+
+  /**
+   * Add a result to what this run reports; and to the output's field data, if that was asked for.
+   */
+  void AddToReport(
+    const flipflop::CellComplex& cells, const flipflop::EngineReport& engine, vtkPolyData* output);
+
+  /**
+   * What a filter has the engine do. Which engine ran, and why, goes into the report.
+   */
+  using EngineWork = std::function<void(
+    const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)>;
+
+  /**
+   * Run @p work with the options set here, guarded: whatever it throws becomes a failure. False
+   * when it threw. No exception leaves this.
+   */
+  bool TryEngine(const EngineWork& work, vtkFFFailure& failure);
+
+  /**
+   * The same, and a failure becomes an error (an abort becomes none).
+   */
+  bool RunEngine(const EngineWork& work);
+
+  /**
+   * A failure becomes an error, unless it is an abort. Where it is not for this process to say it,
+   * only the error code tells.
+   */
+  void ReportFailure(const vtkFFFailure& failure, bool aloud = true);
+
+  /**
+   * Report an error: the message, and the error code that tells callers of the failure.
+   */
+  void ReportError(const std::string& message);
+
+  /**
+   * Where progress of the next runs of the engine lies within what is being worked on, which is
+   * one of the blocks: the whole by default.
+   */
+  void SetProgressPart(double begin, double end);
+
+  /**
+   * Whether somebody asked this filter to stop.
+   */
+  bool IsAbortRequested();
+
+  /**
+   * An abort, if somebody asked for one, is a failure; unless there is another.
+   */
+  void NoteAbort(vtkFFFailure& failure);
+
+  /**
+   * The place, among all points of CurrentBlocks, of the point that the engine counts as @p index:
+   * the same, unless a subclass gave the engine only some of them.
+   */
+  virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
+  {
+    return this->PlacesOfPoints.empty() ? index
+                                        : this->PlacesOfPoints[static_cast<std::size_t>(index)];
+  }
+
+  /**
+   * The points that count of some pieces: all, or those that are no ghosts, if these are to be
+   * skipped. @p places becomes the ids that they have among all points, empty where all count.
+   *
+   * @throw std::runtime_error, flipflop::Error.
+   */
+  std::vector<vtkSmartPointer<vtkPointSet>> TakePoints(
+    const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places);
+
+  /**
+   * Where the points that the engine was given have their places among all points of CurrentBlocks:
+   * empty where it was given all.
+   */
+  std::vector<vtkIdType> PlacesOfPoints;
+
+  /**
+   * Have the original ids of @p output, which count the points given to the engine, count all.
+   */
+  void RestoreIds(vtkDataSetAttributes* output);
+
+  /**
+   * How errors speak of a point of CurrentBlocks: "point 7 of the block of flat index 2".
+   */
+  std::string DescribePoint(vtkIdType place);
+
+  /**
+   * How they tell the one block that is worked on: " of the block of flat index 2", or nothing
+   * where it is the whole input.
+   */
+  std::string OfBlock();
+
+  /**
+   * Which numbers are not finite, where first, and how many: the sentence before what helps.
+   */
+  std::string DescribeNonFinite(const std::string& what, const flipflop::Error& error);
+
+  /**
+   * What is wrong, where, how often, and what helps: an engine's error as a sentence.
+   */
+  virtual std::string DescribeError(const flipflop::Error& error);
+
+  /**
+   * What is being worked on.
+   */
+  std::vector<Block> CurrentBlocks;
+
+private:
+  void CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
+  void AddBlock(
+    vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure);
+  bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
+    const std::vector<vtkDataObject*>& outputs);
+  bool RunAhead(const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs);
+  void ReduceReportToFailure(); // blocks that went well before it are forgotten
+  void SetProgressRange(double begin, double end);
+  static bool ForwardProgress(double fraction, void* self);
+
+  std::vector<vtkSmartPointer<vtkPointSet>> LaidOutPoints; // of blocks, while these are worked on
+
+  vtkFFAlgorithm* const Filter;
+  std::string EngineReason;
+  vtkIdType NonFinitePointsOfFailure;
+  double ProgressRange[2]; // of what is being worked on
+  double ProgressPart[2];  // within that
+  double ProgressReached;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFHullFilter::vtkInternals
+ * @brief   what the filters do that give a hull
+ *
+ * vtkFFHullAlgorithm's reports what a hull has beside other results, vtkFFHullFilter's takes one.
+ */
+
+#ifndef vtkFFHullInternals_h
+#define vtkFFHullInternals_h
+
+#include "vtkFFAlgorithmInternals.h"
+#include "vtkFFHullFilter.h"
+#include "vtkFFMarks.h"
+
+namespace flipflop
+{
+struct Hull;
+}
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkFFPointSource;
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm::vtkInternals
+  : public vtkFFAlgorithm::vtkInternals
+{
+public:
+  using vtkFFAlgorithm::vtkInternals::vtkInternals;
+
+  void ResetReport() override;
+
+  /**
+   * Add a hull to what this run reports; and to the output's field data, if that was asked for.
+   */
+  void AddToReport(
+    const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output);
+};
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter::vtkInternals
+  : public vtkFFHullAlgorithm::vtkInternals
+{
+public:
+  using vtkFFHullAlgorithm::vtkInternals::vtkInternals;
+
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
+  bool CombinesBlocks() override;
+
+  /**
+   * The hull of the points of all @p pieces, one after another: points, cells, point data and ids
+   * of @p output are set. What is left in the hull is what to report.
+   *
+   * @throw vtkFFInexactValue, flipflop::Error.
+   */
+  flipflop::Hull TakeHull(const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options,
+    const flipflop::EngineOptions& engine, flipflop::EngineReport& report, vtkPolyData* output);
+
+  /**
+   * Add the array BlockIndex to the hull of all blocks, whose points are CurrentBlocks'. Nothing is
+   * to be done for an input that is no composite.
+   */
+  void AddBlockIndex(vtkPolyData* output);
+
+private:
+  class Work;
+
+  /**
+   * The hull of the @p points of @p pieces becomes the output, which takes over its cells and ids.
+   */
+  void AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
+    const std::vector<vtkPointSet*>& pieces, vtkPolyData* output);
+
+  vtkFFHullFilter* GetHullFilter();
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFRegularTriangulationFilter::vtkInternals
+ * @brief   what vtkFFRegularTriangulationFilter does
+ *
+ * It finds the weights, has the points projected, and gives the triangulation, the hidden points
+ * and the power diagram.
+ */
+
+#ifndef vtkFFRegularTriangulationInternals_h
+#define vtkFFRegularTriangulationInternals_h
+
+#include "vtkFFAlgorithmInternals.h"
+#include "vtkFFMarks.h"
+#include "vtkFFRegularTriangulationFilter.h"
+
+namespace flipflop
+{
+struct Triangulation;
+struct WeightView;
+}
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkFFPointSource;
+class vtkFFProjection;
+class vtkPointSet;
+
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter::vtkInternals
+  : public vtkFFAlgorithm::vtkInternals
+{
+public:
+  using vtkFFAlgorithm::vtkInternals::vtkInternals;
+
+  void CheckSettings(vtkFFFailure& failure) override;
+  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
+  void ResetReport() override;
+  std::string DescribeError(const flipflop::Error& error) override;
+
+private:
+  class Work;
+
+  /**
+   * The array of weights that was chosen; null: none was.
+   *
+   * @throw std::runtime_error where it does not fit.
+   */
+  vtkDataArray* FindWeights(vtkPointSet* input);
+
+  void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
+  void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
+    const flipflop::Triangulation& triangulation, const flipflop::Options& options,
+    vtkPointSet* input, vtkPolyData* output);
+
+  vtkFFRegularTriangulationFilter* GetTriangulationFilter();
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
