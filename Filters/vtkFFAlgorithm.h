@@ -270,7 +270,8 @@ public:
    * - Insertions: vertices inserted while growing (1-3 flips), over
    *   all levels
    * - PointMoves: how often a point was handed on: by growing, to
-   *   a child cone; on a walk, to the next triangle
+   *   a child cone; on a walk, to the next triangle (none by the CUDA
+   *   engine)
    * - Flips22, Flips31: 2-2 flips and 3-1 flips
    * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume)
    *   and the D-criterion (degree)
