@@ -71,6 +71,41 @@ vtkFFAlgorithm::~vtkFFAlgorithm()
 }
 
 //------------------------------------------------------------------------------
+// The figures that a run reports, from its statistics s. This list is the only one.
+// clang-format off
+#define FF_FIGURES(figure)                                            \
+  figure(vtkIdType, NumberOfInputPoints, s.points)                    \
+  figure(vtkIdType, NumberOfNonFinitePoints, s.nonFinite)             \
+  figure(vtkIdType, NumberOfCulledPoints, s.culled)                   \
+  figure(vtkIdType, NumberOfInsertions, s.insertions)                 \
+  figure(vtkIdType, NumberOfPointMoves, s.moves)                      \
+  figure(vtkIdType, NumberOfFlips22, s.flips22)                       \
+  figure(vtkIdType, NumberOfFlips31, s.flips31)                       \
+  figure(vtkIdType, NumberOfFlipsByVolume, s.flipsV)                  \
+  figure(vtkIdType, NumberOfFlipsByDegree, s.flipsD)                  \
+  figure(vtkIdType, NumberOfLabelledVertices, s.labelled)             \
+  figure(vtkIdType, NumberOfRedundantVertices, s.redundant)           \
+  figure(vtkIdType, NumberOfEdgeChecks, s.edgeChecks)                 \
+  figure(vtkIdType, NumberOfExactPredicates, s.exactCalls)            \
+  figure(int, NumberOfThreadsUsed, s.threads)                         \
+  figure(double, SecondsToScan, s.secondsScan)                        \
+  figure(double, SecondsToLocate, s.secondsLocate + s.secondsCompact) \
+  figure(double, SecondsToGrow, s.secondsGrow)                        \
+  figure(double, SecondsToFlip, s.secondsFlip)                        \
+  figure(double, SecondsToFinish, s.secondsFinish)                    \
+  figure(double, SecondsTotal, s.secondsTotal)
+// clang-format on
+
+#define FF_GET(type, name, value)                                                                  \
+  type vtkFFAlgorithm::Get##name()                                                                 \
+  {                                                                                                \
+    const flipflop::Statistics& s = this->Internals->GetStatistics();                              \
+    return static_cast<type>(value);                                                               \
+  }
+FF_FIGURES(FF_GET)
+#undef FF_GET
+
+//------------------------------------------------------------------------------
 void vtkFFAlgorithm::SetInternals(std::unique_ptr<vtkInternals> internals)
 {
   this->Internals = std::move(internals);
@@ -94,29 +129,8 @@ void vtkFFAlgorithm::vtkInternals::ResetReport()
   this->EngineReason = "no engine has run";
   this->Filter->Dimension = -1;
 
-  this->Filter->NumberOfInputPoints = 0;
-  this->Filter->NumberOfNonFinitePoints = 0;
+  this->Statistics = flipflop::Statistics();
   this->NonFinitePointsOfFailure = 0;
-  this->Filter->NumberOfCulledPoints = 0;
-  this->Filter->NumberOfInsertions = 0;
-  this->Filter->NumberOfPointMoves = 0;
-  this->Filter->NumberOfFlips22 = 0;
-  this->Filter->NumberOfFlips31 = 0;
-  this->Filter->NumberOfFlipsByVolume = 0;
-  this->Filter->NumberOfFlipsByDegree = 0;
-  this->Filter->NumberOfLabelledVertices = 0;
-  this->Filter->NumberOfRedundantVertices = 0;
-  this->Filter->NumberOfEdgeChecks = 0;
-  this->Filter->NumberOfExactPredicates = 0;
-  this->Filter->NumberOfThreadsUsed = 0;
-
-  this->Filter->SecondsToScan = 0.0;
-  this->Filter->SecondsToLocate = 0.0;
-  this->Filter->SecondsToGrow = 0.0;
-  this->Filter->SecondsToFlip = 0.0;
-  this->Filter->SecondsToFinish = 0.0;
-  this->Filter->SecondsTotal = 0.0;
-
   this->SetProgressRange(0.0, 1.0);
 }
 
@@ -127,7 +141,7 @@ void vtkFFAlgorithm::vtkInternals::ReduceReportToFailure()
   const vtkIdType nonFinite = this->NonFinitePointsOfFailure;
   this->ResetReport();
   this->Filter->SetErrorCode(code);
-  this->Filter->NumberOfNonFinitePoints = nonFinite;
+  this->Statistics.nonFinite = nonFinite;
 }
 
 //------------------------------------------------------------------------------
@@ -143,30 +157,7 @@ void vtkFFAlgorithm::vtkInternals::AddToReport(
   }
 
   const flipflop::Statistics& statistics = cells.statistics;
-  const auto add = [](vtkIdType& sum, std::int64_t n) { sum += static_cast<vtkIdType>(n); };
-  add(this->Filter->NumberOfInputPoints, statistics.points);
-  add(this->Filter->NumberOfNonFinitePoints, statistics.nonFinite);
-  add(this->Filter->NumberOfCulledPoints, statistics.culled);
-  add(this->Filter->NumberOfInsertions, statistics.insertions);
-  add(this->Filter->NumberOfPointMoves, statistics.moves);
-  add(this->Filter->NumberOfFlips22, statistics.flips22);
-  add(this->Filter->NumberOfFlips31, statistics.flips31);
-  add(this->Filter->NumberOfFlipsByVolume, statistics.flipsV);
-  add(this->Filter->NumberOfFlipsByDegree, statistics.flipsD);
-  add(this->Filter->NumberOfLabelledVertices, statistics.labelled);
-  add(this->Filter->NumberOfRedundantVertices, statistics.redundant);
-  add(this->Filter->NumberOfEdgeChecks, statistics.edgeChecks);
-  add(this->Filter->NumberOfExactPredicates, statistics.exactCalls);
-  this->Filter->NumberOfThreadsUsed =
-    std::max(this->Filter->NumberOfThreadsUsed, statistics.threads);
-
-  this->Filter->SecondsToScan += statistics.secondsScan;
-  this->Filter->SecondsToLocate += statistics.secondsLocate;
-  this->Filter->SecondsToGrow += statistics.secondsGrow;
-  this->Filter->SecondsToFlip += statistics.secondsFlip;
-  this->Filter->SecondsToFinish += statistics.secondsFinish;
-  this->Filter->SecondsTotal += statistics.secondsTotal;
-
+  this->Statistics += statistics;
   if (this->Filter->ReportAsFieldData)
   {
     vtkFieldData* data = output->GetFieldData();
@@ -501,25 +492,8 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EngineUsed: " << this->GetEngineUsedAsString() << "\n";
   os << indent << "EngineReason: " << this->GetEngineReason() << "\n";
   os << indent << "Dimension: " << this->Dimension << "\n";
-  os << indent << "NumberOfInputPoints: " << this->NumberOfInputPoints << "\n";
-  os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
-  os << indent << "NumberOfCulledPoints: " << this->NumberOfCulledPoints << "\n";
-  os << indent << "NumberOfInsertions: " << this->NumberOfInsertions << "\n";
-  os << indent << "NumberOfPointMoves: " << this->NumberOfPointMoves << "\n";
-  os << indent << "NumberOfFlips22: " << this->NumberOfFlips22 << "\n";
-  os << indent << "NumberOfFlips31: " << this->NumberOfFlips31 << "\n";
-  os << indent << "NumberOfFlipsByVolume: " << this->NumberOfFlipsByVolume << "\n";
-  os << indent << "NumberOfFlipsByDegree: " << this->NumberOfFlipsByDegree << "\n";
-  os << indent << "NumberOfLabelledVertices: " << this->NumberOfLabelledVertices << "\n";
-  os << indent << "NumberOfRedundantVertices: " << this->NumberOfRedundantVertices << "\n";
-  os << indent << "NumberOfEdgeChecks: " << this->NumberOfEdgeChecks << "\n";
-  os << indent << "NumberOfExactPredicates: " << this->NumberOfExactPredicates << "\n";
-  os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
-  os << indent << "SecondsToScan: " << this->SecondsToScan << "\n";
-  os << indent << "SecondsToLocate: " << this->SecondsToLocate << "\n";
-  os << indent << "SecondsToGrow: " << this->SecondsToGrow << "\n";
-  os << indent << "SecondsToFlip: " << this->SecondsToFlip << "\n";
-  os << indent << "SecondsToFinish: " << this->SecondsToFinish << "\n";
-  os << indent << "SecondsTotal: " << this->SecondsTotal << "\n";
+#define FF_PRINT(type, name, value) os << indent << #name ": " << this->Get##name() << "\n";
+  FF_FIGURES(FF_PRINT)
+#undef FF_PRINT
 }
 VTK_ABI_NAMESPACE_END

@@ -283,20 +283,20 @@ public:
    *   undecided
    * - ThreadsUsed: CPU threads that the run was given
    */
-  vtkGetMacro(NumberOfInputPoints, vtkIdType);
-  vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
-  vtkGetMacro(NumberOfCulledPoints, vtkIdType);
-  vtkGetMacro(NumberOfInsertions, vtkIdType);
-  vtkGetMacro(NumberOfPointMoves, vtkIdType);
-  vtkGetMacro(NumberOfFlips22, vtkIdType);
-  vtkGetMacro(NumberOfFlips31, vtkIdType);
-  vtkGetMacro(NumberOfFlipsByVolume, vtkIdType);
-  vtkGetMacro(NumberOfFlipsByDegree, vtkIdType);
-  vtkGetMacro(NumberOfLabelledVertices, vtkIdType);
-  vtkGetMacro(NumberOfRedundantVertices, vtkIdType);
-  vtkGetMacro(NumberOfEdgeChecks, vtkIdType);
-  vtkGetMacro(NumberOfExactPredicates, vtkIdType);
-  vtkGetMacro(NumberOfThreadsUsed, int);
+  vtkIdType GetNumberOfInputPoints();
+  vtkIdType GetNumberOfNonFinitePoints();
+  vtkIdType GetNumberOfCulledPoints();
+  vtkIdType GetNumberOfInsertions();
+  vtkIdType GetNumberOfPointMoves();
+  vtkIdType GetNumberOfFlips22();
+  vtkIdType GetNumberOfFlips31();
+  vtkIdType GetNumberOfFlipsByVolume();
+  vtkIdType GetNumberOfFlipsByDegree();
+  vtkIdType GetNumberOfLabelledVertices();
+  vtkIdType GetNumberOfRedundantVertices();
+  vtkIdType GetNumberOfEdgeChecks();
+  vtkIdType GetNumberOfExactPredicates();
+  int GetNumberOfThreadsUsed();
   //@}
 
   //@{
@@ -316,12 +316,12 @@ public:
    * - Finish: true facets and the canonical order
    * - Total: the whole run of the engine
    */
-  vtkGetMacro(SecondsToScan, double);
-  vtkGetMacro(SecondsToLocate, double);
-  vtkGetMacro(SecondsToGrow, double);
-  vtkGetMacro(SecondsToFlip, double);
-  vtkGetMacro(SecondsToFinish, double);
-  vtkGetMacro(SecondsTotal, double);
+  double GetSecondsToScan();
+  double GetSecondsToLocate();
+  double GetSecondsToGrow();
+  double GetSecondsToFlip();
+  double GetSecondsToFinish();
+  double GetSecondsTotal();
   //@}
 
   /**
@@ -371,28 +371,6 @@ private:
 
   int EngineUsed;
   int Dimension;
-
-  vtkIdType NumberOfInputPoints;
-  vtkIdType NumberOfNonFinitePoints;
-  vtkIdType NumberOfCulledPoints;
-  vtkIdType NumberOfInsertions;
-  vtkIdType NumberOfPointMoves;
-  vtkIdType NumberOfFlips22;
-  vtkIdType NumberOfFlips31;
-  vtkIdType NumberOfFlipsByVolume;
-  vtkIdType NumberOfFlipsByDegree;
-  vtkIdType NumberOfLabelledVertices;
-  vtkIdType NumberOfRedundantVertices;
-  vtkIdType NumberOfEdgeChecks;
-  vtkIdType NumberOfExactPredicates;
-  int NumberOfThreadsUsed;
-
-  double SecondsToScan;
-  double SecondsToLocate;
-  double SecondsToGrow;
-  double SecondsToFlip;
-  double SecondsToFinish;
-  double SecondsTotal;
 };
 VTK_ABI_NAMESPACE_END
 

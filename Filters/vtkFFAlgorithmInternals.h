@@ -19,6 +19,8 @@
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
+#include <flipflop/Statistics.h>
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -64,6 +66,11 @@ public:
    * Why the last run's engine was the one that it was.
    */
   const char* GetEngineReason() const { return this->EngineReason.c_str(); }
+
+  /**
+   * The statistics of the last run: the sum over all blocks with a result.
+   */
+  const flipflop::Statistics& GetStatistics() const { return this->Statistics; }
 
   /**
    * What a filter does: one result from the points of @p blocks (of a single one, unless
@@ -235,6 +242,7 @@ private:
 
   vtkFFAlgorithm* const Filter;
   std::string EngineReason;
+  flipflop::Statistics Statistics;
   vtkIdType NonFinitePointsOfFailure;
   double ProgressRange[2]; // of what is being worked on
   double ProgressPart[2];  // within that
