@@ -18,7 +18,8 @@ endif()
 
 file(GLOB filter_headers CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/Filters/*.h" "${PROJECT_SOURCE_DIR}/Filters/Parallel/*.h")
-set(public_headers ${engine_headers} ${cuda_headers})
+file(GLOB public_headers CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/Engine/include/flipflop/*.h" "${PROJECT_SOURCE_DIR}/Cuda/include/flipflop/*.h")
 foreach(header IN LISTS filter_headers)
   file(STRINGS "${header}" exported REGEX "^class VTKFILTERS(PARALLEL)?FLIPFLOP_EXPORT [A-Za-z_ ]+( : |$)")
   if(exported)
