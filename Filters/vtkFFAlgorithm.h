@@ -15,8 +15,9 @@
  * alone. It does not depend on the engine, nor on the number of threads.
  *
  * An error is reported with vtkErrorMacro, in a sentence that names what is wrong and where. The
- * output is empty then, and GetErrorCode() differs from vtkErrorCode::NoError. A run reports
- * progress, and stops soon after it is asked to abort; its output is empty then, too.
+ * output is empty then, GetErrorCode() differs from vtkErrorCode::NoError, and the update fails: no
+ * filter downstream is run. A run reports progress, and stops soon after it is asked to abort; its
+ * output is empty then, too, but the update goes on.
  *
  * The algorithm is that of
  *
