@@ -15,8 +15,9 @@
  * alone. It does not depend on the engine, nor on the number of threads.
  *
  * Errors are reported with vtkErrorMacro, in a sentence that names what is wrong and where. After
- * an error, the output is empty, and GetErrorCode() differs from vtkErrorCode::NoError. A run
- * reports progress. It stops soon after a request to abort; its output is then empty, too.
+ * an error, the output is empty, GetErrorCode() differs from vtkErrorCode::NoError, and the update
+ * fails, so no filter downstream runs. A run reports progress. It stops soon after a request to
+ * abort; its output is then empty, too, but the update goes on.
  *
  * The algorithm is that of
  *

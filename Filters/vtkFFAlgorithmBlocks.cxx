@@ -19,6 +19,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -28,6 +29,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -208,8 +210,19 @@ int vtkFFAlgorithm::RequestData(
     outputs.push_back(vtkDataObject::GetData(outputVector, port));
     vtkFFOutput::RemoveReport(outputs.back()->GetFieldData()); // the executive passed the input's
   }
-  this->Internals->RunFilter(input, outputs);
-  return 1;
+  // What is downstream does not run after an error, but with the empty outputs of an abort it does.
+  if (this->Internals->RunFilter(input, outputs) || this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    return 1;
+  }
+  // The executive forgets the extents that this run asked for only after a success. It would ask
+  // the next input for them, too, which may be a smaller image.
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Remove(
+      vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
+  }
+  return 0;
 }
 
 //------------------------------------------------------------------------------

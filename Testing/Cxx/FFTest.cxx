@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -53,13 +54,29 @@ vtkSmartPointer<ErrorObserver> ErrorObserver::Of(vtkObject* object)
   observer.TakeReference(ErrorObserver::New());
   object->AddObserver(vtkCommand::ErrorEvent, observer);
   object->AddObserver(vtkCommand::WarningEvent, observer);
+  if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
+  {
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  }
   return observer;
 }
 
 //------------------------------------------------------------------------------
-void ErrorObserver::Execute(vtkObject*, unsigned long, void* data)
+void ErrorObserver::Execute(vtkObject* caller, unsigned long, void* data)
 {
+  if (vtkExecutive::SafeDownCast(caller))
+  {
+    ++this->FailedRequests;
+    return;
+  }
   this->Messages.emplace_back(static_cast<const char*>(data));
+}
+
+//------------------------------------------------------------------------------
+void ErrorObserver::Clear()
+{
+  this->Messages.clear();
+  this->FailedRequests = 0;
 }
 
 //------------------------------------------------------------------------------

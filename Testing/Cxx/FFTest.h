@@ -53,22 +53,24 @@ int result();
     }                                                                                              \
   } while (false)
 
-/// Keeps the messages of an object's errors (and so keeps them off the terminal), and warnings.
+/// Keeps the messages of an object's errors (and so keeps them off the terminal), and warnings. Of
+/// a filter's executive, which says no more than that the filter failed, it counts them.
 class ErrorObserver : public vtkCommand
 {
 public:
   static ErrorObserver* New() { return new ErrorObserver; }
   vtkTypeMacro(ErrorObserver, vtkCommand);
 
-  /// A new observer of the object's errors.
+  /// A new observer of the object's errors, and of its executive's.
   static vtkSmartPointer<ErrorObserver> Of(vtkObject* object);
 
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
   bool Has(const std::string& part) const;
-  void Clear() { this->Messages.clear(); }
+  void Clear();
 
   std::vector<std::string> Messages;
+  int FailedRequests = 0;
 };
 
 /// Keeps the progress reported, and asks the filter to stop once it reaches a mark.

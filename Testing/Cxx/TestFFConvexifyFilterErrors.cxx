@@ -36,6 +36,7 @@ void refuses(
   convexify->SetInputData(input);
   convexify->Update();
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK_EQUAL(errors->FailedRequests, 1);
   for (const std::string& part : parts)
   {
     FF_CHECK(errors->Has(part));

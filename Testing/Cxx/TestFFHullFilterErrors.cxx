@@ -40,6 +40,7 @@ void testNonFinite(int type)
       FF_CHECK(errors->Has("point 123,"));
       FF_CHECK(errors->Has("3 such point(s)"));
       FF_CHECK(errors->Has("NaN or infinite"));
+      FF_CHECK_EQUAL(errors->FailedRequests, 1);
       FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
       FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
       FF_CHECK_EQUAL(hull->GetDimension(), -1);
@@ -50,6 +51,7 @@ void testNonFinite(int type)
       hull->SetNonFinitePointsToIgnore();
       hull->Update();
       FF_CHECK(errors->Messages.empty());
+      FF_CHECK_EQUAL(errors->FailedRequests, 0);
       FF_CHECK_EQUAL(hull->GetErrorCode(), vtkErrorCode::NoError);
       FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
       FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 1000);

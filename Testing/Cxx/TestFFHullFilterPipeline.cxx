@@ -5,6 +5,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFieldData.h"
@@ -14,6 +15,7 @@
 #include "vtkSphereSource.h"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 using namespace fftest;
@@ -83,6 +85,7 @@ void testAbort()
     hull->Update();
     FF_CHECK(isEmpty(hull->GetOutput()));
     FF_CHECK(errors->Messages.empty());
+    FF_CHECK_EQUAL(errors->FailedRequests, 0);
     FF_CHECK_EQUAL(hull->GetDimension(), -1);
     FF_CHECK(progress->StoppedOnTheWay());
 
@@ -94,6 +97,27 @@ void testAbort()
     FF_CHECK(hull->GetOutput()->GetNumberOfPoints() > 1000);
     FF_CHECK(errors->Messages.empty());
   }
+}
+
+/// The pipeline learns of an error, and runs nothing behind it.
+void testError()
+{
+  auto points = cubeCorners();
+  points.push_back({ 0, 0, std::numeric_limits<double>::quiet_NaN() });
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  hull->SetInputData(makePoints(points));
+  vtkNew<vtkFFConvexifyFilter> behind;
+  behind->SetInputConnection(hull->GetOutputPort());
+  const Counter runs(behind, vtkCommand::EndEvent);
+  FF_CHECK_EQUAL(behind->GetExecutive()->Update(), 0);
+  FF_CHECK_EQUAL(errors->FailedRequests, 1);
+  FF_CHECK_EQUAL(runs.Count, 0);
+  hull->SetNonFinitePointsToIgnore();
+  FF_CHECK_EQUAL(behind->GetExecutive()->Update(), 1);
+  FF_CHECK_EQUAL(errors->FailedRequests, 1);
+  FF_CHECK_EQUAL(runs.Count, 1);
+  FF_CHECK_EQUAL(behind->GetVolume(), 1.0);
 }
 
 /// It runs again when something changed that matters, and only then.
@@ -247,6 +271,7 @@ int TestFFHullFilterPipeline(int, char*[])
 {
   testProgress();
   testAbort();
+  testError();
   testModification();
   testClamps();
   testManyThreads();

@@ -23,6 +23,7 @@ const double nan = std::numeric_limits<double>::quiet_NaN();
 void checkFailure(vtkFFRegularTriangulationFilter* filter, ErrorObserver* errors)
 {
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK_EQUAL(errors->FailedRequests, 1);
   FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
   FF_CHECK_EQUAL(filter->GetDimension(), -1);
   FF_CHECK_EQUAL(filter->GetNumberOfHiddenPoints(), 0);

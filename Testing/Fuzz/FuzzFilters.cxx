@@ -233,7 +233,6 @@ public:
     , Filter(makeFilter(this->Kind))
     , Errors(fftest::ErrorObserver::Of(this->Filter))
   {
-    this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Abort);
   }
 
@@ -256,7 +255,7 @@ public:
       this->Input = drawDataObject(bytes, MostPoints);
     }
     this->Filter->SetInputDataObject(this->Input);
-    this->Errors->Messages.clear();
+    this->Errors->Clear();
     this->Filter->Modified(); // else a run that failed would not be run again, nor fail again
     this->Filter->Update();
     this->judge();
@@ -266,6 +265,7 @@ private:
   void judge()
   {
     const bool failed = !this->Errors->Messages.empty();
+    demand(this->Errors->FailedRequests == int(failed), "the pipeline was told otherwise");
     if (failed)
     {
       demand(this->Filter->GetErrorCode() != vtkErrorCode::NoError,

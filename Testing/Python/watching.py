@@ -12,4 +12,6 @@ def errors_of(algorithm):
 
     observe.CallDataType = "string0"
     algorithm.AddObserver("ErrorEvent", observe)
+    # It says no more than that the algorithm failed.
+    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
     return messages

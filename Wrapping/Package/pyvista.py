@@ -234,6 +234,8 @@ def _outputs(algorithm, mesh, progress_bar):
 
     keep.CallDataType = "string0"
     algorithm.AddObserver("ErrorEvent", keep)
+    # It says no more than that the algorithm failed, and would say it on the terminal.
+    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
     algorithm.SetInputDataObject(mesh)
     if flag("progress_bar", progress_bar):
         from pyvista.core.utilities.observers import ProgressMonitor

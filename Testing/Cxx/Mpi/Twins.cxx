@@ -7,6 +7,7 @@
 #include "vtkCommunicator.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkFFHullAlgorithm.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFloatArray.h"
@@ -305,7 +306,9 @@ Twins::Twins(vtkFFAlgorithm* distributed, vtkFFAlgorithm* plain)
 {
   distributed->AddObserver(vtkCommand::ErrorEvent, this->Errors);
   distributed->AddObserver(vtkCommand::WarningEvent, this->Warnings);
+  distributed->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
   plain->AddObserver(vtkCommand::ErrorEvent, this->PlainErrors);
+  plain->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->PlainErrors);
 }
 
 //------------------------------------------------------------------------------
@@ -368,6 +371,7 @@ bool Twins::Fails(const std::string& what, vtkDataObject* piece, const std::stri
   }
   const bool speaks = rank() == 0 && !part.empty();
   good = this->Errors->Messages.size() == std::size_t(speaks) && good;
+  good = this->Errors->FailedRequests == int(!part.empty()) && good; // on all processes
   good = (!speaks || this->Errors->Has(part)) && good;
   if (!good)
   {
