@@ -163,43 +163,47 @@ public:
     return true;
   }
 
-  void give(Fork& loop, std::size_t itsPart)
+  void give(Fork& loop, std::size_t part)
   {
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
-      this->fork = &loop;
-      this->part = itsPart;
+      this->next = { &loop, part };
     }
     this->given.notify_one();
   }
 
 private:
+  struct Job
+  {
+    Fork* fork;
+    std::size_t part;
+  };
+
   void work(Crew& crew)
   {
     current() = &crew;
-    while (Fork* const mine = this->wait())
+    for (Job job = this->wait(); job.fork; job = this->wait())
     {
-      mine->run(this->part);
+      job.fork->run(job.part);
       // In this order, or the next loop would find all threads busy. What is given from now on
       // waits until this one is back.
       this->busy.store(false, std::memory_order_relaxed);
-      mine->partEnded();
+      job.fork->partEnded();
     }
   }
 
-  /// @return null: it is over
-  Fork* wait()
+  /// @return a fork; or none: it is over
+  Job wait()
   {
     std::unique_lock<std::mutex> lock(this->mutex);
-    this->given.wait(lock, [this] { return this->fork || this->ends; });
-    return std::exchange(this->fork, nullptr);
+    this->given.wait(lock, [this] { return this->next.fork || this->ends; });
+    return std::exchange(this->next, {});
   }
 
   std::atomic<bool> busy{ false };
   std::mutex mutex;
   std::condition_variable given;
-  Fork* fork = nullptr;
-  std::size_t part = 0;
+  Job next = { nullptr, 0 };
   bool ends = false;
   std::thread thread;
 };
