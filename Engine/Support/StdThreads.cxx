@@ -81,11 +81,16 @@ public:
     }
   }
 
-  /// Waits for the parts that others run. Throws what one of the tasks threw.
+  /// Waits for the parts that others run.
   void join()
   {
     std::unique_lock<std::mutex> lock(this->mutex);
     this->ended.wait(lock, [this] { return this->pending == 0; });
+  }
+
+  /// Throws what one of the tasks threw.
+  void check() const
+  {
     if (this->error)
     {
       std::rethrow_exception(this->error);
@@ -139,7 +144,8 @@ public:
     }
   }
 
-  /// @return false when it is busy, or there is no thread to be had. Else give() has to follow.
+  /// @return false when it is another loop's, or there is no thread to be had. Else give() and,
+  ///         when the loop has ended, release() have to follow.
   bool claim(Crew& crew)
   {
     if (this->busy.load(std::memory_order_relaxed) ||
@@ -172,6 +178,8 @@ public:
     this->given.notify_one();
   }
 
+  void release() { this->busy.store(false, std::memory_order_relaxed); }
+
 private:
   struct Job
   {
@@ -185,9 +193,6 @@ private:
     for (Job job = this->wait(); job.fork; job = this->wait())
     {
       job.fork->run(job.part);
-      // In this order, or the next loop would find all threads busy. What is given from now on
-      // waits until this one is back.
-      this->busy.store(false, std::memory_order_relaxed);
       job.fork->partEnded();
     }
   }
@@ -237,6 +242,12 @@ public:
     }
     loop.run(0);
     loop.join();
+    // Not before: a thread that went from loop to loop would order what has no order.
+    for (Worker* const worker : claimed)
+    {
+      worker->release();
+    }
+    loop.check();
   }
 
 private:
