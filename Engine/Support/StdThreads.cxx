@@ -81,11 +81,16 @@ public:
     }
   }
 
-  /// Waits for the parts that others run. Throws what one of the tasks threw.
+  /// Waits for the parts that others run.
   void join()
   {
     std::unique_lock<std::mutex> lock(this->mutex);
     this->ended.wait(lock, [this] { return this->pending == 0; });
+  }
+
+  /// Throws what one of the tasks threw.
+  void check() const
+  {
     if (this->error)
     {
       std::rethrow_exception(this->error);
@@ -139,7 +144,8 @@ public:
     }
   }
 
-  /// @return false when it is busy, or there is no thread to be had. Else give() has to follow.
+  /// @return false when it is another loop's, or there is no thread to be had. Else give() and,
+  ///         when the loop has ended, release() have to follow.
   bool claim(Crew& crew)
   {
     if (this->busy.load(std::memory_order_relaxed) ||
@@ -163,43 +169,46 @@ public:
     return true;
   }
 
-  void give(Fork& loop, std::size_t itsPart)
+  void give(Fork& loop, std::size_t part)
   {
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
-      this->fork = &loop;
-      this->part = itsPart;
+      this->next = { &loop, part };
     }
     this->given.notify_one();
   }
 
+  void release() { this->busy.store(false, std::memory_order_relaxed); }
+
 private:
+  struct Job
+  {
+    Fork* fork;
+    std::size_t part;
+  };
+
   void work(Crew& crew)
   {
     current() = &crew;
-    while (Fork* const mine = this->wait())
+    for (Job job = this->wait(); job.fork; job = this->wait())
     {
-      mine->run(this->part);
-      // In this order, or the next loop would find all threads busy. What is given from now on
-      // waits until this one is back.
-      this->busy.store(false, std::memory_order_relaxed);
-      mine->partEnded();
+      job.fork->run(job.part);
+      job.fork->partEnded();
     }
   }
 
-  /// @return null: it is over
-  Fork* wait()
+  /// @return a fork; or none: it is over
+  Job wait()
   {
     std::unique_lock<std::mutex> lock(this->mutex);
-    this->given.wait(lock, [this] { return this->fork || this->ends; });
-    return std::exchange(this->fork, nullptr);
+    this->given.wait(lock, [this] { return this->next.fork || this->ends; });
+    return std::exchange(this->next, {});
   }
 
   std::atomic<bool> busy{ false };
   std::mutex mutex;
   std::condition_variable given;
-  Fork* fork = nullptr;
-  std::size_t part = 0;
+  Job next = { nullptr, 0 };
   bool ends = false;
   std::thread thread;
 };
@@ -233,6 +242,12 @@ public:
     }
     loop.run(0);
     loop.join();
+    // Not before: a thread that went from loop to loop would order what has no order.
+    for (Worker* const worker : claimed)
+    {
+      worker->release();
+    }
+    loop.check();
   }
 
 private:
