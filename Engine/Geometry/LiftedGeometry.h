@@ -350,14 +350,15 @@ private:
   struct Place
   {
     double x[2];
+    static FF_HD Place of(const Vertex& p) { return { { p.x[0], p.x[1] } }; }
   };
 
-  /// Of a corner, or of p where the corner is the virtual vertex.
+  /// Of a corner; of p where the corner is the virtual vertex.
   static FF_HD Place cornerPlace(const Vertex& corner, const Vertex& p)
   {
-    const bool replace = isVirtual(corner);
-    return { { replace ? p.x[0] : corner.x[0], replace ? p.x[1] : corner.x[1] } };
+    return choose(isVirtual(corner), Place::of(p), Place::of(corner));
   }
+  static FF_HD Place choose(bool first, Place a, Place b) { return first ? a : b; }
 
   /// Three points whose orientation in the plane, times a sign, is what a predicate comes to when
   /// one of its vertices is the virtual vertex. A null c stands for the kernel point.
@@ -418,27 +419,28 @@ private:
   FF_HD FF_APART bool filterVirtualAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
-    if (isVirtual(p))
+    if (isVirtual(p) && isVirtual(a, b, c))
     {
-      if (isVirtual(a, b, c))
-      {
-        sign = 0; // it is one and the same
-        return true;
-      }
-      const bool known = this->filterOrient(a.x, b.x, c.x, sign);
-      sign = -sign;
-      return known;
+      sign = 0; // it is one and the same
+      return true;
     }
-    return this->filterOrient(cornerPlace(a, p).x, cornerPlace(b, p).x, cornerPlace(c, p).x, sign);
+    // Where p is the virtual vertex, all corners are their own.
+    const Place u = cornerPlace(a, p), v = cornerPlace(b, p), w = cornerPlace(c, p);
+    const bool known = this->filterOrient(u.x, v.x, w.x, sign);
+    sign = isVirtual(p) ? -sign : sign;
+    return known;
   }
 
+  /// With the virtual vertex among the three: the orientation of the border's edge (see borderEdge)
+  /// and the kernel point's place, which is on no lattice.
   FF_HD FF_APART bool filterVirtualBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
-    const BorderEdge edge = borderEdge(a, b, c);
-    // The kernel point's place is on no lattice.
-    const bool known = ExpansionSigns::filterOrient2(
-      edge.from->x, edge.to->x, this->kernelPoint.place(), 0, 1, sign);
+    const Place u = Place::of(a), v = Place::of(b), w = Place::of(c);
+    const Place from = choose(isVirtual(a), v, choose(isVirtual(b), w, u));
+    const Place to = choose(isVirtual(a), w, choose(isVirtual(b), u, v));
+    const bool known =
+      ExpansionSigns::filterOrient2(from.x, to.x, this->kernelPoint.place(), 0, 1, sign);
     sign = -sign;
     return known && !this->kernelPoint.isSymbolic();
   }
