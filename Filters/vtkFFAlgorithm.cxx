@@ -201,7 +201,7 @@ void vtkFFAlgorithm::vtkInternals::ReportFailure(const vtkFFFailure& failure, bo
   else if (failure.Kind == vtkFFFailure::NonFinite)
   {
     this->NonFinitePointsOfFailure = failure.Count;
-    this->Filter->NumberOfNonFinitePoints = failure.Count;
+    this->Statistics.nonFinite = failure.Count;
     this->ReportError(this->DescribeError(
       flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));
   }
