@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Aligned memory as each system has it, in a way that VTK's arrays can end, too.
+/// Aligned memory on every system, such that VTK's arrays can free it, too.
 ///
-/// C++'s own aligned_alloc is missing on Windows and on older macOS, and what its operator new
-/// gives cannot shrink in place. Windows has calls of its own, and free() does not end their
-/// memory.
+/// std::aligned_alloc is missing on Windows and on older macOS, and memory from operator new cannot
+/// shrink in place. Windows has calls of its own, and free() does not free their memory.
 #ifndef flipflop_Memory_h
 #define flipflop_Memory_h
 
@@ -21,10 +20,10 @@
 namespace flipflop
 {
 
-/// Memory that freeMemory() ends; or VTK's arrays, as VTK_DATA_ARRAY_ALIGNED_FREE.
+/// Allocates memory. freeMemory() frees it, and so do VTK's arrays (VTK_DATA_ARRAY_ALIGNED_FREE).
 /// @param alignment a power of two
 /// @param bytes     1 or more
-/// @return null where it is not to be had
+/// @return null where there is not enough memory
 inline void* allocateMemory(std::size_t alignment, std::size_t bytes)
 {
 #if defined(_WIN32)
@@ -32,7 +31,7 @@ inline void* allocateMemory(std::size_t alignment, std::size_t bytes)
 #else
   if (alignment <= alignof(std::max_align_t))
   {
-    // Out of malloc's caches, which are no help where an alignment is asked for.
+    // From malloc's caches, which posix_memalign does not use.
     return std::malloc(bytes);
   }
   void* memory = nullptr;
@@ -40,7 +39,8 @@ inline void* allocateMemory(std::size_t alignment, std::size_t bytes)
 #endif
 }
 
-/// Ends what allocateMemory() gave; null is nothing.
+/// Frees memory from allocateMemory().
+/// @param memory null: nothing is done
 inline void freeMemory(void* memory)
 {
 #if defined(_WIN32)
@@ -50,8 +50,10 @@ inline void freeMemory(void* memory)
 #endif
 }
 
-/// Gives back what is past @p bytes, if that can be done.
-/// @param alignment as the memory was asked for; elsewhere than on Windows it may be lost
+/// Gives the memory past the first bytes back, if that can be done.
+/// @param memory    from allocateMemory()
+/// @param alignment as it was allocated with; the result has it on Windows only
+/// @param bytes     to keep: 1 or more
 /// @return where the memory is now; null where it stayed as it was
 inline void* shrinkMemory(void* memory, [[maybe_unused]] std::size_t alignment, std::size_t bytes)
 {
