@@ -24,7 +24,7 @@ for entry in json.load(open(path, encoding="utf-8")):
         del words[words.index("-o"):words.index("-o") + 2]
         words[words.index("-c")] = "-fsyntax-only"
         command = shlex.join(words + ["-stdlib=libc++"])
-        print(f"cd {shlex.quote(entry['directory'])} && {command} || {{ echo FAILED {file}; exit 1; }}", end="\0")
+        print(f"echo {file}; cd {shlex.quote(entry['directory'])} && {command} || {{ echo FAILED {file}; exit 1; }}", end="\0")
 END
   xargs -0 -r -P "$(parallel_jobs)" -n 1 sh -c
 say "All compiled"
