@@ -21,13 +21,11 @@ ReferenceHull bruteForce(const Space& space)
 {
   const std::vector<int> points = distinct(space);
   const std::vector<int> base = basis(space, points);
-  ReferenceHull hull;
   if (base.size() < 4)
   {
-    hull = flatHull(space, points, base);
-    finish(hull);
-    return hull;
+    return flatHull(space, points, base);
   }
+  ReferenceHull hull;
   hull.dimension = 3;
   const int n = static_cast<int>(points.size());
   std::set<std::vector<int>> facets;

@@ -135,13 +135,11 @@ ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel)
   const FilteredSpace space(cloud);
   const std::vector<int> points = distinct(space);
   const std::vector<int> base = basis(space, points);
-  ReferenceHull hull;
   if (base.size() < 4)
   {
-    hull = flatHull(space, points, base);
-    finish(hull);
-    return hull;
+    return flatHull(space, points, base);
   }
+  ReferenceHull hull;
   hull.dimension = 3;
   const std::vector<Triangle> triangles = kernel == CgalKernel::Inexact
     ? hullTriangles<CGAL::Exact_predicates_inexact_constructions_kernel>(cloud, points)

@@ -142,6 +142,13 @@ std::vector<int> planarHull(const Space& space, std::vector<int> points, int i, 
   return chain;
 }
 
+/// Fill in the ids from the cells, and put all into order.
+inline void finish(ReferenceHull& hull)
+{
+  canonicalise(hull.cells);
+  hull.ids = idsIn(hull.cells);
+}
+
 /// The hull of distinct points that span less than space; basis has at most three points.
 template <class Space>
 ReferenceHull flatHull(
@@ -173,14 +180,8 @@ ReferenceHull flatHull(
   {
     hull.cells.emplace_back(cell.begin(), cell.end());
   }
+  finish(hull);
   return hull;
-}
-
-/// Fill in the ids from the cells, and put all into order.
-inline void finish(ReferenceHull& hull)
-{
-  canonicalise(hull.cells);
-  hull.ids = idsIn(hull.cells);
 }
 
 }
