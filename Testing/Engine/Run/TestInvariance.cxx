@@ -158,6 +158,8 @@ TEST_P(Invariance, UnderLeavingOutAllButTheResultsPoints)
   const Result again = this->run(permuted(cloud, std::vector<int>(names.begin(), names.end())));
   EXPECT_EQ(renamed(cellsOf(complexOf(again)), names), cellsOf(complexOf(whole)));
   EXPECT_EQ(complexOf(again).pointIds.size(), names.size());
+  const auto* triangulation = std::get_if<Triangulation>(&again);
+  EXPECT_TRUE(!triangulation || triangulation->hiddenIds.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
