@@ -302,36 +302,20 @@ void expectHull(const Cloud& cloud, const ReferenceHull& reference)
   }
 }
 
-std::string quickFault(
-  const Cloud& cloud, const ReferenceHull& reference, FacetMode facets, int threads, bool vBiased)
+void expectError(
+  const std::function<void()>& run, ErrorCode code, std::int64_t index, std::int64_t count)
 {
-  Options options;
-  options.threads = threads;
-  options.facets = facets;
-  options.vBiased = vBiased;
   try
   {
-    const Hull hull = convexHull(viewOf(cloud), options);
-    const std::string fault = difference(hull, reference, facets);
-    if (!fault.empty())
-    {
-      return fault;
-    }
-    HostOrder how;
-    if (drawOrder(cloud, how))
-    {
-      const std::string between = bitDifference(hullByRounds(viewOf(cloud), options, how), hull);
-      if (!between.empty())
-      {
-        return "rounds " + how.toString() + ": " + between;
-      }
-    }
-    const Validation valid = validate(viewOf(cloud), hull, 1);
-    return valid ? "" : std::string("validate: ") + describe(valid.fault);
+    run();
+    ADD_FAILURE() << "no error; wanted: " << Error(code).what();
   }
   catch (const Error& error)
   {
-    return std::string("threw: ") + error.what();
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_STRNE(error.what(), "");
+    EXPECT_TRUE(index == -2 || error.index() == index) << error.index() << " for " << index;
+    EXPECT_TRUE(count == -2 || error.count() == count) << error.count() << " for " << count;
   }
 }
 

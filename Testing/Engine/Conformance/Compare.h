@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -64,11 +65,9 @@ std::string statisticsFault(const CellComplex& complex, std::int64_t points);
 /// several orders. All must be the reference, be equal bit for bit, and pass validate.
 void expectHull(const Cloud& cloud, const ReferenceHull& reference);
 
-/// One plain run, for loops over very many clouds: the reference, and validate. Now and then one by
-/// the rounds too.
-/// @return what is wrong; empty when nothing is.
-std::string quickFault(
-  const Cloud& cloud, const ReferenceHull& reference, FacetMode facets, int threads, bool vBiased);
+/// Run, expecting an error: its code, and its index and count where they are not -2.
+void expectError(const std::function<void()>& run, ErrorCode code, std::int64_t index = -2,
+  std::int64_t count = -2);
 
 /// Is this program slower than others by a factor of ten or more?
 bool isSanitized();

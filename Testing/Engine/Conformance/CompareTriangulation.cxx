@@ -263,37 +263,5 @@ void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& re
   }
 }
 
-std::string quickFault(
-  const Cloud& weighted, const ReferenceTriangulation& reference, const Options& options)
-{
-  try
-  {
-    const Triangulation found =
-      regularTriangulation(viewOf(weighted), weightsOf(weighted), options);
-    const std::string fault =
-      difference(found, reference, options.facets, static_cast<std::int64_t>(weighted.size()));
-    if (!fault.empty())
-    {
-      return fault;
-    }
-    HostOrder how;
-    if (drawOrder(weighted, how))
-    {
-      const std::string between = bitDifference(
-        triangulationByRounds(viewOf(weighted), weightsOf(weighted), options, how), found);
-      if (!between.empty())
-      {
-        return "rounds " + how.toString() + ": " + between;
-      }
-    }
-    const Validation valid = validate(viewOf(weighted), weightsOf(weighted), found, 1);
-    return valid ? "" : std::string("validate: ") + describe(valid.fault);
-  }
-  catch (const Error& error)
-  {
-    return std::string("threw: ") + error.what();
-  }
-}
-
 }
 }

@@ -38,12 +38,6 @@ std::string statisticsFault(const Triangulation& triangulation, std::int64_t poi
 /// for bit, and pass validate.
 void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& reference);
 
-/// One plain run, for loops over very many clouds: the reference, and validate. Now and then one by
-/// the rounds too.
-/// @return what is wrong; empty when nothing is.
-std::string quickFault(
-  const Cloud& weighted, const ReferenceTriangulation& reference, const Options& options);
-
 }
 }
 

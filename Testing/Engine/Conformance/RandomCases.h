@@ -8,8 +8,7 @@
 #ifndef flipflop_test_RandomCases_h
 #define flipflop_test_RandomCases_h
 
-#include "Testing/Engine/Conformance/Compare.h"
-#include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/Conformance/Kind.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -27,38 +26,59 @@ inline std::int64_t fromEnvironment(const char* name, std::int64_t otherwise)
   return text ? std::atoll(text) : otherwise;
 }
 
-/// Stops at the third failure.
-/// @param dimension the greatest that a result can have; all from 0 on must come up in many cases
-/// @param make      Reference (Random&, Cloud&): draws a cloud, and tells its right result
-/// @param faultOf   std::string (const Cloud&, const Reference&, const Options&)
-template <class Make, class FaultOf>
-void runRandomCases(int cases, int dimension, const Make& make, const FaultOf& faultOf)
+/// Stops at the third failure. All dimensions from 0 on must come up in many cases.
+/// @param make ReferenceHull (Random&, Cloud&): draws a cloud, and tells its right result
+template <class Make>
+void runRandomCases(const Kind& kind, int cases, const Make& make)
 {
   const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
   const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
   int failures = 0;
-  std::vector<int> met(static_cast<std::size_t>(dimension) + 2);
+  std::vector<int> met(static_cast<std::size_t>(kind.dimension) + 2);
   for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
   {
     Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
     Cloud cloud;
-    const auto wanted = make(random, cloud);
+    const ReferenceHull wanted = make(random, cloud);
     ++met[static_cast<std::size_t>(wanted.dimension) + 1];
     Options options;
     options.facets = seed % 2 ? FacetMode::Polygons : FacetMode::Triangles;
     options.threads = seed % 16 ? 1 : 2;
     options.vBiased = seed % 3 == 0;
-    const std::string fault = faultOf(cloud, wanted, options);
+    const std::string fault = quickFault(kind, cloud, wanted, options);
     if (!fault.empty())
     {
       ++failures;
       ADD_FAILURE() << "seed " << seed << ": " << fault << "\n" << toString(cloud);
     }
   }
-  for (int d = 0; d <= dimension && count >= 5000; ++d)
+  for (int d = 0; d <= kind.dimension && count >= 5000; ++d)
   {
     EXPECT_GT(met[static_cast<std::size_t>(d) + 1], 0) << "dimension " << d;
   }
+}
+
+/// The same against CGAL. @param make void (Random&, Cloud&): draws a cloud
+template <class Make>
+void runCasesByCgal(const Kind& kind, int cases, const Make& make)
+{
+  runRandomCases(kind, cases,
+    [&](Random& r, Cloud& cloud)
+    {
+      make(r, cloud);
+      return kind.cgal(cloud);
+    });
+}
+
+/// The same against the brute force: numbers with a unit of the last place here and there.
+inline void runCasesOfUlps(const Kind& kind, int cases, double ulp, int odds)
+{
+  runRandomCases(kind, cases,
+    [&](Random& r, Cloud& cloud)
+    {
+      cloud = withUlps(ulp, odds, r);
+      return kind.bruteForce(cloud);
+    });
 }
 
 }

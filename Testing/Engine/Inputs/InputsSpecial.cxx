@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Inputs that are made by hand: exactly degenerate ones, and those of extreme ranges.
-#include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/Inputs/InputMaking.h"
 
 #include <cmath>
 #include <limits>
@@ -116,56 +116,45 @@ Cloud cubeWithEdges()
 
 std::vector<Input> smallSpecialInputs()
 {
-  std::vector<Input> inputs;
-  const auto add = [&](std::string name, std::function<Cloud()> make) {
-    inputs.push_back({ std::move(name), 0, std::move(make) });
-  };
-  const auto addRandom = [&](std::string name, std::uint64_t seed, auto make)
-  {
-    inputs.push_back({ std::move(name), seed,
-      [make, seed]()
-      {
-        Random random(seed);
-        return make(random);
-      } });
-  };
-  add("grid2", []() { return integerGrid(2); });
-  add("grid3", []() { return integerGrid(3); });
-  add("grid3rotated", []() { return rotated(integerGrid(3)); });
-  add("latticeTetrahedron4", []() { return latticeTetrahedron(4); });
-  add("octahedron", []() { return cosphericalIntegers(1); });
-  add("cuboctahedron", []() { return cosphericalIntegers(2); });
-  add("cospherical9", []() { return cosphericalIntegers(9); });
-  add("bipyramid3", []() { return bipyramid(3); });
-  add("bipyramid12", []() { return bipyramid(12); });
-  add("twoLines8", []() { return twoLines(8); });
-  add("cubeWithEdges", cubeWithEdges);
-  add("negativeZeros",
+  InputList list;
+  list.add("grid2", []() { return integerGrid(2); });
+  list.add("grid3", []() { return integerGrid(3); });
+  list.add("grid3rotated", []() { return rotated(integerGrid(3)); });
+  list.add("latticeTetrahedron4", []() { return latticeTetrahedron(4); });
+  list.add("octahedron", []() { return cosphericalIntegers(1); });
+  list.add("cuboctahedron", []() { return cosphericalIntegers(2); });
+  list.add("cospherical9", []() { return cosphericalIntegers(9); });
+  list.add("bipyramid3", []() { return bipyramid(3); });
+  list.add("bipyramid12", []() { return bipyramid(12); });
+  list.add("twoLines8", []() { return twoLines(8); });
+  list.add("cubeWithEdges", cubeWithEdges);
+  list.add("negativeZeros",
     []()
     {
       return Cloud{ { -0.0, 0, 0 }, { 0, -0.0, 0 }, { 1, 0, -0.0 }, { 1, -0.0, 0 }, { 0, 1, 0 },
         { -0.0, 1, -0.0 }, { 0, 0, 1 }, { -0.0, -0.0, 1 } };
     });
-  addRandom("prism6", 11, [](Random& random) { return prism(6, 12, random); });
-  addRandom("grid2times4", 12, [](Random& random) { return repeated(integerGrid(2), 4, random); });
-  addRandom("tetrahedronTimes9", 13,
+  list.addRandom("prism6", 11, [](Random& random) { return prism(6, 12, random); });
+  list.addRandom(
+    "grid2times4", 12, [](Random& random) { return repeated(integerGrid(2), 4, random); });
+  list.addRandom("tetrahedronTimes9", 13,
     [](Random& random) { return repeated(latticeTetrahedron(2), 9, random); });
-  add("huge", []() { return scaled(family("shell0", 36, 21), 3e300, 3e300, 3e300); });
-  add("hugest",
+  list.add("huge", []() { return scaled(family("shell0", 36, 21), 3e300, 3e300, 3e300); });
+  list.add("hugest",
     []()
     {
       // The difference of two of these overflows.
       const double m = std::numeric_limits<double>::max();
       return scaled(integerGrid(2), m, m, m);
     });
-  add("hugestAround",
+  list.add("hugestAround",
     []()
     {
       const double m = std::numeric_limits<double>::max();
       return joined(scaled(cosphericalIntegers(3), m, m, m), family("ball", 10, 22));
     });
   // The centroid of these is rounded to their lattice: equal points lie on the cones' borders.
-  add("duplicatesOnConeBorders",
+  list.add("duplicatesOnConeBorders",
     []()
     {
       const Cloud cloud = { { 0, 0, 1.5 }, { 2, 0, 0 }, { -1, 0, 1.5 }, { -0.5, 0, 1.5 },
@@ -173,28 +162,30 @@ std::vector<Input> smallSpecialInputs()
       return moved(cloud, 0x1p51, 0x1p51, -0x1p51);
     });
   // The greatest numbers beside the least: no power of two brings both away from the ends.
-  add("greatestBesideLeast",
+  list.add("greatestBesideLeast",
     []() {
       return Cloud{ { 0, 0x1p1023, 0 }, { 0, 0x1p1023, 0x1p-1074 } };
     });
-  add("greatestAndLeastAtZero",
+  list.add("greatestAndLeastAtZero",
     []() {
       return Cloud{ { 0, 0x1p-1074, 0 }, { -0x1p1023, 0, 0 }, { 0, 0, 0 } };
     });
-  add("tiny", []() { return scaled(family("shell0", 36, 23), 1e-300, 1e-300, 1e-300); });
-  addRandom("denormalsFew", 24, [](Random& random) { return denormals(30, 3, random); });
-  addRandom("denormalsMany", 25, [](Random& random) { return denormals(30, 100000, random); });
-  addRandom("corner1e20", 26, [](Random& random) { return cutCorner(26, 1e20, 1e-20, random); });
-  addRandom("corner1e300", 27, [](Random& random) { return cutCorner(26, 1e300, 1e-300, random); });
-  addRandom("corner1e8", 28, [](Random& random) { return cutCorner(26, 1e8, 1e-8, random); });
-  addRandom("cornerDenormal", 29,
+  list.add("tiny", []() { return scaled(family("shell0", 36, 23), 1e-300, 1e-300, 1e-300); });
+  list.addRandom("denormalsFew", 24, [](Random& random) { return denormals(30, 3, random); });
+  list.addRandom("denormalsMany", 25, [](Random& random) { return denormals(30, 100000, random); });
+  list.addRandom(
+    "corner1e20", 26, [](Random& random) { return cutCorner(26, 1e20, 1e-20, random); });
+  list.addRandom(
+    "corner1e300", 27, [](Random& random) { return cutCorner(26, 1e300, 1e-300, random); });
+  list.addRandom("corner1e8", 28, [](Random& random) { return cutCorner(26, 1e8, 1e-8, random); });
+  list.addRandom("cornerDenormal", 29,
     [](Random& random)
     { return joined(cutCorner(6, 1e308, 1, random), denormals(18, 9, random)); });
-  addRandom("log20", 30, [](Random& random) { return logUniform(30, -66, 66, random); });
-  addRandom("log300", 31, [](Random& random) { return logUniform(30, -1000, 1000, random); });
-  addRandom("logAll", 32, [](Random& random) { return logUniform(24, -1074, 1022, random); });
-  add("thinDenormal", []() { return scaled(family("ball", 30, 33), 1e300, 1, 1e-310); });
-  add("powersOfTwo",
+  list.addRandom("log20", 30, [](Random& random) { return logUniform(30, -66, 66, random); });
+  list.addRandom("log300", 31, [](Random& random) { return logUniform(30, -1000, 1000, random); });
+  list.addRandom("logAll", 32, [](Random& random) { return logUniform(24, -1074, 1022, random); });
+  list.add("thinDenormal", []() { return scaled(family("ball", 30, 33), 1e300, 1, 1e-310); });
+  list.add("powersOfTwo",
     []()
     {
       Cloud cloud;
@@ -204,8 +195,8 @@ std::vector<Input> smallSpecialInputs()
       }
       return cloud;
     });
-  add("farGrid", []() { return moved(integerGrid(3), 0x1p52, -0x1p52, 0x1p51); });
-  addRandom("ulpCube", 34,
+  list.add("farGrid", []() { return moved(integerGrid(3), 0x1p52, -0x1p52, 0x1p51); });
+  list.addRandom("ulpCube", 34,
     [](Random& random)
     {
       // A cube's corners, each four times within an ulp.
@@ -223,60 +214,52 @@ std::vector<Input> smallSpecialInputs()
       }
       return cloud;
     });
-  return inputs;
+  return list.inputs;
 }
 
 std::vector<Input> largeSpecialInputs()
 {
-  std::vector<Input> inputs;
-  const auto add = [&](std::string name, std::function<Cloud()> make) {
-    inputs.push_back({ std::move(name), 0, std::move(make) });
-  };
-  const auto addRandom = [&](std::string name, std::uint64_t seed, auto make)
-  {
-    inputs.push_back({ std::move(name), seed,
-      [make, seed]()
-      {
-        Random random(seed);
-        return make(random);
-      } });
-  };
+  InputList list;
   for (int side = 4; side <= 12; side += 2)
   {
-    add("grid" + std::to_string(side), [side]() { return integerGrid(side); });
-    add("grid" + std::to_string(side) + "rotated", [side]() { return rotated(integerGrid(side)); });
+    list.add("grid" + std::to_string(side), [side]() { return integerGrid(side); });
+    list.add(
+      "grid" + std::to_string(side) + "rotated", [side]() { return rotated(integerGrid(side)); });
   }
-  add("cubeSurfaceGrid20", []() { return cubeSurfaceGrid(20); });
-  add("cubeSurfaceGrid20rotated", []() { return rotated(cubeSurfaceGrid(20)); });
-  add("cubeSurfaceGrid20float", []() { return roundedToFloat(rotated(cubeSurfaceGrid(20))); });
-  add("cubeSurfaceGrid40rotated", []() { return rotated(cubeSurfaceGrid(40)); });
+  list.add("cubeSurfaceGrid20", []() { return cubeSurfaceGrid(20); });
+  list.add("cubeSurfaceGrid20rotated", []() { return rotated(cubeSurfaceGrid(20)); });
+  list.add("cubeSurfaceGrid20float", []() { return roundedToFloat(rotated(cubeSurfaceGrid(20))); });
+  list.add("cubeSurfaceGrid40rotated", []() { return rotated(cubeSurfaceGrid(40)); });
   for (int n : { 41, 161, 569, 1001, 5201, 20021 })
   {
-    add("cospherical" + std::to_string(n), [n]() { return cosphericalIntegers(n); });
+    list.add("cospherical" + std::to_string(n), [n]() { return cosphericalIntegers(n); });
   }
-  add("cosphericalFar", []() { return moved(cosphericalIntegers(5201), 1e9, 1e9, -1e9); });
-  add("latticeTetrahedron20", []() { return latticeTetrahedron(20); });
-  add("latticeTetrahedron20rotated", []() { return rotated(latticeTetrahedron(20)); });
-  add("bipyramid1000", []() { return bipyramid(1000); });
-  add("twoLines400", []() { return twoLines(400); });
-  addRandom("prism100", 41, [](Random& random) { return prism(100, 1000, random); });
-  addRandom("prism1000", 42, [](Random& random) { return prism(1000, 0, random); });
-  addRandom(
+  list.add("cosphericalFar", []() { return moved(cosphericalIntegers(5201), 1e9, 1e9, -1e9); });
+  list.add("latticeTetrahedron20", []() { return latticeTetrahedron(20); });
+  list.add("latticeTetrahedron20rotated", []() { return rotated(latticeTetrahedron(20)); });
+  list.add("bipyramid1000", []() { return bipyramid(1000); });
+  list.add("twoLines400", []() { return twoLines(400); });
+  list.addRandom("prism100", 41, [](Random& random) { return prism(100, 1000, random); });
+  list.addRandom("prism1000", 42, [](Random& random) { return prism(1000, 0, random); });
+  list.addRandom(
     "prism1000rotated", 43, [](Random& random) { return rotated(prism(1000, 500, random)); });
-  addRandom("grid8times5", 44, [](Random& random) { return repeated(integerGrid(8), 5, random); });
-  addRandom("shell0times4", 45,
+  list.addRandom(
+    "grid8times5", 44, [](Random& random) { return repeated(integerGrid(8), 5, random); });
+  list.addRandom("shell0times4", 45,
     [](Random& random) { return repeated(family("shell0", 1000, 45), 4, random); });
-  addRandom("corner1e20", 46, [](Random& random) { return cutCorner(300, 1e20, 1e-20, random); });
-  addRandom(
+  list.addRandom(
+    "corner1e20", 46, [](Random& random) { return cutCorner(300, 1e20, 1e-20, random); });
+  list.addRandom(
     "corner1e300", 47, [](Random& random) { return cutCorner(300, 1e300, 1e-300, random); });
-  addRandom("log300", 48, [](Random& random) { return logUniform(400, -1000, 1000, random); });
-  addRandom("denormals", 49, [](Random& random) { return denormals(500, 1000, random); });
-  add("tiny", []() { return scaled(family("shell0", 500, 50), 1e-300, 1e-300, 1e-300); });
-  add("huge", []() { return scaled(family("shell0", 500, 51), 1e308, 1e308, 1e308); });
-  addRandom("mostlyCoplanar", 52, [](Random& random) { return mostlyCoplanar(100000, 3, random); });
-  addRandom(
+  list.addRandom("log300", 48, [](Random& random) { return logUniform(400, -1000, 1000, random); });
+  list.addRandom("denormals", 49, [](Random& random) { return denormals(500, 1000, random); });
+  list.add("tiny", []() { return scaled(family("shell0", 500, 50), 1e-300, 1e-300, 1e-300); });
+  list.add("huge", []() { return scaled(family("shell0", 500, 51), 1e308, 1e308, 1e308); });
+  list.addRandom(
+    "mostlyCoplanar", 52, [](Random& random) { return mostlyCoplanar(100000, 3, random); });
+  list.addRandom(
     "mostlyCoplanarOne", 53, [](Random& random) { return mostlyCoplanar(100000, 1, random); });
-  addRandom("sameButOne", 54,
+  list.addRandom("sameButOne", 54,
     [](Random& random)
     {
       // One position thousands of times, and a tetrahedron around it.
@@ -285,7 +268,7 @@ std::vector<Input> largeSpecialInputs()
       random.shuffle(cloud);
       return cloud;
     });
-  addRandom("collinearButTwo", 55,
+  list.addRandom("collinearButTwo", 55,
     [](Random& random)
     {
       Cloud cloud;
@@ -298,7 +281,7 @@ std::vector<Input> largeSpecialInputs()
       random.shuffle(cloud);
       return cloud;
     });
-  addRandom("concentricShells", 56,
+  list.addRandom("concentricShells", 56,
     [](Random& random)
     {
       Cloud cloud;
@@ -309,7 +292,7 @@ std::vector<Input> largeSpecialInputs()
       random.shuffle(cloud);
       return cloud;
     });
-  return inputs;
+  return list.inputs;
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Engine/Inputs/InputsWeighted.h"
+#include "Testing/Engine/Inputs/InputMaking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +16,6 @@ namespace
 {
 
 constexpr double Turn = 6.283185307179586;
-
-template <class Make>
-Cloud generate(int count, const Make& make)
-{
-  Cloud cloud;
-  cloud.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-  {
-    cloud.push_back(make(i));
-  }
-  return cloud;
-}
 
 Point inSquare(Random& random, double heaviest)
 {

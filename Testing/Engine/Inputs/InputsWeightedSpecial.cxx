@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Weighted inputs that are made by hand: exactly degenerate ones, and those of extreme ranges.
+#include "Testing/Engine/Inputs/InputMaking.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <cmath>
@@ -14,27 +15,6 @@ namespace test
 
 namespace
 {
-
-/// What a list of inputs is built with.
-struct List
-{
-  std::vector<Input> inputs;
-
-  void add(std::string name, std::function<Cloud()> make)
-  {
-    this->inputs.push_back({ std::move(name), 0, std::move(make) });
-  }
-  template <class Make>
-  void addRandom(std::string name, std::uint64_t seed, Make make)
-  {
-    this->inputs.push_back({ std::move(name), seed,
-      [make, seed]()
-      {
-        Random random(seed);
-        return make(random);
-      } });
-  }
-};
 
 Cloud family(const char* name, int count, std::uint64_t seed)
 {
@@ -140,7 +120,7 @@ std::vector<Input> smallWeightedInputs()
 {
   const double greatest = std::numeric_limits<double>::max();
   const double least = std::numeric_limits<double>::denorm_min();
-  List list;
+  InputList list;
   list.add("square", []() { return squareGrid(2); });
   list.add("grid3", []() { return squareGrid(3); });
   list.add("grid5", []() { return squareGrid(5); });
@@ -297,7 +277,7 @@ std::vector<Input> smallWeightedInputs()
 
 std::vector<Input> largeWeightedInputs()
 {
-  List list;
+  InputList list;
   list.add("grid60", []() { return squareGrid(60); });
   list.add("grid60rounded", []() { return scaled(squareGrid(60), 0.1, 0.1, 1); });
   list.add("grid110weighed", []() { return weighed(squareGrid(110), 0.3); });

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Power diagrams of boxes that are none, or of another's triangulation, are refused.
-#include "Testing/Engine/Conformance/CompareTriangulation.h"
-
 #include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/Validate/TriangulationClaims.h"
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/RegularTriangulation.h>
 
@@ -24,29 +23,7 @@ namespace
 void expectError(ErrorCode code, const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box)
 {
-  try
-  {
-    powerDiagram(points, weights, triangulation, box);
-    ADD_FAILURE() << "no error; wanted: " << Error(code).what();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), code) << error.what();
-  }
-}
-
-Triangulation triangulationOf(int dimension, const std::vector<Cell>& cells)
-{
-  ReferenceTriangulation reference;
-  reference.dimension = dimension;
-  for (const Cell& cell : cells)
-  {
-    reference.ids.insert(reference.ids.end(), cell.begin(), cell.end());
-  }
-  std::sort(reference.ids.begin(), reference.ids.end());
-  reference.ids.erase(std::unique(reference.ids.begin(), reference.ids.end()), reference.ids.end());
-  reference.cells = cells;
-  return makeTriangulation(reference, 4);
+  test::expectError([&] { powerDiagram(points, weights, triangulation, box); }, code);
 }
 
 TEST(PowerDiagramErrors, BadArguments)
@@ -57,6 +34,8 @@ TEST(PowerDiagramErrors, BadArguments)
   const Cloud sites = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
   const PointView points = viewOf(sites);
   const WeightView weights = weightsOf(sites);
+  const auto triangulationOf = [&](int dimension, const std::vector<Cell>& cells)
+  { return claim(sites, dimension, cells); };
   const Triangulation good = triangulationOf(2, { { 0, 1, 2, 3 } });
   const double box[] = { 0, 1, 0, 1 };
   EXPECT_EQ(powerDiagram(points, weights, good, box).siteIds.size(), 4u);

@@ -209,12 +209,9 @@ Baseline readBaseline(const std::string& path)
     {
       cell.push_back(id);
     }
-    result.hull.ids.insert(result.hull.ids.end(), cell.begin(), cell.end());
     result.hull.cells.push_back(std::move(cell));
   }
-  std::sort(result.hull.ids.begin(), result.hull.ids.end());
-  result.hull.ids.erase(
-    std::unique(result.hull.ids.begin(), result.hull.ids.end()), result.hull.ids.end());
+  result.hull.ids = idsIn(result.hull.cells);
   if (result.hull.cells.size() != cells)
   {
     throw std::runtime_error(path + " is cut short");

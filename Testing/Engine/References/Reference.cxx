@@ -21,13 +21,11 @@ ReferenceHull bruteForce(const Space& space)
 {
   const std::vector<int> points = distinct(space);
   const std::vector<int> base = basis(space, points);
-  ReferenceHull hull;
   if (base.size() < 4)
   {
-    hull = flatHull(space, points, base);
-    finish(hull);
-    return hull;
+    return flatHull(space, points, base);
   }
+  ReferenceHull hull;
   hull.dimension = 3;
   const int n = static_cast<int>(points.size());
   std::set<std::vector<int>> facets;
@@ -66,24 +64,6 @@ ReferenceHull bruteForce(const Space& space)
 }
 
 template <class Int>
-Int narrow(const mpz_class& x)
-{
-  Int result = 0;
-  const mpz_class size = abs(x);
-  for (int shift = 120; shift >= 0; shift -= 30) // a long may have 32 bits
-  {
-    const mpz_class digit = (size >> shift) % (1 << 30);
-    result = result * (1 << 30) + digit.get_si();
-  }
-  return sgn(x) < 0 ? static_cast<Int>(-result) : result;
-}
-template <>
-mpz_class narrow<mpz_class>(const mpz_class& x)
-{
-  return x;
-}
-
-template <class Int>
 ReferenceHull bruteForceAs(const Cloud& cloud, int exponent)
 {
   std::vector<typename IntegerSpace<Int>::Vector> points;
@@ -95,12 +75,6 @@ ReferenceHull bruteForceAs(const Cloud& cloud, int exponent)
   }
   return bruteForce(IntegerSpace<Int>(std::move(points)));
 }
-
-#if defined(__SIZEOF_INT128__)
-__extension__ using Int128 = __int128;
-#else
-using Int128 = mpz_class; // of any size, and slower
-#endif
 
 }
 
@@ -122,6 +96,16 @@ ReferenceHull bruteForceHull(const std::vector<std::array<std::int64_t, 3>>& poi
   return bruteForce(IntegerSpace<std::int64_t>(points));
 }
 
+CgalKernel kernelForHull(const Cloud& cloud)
+{
+  const Scale scale = commonScale(cloud);
+  if (scale.bits > 500 || scale.exponent + scale.bits > 500 || scale.exponent < -500)
+  {
+    return CgalKernel::Rational;
+  }
+  return cloud.size() > 6000 && scale.bits < 100 ? CgalKernel::Inexact : CgalKernel::Lazy;
+}
+
 void canonicalise(std::vector<Cell>& cells)
 {
   for (Cell& cell : cells)
@@ -129,6 +113,18 @@ void canonicalise(std::vector<Cell>& cells)
     std::rotate(cell.begin(), std::min_element(cell.begin(), cell.end()), cell.end());
   }
   std::sort(cells.begin(), cells.end());
+}
+
+Cell idsIn(const std::vector<Cell>& cells)
+{
+  Cell ids;
+  for (const Cell& cell : cells)
+  {
+    ids.insert(ids.end(), cell.begin(), cell.end());
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
 }
 
 std::vector<Cell> triangulate(const std::vector<Cell>& polygons)

@@ -45,8 +45,14 @@ enum class CgalKernel
 /// @throw std::runtime_error when CGAL's surface is not a closed convex polyhedron.
 ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel = CgalKernel::Lazy);
 
+/// Which of CGAL's kernels is right and bearable: the inexact one only where nothing is extreme.
+CgalKernel kernelForHull(const Cloud& cloud);
+
 /// Turn every cell to start at its lowest id, and sort the cells.
 void canonicalise(std::vector<Cell>& cells);
+
+/// The ids that occur in the cells, ascending.
+Cell idsIn(const std::vector<Cell>& cells);
 
 /// Every cell of more than two corners as a fan from its first, sorted.
 std::vector<Cell> triangulate(const std::vector<Cell>& polygons);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// CGAL is used by the tests alone, never by the library.
-#include "Testing/Engine/References/Reference.h"
-#include "Testing/Engine/References/ReferenceDetail.h"
+#include "Testing/Engine/References/MergedFacets.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,10 +11,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
-#include <map>
-#include <stdexcept>
-#include <unordered_map>
-
 namespace flipflop
 {
 namespace test
@@ -23,8 +18,6 @@ namespace test
 
 namespace
 {
-
-using Triangle = std::array<int, 3>;
 
 /// CGAL's triangles, by the ids of @p points, which are distinct positions.
 template <class Kernel>
@@ -75,31 +68,9 @@ std::vector<Triangle> hullTriangles(const Cloud& cloud, const std::vector<int>& 
 void mergeFacets(
   const FilteredSpace& space, const std::vector<Triangle>& triangles, ReferenceHull& hull)
 {
-  std::unordered_map<std::uint64_t, int> owner;
-  const auto key = [](int a, int b)
-  { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); };
-  const int count = static_cast<int>(triangles.size());
-  for (int t = 0; t < count; ++t)
-  {
-    for (int e = 0; e < 3; ++e)
-    {
-      if (!owner.emplace(key(triangles[t][e], triangles[t][(e + 1) % 3]), t).second)
-      {
-        throw std::runtime_error("CGAL's hull uses an edge twice");
-      }
-    }
-  }
-  std::vector<int> parent(count);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int t)
-  {
-    while (parent[t] != t)
-    {
-      t = parent[t] = parent[parent[t]];
-    }
-    return t;
-  };
-  for (int t = 0; t < count; ++t)
+  const Owners owners = ownersOf(triangles);
+  MergedFacets facets(triangles);
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
   {
     const Triangle& a = triangles[t];
     if (space.normal(0, a[0], a[1], a[2]) == 0 && space.normal(1, a[0], a[1], a[2]) == 0 &&
@@ -109,8 +80,8 @@ void mergeFacets(
     }
     for (int e = 0; e < 3; ++e)
     {
-      const auto twin = owner.find(key(a[(e + 1) % 3], a[e]));
-      if (twin == owner.end())
+      const auto twin = owners.find(edgeKey(a[(e + 1) % 3], a[e]));
+      if (twin == owners.end())
       {
         throw std::runtime_error("CGAL's hull is not closed");
       }
@@ -123,27 +94,12 @@ void mergeFacets(
         }
         if (side == 0 && v != a[e] && v != a[(e + 1) % 3])
         {
-          parent[root(t)] = root(twin->second);
+          facets.merge(t, twin->second);
         }
       }
     }
   }
-  std::map<int, std::pair<int, std::vector<int>>> facets;
-  for (int t = 0; t < count; ++t)
-  {
-    auto& facet = facets[root(t)];
-    facet.first = t;
-    facet.second.insert(facet.second.end(), triangles[t].begin(), triangles[t].end());
-  }
-  for (auto& item : facets)
-  {
-    std::vector<int>& corners = item.second.second;
-    const Triangle& t = triangles[item.second.first];
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    const std::vector<int> polygon = planarHull(space, corners, t[0], t[1], t[2]);
-    hull.cells.emplace_back(polygon.begin(), polygon.end());
-  }
+  hull.cells = facets.polygons(space);
 }
 
 /// The true facets must still close up: V - E + F = 2, every edge there and back.
@@ -179,13 +135,11 @@ ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel)
   const FilteredSpace space(cloud);
   const std::vector<int> points = distinct(space);
   const std::vector<int> base = basis(space, points);
-  ReferenceHull hull;
   if (base.size() < 4)
   {
-    hull = flatHull(space, points, base);
-    finish(hull);
-    return hull;
+    return flatHull(space, points, base);
   }
+  ReferenceHull hull;
   hull.dimension = 3;
   const std::vector<Triangle> triangles = kernel == CgalKernel::Inexact
     ? hullTriangles<CGAL::Exact_predicates_inexact_constructions_kernel>(cloud, points)

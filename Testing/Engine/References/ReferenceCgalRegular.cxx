@@ -3,7 +3,7 @@
 /// @file
 /// CGAL is used by the tests alone, never by the library.
 #include "Testing/Engine/References/Lift.h"
-#include "Testing/Engine/References/ReferenceDetail.h"
+#include "Testing/Engine/References/MergedFacets.h"
 #include "Testing/Engine/References/ReferenceTriangulation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,10 +12,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <map>
-#include <stdexcept>
-#include <unordered_map>
-
 namespace flipflop
 {
 namespace test
@@ -23,8 +19,6 @@ namespace test
 
 namespace
 {
-
-using Triangle = std::array<int, 3>;
 
 /// CGAL's triangles, by the ids of @p points, no two of which agree in position and weight.
 template <class Kernel>
@@ -62,33 +56,15 @@ std::vector<Triangle> regularTriangles(
   return triangles;
 }
 
-using Owners = std::unordered_map<std::uint64_t, int>;
-
-std::uint64_t key(int a, int b)
+void checkTurns(const std::vector<Triangle>& triangles, const LiftedSpace& space)
 {
-  return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
-}
-
-/// The triangle on the left of each directed edge.
-Owners ownersOf(const std::vector<Triangle>& triangles, const LiftedSpace& space)
-{
-  Owners owners;
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
+  for (const Triangle& t : triangles)
   {
-    const Triangle& a = triangles[t];
-    if (space.turn(a[0], a[1], a[2]) <= 0)
+    if (space.turn(t[0], t[1], t[2]) <= 0)
     {
       throw std::runtime_error("CGAL's triangulation has a triangle that is not counter-clockwise");
     }
-    for (int e = 0; e < 3; ++e)
-    {
-      if (!owners.emplace(key(a[e], a[(e + 1) % 3]), t).second)
-      {
-        throw std::runtime_error("CGAL's triangulation uses an edge twice");
-      }
-    }
   }
-  return owners;
 }
 
 /// The border must be one ring that never turns right.
@@ -100,7 +76,7 @@ void checkBorder(
   {
     for (int e = 0; e < 3; ++e)
     {
-      if (owners.count(key(t[(e + 1) % 3], t[e])) == 0 &&
+      if (owners.count(edgeKey(t[(e + 1) % 3], t[e])) == 0 &&
         !next.emplace(t[e], t[(e + 1) % 3]).second)
       {
         throw std::runtime_error("the border of CGAL's triangulation touches itself");
@@ -130,23 +106,13 @@ void checkBorder(
 void mergeFacets(const Cloud& weighted, const LiftedSpace& space,
   const std::vector<Triangle>& triangles, const Owners& owners, ReferenceTriangulation& result)
 {
-  const int count = static_cast<int>(triangles.size());
-  std::vector<int> parent(count);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int t)
-  {
-    while (parent[t] != t)
-    {
-      t = parent[t] = parent[parent[t]];
-    }
-    return t;
-  };
-  for (int t = 0; t < count; ++t)
+  MergedFacets facets(triangles);
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
   {
     const Triangle& a = triangles[t];
     for (int e = 0; e < 3; ++e)
     {
-      const auto twin = owners.find(key(a[(e + 1) % 3], a[e]));
+      const auto twin = owners.find(edgeKey(a[(e + 1) % 3], a[e]));
       if (twin == owners.end())
       {
         continue;
@@ -164,17 +130,10 @@ void mergeFacets(const Cloud& weighted, const LiftedSpace& space,
         }
         if (side == 0)
         {
-          parent[root(t)] = root(twin->second);
+          facets.merge(t, twin->second);
         }
       }
     }
-  }
-  std::map<int, std::pair<int, std::vector<int>>> facets;
-  for (int t = 0; t < count; ++t)
-  {
-    auto& facet = facets[root(t)];
-    facet.first = t;
-    facet.second.insert(facet.second.end(), triangles[t].begin(), triangles[t].end());
   }
   // Positions alone: a plane in space.
   Cloud flat = weighted;
@@ -182,21 +141,7 @@ void mergeFacets(const Cloud& weighted, const LiftedSpace& space,
   {
     p[2] = 0;
   }
-  const FilteredSpace plane(flat);
-  for (auto& item : facets)
-  {
-    std::vector<int>& corners = item.second.second;
-    const Triangle& t = triangles[item.second.first];
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    if (corners.size() == 3)
-    {
-      result.cells.emplace_back(t.begin(), t.end());
-      continue;
-    }
-    const std::vector<int> polygon = planarHull(plane, corners, t[0], t[1], t[2]);
-    result.cells.emplace_back(polygon.begin(), polygon.end());
-  }
+  result.cells = facets.polygons(FilteredSpace(flat));
 }
 
 /// The true facets must still be a disc: V - E + F = 1, no edge there twice the same way.
@@ -209,7 +154,7 @@ void checkDisc(const ReferenceTriangulation& result)
     {
       const int a = static_cast<int>(cell[i]);
       const int b = static_cast<int>(cell[(i + 1) % cell.size()]);
-      int& uses = edges[key(std::min(a, b), std::max(a, b))];
+      int& uses = edges[edgeKey(std::min(a, b), std::max(a, b))];
       const int use = a < b ? 1 : 2;
       if (uses & use)
       {
@@ -305,7 +250,8 @@ ReferenceTriangulation cgalTriangulation(const Cloud& weighted, CgalKernel kerne
     ? regularTriangles<CGAL::Simple_cartesian<CGAL::Gmpq>>(weighted, points, space)
     : regularTriangles<CGAL::Exact_predicates_inexact_constructions_kernel>(
         weighted, points, space);
-  const Owners owners = ownersOf(triangles, space);
+  checkTurns(triangles, space);
+  const Owners owners = ownersOf(triangles);
   checkBorder(triangles, owners, space);
   mergeFacets(weighted, space, triangles, owners, result);
   finish(result);

@@ -15,6 +15,31 @@ namespace flipflop
 namespace test
 {
 
+#if defined(__SIZEOF_INT128__)
+__extension__ using Int128 = __int128;
+#else
+using Int128 = mpz_class; // of any size, and slower
+#endif
+
+/// The integer as an Int, which has room for it.
+template <class Int>
+Int narrow(const mpz_class& x)
+{
+  Int result = 0;
+  const mpz_class size = abs(x);
+  for (int shift = 120; shift >= 0; shift -= 30) // a long may have 32 bits
+  {
+    const mpz_class digit = (size >> shift) % (1 << 30);
+    result = result * (1 << 30) + digit.get_si();
+  }
+  return sgn(x) < 0 ? static_cast<Int>(-result) : result;
+}
+template <>
+inline mpz_class narrow<mpz_class>(const mpz_class& x)
+{
+  return x;
+}
+
 template <class Space>
 bool lexicographicLess(const Space& space, int i, int j)
 {
@@ -117,6 +142,13 @@ std::vector<int> planarHull(const Space& space, std::vector<int> points, int i, 
   return chain;
 }
 
+/// Fill in the ids from the cells, and put all into order.
+inline void finish(ReferenceHull& hull)
+{
+  canonicalise(hull.cells);
+  hull.ids = idsIn(hull.cells);
+}
+
 /// The hull of distinct points that span less than space; basis has at most three points.
 template <class Space>
 ReferenceHull flatHull(
@@ -148,20 +180,8 @@ ReferenceHull flatHull(
   {
     hull.cells.emplace_back(cell.begin(), cell.end());
   }
+  finish(hull);
   return hull;
-}
-
-/// Fill in the ids from the cells, and put all into order.
-inline void finish(ReferenceHull& hull)
-{
-  canonicalise(hull.cells);
-  hull.ids.clear();
-  for (const Cell& cell : hull.cells)
-  {
-    hull.ids.insert(hull.ids.end(), cell.begin(), cell.end());
-  }
-  std::sort(hull.ids.begin(), hull.ids.end());
-  hull.ids.erase(std::unique(hull.ids.begin(), hull.ids.end()), hull.ids.end());
 }
 
 }

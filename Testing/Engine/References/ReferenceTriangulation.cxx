@@ -126,30 +126,6 @@ ReferenceTriangulation bruteForce(const Space& space)
   return result;
 }
 
-#if defined(__SIZEOF_INT128__)
-__extension__ using Int128 = __int128;
-#else
-using Int128 = mpz_class; // of any size, and slower
-#endif
-
-template <class Int>
-Int narrow(const mpz_class& x)
-{
-  Int result = 0;
-  const mpz_class size = abs(x);
-  for (int shift = 120; shift >= 0; shift -= 30) // a long may have 32 bits
-  {
-    const mpz_class digit = (size >> shift) % (1 << 30);
-    result = result * (1 << 30) + digit.get_si();
-  }
-  return sgn(x) < 0 ? static_cast<Int>(-result) : result;
-}
-template <>
-mpz_class narrow<mpz_class>(const mpz_class& x)
-{
-  return x;
-}
-
 template <class Int>
 ReferenceTriangulation bruteForceAs(const Cloud& weighted, int exponent)
 {

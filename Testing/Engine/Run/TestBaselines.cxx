@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Real data and a choice of families against what is kept in Testing/Data/Baseline.
-#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/Conformance/Kind.h"
 #include "Testing/Engine/References/BaselineFile.h"
 
 #include <cstdio>
@@ -21,45 +21,32 @@ std::string pathOf(const Input& input)
   return std::string(FLIPFLOP_TEST_DATA) + "/Baseline/" + input.name + ".txt";
 }
 
-class Baselines : public ::testing::TestWithParam<Input>
+class Baselines : public ::testing::TestWithParam<InputOf>
 {
 };
 
-TEST_P(Baselines, AreTheEnginesHulls)
+TEST_P(Baselines, AreTheEngines)
 {
-  const Cloud cloud = this->GetParam().make();
-  const Baseline baseline = readBaseline(pathOf(this->GetParam()));
-  ASSERT_EQ(baseline.kind, "hull");
+  // Cell by cell: so what the file has is in canonical form too.
+  const Kind& kind = *this->GetParam().kind;
+  const Input& input = this->GetParam().input;
+  const Cloud cloud = input.make();
+  const Baseline baseline = readBaseline(pathOf(input));
+  ASSERT_EQ(baseline.kind, &kind == &convexHulls ? "hull" : "triangulation");
   ASSERT_EQ(baseline.points, static_cast<std::int64_t>(cloud.size()));
   ASSERT_EQ(baseline.hash, hashOf(cloud)) << "the input differs from the baseline's";
-  expectHull(cloud, baseline.hull);
+  ASSERT_FALSE(baseline.hull.cells.empty());
+  kind.expect(cloud, baseline.hull);
 }
 
-TEST_P(Baselines, AreInCanonicalForm)
-{
-  const Baseline baseline = readBaseline(pathOf(this->GetParam()));
-  std::vector<Cell> cells = baseline.hull.cells;
-  canonicalise(cells);
-  EXPECT_EQ(cells, baseline.hull.cells);
-  EXPECT_FALSE(cells.empty());
-}
-
-INSTANTIATE_TEST_SUITE_P(ConvexHull, Baselines, ::testing::ValuesIn(baselineInputs()),
-  [](const auto& given) { return given.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+  ConvexHull, Baselines, ::testing::ValuesIn(inputsOf(convexHulls, baselineInputs())), Named());
+INSTANTIATE_TEST_SUITE_P(RegularTriangulation, Baselines,
+  ::testing::ValuesIn(inputsOf(regularTriangulations, weightedBaselineInputs())), Named());
 
 class WeightedBaselines : public ::testing::TestWithParam<Input>
 {
 };
-
-TEST_P(WeightedBaselines, AreTheEnginesTriangulations)
-{
-  const Cloud cloud = this->GetParam().make();
-  const Baseline baseline = readBaseline(pathOf(this->GetParam()));
-  ASSERT_EQ(baseline.kind, "triangulation");
-  ASSERT_EQ(baseline.points, static_cast<std::int64_t>(cloud.size()));
-  ASSERT_EQ(baseline.hash, hashOf(cloud)) << "the input differs from the baseline's";
-  expectTriangulation(cloud, baseline.hull);
-}
 
 TEST_P(WeightedBaselines, AreCgals)
 {

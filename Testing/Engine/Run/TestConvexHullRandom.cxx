@@ -4,9 +4,7 @@
 /// Small random inputs in bulk, nearly all of them degenerate, against the brute force.
 ///
 /// FLIPFLOP_TEST_SEED starts the cases elsewhere, FLIPFLOP_TEST_CASES makes more of them.
-#include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
-#include "Testing/Engine/Inputs/Inputs.h"
 
 #include <cmath>
 
@@ -19,14 +17,6 @@ namespace
 {
 
 using IntegerPoint = std::array<std::int64_t, 3>;
-
-template <class Make>
-void runCases(int cases, const Make& make)
-{
-  runRandomCases(cases, 3, make,
-    [](const Cloud& cloud, const ReferenceHull& wanted, const Options& options)
-    { return quickFault(cloud, wanted, options.facets, options.threads, options.vBiased); });
-}
 
 /// n points with integer coordinates low to high.
 ReferenceHull integers(int low, int high, int most, Random& random, Cloud& cloud)
@@ -45,23 +35,26 @@ ReferenceHull integers(int low, int high, int most, Random& random, Cloud& cloud
 
 TEST(ConvexHullRandom, IntegersTo2)
 {
-  runCases(80000, [](Random& r, Cloud& cloud) { return integers(0, 2, 12, r, cloud); });
+  runRandomCases(
+    convexHulls, 80000, [](Random& r, Cloud& cloud) { return integers(0, 2, 12, r, cloud); });
 }
 
 TEST(ConvexHullRandom, IntegersTo3)
 {
-  runCases(60000, [](Random& r, Cloud& cloud) { return integers(0, 3, 12, r, cloud); });
+  runRandomCases(
+    convexHulls, 60000, [](Random& r, Cloud& cloud) { return integers(0, 3, 12, r, cloud); });
 }
 
 TEST(ConvexHullRandom, IntegersAroundZero)
 {
-  runCases(60000, [](Random& r, Cloud& cloud) { return integers(-1, 1, 10, r, cloud); });
+  runRandomCases(
+    convexHulls, 60000, [](Random& r, Cloud& cloud) { return integers(-1, 1, 10, r, cloud); });
 }
 
 TEST(ConvexHullRandom, IntegersInASlab)
 {
   // Many coplanar points, few heights.
-  runCases(30000,
+  runRandomCases(convexHulls, 30000,
     [](Random& r, Cloud& cloud)
     {
       std::vector<IntegerPoint> points;
@@ -79,35 +72,29 @@ TEST(ConvexHullRandom, IntegersInASlab)
 
 TEST(ConvexHullRandom, IntegersMany)
 {
-  runCases(3000, [](Random& r, Cloud& cloud) { return integers(0, 4, 40, r, cloud); });
-}
-
-/// Integers with a unit of the last place here and there.
-ReferenceHull ofUlps(double ulp, int odds, Random& r, Cloud& cloud)
-{
-  cloud = withUlps(ulp, odds, r);
-  return bruteForceHull(cloud);
+  runRandomCases(
+    convexHulls, 3000, [](Random& r, Cloud& cloud) { return integers(0, 4, 40, r, cloud); });
 }
 
 TEST(ConvexHullRandom, FloatUlps)
 {
-  runCases(40000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-23, 4, r, cloud); });
+  runCasesOfUlps(convexHulls, 40000, 0x1p-23, 4);
 }
 
 TEST(ConvexHullRandom, DoubleUlps)
 {
-  runCases(6000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 4, r, cloud); });
+  runCasesOfUlps(convexHulls, 6000, 0x1p-52, 4);
 }
 
 TEST(ConvexHullRandom, DoubleUlpsFew)
 {
-  runCases(6000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 12, r, cloud); });
+  runCasesOfUlps(convexHulls, 6000, 0x1p-52, 12);
 }
 
 TEST(ConvexHullRandom, CollinearTriples)
 {
   // Midpoints and extrapolations of points already there: exact lines in every direction.
-  runCases(30000,
+  runRandomCases(convexHulls, 30000,
     [](Random& r, Cloud& cloud)
     {
       std::vector<IntegerPoint> points;
@@ -139,7 +126,7 @@ TEST(ConvexHullRandom, CollinearTriples)
 TEST(ConvexHullRandom, MixedScales)
 {
   // Every coordinate is 0 or a power of two, from the least to the greatest.
-  runCases(4000,
+  runRandomCases(convexHulls, 4000,
     [](Random& r, Cloud& cloud)
     {
       static const double sizes[] = { 0, 0x1p-1074, 0x1p-1000, 0x1p-300, 0x1p-60, 1, 0x1p60,
@@ -161,7 +148,7 @@ TEST(ConvexHullRandom, FarLattice)
 {
   // So far from the origin that every double is a lattice point, a rounded centroid too: points
   // lie on borders between cones, duplicates on either side.
-  runCases(20000,
+  runRandomCases(convexHulls, 20000,
     [](Random& r, Cloud& cloud)
     {
       std::vector<IntegerPoint> points;
@@ -184,7 +171,7 @@ TEST(ConvexHullRandom, FarLattice)
 TEST(ConvexHullRandom, FarLatticeMany)
 {
   // The same with enough points for duplicates to be grown apart.
-  runCases(400,
+  runRandomCases(convexHulls, 400,
     [](Random& r, Cloud& cloud)
     {
       for (int n = r.integer(100, 600); n > 0; --n)
@@ -202,7 +189,7 @@ TEST(ConvexHullRandom, FarLatticeMany)
 TEST(ConvexHullRandom, Lines)
 {
   // One point, or points of one line: dimension 0 and 1 above all.
-  runCases(10000,
+  runRandomCases(convexHulls, 10000,
     [](Random& r, Cloud& cloud)
     {
       Point u;

@@ -29,28 +29,10 @@ namespace
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// Run, expecting an error: its code, index and count.
 void expectError(const PointView& view, const Options& options, ErrorCode code,
   std::int64_t index = -2, std::int64_t count = -2)
 {
-  try
-  {
-    convexHull(view, options);
-    ADD_FAILURE() << "no error; wanted: " << Error(code).what();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), code) << error.what();
-    EXPECT_STRNE(error.what(), "");
-    if (index != -2)
-    {
-      EXPECT_EQ(error.index(), index);
-    }
-    if (count != -2)
-    {
-      EXPECT_EQ(error.count(), count);
-    }
-  }
+  test::expectError([&] { convexHull(view, options); }, code, index, count);
 }
 
 Options withThreads(int threads)

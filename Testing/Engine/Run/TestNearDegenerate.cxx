@@ -11,9 +11,7 @@
 ///
 /// FLIPFLOP_TEST_SEED starts the cases elsewhere, FLIPFLOP_TEST_CASES makes more of them.
 #include "Points/Samples.h"
-#include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
-#include "Testing/Engine/Inputs/InputsWeighted.h"
 #include "Testing/Engine/References/BaselineFile.h"
 
 #include <cmath>
@@ -71,35 +69,9 @@ struct Parameter
   }
 };
 
-void expectTriangulations(int cases, const std::function<void(Random&, Cloud&)>& make)
-{
-  runRandomCases(
-    cases, 2,
-    [&](Random& r, Cloud& cloud)
-    {
-      make(r, cloud);
-      return cgalTriangulation(cloud, kernelForWeighted(cloud));
-    },
-    [](const Cloud& cloud, const ReferenceTriangulation& wanted, const Options& options)
-    { return quickFault(cloud, wanted, options); });
-}
-
-void expectHulls(int cases, const std::function<void(Random&, Cloud&)>& make)
-{
-  runRandomCases(
-    cases, 3,
-    [&](Random& r, Cloud& cloud)
-    {
-      make(r, cloud);
-      return cgalHull(cloud);
-    },
-    [](const Cloud& cloud, const ReferenceHull& wanted, const Options& options)
-    { return quickFault(cloud, wanted, options.facets, options.threads, options.vBiased); });
-}
-
 TEST(NearDegenerate, LinesOfThePlane)
 {
-  expectTriangulations(60,
+  runCasesByCgal(regularTriangulations, 60,
     [](Random& r, Cloud& cloud)
     {
       const double u = r.uniform(-1, 1), v = r.uniform(-1, 1), x = offset(r), y = offset(r);
@@ -118,7 +90,7 @@ TEST(NearDegenerate, LinesOfThePlane)
 
 TEST(NearDegenerate, LinesOfThePlaneAndAFewPoints)
 {
-  expectTriangulations(40,
+  runCasesByCgal(regularTriangulations, 40,
     [](Random& r, Cloud& cloud)
     {
       const double u = r.uniform(-1, 1), v = r.uniform(-1, 1), x = offset(r), y = offset(r);
@@ -141,7 +113,7 @@ TEST(NearDegenerate, LinesOfThePlaneAndAFewPoints)
 
 TEST(NearDegenerate, Circles)
 {
-  expectTriangulations(30,
+  runCasesByCgal(regularTriangulations, 30,
     [](Random& r, Cloud& cloud)
     {
       const int circles = r.integer(1, 3);
@@ -161,7 +133,7 @@ TEST(NearDegenerate, Circles)
 
 TEST(NearDegenerate, CoplanarLifts)
 {
-  expectTriangulations(30,
+  runCasesByCgal(regularTriangulations, 30,
     [](Random& r, Cloud& cloud)
     {
       const double a = r.uniform(-1, 1), b = r.uniform(-1, 1), x = offset(r), y = offset(r);
@@ -176,7 +148,7 @@ TEST(NearDegenerate, CoplanarLifts)
 
 TEST(NearDegenerate, LinesInSpace)
 {
-  expectHulls(30,
+  runCasesByCgal(convexHulls, 30,
     [](Random& r, Cloud& cloud)
     {
       const Point u = r.direction();
@@ -199,7 +171,7 @@ TEST(NearDegenerate, LinesInSpace)
 /// Points of a tilted plane: all over it, on a circle, or on the edges of a parallelogram.
 TEST(NearDegenerate, PlanesInSpace)
 {
-  expectHulls(12,
+  runCasesByCgal(convexHulls, 12,
     [](Random& r, Cloud& cloud)
     {
       const Point u = r.direction(), v = r.direction();
@@ -237,7 +209,7 @@ TEST(NearDegenerate, PlanesInSpace)
 /// Points of a parallelepiped's faces, or of its edges.
 TEST(NearDegenerate, FacesAndEdgesOfABox)
 {
-  expectHulls(20,
+  runCasesByCgal(convexHulls, 20,
     [](Random& r, Cloud& cloud)
     {
       const Point axis[3] = { r.direction(), r.direction(), r.direction() };
@@ -265,7 +237,7 @@ TEST(NearDegenerate, FacesAndEdgesOfABox)
 
 TEST(NearDegenerate, Spheres)
 {
-  expectHulls(8,
+  runCasesByCgal(convexHulls, 8,
     [](Random& r, Cloud& cloud)
     {
       const Point from = { offset(r), offset(r), offset(r) };

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Long runs say how far they are, and stop when asked to.
-#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Conformance/Kind.h"
 #include "Testing/Engine/Conformance/ProgressWatch.h"
-#include "Testing/Engine/Inputs/Inputs.h"
 #include "Testing/Engine/Inputs/Surfaces.h"
 #include <flipflop/FlipFlop.h>
+
+#include <functional>
 
 namespace flipflop
 {
@@ -16,34 +17,56 @@ namespace test
 namespace
 {
 
-class ProgressOf : public ::testing::TestWithParam<const char*>
+/// Run. @return whether it said that it was aborted.
+bool isAborted(const std::function<void()>& run)
 {
+  try
+  {
+    run();
+    return false;
+  }
+  catch (const Error& error)
+  {
+    return error.code() == ErrorCode::Aborted;
+  }
+}
+
+class ProgressOf : public ::testing::TestWithParam<FamilyOf>
+{
+protected:
+  Cloud make(std::uint64_t seed) const
+  {
+    const FamilyOf& of = this->GetParam();
+    return of.kind->family(of.name, effort(of.count), seed).make();
+  }
 };
 
 TEST_P(ProgressOf, GrowsFrom0To1OnTheCallersThread)
 {
-  const Cloud cloud = fromFamily(this->GetParam(), effort(400000), 61).make();
+  const Kind& kind = *this->GetParam().kind;
+  const Cloud cloud = this->make(61);
   for (int threads : { 1, 2, 4 })
   {
     Watch watch;
-    const Hull hull = convexHull(viewOf(cloud), watch.options(threads));
+    const Result found = kind.run(cloud, watch.options(threads));
     watch.expectOrder();
     EXPECT_GE(watch.fractions.size(), 2u) << threads << " threads";
     Options quiet;
     quiet.threads = threads;
-    EXPECT_EQ(bitDifference(hull, convexHull(viewOf(cloud), quiet)), "") << "watching changed it";
+    EXPECT_EQ(bitDifference(found, kind.run(cloud, quiet)), "") << "watching changed it";
   }
 }
 
 TEST_P(ProgressOf, StopsWhenAsked)
 {
-  const Cloud cloud = fromFamily(this->GetParam(), effort(400000), 62).make();
+  const Kind& kind = *this->GetParam().kind;
+  const Cloud cloud = this->make(62);
   for (int threads : { 1, 2, 4 })
   {
     Watch all;
-    convexHull(viewOf(cloud), all.options(threads));
+    kind.run(cloud, all.options(threads));
     const int calls = static_cast<int>(all.fractions.size());
-    for (int stopAt : { 1, 2, 5, calls / 2 })
+    for (int stopAt : { 1, 2, 5, calls / 2, calls })
     {
       if (stopAt < 1 || stopAt > calls)
       {
@@ -51,15 +74,7 @@ TEST_P(ProgressOf, StopsWhenAsked)
       }
       Watch watch;
       watch.stopAt = stopAt;
-      bool aborted = false;
-      try
-      {
-        convexHull(viewOf(cloud), watch.options(threads));
-      }
-      catch (const Error& error)
-      {
-        aborted = error.code() == ErrorCode::Aborted;
-      }
+      const bool aborted = isAborted([&] { kind.run(cloud, watch.options(threads)); });
       const std::chrono::duration<double> delay = std::chrono::steady_clock::now() - watch.stopped;
       // With several threads the number of calls may vary a little from run to run.
       const bool asked = static_cast<int>(watch.fractions.size()) >= stopAt;
@@ -75,47 +90,61 @@ TEST_P(ProgressOf, StopsWhenAsked)
     // And nothing is left behind: the next run is whole.
     Options options;
     options.threads = threads;
-    const Hull hull = convexHull(viewOf(cloud), options);
-    EXPECT_TRUE(validate(viewOf(cloud), hull));
+    EXPECT_TRUE(validate(cloud, kind.run(cloud, options)));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(ConvexHull, ProgressOf,
-  ::testing::Values("cube", "shell0", "shell1e2", "boxFaces"),
-  [](const auto& given) { return std::string(given.param); });
+  ::testing::ValuesIn(
+    familiesOf(convexHulls, { "cube", "shell0", "shell1e2", "boxFaces" }, { 400000 })),
+  Named());
+INSTANTIATE_TEST_SUITE_P(RegularTriangulation, ProgressOf,
+  ::testing::ValuesIn(familiesOf(regularTriangulations,
+    { "uniform", "uniformHeavy", "uniformHiding", "smallIntegers", "lineAlongX" }, { 80000 })),
+  Named());
 
-TEST(Progress, LongRunsReportManyTimes)
+void expectManyReports(const Kind& kind, const Cloud& cloud)
 {
-  const Cloud cloud = fromFamily("shell0", effort(600000), 63).make();
   for (int threads : { 1, 2 })
   {
     Watch watch;
-    convexHull(viewOf(cloud), watch.options(threads));
+    kind.run(cloud, watch.options(threads));
     EXPECT_GE(watch.fractions.size(), 5u) << threads << " threads";
   }
 }
 
+TEST(Progress, LongRunsReportManyTimes)
+{
+  expectManyReports(convexHulls, fromFamily("shell0", effort(600000), 63).make());
+  expectManyReports(
+    regularTriangulations, fromWeightedFamily("uniformLight", effort(200000), 63).make());
+}
+
+void expectAbortAtTheFirstCallIfAny(const Kind& kind, const Cloud& cloud)
+{
+  Watch all;
+  kind.run(cloud, all.options(2));
+  all.expectOrder();
+  Watch watch;
+  watch.stopAt = 1;
+  EXPECT_EQ(isAborted([&] { kind.run(cloud, watch.options(2)); }), !all.fractions.empty());
+}
+
 TEST(Progress, SmallRunsAbortAtTheirFirstCallIfThereIsOne)
 {
-  for (const Cloud& cloud : { Cloud{}, Cloud{ { 1, 2, 3 } }, integerGrid(2), integerGrid(10),
-         Cloud{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } })
+  const Cloud few[] = { {}, { { 1, 2, 3 } }, { { 0, 0, 0 }, { 1, 0, 0 } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } };
+  for (const Kind* kind : { &convexHulls, &regularTriangulations })
   {
-    Watch all;
-    const Hull whole = convexHull(viewOf(cloud), all.options(2));
-    all.expectOrder();
-    Watch watch;
-    watch.stopAt = 1;
-    bool aborted = false;
-    try
+    for (const Cloud& cloud : few)
     {
-      convexHull(viewOf(cloud), watch.options(2));
+      expectAbortAtTheFirstCallIfAny(*kind, cloud);
     }
-    catch (const Error& error)
-    {
-      aborted = error.code() == ErrorCode::Aborted;
-    }
-    EXPECT_EQ(aborted, !all.fractions.empty());
   }
+  expectAbortAtTheFirstCallIfAny(convexHulls, integerGrid(2));
+  expectAbortAtTheFirstCallIfAny(convexHulls, integerGrid(10));
+  expectAbortAtTheFirstCallIfAny(regularTriangulations, squareGrid(2));
+  expectAbortAtTheFirstCallIfAny(regularTriangulations, squareGrid(30));
 }
 
 TEST(Progress, FlipFlopReportsAndStops)
@@ -132,15 +161,8 @@ TEST(Progress, FlipFlopReportsAndStops)
     {
       Watch watch;
       watch.stopAt = stopAt;
-      bool aborted = false;
-      try
-      {
-        flipFlop(viewOf(surface.points), surface.view(), kernel, watch.options(threads));
-      }
-      catch (const Error& error)
-      {
-        aborted = error.code() == ErrorCode::Aborted;
-      }
+      const bool aborted = isAborted(
+        [&] { flipFlop(viewOf(surface.points), surface.view(), kernel, watch.options(threads)); });
       EXPECT_EQ(aborted, static_cast<int>(watch.fractions.size()) >= stopAt);
     }
   }

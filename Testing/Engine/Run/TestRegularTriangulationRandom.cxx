@@ -5,9 +5,7 @@
 /// ones against CGAL.
 ///
 /// FLIPFLOP_TEST_SEED starts the cases elsewhere, FLIPFLOP_TEST_CASES makes more of them.
-#include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
-#include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <cmath>
 
@@ -18,14 +16,6 @@ namespace test
 
 namespace
 {
-
-template <class Make>
-void runCases(int cases, const Make& make)
-{
-  runRandomCases(cases, 2, make,
-    [](const Cloud& cloud, const ReferenceTriangulation& wanted, const Options& options)
-    { return quickFault(cloud, wanted, options); });
-}
 
 /// n points with integer coordinates 0 to @p side and weights up to @p weight either way.
 ReferenceTriangulation integers(int side, int weight, int most, Random& random, Cloud& cloud)
@@ -43,33 +33,38 @@ ReferenceTriangulation integers(int side, int weight, int most, Random& random, 
 
 TEST(RegularTriangulationRandom, IntegersTo2)
 {
-  runCases(60000, [](Random& r, Cloud& cloud) { return integers(2, 1, 10, r, cloud); });
+  runRandomCases(regularTriangulations, 60000,
+    [](Random& r, Cloud& cloud) { return integers(2, 1, 10, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, IntegersTo4)
 {
-  runCases(60000, [](Random& r, Cloud& cloud) { return integers(4, 3, 12, r, cloud); });
+  runRandomCases(regularTriangulations, 60000,
+    [](Random& r, Cloud& cloud) { return integers(4, 3, 12, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, IntegersWithoutWeights)
 {
-  runCases(40000, [](Random& r, Cloud& cloud) { return integers(3, 0, 14, r, cloud); });
+  runRandomCases(regularTriangulations, 40000,
+    [](Random& r, Cloud& cloud) { return integers(3, 0, 14, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, IntegersWithGreatWeights)
 {
-  runCases(20000, [](Random& r, Cloud& cloud) { return integers(5, 40, 14, r, cloud); });
+  runRandomCases(regularTriangulations, 20000,
+    [](Random& r, Cloud& cloud) { return integers(5, 40, 14, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, IntegersMany)
 {
-  runCases(3000, [](Random& r, Cloud& cloud) { return integers(7, 4, 40, r, cloud); });
+  runRandomCases(regularTriangulations, 3000,
+    [](Random& r, Cloud& cloud) { return integers(7, 4, 40, r, cloud); });
 }
 
 TEST(RegularTriangulationRandom, FewLifts)
 {
   // The heights are chosen, not the weights: coplanar and collinear lifts of every kind.
-  runCases(25000,
+  runRandomCases(regularTriangulations, 25000,
     [](Random& r, Cloud& cloud)
     {
       const int range = r.integer(1, 6);
@@ -86,32 +81,25 @@ TEST(RegularTriangulationRandom, FewLifts)
     });
 }
 
-/// Integers with a unit of the last place here and there, in weights too.
-ReferenceTriangulation ofUlps(double ulp, int odds, Random& r, Cloud& cloud)
-{
-  cloud = withUlps(ulp, odds, r);
-  return bruteForceTriangulation(cloud);
-}
-
 TEST(RegularTriangulationRandom, FloatUlps)
 {
-  runCases(10000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-23, 4, r, cloud); });
+  runCasesOfUlps(regularTriangulations, 10000, 0x1p-23, 4);
 }
 
 TEST(RegularTriangulationRandom, DoubleUlps)
 {
-  runCases(4000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 4, r, cloud); });
+  runCasesOfUlps(regularTriangulations, 4000, 0x1p-52, 4);
 }
 
 TEST(RegularTriangulationRandom, DoubleUlpsFew)
 {
-  runCases(4000, [](Random& r, Cloud& cloud) { return ofUlps(0x1p-52, 12, r, cloud); });
+  runCasesOfUlps(regularTriangulations, 4000, 0x1p-52, 12);
 }
 
 TEST(RegularTriangulationRandom, MixedScales)
 {
   // Every number is 0 or a power of two, from the least to the greatest.
-  runCases(800,
+  runRandomCases(regularTriangulations, 800,
     [](Random& r, Cloud& cloud)
     {
       static const double sizes[] = { 0, 0x1p-1074, 0x1p-1000, 0x1p-537, 0x1p-300, 0x1p-60, 1,
@@ -132,7 +120,7 @@ TEST(RegularTriangulationRandom, MixedScales)
 TEST(RegularTriangulationRandom, ScaledIntegers)
 {
   // Ties among numbers whose squares, or whose weights, leave the range of doubles.
-  runCases(4000,
+  runRandomCases(regularTriangulations, 4000,
     [](Random& r, Cloud& cloud)
     {
       const ReferenceTriangulation wanted = integers(4, 3, 12, r, cloud);
@@ -147,7 +135,7 @@ TEST(RegularTriangulationRandom, ScaledIntegers)
 TEST(RegularTriangulationRandom, FarLattice)
 {
   // So far from the origin that every double is a lattice point.
-  runCases(20000,
+  runRandomCases(regularTriangulations, 20000,
     [](Random& r, Cloud& cloud)
     {
       const ReferenceTriangulation wanted = integers(4, 3, 16, r, cloud);
@@ -159,7 +147,7 @@ TEST(RegularTriangulationRandom, FarLattice)
 TEST(RegularTriangulationRandom, Lines)
 {
   // One point, or points of one line: dimension 0 and 1 above all.
-  runCases(20000,
+  runRandomCases(regularTriangulations, 20000,
     [](Random& r, Cloud& cloud)
     {
       const int u = r.integer(-3, 3);
@@ -181,7 +169,7 @@ TEST(RegularTriangulationRandom, Lines)
 
 TEST(RegularTriangulationRandom, LinesOfManyPoints)
 {
-  runCases(100,
+  runRandomCases(regularTriangulations, 100,
     [](Random& r, Cloud& cloud)
     {
       const int count = r.integer(50, 5000);
@@ -196,21 +184,11 @@ TEST(RegularTriangulationRandom, LinesOfManyPoints)
     });
 }
 
-/// Many points: what small cases cannot reach.
-template <class Make>
-void runMany(int cases, const Make& make)
-{
-  runCases(cases,
-    [&](Random& r, Cloud& cloud)
-    {
-      make(r, cloud);
-      return cgalTriangulation(cloud, kernelForWeighted(cloud));
-    });
-}
+// Many points: what small cases cannot reach.
 
 TEST(RegularTriangulationRandom, ManyIntegers)
 {
-  runMany(150,
+  runCasesByCgal(regularTriangulations, 150,
     [](Random& r, Cloud& cloud)
     {
       const int side = r.integer(3, 60);
@@ -222,7 +200,7 @@ TEST(RegularTriangulationRandom, ManyIntegers)
 TEST(RegularTriangulationRandom, ManyDuplicates)
 {
   // So many that a sample has a place's later ids, and not its lowest.
-  runMany(150,
+  runCasesByCgal(regularTriangulations, 150,
     [](Random& r, Cloud& cloud)
     {
       const int side = r.integer(1, 5);
@@ -234,7 +212,7 @@ TEST(RegularTriangulationRandom, ManyDuplicates)
 TEST(RegularTriangulationRandom, ManyOnALineButFew)
 {
   // A sample is likely on the line, or in one place.
-  runMany(30,
+  runCasesByCgal(regularTriangulations, 30,
     [](Random& r, Cloud& cloud)
     {
       const int count = r.integer(1500, 4000);
@@ -259,7 +237,7 @@ TEST(RegularTriangulationRandom, ManyOnALineButFew)
 TEST(RegularTriangulationRandom, ManyOfMixedScales)
 {
   // Few values of any size, so that there are ties and duplicates at all scales.
-  runMany(4,
+  runCasesByCgal(regularTriangulations, 4,
     [](Random& r, Cloud& cloud)
     {
       const int least = r.integer(0, 1) ? -1074 : -60;
@@ -281,7 +259,7 @@ TEST(RegularTriangulationRandom, ManyOfMixedScales)
 
 TEST(RegularTriangulationRandom, ManyOfAnyWeight)
 {
-  runMany(80,
+  runCasesByCgal(regularTriangulations, 80,
     [](Random& r, Cloud& cloud)
     {
       const int count = r.integer(50, 4000);
@@ -298,7 +276,7 @@ TEST(RegularTriangulationRandom, ManyOfAnyWeight)
 TEST(RegularTriangulationRandom, ManyOfFewLifts)
 {
   // A tilted plane with a few points below it and many above.
-  runMany(150,
+  runCasesByCgal(regularTriangulations, 150,
     [](Random& r, Cloud& cloud)
     {
       const int count = r.integer(100, 4000);
@@ -318,7 +296,7 @@ TEST(RegularTriangulationRandom, ManyOfFewLifts)
 TEST(RegularTriangulationRandom, ManyInRings)
 {
   // Few circles, rounded or not, around few centres, with few weights.
-  runMany(100,
+  runCasesByCgal(regularTriangulations, 100,
     [](Random& r, Cloud& cloud)
     {
       const int count = r.integer(100, 3000);

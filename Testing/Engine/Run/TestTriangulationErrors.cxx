@@ -23,27 +23,10 @@ namespace
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// Run, expecting an error: its code, index and count.
 void expectError(const PointView& points, const WeightView& weights, const Options& options,
   ErrorCode code, std::int64_t index = -2, std::int64_t count = -2)
 {
-  try
-  {
-    regularTriangulation(points, weights, options);
-    ADD_FAILURE() << "no error; wanted: " << Error(code).what();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), code) << error.what();
-    if (index != -2)
-    {
-      EXPECT_EQ(error.index(), index);
-    }
-    if (count != -2)
-    {
-      EXPECT_EQ(error.count(), count);
-    }
-  }
+  test::expectError([&] { regularTriangulation(points, weights, options); }, code, index, count);
 }
 
 void expectNonFinite(const Cloud& weighted, int threads, std::int64_t index, std::int64_t count)

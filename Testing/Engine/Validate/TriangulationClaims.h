@@ -31,12 +31,7 @@ inline Triangulation claim(const Cloud& weighted, int dimension, std::vector<Cel
 {
   ReferenceTriangulation reference;
   reference.dimension = dimension;
-  for (const Cell& cell : cells)
-  {
-    reference.ids.insert(reference.ids.end(), cell.begin(), cell.end());
-  }
-  std::sort(reference.ids.begin(), reference.ids.end());
-  reference.ids.erase(std::unique(reference.ids.begin(), reference.ids.end()), reference.ids.end());
+  reference.ids = idsIn(cells);
   canonicalise(cells);
   reference.cells = std::move(cells);
   return makeTriangulation(reference, static_cast<std::int64_t>(weighted.size()), facets);
