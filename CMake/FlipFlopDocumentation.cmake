@@ -1,7 +1,8 @@
 # The target `documentation`: the Markdown pages and the API of the public headers as HTML, by Doxygen, in
 # Documentation/html of the build tree; and its tests.
 #
-# Public are the engines' installed headers (FlipFlopPackage), and of the filters' those whose class is exported.
+# Public are the engines' installed headers (FlipFlopPackage), and of the filters' those that export a class of its own,
+# not one inside another (vtkInternals).
 find_package(Doxygen REQUIRED COMPONENTS dot)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 

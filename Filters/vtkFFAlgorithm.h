@@ -343,8 +343,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * What the filters do and how they differ in that. It is a matter of this module and of
-   * FlipFlop::FiltersParallelFlipFlop: no installed header defines it.
+   * What the filters do and how they differ in that. Only this module and
+   * FlipFlop::FiltersParallelFlipFlop know it; no installed header defines it.
    */
   class vtkInternals;
 

@@ -4,10 +4,10 @@
  * @class   vtkFFAlgorithm::vtkInternals
  * @brief   what the filters do, and how they differ in that
  *
- * A filter is settings, and a report; its vtkInternals is how a run goes from the one to the other.
- * That of vtkFFAlgorithm takes the input apart into blocks, guards the engine's runs, and turns
- * failures into errors; that of a filter makes one result from one block. The filters for
- * distributed data derive theirs, in another library, so the classes are exported.
+ * A filter holds settings and a report. Its vtkInternals does the run: it reads the settings and
+ * fills in the report. That of vtkFFAlgorithm takes the input apart into blocks, guards the
+ * engine's runs, and turns failures into errors; that of a filter makes one result from one block.
+ * The filters for distributed data derive theirs, in another library, so the classes are exported.
  */
 
 #ifndef vtkFFAlgorithmInternals_h

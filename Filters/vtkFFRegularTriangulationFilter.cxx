@@ -32,6 +32,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -385,10 +386,17 @@ void vtkFFRegularTriangulationFilter::vtkInternals::BuildPowerDiagram(
   flipflop::PowerDiagram diagram;
   if (triangulation.dimension >= 0)
   {
-    const bool given = filter->PowerDiagramBoxMode == BOX_OF_BOUNDS;
-    const auto bounds = flipflop::powerDiagramBox(projection.GetView(), triangulation);
-    diagram = flipflop::powerDiagram(projection.GetView(), weights, triangulation,
-      given ? filter->PowerDiagramBounds : bounds.data(), options);
+    std::array<double, 4> box;
+    if (filter->PowerDiagramBoxMode == BOX_OF_BOUNDS)
+    {
+      std::copy_n(filter->PowerDiagramBounds, 4, box.begin());
+    }
+    else
+    {
+      box = flipflop::powerDiagramBox(projection.GetView(), triangulation);
+    }
+    diagram =
+      flipflop::powerDiagram(projection.GetView(), weights, triangulation, box.data(), options);
   }
 
   const auto count = static_cast<vtkIdType>(diagram.corners.size() / 2);

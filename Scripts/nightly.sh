@@ -16,6 +16,13 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests compilers windows fuzz)
 
+for part in "${parts[@]}"; do
+  case "$part" in
+    sanitizers | tests | compilers | windows | fuzz) ;;
+    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|fuzz]..." >&2; exit 2 ;;
+  esac
+done
+
 trap stop_display EXIT
 "$top/Scripts/install-dependencies.sh" test
 [ -n "${DISPLAY:-}" ] || start_display
@@ -36,6 +43,5 @@ for part in "${parts[@]}"; do
         "$top/Scripts/fuzz.sh" "$entry" 1800
       done
       ;;
-    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|fuzz]..." >&2; exit 2 ;;
   esac
 done

@@ -8,8 +8,10 @@
 #include "FlipFlop/CpuBuilder.h"
 #include "Run/HullRun.h"
 #include "Run/TriangulationRun.h"
+#include "Support/TypedErrors.h"
 
 #include <cstdio>
+#include <memory>
 #include <string>
 
 namespace flipflop

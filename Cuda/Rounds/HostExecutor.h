@@ -7,9 +7,8 @@
 ///
 ///   allocate, release            memory that kernels can reach; uninitialised
 ///   fill, copy, fromHost, toHost
-///   each(most, count, kernel)    run the kernel for items 0 to *count - 1: at most `most`, and
-///   just
-///                                so many where count is null
+///   each(most, count, kernel)    run the kernel for items 0 to *count - 1, at most `most`;
+///                                just so many where count is null
 ///   exclusiveSum(values, n)      each value becomes the sum of those before it
 ///   resident(points, residence)  the points as kernels can read them, while the residence lives
 ///   record, recorded             a copy of the counters as they are now; wait for it, and read it

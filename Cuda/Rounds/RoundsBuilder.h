@@ -7,6 +7,7 @@
 
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "Rounds/Rounds.h"
+#include "Support/Stopwatch.h"
 
 #include <utility>
 

@@ -285,9 +285,8 @@ CanonicalForm::~CanonicalForm() = default;
 
 // A facet is of one of three kinds:
 // - one triangle;
-// - a pair of triangles, where triangles are asked for. Grids are full of them, and they need no
-// walk
-//   around the facet. They become two triangles again, from the corner of lowest rank;
+// - a pair of triangles, where triangles are asked for. Grids are full of them, and they need
+//   no walk around the facet. They become two triangles again, from the corner of lowest rank;
 // - a polygon (FacetPolygons): of more triangles, or of a pair where polygons are asked for. As
 //   triangles it is a fan from its corner of lowest rank.
 // A facet with a corner that is no point of the result (at the virtual vertex) is left out.
@@ -372,9 +371,8 @@ void CanonicalForm::eachPolygonCell(std::uint32_t pointCount, Use&& use) const
   }
 }
 
-/// @param useToo void (vertices, number of the piece), of every triangle of the result; polygons
-/// are
-///               measured as fans, in a piece of their own
+/// @param useToo void (vertices, number of the piece), of every triangle of the result;
+///               polygons are measured as fans, in a piece of their own
 template <class Use>
 void CanonicalForm::write(Monitor& monitor, CellComplex& complex, Use&& useToo)
 {

@@ -11,7 +11,6 @@
 
 #include "Mesh/Polyhedron.h"
 #include "Support/Monitor.h"
-#include "Support/Parallel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -69,7 +68,7 @@ public:
         }
         for (int e = 0; e < 3; ++e)
         {
-          if (!this->isFlat(halfEdge(t, e)))
+          if (!isFlat(this->polyhedron.triangles.data(), halfEdge(t, e)))
           {
             this->walkIfShort(halfEdge(t, e), parts[piece]);
           }
@@ -98,17 +97,12 @@ private:
     std::vector<std::uint32_t> starts;  ///< half-edges of long ones, maybe several of one
   };
 
-  bool isFlat(std::uint32_t h) const
-  {
-    return (flatEdges(this->polyhedron.triangles[triangleOf(h)]) >> cornerOf(h) & 1) != 0;
-  }
-
   /// The half-edge after h along its facet's border.
   template <class Step>
   std::uint32_t following(std::uint32_t h, const Step& step) const
   {
     h = nextHalfEdge(h);
-    while (this->isFlat(h))
+    while (isFlat(this->polyhedron.triangles.data(), h))
     {
       step();
       h = nextHalfEdge(this->polyhedron.triangles[triangleOf(h)].twin[cornerOf(h)]);

@@ -380,7 +380,7 @@ private:
       {
         return isStrictlyExtreme(geometry, mesh, h);
       }
-      sharp += mesh.isFlat(spoke) ? 0 : 1;
+      sharp += flipflop::isFlat(mesh.triangles, spoke) ? 0 : 1;
       spoke = mesh.twin(previousHalfEdge(spoke));
     } while (spoke != h);
     return sharp >= 3;

@@ -154,6 +154,9 @@ constexpr bool canGrow()
   // A locator that dismisses points that are certainly inside, a block at a time.
   using Locator = typename Model::Locator;
   FF_GIVES(void, declval<const Locator&>().classify(declval<typename Locator::Block&>(), 0));
+  FF_GIVES(const int, Locator::BlockSize);
+  static_assert(
+    sizeof(Locator::Block::x) && sizeof(Locator::Block::cell) && sizeof(Locator::Block::inside));
   FF_GIVES(const Plane&, declval<const Locator&>().plane(std::uint32_t(0)));
   return true;
 }

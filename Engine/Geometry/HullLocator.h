@@ -34,10 +34,9 @@ public:
     std::int32_t inside[BlockSize]; ///< certainly inside
   };
 
-  /// @param triangles, count a convex polyhedron: a mesh without borders or dead triangles,
-  /// star-shaped
-  ///                         from the geometry's kernel point. Both arrays must outlive the
-  ///                         locator.
+  /// @param triangles, count a convex polyhedron, star-shaped from the geometry's kernel point: a
+  ///                         mesh without borders or dead triangles. Both arrays must outlive
+  ///                         the locator.
   /// @throw Error Aborted
   HullLocator(const HullGeometry& geometry, const Triangle* triangles, std::uint32_t count,
     const Vertex* vertices, Monitor& monitor);

@@ -4,10 +4,10 @@
 /// The geometry of regular triangulations in the plane, a model of the concept in
 /// GeometryConcept.h.
 ///
-/// A weighted point (x, y, w) is
-/// lifted to the height h = w - x^2 - y^2, and the triangulation is the upper hull of the lifted
-/// points (the paper's section 4 upside down). The lower hull never exists: the kernel point and a
-/// virtual vertex lie at height -infinity, the virtual vertex below the kernel point. So
+/// A weighted point (x, y, w) is lifted to the height h = w - x^2 - y^2, and the triangulation is
+/// the upper hull of the lifted points (the paper's section 4 upside down). The lower hull never
+/// exists: the kernel point and a virtual vertex lie at height -infinity, the virtual vertex below
+/// the kernel point. So
 ///
 ///   kernelBeneath(a, b, c)   of points is their orientation in the plane
 ///   above(a, b, c, p)        of points is the power test: does p lie inside the orthocircle of the

@@ -56,12 +56,6 @@ Polyhedron startingTetrahedron(
   return result;
 }
 
-/// The kernel point is inside for good: only the border's wedges see its place.
-template <bool Weighted>
-void centerKernel(LiftedGeometry<Weighted>&, const Polyhedron&)
-{
-}
-
 /// The curve is one of the plane as it is.
 template <bool Weighted>
 Unfolding unfoldingOf(const LiftedGeometry<Weighted>&, const Polyhedron&)

@@ -88,6 +88,12 @@ FF_HD constexpr std::uint32_t previousHalfEdge(std::uint32_t h)
   return (h & 3) == 0 ? h + 2 : h - 1;
 }
 
+/// In the finish: is the edge of h exactly flat?
+inline bool isFlat(const Triangle* triangles, std::uint32_t h)
+{
+  return (flatEdges(triangles[triangleOf(h)]) >> cornerOf(h) & 1) != 0;
+}
+
 /// The mesh's arrays, owned elsewhere.
 struct Mesh
 {
@@ -100,12 +106,6 @@ struct Mesh
 
   FF_HD std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
   FF_HD std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
-
-  /// In the finish: is the edge of h exactly flat?
-  bool isFlat(std::uint32_t h) const
-  {
-    return (flatEdges(this->triangles[triangleOf(h)]) >> cornerOf(h) & 1) != 0;
-  }
 
   /// Mark the edge of h, on both sides.
   void markTied(std::uint32_t h) const

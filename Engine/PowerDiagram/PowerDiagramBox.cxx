@@ -13,7 +13,7 @@ namespace flipflop
 namespace
 {
 
-/// Makes a range of one value one of that half extent: more where that would round to nothing.
+/// Widens a range of one value by @p half to either side, or by more if that rounds to nothing.
 void widen(double* range, double half)
 {
   constexpr double most = std::numeric_limits<double>::max();

@@ -13,11 +13,12 @@
 ///   eachAlone(count, body)     the same, each a task
 ///   invoke(first, second)      both
 ///   sort(first, last, less)
+///
 /// Calls wait for their tasks; tasks may call in turn. What one of them throws comes out of the
 /// call: one of it, where several throw. By then all tasks have ended, but not all have begun.
 ///
-/// Most runs are small, and most of their loops are one task: the caller does it at once, for to
-/// hand a task to the threads' library costs more than a few points do.
+/// Most runs are small, and most of their loops are one task: the caller does it at once,
+/// since handing a task to the threads' library costs more than a few points do.
 #ifndef flipflop_Parallel_h
 #define flipflop_Parallel_h
 

@@ -14,11 +14,15 @@
 // Whether each part of a loop takes its tasks by a fixed pattern. Else parts take the next that
 // is left, which is fairer; but then the first thread to wake may take all, and ThreadSanitizer
 // sees no race in what one thread does alone.
-#if defined(__SANITIZE_THREAD__)
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
 #define FLIPFLOP_FIXED_TASKS 1
-#elif defined(__has_feature)
-#define FLIPFLOP_FIXED_TASKS __has_feature(thread_sanitizer)
-#else
+#endif
+#endif
+#if !defined(FLIPFLOP_FIXED_TASKS) && defined(__SANITIZE_THREAD__)
+#define FLIPFLOP_FIXED_TASKS 1
+#endif
+#ifndef FLIPFLOP_FIXED_TASKS
 #define FLIPFLOP_FIXED_TASKS 0
 #endif
 
@@ -31,7 +35,8 @@ namespace stdThreads
 namespace
 {
 
-/// A loop under way. What is relaxed here must not order memory, or it would hide races.
+/// A loop under way. Its atomics are relaxed on purpose: stronger ones would order the tasks'
+/// memory accesses, and hide races from ThreadSanitizer.
 class Fork
 {
 public:
@@ -242,7 +247,8 @@ public:
     }
     loop.run(0);
     loop.join();
-    // Not before: a thread that went from loop to loop would order what has no order.
+    // Only now: if a thread went on to another loop before the end of this one, ThreadSanitizer
+    // would take the two loops for ordered.
     for (Worker* const worker : claimed)
     {
       worker->release();

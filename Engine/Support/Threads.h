@@ -30,8 +30,9 @@ inline std::atomic<std::int64_t>& pointsPerThread()
 }
 
 /// @param asked threads; 0 or less: as many as there are
-/// @return 1 or more: no more than asked for, than are allowed (by oneTBB's global_control), and
-///         than @p points are worth
+/// @return 1 or more: no more than asked for, than are allowed (oneTBB's global_control limits
+/// that), and than
+///         @p points are worth
 int threadCount(int asked, std::int64_t points);
 
 /// An arena of so many threads, the caller's among them, for one run at a time.

@@ -9,9 +9,12 @@
 #ifndef flipflop_VectorClones_h
 #define flipflop_VectorClones_h
 
+#include <cstddef> // for __GLIBC__
+
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
 #define FF_VECTOR_CLONES // a sanitizer is not ready yet when the loader picks
-#elif defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
+#elif defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && __GNUC__ >= 12 &&          \
+  !defined(__clang__)
 #define FF_VECTOR_CLONES                                                                           \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else

@@ -68,9 +68,8 @@ public:
 
   /**
    * Process @p from sends @p data without loss to process @p to, which gets it as @p received (null
-   * on other processes). Several pairs may send at the same time. A process that takes no part
-   * gives
-   * -1 for both. Ends with a Share().
+   * on other processes). Several pairs may send at the same time. A process that takes no
+   * part gives -1 for both. Ends with a Share().
    */
   bool Send(vtkPointSet* data, int from, int to, vtkSmartPointer<vtkPolyData>& received,
     vtkFFFailure& failure);

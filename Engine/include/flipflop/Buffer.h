@@ -107,7 +107,7 @@ public:
     }
     void* const memory = other.release();
     // Shrinking can fail; then the memory stays as large as it is.
-    void* const kept = had - wanted > had / 8 ? shrinkMemory(memory, Line, wanted) : nullptr;
+    void* const kept = had - wanted > had / 8 ? shrinkMemory(memory, wanted) : nullptr;
     result.first = static_cast<T*>(kept ? kept : memory);
     result.count = size;
     return result;

@@ -50,15 +50,15 @@ inline void freeMemory(void* memory)
 #endif
 }
 
-/// Gives the memory past the first bytes back, if that can be done.
-/// @param memory    from allocateMemory()
-/// @param alignment as it was allocated with; the result has it on Windows only
-/// @param bytes     to keep: 1 or more
-/// @return where the memory is now; null where it stayed as it was
-inline void* shrinkMemory(void* memory, [[maybe_unused]] std::size_t alignment, std::size_t bytes)
+/// Gives the memory past the first bytes back, if that can be done. Not on Windows: there the
+/// alignment of the allocation would have to be known.
+/// @param memory from allocateMemory()
+/// @param bytes  to keep: 1 or more
+/// @return where the memory is now, with any alignment; null where it stayed as it was
+inline void* shrinkMemory([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
 {
 #if defined(_WIN32)
-  return _aligned_realloc(memory, bytes, alignment);
+  return nullptr;
 #else
   return std::realloc(memory, bytes);
 #endif
