@@ -22,6 +22,7 @@
 #define flipflop_GrowthKernels_h
 
 #include "FlipFlop/GrowthRule.h"
+#include "Geometry/VisibilityWalk.h"
 #include "Mesh/Mesh.h"
 #include "Points/PointSource.h"
 #include "Rounds/Atomics.h"
@@ -107,33 +108,25 @@ FF_HD void leaveOpen(const GrowthData<Geometry>& data, int turn, std::uint32_t i
   data.undecided[atomics::add(&data.counters->undecided[turn], 1u)] = item;
 }
 
-/// The cone of the starting polyhedron that p is in, from triangle to triangle.
+/// The cone of the starting tetrahedron that p is in; any, where the oracle is not enough.
 template <class Oracle>
-FF_HD std::uint32_t walk(const Oracle& geometry, const Mesh& mesh, const Vertex& p)
+FF_HD std::uint32_t coneInTetrahedron(const Oracle& geometry, const Mesh& mesh, const Vertex& p)
 {
-  std::uint32_t t = 0;
-  int entry = 3; // the side we came through
-  for (;;)
-  {
-    const Triangle& triangle = mesh.triangles[t];
-    int out = 3;
-    for (int i = 0; i < 3; ++i)
+  constexpr std::uint32_t MostSteps = 4; // no walk meets a triangle twice
+  return visibilityWalk(mesh.triangles, NoIndex, 0, MostSteps,
+    [&](std::uint32_t t, int entry)
     {
-      if (out == 3 && i != entry &&
-        geometry.perturbedKernelBeneath(
-          mesh.vertices[triangle.v[i]], mesh.vertices[triangle.v[nextCorner(i)]], p) < 0)
-      {
-        out = i;
-      }
-    }
-    if (out == 3 || isUndecided(geometry))
-    {
-      return t;
-    }
-    const std::uint32_t twin = triangle.twin[out];
-    t = triangleOf(twin);
-    entry = cornerOf(twin);
-  }
+      const std::uint32_t* const v = mesh.triangles[t].v;
+      const int out = firstExit(entry,
+        [&](int i)
+        {
+          return geometry.perturbedKernelBeneath(
+                   mesh.vertices[v[i]], mesh.vertices[v[nextCorner(i)]], p) < 0
+            ? -1
+            : 1;
+        });
+      return isUndecided(geometry) ? NoSide : out;
+    });
 }
 
 /// Point @p id of the input goes to its cone.
@@ -147,7 +140,7 @@ FF_HD void associate(const GrowthData<Geometry>& data, const Oracle& geometry, s
   {
     return;
   }
-  const std::uint32_t t = walk(geometry, data.mesh, p);
+  const std::uint32_t t = coneInTetrahedron(geometry, data.mesh, p);
   const std::uint32_t* const v = data.mesh.triangles[t].v;
   const bool above = staysAbove(data, geometry, v, p);
   if (isUndecided(geometry))

@@ -11,6 +11,7 @@
 
 #include "Mesh/Mesh.h"
 #include "Points/Vertex.h"
+#include "Support/HostDevice.h"
 
 #include <cstdint>
 
@@ -29,8 +30,8 @@ constexpr int NoSide = 3;
 /// @return the triangle where the walk stays; NoIndex where it gives up, or reaches the border of a
 ///         patch
 template <class ExitOf>
-std::uint32_t visibilityWalk(const Triangle* triangles, std::uint32_t borderBegin, std::uint32_t t,
-  std::uint32_t mostSteps, ExitOf&& exitOf)
+FF_HD std::uint32_t visibilityWalk(const Triangle* triangles, std::uint32_t borderBegin,
+  std::uint32_t t, std::uint32_t mostSteps, ExitOf&& exitOf)
 {
   int entry = NoSide;
   for (std::uint32_t step = 0; step <= mostSteps; ++step)
@@ -55,7 +56,7 @@ std::uint32_t visibilityWalk(const Triangle* triangles, std::uint32_t borderBegi
 /// @param sideOf int (side): negative beyond it; zero: the point is at a corner of the
 ///               triangle, where the walk stays, for the way around the corner would tell no more
 template <class SideOf>
-int firstExit(int entry, SideOf&& sideOf)
+FF_HD int firstExit(int entry, SideOf&& sideOf)
 {
   for (int i = 0; i < 3; ++i)
   {
