@@ -431,8 +431,8 @@ private:
     return known;
   }
 
-  /// With the virtual vertex among the three: the orientation of the border's edge (see borderEdge)
-  /// and the kernel point's place, which is on no lattice.
+  /// With the virtual vertex among the three: the orientation of the border's edge (as borderEdge,
+  /// but by value, see Place) and the kernel point's place, which is on no lattice.
   FF_HD FF_APART bool filterVirtualBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
