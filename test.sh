@@ -33,7 +33,7 @@ if [ "$what" = wheel ]; then
   say "Test: the wheel in a clean environment"
   "$python" -m venv --clear "$wheels/clean"
   "$wheels/clean/bin/pip" install --quiet --upgrade pip
-  "$wheels/clean/bin/pip" install --quiet "$(echo "$wheels"/repaired/*.whl)[pyvista]" pytest tqdm
+  "$wheels/clean/bin/pip" install --quiet "$(echo "$wheels"/repaired/*.whl)[pyvista,vtk]" scipy pytest
   start_display
   (cd "$wheels" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH= "$wheels/clean/bin/python" -m pytest -rs \
     -p no:cacheprovider --override-ini 'python_files=Test*.py' "$top/Testing/Python" "$top/Testing/Wheel")

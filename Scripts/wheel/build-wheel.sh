@@ -22,7 +22,7 @@ fi
 
 say "Build: the wheel"
 rm -rf "$folder/built" "$folder/repaired"
-CMAKE_BUILD_PARALLEL_LEVEL=$(parallel_jobs) "$tools/bin/pip" wheel "$top" --no-deps \
+VTKFLIPFLOP_VTK=1 CMAKE_BUILD_PARALLEL_LEVEL=$(parallel_jobs) "$tools/bin/pip" wheel "$top" --no-deps \
   --find-links "$folder/sdk" --wheel-dir "$folder/built" "$@"
 # VTK's libraries are those of the wheel vtk, found beside ours.
 PATH="$tools/bin:$PATH" "$tools/bin/auditwheel" repair --exclude 'libvtk*' \

@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The extension vtkflipflop._core: the engine's calls for NumPy's arrays. What users see is
+/// Package/arrays.py.
+#include "Results.h"
+#include "Views.h"
+#include "Watch.h"
+
+#include <flipflop/Batch.h>
+#include <flipflop/Engines.h>
+#include <flipflop/FlipFlop.h>
+#include <flipflop/PowerDiagram.h>
+#include <flipflop/Validate.h>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace flipflop
+{
+
+namespace
+{
+
+using Corners = nb::ndarray<const std::int64_t, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+
+/// The choices that every call has.
+struct Settings
+{
+  int threads = 0;
+  bool polygons = false;
+  bool ignoreNonFinite = false;
+  int engine = 0;
+  nb::object progress;
+
+  Options options() const
+  {
+    Options options;
+    options.threads = this->threads;
+    options.facets = this->polygons ? FacetMode::Polygons : FacetMode::Triangles;
+    options.nonFinite = this->ignoreNonFinite ? NonFinitePolicy::Ignore : NonFinitePolicy::Error;
+    return options;
+  }
+
+  EngineOptions engineOptions() const
+  {
+    EngineOptions chosen;
+    chosen.choice = static_cast<EngineChoice>(this->engine);
+    return chosen;
+  }
+};
+
+/// Points in space: rows of two coordinates get a z of zero.
+class SpacePoints
+{
+public:
+  explicit SpacePoints(const InputArray& array)
+    : View(pointView(array, 2))
+  {
+    if (array.shape(1) == 2)
+    {
+      this->View.type == ScalarType::Float32 ? this->widen(this->Singles)
+                                             : this->widen(this->Doubles);
+    }
+  }
+
+  const PointView& view() const { return this->View; }
+
+private:
+  template <class T>
+  void widen(Buffer<T>& copy)
+  {
+    const T* from = static_cast<const T*>(this->View.data);
+    copy.allocate(3 * static_cast<std::size_t>(this->View.count));
+    for (std::int64_t i = 0; i < this->View.count; ++i)
+    {
+      T* const to = copy.data() + 3 * i;
+      std::copy_n(from + i * this->View.stride, 2, to);
+      to[2] = 0;
+    }
+    this->View = PointView(copy.data(), this->View.count);
+  }
+
+  PointView View;
+  Buffer<float> Singles;
+  Buffer<double> Doubles;
+};
+
+Handle<Hull> hullOf(const InputArray& points, const Settings& settings)
+{
+  const SpacePoints input(points);
+  return handleOf(Watch(settings.progress)
+                    .run(settings.options(),
+                      [&](const Options& options)
+                      {
+                        EngineReport report;
+                        return convexHull(input.view(), options, settings.engineOptions(), report);
+                      }));
+}
+
+Handle<Triangulation> triangulationOf(
+  const InputArray& points, const std::optional<InputArray>& weights, const Settings& settings)
+{
+  const PointView places = pointView(points, 2);
+  const WeightView heavy = weightView(weights);
+  return handleOf(Watch(settings.progress)
+                    .run(settings.options(),
+                      [&](const Options& options)
+                      {
+                        EngineReport report;
+                        return regularTriangulation(
+                          places, heavy, options, settings.engineOptions(), report);
+                      }));
+}
+
+Handle<Hull> convexified(const InputArray& points, const Corners& triangles,
+  const std::optional<std::array<double, 3>>& kernel, const Settings& settings)
+{
+  const PointView places = pointView(points, 3);
+  TriangleView surface;
+  surface.corners = triangles.data();
+  surface.count = static_cast<std::int64_t>(triangles.shape(0));
+  return handleOf(
+    Watch(settings.progress)
+      .run(settings.options(),
+        [&](const Options& options)
+        { return flipFlop(places, surface, kernel ? kernel->data() : nullptr, options); }));
+}
+
+/// A power diagram's four arrays: corners, connectivity, offsets, sites.
+nb::tuple diagramOf(const InputArray& points, const std::optional<InputArray>& weights,
+  const Handle<Triangulation>& triangulation, const std::optional<std::array<double, 4>>& box,
+  const Settings& settings)
+{
+  const PointView places = pointView(points, 2);
+  const WeightView heavy = weightView(weights);
+  const Triangulation& facets = *triangulation.result;
+  PowerDiagram diagram;
+  if (box || facets.dimension >= 0)
+  {
+    const std::array<double, 4> sides = box ? *box : powerDiagramBox(places, facets);
+    diagram = Watch(settings.progress)
+                .run(settings.options(),
+                  [&](const Options& options)
+                  { return powerDiagram(places, heavy, facets, sides.data(), options); });
+  }
+  const std::size_t corners = diagram.corners.size() / 2;
+  const std::size_t cells = diagram.siteIds.size();
+  const std::size_t ends = diagram.connectivity.size();
+  if (diagram.offsets.empty())
+  {
+    diagram.offsets.allocate(1);
+    diagram.offsets[0] = 0;
+  }
+  return nb::make_tuple(arrayOf(std::move(diagram.corners), { corners, 2 }),
+    arrayOf(std::move(diagram.connectivity), { ends }),
+    arrayOf(std::move(diagram.offsets), { cells + 1 }),
+    arrayOf(std::move(diagram.siteIds), { cells }));
+}
+
+/// Many results that Python takes out one by one.
+template <class Result>
+struct Results
+{
+  std::shared_ptr<const Batch<Result>> batch;
+};
+
+template <class Result>
+Results<Result> resultsOf(Batch<Result>&& batch)
+{
+  return { std::make_shared<const Batch<Result>>(std::move(batch)) };
+}
+
+SetView setView(const IdArray& offsets)
+{
+  SetView sets;
+  sets.offsets = offsets.data();
+  sets.count = std::max<std::int64_t>(0, static_cast<std::int64_t>(offsets.shape(0)) - 1);
+  return sets;
+}
+
+template <class Result>
+nb::class_<Results<Result>> bindResults(nb::module_& module, const char* name)
+{
+  using Self = const Results<Result>&;
+  return nb::class_<Results<Result>>(module, name)
+    .def("__len__", [](Self self) { return self.batch->results.size(); })
+    .def("__getitem__",
+      [](Self self, std::size_t set)
+      {
+        if (set >= self.batch->results.size())
+        {
+          throw nb::index_error();
+        }
+        return Handle<Result>{ std::shared_ptr<const Result>(
+          self.batch, &self.batch->results[set]) };
+      })
+    .def("errors",
+      [](Self self)
+      {
+        nb::list found;
+        for (const SetError& error : self.batch->errors)
+        {
+          found.append(nb::make_tuple(error.set, static_cast<int>(error.error.code()),
+            error.error.what(), error.error.index(), error.error.count()));
+        }
+        return found;
+      });
+}
+
+/// An array with one value for each set.
+template <class Result, class Get>
+auto eachResult(const Results<Result>& self, const Get& get)
+{
+  const std::vector<Result>& results = self.batch->results;
+  Buffer<std::decay_t<decltype(get(results[0]))>> values(results.size());
+  std::transform(results.begin(), results.end(), values.begin(), get);
+  return arrayOf(std::move(values), { results.size() });
+}
+
+nb::tuple judged(const Validation& validation)
+{
+  return nb::make_tuple(
+    static_cast<int>(validation.fault), describe(validation.fault), validation.index);
+}
+
+}
+
+}
+
+NB_MODULE(_core, module)
+{
+  using namespace flipflop;
+
+  nb::set_leak_warnings(false); // at exit, users' globals may still hold results
+  nb::register_exception_translator(
+    [](const std::exception_ptr& thrown, void*)
+    {
+      try
+      {
+        std::rethrow_exception(thrown);
+      }
+      catch (const Error& error)
+      {
+        const nb::object made = nb::module_::import_("vtkflipflop._errors")
+                                  .attr("of_engine")(static_cast<int>(error.code()), error.what(),
+                                    error.index(), error.count());
+        PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
+      }
+    });
+
+  nb::class_<Settings>(module, "Settings")
+    .def(
+      "__init__",
+      [](Settings* self, int threads, bool polygons, bool ignore, int engine, nb::object progress) {
+        new (self) Settings{ threads, polygons, ignore, engine, std::move(progress) };
+      },
+      "threads"_a, "polygons"_a, "ignore_non_finite"_a, "engine"_a, "progress"_a.none());
+
+  bindCells<Hull>(module, "Hull")
+    .def_prop_ro("volume", [](const Handle<Hull>& self) { return self.result->volume; })
+    .def_prop_ro("area", [](const Handle<Hull>& self) { return self.result->area; });
+  bindCells<Triangulation>(module, "Triangulation")
+    .def("hidden",
+      [](const Handle<Triangulation>& self)
+      {
+        const Buffer<std::int64_t>& ids = self.result->hiddenIds;
+        return arrayOf(ids.data(), { ids.size() }, self.result);
+      });
+  bindResults<Hull>(module, "Hulls")
+    .def("volumes",
+      [](const Results<Hull>& self)
+      { return eachResult(self, [](const Hull& hull) { return hull.volume; }); })
+    .def("areas",
+      [](const Results<Hull>& self)
+      { return eachResult(self, [](const Hull& hull) { return hull.area; }); });
+  bindResults<Triangulation>(module, "Triangulations");
+
+  module.def("convex_hull", &hullOf);
+  module.def(
+    "regular_triangulation", &triangulationOf, "points"_a, "weights"_a.none(), "settings"_a);
+  module.def("convexify", &convexified, "points"_a, "triangles"_a, "kernel"_a.none(), "settings"_a);
+  module.def("power_diagram", &diagramOf, "points"_a, "weights"_a.none(), "triangulation"_a,
+    "box"_a.none(), "settings"_a);
+
+  module.def("convex_hulls",
+    [](const InputArray& points, const IdArray& offsets, const Settings& settings)
+    {
+      const SpacePoints input(points);
+      return resultsOf(Watch(settings.progress)
+                         .run(settings.options(),
+                           [&](const Options& options)
+                           { return convexHulls(input.view(), setView(offsets), options); }));
+    });
+  module.def(
+    "regular_triangulations",
+    [](const InputArray& points, const IdArray& offsets, const std::optional<InputArray>& weights,
+      const Settings& settings)
+    {
+      const PointView places = pointView(points, 2);
+      const WeightView heavy = weightView(weights);
+      return resultsOf(Watch(settings.progress)
+                         .run(settings.options(),
+                           [&](const Options& options) {
+                             return regularTriangulations(places, setView(offsets), heavy, options);
+                           }));
+    },
+    "points"_a, "offsets"_a, "weights"_a.none(), "settings"_a);
+
+  module.def("validate_hull",
+    [](const InputArray& points, const Handle<Hull>& hull, int threads)
+    {
+      const SpacePoints input(points);
+      const nb::gil_scoped_release free;
+      const Validation found = validate(input.view(), *hull.result, threads);
+      const nb::gil_scoped_acquire held;
+      return judged(found);
+    });
+  module.def(
+    "validate_triangulation",
+    [](const InputArray& points, const std::optional<InputArray>& weights,
+      const Handle<Triangulation>& triangulation, int threads)
+    {
+      const PointView places = pointView(points, 2);
+      const WeightView heavy = weightView(weights);
+      const nb::gil_scoped_release free;
+      const Validation found = validate(places, heavy, *triangulation.result, threads);
+      const nb::gil_scoped_acquire held;
+      return judged(found);
+    },
+    "points"_a, "weights"_a.none(), "triangulation"_a, "threads"_a);
+
+  module.def("cuda_status",
+    []
+    {
+      const CudaStatus& status = cudaStatus();
+      return nb::make_tuple(status.built, status.present, status.device, status.problem);
+    });
+}

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The engine's results as Python's objects: their arrays are the engine's memory, which lives as
+/// long as one of them.
+#ifndef flipflop_Results_h
+#define flipflop_Results_h
+
+#include "Views.h"
+
+#include <flipflop/CellComplex.h>
+#include <flipflop/Statistics.h>
+
+#include <nanobind/nanobind.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+namespace flipflop
+{
+
+/// A Hull or a Triangulation that Python's objects share: alone, or as a part of a batch.
+template <class Result>
+struct Handle
+{
+  std::shared_ptr<const Result> result;
+};
+
+template <class Result>
+Handle<Result> handleOf(Result&& result)
+{
+  return { std::make_shared<const Result>(std::move(result)) };
+}
+
+/// All counts and times by their names in Statistics.h.
+inline nanobind::dict dictOf(const Statistics& statistics)
+{
+  nanobind::dict found;
+  Statistics::eachField([&](const char* name, auto field) { found[name] = statistics.*field; });
+  found["threads"] = statistics.threads;
+  return found;
+}
+
+/// The corners of all cells as ids of the caller's points.
+inline Buffer<std::int64_t> cornerIds(const CellComplex& cells)
+{
+  Buffer<std::int64_t> ids(cells.connectivity.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    ids[i] = cells.pointIds[static_cast<std::size_t>(cells.connectivity[i])];
+  }
+  return ids;
+}
+
+/// Where each cell begins, and the end of the last one.
+inline Buffer<std::int64_t> cellOffsets(const CellComplex& cells)
+{
+  Buffer<std::int64_t> offsets(static_cast<std::size_t>(cells.cellCount()) + 1);
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+  {
+    offsets[i] =
+      cells.offsets.empty() && !cells.cellSize ? 0 : cells.cellBegin(static_cast<std::int64_t>(i));
+  }
+  return offsets;
+}
+
+/// The same cells, their polygons as fans of triangles.
+inline CellComplex fansOf(const CellComplex& cells)
+{
+  const auto copy = [](const Buffer<std::int64_t>& from)
+  {
+    Buffer<std::int64_t> to(from.size());
+    std::copy(from.begin(), from.end(), to.begin());
+    return to;
+  };
+  CellComplex fans;
+  fans.dimension = cells.dimension;
+  fans.pointIds = copy(cells.pointIds);
+  fans.connectivity = copy(cells.connectivity);
+  fans.offsets = copy(cells.offsets);
+  fans.cellSize = cells.cellSize;
+  fanPolygons(fans);
+  return fans;
+}
+
+/// What hulls and triangulations have in common.
+template <class Result>
+nanobind::class_<Handle<Result>> bindCells(nanobind::module_& module, const char* name)
+{
+  using Self = const Handle<Result>&;
+  return nanobind::class_<Handle<Result>>(module, name)
+    .def_prop_ro("dimension", [](Self self) { return self.result->dimension; })
+    .def_prop_ro("cell_count", [](Self self) { return self.result->cellCount(); })
+    .def_prop_ro("cell_size", [](Self self) { return self.result->cellSize; })
+    .def_prop_ro("statistics", [](Self self) { return dictOf(self.result->statistics); })
+    .def("vertices",
+      [](Self self)
+      {
+        const Buffer<std::int64_t>& ids = self.result->pointIds;
+        return arrayOf(ids.data(), { ids.size() }, self.result);
+      })
+    .def("offsets",
+      [](Self self)
+      {
+        Buffer<std::int64_t> offsets = cellOffsets(*self.result);
+        const std::size_t size = offsets.size();
+        return arrayOf(std::move(offsets), { size });
+      })
+    .def("corners",
+      [](Self self)
+      {
+        Buffer<std::int64_t> ids = cornerIds(*self.result);
+        const std::size_t size = ids.size();
+        return arrayOf(std::move(ids), { size });
+      })
+    .def("fans",
+      [](Self self)
+      {
+        const CellComplex fans = fansOf(*self.result);
+        Buffer<std::int64_t> ids = cornerIds(fans);
+        const auto columns = static_cast<std::size_t>(fans.dimension + 1);
+        const std::size_t rows = static_cast<std::size_t>(fans.cellCount());
+        return arrayOf(std::move(ids), { rows, fans.dimension < 2 ? columns : 3 });
+      });
+}
+
+}
+
+#endif

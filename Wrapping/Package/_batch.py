@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many small point sets in one call, on all threads."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Generic, TypeVar, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._errors import FlipFlopError, of_engine
+from ._hull import ConvexHull
+from ._input import ids_of, points_of, weights_of
+from ._results import Floats, Frozen, Ids, Progress, cached, ignores, run, settings
+from ._triangulation import RegularTriangulation
+
+Result = TypeVar("Result", ConvexHull, RegularTriangulation)
+
+
+class _Batch(Frozen, Sequence[Result], Generic[Result]):
+    """The results of many point sets: a sequence, result by result.
+
+    Attributes
+    ----------
+    points : ndarray
+        the points of all sets
+    offsets : ndarray
+        set i has the points from offsets[i] to offsets[i + 1]
+    errors : dict
+        of set to exception, for the sets at fault, whose result is that of no point. Empty unless errors="keep".
+    """
+
+    points: NDArray[Any]
+    offsets: Ids
+    errors: dict[int, FlipFlopError]
+    _core: Any
+    _ignores: bool
+
+    def __init__(self, points: NDArray[Any], offsets: Ids, core: Any, ignore: bool, errors: str) -> None:
+        found = {item[0]: _of_set(*item) for item in core.errors()}
+        if found and errors == "raise":
+            raise next(iter(found.values()))
+        self.__dict__.update(points=points, offsets=offsets, errors=found, _core=core, _ignores=ignore)
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    @overload
+    def __getitem__(self, index: int) -> Result: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Result]: ...
+
+    def __getitem__(self, index: int | slice) -> Result | list[Result]:
+        """The result of a set. Its ids count from 0 in the set, as its points do."""
+        if isinstance(index, slice):
+            return [self._result(i) for i in range(*index.indices(len(self)))]
+        at = index + len(self) if index < 0 else index
+        if not 0 <= at < len(self):
+            raise IndexError(f"set {index} of {len(self)}")
+        return self._result(at)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {len(self)} sets>"
+
+    def _result(self, index: int) -> Result:
+        raise NotImplementedError
+
+    def _stretch(self, index: int) -> slice:
+        return slice(int(self.offsets[index]), int(self.offsets[index + 1]))
+
+
+class HullBatch(_Batch[ConvexHull]):
+    __doc__ = _Batch.__doc__
+
+    @cached
+    def volumes(self) -> Floats:
+        """The volume of each hull; of points in the plane, the area."""
+        return self._core.areas() if self.points.shape[1] == 2 else self._core.volumes()
+
+    @cached
+    def areas(self) -> Floats:
+        """The surface area of each hull; of points in the plane, the perimeter."""
+        if self.points.shape[1] == 3:
+            return self._core.areas()
+        perimeters = np.array([hull.area for hull in self], np.float64)
+        perimeters.flags.writeable = False
+        return perimeters
+
+    def _result(self, index: int) -> ConvexHull:
+        return ConvexHull(self.points[self._stretch(index)], self._core[index], self._ignores)
+
+
+class TriangulationBatch(_Batch[RegularTriangulation]):
+    __doc__ = _Batch.__doc__
+
+    weights: NDArray[Any] | None
+
+    def __init__(
+        self, points: NDArray[Any], weights: NDArray[Any] | None, offsets: Ids, core: Any, ignore: bool, errors: str
+    ) -> None:
+        super().__init__(points, offsets, core, ignore, errors)
+        self.__dict__["weights"] = weights
+
+    def _result(self, index: int) -> RegularTriangulation:
+        part = self._stretch(index)
+        weights = None if self.weights is None else self.weights[part]
+        return RegularTriangulation(self.points[part], weights, self._core[index], self._ignores)
+
+
+def convex_hulls(
+    points: ArrayLike,
+    offsets: ArrayLike,
+    *,
+    errors: str = "raise",
+    facets: str = "triangles",
+    threads: int = 0,
+    non_finite: str = "error",
+    progress: Progress = None,
+) -> HullBatch:
+    """The convex hulls of many sets of points in one call, as convex_hull() gives them.
+
+    Parameters
+    ----------
+    points : n by 3, or n by 2
+        the points of all sets, one set after another
+    offsets : m + 1 integers
+        set i has the points from offsets[i] up to offsets[i + 1]; ascending
+    errors : {"raise", "keep"}
+        what a set at fault leads to: an exception that names it, or an entry in the result's `errors`
+    facets, threads, non_finite, progress
+        as for convex_hull()
+    """
+    _check_errors(errors)
+    array, left_out = points_of(points, ignores(non_finite))
+    starts = _offsets_of(offsets)
+    chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
+    core = run(chosen, _core.convex_hulls, array, starts)
+    return HullBatch(array, starts, core, left_out, errors)
+
+
+def regular_triangulations(
+    points: ArrayLike,
+    offsets: ArrayLike,
+    weights: ArrayLike | None = None,
+    *,
+    errors: str = "raise",
+    facets: str = "triangles",
+    threads: int = 0,
+    non_finite: str = "error",
+    progress: Progress = None,
+) -> TriangulationBatch:
+    """The regular triangulations of many sets of points in one call, as regular_triangulation() gives them.
+
+    Parameters
+    ----------
+    weights : n numbers, optional
+        one for each point, whether it is in a set or not
+    points, offsets, errors, facets, threads, non_finite, progress
+        as for convex_hulls()
+    """
+    _check_errors(errors)
+    ignore = ignores(non_finite)
+    array, left_out = points_of(points, ignore)
+    heavy = None
+    if weights is not None:
+        heavy, masked = weights_of(weights, ignore)
+        left_out = left_out or masked
+    starts = _offsets_of(offsets)
+    chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
+    core = run(chosen, _core.regular_triangulations, array, starts, heavy)
+    return TriangulationBatch(array, heavy, starts, core, left_out, errors)
+
+
+def _offsets_of(values: ArrayLike) -> Ids:
+    offsets = np.array(ids_of(values, "offsets"))
+    if offsets.ndim != 1:
+        raise ValueError(f"offsets are an array of one dimension, not of shape {offsets.shape}")
+    offsets.flags.writeable = False
+    return offsets
+
+
+def _check_errors(errors: str) -> None:
+    if errors not in ("raise", "keep"):
+        raise ValueError(f"errors is one of 'raise', 'keep', not {errors!r}")
+
+
+def _of_set(number: int, code: int, text: str, index: int, count: int) -> FlipFlopError:
+    return of_engine(code, f"set {number}: {text}", index, count)

@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the engine throws, as Python's exceptions: its words, and the index."""
+
+
+class FlipFlopError(Exception):
+    """An error of the engine.
+
+    Attributes
+    ----------
+    code : str
+        what went wrong, in snake_case: "non_finite"
+    index : int
+        the first point, triangle or set at fault; -1 if there is none
+    count : int
+        how many are at fault, or the size asked for; 0 if that tells nothing
+    """
+
+    __module__ = "vtkflipflop.arrays"  # where users import it from
+    code: str
+    index: int
+    count: int
+
+    def __init__(self, message: str, code: str = "", index: int = -1, count: int = 0) -> None:
+        super().__init__(message)
+        self.code, self.index, self.count = code, index, count
+
+
+class InputError(FlipFlopError, ValueError):
+    """The input is at fault."""
+
+    __module__ = "vtkflipflop.arrays"
+
+
+class OutOfMemoryError(FlipFlopError, MemoryError):
+    """There is not enough memory."""
+
+    __module__ = "vtkflipflop.arrays"
+
+
+class DeviceError(FlipFlopError, RuntimeError):
+    """The CUDA engine was asked for and could not do it."""
+
+    __module__ = "vtkflipflop.arrays"
+
+
+class AbortedError(FlipFlopError, RuntimeError):
+    """The callable given as progress returned False."""
+
+    __module__ = "vtkflipflop.arrays"
+
+
+# In the order of the engine's ErrorCode: the code's name, the exception, what the index counts, what the count counts.
+_CODES = (
+    ("non_finite", InputError, "first at point {}", "{} such point(s) in all"),
+    ("too_many_points", InputError, "", "{} points"),
+    ("out_of_memory", OutOfMemoryError, "", "{} bytes were asked for"),
+    ("aborted", AbortedError, "", ""),
+    ("bad_argument", InputError, "at set {}", ""),
+    ("weight_count", InputError, "", "{} weights"),
+    ("bad_triangle", InputError, "first at triangle {}", "{} such triangle(s) in all"),
+    ("not_closed", InputError, "first at triangle {}", "{} edge(s) in all"),
+    ("not_manifold", InputError, "first at triangle {}", "{} such edge(s) and vertices in all"),
+    ("not_oriented", InputError, "first at triangle {}", ""),
+    ("not_star_shaped", InputError, "first at triangle {}", "{} such triangle(s) in all"),
+    ("no_kernel", InputError, "", ""),
+    ("no_device", DeviceError, "", ""),
+    ("device_memory", DeviceError, "", "{} bytes were asked for"),
+    ("device_failed", DeviceError, "error {} of the CUDA runtime", ""),
+    ("internal", FlipFlopError, "", ""),
+)
+
+
+def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:
+    """The exception for an error of the engine."""
+    name, kind, place, number = _CODES[code]
+    parts = [place.format(index)] if place and index >= 0 else []
+    parts += [number.format(count)] if number and count > 0 else []
+    return kind(text + (": " + ", ".join(parts) if parts else ""), name, index, count)

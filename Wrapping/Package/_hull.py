@@ -1,0 +1,182 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Convex hulls of arrays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._input import ids_of, points_of
+from ._results import Cells, Floats, Ids, Polygons, Progress, Validation, cached, ignores, run, settings
+
+
+class ConvexHull(Cells):
+    """The exact convex hull of points in space, or of points in the plane.
+
+    Ids are rows of the caller's array. Every vertex is a true corner and has the lowest id of its position. The form
+    is the same for any number of threads and either engine, bit for bit. Names are those of scipy.spatial.ConvexHull.
+
+    Of points in space, facets are the triangles `simplices` (counter-clockwise from outside, a fan for each facet of
+    more corners) and the true facets `polygons`. Of points in the plane (rows of two), facets are edges,
+    counter-clockwise. Points in space that span less give `dimension` below 3, and one polygon, segment or point.
+    """
+
+    @cached
+    def vertices(self) -> Ids:
+        """Ids of the vertices, ascending; of points in the plane, counter-clockwise from the lowest."""
+        if self._planar:
+            return self._ring()
+        return self._core.vertices()
+
+    @cached
+    def simplices(self) -> Ids:
+        """Facets as rows of ids: of three in space (of two or one, if the points span no more), of two in the plane."""
+        if self._planar:
+            ring = self.vertices
+            return _frozen(np.column_stack([ring, np.roll(ring, -1)]))
+        return self._core.fans()
+
+    @cached
+    def polygons(self) -> Polygons:
+        """The true facets, as ids. In the plane, the hull itself is the one polygon."""
+        core = self._core
+        if core.cell_size == 3:
+            # As triangles: the hull of the vertices is the same, and tells the facets.
+            ids = core.vertices()
+            core = _core.convex_hull(self.points[ids], _core.Settings(0, True, False, 1, None))
+            return Polygons(core.offsets(), _frozen(ids[core.corners()]))
+        return Polygons(core.offsets(), core.corners())
+
+    @property
+    def volume(self) -> float:
+        """Of the solid; of points in the plane, the area."""
+        return self._core.area if self._planar else self._core.volume
+
+    @cached
+    def area(self) -> float:
+        """Of the surface (of the polygon once, if the points span a plane); of points in the plane, the perimeter."""
+        if self._planar:
+            corners = self.points[self.vertices].astype(np.float64)
+            steps = corners - np.roll(corners, -1, axis=0)
+            return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
+        return self._core.area
+
+    @property
+    def nsimplex(self) -> int:
+        """How many facets there are in `simplices`."""
+        return len(self.simplices)
+
+    @cached
+    def min_bound(self) -> Floats:
+        """The least of each coordinate."""
+        return _frozen(self._corners().min(axis=0))
+
+    @cached
+    def max_bound(self) -> Floats:
+        """The greatest of each coordinate."""
+        return _frozen(self._corners().max(axis=0))
+
+    def validate(self, *, threads: int = 0) -> Validation:
+        """Decides exactly whether this is the convex hull of the points."""
+        fault, text, index = _core.validate_hull(self.points, self._core, threads)
+        return Validation(fault == 0, text, index)
+
+    def __repr__(self) -> str:
+        return f"<ConvexHull of {self.npoints} points: dimension {self.dimension}, {len(self.vertices)} vertices>"
+
+    @property
+    def _planar(self) -> bool:
+        return self.points.shape[1] == 2
+
+    def _ring(self) -> Ids:
+        """The corners of the one cell, in order."""
+        if self._core.cell_size == 3 and self._core.cell_count > 1:
+            return self.polygons.connectivity
+        return self._core.corners()
+
+    def _corners(self) -> NDArray[Any]:
+        if self.dimension < 0:
+            return np.full((1, self.ndim), np.nan)
+        return self.points[self._core.vertices()].astype(np.float64)
+
+
+def convex_hull(
+    points: ArrayLike,
+    *,
+    facets: str = "triangles",
+    threads: int = 0,
+    non_finite: str = "error",
+    engine: str = "automatic",
+    progress: Progress = None,
+) -> ConvexHull:
+    """The exact convex hull of points.
+
+    Parameters
+    ----------
+    points : n by 3, or n by 2
+        any finite numbers in any position, up to 2^32 - 2 points
+    facets : {"triangles", "polygons"}
+        which form of the facets is made at once; the other is made when it is asked for
+    threads, non_finite, engine, progress
+        see the module
+
+    Raises
+    ------
+    InputError
+        names the first point at fault and how many there are
+    """
+    array, left_out = points_of(points, ignores(non_finite))
+    chosen = settings(threads, facets, non_finite, engine, progress, left_out)
+    return ConvexHull(array, run(chosen, _core.convex_hull, array), left_out)
+
+
+def convexify(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    kernel: ArrayLike | None = None,
+    *,
+    facets: str = "triangles",
+    threads: int = 0,
+    progress: Progress = None,
+) -> ConvexHull:
+    """The convex hull of a closed star-shaped surface, reached by flips alone.
+
+    Parameters
+    ----------
+    points : n by 3
+        points that no triangle uses are no part of it
+    triangles : m by 3
+        ids of a closed, consistently oriented manifold, outward or inward
+    kernel : 3 numbers, optional
+        a point that strictly sees the inside of every triangle; by default it is sought
+    facets, threads, progress
+        as for convex_hull()
+
+    Raises
+    ------
+    InputError
+        the surface is open, not a manifold, not oriented or not star-shaped; names the first triangle
+    """
+    array, left_out = points_of(points, False)
+    if array.shape[1] != 3:
+        raise ValueError("a surface's points have three coordinates")
+    corners = ids_of(triangles, "triangles")
+    if corners.shape == (0,):
+        corners = corners.reshape(0, 3)
+    if corners.ndim != 2 or corners.shape[1] != 3:
+        raise ValueError(f"triangles are m by 3 ids, not an array of shape {corners.shape}")
+    place = None if kernel is None else tuple(map(float, np.asarray(kernel).reshape(-1)))
+    if place is not None and len(place) != 3:
+        raise ValueError("the kernel point has three coordinates")
+    chosen, bar = settings(threads, facets, "error", "cpu", progress, left_out)
+    core = run((chosen, bar), _core.convexify, array, corners, place)
+    return ConvexHull(array, core, left_out)
+
+
+def _frozen(array: NDArray[Any]) -> NDArray[Any]:
+    array.flags.writeable = False
+    return array

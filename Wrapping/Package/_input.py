@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Users' numbers as arrays that the engine reads in place: float32 or float64, none rounded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ._errors import InputError
+
+_FLOATS = (np.dtype(np.float32), np.dtype(np.float64))
+
+
+def points_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
+    """n rows of 2 or 3 coordinates that the engine can read, and whether points that are not finite are left out.
+
+    An array is taken as it is if the engine reads its memory: float32 or float64 in this machine's byte order, a
+    row's coordinates side by side. Otherwise it is copied, exactly. Masked points become NaN, which the engine then
+    leaves out; other points must be finite all the same, unless these are ignored, too.
+    """
+    array = values
+    if type(array) is not np.ndarray or array.ndim != 2 or array.shape[1] not in (2, 3) or array.dtype not in _FLOATS:
+        array, masked = _exact(_rows_of(values), "coordinate", ignore)
+        return array, ignore or masked
+    return _adjacent(array), ignore
+
+
+def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
+    """n weights, in the way of points_of()."""
+    array = values
+    if type(array) is not np.ndarray or array.ndim != 1 or array.dtype not in _FLOATS:
+        array = _as_array(values, "weight")
+        if array.ndim == 2 and array.shape[1] == 1:
+            array = array[:, 0]
+        if array.ndim != 1:
+            raise ValueError(f"weights are n numbers, one for each point, not an array of shape {array.shape}")
+        array, masked = _exact(array, "weight", ignore)
+        return array, ignore or masked
+    return (array if array.flags.aligned and array.strides[0] % array.itemsize == 0 else array.copy()), ignore
+
+
+def ids_of(values: Any, what: str) -> np.ndarray:
+    """Contiguous int64 from any integers; other numbers are a TypeError."""
+    array = np.asarray(values)
+    if array.size == 0 and array.dtype.kind == "f":  # an empty list
+        array = array.astype(np.int64)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{what} are integers, not of type {array.dtype}")
+    if array.dtype == np.uint64 and array.size and array.max() > np.iinfo(np.int64).max:
+        raise InputError(f"{what}: {array.max()} is out of range", "bad_argument")
+    return np.ascontiguousarray(array, np.int64)
+
+
+def is_array_like(values: Any) -> bool:
+    """Whether values is an array of NumPy, an object that gives one, or a (nested) list."""
+    nested = isinstance(values, Sequence) and not isinstance(values, (str, bytes))
+    return nested or isinstance(values, np.ndarray) or hasattr(values, "__array__") or hasattr(values, "__dlpack__")
+
+
+def _adjacent(array: np.ndarray) -> np.ndarray:
+    """The array itself if a row's numbers lie side by side, and rows a whole number of them apart."""
+    size = array.itemsize
+    step, inner = array.strides
+    if inner == size and step >= size * array.shape[1] and step % size == 0 and array.flags.aligned:
+        return array
+    return np.ascontiguousarray(array)
+
+
+def _rows_of(values: Any) -> np.ndarray:
+    array = _as_array(values, "coordinate")
+    if array.shape in ((0,), (3,)):
+        array = array.reshape(-1, 3)  # an empty list; one point
+    if array.ndim != 2 or array.shape[1] not in (2, 3):
+        raise ValueError(f"points are an array of n by 3 or n by 2 coordinates, not of shape {array.shape}")
+    return array
+
+
+def _as_array(values: Any, what: str) -> np.ndarray:
+    """The values as a NumPy array of numbers, masked where the values are masked."""
+    if not is_array_like(values):
+        raise TypeError(f"{what}s are an array or a list of numbers, not of type {type(values).__name__}")
+    array = np.asanyarray(_of_host(values, what)) if not isinstance(values, Sequence) else _of_lists(values, what)
+    if not np.ma.isMaskedArray(array):
+        array = np.asarray(array)  # of other subclasses, a matrix stays a matrix
+    if array.dtype.kind not in "biufO":
+        records = array.dtype.names is not None
+        advice = "; numpy.lib.recfunctions.structured_to_unstructured() makes numbers of it" if records else ""
+        raise TypeError(f"{what}s are real numbers, not of type {array.dtype}{advice}")
+    return array
+
+
+def _of_host(values: Any, what: str) -> Any:
+    """The values, or their memory by DLPack; a TypeError if a device has them."""
+    if hasattr(values, "__cuda_array_interface__"):
+        raise TypeError(
+            f"the {what}s are on a CUDA device, and this build of vtkflipflop has no CUDA engine: copy them to the "
+            "host first, as cupy.asnumpy() does"
+        )
+    return values if hasattr(values, "__array__") else np.from_dlpack(values)
+
+
+def _of_lists(values: Any, what: str) -> np.ndarray:
+    """Lists as an array; no number is rounded to the type of the others."""
+    try:
+        array = _as_masked(values) if any(map(np.ma.isMaskedArray, values)) else np.asarray(values)
+        # Among floats, NumPy rounds integers.
+        if array.dtype.kind == "f" and (abs(array) >= 2.0**53).any():
+            rounded, array = array, np.asarray(values, dtype=object)
+            array = np.ma.array(array, mask=np.ma.getmask(rounded))
+    except ValueError as error:  # rows of several lengths
+        raise ValueError(f"{what}s cannot be told from these lists: {error}") from None
+    return array
+
+
+def _as_masked(rows: Any) -> np.ma.MaskedArray:
+    """Lists of masked arrays, or of numbers and np.ma.masked."""
+    masks = [np.ma.getmaskarray(row) if np.ma.isMaskedArray(row) else np.zeros(np.shape(row), bool) for row in rows]
+    return np.ma.array([np.ma.filled(row, 0) if np.ma.isMaskedArray(row) else row for row in rows], mask=masks)
+
+
+def _exact(array: np.ndarray, what: str, ignore: bool) -> tuple[np.ndarray, bool]:
+    """The same numbers as float32 or float64, and whether some were masked: those are NaN."""
+    mask = np.ma.getmask(array)
+    masked = bool(mask.any())
+    array = np.asarray(array)
+    kind, size = array.dtype.kind, array.dtype.itemsize
+    if kind == "O" or kind == "f" and size > 8 or kind in "iu" and size == 8:
+        numbers = _as_doubles(array, mask, what)
+    elif kind == "f" and size == 8 or kind in "iu" and size == 4:
+        numbers = array.astype(np.float64)
+    else:  # float32 has 24 bits
+        numbers = array.astype(np.float32)
+    numbers = np.ascontiguousarray(numbers)
+    if masked:
+        if not ignore:
+            # The engine is about to ignore all, so what is not masked is looked at here.
+            _refuse(~np.isfinite(numbers) & ~mask, "a coordinate or weight is NaN or infinite", "non_finite")
+        numbers[mask] = np.nan
+    return numbers, masked
+
+
+def _as_doubles(array: np.ndarray, mask: Any, what: str) -> np.ndarray:
+    """The numbers as doubles; an InputError if a double would not be the same number."""
+    if array.dtype.kind in "iu":
+        doubles = array.astype(np.float64)
+        # 2^63 and 2^64 are doubles that the integers do not reach.
+        small = np.abs(doubles) < 2.0**53
+        changed = ~small & ~np.asarray(mask)
+        if changed.any():
+            places = np.nonzero(changed)
+            changed[places] = [int(double) != int(one) for double, one in zip(doubles[places], array[places])]
+    else:
+        with np.errstate(over="ignore"):
+            boxed = np.frompyfunc(_as_double, 1, 1)(np.where(mask, 0.0, array.astype(object)))
+        changed = np.equal(boxed, None)
+        doubles = np.where(changed, np.nan, boxed).astype(np.float64)
+    if changed.any():
+        value = str(array[tuple(np.argwhere(changed)[0])])
+        _refuse(changed, f"a {what} is no number that a double holds, {value:.40}", "inexact")
+    return doubles
+
+
+def _as_double(value: Any) -> float | None:
+    """The double that is the same number, or None."""
+    try:
+        double = float(value)
+        return double if double == value or value != value else None
+    except (TypeError, ValueError, OverflowError):
+        return None
+
+
+def _refuse(wrong: np.ndarray, sentence: str, code: str) -> None:
+    """Raises an error if any is wrong, in the words of the engine's."""
+    points = wrong.reshape(len(wrong), -1).any(axis=1)
+    if points.any():
+        first, count = int(points.argmax()), int(points.sum())
+        raise InputError(f"{sentence}: first at point {first}, {count} such point(s) in all", code, first, count)

@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The compiled VTK classes. They are loaded only beside a VTK that they fit."""
+
+from ._vtk_check import check
+
+check()  # before any library is loaded: with another VTK than it was built for, that would end the process
+
+from .vtkFiltersFlipFlop import (  # noqa: E402
+    vtkFFAlgorithm,
+    vtkFFConvexifyFilter,
+    vtkFFHullAlgorithm,
+    vtkFFHullFilter,
+    vtkFFRegularTriangulationFilter,
+)
+from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter, vtkPFFRegularTriangulationFilter  # noqa: E402
+
+__all__ = [
+    "vtkFFAlgorithm",
+    "vtkFFConvexifyFilter",
+    "vtkFFHullAlgorithm",
+    "vtkFFHullFilter",
+    "vtkFFRegularTriangulationFilter",
+    "vtkPFFHullFilter",
+    "vtkPFFRegularTriangulationFilter",
+]

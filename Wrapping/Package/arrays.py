@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Exact convex hulls and regular triangulations of NumPy's arrays. Nothing but numpy is needed.
+
+    import numpy as np
+    from vtkflipflop.arrays import convex_hull
+
+    hull = convex_hull(np.random.default_rng(1).random((1000, 3)))
+    print(len(hull.vertices), hull.volume, hull.simplices[0])
+
+Points are anything that NumPy reads as n rows of 2 or 3 real numbers, in any type, byte order and layout; float32 and
+float64 are not copied where a row's numbers lie side by side. No number is rounded: one that no double holds is an
+error. Masked points are left out, and ids stay the caller's. Results are frozen; their arrays are the engine's memory,
+and read-only. Names are scipy.spatial's where it has them. Points are kept, not copied: do not change them while a
+result is in use.
+
+All calls release the GIL and stop at Ctrl-C. These keywords are common to them:
+
+threads : int
+    1 or more; 0, the default: as many as the machine has. The result never depends on it.
+non_finite : {"error", "ignore"}
+    what NaN and infinity lead to: an InputError that tells the first, or that these points are left out
+engine : {"automatic", "cpu", "cuda"}
+    who does the work. The result is the same.
+progress : callable, bool or None
+    called with the fraction that is done, 0 to 1, now and then; if it returns False, the run ends with an
+    AbortedError. True shows tqdm's bar.
+"""
+
+from __future__ import annotations
+
+from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
+from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
+from ._hull import ConvexHull, convex_hull, convexify
+from ._results import Polygons, Validation
+from ._triangulation import PowerDiagram, RegularTriangulation, power_diagram, regular_triangulation
+
+__all__ = [
+    "AbortedError",
+    "ConvexHull",
+    "DeviceError",
+    "FlipFlopError",
+    "HullBatch",
+    "InputError",
+    "OutOfMemoryError",
+    "Polygons",
+    "PowerDiagram",
+    "RegularTriangulation",
+    "TriangulationBatch",
+    "Validation",
+    "convex_hull",
+    "convex_hulls",
+    "convexify",
+    "power_diagram",
+    "regular_triangulation",
+    "regular_triangulations",
+    "validate",
+]
+
+
+def validate(result: ConvexHull | RegularTriangulation, *, threads: int = 0) -> Validation:
+    """Decides exactly whether a hull or a triangulation is right: that of its points, in its canonical form.
+
+    This is an independent check, near-linear in the number of points.
+    """
+    return result.validate(threads=threads)
