@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The wheel to give away, from repaired wheels for one version of Python each.
 
-    assemble_wheel.py --output FOLDER [--licence NAME FILE]... WHEEL...
+    assemble_wheel.py --output FOLDER [--licence NAME FILE]... [--add FILE]... WHEEL...
 
 The core has one file for Python 3.12 and later, but each module of VTK classes has one file for each version. The
-first wheel gets those of the others, whose names tell the version, and the licences of what travels with it.
+first wheel gets those of the others, whose names tell the version, the licences of what travels with it, and files for
+the package vtkflipflop.
 """
 
 import argparse
@@ -26,10 +27,13 @@ def content(wheel):
         return {info.filename: (info, archive.read(info)) for info in archive.infolist() if not info.is_dir()}
 
 
+def add(files, path, file):
+    files[path] = (zipfile.ZipInfo(path, (2026, 1, 1, 0, 0, 0)), file.read_bytes())
+
+
 def add_licence(files, metadata, name, file):
     """Puts a licence where LICENSE is, and names it in the metadata, before the description."""
-    path = f"{metadata.removesuffix('METADATA')}licenses/{name}"
-    files[path] = (zipfile.ZipInfo(path, (2026, 1, 1, 0, 0, 0)), file.read_bytes())
+    add(files, f"{metadata.removesuffix('METADATA')}licenses/{name}", file)
     info, text = files[metadata]
     head, body = text.decode().split("\n\n", 1)
     files[metadata] = (info, f"{head}\nLicense-File: {name}\n\n{body}".encode())
@@ -40,7 +44,7 @@ def record_row(name, data):
     return f"{name},sha256={digest},{len(data)}\n"
 
 
-def assemble(output, wheels, licences):
+def assemble(output, wheels, licences, additions):
     first, *others = wheels
     files = content(first)
     for other in others:
@@ -52,6 +56,8 @@ def assemble(output, wheels, licences):
     (metadata,) = (name for name in files if name.endswith(".dist-info/METADATA"))
     for name, file in licences:
         add_licence(files, metadata, name, Path(file))
+    for file in additions:
+        add(files, f"vtkflipflop/{file.name}", file)
     record = metadata.replace("METADATA", "RECORD")
     info, _ = files.pop(record)
     rows = [record_row(name, data) for name, (_, data) in files.items()]
@@ -66,6 +72,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", required=True, type=Path)
     parser.add_argument("--licence", nargs=2, action="append", default=[], metavar=("NAME", "FILE"))
+    parser.add_argument("--add", action="append", default=[], type=Path, metavar="FILE")
     parser.add_argument("wheels", nargs="+", type=Path)
     arguments = parser.parse_args()
-    assemble(arguments.output, arguments.wheels, arguments.licence)
+    assemble(arguments.output, arguments.wheels, arguments.licence, arguments.add)

@@ -31,11 +31,23 @@ for name in ${PYTHON:-$python}; do
     --wheel-dir "$folder/built/$tag/repaired" "$folder/built/$tag"/vtkflipflop-*.whl
 done
 
+# The types of the VTK classes, by VTK's own generator.
+version=$(sed -n 's/.*"vtk-sdk==\([0-9.]*\)".*/\1/p' "$top/pyproject.toml")
+"$tools/bin/pip" install --quiet numpy "vtk==$version"
+"$tools/bin/pip" install --quiet --no-deps --force-reinstall "$folder/built/$tag"/repaired/*.whl
+rm -rf "$folder/types"
+mkdir "$folder/types"
+(cd "$folder/types" && "$tools/bin/python" -m vtkmodules.generate_pyi --package vtkflipflop --output . \
+  vtkFiltersFlipFlop vtkFiltersParallelFlipFlop)
+
 # Debian keeps the licences of what it brings.
-licences=(--licence oneTBB/copyright /usr/share/doc/libtbb12/copyright
+additions=(--licence oneTBB/copyright /usr/share/doc/libtbb12/copyright
   --licence oneTBB/Apache-2.0 /usr/share/common-licenses/Apache-2.0)
+for file in "$folder"/types/vtk*.pyi; do
+  additions+=(--add "$file")
+done
 for file in $(basename -a "$folder"/built/*/repaired/*.whl | sort -u); do
-  "$tools/bin/python" "$top/Scripts/wheel/assemble_wheel.py" --output "$folder/repaired" "${licences[@]}" \
+  "$tools/bin/python" "$top/Scripts/wheel/assemble_wheel.py" --output "$folder/repaired" "${additions[@]}" \
     "$folder"/built/*/repaired/"$file"
 done
 ls -l "$folder/repaired"
