@@ -30,15 +30,13 @@ inline PlaneAxes planeAxes(
   return geometry.planar(a, b, c, 2, 0) != 0 ? PlaneAxes{ 2, 0 } : PlaneAxes{ 1, 2 };
 }
 
-/// The triangle of the corners 0, i and i + 1 that holds a point of the plane, its border included:
-/// i, from 1 to @p size - 2; 0: the point is outside. Exact.
-/// @param at const Vertex& (std::size_t): corners of a strictly convex polygon, counter-clockwise
-template <class At>
-std::size_t fanTriangleOf(const HullGeometry& geometry, const PlaneAxes& axes, std::size_t size,
-  const At& at, const Vertex& v)
+/// The triangle of the corners 0, i and i + 1 that holds a point of a strictly convex polygon's
+/// plane, its border included: i, from 1 to @p size - 2; 0: the point is outside.
+/// @param turn (std::size_t i, std::size_t j): positive where the point is on the left of the way
+///             from corner i to corner j, zero on it
+template <class Turn>
+std::size_t fanTriangleOf(std::size_t size, const Turn& turn)
 {
-  const auto turn = [&](std::size_t i, std::size_t j)
-  { return geometry.planar(at(i), at(j), v, axes.p, axes.q); };
   // The wedge from corner 0, then its outer edge.
   if (turn(0, 1) < 0 || turn(0, size - 1) > 0)
   {

@@ -16,14 +16,12 @@ Buffer<double> facetPlanes(const PointView& points, const Hull& hull, const Opti
   {
     return planes;
   }
-  QueryRun run(PointView(corners.data(), static_cast<std::int64_t>(hull.pointIds.size())), options);
-  run.execute<QueryResult>(
-    [&](QueryResult&)
+  const auto cells = static_cast<std::size_t>(hull.cellCount());
+  runOver(cells, options,
+    [&](Monitor& monitor)
     {
       constexpr std::size_t CellsPerTask = 1 << 12;
-      const auto cells = static_cast<std::size_t>(hull.cellCount());
       planes.allocate(4 * cells);
-      run.monitor.stage(0.0, 1.0, static_cast<std::int64_t>(cells));
       eachRun(cells, CellsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
@@ -36,7 +34,7 @@ Buffer<double> facetPlanes(const PointView& points, const Hull& hull, const Opti
             std::copy(plane.normal, plane.normal + 3, planes.data() + 4 * cell);
             planes[4 * cell + 3] = plane.offset;
           }
-          run.monitor.advance(static_cast<std::int64_t>(end - begin));
+          monitor.advance(static_cast<std::int64_t>(end - begin));
         });
     });
   return planes;

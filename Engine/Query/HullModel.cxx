@@ -120,6 +120,16 @@ const DirectionMap& HullModel::directions(Monitor& monitor) const
     });
 }
 
+const SurfaceTree& HullModel::surface(Monitor& monitor) const
+{
+  return this->surfaceLazy.get(
+    [&]
+    {
+      return std::make_unique<SurfaceTree>(
+        this->solid, this->around, this->arithmetic.scaleExponent, monitor);
+    });
+}
+
 const HullModel::WideSpace& HullModel::wideSpace() const
 {
   return this->wideLazy.get(
@@ -168,6 +178,8 @@ bool HullModel::fits(const double* x) const
 int HullModel::sideInPlane(const HullGeometry& local, const Vertex* corners, const Vertex& p) const
 {
   const auto at = [&](std::size_t i) -> const Vertex& { return corners[this->around[i]]; };
+  const auto turn = [&](std::size_t i, std::size_t j)
+  { return local.planar(at(i), at(j), p, this->axes.p, this->axes.q); };
   switch (this->spans)
   {
     case 0:
@@ -176,7 +188,7 @@ int HullModel::sideInPlane(const HullGeometry& local, const Vertex* corners, con
       return local.isBetween(corners[0], corners[1], p) ? 0 : -1;
     default:
       return local.above(at(0), at(1), at(2), p) == 0 &&
-          fanTriangleOf(local, this->axes, this->around.size(), at, p) != 0
+          fanTriangleOf(this->around.size(), turn) != 0
         ? 0
         : -1;
   }

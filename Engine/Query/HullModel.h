@@ -17,10 +17,13 @@
 #include "Query/DirectionMap.h"
 #include "Query/Lazy.h"
 #include "Query/QueryRun.h"
+#include "Query/SurfaceTree.h"
 #include "Support/Monitor.h"
 #include <flipflop/Hull.h>
 #include <flipflop/HullQueries.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -59,12 +62,13 @@ public:
   /// Made when first asked for.
   const HullLocator& locator(Monitor& monitor) const;
   const DirectionMap& directions(Monitor& monitor) const;
+  const SurfaceTree& surface(Monitor& monitor) const;
   ///@}
 
   /// Is a finite point, as it was given, in the corners' bounding box?
   bool isInBox(const double* x) const
   {
-    bool within = true;
+    bool within = this->spans >= 0;
     for (int i = 0; i < 3; ++i)
     {
       within = within && x[i] >= this->low[i] && x[i] <= this->high[i];
@@ -77,6 +81,18 @@ public:
   /// @param start a triangle near the point, in dimension 3
   Placed place(const HullGeometry& local, const double* x, std::uint32_t start,
     const HullLocator* locator) const;
+
+  /// A triangle that a finite point outside the box looks towards.
+  std::uint32_t triangleTowards(const double* x, const HullLocator& locator) const
+  {
+    double nearest[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      nearest[i] = std::ldexp(
+        std::min(std::max(x[i], this->low[i]), this->high[i]), this->arithmetic.scaleExponent);
+    }
+    return locator.near(Vertex(), locator.cellOf(nearest));
+  }
 
   const HullGeometry& geometry() const { return this->space; }
 
@@ -108,6 +124,7 @@ private:
   Lazy<WideSpace> wideLazy;
   Lazy<HullLocator> locatorLazy;
   Lazy<DirectionMap> directionsLazy;
+  Lazy<SurfaceTree> surfaceLazy;
 };
 
 }

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/HullQueries.h>
 
+#include "Geometry/Extents.h"
+#include "Query/FarthestPair.h"
 #include "Query/HullModel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flipflop
 {
@@ -22,9 +25,32 @@ HullQueries::~HullQueries() = default;
 namespace
 {
 
-/// Points in the box, a block at a time: the locator dismisses those deep inside, the others walk.
-void containsRun(const HullModel& model, const QueryRun& run, const HullLocator* locator,
-  std::uint32_t begin, std::uint32_t end, std::int8_t* sides)
+/// @param exponent the corners are scaled by 2^ this
+double distanceBetween(const Vertex& a, const Vertex& b, int exponent)
+{
+  // In halves, and in units of the longest coordinate: nothing overflows on the way.
+  double gap[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    gap[i] = 0.5 * a.x[i] - 0.5 * b.x[i];
+  }
+  const double longest = largestOf(gap[0], gap[1], gap[2]);
+  const int unit = longest > 0 ? std::ilogb(longest) : 0;
+  double sum = 0;
+  for (double& x : gap)
+  {
+    x = std::ldexp(x, -unit);
+    sum += x * x;
+  }
+  return std::ldexp(std::sqrt(sum), unit + 1 - exponent);
+}
+
+/// use (std::uint32_t query, const double* x, const Placed&) for some queries; the triangle of
+/// those outside the box is NoIndex. The others are looked at a block at a time: the locator
+/// dismisses those deep inside, what is left walks.
+template <class Use>
+void eachPlaced(const HullModel& model, const QueryRun& run, const HullLocator* locator,
+  std::uint32_t begin, std::uint32_t end, const Use& use)
 {
   constexpr int Size = HullLocator::BlockSize;
   const HullGeometry local = model.geometry();
@@ -40,20 +66,17 @@ void containsRun(const HullModel& model, const QueryRun& run, const HullLocator*
     for (int i = 0; i < n; ++i)
     {
       const double p[3] = { x[0][i], x[1][i], x[2][i] };
-      sides[first + i] = static_cast<std::int8_t>(Side::Outside);
+      if (!model.isInBox(p)) // as what is not finite
+      {
+        use(first + static_cast<std::uint32_t>(i), p, Placed{ Side::Outside, NoIndex });
+        continue;
+      }
       from[inBox] = static_cast<std::uint32_t>(i);
       for (int k = 0; k < 3; ++k)
       {
-        block.x[k][inBox] = p[k];
+        block.x[k][inBox] = exponent ? std::ldexp(p[k], exponent) : p[k];
       }
-      inBox += model.isInBox(p) ? 1 : 0; // what is not finite is not
-    }
-    for (int k = 0; k < 3 && exponent; ++k)
-    {
-      for (int i = 0; i < inBox; ++i)
-      {
-        block.x[k][i] = std::ldexp(block.x[k][i], exponent);
-      }
+      ++inBox;
     }
     if (locator)
     {
@@ -62,16 +85,24 @@ void containsRun(const HullModel& model, const QueryRun& run, const HullLocator*
     for (int i = 0; i < inBox; ++i)
     {
       const std::uint32_t at = from[i];
-      if (locator && block.inside[i])
-      {
-        sides[first + at] = static_cast<std::int8_t>(Side::Inside);
-        continue;
-      }
       const double p[3] = { x[0][at], x[1][at], x[2][at] };
       const std::uint32_t start = locator ? locator->near(Vertex(), block.cell[i]) : 0;
-      sides[first + at] = static_cast<std::int8_t>(model.place(local, p, start, locator).side);
+      use(first + at, p,
+        locator && block.inside[i] ? Placed{ Side::Inside, start }
+                                   : model.place(local, p, start, locator));
     }
   }
+}
+
+/// The locator, where the hull has one.
+const HullLocator* locatorOf(const HullModel& hull, Monitor& monitor)
+{
+  if (hull.dimension() < 3)
+  {
+    return nullptr;
+  }
+  monitor.stage(0.1, 0.2, 1);
+  return &hull.locator(monitor);
 }
 
 }
@@ -82,23 +113,51 @@ void HullQueries::contains(
   const HullModel& hull = *this->model;
   const HullLocator* locator = nullptr;
   eachQuery(
-    queries, sides, options,
+    queries, sides, options, [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
+    [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
+    {
+      eachPlaced(hull, run, locator, begin, end,
+        [sides](std::uint32_t query, const double*, const Placed& placed)
+        { sides[query] = static_cast<std::int8_t>(placed.side); });
+    });
+}
+
+void HullQueries::distance(
+  const PointView& queries, double* distances, const Options& options) const
+{
+  const HullModel& hull = *this->model;
+  const HullLocator* locator = nullptr;
+  const SurfaceTree* surface = nullptr;
+  const auto distanceOf = [&](const double* x, const Placed& placed)
+  {
+    if (!isFinite(x))
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    if (placed.side == Side::On || !surface)
+    {
+      return surface ? 0.0 : std::numeric_limits<double>::infinity();
+    }
+    const std::uint32_t start =
+      placed.triangle == NoIndex && locator ? hull.triangleTowards(x, *locator) : placed.triangle;
+    // The side is exact, so zero would be wrong.
+    const double distance = std::max(surface->distance(x, placed.side == Side::Inside, start),
+      std::numeric_limits<double>::denorm_min());
+    return placed.side == Side::Inside ? -distance : distance;
+  };
+  eachQuery(
+    queries, distances, options,
     [&](QueryRun& run)
     {
-      if (hull.dimension() == 3)
-      {
-        run.monitor.stage(0.1, 0.3, 1);
-        locator = &hull.locator(run.monitor);
-      }
+      locator = locatorOf(hull, run.monitor);
+      run.monitor.stage(0.2, 0.3, 1);
+      surface = hull.dimension() < 0 ? nullptr : &hull.surface(run.monitor);
     },
     [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
     {
-      if (hull.dimension() < 0)
-      {
-        std::fill(sides + begin, sides + end, static_cast<std::int8_t>(Side::Outside));
-        return;
-      }
-      containsRun(hull, run, locator, begin, end, sides);
+      eachPlaced(hull, run, locator, begin, end,
+        [&](std::uint32_t query, const double* x, const Placed& placed)
+        { distances[query] = distanceOf(x, placed); });
     });
 }
 
@@ -124,6 +183,26 @@ void HullQueries::support(
           map && (!run.checkFinite || isFinite(vector)) ? hull.inputId(map->farthest(vector)) : -1;
       }
     });
+}
+
+Diameter HullQueries::diameter(const Options& options) const
+{
+  const HullModel& hull = *this->model;
+  Diameter result;
+  runOver(hull.size(), options,
+    [&](Monitor& monitor)
+    {
+      if (hull.dimension() < 0)
+      {
+        return;
+      }
+      const CornerPair pair = farthestPair(&hull.corner(0), hull.size(), hull.isWide(), monitor);
+      result.first = hull.inputId(pair.first);
+      result.second = hull.inputId(pair.second);
+      result.length =
+        distanceBetween(hull.corner(pair.first), hull.corner(pair.second), hull.scaleExponent());
+    });
+  return result;
 }
 
 }

@@ -3,9 +3,7 @@
 #include <flipflop/Neighbors.h>
 
 #include "Points/Vertex.h"
-#include "Support/Monitor.h"
-#include "Support/Threads.h"
-#include "Support/TypedErrors.h"
+#include "Query/QueryRun.h"
 #include "Surface/Sides.h"
 #include "Validate/ValidateStructure.h"
 
@@ -54,47 +52,41 @@ Buffer<std::int64_t> cellNeighbors(const CellComplex& complex, const Options& op
   {
     throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(entries));
   }
-  return withTypedErrors(
-    [&]
+  Buffer<std::int64_t> neighbors;
+  runOver(entries, options,
+    [&](Monitor& monitor)
     {
       if (!checkStructure(std::numeric_limits<std::int64_t>::max(), complex, 3))
       {
         throw Error(ErrorCode::BadArgument);
       }
-      Buffer<std::int64_t> neighbors(entries);
-      Monitor monitor(options);
-      ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(entries)));
-      arena.execute(
-        [&]
+      monitor.stage(0.1, 0.3, 1);
+      neighbors.allocate(entries);
+      Buffer<std::uint32_t> cellOf(entries);
+      Buffer<CellSide> sides = sidesOf(complex, cellOf);
+      monitor.stage(0.3, 1.0, 1);
+      StepPoll poll(monitor);
+      std::uint32_t crowded = NoIndex;
+      eachEdge(sides,
+        [&](const CellSide* side, const CellSide* end)
         {
-          monitor.stage(0.0, 0.2, 1);
-          Buffer<std::uint32_t> cellOf(entries);
-          Buffer<CellSide> sides = sidesOf(complex, cellOf);
-          monitor.stage(0.2, 1.0, 1);
-          StepPoll poll(monitor);
-          std::uint32_t crowded = NoIndex;
-          eachEdge(sides,
-            [&](const CellSide* side, const CellSide* end)
-            {
-              poll.step();
-              if (end - side > 2)
-              {
-                crowded = std::min(crowded, cellOf[side->place]);
-                return;
-              }
-              const CellSide* const other = end - 1;
-              const bool alone = other == side;
-              neighbors[side->place] = alone ? -1 : std::int64_t(cellOf[other->place]);
-              neighbors[other->place] = alone ? -1 : std::int64_t(cellOf[side->place]);
-            });
-          if (crowded != NoIndex)
+          poll.step();
+          if (end - side > 2)
           {
-            throw Error(ErrorCode::BadArgument, std::int64_t(crowded));
+            crowded = std::min(crowded, cellOf[side->place]);
+            return;
           }
-          monitor.stage(1.0, 1.0, 1);
+          const CellSide* const other = end - 1;
+          const bool alone = other == side;
+          neighbors[side->place] = alone ? -1 : std::int64_t(cellOf[other->place]);
+          neighbors[other->place] = alone ? -1 : std::int64_t(cellOf[side->place]);
         });
-      return neighbors;
+      if (crowded != NoIndex)
+      {
+        throw Error(ErrorCode::BadArgument, std::int64_t(crowded));
+      }
     });
+  return neighbors;
 }
 
 }

@@ -7,7 +7,10 @@
 
 #include "Points/PointSource.h"
 #include "Run/Run.h"
+#include "Support/Monitor.h"
 #include "Support/Parallel.h"
+#include "Support/Threads.h"
+#include "Support/TypedErrors.h"
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
 #include <flipflop/Statistics.h>
@@ -17,6 +20,26 @@
 
 namespace flipflop
 {
+
+/// body (Monitor&) on as many threads as so many items are worth.
+/// @throw Error OutOfMemory, Aborted, or what @p body throws
+template <class Body>
+void runOver(std::size_t items, const Options& options, Body&& body)
+{
+  withTypedErrors(
+    [&]
+    {
+      Monitor monitor(options);
+      ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(items)));
+      arena.execute(
+        [&]
+        {
+          monitor.stage(0.0, 1.0, static_cast<std::int64_t>(items));
+          body(monitor);
+          monitor.stage(1.0, 1.0, 1);
+        });
+    });
+}
 
 /// A run over points that a query is about, or over a hull's corners.
 class QueryRun : public Run

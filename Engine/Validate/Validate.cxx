@@ -120,7 +120,8 @@ private:
         {
           return Fault::PointOutside;
         }
-        const std::size_t low = fanTriangleOf(local, axes, n, at, v);
+        const std::size_t low = fanTriangleOf(
+          n, [&](std::size_t i, std::size_t j) { return local.planar(at(i), at(j), v, p, q); });
         if (low == 0)
         {
           return Fault::PointOutside;

@@ -25,6 +25,14 @@ enum class Side : std::int8_t
   Inside = 1    ///< in the hull, not on its surface
 };
 
+/// Two points of a hull that are as far apart as any two are.
+struct Diameter
+{
+  std::int64_t first = -1;  ///< its id: a position in the hull's points; -1: the hull is empty
+  std::int64_t second = -1; ///< its id, not below the first; that of the same point in dimension 0
+  double length = 0;        ///< their distance, off by a few units of its last place
+};
+
 class HullModel;
 
 /// Questions about one hull. It keeps what it needs of the hull and its points, and prepares what a
@@ -64,6 +72,22 @@ public:
   void contains(
     const PointView& queries, std::int8_t* sides, const Options& options = Options()) const;
 
+  /// The distance of each point from the surface; below dimension 3, from the hull. It is negative
+  /// inside, 0 on the surface and positive outside; this sign is exact. The distance itself is
+  /// rounded: it is off by no more than 1e-14 times the distance to the farthest vertex.
+  ///
+  /// Branch and bound over a tree of the triangles, from one near the point. It takes about as long
+  /// as the logarithm of their number, but for points that very many triangles are about as near
+  /// to, such as the centre of a sphere.
+  /// @param queries   points in space
+  /// @param distances room for one value a point, in the unit of the coordinates. Infinity: the
+  /// hull
+  ///                  is empty, or no double is so large. NaN: the point is not finite and ignored
+  /// @param options   threads, progress, nonFinite
+  /// @throw Error     BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
+  void distance(
+    const PointView& queries, double* distances, const Options& options = Options()) const;
+
   /// The vertex that is farthest along each direction: the one with the largest dot product. Exact,
   /// for all finite directions, of any length; of several such vertices it is the one of lowest id.
   /// All are equally far along the direction 0 0 0.
@@ -77,6 +101,15 @@ public:
   /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
   void support(
     const PointView& directions, std::int64_t* ids, const Options& options = Options()) const;
+
+  /// The vertices that are farthest apart: of all such pairs that of the lowest first id, then of
+  /// the lowest second. Distances are compared exactly.
+  ///
+  /// Branch and bound over pairs of boxes. It is near-linear for solids and for spheres, where very
+  /// many vertices are nearly as far from another one.
+  /// @param options threads, progress
+  /// @throw Error   OutOfMemory, Aborted
+  Diameter diameter(const Options& options = Options()) const;
 
 private:
   std::unique_ptr<const HullModel> model;

@@ -62,6 +62,9 @@ TEST(QueryErrors, ArraysThatAreNotThere)
   const PointView nothing(static_cast<const double*>(nullptr), 2);
   std::vector<std::int8_t> sides(8);
   std::vector<std::int64_t> ids(8);
+  std::vector<double> distances(8);
+  expectError([&] { hull.distance(viewOf(cloud), nullptr); }, ErrorCode::BadArgument);
+  expectError([&] { hull.distance(nothing, distances.data()); }, ErrorCode::BadArgument);
   expectError([&] { hull.contains(viewOf(cloud), nullptr); }, ErrorCode::BadArgument);
   expectError([&] { hull.contains(nothing, sides.data()); }, ErrorCode::BadArgument);
   expectError([&] { hull.support(viewOf(cloud), nullptr); }, ErrorCode::BadArgument);
@@ -73,6 +76,7 @@ TEST(QueryErrors, ArraysThatAreNotThere)
   // No query is no error.
   hull.contains(PointView(), nullptr);
   hull.support(PointView(), nullptr);
+  hull.distance(PointView(), nullptr);
 }
 
 TEST(QueryErrors, QueriesThatAreNotFinite)
@@ -87,16 +91,22 @@ TEST(QueryErrors, QueriesThatAreNotFinite)
     std::vector<std::int64_t> ids(4, -2);
     expectError([&] { hull.contains(viewOf(queries), sides.data()); }, ErrorCode::NonFinite, 1, 2);
     expectError([&] { hull.support(viewOf(queries), ids.data()); }, ErrorCode::NonFinite, 1, 2);
+    std::vector<double> distances(4, 99);
+    expectError(
+      [&] { hull.distance(viewOf(queries), distances.data()); }, ErrorCode::NonFinite, 1, 2);
     Options options;
     options.nonFinite = NonFinitePolicy::Ignore;
     hull.contains(viewOf(queries), sides.data(), options);
     hull.support(viewOf(queries), ids.data(), options);
+    hull.distance(viewOf(queries), distances.data(), options);
+    EXPECT_EQ(distances[0], dimension < 0 ? infinity : 0);
     EXPECT_EQ(sides[0], dimension < 0 ? -1 : 0);
     EXPECT_EQ(ids[0], dimension < 0 ? -1 : 0);
     for (const std::size_t i : { 1, 2 })
     {
       EXPECT_EQ(sides[i], -1);
       EXPECT_EQ(ids[i], -1);
+      EXPECT_TRUE(std::isnan(distances[i]));
     }
   }
 }
@@ -108,10 +118,13 @@ TEST(QueryErrors, StoppedOnRequest)
   const HullQueries queries(viewOf(cloud), hull);
   std::vector<std::int8_t> sides(cloud.size());
   std::vector<std::int64_t> ids(cloud.size());
+  std::vector<double> distances(cloud.size());
   const std::function<void(const Options&)> calls[] = {
     [&](const Options& o) { HullQueries(viewOf(cloud), hull, o); },
     [&](const Options& o) { queries.contains(viewOf(cloud), sides.data(), o); },
     [&](const Options& o) { queries.support(viewOf(cloud), ids.data(), o); },
+    [&](const Options& o) { queries.distance(viewOf(cloud), distances.data(), o); },
+    [&](const Options& o) { queries.diameter(o); },
     [&](const Options& o) { facetPlanes(viewOf(cloud), hull, o); },
     [&](const Options& o) { cellNeighbors(hull, o); },
   };
