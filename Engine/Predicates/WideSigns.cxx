@@ -118,6 +118,28 @@ int WideSigns::compare(const double* a, const Row<4>& b, int p)
   return -wideOffset(b, a, p).sign();
 }
 
+int WideSigns::along(const double* d, const double* a, const double* b)
+{
+  Integer sum = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    sum += toInteger(d[i]) * wideOffset(a, b, i);
+  }
+  return sum.sign();
+}
+
+int WideSigns::compareDistances(const double* a, const double* b, const double* c, const double* d)
+{
+  Integer sum = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Integer u = wideOffset(a, b, i);
+    const Integer v = wideOffset(c, d, i);
+    sum += u * u - v * v;
+  }
+  return sum.sign();
+}
+
 int WideLiftedSigns::orient3(const double* a, const double* b, const double* c, const Row<1>& d)
 {
   Integer u[3], v[3], w[3];

@@ -20,6 +20,8 @@ struct WideSigns
   static int orient2(const double* a, const double* b, const Row<4>& c, int p, int q);
   static int compare(const double* a, const Row<1>& b, int p);
   static int compare(const double* a, const Row<4>& b, int p);
+  static int along(const double* d, const double* a, const double* b);
+  static int compareDistances(const double* a, const double* b, const double* c, const double* d);
 };
 
 /// The same for LiftedSigns. Where points are unweighted their weights are zeros.
