@@ -5,7 +5,8 @@
 # build-wheel.sh FOLDER [OPTION OF PIP]...: builds the wheel vtkflipflop, with the VTK classes, for Debian's Python or those
 # that PYTHON names, in order ("python3.12 python3.13"), and repairs it: oneTBB travels with it, with its licence, and its
 # name tells the oldest C library that it runs with. FOLDER/repaired gets it. Versions of Python from 3.12 on share one
-# wheel; an older one gets its own.
+# wheel; an older one gets its own. HOME_URL is the repository's address: for a release, it makes the description's links
+# absolute.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 folder=$(realpath -m "$1")
@@ -43,6 +44,7 @@ mkdir "$folder/types"
 # Debian keeps the licences of what it brings.
 additions=(--licence oneTBB/copyright /usr/share/doc/libtbb12/copyright
   --licence oneTBB/Apache-2.0 /usr/share/common-licenses/Apache-2.0)
+[ -z "${HOME_URL:-}" ] || additions+=(--home "$HOME_URL")
 for file in "$folder"/types/vtk*.pyi; do
   additions+=(--add "$file")
 done
