@@ -93,6 +93,30 @@ public:
   void interpolateLinear(const double* values, std::int64_t components, const PointView& queries,
     double* result, const Options& options = Options()) const;
 
+  /// Values between the sites by natural neighbour coordinates (R. Sibson, 1981): smoother than
+  /// linear ones, and no function of how facets are cut into triangles. Were the query a site, its
+  /// power cell would take some area from the cells around. The share of a site in the value is its
+  /// share of that area.
+  ///
+  /// The query has the weight that is linear over its triangle, from the corners' weights
+  /// (rounded); without weights, none, as Sibson's has. So it is never hidden, and values pass
+  /// through those of the sites. Shares are positive and sum to 1. Linear functions are reproduced,
+  /// with weights, too. Values are continuous, and without weights smooth but at the sites. At a
+  /// site the value is the site's, exactly; on the hull's border it is linear between the two ends
+  /// of the edge; it is NaN outside. In dimension 1 and 0, it is that of interpolateLinear().
+  ///
+  /// Which sites have a share is exact; shares are rounded, mostly to a few units in the last place
+  /// (of the greatest, where many triangles meet). A query costs the triangles that it would
+  /// remove: a few, but all those at a site of very many neighbours.
+  /// @param values     as for interpolateLinear()
+  /// @param components as for interpolateLinear()
+  /// @param queries    as for interpolateLinear()
+  /// @param result     as for interpolateLinear()
+  /// @param options    as for locate()
+  /// @throw Error      as for interpolateLinear()
+  void interpolateNatural(const double* values, std::int64_t components, const PointView& queries,
+    double* result, const Options& options = Options()) const;
+
 private:
   class Implementation;
   std::unique_ptr<Implementation> implementation;
