@@ -89,18 +89,39 @@ public:
   bool isLeaf(std::size_t node) const { return 2 * node + 1 >= this->boxes.size(); }
   const Box& box(std::size_t node) const { return this->boxes[node]; }
 
+  ///@{
   /// Places of a leaf's items.
   std::uint32_t begin(std::size_t leaf) const { return this->beginOf(leaf, this->levels); }
   std::uint32_t end(std::size_t leaf) const { return this->beginOf(leaf + 1, this->levels); }
+  ///@}
+
+  /// use (node, begin, end) for each node: the places of its items.
+  template <class Use>
+  void eachNode(const Use& use) const
+  {
+    for (int level = 0; level <= this->levels; ++level)
+    {
+      const std::size_t first = (std::size_t(1) << level) - 1;
+      eachRun(first + 1, std::size_t(1) << 10,
+        [&](std::size_t begin, std::size_t end, std::size_t)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const std::size_t node = first + i;
+            use(node, this->beginOf(node, level), this->beginOf(node + 1, level));
+          }
+        });
+    }
+  }
 
   /// The item at a place.
   std::uint32_t item(std::uint32_t place) const { return this->order[place]; }
 
-  /// Lower @p best, the square of a distance, to the least that an item has from a point.
-  /// @param squaredDistance double (std::uint32_t place): for no item less than the least of all;
-  ///                        for the nearest no less than its box is away
-  template <class SquaredDistance>
-  void nearest(const double* x, double& best, const SquaredDistance& squaredDistance) const
+  /// Lower @p best, the square of a distance, to the least of all items.
+  /// @param boundOf         double (std::size_t node): below the least where that is in the node
+  /// @param squaredDistance double (std::uint32_t place): for no item less than the least of all
+  template <class BoundOf, class SquaredDistance>
+  void nearest(double& best, const BoundOf& boundOf, const SquaredDistance& squaredDistance) const
   {
     struct Later
     {
@@ -109,29 +130,25 @@ public:
     };
     Later stack[64];
     int waiting = 0;
-    stack[waiting++] = { 0, this->boxes[0].squaredDistance(x) };
+    stack[waiting++] = { 0, boundOf(0) };
     while (waiting > 0)
     {
       const Later top = stack[--waiting];
       std::size_t node = top.node;
-      if (top.bound >= best)
-      {
-        continue;
-      }
-      bool near = true;
+      bool near = top.bound < best;
       while (near && !this->isLeaf(node))
       {
-        const double bound[2] = { this->boxes[2 * node + 1].squaredDistance(x),
-          this->boxes[2 * node + 2].squaredDistance(x) };
-        const int first = bound[1] < bound[0] ? 1 : 0;
+        const double bound[2] = { boundOf(2 * node + 1), boundOf(2 * node + 2) };
+        const std::size_t first = bound[1] < bound[0] ? 1 : 0;
         if (bound[1 - first] < best)
         {
-          stack[waiting++] = { 2 * node + 2 - static_cast<std::size_t>(first), bound[1 - first] };
+          stack[waiting++] = { 2 * node + 2 - first, bound[1 - first] };
         }
         near = bound[first] < best;
-        node = 2 * node + 1 + static_cast<std::size_t>(first);
+        node = 2 * node + 1 + first;
       }
-      for (std::uint32_t place = this->begin(node); near && place < this->end(node); ++place)
+      for (std::uint32_t place = near ? this->begin(node) : 0, last = near ? this->end(node) : 0;
+           place < last; ++place)
       {
         best = std::min(best, squaredDistance(place));
       }

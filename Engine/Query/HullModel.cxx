@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/HullModel.h"
 
+#include "Geometry/HullStart.h"
 #include "Geometry/VisibilityWalk.h"
 #include "Query/GivenHull.h"
 #include "Surface/CellMesh.h"
@@ -98,6 +99,8 @@ void HullModel::build(QueryRun& run, const Hull& hull)
     throw Error(ErrorCode::BadArgument);
   }
   std::copy(span.ids, span.ids + 4, this->independent);
+  // From the middle, rays lead near what is nearest, and the locator dismisses most.
+  centerKernel(this->space, this->solid);
 }
 
 const HullLocator& HullModel::locator(Monitor& monitor) const

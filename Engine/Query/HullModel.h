@@ -11,6 +11,7 @@
 #define flipflop_HullModel_h
 
 #include "Geometry/ConvexPolygon.h"
+#include "Geometry/Extents.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/HullLocator.h"
 #include "Mesh/Polyhedron.h"
@@ -85,13 +86,25 @@ public:
   /// A triangle that a finite point outside the box looks towards.
   std::uint32_t triangleTowards(const double* x, const HullLocator& locator) const
   {
-    double nearest[3];
+    // The table's floats do not reach everywhere: where the point is far, one on its way to the box
+    // is looked for.
+    constexpr double Far = 1024;
+    double half[3], centre[3];
+    double extent = 0;
     for (int i = 0; i < 3; ++i)
     {
-      nearest[i] = std::ldexp(
-        std::min(std::max(x[i], this->low[i]), this->high[i]), this->arithmetic.scaleExponent);
+      centre[i] = 0.5 * this->low[i] + 0.5 * this->high[i];
+      half[i] = 0.5 * x[i] - 0.5 * centre[i];
+      extent = std::max(extent, 0.5 * this->high[i] - 0.5 * this->low[i]);
     }
-    return locator.near(Vertex(), locator.cellOf(nearest));
+    const double away = largestOf(half[0], half[1], half[2]);
+    const double share = away > Far * extent ? Far * (extent / away) : 1.0;
+    double towards[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      towards[i] = std::ldexp(centre[i] + 2 * (share * half[i]), this->arithmetic.scaleExponent);
+    }
+    return locator.near(Vertex(), locator.cellOf(towards));
   }
 
   const HullGeometry& geometry() const { return this->space; }

@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How far is a point from a hull's surface? Branch and bound over a tree of boxes around the
-/// triangles; around the sides of a polygon, or the segment, or the point, in lower dimensions.
+/// How far is a point from a hull's surface?
 ///
-/// From inside, the nearest triangle's plane is as near as the triangle, and no plane is nearer
-/// than the surface. So there the heights above the planes are all that is asked of triangles.
+/// From outside, a walk over the surface leads to the nearest point: where no edge around leads
+/// nearer, a plane that holds the hull behind it proves that nothing else is. From inside, branch
+/// and bound over a tree of the triangles: a node knows its box, and a slab beneath which none of
+/// its points is, which is tight where the surface is smooth. The nearest triangle's plane is as
+/// near as the triangle, and no plane is nearer than the surface, so heights above planes are all
+/// that is asked of triangles there.
 ///
-/// Coordinates are in a frame in which the largest of the hull is about one, so that squares
-/// neither overflow nor underflow.
+/// Where the walk gets lost in rounding, and in lower dimensions, the tree tells, too; it is one of
+/// a polygon's sides, or of the segment, or the point, then. Coordinates are in a frame in which
+/// the largest of the hull is about one, so that squares neither overflow nor underflow.
 #ifndef flipflop_SurfaceTree_h
 #define flipflop_SurfaceTree_h
 
@@ -53,15 +57,36 @@ private:
     double normal[3];
   };
 
-  static double squaredDistance(const Corner& a, const Corner& b, const double* x);
-  double squaredDistance(const Element& element, const double* x, bool inside) const;
+  /// No point of a node is lower than this along a direction, above one of its corners.
+  struct Slab
+  {
+    double normal[3];
+    Corner origin;
+    double least;
+  };
+
+  /// The point of a triangle that is nearest to another.
+  struct Nearest
+  {
+    double square; ///< of the distance
+    int edge;      ///< that it lies on; -1: inside the triangle
+    int corner;    ///< that it is at; -1: none
+  };
+
+  void makeSlabs();
+  static Nearest nearestOf(const Element& element, const double* x);
+  double squareByWalk(const double* x, std::uint32_t start) const;
+  std::uint32_t uphill(std::uint32_t t, int corner, const double* x) const;
+  double squareByTree(const double* x, bool inside, double best) const;
+  const Element& elementOf(std::uint32_t t) const { return this->elements[this->placeOf[t]]; }
   bool isOverPolygon(const double* x) const;
 
   int shift = 0;                         ///< from given coordinates to the frame's: times 2^shift
   std::vector<Corner> corners;           ///< in the frame; of a polygon, in their order
   Buffer<Element> elements;              ///< by place in the tree
   Buffer<std::uint32_t> placeOf;         ///< by triangle
-  bool solidHull = false;                ///< the elements are triangles
+  Buffer<Slab> slabs;                    ///< by node, in dimension 3
+  const Triangle* triangles;             ///< of the hull; null: the elements are segments
   double polygonNormal[3] = { 0, 0, 0 }; ///< zero: there is no polygon
   std::optional<BoxTree> tree;
 };
