@@ -192,24 +192,41 @@ def test_nearest():
     assert np.array_equal(regular_triangulation(points, weights).nearest(places), (power - weights).argmin(axis=1))
 
 
-def test_interpolate():
+@pytest.mark.parametrize("weights", [None, RANDOM.random(100) * 1e-6], ids=["plain", "weighted"])
+@pytest.mark.parametrize("method", ["linear", "natural"])
+def test_interpolate(method, weights):
     points, places = RANDOM.random((100, 2)), RANDOM.random((300, 2)) * 1.2 - 0.1
-    triangulation = regular_triangulation(points)
+    triangulation = regular_triangulation(points, weights)
+    assert len(triangulation.hidden) == 0
     plane = points @ [2.0, -3.0] + 1
-    found = triangulation.interpolate(plane, places)
+    found = triangulation.interpolate(plane, places, method)
     outside = triangulation.locate(places) < 0
     assert np.array_equal(np.isnan(found), outside) and 0 < outside.sum() < 300
-    assert np.allclose(found[~outside], (places @ [2.0, -3.0] + 1)[~outside], rtol=0, atol=1e-14)
+    assert np.allclose(found[~outside], (places @ [2.0, -3.0] + 1)[~outside], rtol=0, atol=1e-13)
     values = RANDOM.random((100, 3))
-    assert np.array_equal(triangulation.interpolate(values, points), values)
-    assert triangulation.interpolate(values, places[0]).shape == (3,)
-    assert np.ndim(triangulation.interpolate(plane, points[4])) == 0
-    rows = triangulation.interpolate(values, places)
-    assert np.array_equal(rows[:, 1], triangulation.interpolate(values[:, 1], places), equal_nan=True)
-    with pytest.raises(ValueError, match="'linear'.* not 'cubic'"):
+    assert np.array_equal(triangulation.interpolate(values, points, method), values)
+    assert triangulation.interpolate(values, places[0], method).shape == (3,)
+    assert np.ndim(triangulation.interpolate(plane, points[4], method)) == 0
+    rows = triangulation.interpolate(values, places, method)
+    assert np.array_equal(rows[:, 1], triangulation.interpolate(values[:, 1], places, method), equal_nan=True)
+    with pytest.raises(ValueError, match="'linear', 'natural', not 'cubic'"):
         triangulation.interpolate(plane, places, "cubic")
     with pytest.raises(ValueError, match="values are 100 numbers or rows, not an array of shape"):
         triangulation.interpolate(plane[1:], places)
+
+
+def test_natural_neighbours_by_power_diagrams():
+    """The areas that cells lose to one more site, with the diagram made anew."""
+    points, place = RANDOM.random((40, 2)), np.array([0.45, 0.55])
+    box = (-1, 2, -1, 2)
+    before = power_diagram(points, box=box)
+    after = power_diagram(np.vstack([points, place]), box=box)
+    lost = np.zeros(40)
+    lost[before.sites] += before.areas
+    lost[after.sites[:-1]] -= after.areas[:-1]
+    shares = regular_triangulation(points).interpolate(np.eye(40), place, "natural")
+    assert np.allclose(shares, lost / after.areas[-1], rtol=0, atol=1e-12)
+    assert (shares >= 0).all() and shares.sum() == pytest.approx(1, rel=1e-14)
 
 
 def test_measures():

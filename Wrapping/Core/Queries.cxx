@@ -173,6 +173,13 @@ void bindQueries(nb::module_& module)
       {
         return interpolated(values, places, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateLinear(arguments...); });
+      })
+    .def("interpolate_natural",
+      [](
+        const Sites& self, const Values& values, const InputArray& places, const Settings& settings)
+      {
+        return interpolated(values, places, self.points, settings,
+          [&](auto... arguments) { self.queries.interpolateNatural(arguments...); });
       });
   module.def("triangulation_queries", &sitesOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "settings"_a);

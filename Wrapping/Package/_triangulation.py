@@ -31,7 +31,7 @@ from ._results import (
 
 
 # Ways to interpolate, and the core's names of them.
-_METHODS = {"linear": "interpolate_linear"}
+_METHODS = {"linear": "interpolate_linear", "natural": "interpolate_natural"}
 
 
 class RegularTriangulation(Cells):
@@ -164,8 +164,10 @@ class RegularTriangulation(Cells):
             one (or a row) for each of the triangulated points; those of hidden points are not used
         points
             as for locate()
-        method : {"linear"}
-            linear over each of `simplices`
+        method : {"linear", "natural"}
+            linear over each of `simplices`; or by natural neighbours (Sibson): each site counts by the area that the
+            point's own power cell would take from the site's. With weights, the point's weight is linear over its
+            triangle, so values still pass through the sites'.
 
         Returns
         -------
