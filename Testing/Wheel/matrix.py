@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tries the wheel beside each VTK and PyVista that users may have, on each Python: a new environment for each pair.
+
+    matrix.py [--pythons PYTHON,...] [--only WORD] [--work FOLDER] WHEEL...
+
+Of the wheels, pip takes the one that fits a Python. An environment that the package index has no files for is told as
+such, with pip's reason. The table that is printed is that of Documentation/Python.md. The exit code is 1 if a test failed.
+"""
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+
+ARRAYS = ["Testing/Arrays"]
+PYVISTA = ["Testing/Arrays/TestBits.py", "Testing/Wheel"]
+CLASSES = [*PYVISTA, "Testing/Python"]
+
+# What is installed beside the wheel, without what it would bring along by itself; and the tests.
+ENVIRONMENTS = {
+    "numpy alone": (["mypy", "scipy"], ARRAYS),
+    "vtk of the VTK classes": (["vtk==9.6.2", "pyvista", "tqdm", "scipy"], CLASSES),
+    "newest vtk": (["vtk", "pyvista", "tqdm", "scipy"], PYVISTA),
+    "cvista": (["cvista", "pyvista", "tqdm", "scipy"], PYVISTA),
+    "oldest PyVista": (["pyvista==0.44.*", "vtk<9.6", "tqdm", "scipy"], PYVISTA),
+}
+
+SHOWN = ("numpy", "vtk", "cvista", "pyvista")
+
+
+def said(command, **keywords):
+    return subprocess.run(command, capture_output=True, text=True, **keywords)
+
+
+def installed(python, wheels, requirements):
+    """None, or why it cannot be."""
+    binary = ["--only-binary", ":all:", "--quiet"]
+    folders = [option for wheel in wheels for option in ("--find-links", str(wheel.parent))]
+    steps = [["vtkflipflop", *requirements, "pytest", *folders]]
+    if "cvista" in requirements:
+        # PyVista asks for vtk, which cvista replaces.
+        others = [name for name in requirements if name != "pyvista"]
+        steps = [["vtkflipflop", *others, "pytest", "matplotlib", "pillow", "pooch", "scooby", "typing-extensions",
+                  "platformdirs", *folders], ["--no-deps", "pyvista"]]  # fmt: skip
+    for step in steps:
+        done = said([python, "-m", "pip", "install", *binary, *step])
+        if done.returncode:
+            return done.stderr.strip().splitlines()[-1]
+    return None
+
+
+def versions(python):
+    found = json.loads(said([python, "-m", "pip", "list", "--format", "json"]).stdout)
+    known = {package["name"].lower(): package["version"] for package in found}
+    return ", ".join(f"{name} {known[name]}" for name in SHOWN if name in known)
+
+
+def tried(python, tests, folder):
+    """The summary of pytest's, and whether all is right."""
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": ""}
+    command = [python, "-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", "--override-ini", "python_files=Test*.py"]
+    done = said([*command, *(str(TOP / test) for test in tests)], cwd=folder, env=environment)
+    (folder / "pytest.log").write_text(done.stdout + done.stderr)
+    lines = done.stdout.strip().splitlines()
+    return re.sub(r" in [\d.]+s.*", "", lines[-1] if lines else "nothing was printed"), done.returncode == 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--pythons", default=",".join(f"python3.{minor}" for minor in range(11, 15)))
+    parser.add_argument("--only", default="", help="only environments whose name has this")
+    parser.add_argument("--work", type=Path, default=TOP / "build" / "matrix")
+    parser.add_argument("wheels", nargs="+", type=lambda text: Path(text).resolve())
+    arguments = parser.parse_args()
+
+    right = True
+    print("| Python | environment | versions | tests |\n|---|---|---|---|")
+    for name in arguments.pythons.split(","):
+        version = said(["sh", "-c", f"{name} -c 'import platform; print(platform.python_version())'"]).stdout.strip()
+        for label, (requirements, tests) in ENVIRONMENTS.items():
+            if arguments.only not in label:
+                continue
+            if not version:
+                print(f"| {name} | {label} | | not on this machine |", flush=True)
+                continue
+            folder = arguments.work / f"{version} {label}".replace(" ", "-")
+            subprocess.run([name, "-m", "venv", "--clear", folder], check=True)
+            python = folder / "bin" / "python"
+            said([python, "-m", "pip", "install", "--quiet", "--upgrade", "pip"])
+            problem = installed(python, arguments.wheels, requirements)
+            summary, passed = (problem, True) if problem else tried(python, tests, folder)
+            right = right and passed
+            print(f"| {version} | {label} | {'' if problem else versions(python)} | {summary} |", flush=True)
+    sys.exit(0 if right else 1)
+
+
+if __name__ == "__main__":
+    main()
