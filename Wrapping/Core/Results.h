@@ -109,6 +109,13 @@ nanobind::class_<Handle<Result>> bindCells(nanobind::module_& module, const char
         const std::size_t size = offsets.size();
         return arrayOf(std::move(offsets), { size });
       })
+    .def("connectivity",
+      [](Self self)
+      {
+        // Of the corners of all cells: places in vertices(), not ids.
+        const Buffer<std::int64_t>& places = self.result->connectivity;
+        return arrayOf(places.data(), { places.size() }, self.result);
+      })
     .def("corners",
       [](Self self)
       {
