@@ -49,7 +49,9 @@ def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
             raise ValueError(f"weights are n numbers, one for each point, not an array of shape {array.shape}")
         array, masked = _exact(array, "weight", ignore)
         return array, ignore or masked
-    return (array if array.flags.aligned and array.strides[0] % array.itemsize == 0 else array.copy()), ignore
+    step = array.strides[0]
+    in_place = array.flags.aligned and step >= array.itemsize and step % array.itemsize == 0
+    return (array if in_place else array.copy()), ignore
 
 
 def ids_of(values: Any, what: str) -> np.ndarray:

@@ -7,6 +7,7 @@ No VTK is imported: what PyVista and the mesh itself offer is enough. So it is w
 
 from __future__ import annotations
 
+import inspect
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -22,6 +23,8 @@ from ._results import Ids
 
 _OBJECT = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkObjectBase")
 _VTK = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkPolyData").__module__.split(".")[0]
+# PyVista 0.48 and later look at all arrays' lengths; what counts is looked at here, too.
+_UNCHECKED: dict[str, Any] = {"validate": False} if "validate" in inspect.signature(pv.wrap).parameters else {}
 _MOST_POINTS = 2**32 - 2
 
 
@@ -69,7 +72,7 @@ def data_of(mesh: Any) -> Any:
     elif is_array_like(mesh):
         return mesh
     try:
-        data = pv.wrap(mesh)
+        data = pv.wrap(mesh, **_UNCHECKED)
     except (NotImplementedError, TypeError):
         data = mesh  # PyVista has no class for some composites
     if not hasattr(data, "IsA") or not any(map(data.IsA, (*_LEAVES, "vtkDataObjectTree"))):
@@ -159,7 +162,8 @@ def _part_of(data: Any, place: str, leaves: Sequence[str]) -> Part:
     if not hasattr(data, "IsA") or isinstance(data, np.ndarray):
         return Part(rows_of(data))
     if not any(map(data.IsA, leaves)):
-        raise InputError(f"{place} is a {type(data).__name__}, which has no points to take", "bad_argument")
+        what = "which has no points to take" if leaves is _LEAVES else "which is no surface: a PolyData is wanted"
+        raise InputError(f"{place} is of the type {type(data).__name__}, {what}", "bad_argument")
     if data.IsA("vtkImageData"):
         return Part(_image_points(data), None, data)
     if data.IsA("vtkRectilinearGrid"):
@@ -463,7 +467,7 @@ def surface_of(part: Part, place: str) -> NDArray[Any]:
         elif mesh.GetNumberOfStrips() > 0:
             kind = "a triangle strip"
         elif count:
-            faces = np.asarray(pv.wrap(mesh).faces).reshape(-1, 4)
+            faces = np.asarray(pv.wrap(mesh, **_UNCHECKED).faces).reshape(-1, 4)
     if kind:
         raise InputError(
             f"every cell of a surface must be a triangle, but cell {cell}{of} is {kind}: mesh.triangulate() makes "
