@@ -292,7 +292,8 @@ class Cloud:
             _tell_pyvista(shares[0][0].mesh, attributes, to.cell_data if cells else to.point_data)
             if cells:
                 _turn_marks(attributes)
-        array = pv.numpy_to_idarr(np.array(ids), deep=True)
+        numbers: Any = np.array(ids)
+        array = pv.numpy_to_idarr(numbers, deep=True)
         array.SetName("vtkOriginalPointIds")
         attributes.AddArray(array)
 
@@ -414,7 +415,7 @@ class Cloud:
         return block, point
 
 
-def set_cells(mesh: pv.PolyData, dimension: int, size: int, offsets: Ids | None, connectivity: Ids) -> None:
+def set_cells(mesh: pv.PolyData, dimension: int, size: int, offsets: Any, connectivity: Any) -> None:
     """Gives a mesh its cells: vertices, lines or polygons, all of one size or as the offsets tell."""
     if offsets is None:
         if not len(connectivity):

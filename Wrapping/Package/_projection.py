@@ -42,7 +42,9 @@ class _BestFitting(Projection):
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         if points.shape[1] == 2:
             points = np.column_stack([points, np.zeros(len(points), points.dtype)])
-        places, *self._plane = _core.to_best_fitting_plane(points, settings)
+        places: Floats
+        places, origin, first, second = _core.to_best_fitting_plane(points, settings)
+        self._plane = origin, first, second
         return places
 
     def to_space(self, corners: Floats) -> Floats:
@@ -64,12 +66,12 @@ class _ByMatrix(Projection):
         return np.ascontiguousarray(found)
 
     def to_space(self, corners: Floats) -> Floats:
-        inverse = pv.vtkmatrix_from_array(self._matrix)
+        inverse = pv.vtkmatrix_from_array(self._matrix)  # inverted as VTK's transforms are
         if inverse.Determinant() == 0.0:
             raise InputError("the power diagram's corners have no places in space: the transform has no inverse")
         inverse.Invert()
         flat = np.column_stack([corners, np.zeros(len(corners))])
-        return _finite(_transformed(pv.array_from_vtkmatrix(inverse), flat))
+        return _finite(_transformed(np.asarray(pv.array_from_vtkmatrix(inverse), np.float64), flat))
 
 
 def projection_of(mode: str, transform: Any) -> Projection:

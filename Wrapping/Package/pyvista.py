@@ -14,23 +14,6 @@ n by 2 coordinates, as vtkflipflop.arrays takes them: no number is rounded, mask
 run on whatever VTK PyVista runs on, and give what the VTK filters of this package give, bit for bit: points of the
 input in their own type, its point data, and "vtkOriginalPointIds". A composite gives a composite of the same structure.
 
-These keywords are common to all functions:
-
-facet_mode : {"triangles", "polygons"}
-    a flat facet of more than three corners is a fan of triangles, or one polygon
-number_of_threads : int
-    1 or more; 0, the default: as many as the machine has. The result never depends on it.
-non_finite_points : {"error", "ignore"}
-    what NaN and infinity lead to: an InputError that tells the first, or that these points are left out
-engine : {"automatic", "cpu", "cuda"}
-    who does the work. The result is the same.
-skip_ghost_points : bool
-    leave out points that "vtkGhostType" marks as another piece's or as blanked
-pass_point_data : bool
-    whether the input's point data is passed
-progress_bar : bool
-    show progress in the terminal; needs tqdm
-
 Errors are those of vtkflipflop.arrays: InputError and others. FilterError is another name of FlipFlopError, from which
 all are derived. An argument of the wrong type is a TypeError; an unknown choice is a ValueError that lists the choices.
 """
@@ -43,7 +26,7 @@ from typing import Any, Literal, overload
 
 import numpy as np
 import pyvista as pv
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
@@ -85,58 +68,14 @@ CompositeMode = Literal["each_block", "all_blocks"]
 NonFinitePoints = Literal["error", "ignore"]
 Engine = Literal["automatic", "cpu", "cuda"]
 ProjectionPlaneMode = Literal["xy_plane", "best_fitting_plane", "transform"]
-Composite = pv.MultiBlock | pv.PartitionedDataSet
+Mesh = pv.DataSet | pv.MultiBlock | pv.PartitionedDataSet | ArrayLike
+Output = pv.PolyData | pv.MultiBlock | pv.PartitionedDataSet
 
 _Report = Callable[[float], Any] | None
 
 
-@overload
 def convex_hull(
-    mesh: Composite,
-    *,
-    facet_mode: FacetMode = ...,
-    composite_mode: Literal["all_blocks"],
-    number_of_threads: int = ...,
-    non_finite_points: NonFinitePoints = ...,
-    engine: Engine = ...,
-    skip_ghost_points: bool = ...,
-    pass_point_data: bool = ...,
-    progress_bar: bool = ...,
-) -> pv.PolyData: ...
-
-
-@overload
-def convex_hull(
-    mesh: pv.MultiBlock,
-    *,
-    facet_mode: FacetMode = ...,
-    composite_mode: Literal["each_block"] = ...,
-    number_of_threads: int = ...,
-    non_finite_points: NonFinitePoints = ...,
-    engine: Engine = ...,
-    skip_ghost_points: bool = ...,
-    pass_point_data: bool = ...,
-    progress_bar: bool = ...,
-) -> pv.MultiBlock: ...
-
-
-@overload
-def convex_hull(
-    mesh: pv.DataSet | ArrayLike,
-    *,
-    facet_mode: FacetMode = ...,
-    composite_mode: CompositeMode = ...,
-    number_of_threads: int = ...,
-    non_finite_points: NonFinitePoints = ...,
-    engine: Engine = ...,
-    skip_ghost_points: bool = ...,
-    pass_point_data: bool = ...,
-    progress_bar: bool = ...,
-) -> pv.PolyData: ...
-
-
-def convex_hull(
-    mesh: Any,
+    mesh: Mesh,
     *,
     facet_mode: FacetMode = "triangles",
     composite_mode: CompositeMode = "each_block",
@@ -146,7 +85,7 @@ def convex_hull(
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
     progress_bar: bool = False,
-) -> Any:
+) -> Output:
     """The exact convex hull of a mesh's points.
 
     Parameters
@@ -156,8 +95,20 @@ def convex_hull(
     composite_mode : {"each_block", "all_blocks"}
         of a composite, a hull of each block, or one hull of the points of all blocks. The latter's ids count the points
         of all blocks in order, and the point array "BlockIndex" has the flat index of each point's block.
-    facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data, progress_bar
-        see the module
+    facet_mode : {"triangles", "polygons"}
+        a flat facet of more than three corners is a fan of triangles, or one polygon
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    non_finite_points : {"error", "ignore"}
+        what NaN and infinity lead to: an InputError, or that these points are left out
+    engine : {"automatic", "cpu", "cuda"}
+        who does the work. The result is the same.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
 
     Returns
     -------
@@ -185,14 +136,14 @@ def convex_hull(
 
 
 def convexify(
-    surface: Any,
+    surface: Mesh,
     kernel_point: ArrayLike | None = None,
     *,
     facet_mode: FacetMode = "triangles",
     number_of_threads: int = 0,
     pass_point_data: bool = True,
     progress_bar: bool = False,
-) -> Any:
+) -> Output:
     """The convex hull of a closed star-shaped surface, reached by flips alone.
 
     Parameters
@@ -202,8 +153,14 @@ def convexify(
         are no part of it.
     kernel_point : 3 numbers, optional
         a point that strictly sees the inside of every triangle; by default it is sought
-    facet_mode, number_of_threads, pass_point_data, progress_bar
-        see the module
+    facet_mode : {"triangles", "polygons"}
+        a flat facet of more than three corners is a fan of triangles, or one polygon
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
 
     Returns
     -------
@@ -226,8 +183,44 @@ def convexify(
     return _each_block(data, convexified, 1, progress_bar, ("vtkPolyData",))[0]
 
 
+@overload
 def regular_triangulation(
-    mesh: Any,
+    mesh: Mesh,
+    weights: ArrayLike | str | None = ...,
+    *,
+    facet_mode: FacetMode = ...,
+    projection_plane_mode: ProjectionPlaneMode = ...,
+    transform: Any = ...,
+    return_hidden_points: Literal[False] = ...,
+    number_of_threads: int = ...,
+    non_finite_points: NonFinitePoints = ...,
+    engine: Engine = ...,
+    skip_ghost_points: bool = ...,
+    pass_point_data: bool = ...,
+    progress_bar: bool = ...,
+) -> Output: ...
+
+
+@overload
+def regular_triangulation(
+    mesh: Mesh,
+    weights: ArrayLike | str | None = ...,
+    *,
+    facet_mode: FacetMode = ...,
+    projection_plane_mode: ProjectionPlaneMode = ...,
+    transform: Any = ...,
+    return_hidden_points: Literal[True],
+    number_of_threads: int = ...,
+    non_finite_points: NonFinitePoints = ...,
+    engine: Engine = ...,
+    skip_ghost_points: bool = ...,
+    pass_point_data: bool = ...,
+    progress_bar: bool = ...,
+) -> tuple[Output, Output]: ...
+
+
+def regular_triangulation(
+    mesh: Mesh,
     weights: ArrayLike | str | None = None,
     *,
     facet_mode: FacetMode = "triangles",
@@ -240,7 +233,7 @@ def regular_triangulation(
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
     progress_bar: bool = False,
-) -> Any:
+) -> Output | tuple[Output, Output]:
     """The exact regular (weighted Delaunay) triangulation of a mesh's points in a plane.
 
     Parameters
@@ -256,8 +249,20 @@ def regular_triangulation(
         takes the points to the xy plane; given, it is used
     return_hidden_points : bool
         also return the points that do not appear in the triangulation
-    facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data, progress_bar
-        see the module
+    facet_mode : {"triangles", "polygons"}
+        a flat facet of more than three corners is a fan of triangles, or one polygon
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    non_finite_points : {"error", "ignore"}
+        what NaN and infinity lead to: an InputError, or that these points are left out
+    engine : {"automatic", "cpu", "cuda"}
+        who does the work. The result is the same.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
 
     Returns
     -------
@@ -279,11 +284,11 @@ def regular_triangulation(
         return run.triangulation(block, weights, projection, report, both)
 
     outputs = _each_block(data, triangulated, 2 if both else 1, progress_bar)
-    return tuple(outputs) if both else outputs[0]
+    return (outputs[0], outputs[1]) if both else outputs[0]
 
 
 def power_diagram(
-    mesh: Any,
+    mesh: Mesh,
     weights: ArrayLike | str | None = None,
     *,
     power_diagram_bounds: ArrayLike | None = None,
@@ -295,17 +300,32 @@ def power_diagram(
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
     progress_bar: bool = False,
-) -> Any:
+) -> Output:
     """The power diagram of a mesh's points in a plane: a polygon for each cell; without weights, the Voronoi diagram.
 
     Parameters
     ----------
+    mesh : data set, composite, or n by 3 or n by 2 coordinates
+        its cells do not matter
+    weights : str or n numbers, optional
+        a point array's name, or numbers if mesh is no composite: squared lengths. By default none: Voronoi.
     power_diagram_bounds : 4 numbers, optional
         x least, x greatest, y least, y greatest in the plane: where cells are cut. By default the box of the points.
-    mesh, weights, projection_plane_mode, transform
-        as for regular_triangulation()
-    number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data, progress_bar
-        see the module
+    projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
+    transform : 4 by 4 numbers, or what has them as its attribute matrix
+        as for regular_triangulation(). Corners lie in the fitted plane, or where the inverse transform takes z = 0.
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    non_finite_points : {"error", "ignore"}
+        what NaN and infinity lead to: an InputError, or that these points are left out
+    engine : {"automatic", "cpu", "cuda"}
+        who does the work. The result is the same.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
 
     Returns
     -------
@@ -343,7 +363,7 @@ class Accessor:
         skip_ghost_points: bool = True,
         pass_point_data: bool = True,
         progress_bar: bool = False,
-    ) -> Any:
+    ) -> Output:
         return convex_hull(
             self._mesh,
             facet_mode=facet_mode,
@@ -364,7 +384,7 @@ class Accessor:
         number_of_threads: int = 0,
         pass_point_data: bool = True,
         progress_bar: bool = False,
-    ) -> Any:
+    ) -> Output:
         return convexify(
             self._mesh,
             kernel_point,
@@ -389,7 +409,8 @@ class Accessor:
         pass_point_data: bool = True,
         progress_bar: bool = False,
     ) -> Any:
-        return regular_triangulation(
+        function: Any = regular_triangulation  # with a flag that may be either, none of its two forms
+        return function(
             self._mesh,
             weights,
             facet_mode=facet_mode,
@@ -417,7 +438,7 @@ class Accessor:
         skip_ghost_points: bool = True,
         pass_point_data: bool = True,
         progress_bar: bool = False,
-    ) -> Any:
+    ) -> Output:
         return power_diagram(
             self._mesh,
             weights,
@@ -443,7 +464,7 @@ if hasattr(pv, "register_dataset_accessor"):  # since 0.48
 class _Run:
     """The choices of a call, and what it makes of one block."""
 
-    block_index: NDArray[np.uint32]  # of the last hull
+    block_index: Any  # of the last hull's points
 
     def __init__(
         self, facets: str, threads: int, non_finite: str, engine: str, skip_ghosts: bool, pass_data: bool
@@ -521,7 +542,7 @@ def _each_block(
     count: int,
     progress_bar: bool,
     leaves: tuple[str, ...] | None = None,
-) -> list[Any]:
+) -> list[Output]:
     """What is made of each block: so many meshes, or composites of them."""
     chosen = {} if leaves is None else {"leaves": leaves}
     with _bar(progress_bar) as report:
@@ -532,7 +553,7 @@ def _each_block(
             if block.parts[0].mesh is not None:
                 for mesh in made:
                     pass_field_data(block.parts[0].mesh, mesh)
-            return made
+            return list(made)
         outputs = [like_composite(data) for _ in range(count)]
         total = 1 + sum(block.count for block, _ in blocks_of(data, **chosen) if block is not None)
         done = 0
