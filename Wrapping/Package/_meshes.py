@@ -25,6 +25,8 @@ _OBJECT = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkObje
 _VTK = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkPolyData").__module__.split(".")[0]
 # PyVista 0.48 and later look at all arrays' lengths; what counts is looked at here, too.
 _UNCHECKED: dict[str, Any] = {"validate": False} if "validate" in inspect.signature(pv.wrap).parameters else {}
+# What may be a leaf of a composite, and a mesh by itself.
+LEAVES = ("vtkPointSet", "vtkImageData", "vtkRectilinearGrid")
 _MOST_POINTS = 2**32 - 2
 
 
@@ -75,12 +77,9 @@ def data_of(mesh: Any) -> Any:
         data = pv.wrap(mesh, **_UNCHECKED)
     except (NotImplementedError, TypeError):
         data = mesh  # PyVista has no class for some composites
-    if not hasattr(data, "IsA") or not any(map(data.IsA, (*_LEAVES, "vtkDataObjectTree"))):
+    if not hasattr(data, "IsA") or not any(map(data.IsA, (*LEAVES, "vtkDataObjectTree"))):
         raise TypeError(f"{type(mesh).__name__} has no points to take")
     return data
-
-
-_LEAVES = ("vtkPointSet", "vtkImageData", "vtkRectilinearGrid")
 
 
 def is_tree(data: Any) -> bool:
@@ -93,43 +92,50 @@ def is_partitioned(data: Any) -> bool:
     return is_tree(data) and bool(data.IsA("vtkPartitionedDataSet"))
 
 
-def blocks_of(data: Any, leaves: Sequence[str] = _LEAVES) -> Iterator[tuple[Block | None, Any]]:
-    """Each block of the data, None where one is missing, and its place in a composite for put()."""
+def blocks_of(data: Any, leaves: Sequence[str] = LEAVES) -> list[Block | None]:
+    """The blocks of a composite in the order of their flat indices, None where one is missing; or the one block."""
     if not is_tree(data):
-        yield Block([_part_of(data, "", leaves)]), None
-    elif is_partitioned(data):
-        yield Block(_partitions_of(data, "", leaves)), None
-    else:
-        for nodes, leaf in _nodes(data):
-            if leaf is None:
-                yield None, nodes
-                continue
-            place = _place_of(nodes, data)
-            whole = is_partitioned(leaf)
-            parts = _partitions_of(leaf, place, leaves) if whole else [_part_of(leaf, place, leaves)]
-            yield (Block(parts, place, nodes.GetCurrentFlatIndex()) if parts else None), nodes
-
-
-def like_composite(data: Any) -> Any:
-    """A composite of the same structure and names, without data sets."""
+        return [Block([_part_of(data, "", leaves)])]
     if is_partitioned(data):
-        made = type(data)() if isinstance(data, pv.DataObject) else data.NewInstance()
-        made.SetNumberOfPartitions(0)
-    else:
-        made = pv.MultiBlock() if isinstance(data, pv.MultiBlock) else data.NewInstance()
-        made.CopyStructure(data)
+        parts = _partitions_of(data, "", leaves)
+        return [Block(parts) if parts else None]
+    found: list[Block | None] = []
+    for nodes, leaf in _nodes(data):
+        place = _place_of(nodes, data)
+        whole = is_partitioned(leaf)
+        parts = []
+        if leaf is not None:
+            parts = _partitions_of(leaf, place, leaves) if whole else [_part_of(leaf, place, leaves)]
+        found.append(Block(parts, place, nodes.GetCurrentFlatIndex()) if parts else None)
+    return found
+
+
+def composite_of(data: Any, meshes: Sequence[Any]) -> Any:
+    """A composite of the same structure and names, with a mesh, or None, for each of blocks_of()."""
+    kind = type(data) if isinstance(data, pv.DataObject) else data.NewInstance
+    made = kind()
+    made.CopyStructure(data)
     pass_field_data(data, made)
+    if is_partitioned(data):
+        _put(made, meshes[0])
+        return made
+    for (nodes, _), mesh in zip(_nodes(data), meshes):
+        if mesh is None:
+            continue
+        place = made.GetDataSet(nodes)
+        if is_partitioned(place):
+            _put(place, mesh)
+        else:
+            made.SetDataSet(nodes, mesh)
+    if isinstance(made, pv.MultiBlock):
+        made.wrap_nested()
     return made
 
 
-def put(composite: Any, nodes: Any, mesh: Any) -> None:
-    """Puts a mesh in its place."""
-    place = composite if nodes is None else composite.GetDataSet(nodes)
-    if place is not None and place.IsA("vtkPartitionedDataSet"):
-        place.SetNumberOfPartitions(1)
-        place.SetPartition(0, mesh)
-    else:
-        composite.SetDataSet(nodes, mesh)
+def _put(partitions: Any, mesh: Any) -> None:
+    if mesh is not None:
+        partitions.SetNumberOfPartitions(1)
+        partitions.SetPartition(0, mesh)
 
 
 def _nodes(tree: Any) -> Iterator[tuple[Any, Any]]:
@@ -162,7 +168,7 @@ def _part_of(data: Any, place: str, leaves: Sequence[str]) -> Part:
     if not hasattr(data, "IsA") or isinstance(data, np.ndarray):
         return Part(rows_of(data))
     if not any(map(data.IsA, leaves)):
-        what = "which has no points to take" if leaves is _LEAVES else "which is no surface: a PolyData is wanted"
+        what = "which has no points to take" if leaves is LEAVES else "which is no surface: a PolyData is wanted"
         raise InputError(f"{place} is of the type {type(data).__name__}, {what}", "bad_argument")
     if data.IsA("vtkImageData"):
         return Part(_image_points(data), None, data)
@@ -305,11 +311,13 @@ class Cloud:
 
     def _without_ghosts(self) -> Ids | None:
         """The ids of the points that are no ghosts; None: all."""
+        marks_of = [_marks_of(part.data) for part in self._parts]
+        if all(marks is None for marks in marks_of):
+            return None
         kept = []
-        for part, start in zip(self._parts, self._starts):
+        for part, start, marks in zip(self._parts, self._starts, marks_of):
             count = len(part.rows)
-            marks = None if part.data is None else part.data.GetAbstractArray(part.data.GhostArrayName())
-            if marks is None or count == 0 or not marks.IsA("vtkUnsignedCharArray"):
+            if marks is None or count == 0:
                 kept.append(np.arange(start, start + count))
                 continue
             values = np.asarray(pv.convert_array(marks)).reshape(-1)
@@ -527,6 +535,12 @@ def _copy_arrays(shares: Sequence[tuple[Part, Ids]], count: int, to: Any) -> Non
         to.SetActiveAttribute(-1, attribute)
 
 
+def _marks_of(data: Any) -> Any:
+    """The array of ghosts among point data; None: there is none."""
+    marks = None if data is None else data.GetAbstractArray(data.GhostArrayName())
+    return marks if marks is not None and marks.IsA("vtkUnsignedCharArray") else None
+
+
 def _alike(data: Any, array: Any) -> Any:
     other = data.GetAbstractArray(array.GetName()) if array.GetName() else None
     same = (
@@ -555,8 +569,8 @@ def _tell_pyvista(mesh: Any, attributes: Any, to: pv.DataSetAttributes) -> None:
 
 def _turn_marks(attributes: Any) -> None:
     """In the array of ghosts, points' marks become cells'."""
-    marks = attributes.GetAbstractArray(attributes.GhostArrayName())
-    if marks is None or not marks.IsA("vtkUnsignedCharArray") or not marks.GetNumberOfValues():
+    marks = _marks_of(attributes)
+    if marks is None or not marks.GetNumberOfValues():
         return
     values = np.asarray(pv.convert_array(marks))
     duplicate = np.where(values & attributes.DUPLICATEPOINT, attributes.DUPLICATECELL, 0)

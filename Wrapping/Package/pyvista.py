@@ -32,15 +32,15 @@ from . import _core
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._input import ids_of
 from ._meshes import (
+    LEAVES,
     Block,
     Cloud,
     blocks_of,
+    composite_of,
     data_of,
     is_partitioned,
     is_tree,
-    like_composite,
     pass_field_data,
-    put,
     set_cells,
     surface_of,
 )
@@ -127,7 +127,7 @@ def convex_hull(
     if not (together and is_tree(data)):
         return _each_block(data, lambda block, report: [run.hull([block], report)], 1, progress_bar)[0]
     with _bar(progress_bar) as report:
-        blocks = [block for block, _ in blocks_of(data) if block is not None]
+        blocks = [block for block in blocks_of(data) if block is not None]
         hull = run.hull(blocks, report)
     if not is_partitioned(data):
         hull.point_data.set_array(run.block_index, "BlockIndex")
@@ -541,34 +541,26 @@ def _each_block(
     make: Callable[[Block, _Report], list[pv.PolyData]],
     count: int,
     progress_bar: bool,
-    leaves: tuple[str, ...] | None = None,
+    leaves: tuple[str, ...] = LEAVES,
 ) -> list[Output]:
     """What is made of each block: so many meshes, or composites of them."""
-    chosen = {} if leaves is None else {"leaves": leaves}
+    made: list[list[pv.PolyData | None]] = []
     with _bar(progress_bar) as report:
-        if not is_tree(data):
-            ((block, _),) = blocks_of(data, **chosen)
-            assert block is not None
-            made = make(block, report)
-            if block.parts[0].mesh is not None:
-                for mesh in made:
-                    pass_field_data(block.parts[0].mesh, mesh)
-            return list(made)
-        outputs = [like_composite(data) for _ in range(count)]
-        total = 1 + sum(block.count for block, _ in blocks_of(data, **chosen) if block is not None)
+        blocks = blocks_of(data, leaves)
+        total = 1 + sum(block.count for block in blocks if block is not None)
         done = 0
-        for block, place in blocks_of(data, **chosen):
-            if block is None or not block.parts:
+        for block in blocks:
+            if block is None:
+                made.append([None] * count)
                 continue
             meshes = make(block, _stretch(report, done / total, (done + block.count) / total))
             done += block.count
-            for output, mesh in zip(outputs, meshes):
+            for mesh in meshes if block.parts[0].mesh is not None else ():
                 pass_field_data(block.parts[0].mesh, mesh)
-                put(output, place, mesh)
-    for output in outputs:
-        if isinstance(output, pv.MultiBlock):
-            output.wrap_nested()
-    return outputs
+            made.append([*meshes])
+    if is_tree(data):
+        return [composite_of(data, [meshes[i] for meshes in made]) for i in range(count)]
+    return [mesh for mesh in made[0] if mesh is not None]
 
 
 @contextmanager
