@@ -47,6 +47,10 @@ constexpr double LiftedTermError = 13.0 * 1.1102230246251565e-16;
 /// Error of an orientation in the plane, against the sum of its two products' magnitudes.
 constexpr double PlaneError = 4.01 * 1.1102230246251565e-16;
 
+/// Error of a difference of power distances, against the sum of its three terms' magnitudes: each
+/// passes at most 7 roundings.
+constexpr double PowerError = 8.0 * 1.1102230246251565e-16;
+
 /// Largest magnitude in the plane, and its square that of heights, below which nothing overflows.
 constexpr double LiftedCeiling = 1e70;
 
@@ -272,6 +276,35 @@ public:
     const int axis = a.x[0] != c.x[0] ? 0 : 1;
     const int side = a.x[axis] < c.x[axis] ? 1 : -1;
     return side * this->upright(a, c, b, axis, 2) > 0;
+  }
+
+  /// Is the place of q by power distance nearer to a (-1) or to b (1)? Exact; the weight of q does
+  /// not count.
+  FF_HD int comparePowers(const Vertex& q, const Vertex& a, const Vertex& b) const
+  {
+    double value = 0.0;
+    double most = 0.0;
+    for (int i = 0; i < 2; ++i)
+    {
+      const double u = a.x[i] - q.x[i], v = b.x[i] - q.x[i], w = a.x[i] - b.x[i];
+      value += w * (u + v);
+      most += std::fabs(w) * (std::fabs(u) + std::fabs(v));
+    }
+    if (Weighted)
+    {
+      const double weight = b.x[2] - a.x[2];
+      value += weight;
+      most += std::fabs(weight);
+    }
+    // Nothing overflows or vanishes in between.
+    const double error = PowerError * most;
+    if (std::fabs(value) > error && error >= LiftedUnderflow && most <= 0x1p1000)
+    {
+      return value > 0.0 ? 1 : -1;
+    }
+    ++this->counts.exact;
+    return inArithmetic<Signs, WideLiftedSigns>(
+      this->wide, [&](auto signs) { return signs.comparePowers(q.x, a.x, b.x); });
   }
 
   /// Is p's place between those of a and b, which differ, and p not above their chord? Exact.

@@ -305,6 +305,25 @@ private:
   Monitor& monitor;
 };
 
+/// The points that are wanted.
+Buffer<Keyed> sortedAlongCurve(const PointSource& source, const PointSubset& subset,
+  const Unfolding& unfolding, Monitor& monitor)
+{
+  Buffer<Keyed> keyed;
+  numberFound(
+    subset.count, PointsPerTask,
+    [&](std::size_t begin, std::size_t end, const auto& tell)
+    {
+      monitor.poll();
+      subset.eachWanted(
+        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), tell);
+    },
+    [&](std::size_t wanted) { keyed.allocate(wanted); },
+    [&](std::size_t at, std::uint32_t id) { keyed[at].id = id; });
+  Sorter(source, unfolding, monitor).sort(keyed.data(), keyed.size());
+  return keyed;
+}
+
 constexpr std::uint32_t Levels = 9;
 
 /// Of 8 points 7 are in the last level, of the others as many in the one before, and so on.
@@ -354,22 +373,27 @@ void Unfolding::unfold(const double* x, double* uv) const
   }
 }
 
+Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& subset,
+  const Unfolding& unfolding, Monitor& monitor)
+{
+  const Buffer<Keyed> keyed = sortedAlongCurve(source, subset, unfolding, monitor);
+  Buffer<std::uint32_t> ids(keyed.size());
+  eachRun(ids.size(), monitor,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ids[i] = keyed[i].id;
+      }
+    });
+  return ids;
+}
+
 InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
   const Unfolding& unfolding, Monitor& monitor)
 {
-  Buffer<Keyed> keyed;
-  numberFound(
-    subset.count, PointsPerTask,
-    [&](std::size_t begin, std::size_t end, const auto& tell)
-    {
-      monitor.poll();
-      subset.eachWanted(
-        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), tell);
-    },
-    [&](std::size_t wanted) { keyed.allocate(wanted); },
-    [&](std::size_t at, std::uint32_t id) { keyed[at].id = id; });
+  const Buffer<Keyed> keyed = sortedAlongCurve(source, subset, unfolding, monitor);
   const std::size_t count = keyed.size();
-  Sorter(source, unfolding, monitor).sort(keyed.data(), count);
 
   // Each level's points in the curve's order.
   InsertionOrder order;

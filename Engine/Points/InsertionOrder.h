@@ -56,6 +56,12 @@ private:
   double matrix[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
 };
 
+/// The points along the curve, without levels: those that are near each other come near each other.
+/// A function of the points and the unfolding alone.
+/// @throw Error Aborted, OutOfMemory
+Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& subset,
+  const Unfolding& unfolding, Monitor& monitor);
+
 struct InsertionOrder
 {
   Buffer<std::uint32_t> ids;

@@ -12,6 +12,7 @@
 #include "PowerDiagram/CornerNumbers.h"
 #include "PowerDiagram/FacetRings.h"
 #include "PowerDiagram/PowerCorners.h"
+#include "PowerDiagram/TriangulationInput.h"
 #include "Support/Monitor.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
@@ -29,86 +30,6 @@ namespace
 {
 
 using Index = std::uint32_t;
-
-/// What a task looks at.
-constexpr std::size_t SitesPerTask = 1 << 12;
-constexpr std::size_t FacetsPerTask = 1 << 13;
-
-[[noreturn]] void refuse(std::int64_t index = -1)
-{
-  throw Error(ErrorCode::BadArgument, index);
-}
-
-// ---- The input ---------------------------------------------------------------------------------
-
-/// The visible sites, by their index in the triangulation.
-Buffer<PowerSite> loadSites(
-  const PointView& points, const WeightView& weights, const Triangulation& triangulation)
-{
-  requireValid(points, 2);
-  requireValid(weights, points.count);
-  const PointSource source(points, weights);
-  Buffer<PowerSite> sites(triangulation.pointIds.size());
-  eachCheckedRun(sites.size(), SitesPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const std::int64_t id = triangulation.pointIds[i];
-        if (id <= (i > 0 ? triangulation.pointIds[i - 1] : -1) || id >= points.count)
-        {
-          refuse(id);
-        }
-        double x[3];
-        source.load(static_cast<std::uint32_t>(id), x);
-        if (!isFinite(x))
-        {
-          refuse(id);
-        }
-        sites[i] = { { x[0], x[1] }, x[2] };
-      }
-    });
-  return sites;
-}
-
-/// The cells' corners are in range, and each cell has @p least to @p most of them.
-void checkCells(const Triangulation& t, std::int64_t least, std::int64_t most)
-{
-  const std::int64_t size = static_cast<std::int64_t>(t.connectivity.size());
-  if (t.cellSize < 0 || (t.cellSize > 0 && size % t.cellSize != 0) ||
-    (t.cellSize == 0 && t.offsets.empty() && size > 0) || size >= NoIndex)
-  {
-    refuse();
-  }
-  const std::int64_t cells = t.cellCount();
-  if (cells == 0 ? size != 0 : t.cellBegin(0) != 0 || t.cellBegin(cells) != size)
-  {
-    refuse();
-  }
-  eachCheckedRun(static_cast<std::size_t>(cells), FacetsPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    {
-      for (auto c = static_cast<std::int64_t>(begin); c < static_cast<std::int64_t>(end); ++c)
-      {
-        const std::int64_t first = t.cellBegin(c);
-        const std::int64_t next = t.cellBegin(c + 1);
-        if (first < 0 || next < first || next > size || next - first < least || next - first > most)
-        {
-          refuse();
-        }
-      }
-    });
-  eachCheckedRun(t.connectivity.size(), FacetsPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    {
-      if (std::any_of(t.connectivity.begin() + begin, t.connectivity.begin() + end,
-            [&t](std::int64_t corner)
-            { return corner < 0 || corner >= static_cast<std::int64_t>(t.pointIds.size()); }))
-      {
-        refuse();
-      }
-    });
-}
 
 /// The power center of a facet: from the widest triangle of its fan, though any would give the
 /// same.
@@ -345,13 +266,7 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
     [&]
     {
       const Buffer<PowerSite> sites = loadSites(points, weights, triangulation);
-      const int dimension = triangulation.dimension;
-      if (dimension < -1 || dimension > 2 || (dimension == -1 && !sites.empty()) ||
-        (dimension == 0 && sites.size() != 1) || (dimension == 1 && sites.size() < 2))
-      {
-        refuse();
-      }
-      checkCells(triangulation, dimension + 1, dimension < 2 ? dimension + 1 : NoIndex);
+      checkCells(triangulation);
       RoundedCells cells = roundedCells(triangulation, sites, box, monitor);
       monitor.stage(0.9, 1.0, 1);
       repairCells(cells, box, monitor);

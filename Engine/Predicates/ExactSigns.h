@@ -160,8 +160,33 @@ struct ExpansionSigns
     return -offset(b, a, p).sign();
   }
 
+  /// Sign of d . (a - b), d a vector.
+  static int along(const double* d, const double* a, const double* b)
+  {
+    ProductSum sum;
+    for (int i = 0; i < 3; ++i)
+    {
+      sum.add(difference(a[i], b[i]), difference(d[i], 0.0));
+    }
+    return sum.sign();
+  }
+
+  /// Sign of |a - b| - |c - d|.
+  static int compareDistances(const double* a, const double* b, const double* c, const double* d)
+  {
+    ProductSum sum;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Expansion<2> u = difference(a[i], b[i]);
+      const Expansion<2> v = difference(c[i], d[i]);
+      sum.add(u, u);
+      sum.add(v, v, -1.0);
+    }
+    return sum.sign();
+  }
+
 private:
-  /// The same in double-double, or 0 when its error bound leaves it open.
+  /// orient3 in double-double, or 0 when its error bound leaves it open.
   template <int Count>
   FF_HD FF_OUTLINED FF_FLAT static int roundedOrient3(
     const double* a, const double* b, const double* c, const Row<Count>& d)

@@ -70,6 +70,21 @@ struct LiftedSigns
     return det.sign();
   }
 
+  /// Is q by power distance nearer to a (-1) or to b (1)?
+  FF_HD FF_OUTLINED static int comparePowers(const double* q, const double* a, const double* b)
+  {
+    // |q - a|^2 - |q - b|^2 = (a - b) ((a - q) + (b - q))
+    ProductSum powers;
+    for (int i = 0; i < 2; ++i)
+    {
+      powers.add(difference(a[i], b[i]), sum(difference(a[i], q[i]), difference(b[i], q[i])));
+    }
+    Expansion<2> one;
+    one.append(1.0);
+    powers.add(weightOffset(a, b), one);
+    return powers.sign();
+  }
+
   /// Sign of a - b in the coordinate p.
   FF_HD FF_OUTLINED static int compare(const double* a, const Row<1>& b, int p)
   {

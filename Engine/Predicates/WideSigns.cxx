@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Predicates/WideSigns.h"
 
-#include <boost/multiprecision/cpp_int.hpp>
-
-#include <cmath>
-#include <cstdint>
+#include "Predicates/WideIntegers.h"
 
 namespace flipflop
 {
@@ -13,24 +10,8 @@ namespace flipflop
 namespace
 {
 
-using Integer = boost::multiprecision::cpp_int;
-
-/// value * 2^1074: every finite double is a multiple of 2^-1074.
-Integer toInteger(double value)
-{
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent); // value = fraction * 2^exponent
-  Integer result = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  const int shift = exponent - 53 + 1074;
-  // Of a denormal's 53 bits those below 2^-1074 are zero.
-  shift >= 0 ? result <<= shift : result >>= -shift;
-  return result;
-}
-
-Integer wideOffset(const double* point, const double* origin, int axis)
-{
-  return toInteger(point[axis]) - toInteger(origin[axis]);
-}
+using Integer = WideInteger;
+using flipflop::wideOffset;
 
 template <int Count>
 Integer wideOffset(const Row<Count>& row, const double* origin, int axis)
@@ -41,21 +22,6 @@ Integer wideOffset(const Row<Count>& row, const double* origin, int axis)
     result += wideOffset(point, origin, axis);
   }
   return result;
-}
-
-/// p - a in one coordinate, in units of 2^-1074; heights in units of the square of that.
-Integer liftedOffset(const double* p, const double* a, int axis)
-{
-  if (axis < 2)
-  {
-    return wideOffset(p, a, axis);
-  }
-  Integer height = wideOffset(p, a, 2) << 1074;
-  for (int i = 0; i < 2; ++i)
-  {
-    height -= wideOffset(p, a, i) * (toInteger(p[i]) + toInteger(a[i]));
-  }
-  return height;
 }
 
 int signOfDeterminant(const Integer* u, const Integer* v, const Integer* w)
@@ -118,6 +84,28 @@ int WideSigns::compare(const double* a, const Row<4>& b, int p)
   return -wideOffset(b, a, p).sign();
 }
 
+int WideSigns::along(const double* d, const double* a, const double* b)
+{
+  Integer sum = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    sum += toInteger(d[i]) * wideOffset(a, b, i);
+  }
+  return sum.sign();
+}
+
+int WideSigns::compareDistances(const double* a, const double* b, const double* c, const double* d)
+{
+  Integer sum = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Integer u = wideOffset(a, b, i);
+    const Integer v = wideOffset(c, d, i);
+    sum += u * u - v * v;
+  }
+  return sum.sign();
+}
+
 int WideLiftedSigns::orient3(const double* a, const double* b, const double* c, const Row<1>& d)
 {
   Integer u[3], v[3], w[3];
@@ -136,6 +124,11 @@ int WideLiftedSigns::orient2(const double* a, const double* b, const Row<1>& c, 
   const Integer det =
     liftedOffset(b, a, p) * liftedOffset(d, a, q) - liftedOffset(b, a, q) * liftedOffset(d, a, p);
   return det.sign();
+}
+
+int WideLiftedSigns::comparePowers(const double* q, const double* a, const double* b)
+{
+  return wideDifferenceOfPowers(q, a, b).sign();
 }
 
 int WideLiftedSigns::compare(const double* a, const Row<1>& b, int p)

@@ -20,6 +20,8 @@ struct WideSigns
   static int orient2(const double* a, const double* b, const Row<4>& c, int p, int q);
   static int compare(const double* a, const Row<1>& b, int p);
   static int compare(const double* a, const Row<4>& b, int p);
+  static int along(const double* d, const double* a, const double* b);
+  static int compareDistances(const double* a, const double* b, const double* c, const double* d);
 };
 
 /// The same for LiftedSigns. Where points are unweighted their weights are zeros.
@@ -28,6 +30,7 @@ struct WideLiftedSigns
   static int orient3(const double* a, const double* b, const double* c, const Row<1>& d);
   static int orient2(const double* a, const double* b, const Row<1>& c, int p, int q);
   static int compare(const double* a, const Row<1>& b, int p);
+  static int comparePowers(const double* q, const double* a, const double* b);
 };
 
 /// use (signs): with the signs that carry the range. The device leaves wide ranges to the host.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/Topology.h"
 
-#include "Support/Parallel.h"
+#include "Surface/Sides.h"
 #include <flipflop/Buffer.h>
 
 #include <algorithm>
@@ -13,17 +13,6 @@ namespace flipflop
 
 namespace
 {
-
-struct Side
-{
-  std::uint32_t low, high; ///< ends, the lower one first
-  std::uint32_t halfEdge;
-};
-
-bool sameEdge(const Side& a, const Side& b)
-{
-  return a.low == b.low && a.high == b.high;
-}
 
 void note(TopologyFault& fault, std::uint32_t triangle)
 {
@@ -81,7 +70,7 @@ TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint3
   open.code = ErrorCode::NotClosed;
   turned.code = ErrorCode::NotOriented;
 
-  Buffer<Side> sides(std::size_t(3) * count);
+  Buffer<CellSide> sides(std::size_t(3) * count);
   for (std::uint32_t t = 0; t < count; ++t)
   {
     const std::uint32_t* v = triangles[t].v;
@@ -89,46 +78,34 @@ TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint3
     {
       const std::uint32_t a = v[e];
       const std::uint32_t b = v[nextCorner(e)];
-      sides[std::size_t(3) * t + e] = { std::min(a, b), std::max(a, b), halfEdge(t, e) };
+      sides[std::size_t(3) * t + e] = CellSide(a, b, halfEdge(t, e));
     }
   }
-  threads::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
+  eachEdge(sides,
+    [&](const CellSide* side, const CellSide* end)
     {
-      return a.low != b.low ? a.low < b.low
-        : a.high != b.high  ? a.high < b.high
-                            : a.halfEdge < b.halfEdge;
-    });
-  for (const Side* side = sides.begin(); side != sides.end();)
-  {
-    const Side* end = side + 1;
-    while (end != sides.end() && sameEdge(*side, *end))
-    {
-      ++end;
-    }
-    const std::uint32_t h = side->halfEdge;
-    if (end - side == 1)
-    {
-      note(open, triangleOf(h));
-    }
-    else if (end - side > 2)
-    {
-      note(crowded, triangleOf(h));
-    }
-    else
-    {
-      const std::uint32_t g = side[1].halfEdge;
-      Triangle& first = triangles[triangleOf(h)];
-      Triangle& second = triangles[triangleOf(g)];
-      first.twin[cornerOf(h)] = g;
-      second.twin[cornerOf(g)] = h;
-      if (first.v[cornerOf(h)] == second.v[cornerOf(g)])
+      const std::uint32_t h = side->place;
+      if (end - side == 1)
       {
-        note(turned, triangleOf(h));
+        note(open, triangleOf(h));
       }
-    }
-    side = end;
-  }
+      else if (end - side > 2)
+      {
+        note(crowded, triangleOf(h));
+      }
+      else
+      {
+        const std::uint32_t g = side[1].place;
+        Triangle& first = triangles[triangleOf(h)];
+        Triangle& second = triangles[triangleOf(g)];
+        first.twin[cornerOf(h)] = g;
+        second.twin[cornerOf(g)] = h;
+        if (first.v[cornerOf(h)] == second.v[cornerOf(g)])
+        {
+          note(turned, triangleOf(h));
+        }
+      }
+    });
   for (const TopologyFault& fault : { crowded, open, turned })
   {
     if (fault.any)

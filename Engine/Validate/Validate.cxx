@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/Validate.h>
 
+#include "Geometry/ConvexPolygon.h"
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
 #include "Run/HullRun.h"
+#include "Surface/CellMesh.h"
+#include "Surface/HullKernel.h"
+#include "Validate/ValidateStructure.h"
 #include "Validate/ValidateSurface.h"
 
 #include <algorithm>
@@ -15,19 +19,6 @@ namespace flipflop
 
 namespace
 {
-
-/// Below dimension 2 a hull is one cell of its points.
-Validation checkHullStructure(std::int64_t pointsGiven, const Hull& hull)
-{
-  const Validation structure = checkStructure(pointsGiven, hull, 3);
-  if (structure && hull.dimension < 2 &&
-    (static_cast<std::int64_t>(hull.pointIds.size()) != hull.dimension + 1 ||
-      hull.cellCount() != (hull.dimension < 0 ? 0 : 1)))
-  {
-    return faultAt(Fault::Structure, -1);
-  }
-  return structure;
-}
 
 /// Everything about one check that needs coordinates.
 class HullChecker : private SurfaceChecker<HullGeometry>
@@ -91,14 +82,8 @@ private:
   Validation checkPolygon()
   {
     const HullGeometry& geometry = this->run.geometry;
-    std::vector<std::int64_t> ring;
-    const std::int64_t* corners = this->hull.connectivity.data();
-    const std::int64_t cellCount = this->hull.cellCount();
-    if (cellCount == 1)
-    {
-      ring.assign(corners, corners + this->hull.connectivity.size());
-    }
-    else if (!this->ringOfFan(ring))
+    const std::vector<std::int64_t> ring = ringOfCells(this->hull);
+    if (ring.empty())
     {
       return faultAt(Fault::NotClosed, 0);
     }
@@ -109,15 +94,9 @@ private:
     }
     const auto at = [&](std::size_t i) -> const Vertex& { return this->corner[ring[i % n]]; };
 
-    // The coordinates in which Hull.h wants it counter-clockwise.
-    int p = 0;
-    int q = 1;
-    if (geometry.planar(at(0), at(1), at(2), 0, 1) == 0)
-    {
-      const bool alongY = geometry.planar(at(0), at(1), at(2), 2, 0) != 0;
-      p = alongY ? 2 : 1;
-      q = alongY ? 0 : 2;
-    }
+    const PlaneAxes axes = planeAxes(geometry, at(0), at(1), at(2));
+    const int p = axes.p;
+    const int q = axes.q;
     for (std::size_t i = 0; i < n; ++i)
     {
       if (geometry.planar(at(i), at(i + 1), at(i + 2), p, q) <= 0)
@@ -141,19 +120,9 @@ private:
         {
           return Fault::PointOutside;
         }
-        // The wedge from corner 0, then its outer edge.
-        std::size_t low = 1;
-        std::size_t high = n - 1;
-        if (local.planar(at(0), at(1), v, p, q) < 0 || local.planar(at(0), at(n - 1), v, p, q) > 0)
-        {
-          return Fault::PointOutside;
-        }
-        while (high - low > 1)
-        {
-          const std::size_t middle = (low + high) / 2;
-          (local.planar(at(0), at(middle), v, p, q) >= 0 ? low : high) = middle;
-        }
-        if (local.planar(at(low), at(low + 1), v, p, q) < 0)
+        const std::size_t low = fanTriangleOf(
+          n, [&](std::size_t i, std::size_t j) { return local.planar(at(i), at(j), v, p, q); });
+        if (low == 0)
         {
           return Fault::PointOutside;
         }
@@ -168,39 +137,6 @@ private:
       });
   }
 
-  /// Triangles 0ab, 0bc, ... in any order to the ring 0abc...
-  bool ringOfFan(std::vector<std::int64_t>& ring) const
-  {
-    const std::int64_t cellCount = this->hull.cellCount();
-    std::vector<std::int64_t> next(this->corner.size(), -1);
-    std::vector<bool> hasPrevious(this->corner.size());
-    for (std::int64_t cell = 0; cell < cellCount; ++cell)
-    {
-      const std::int64_t begin = this->hull.cellBegin(cell);
-      const std::int64_t* c = this->hull.connectivity.data() + begin;
-      if (this->hull.cellBegin(cell + 1) - begin != 3 || c[0] != 0 || next[c[1]] >= 0 ||
-        hasPrevious[c[2]])
-      {
-        return false;
-      }
-      next[c[1]] = c[2];
-      hasPrevious[c[2]] = true;
-    }
-    ring.push_back(0);
-    for (std::size_t v = 1; v < next.size(); ++v)
-    {
-      if (next[v] >= 0 && !hasPrevious[v])
-      {
-        for (auto w = static_cast<std::int64_t>(v); w >= 0; w = next[w])
-        {
-          ring.push_back(w);
-        }
-        return ring.size() == this->corner.size();
-      }
-    }
-    return false;
-  }
-
   Validation checkSolid()
   {
     const Validation mesh = this->makeMesh(false);
@@ -211,32 +147,12 @@ private:
     return this->placeKernel() ? this->checkSurface() : faultAt(Fault::WrongDimension, -1);
   }
 
-  /// The exact centroid of four independent hull points is strictly inside, if this is a hull.
   bool placeKernel()
   {
     const std::vector<std::uint32_t> ids = this->cornerIds();
-    const Span span = findSpan(this->run.geometry, this->run.source, ids.data(),
-      static_cast<std::uint32_t>(ids.size()), 3, false, this->run.monitor);
-    if (span.dimension < 3)
-    {
-      return false;
-    }
-    Vertex four[4];
-    double s[3] = { 0, 0, 0 };
-    for (int k = 0; k < 4; ++k)
-    {
-      four[k] = this->run.source.vertex(span.ids[k]);
-      for (int i = 0; i < 3; ++i)
-      {
-        s[i] += 0.25 * four[k].x[i];
-      }
-    }
-    this->run.geometry.setKernel(s);
-    if (findStarFault(this->run.geometry, this->polyhedron).count)
-    {
-      this->run.geometry.setSymbolicKernel(four);
-    }
-    return true;
+    return flipflop::placeKernel(this->run.geometry, this->run.source, ids.data(),
+             static_cast<std::uint32_t>(ids.size()), this->polyhedron, this->run.monitor)
+             .dimension == 3;
   }
 
   HullRun& run;

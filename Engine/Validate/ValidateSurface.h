@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the oracle checks of any result: its structure; and of one that is a surface, that it is
-/// closed, star-shaped, convex at every edge, without superfluous points, and that no point is
-/// outside.
+/// What the oracle checks of a result that is a surface: that it is closed, star-shaped, convex at
+/// every edge, without superfluous points, and that no point is outside.
 ///
 /// A triangulation is such a surface too: the upper hull of its lifted points, closed by the
 /// virtual triangles at its border.
@@ -13,91 +12,19 @@
 #include "Mesh/Polyhedron.h"
 #include "Run/Run.h"
 #include "Support/Parallel.h"
+#include "Surface/CellMesh.h"
 #include "Surface/StarShape.h"
-#include "Surface/Topology.h"
+#include "Validate/ValidateStructure.h"
 #include <flipflop/CellComplex.h>
 #include <flipflop/Validate.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <utility>
 #include <vector>
 
 namespace flipflop
 {
-
-inline Validation faultAt(Fault fault, std::int64_t index)
-{
-  Validation result;
-  result.fault = fault;
-  result.index = index;
-  return result;
-}
-
-/// Sizes, indices and order: all that can be told without a coordinate.
-inline Validation checkStructure(
-  std::int64_t pointsGiven, const CellComplex& complex, int mostDimension)
-{
-  const auto pointCount = static_cast<std::int64_t>(complex.pointIds.size());
-  const auto cornerCount = static_cast<std::int64_t>(complex.connectivity.size());
-  if (complex.dimension < -1 || complex.dimension > mostDimension || complex.cellSize < 0 ||
-    (complex.cellSize > 0 && cornerCount % complex.cellSize != 0))
-  {
-    return faultAt(Fault::Structure, -1);
-  }
-  for (std::int64_t i = 0; i < pointCount; ++i)
-  {
-    const std::int64_t id = complex.pointIds[i];
-    if (id < 0 || id >= pointsGiven || (i > 0 && id <= complex.pointIds[i - 1]))
-    {
-      return faultAt(Fault::Structure, i);
-    }
-  }
-  if (complex.cellSize == 0 && !complex.offsets.empty() &&
-    (complex.offsets[0] != 0 || complex.offsets[complex.offsets.size() - 1] != cornerCount))
-  {
-    return faultAt(Fault::Structure, -1);
-  }
-  const std::int64_t cellCount = complex.cellCount();
-  if ((cellCount == 0) != (cornerCount == 0))
-  {
-    return faultAt(Fault::Structure, -1);
-  }
-  const std::int64_t least = std::min(complex.dimension + 1, 3);
-  std::vector<std::int64_t> lastCell(static_cast<std::size_t>(pointCount), -1);
-  for (std::int64_t cell = 0; cell < cellCount; ++cell)
-  {
-    const std::int64_t begin = complex.cellBegin(cell);
-    const std::int64_t end = complex.cellBegin(cell + 1);
-    if (begin < 0 || end > cornerCount || end - begin < least ||
-      (complex.dimension < 2 && end - begin > least))
-    {
-      return faultAt(Fault::Structure, cell);
-    }
-    const std::int64_t* corner = complex.connectivity.data();
-    for (std::int64_t i = begin; i < end; ++i)
-    {
-      if (corner[i] < 0 || corner[i] >= pointCount || (i > begin && corner[i] <= corner[begin]) ||
-        std::exchange(lastCell[static_cast<std::size_t>(corner[i])], cell) == cell)
-      {
-        return faultAt(Fault::Structure, cell);
-      }
-    }
-    if (cell > 0 &&
-      !std::lexicographical_compare(
-        corner + complex.cellBegin(cell - 1), corner + begin, corner + begin, corner + end))
-    {
-      return faultAt(Fault::Structure, cell);
-    }
-  }
-  const auto unused = std::find(lastCell.begin(), lastCell.end(), -1);
-  if (unused != lastCell.end())
-  {
-    return faultAt(Fault::Structure, unused - lastCell.begin());
-  }
-  return Validation();
-}
 
 /// A point at a corner's position must not have a lower id.
 inline Fault checkDuplicate(const Vertex& corner, const Vertex& p)
@@ -166,90 +93,19 @@ public:
                          : faultAt(test(this->geometry, this->run.source.vertex(id)), id);
   }
 
-  using Fan = std::array<std::uint32_t, 3>;
-
-  /// Add a triangle to vertex @p apex, turned around, at every edge that has no opposite.
-  static void closeBorder(std::vector<Fan>& fans, std::uint32_t apex)
-  {
-    struct Edge
-    {
-      std::uint32_t low, high, from;
-    };
-    std::vector<Edge> edges;
-    for (const Fan& fan : fans)
-    {
-      for (int e = 0; e < 3; ++e)
-      {
-        const std::uint32_t a = fan[static_cast<std::size_t>(e)];
-        const std::uint32_t b = fan[static_cast<std::size_t>(nextCorner(e))];
-        edges.push_back({ std::min(a, b), std::max(a, b), a });
-      }
-    }
-    std::sort(edges.begin(), edges.end(),
-      [](const Edge& a, const Edge& b)
-      { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-    for (std::size_t i = 0; i < edges.size();)
-    {
-      std::size_t end = i + 1;
-      while (
-        end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
-      {
-        ++end;
-      }
-      if (end - i == 1)
-      {
-        const std::uint32_t to = edges[i].from == edges[i].low ? edges[i].high : edges[i].low;
-        fans.push_back({ to, edges[i].from, apex });
-      }
-      i = end;
-    }
-  }
-
   /// The fans of all cells, linked.
   /// @param open close the surface by triangles from its border to a virtual vertex
   Validation makeMesh(bool open)
   {
-    std::vector<Fan> fans;
-    for (std::int64_t cell = 0; cell < this->complex.cellCount(); ++cell)
+    CellMesh mesh = meshOfCells(this->complex, this->corner, open);
+    this->polyhedron = std::move(mesh.polyhedron);
+    this->cellOf = std::move(mesh.cellOf);
+    if (!mesh.any)
     {
-      const std::int64_t begin = this->complex.cellBegin(cell);
-      const std::int64_t* c = this->complex.connectivity.data();
-      for (std::int64_t i = begin + 2; i < this->complex.cellBegin(cell + 1); ++i)
-      {
-        fans.push_back({ static_cast<std::uint32_t>(c[begin]), static_cast<std::uint32_t>(c[i - 1]),
-          static_cast<std::uint32_t>(c[i]) });
-        this->cellOf.push_back(cell);
-      }
+      return faultAt(this->cellOf.empty() ? Fault::NotClosed : Fault::Structure, -1);
     }
-    if (fans.empty())
-    {
-      return faultAt(Fault::NotClosed, -1);
-    }
-    if (open)
-    {
-      closeBorder(fans, static_cast<std::uint32_t>(this->corner.size()));
-      this->cellOf.resize(fans.size(), -1);
-    }
-    if (fans.size() >= NoIndex / 4)
-    {
-      return faultAt(Fault::Structure, -1); // beyond 32-bit half-edges, as no result of ours is
-    }
-    this->polyhedron = Polyhedron(this->corner.size() + (open ? 1 : 0), fans.size());
-    std::copy(this->corner.begin(), this->corner.end(), this->polyhedron.vertices.begin());
-    if (open)
-    {
-      this->polyhedron.vertices[this->corner.size()] = virtualVertex();
-    }
-    for (std::size_t t = 0; t < fans.size(); ++t)
-    {
-      Triangle& triangle = this->polyhedron.triangles[t];
-      std::copy(fans[t].begin(), fans[t].end(), triangle.v);
-      triangle.flags = 0;
-      triangle.note = 0;
-    }
-    const TopologyFault fault = linkTriangles(this->polyhedron.triangles.data(),
-      this->polyhedron.triangleCount(), this->polyhedron.vertexCount());
-    return fault.any ? faultAt(Fault::NotClosed, this->cellOf[fault.triangle]) : Validation();
+    return mesh.fault.any ? faultAt(Fault::NotClosed, this->cellOf[mesh.fault.triangle])
+                          : Validation();
   }
 
   Validation checkStar() const

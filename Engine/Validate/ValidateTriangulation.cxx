@@ -4,6 +4,7 @@
 
 #include "Geometry/LiftedLocator.h"
 #include "Run/TriangulationRun.h"
+#include "Validate/ValidateStructure.h"
 #include "Validate/ValidateSurface.h"
 
 #include <algorithm>

@@ -14,9 +14,9 @@ version=$(sed -n 's/.*"vtk-sdk==\([0-9.]*\)".*/\1/p' "$top/pyproject.toml")
 tag=$("$interpreter" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
 mkdir -p "$folder"
 # What another version of this script, or of the project, has left there would be taken for the right one.
-find "$folder" -name 'vtk_sdk-*.whl' \( ! -name "vtk_sdk-$version-$tag-*" \
+find "$folder" -name 'vtk_sdk-*.whl' \( ! -name "vtk_sdk-$version-*" \
   -o ! -newer "$top/Scripts/wheel/vtk_sdk.py" \) -delete
-if compgen -G "$folder/vtk_sdk-*.whl" >/dev/null; then
+if compgen -G "$folder/vtk_sdk-$version-$tag-*.whl" >/dev/null; then
   exit
 fi
 say "The wheel vtk-sdk $version"

@@ -11,7 +11,6 @@ purpose:
 import hashlib
 import sys
 import unittest
-from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -22,14 +21,12 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
 
 import digests
-
-TOP = Path(__file__).resolve().parents[2]
-BASELINE = TOP / "Testing" / "Data" / "Baseline" / "outputs.sha256"
+import given
 
 
 def read(name):
     reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(TOP / "Data" / name))
+    reader.SetFileName(str(given.TOP / "Data" / name))
     reader.Update()
     return reader.GetOutput()
 
@@ -40,16 +37,6 @@ def made(xyz):
     data = vtkPolyData()
     data.SetPoints(points)
     return data
-
-
-def numbers(count, seed):
-    """Numbers in [0, 1) by integers alone: NumPy's generators may change with its version."""
-    state, found = np.uint64(seed), np.empty(count)
-    with np.errstate(over="ignore"):
-        for i in range(count):
-            state = state * np.uint64(6364136223846793005) + np.uint64(1442695040888963407)
-            found[i] = float(state >> np.uint64(11)) / 2**53
-    return found
 
 
 def weighted(data, weights):
@@ -63,14 +50,9 @@ def inputs():
     """Pairs of a name and points with the array "weight"."""
     for name in ("autzen", "sainthelens", "spot"):
         data = read(f"{name}.vtp")
-        height = vtk_to_numpy(data.GetPoints().GetData())[:, 2].astype(np.float64)
-        yield name, weighted(data, (height - height.min()) ** 2)
-    uniform = numbers(9000, 1).reshape(-1, 3)
-    yield "uniform", weighted(made(uniform), numbers(3000, 2) * 1e-3)
-    yield "uniform float", weighted(made(uniform.astype(np.float32)), numbers(3000, 3) * 1e-3)
-    grid = np.stack(np.meshgrid(*3 * [np.arange(6.0)], indexing="ij"), -1).reshape(-1, 3)
-    yield "grid", weighted(made(grid), np.arange(216) % 5 / 4)
-    yield "far", weighted(made(1e15 + grid), np.zeros(216))
+        yield name, weighted(data, given.weights_of(vtk_to_numpy(data.GetPoints().GetData())))
+    for name, xyz, weights in given.made():
+        yield name, weighted(made(xyz), weights)
 
 
 def cases():
@@ -118,13 +100,13 @@ def lines():
 
 class TestOutputs(unittest.TestCase):
     def test_bits_are_those_of_the_baseline(self):
-        expected = BASELINE.read_text().splitlines()
+        expected = given.BASELINE.read_text().splitlines()
         self.assertGreater(len(expected), 100)
         self.assertEqual(lines(), expected)
 
 
 if __name__ == "__main__":
     if sys.argv[1:] == ["--write"]:
-        BASELINE.write_text("\n".join(lines()) + "\n")
+        given.BASELINE.write_text("\n".join(lines()) + "\n")
     else:
         unittest.main()

@@ -3,9 +3,9 @@
 /// @file
 /// The extension vtkflipflop._core: the engine's calls for NumPy's arrays. What users see is
 /// Package/arrays.py.
+#include "Calls.h"
 #include "Results.h"
 #include "Views.h"
-#include "Watch.h"
 
 #include <flipflop/Batch.h>
 #include <flipflop/Engines.h>
@@ -40,78 +40,15 @@ namespace
 
 using Corners = nb::ndarray<const std::int64_t, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
-/// The choices that every call has.
-struct Settings
-{
-  int threads = 0;
-  bool polygons = false;
-  bool ignoreNonFinite = false;
-  int engine = 0;
-  nb::object progress;
-
-  Options options() const
-  {
-    Options options;
-    options.threads = this->threads;
-    options.facets = this->polygons ? FacetMode::Polygons : FacetMode::Triangles;
-    options.nonFinite = this->ignoreNonFinite ? NonFinitePolicy::Ignore : NonFinitePolicy::Error;
-    return options;
-  }
-
-  EngineOptions engineOptions() const
-  {
-    EngineOptions chosen;
-    chosen.choice = static_cast<EngineChoice>(this->engine);
-    return chosen;
-  }
-};
-
-/// Points in space: rows of two coordinates get a z of zero.
-class SpacePoints
-{
-public:
-  explicit SpacePoints(const InputArray& array)
-    : View(pointView(array, 2))
-  {
-    if (array.shape(1) == 2)
-    {
-      this->View.type == ScalarType::Float32 ? this->widen(this->Singles)
-                                             : this->widen(this->Doubles);
-    }
-  }
-
-  const PointView& view() const { return this->View; }
-
-private:
-  template <class T>
-  void widen(Buffer<T>& copy)
-  {
-    const T* from = static_cast<const T*>(this->View.data);
-    copy.allocate(3 * static_cast<std::size_t>(this->View.count));
-    for (std::int64_t i = 0; i < this->View.count; ++i)
-    {
-      T* const to = copy.data() + 3 * i;
-      std::copy_n(from + i * this->View.stride, 2, to);
-      to[2] = 0;
-    }
-    this->View = PointView(copy.data(), this->View.count);
-  }
-
-  PointView View;
-  Buffer<float> Singles;
-  Buffer<double> Doubles;
-};
-
 Handle<Hull> hullOf(const InputArray& points, const Settings& settings)
 {
   const SpacePoints input(points);
-  return handleOf(Watch(settings.progress)
-                    .run(settings.options(),
-                      [&](const Options& options)
-                      {
-                        EngineReport report;
-                        return convexHull(input.view(), options, settings.engineOptions(), report);
-                      }));
+  return handleOf(settings.run(
+    [&](const Options& options)
+    {
+      EngineReport report;
+      return convexHull(input.view(), options, settings.engineOptions(), report);
+    }));
 }
 
 Handle<Triangulation> triangulationOf(
@@ -119,14 +56,12 @@ Handle<Triangulation> triangulationOf(
 {
   const PointView places = pointView(points, 2);
   const WeightView heavy = weightView(weights);
-  return handleOf(Watch(settings.progress)
-                    .run(settings.options(),
-                      [&](const Options& options)
-                      {
-                        EngineReport report;
-                        return regularTriangulation(
-                          places, heavy, options, settings.engineOptions(), report);
-                      }));
+  return handleOf(settings.run(
+    [&](const Options& options)
+    {
+      EngineReport report;
+      return regularTriangulation(places, heavy, options, settings.engineOptions(), report);
+    }));
 }
 
 Handle<Hull> convexified(const InputArray& points, const Corners& triangles,
@@ -136,11 +71,8 @@ Handle<Hull> convexified(const InputArray& points, const Corners& triangles,
   TriangleView surface;
   surface.corners = triangles.data();
   surface.count = static_cast<std::int64_t>(triangles.shape(0));
-  return handleOf(
-    Watch(settings.progress)
-      .run(settings.options(),
-        [&](const Options& options)
-        { return flipFlop(places, surface, kernel ? kernel->data() : nullptr, options); }));
+  return handleOf(settings.run([&](const Options& options)
+    { return flipFlop(places, surface, kernel ? kernel->data() : nullptr, options); }));
 }
 
 /// Points' places in the plane that fits them best; and of the plane, the origin and the axes.
@@ -148,53 +80,37 @@ nb::tuple placesInBestPlane(const InputArray& points, const Settings& settings)
 {
   const PointView view = pointView(points, 3);
   FittedPlane plane;
-  Buffer<double> places = Watch(settings.progress)
-                            .run(settings.options(),
-                              [&](const Options& options)
-                              {
-                                plane = fitPlane(view, options);
-                                return placesInPlane(view, plane, options);
-                              });
+  Buffer<double> places = settings.run(
+    [&](const Options& options)
+    {
+      plane = fitPlane(view, options);
+      return placesInPlane(view, plane, options);
+    });
   const auto vector = [](const std::array<double, 3>& values)
   {
     Buffer<double> copy(values.size());
     std::copy(values.begin(), values.end(), copy.begin());
-    return arrayOf(std::move(copy), { values.size() });
+    return arrayOf(std::move(copy));
   };
   const std::size_t rows = places.size() / 2;
   return nb::make_tuple(arrayOf(std::move(places), { rows, 2 }), vector(plane.origin),
     vector(plane.first), vector(plane.second));
 }
 
-/// A power diagram's four arrays: corners, connectivity, offsets, sites.
-nb::tuple diagramOf(const InputArray& points, const std::optional<InputArray>& weights,
+Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, const std::optional<std::array<double, 4>>& box,
   const Settings& settings)
 {
   const PointView places = pointView(points, 2);
   const WeightView heavy = weightView(weights);
   const Triangulation& facets = *triangulation.result;
-  PowerDiagram diagram;
-  if (box || facets.dimension >= 0)
+  if (!box && facets.dimension < 0)
   {
-    const std::array<double, 4> sides = box ? *box : powerDiagramBox(places, facets);
-    diagram = Watch(settings.progress)
-                .run(settings.options(),
-                  [&](const Options& options)
-                  { return powerDiagram(places, heavy, facets, sides.data(), options); });
+    return handleOf(PowerDiagram()); // no point has a box
   }
-  const std::size_t corners = diagram.corners.size() / 2;
-  const std::size_t cells = diagram.siteIds.size();
-  const std::size_t ends = diagram.connectivity.size();
-  if (diagram.offsets.empty())
-  {
-    diagram.offsets.allocate(1);
-    diagram.offsets[0] = 0;
-  }
-  return nb::make_tuple(arrayOf(std::move(diagram.corners), { corners, 2 }),
-    arrayOf(std::move(diagram.connectivity), { ends }),
-    arrayOf(std::move(diagram.offsets), { cells + 1 }),
-    arrayOf(std::move(diagram.siteIds), { cells }));
+  const std::array<double, 4> sides = box ? *box : powerDiagramBox(places, facets);
+  return handleOf(settings.run([&](const Options& options)
+    { return powerDiagram(places, heavy, facets, sides.data(), options); }));
 }
 
 /// Many results that Python takes out one by one.
@@ -302,10 +218,27 @@ NB_MODULE(_core, module)
   bindCells<Triangulation>(module, "Triangulation")
     .def("hidden",
       [](const Handle<Triangulation>& self)
+      { return arrayOf(self.result->hiddenIds, self.result); });
+  nb::class_<Handle<PowerDiagram>>(module, "PowerDiagram")
+    .def("vertices",
+      [](const Handle<PowerDiagram>& self)
       {
-        const Buffer<std::int64_t>& ids = self.result->hiddenIds;
-        return arrayOf(ids.data(), { ids.size() }, self.result);
-      });
+        const Buffer<double>& corners = self.result->corners;
+        return arrayOf(corners.data(), { corners.size() / 2, 2 }, self.result);
+      })
+    .def("connectivity",
+      [](const Handle<PowerDiagram>& self)
+      { return arrayOf(self.result->connectivity, self.result); })
+    .def("offsets",
+      [](const Handle<PowerDiagram>& self)
+      {
+        static const std::int64_t nothing = 0;
+        const Buffer<std::int64_t>& offsets = self.result->offsets;
+        return offsets.empty() ? arrayOf(&nothing, { 1 }, self.result)
+                               : arrayOf(offsets, self.result);
+      })
+    .def("sites",
+      [](const Handle<PowerDiagram>& self) { return arrayOf(self.result->siteIds, self.result); });
   bindResults<Hull>(module, "Hulls")
     .def("volumes",
       [](const Results<Hull>& self)
@@ -314,6 +247,8 @@ NB_MODULE(_core, module)
       [](const Results<Hull>& self)
       { return eachResult(self, [](const Hull& hull) { return hull.area; }); });
   bindResults<Triangulation>(module, "Triangulations");
+
+  bindQueries(module);
 
   module.def("convex_hull", &hullOf);
   module.def(
@@ -327,10 +262,8 @@ NB_MODULE(_core, module)
     [](const InputArray& points, const IdArray& offsets, const Settings& settings)
     {
       const SpacePoints input(points);
-      return resultsOf(Watch(settings.progress)
-                         .run(settings.options(),
-                           [&](const Options& options)
-                           { return convexHulls(input.view(), setView(offsets), options); }));
+      return resultsOf(settings.run([&](const Options& options)
+        { return convexHulls(input.view(), setView(offsets), options); }));
     });
   module.def(
     "regular_triangulations",
@@ -339,11 +272,8 @@ NB_MODULE(_core, module)
     {
       const PointView places = pointView(points, 2);
       const WeightView heavy = weightView(weights);
-      return resultsOf(Watch(settings.progress)
-                         .run(settings.options(),
-                           [&](const Options& options) {
-                             return regularTriangulations(places, setView(offsets), heavy, options);
-                           }));
+      return resultsOf(settings.run([&](const Options& options)
+        { return regularTriangulations(places, setView(offsets), heavy, options); }));
     },
     "points"_a, "offsets"_a, "weights"_a.none(), "settings"_a);
 

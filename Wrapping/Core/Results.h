@@ -9,6 +9,7 @@
 #include "Views.h"
 
 #include <flipflop/CellComplex.h>
+#include <flipflop/Neighbors.h>
 #include <flipflop/Statistics.h>
 
 #include <nanobind/nanobind.h>
@@ -22,7 +23,7 @@
 namespace flipflop
 {
 
-/// A Hull or a Triangulation that Python's objects share: alone, or as a part of a batch.
+/// A result that Python's objects share: alone, or as a part of a batch.
 template <class Result>
 struct Handle
 {
@@ -67,8 +68,9 @@ inline Buffer<std::int64_t> cellOffsets(const CellComplex& cells)
   return offsets;
 }
 
-/// The same cells, their polygons as fans of triangles.
-inline CellComplex fansOf(const CellComplex& cells)
+/// A copy, its polygons as fans of triangles.
+template <class Result>
+Result fansOf(const Result& given)
 {
   const auto copy = [](const Buffer<std::int64_t>& from)
   {
@@ -76,12 +78,12 @@ inline CellComplex fansOf(const CellComplex& cells)
     std::copy(from.begin(), from.end(), to.begin());
     return to;
   };
-  CellComplex fans;
-  fans.dimension = cells.dimension;
-  fans.pointIds = copy(cells.pointIds);
-  fans.connectivity = copy(cells.connectivity);
-  fans.offsets = copy(cells.offsets);
-  fans.cellSize = cells.cellSize;
+  Result fans;
+  fans.dimension = given.dimension;
+  fans.pointIds = copy(given.pointIds);
+  fans.connectivity = copy(given.connectivity);
+  fans.offsets = copy(given.offsets);
+  fans.cellSize = given.cellSize;
   fanPolygons(fans);
   return fans;
 }
@@ -96,42 +98,18 @@ nanobind::class_<Handle<Result>> bindCells(nanobind::module_& module, const char
     .def_prop_ro("cell_count", [](Self self) { return self.result->cellCount(); })
     .def_prop_ro("cell_size", [](Self self) { return self.result->cellSize; })
     .def_prop_ro("statistics", [](Self self) { return dictOf(self.result->statistics); })
-    .def("vertices",
+    .def("vertices", [](Self self) { return arrayOf(self.result->pointIds, self.result); })
+    .def("offsets", [](Self self) { return arrayOf(cellOffsets(*self.result)); })
+    // Of the corners of all cells: places in vertices(), not ids.
+    .def("connectivity", [](Self self) { return arrayOf(self.result->connectivity, self.result); })
+    .def("corners", [](Self self) { return arrayOf(cornerIds(*self.result)); })
+    .def("triangles",
       [](Self self)
       {
-        const Buffer<std::int64_t>& ids = self.result->pointIds;
-        return arrayOf(ids.data(), { ids.size() }, self.result);
+        const bool areTriangles = self.result->dimension < 2 || self.result->cellSize == 3;
+        return areTriangles ? self : handleOf(fansOf(*self.result));
       })
-    .def("offsets",
-      [](Self self)
-      {
-        Buffer<std::int64_t> offsets = cellOffsets(*self.result);
-        const std::size_t size = offsets.size();
-        return arrayOf(std::move(offsets), { size });
-      })
-    .def("connectivity",
-      [](Self self)
-      {
-        // Of the corners of all cells: places in vertices(), not ids.
-        const Buffer<std::int64_t>& places = self.result->connectivity;
-        return arrayOf(places.data(), { places.size() }, self.result);
-      })
-    .def("corners",
-      [](Self self)
-      {
-        Buffer<std::int64_t> ids = cornerIds(*self.result);
-        const std::size_t size = ids.size();
-        return arrayOf(std::move(ids), { size });
-      })
-    .def("fans",
-      [](Self self)
-      {
-        const CellComplex fans = fansOf(*self.result);
-        Buffer<std::int64_t> ids = cornerIds(fans);
-        const auto columns = static_cast<std::size_t>(fans.dimension + 1);
-        const std::size_t rows = static_cast<std::size_t>(fans.cellCount());
-        return arrayOf(std::move(ids), { rows, fans.dimension < 2 ? columns : 3 });
-      });
+    .def("neighbors", [](Self self) { return arrayOf(cellNeighbors(*self.result)); });
 }
 
 }

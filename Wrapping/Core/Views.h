@@ -106,6 +106,13 @@ OutputArray<T> arrayOf(
   return OutputArray<T>(data ? data : &nothing, shape, keeper);
 }
 
+/// An array of the memory of a buffer that @p owner keeps.
+template <class T, class Owner>
+OutputArray<T> arrayOf(const Buffer<T>& buffer, std::shared_ptr<const Owner> owner)
+{
+  return arrayOf(buffer.data(), { buffer.size() }, std::move(owner));
+}
+
 /// An array that owns the memory of a buffer.
 template <class T>
 OutputArray<T> arrayOf(Buffer<T>&& buffer, std::initializer_list<std::size_t> shape)
@@ -113,6 +120,12 @@ OutputArray<T> arrayOf(Buffer<T>&& buffer, std::initializer_list<std::size_t> sh
   auto owner = std::make_shared<const Buffer<T>>(std::move(buffer));
   const T* data = owner->data();
   return arrayOf(data, shape, std::move(owner));
+}
+template <class T>
+OutputArray<T> arrayOf(Buffer<T>&& buffer)
+{
+  const std::size_t size = buffer.size();
+  return arrayOf(std::move(buffer), { size });
 }
 
 }

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import Any, Generic, TypeVar, overload
 
 import numpy as np
@@ -14,7 +15,7 @@ from . import _core
 from ._errors import FlipFlopError, of_engine
 from ._hull import ConvexHull
 from ._input import ids_of, points_of, weights_of
-from ._results import Floats, Frozen, Ids, Progress, cached, ignores, run, settings
+from ._results import Floats, Frozen, Ids, Progress, ignores, run, settings
 from ._triangulation import RegularTriangulation
 
 Result = TypeVar("Result", ConvexHull, RegularTriangulation)
@@ -76,12 +77,12 @@ class _Batch(Frozen, Sequence[Result], Generic[Result]):
 class HullBatch(_Batch[ConvexHull]):
     __doc__ = _Batch.__doc__
 
-    @cached
+    @cached_property
     def volumes(self) -> Floats:
         """The volume of each hull; of points in the plane, the area."""
         return self._core.areas() if self.points.shape[1] == 2 else self._core.volumes()
 
-    @cached
+    @cached_property
     def areas(self) -> Floats:
         """The surface area of each hull; of points in the plane, the perimeter."""
         if self.points.shape[1] == 3:

@@ -4,14 +4,45 @@
 
 from __future__ import annotations
 
-from typing import Any
+from enum import IntEnum
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._input import ids_of, points_of
-from ._results import Cells, Floats, Ids, Polygons, Progress, Validation, cached, ignores, run, settings
+from ._results import (
+    QUIET,
+    Cells,
+    Floats,
+    Ids,
+    Polygons,
+    Progress,
+    Validation,
+    answers,
+    frozen,
+    ignores,
+    run,
+    settings,
+)
+
+
+class Side(IntEnum):
+    """On which side of a hull's surface a point is."""
+
+    OUTSIDE = -1
+    ON = 0
+    INSIDE = 1
+
+
+class Diameter(NamedTuple):
+    """Two vertices that are farthest apart: of all such pairs the one of the lowest ids; and their distance."""
+
+    first: int
+    second: int
+    length: float
 
 
 class ConvexHull(Cells):
@@ -25,22 +56,44 @@ class ConvexHull(Cells):
     counter-clockwise. Points in space that span less give `dimension` below 3, and one polygon, segment or point.
     """
 
-    @cached
+    @cached_property
     def vertices(self) -> Ids:
         """Ids of the vertices, ascending; of points in the plane, counter-clockwise from the lowest."""
         if self._planar:
             return self._ring()
         return self._core.vertices()
 
-    @cached
+    @cached_property
     def simplices(self) -> Ids:
         """Facets as rows of ids: of three in space (of two or one, if the points span no more), of two in the plane."""
         if self._planar:
             ring = self.vertices
-            return _frozen(np.column_stack([ring, np.roll(ring, -1)]))
-        return self._core.fans()
+            return frozen(np.column_stack([ring, np.roll(ring, -1)]))
+        return super().simplices
 
-    @cached
+    @cached_property
+    def neighbors(self) -> Ids:
+        """For each vertex of each of `simplices` the facet opposite to it; -1 where there is none."""
+        if self._planar:
+            edges = np.arange(len(self.vertices))
+            return frozen(np.column_stack([np.roll(edges, -1), np.roll(edges, 1)]))
+        return super().neighbors
+
+    @cached_property
+    def equations(self) -> Floats:
+        """Of each of `simplices` the outward unit normal and the offset: normal . x + offset <= 0 in the hull; rounded.
+
+        Of points in space that span a plane, the plane's own; empty if they span less.
+        """
+        if not self._planar:
+            return _core.facet_planes(self.points, self._triangles, QUIET)
+        corners = self.points[self.vertices].astype(np.float64)
+        steps = np.roll(corners, -1, axis=0) - corners
+        with np.errstate(invalid="ignore"):  # of a single point
+            normals = np.column_stack([steps[:, 1], -steps[:, 0]]) / np.hypot(steps[:, 0], steps[:, 1])[:, None]
+        return frozen(np.column_stack([normals, -(normals * corners).sum(axis=1)]))
+
+    @cached_property
     def polygons(self) -> Polygons:
         """The true facets, as ids. In the plane, the hull itself is the one polygon."""
         core = self._core
@@ -48,7 +101,7 @@ class ConvexHull(Cells):
             # As triangles: the hull of the vertices is the same, and tells the facets.
             ids = core.vertices()
             core = _core.convex_hull(self.points[ids], _core.Settings(0, True, False, 1, None))
-            return Polygons(core.offsets(), _frozen(ids[core.corners()]))
+            return Polygons(core.offsets(), frozen(ids[core.corners()]))
         return Polygons(core.offsets(), core.corners())
 
     @property
@@ -56,7 +109,7 @@ class ConvexHull(Cells):
         """Of the solid; of points in the plane, the area."""
         return self._core.area if self._planar else self._core.volume
 
-    @cached
+    @cached_property
     def area(self) -> float:
         """Of the surface (of the polygon once, if the points span a plane); of points in the plane, the perimeter."""
         if self._planar:
@@ -65,20 +118,62 @@ class ConvexHull(Cells):
             return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
         return self._core.area
 
-    @property
-    def nsimplex(self) -> int:
-        """How many facets there are in `simplices`."""
-        return len(self.simplices)
-
-    @cached
+    @cached_property
     def min_bound(self) -> Floats:
         """The least of each coordinate."""
-        return _frozen(self._corners().min(axis=0))
+        return frozen(self._corners().min(axis=0))
 
-    @cached
+    @cached_property
     def max_bound(self) -> Floats:
         """The greatest of each coordinate."""
-        return _frozen(self._corners().max(axis=0))
+        return frozen(self._corners().max(axis=0))
+
+    def contains(
+        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
+    ) -> Any:
+        """On which side of the surface each point is, exactly: a Side as int8.
+
+        `hull.contains(points) >= 0` tells which points are in the hull, its surface included. Below the dimension of
+        the space, a hull has no inside. A point that is not finite and ignored is outside.
+
+        Parameters
+        ----------
+        points : m by ndim, or one point
+            anything that convex_hull() takes
+
+        Returns
+        -------
+        array of m, or one number
+        """
+        return answers(self._upright.contains, points, (self.ndim,), threads, non_finite, progress)
+
+    def distance(
+        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
+    ) -> Any:
+        """The distance of each point from the surface: negative inside, 0 on it, positive outside.
+
+        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex (in the plane 1e-13). Infinity: the hull is
+        empty. NaN: the point is not finite and ignored. Parameters and the result's form are those of contains().
+        """
+        return answers(self._upright.distance, points, (self.ndim,), threads, non_finite, progress)
+
+    def support(
+        self, directions: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
+    ) -> Any:
+        """The id of the vertex that is farthest along each direction, exactly; of several, the lowest.
+
+        Directions are vectors of any length. -1: the hull is empty, or the direction is not finite and ignored. The
+        result's form is that of contains().
+        """
+        found = answers(self._upright.support, directions, (self.ndim,), threads, non_finite, progress)
+        if not self._planar or self.dimension < 0:
+            return found
+        ids = self._core.vertices()
+        return np.where(found < 0, found, ids[found % len(ids)])[()]
+
+    def diameter(self) -> Diameter:
+        """The two vertices that are farthest apart, found by exact comparison."""
+        return Diameter(*self._queries.diameter(QUIET))
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the convex hull of the points."""
@@ -91,6 +186,27 @@ class ConvexHull(Cells):
     @property
     def _planar(self) -> bool:
         return self.points.shape[1] == 2
+
+    @cached_property
+    def _queries(self) -> Any:
+        return _core.hull_queries(self.points, self._triangles, QUIET)
+
+    @cached_property
+    def _upright(self) -> Any:
+        """What answers questions about places. In the plane, a prism over the polygon, asked at half its height.
+
+        There it is inside and on the prism what is inside and on the polygon, and the lids are farther away than the
+        polygon is wide, so farther than any side of it.
+        """
+        if not self._planar or self.dimension < 0:
+            return self._queries
+        corners = self._corners()
+        with np.errstate(over="ignore"):
+            width = min(np.ptp(corners, axis=0).sum(), np.finfo(np.float64).max / 4)
+        height = np.full(len(corners), 2.0 ** np.ceil(np.log2(width)) if width > 0 else 1.0)
+        floor, ceiling = np.column_stack([corners, -height]), np.column_stack([corners, height])
+        prism = np.vstack([floor, ceiling])
+        return _core.hull_queries(prism, _core.convex_hull(prism, QUIET), QUIET)
 
     def _ring(self) -> Ids:
         """The corners of the one cell, in order."""
@@ -175,8 +291,3 @@ def convexify(
     chosen, bar = settings(threads, facets, "error", "cpu", progress, left_out)
     core = run((chosen, bar), _core.convexify, array, corners, place)
     return ConvexHull(array, core, left_out)
-
-
-def _frozen(array: NDArray[Any]) -> NDArray[Any]:
-    array.flags.writeable = False
-    return array

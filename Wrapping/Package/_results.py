@@ -6,19 +6,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from functools import cached_property as cached
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._input import points_of
 
 Ids = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Progress = Callable[[float], Any] | bool | None
 
 ENGINES = {"automatic": 0, "cpu": 1, "cuda": 2}
+
+
+# What work that nobody watches is done with.
+QUIET = _core.Settings(0, False, False, 1, None)
 
 
 class Polygons(NamedTuple):
@@ -74,6 +79,28 @@ class Cells(Frozen):
         fields = self.__dict__
         fields["points"], fields["_core"], fields["_ignores"] = points, core, ignores
 
+    @cached_property
+    def simplices(self) -> Ids:
+        """The cells as rows of ids; those of more than three corners as fans of triangles."""
+        corners: Ids = self._triangles.corners()
+        return corners.reshape(-1, max(0, min(self.dimension, 2) + 1)) if corners.size else corners.reshape(0, 0)
+
+    @cached_property
+    def neighbors(self) -> Ids:
+        """For each corner of each of `simplices` the simplex opposite to it, -1 where there is none."""
+        across: Ids = self._triangles.neighbors().reshape(self.simplices.shape)
+        # The engine tells, for each corner, who is across the edge to the next one; of segments, who is at it.
+        return frozen(np.roll(across, 2 if self.simplices.shape[1] == 3 else 1, axis=1))
+
+    @property
+    def nsimplex(self) -> int:
+        """How many `simplices` there are."""
+        return len(self.simplices)
+
+    @cached_property
+    def _triangles(self) -> Any:
+        return self._core.triangles()
+
     @property
     def ndim(self) -> int:
         """How many coordinates the points have."""
@@ -89,12 +116,18 @@ class Cells(Frozen):
         """Of what the points span: 0 a point, 1 a line, 2 a plane, 3 space; -1: there was no point."""
         return int(self._core.dimension)
 
-    @cached
+    @cached_property
     def statistics(self) -> dict[str, float]:
         """Counts and seconds of the run, by the names that Documentation/Statistics.md explains."""
         return {
             re.sub(r"(?<=[a-z])(?=[A-Z0-9])", "_", name).lower(): value for name, value in self._core.statistics.items()
         }
+
+
+def frozen(array: NDArray[Any]) -> NDArray[Any]:
+    """The array, which nobody can change any more."""
+    array.flags.writeable = False
+    return array
 
 
 def settings(
@@ -138,6 +171,28 @@ def run(settings_and_bar: tuple[Any, Any], call: Any, *arguments: Any) -> Any:
         return call(*arguments, chosen)
     with bar:
         return call(*arguments, chosen)
+
+
+def answers(
+    ask: Any,
+    places: Any,
+    columns: tuple[int, ...],
+    threads: int,
+    non_finite: str,
+    progress: Progress,
+    *before: Any,
+) -> Any:
+    """What ask() tells of each place; of one place, its answer alone.
+
+    columns: how many coordinates places may have. before: arguments of ask() before the places
+    """
+    one = np.ndim(places) == 1 and len(places) > 0
+    array, left_out = points_of([places] if one else places, ignores(non_finite))
+    if len(array) and array.shape[1] not in columns:
+        raise ValueError(f"places have {columns[0]} coordinates here, not {array.shape[1]}")
+    chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
+    found = run(chosen, ask, *before, array)
+    return found[0] if one else found
 
 
 def _whole(threads: Any) -> int:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,26 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._input import points_of, weights_of
-from ._results import Cells, Floats, Frozen, Ids, Polygons, Progress, Validation, cached, ignores, run, settings
+from ._results import (
+    QUIET,
+    Cells,
+    Floats,
+    Frozen,
+    Ids,
+    Polygons,
+    Progress,
+    Validation,
+    answers,
+    frozen,
+    ignores,
+    run,
+    settings,
+)
+
+
+
+# Ways to interpolate, and the core's names of them.
+_METHODS = {"linear": "interpolate_linear"}
 
 
 class RegularTriangulation(Cells):
@@ -32,22 +52,17 @@ class RegularTriangulation(Cells):
         super().__init__(points, core, ignores)
         self.__dict__["weights"] = weights
 
-    @cached
+    @cached_property
     def vertices(self) -> Ids:
         """Ids of the points that appear, ascending."""
         return self._core.vertices()
 
-    @cached
+    @cached_property
     def hidden(self) -> Ids:
         """Ids of the points that do not appear, ascending: duplicates, and points whose cell is empty."""
         return self._core.hidden()
 
-    @cached
-    def simplices(self) -> Ids:
-        """Triangles as rows of three ids, counter-clockwise; of collinear points segments, of one point a point."""
-        return self._core.fans()
-
-    @cached
+    @cached_property
     def polygons(self) -> Polygons:
         """Facets as ids: all points of one power circle are one polygon."""
         core = self._core
@@ -64,9 +79,107 @@ class RegularTriangulation(Cells):
         return Polygons(core.offsets(), core.corners())
 
     @property
-    def nsimplex(self) -> int:
-        """How many cells there are in `simplices`."""
-        return len(self.simplices)
+    def areas(self) -> Floats:
+        """The area of each of `simplices`, rounded."""
+        return self._measures[0]
+
+    @property
+    def centroids(self) -> Floats:
+        """The x and y of the centroid of each of `simplices`, rounded."""
+        return self._measures[1]
+
+    @cached_property
+    def convex_hull(self) -> Ids:
+        """The border's edges as rows of ids, counter-clockwise each; in the order of their triangles."""
+        if self.dimension < 2:
+            return frozen(np.empty((0, 2), np.int64))
+        rows, across = np.nonzero(self.neighbors < 0)
+        cells = self.simplices
+        return frozen(np.column_stack([cells[rows, (across + 1) % 3], cells[rows, (across + 2) % 3]]))
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> tuple[Ids, Ids]:
+        """Whom edges link: point i has the neighbours indices[indptr[i]:indptr[i + 1]], ascending; (indptr, indices)."""
+        corners = self.simplices.shape[1]
+        pairs = [self.simplices[:, [i, j]] for i in range(corners) for j in range(corners) if i != j]
+        links = np.unique(np.vstack([np.empty((0, 2), np.int64), *pairs]), axis=0)
+        counts = np.bincount(links[:, 0], minlength=self.npoints)
+        return frozen(np.concatenate([[0], np.cumsum(counts)])), frozen(np.ascontiguousarray(links[:, 1]))
+
+    @cached_property
+    def vertex_to_simplex(self) -> Ids:
+        """For each point the lowest of the `simplices` that have it; -1 for a hidden one."""
+        found = np.full(self.npoints, -1, np.int64)
+        for corner in self.simplices.T:
+            rows = np.arange(len(corner))[::-1]
+            first = np.full(self.npoints, -1, np.int64)
+            first[corner[::-1]] = rows
+            found = np.where((found < 0) | ((first >= 0) & (first < found)), first, found)
+        return frozen(found)
+
+    def locate(
+        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
+    ) -> Any:
+        """The simplex that holds each point, its border included; exactly. Of several, the lowest; -1 outside.
+
+        Parameters
+        ----------
+        points : m by 2 (or 3: x and y count), or one point
+            anything that regular_triangulation() takes
+
+        Returns
+        -------
+        array of m rows of `simplices`, or one number
+        """
+        return answers(self._queries.locate, points, (2, 3), threads, non_finite, progress)
+
+    find_simplex = locate
+
+    def nearest(
+        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
+    ) -> Any:
+        """The id of the visible point with the least power distance from each point; exactly. Of several, the lowest.
+
+        Without weights, that is the nearest point. Parameters and the result's form are those of locate().
+        """
+        return answers(self._queries.nearest, points, (2, 3), threads, non_finite, progress)
+
+    def interpolate(
+        self,
+        values: ArrayLike,
+        points: ArrayLike,
+        method: str = "linear",
+        *,
+        threads: int = 0,
+        non_finite: str = "error",
+        progress: Progress = None,
+    ) -> Any:
+        """Values between the points' values; NaN outside the convex hull.
+
+        Which points count is decided exactly; their shares are rounded.
+
+        Parameters
+        ----------
+        values : n numbers, or n by k
+            one (or a row) for each of the triangulated points; those of hidden points are not used
+        points
+            as for locate()
+        method : {"linear"}
+            linear over each of `simplices`
+
+        Returns
+        -------
+        array of m numbers, or m by k; for one point, its value
+        """
+        if method not in _METHODS:
+            raise ValueError(f"method is one of {', '.join(map(repr, _METHODS))}, not {method!r}")
+        given = np.asarray(values, np.float64)
+        if given.ndim not in (1, 2) or len(given) != self.npoints:
+            raise ValueError(f"values are {self.npoints} numbers or rows, not an array of shape {given.shape}")
+        rows = np.ascontiguousarray(given.reshape(self.npoints, -1 if given.size else 1))
+        ask = getattr(self._queries, _METHODS[method])
+        found = answers(ask, points, (2, 3), threads, non_finite, progress, rows)
+        return found[..., 0] if given.ndim == 1 else found
 
     def power_diagram(
         self, box: ArrayLike | None = None, *, threads: int = 0, progress: Progress = None
@@ -82,9 +195,7 @@ class RegularTriangulation(Cells):
         if sides is not None and len(sides) != 4:
             raise ValueError(f"a box is x least, x greatest, y least, y greatest, not {box!r}")
         chosen = settings(threads, "polygons", "error", "cpu", progress, False)
-        return PowerDiagram(
-            run(chosen, _core.power_diagram, self.points, self.weights, self._core, sides)
-        )
+        return PowerDiagram(run(chosen, _core.power_diagram, self.points, self.weights, self._core, sides))
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the regular triangulation of the points."""
@@ -96,6 +207,14 @@ class RegularTriangulation(Cells):
             f"<RegularTriangulation of {self.npoints} points: dimension {self.dimension}, {self._core.cell_count} "
             f"cells, {len(self.hidden)} hidden>"
         )
+
+    @cached_property
+    def _queries(self) -> Any:
+        return _core.triangulation_queries(self.points, self.weights, self._triangles, QUIET)
+
+    @cached_property
+    def _measures(self) -> tuple[Floats, Floats]:
+        return _core.triangle_measures(self.points, self._triangles)
 
 
 class PowerDiagram(Frozen):
@@ -116,16 +235,34 @@ class PowerDiagram(Frozen):
     vertices: Floats
     cells: Polygons
     sites: Ids
+    _core: Any
 
-    def __init__(self, arrays: tuple[Floats, Ids, Ids, Ids]) -> None:
-        fields = self.__dict__
-        fields["vertices"], connectivity, offsets, fields["sites"] = arrays
-        fields["cells"] = Polygons(offsets, connectivity)
+    def __init__(self, core: Any) -> None:
+        self.__dict__.update(
+            vertices=core.vertices(),
+            cells=Polygons(core.offsets(), core.connectivity()),
+            sites=core.sites(),
+            _core=core,
+        )
+
+    @property
+    def areas(self) -> Floats:
+        """The area of each cell, rounded."""
+        return self._measures[0]
+
+    @property
+    def centroids(self) -> Floats:
+        """The x and y of each cell's centroid, rounded."""
+        return self._measures[1]
 
     @property
     def regions(self) -> list[Ids]:
         """The corners of each cell, as rows of vertices."""
         return np.split(self.cells.connectivity, self.cells.offsets[1:-1]) if len(self.sites) else []
+
+    @cached_property
+    def _measures(self) -> tuple[Floats, Floats]:
+        return _core.power_cell_measures(self._core)
 
     def __len__(self) -> int:
         return len(self.sites)

@@ -31,7 +31,7 @@ from __future__ import annotations
 
 from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
-from ._hull import ConvexHull, convex_hull, convexify
+from ._hull import ConvexHull, Diameter, Side, convex_hull, convexify
 from ._results import Polygons, Validation
 from ._triangulation import PowerDiagram, RegularTriangulation, power_diagram, regular_triangulation
 
@@ -39,6 +39,7 @@ __all__ = [
     "AbortedError",
     "ConvexHull",
     "DeviceError",
+    "Diameter",
     "FlipFlopError",
     "HullBatch",
     "InputError",
@@ -46,6 +47,7 @@ __all__ = [
     "Polygons",
     "PowerDiagram",
     "RegularTriangulation",
+    "Side",
     "TriangulationBatch",
     "Validation",
     "convex_hull",

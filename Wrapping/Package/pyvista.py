@@ -519,11 +519,11 @@ class _Run:
         places = projection.to_plane(cloud.array, settings)
         core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
         arguments = places, heavy, core, box if core.dimension >= 0 else None, self._settings(cloud, second)
-        corners, connectivity, offsets, sites = cloud.engine(_core.power_diagram, *arguments)
+        found = cloud.engine(_core.power_diagram, *arguments)
         made = pv.PolyData()
-        made.SetPoints(pv.vtk_points(projection.to_space(corners), deep=False, force_float=False))
-        set_cells(made, 2, 0, offsets, connectivity)
-        cloud.pass_data(cloud.ids(sites), made, "cell", self._pass_data)
+        made.SetPoints(pv.vtk_points(projection.to_space(found.vertices()), deep=False, force_float=False))
+        set_cells(made, 2, 0, found.offsets(), found.connectivity())
+        cloud.pass_data(cloud.ids(found.sites()), made, "cell", self._pass_data)
         return made
 
     def _settings(self, cloud: Cloud, report: _Report) -> Any:

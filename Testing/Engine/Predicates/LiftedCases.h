@@ -148,6 +148,13 @@ public:
     return (q[2] - p[2]) * whole * whole > (r[2] - p[2]) * part * whole;
   }
 
+  /// |q - a|^2 - a's weight, less the same of b.
+  int comparePowers(const Vertex& q, const Vertex& a, const Vertex& b) const
+  {
+    const IntegerRow p = this->rowOf(q), u = this->rowOf(a), v = this->rowOf(b);
+    return sgn(mpz_class(2 * p[0] * (v[0] - u[0]) + 2 * p[1] * (v[1] - u[1]) + v[2] - u[2]));
+  }
+
   /// Do the lifts lie on a line?
   bool collinear(const Vertex& a, const Vertex& b, const Vertex& c) const
   {

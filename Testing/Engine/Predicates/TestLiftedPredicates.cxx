@@ -25,6 +25,7 @@ struct Seen
   int zero = 0;
   int flat = 0;
   int chords = 0;
+  int level = 0;
   int appearing = 0;
   int wide = 0;
 };
@@ -133,7 +134,7 @@ private:
     }
   }
 
-  /// Orientation, collinearity, chords.
+  /// Orientation, power distances, collinearity, chords.
   void expectPlane(const Vertex& a, const Vertex& b, const Vertex& c)
   {
     const Geometry& g = this->geometry;
@@ -141,6 +142,10 @@ private:
     ASSERT_EQ(g.orient(a, b, c), turn);
     ASSERT_EQ(g.orient(c, a, b), turn);
     ASSERT_EQ(g.orient(b, a, c), -turn);
+    const int order = this->exact.comparePowers(a, b, c);
+    ASSERT_EQ(g.comparePowers(a, b, c), order);
+    ASSERT_EQ(g.comparePowers(a, c, b), -order);
+    this->seen.level += order == 0 ? 1 : 0;
     const bool collinear = this->exact.collinear(a, b, c);
     ASSERT_EQ(g.collinear(a, b, c), collinear);
     ASSERT_EQ(g.collinear(b, c, a), collinear);
@@ -417,6 +422,7 @@ TEST(LiftedPredicates, ExactlyDegenerate)
     EXPECT_GT(seen.zero, 1600);
     EXPECT_GT(seen.flat, 400);
     EXPECT_GT(seen.chords, 80);
+    EXPECT_GT(seen.level, 80);
     EXPECT_GT(seen.appearing, 80);
     EXPECT_EQ(seen.undecided > 0, !isKnown);
     seen = checkAll<false>(integers, Seed + 9, 1500, lattice);

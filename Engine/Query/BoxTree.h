@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A balanced binary tree of boxes over items in space: halves of the items, by halves of those,
+/// and so on, each cut across its longer side.
+///
+/// The tree is complete and lies level by level: the children of node k are 2k + 1 and 2k + 2.
+/// Which items a node has follows from its number. (A library's R-tree finds neighbours, but lets
+/// nobody go down two of its branches at once, as the search for the farthest pair does.)
+#ifndef flipflop_BoxTree_h
+#define flipflop_BoxTree_h
+
+#include "Support/Monitor.h"
+#include "Support/Parallel.h"
+#include <flipflop/Buffer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace flipflop
+{
+
+struct Box
+{
+  double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  double high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+
+  void add(const double* x)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->low[i] = std::min(this->low[i], x[i]);
+      this->high[i] = std::max(this->high[i], x[i]);
+    }
+  }
+  void add(const Box& other)
+  {
+    this->add(other.low);
+    this->add(other.high);
+  }
+
+  /// The square of the distance to a point; rounded.
+  double squaredDistance(const double* x) const
+  {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double below = this->low[i] - x[i];
+      const double beyond = x[i] - this->high[i];
+      const double gap = std::max(0.0, std::max(below, beyond));
+      sum += gap * gap;
+    }
+    return sum;
+  }
+};
+
+class BoxTree
+{
+public:
+  /// @param count 1 or more
+  /// @param boxOf Box (std::uint32_t): of an item
+  template <class BoxOf>
+  BoxTree(std::uint32_t count, const BoxOf& boxOf, Monitor& monitor)
+    : count(count)
+    , order(count)
+  {
+    while ((count >> this->levels) > LeafSize)
+    {
+      ++this->levels;
+    }
+    this->boxes.allocate((std::size_t(2) << this->levels) - 1);
+    Buffer<double> middle(std::size_t(3) * count);
+    for (std::uint32_t item = 0; item < count; ++item)
+    {
+      const Box box = boxOf(item);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        middle[3 * std::size_t(item) + i] = 0.5 * box.low[i] + 0.5 * box.high[i];
+      }
+      this->order[item] = item;
+    }
+    this->split(0, 0, boxOf, middle, monitor);
+  }
+
+  /// Nodes.
+  std::size_t size() const { return this->boxes.size(); }
+  bool isLeaf(std::size_t node) const { return 2 * node + 1 >= this->boxes.size(); }
+  const Box& box(std::size_t node) const { return this->boxes[node]; }
+
+  ///@{
+  /// Places of a leaf's items.
+  std::uint32_t begin(std::size_t leaf) const { return this->beginOf(leaf, this->levels); }
+  std::uint32_t end(std::size_t leaf) const { return this->beginOf(leaf + 1, this->levels); }
+  ///@}
+
+  /// use (node, begin, end) for each node: the places of its items.
+  template <class Use>
+  void eachNode(const Use& use) const
+  {
+    for (int level = 0; level <= this->levels; ++level)
+    {
+      const std::size_t first = (std::size_t(1) << level) - 1;
+      eachRun(first + 1, std::size_t(1) << 10,
+        [&](std::size_t begin, std::size_t end, std::size_t)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const std::size_t node = first + i;
+            use(node, this->beginOf(node, level), this->beginOf(node + 1, level));
+          }
+        });
+    }
+  }
+
+  /// The item at a place.
+  std::uint32_t item(std::uint32_t place) const { return this->order[place]; }
+
+  /// Lower @p best, the square of a distance, to the least of all items.
+  /// @param boundOf         double (std::size_t node): below the least where that is in the node
+  /// @param squaredDistance double (std::uint32_t place): for no item less than the least of all
+  template <class BoundOf, class SquaredDistance>
+  void nearest(double& best, const BoundOf& boundOf, const SquaredDistance& squaredDistance) const
+  {
+    struct Later
+    {
+      std::size_t node;
+      double bound;
+    };
+    Later stack[64];
+    int waiting = 0;
+    stack[waiting++] = { 0, boundOf(0) };
+    while (waiting > 0)
+    {
+      const Later top = stack[--waiting];
+      std::size_t node = top.node;
+      bool near = top.bound < best;
+      while (near && !this->isLeaf(node))
+      {
+        const double bound[2] = { boundOf(2 * node + 1), boundOf(2 * node + 2) };
+        const std::size_t first = bound[1] < bound[0] ? 1 : 0;
+        if (bound[1 - first] < best)
+        {
+          stack[waiting++] = { 2 * node + 2 - first, bound[1 - first] };
+        }
+        near = bound[first] < best;
+        node = 2 * node + 1 + first;
+      }
+      for (std::uint32_t place = near ? this->begin(node) : 0, last = near ? this->end(node) : 0;
+           place < last; ++place)
+      {
+        best = std::min(best, squaredDistance(place));
+      }
+    }
+  }
+
+private:
+  static constexpr std::uint32_t LeafSize = 6;
+
+  std::uint32_t beginOf(std::size_t node, int level) const
+  {
+    const std::size_t place = node + 1 - (std::size_t(1) << level);
+    return static_cast<std::uint32_t>(std::uint64_t(this->count) * place >> level);
+  }
+
+  template <class BoxOf>
+  void split(
+    std::size_t node, int level, const BoxOf& boxOf, const Buffer<double>& middle, Monitor& monitor)
+  {
+    constexpr std::uint32_t WorthATask = 1 << 13;
+    Box& box = this->boxes[node];
+    box = Box();
+    std::uint32_t* const first = this->order.data() + this->beginOf(node, level);
+    std::uint32_t* const last = this->order.data() + this->beginOf(node + 1, level);
+    if (level == this->levels)
+    {
+      std::for_each(first, last, [&](std::uint32_t item) { box.add(boxOf(item)); });
+      return;
+    }
+    monitor.poll();
+    const auto middleOf = [&](std::uint32_t item) { return middle.data() + 3 * std::size_t(item); };
+    Box spread;
+    std::for_each(first, last, [&](std::uint32_t item) { spread.add(middleOf(item)); });
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+    {
+      axis = spread.high[i] - spread.low[i] > spread.high[axis] - spread.low[axis] ? i : axis;
+    }
+    const std::size_t children[2] = { 2 * node + 1, 2 * node + 2 };
+    std::nth_element(first, this->order.data() + this->beginOf(children[1], level + 1), last,
+      [&](std::uint32_t a, std::uint32_t b)
+      {
+        const double x = middleOf(a)[axis];
+        const double y = middleOf(b)[axis];
+        return x != y ? x < y : a < b;
+      });
+    const auto splitChild = [&](int i)
+    { this->split(children[i], level + 1, boxOf, middle, monitor); };
+    if (last - first > WorthATask)
+    {
+      threads::invoke([&] { splitChild(0); }, [&] { splitChild(1); });
+    }
+    else
+    {
+      splitChild(0);
+      splitChild(1);
+    }
+    box.add(this->boxes[children[0]]);
+    box.add(this->boxes[children[1]]);
+  }
+
+  std::uint32_t count;
+  int levels = 0; ///< below the root's
+  Buffer<std::uint32_t> order;
+  Buffer<Box> boxes;
+};
+
+}
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Query/FacetPlane.h"
+#include "Query/GivenHull.h"
+#include "Query/QueryRun.h"
+#include <flipflop/HullQueries.h>
+
+namespace flipflop
+{
+
+Buffer<double> facetPlanes(const PointView& points, const Hull& hull, const Options& options)
+{
+  const Buffer<double> corners = withTypedErrors([&] { return cornersOf(points, hull); });
+  Buffer<double> planes;
+  if (hull.dimension < 2)
+  {
+    return planes;
+  }
+  const auto cells = static_cast<std::size_t>(hull.cellCount());
+  runOver(cells, options,
+    [&](Monitor& monitor)
+    {
+      constexpr std::size_t CellsPerTask = 1 << 12;
+      planes.allocate(4 * cells);
+      eachRun(cells, CellsPerTask,
+        [&](std::size_t begin, std::size_t end, std::size_t)
+        {
+          for (std::size_t cell = begin; cell < end; ++cell)
+          {
+            const std::int64_t* const v =
+              hull.connectivity.data() + hull.cellBegin(static_cast<std::int64_t>(cell));
+            const FacetPlane plane(
+              corners.data() + 3 * v[0], corners.data() + 3 * v[1], corners.data() + 3 * v[2]);
+            std::copy(plane.normal, plane.normal + 3, planes.data() + 4 * cell);
+            planes[4 * cell + 3] = plane.offset;
+          }
+          monitor.advance(static_cast<std::int64_t>(end - begin));
+        });
+    });
+  return planes;
+}
+
+}

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Query/FanMesh.h"
+
+#include "PowerDiagram/FacetRings.h"
+#include "PowerDiagram/TriangulationInput.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <utility>
+
+namespace flipflop
+{
+
+namespace
+{
+
+using Geometry = LiftedGeometry<true>;
+
+/// Rings number half-edges by their place in the connectivity, three to a triangle.
+std::uint32_t halfEdgeOf(std::uint32_t place)
+{
+  return halfEdge(place / 3, static_cast<int>(place % 3));
+}
+
+class FanMeshMaker
+{
+public:
+  FanMeshMaker(FanMesh& result, const Vertex* points, const Geometry& signs,
+    const Triangulation& triangulation, Monitor& toTell)
+    : mesh(result)
+    , vertices(points)
+    , geometry(signs)
+    , given(triangulation)
+    , monitor(toTell)
+    , next(triangulation.pointIds.size())
+  {
+  }
+
+  void make()
+  {
+    this->makeTriangles();
+    if (this->given.cellSize == 3)
+    {
+      this->link(this->given);
+    }
+    else
+    {
+      this->link(this->fans());
+    }
+    this->checkBorder();
+    this->checkEdges();
+  }
+
+private:
+  void makeTriangles()
+  {
+    // A cell of k corners makes k - 2 triangles.
+    const std::int64_t cells = this->given.cellCount();
+    const std::int64_t count = this->given.cellBegin(cells) - 2 * cells;
+    if (count >= NoIndex / 4)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, count);
+    }
+    this->mesh.triangles.allocate(static_cast<std::size_t>(count));
+    eachCheckedRun(static_cast<std::size_t>(cells), FacetsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        this->monitor.poll();
+        const Geometry local = this->geometry; // it counts
+        for (std::size_t c = begin; c < end; ++c)
+        {
+          this->addFan(static_cast<std::int64_t>(c), local);
+        }
+      });
+  }
+
+  void addFan(std::int64_t cell, const Geometry& local)
+  {
+    const std::int64_t begin = this->given.cellBegin(cell);
+    const std::int64_t end = this->given.cellBegin(cell + 1);
+    const auto corner = [&](std::int64_t i)
+    { return static_cast<std::uint32_t>(this->given.connectivity[static_cast<std::size_t>(i)]); };
+    Triangle* triangle = this->mesh.triangles.data() + (begin - 2 * cell);
+    for (std::int64_t i = begin + 1; i + 1 < end; ++i, ++triangle)
+    {
+      *triangle = { { corner(begin), corner(i), corner(i + 1) }, 0, { NoIndex, NoIndex, NoIndex },
+        static_cast<std::uint32_t>(cell) };
+      const std::uint32_t* v = triangle->v;
+      if (local.orient(this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]]) <= 0)
+      {
+        refuse(this->given.pointIds[v[0]]);
+      }
+    }
+  }
+
+  /// The triangles as a complex.
+  Triangulation fans() const
+  {
+    Triangulation result;
+    result.dimension = 2;
+    result.cellSize = 3;
+    result.pointIds.allocate(this->given.pointIds.size());
+    std::copy(this->given.pointIds.begin(), this->given.pointIds.end(), result.pointIds.begin());
+    result.connectivity.allocate(3 * this->mesh.triangles.size());
+    for (std::size_t t = 0; t < this->mesh.triangles.size(); ++t)
+    {
+      std::copy_n(this->mesh.triangles[t].v, 3, result.connectivity.begin() + 3 * t);
+    }
+    return result;
+  }
+
+  /// From the ring of triangles around each vertex, the opposites of all half-edges that leave it.
+  void link(const Triangulation& triangles)
+  {
+    const FacetRings rings(triangles);
+    const std::size_t count = this->given.pointIds.size();
+    this->mesh.lowestAt.allocate(count);
+    eachCheckedRun(count, SitesPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        this->monitor.poll();
+        const Geometry local = this->geometry;
+        FacetRings::Ring ring;
+        for (std::size_t v = begin; v < end; ++v)
+        {
+          rings.walk(static_cast<std::uint32_t>(v), ring);
+          const auto& leaving = ring.halfEdges;
+          this->mesh.lowestAt[v] = *std::min_element(leaving.begin(), leaving.end()) / 3;
+          for (std::size_t i = ring.closed ? 0 : 1; i < leaving.size(); ++i)
+          {
+            const std::uint32_t before = leaving[i > 0 ? i - 1 : leaving.size() - 1];
+            const std::uint32_t h = halfEdgeOf(leaving[i]);
+            this->mesh.triangles[triangleOf(h)].twin[cornerOf(h)] =
+              previousHalfEdge(halfEdgeOf(before));
+          }
+          this->next[v] = NoIndex;
+          if (!ring.closed)
+          {
+            const std::uint32_t last = rings.source(leaving.back());
+            this->next[v] = rings.destination(leaving.front());
+            if (local.orient(
+                  this->vertices[last], this->vertices[v], this->vertices[this->next[v]]) < 0)
+            {
+              refuse(this->given.pointIds[v]);
+            }
+          }
+        }
+      });
+  }
+
+  /// One loop.
+  void checkBorder() const
+  {
+    const auto first = std::find_if(
+      this->next.begin(), this->next.end(), [](std::uint32_t v) { return v != NoIndex; });
+    if (first == this->next.end())
+    {
+      refuse();
+    }
+    const auto start = static_cast<std::uint32_t>(first - this->next.begin());
+    std::ptrdiff_t length = 0;
+    std::uint32_t v = start;
+    do
+    {
+      v = this->next[v];
+      ++length;
+    } while (v != start);
+    if (std::count(first, this->next.end(), NoIndex) + length != this->next.end() - first)
+    {
+      refuse();
+    }
+  }
+
+  /// No point opposite an edge is above the triangle.
+  void checkEdges() const
+  {
+    const Triangle* const triangles = this->mesh.triangles.data();
+    eachCheckedRun(this->mesh.triangles.size(), FacetsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        this->monitor.poll();
+        const Geometry local = this->geometry;
+        for (std::size_t t = begin; t < end; ++t)
+        {
+          const std::uint32_t* v = triangles[t].v;
+          for (const std::uint32_t twin : triangles[t].twin)
+          {
+            if (twin != NoIndex && triangleOf(twin) > t &&
+              local.above(this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]],
+                this->vertices[this->mesh.origin(previousHalfEdge(twin))]) > 0)
+            {
+              refuse(this->given.pointIds[v[0]]);
+            }
+          }
+        }
+      });
+  }
+
+  FanMesh& mesh;
+  const Vertex* vertices;
+  const Geometry& geometry;
+  const Triangulation& given;
+  Monitor& monitor;
+  Buffer<std::uint32_t> next; ///< along the border; NoIndex inside
+};
+
+}
+
+FanMesh::FanMesh(const Vertex* vertices, const LiftedGeometry<true>& geometry,
+  const Triangulation& triangulation, Monitor& monitor)
+{
+  FanMeshMaker(*this, vertices, geometry, triangulation, monitor).make();
+}
+
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A triangulation as queries walk on it: the fans of its cells, in the order of the cells, with
+/// their neighbours across the edges.
+///
+/// It is checked by exact signs: triangles turn left, each edge is regular, the border is one
+/// convex loop. Then it is the regular triangulation of its points, a walk ends, and what is beyond
+/// the border is outside.
+#ifndef flipflop_FanMesh_h
+#define flipflop_FanMesh_h
+
+#include "Geometry/LiftedGeometry.h"
+#include "Mesh/Mesh.h"
+#include "Support/Monitor.h"
+#include <flipflop/Buffer.h>
+#include <flipflop/Triangulation.h>
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+struct FanMesh
+{
+  FanMesh() = default;
+
+  /// @param vertices      of the triangulation's points, by index
+  /// @param geometry      of them
+  /// @param triangulation of dimension 2, after checkCells
+  /// @throw Error BadArgument, TooManyPoints, OutOfMemory, Aborted
+  FanMesh(const Vertex* vertices, const LiftedGeometry<true>& geometry,
+    const Triangulation& triangulation, Monitor& monitor);
+
+  /// No triangle.
+  bool empty() const { return this->triangles.empty(); }
+
+  std::uint32_t cellOf(std::uint32_t t) const { return this->triangles[t].note; }
+
+  /// The triangle at the end of its half-edge.
+  std::uint32_t twin(std::uint32_t h) const
+  {
+    return this->triangles[triangleOf(h)].twin[cornerOf(h)];
+  }
+  std::uint32_t origin(std::uint32_t h) const
+  {
+    return this->triangles[triangleOf(h)].v[cornerOf(h)];
+  }
+
+  /// A half-edge that leaves vertex @p v, of the lowest triangle there.
+  std::uint32_t leaving(std::uint32_t v) const
+  {
+    const std::uint32_t t = this->lowestAt[v];
+    const std::uint32_t* corner = this->triangles[t].v;
+    return halfEdge(t, corner[0] == v ? 0 : (corner[1] == v ? 1 : 2));
+  }
+
+  /// use(u) for the neighbours u of vertex @p v, until it returns false.
+  template <class Use>
+  void eachNeighbour(std::uint32_t v, Use&& use) const
+  {
+    // Counter-clockwise around v, and from the border clockwise from the start.
+    const std::uint32_t first = this->leaving(v);
+    std::uint32_t h = first;
+    do
+    {
+      const std::uint32_t incoming = previousHalfEdge(h);
+      if (!use(this->origin(incoming)))
+      {
+        return;
+      }
+      h = this->twin(incoming);
+    } while (h != first && h != NoIndex);
+    for (std::uint32_t out = first; h == NoIndex;)
+    {
+      if (!use(this->origin(nextHalfEdge(out))))
+      {
+        return;
+      }
+      const std::uint32_t across = this->twin(out);
+      if (across == NoIndex)
+      {
+        return;
+      }
+      out = nextHalfEdge(across);
+    }
+  }
+
+  Buffer<Triangle> triangles;     ///< note: the cell; twin: NoIndex at the border
+  Buffer<std::uint32_t> lowestAt; ///< of each vertex its lowest triangle
+};
+
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The corners of a hull that a caller hands in, copied out of the points by index: their ids are
+/// then their indices, which have the order of the ids in the input.
+#ifndef flipflop_GivenHull_h
+#define flipflop_GivenHull_h
+
+#include "Points/PointSource.h"
+#include "Validate/ValidateStructure.h"
+#include <flipflop/Buffer.h>
+#include <flipflop/Hull.h>
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// @return three coordinates a corner
+/// @throw Error BadArgument, TooManyPoints, OutOfMemory
+inline Buffer<double> cornersOf(const PointView& points, const Hull& hull)
+{
+  requireValid(points, 3);
+  if (!checkHullStructure(points.count, hull))
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  const PointSource source(points);
+  Buffer<double> corners(3 * hull.pointIds.size());
+  for (std::size_t i = 0; i < hull.pointIds.size(); ++i)
+  {
+    double* const x = corners.data() + 3 * i;
+    source.load(static_cast<std::uint32_t>(hull.pointIds[i]), x);
+    if (!isFinite(x))
+    {
+      throw Error(ErrorCode::BadArgument);
+    }
+  }
+  return corners;
+}
+
+}
+
+#endif

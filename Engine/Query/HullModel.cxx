@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Query/HullModel.h"
+
+#include "Geometry/HullStart.h"
+#include "Geometry/VisibilityWalk.h"
+#include "Query/GivenHull.h"
+#include "Surface/CellMesh.h"
+#include "Surface/HullKernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// The smallest magnitude, but for zero, whose bits the corners' arithmetic is sure to carry.
+double leastThatFits(const Arithmetic& arithmetic)
+{
+  // A number's lowest bit is 52 places below its highest, and no lower than 2^-1074. Scaled, it may
+  // be 2^-300 for expansions (see chooseArithmetic); for wide integers, any that a double has.
+  const int lowest = (arithmetic.wide ? -1074 : -300) - arithmetic.scaleExponent;
+  return lowest <= -1074 ? 0.0 : std::ldexp(1.0, lowest + 52);
+}
+
+}
+
+HullModel::HullModel(const PointView& points, const Hull& hull, const Options& options)
+{
+  const Buffer<double> given = withTypedErrors([&] { return cornersOf(points, hull); });
+  if (hull.dimension < 0)
+  {
+    return;
+  }
+  QueryRun run(PointView(given.data(), static_cast<std::int64_t>(hull.pointIds.size())), options);
+  run.execute<QueryResult>(
+    [&](QueryResult& result)
+    {
+      run.look(result.statistics);
+      this->build(run, hull);
+    });
+}
+
+void HullModel::build(QueryRun& run, const Hull& hull)
+{
+  std::copy(run.range.low, run.range.low + 3, this->low);
+  std::copy(run.range.high, run.range.high + 3, this->high);
+  this->arithmetic = chooseArithmetic(run.range);
+  run.setArithmetic(this->arithmetic);
+  this->leastFitting = leastThatFits(this->arithmetic);
+  this->range = run.range;
+  // Corners may be on a lattice, but queries need not be.
+  this->space = HullGeometry(run.range, this->arithmetic);
+
+  this->spans = hull.dimension;
+  this->ids.allocate(hull.pointIds.size());
+  std::copy(hull.pointIds.begin(), hull.pointIds.end(), this->ids.begin());
+  const std::uint32_t count = run.source.count();
+  std::vector<Vertex> corners;
+  corners.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    corners.push_back(run.source.vertex(i));
+    corners.back().flags = VertexAlive;
+  }
+  if (this->spans < 3)
+  {
+    this->solid = Polyhedron(count, 0);
+    std::copy(corners.begin(), corners.end(), this->solid.vertices.begin());
+    if (this->spans == 2)
+    {
+      const std::vector<std::int64_t> ring = ringOfCells(hull);
+      this->around.assign(ring.begin(), ring.end());
+      if (this->around.size() != count)
+      {
+        throw Error(ErrorCode::BadArgument);
+      }
+      this->axes = planeAxes(
+        this->space, corners[this->around[0]], corners[this->around[1]], corners[this->around[2]]);
+    }
+    return;
+  }
+  CellMesh mesh = meshOfCells(hull, corners, false);
+  if (!mesh.any || mesh.fault.any)
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  this->solid = std::move(mesh.polyhedron);
+  std::vector<std::uint32_t> all(count);
+  std::iota(all.begin(), all.end(), 0u);
+  const Span span =
+    placeKernel(this->space, run.source, all.data(), count, this->solid, run.monitor);
+  if (span.dimension < 3)
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  std::copy(span.ids, span.ids + 4, this->independent);
+  // From the middle, rays lead near what is nearest, and the locator dismisses most.
+  centerKernel(this->space, this->solid);
+}
+
+const HullLocator& HullModel::locator(Monitor& monitor) const
+{
+  return this->locatorLazy.get(
+    [&]
+    {
+      return std::make_unique<HullLocator>(this->space, this->solid.triangles.data(),
+        this->solid.triangleCount(), this->solid.vertices.data(), monitor);
+    });
+}
+
+const DirectionMap& HullModel::directions(Monitor& monitor) const
+{
+  return this->directionsLazy.get(
+    [&]
+    {
+      return std::make_unique<DirectionMap>(
+        this->solid, this->around, this->arithmetic.wide, monitor);
+    });
+}
+
+const SurfaceTree& HullModel::surface(Monitor& monitor) const
+{
+  return this->surfaceLazy.get(
+    [&]
+    {
+      return std::make_unique<SurfaceTree>(
+        this->solid, this->around, this->arithmetic.scaleExponent, monitor);
+    });
+}
+
+const HullModel::WideSpace& HullModel::wideSpace() const
+{
+  return this->wideLazy.get(
+    [&]
+    {
+      auto result = std::make_unique<WideSpace>();
+      CoordinateRange unscaled = this->range;
+      std::copy(this->low, this->low + 3, unscaled.low);
+      std::copy(this->high, this->high + 3, unscaled.high);
+      Arithmetic wide;
+      wide.wide = true;
+      result->geometry = HullGeometry(unscaled, wide);
+      result->corners.allocate(this->solid.vertices.size());
+      for (std::size_t i = 0; i < result->corners.size(); ++i)
+      {
+        Vertex v = this->solid.vertices[i];
+        for (double& x : v.x)
+        {
+          x = std::ldexp(x, -this->arithmetic.scaleExponent);
+        }
+        result->corners[i] = v;
+      }
+      if (this->spans == 3)
+      {
+        Vertex four[4];
+        for (int k = 0; k < 4; ++k)
+        {
+          four[k] = result->corners[this->independent[k]];
+        }
+        result->geometry.setSymbolicKernel(four);
+      }
+      return result;
+    });
+}
+
+bool HullModel::fits(const double* x) const
+{
+  bool result = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    result = result && (x[i] == 0 || std::fabs(x[i]) >= this->leastFitting);
+  }
+  return result;
+}
+
+int HullModel::sideInPlane(const HullGeometry& local, const Vertex* corners, const Vertex& p) const
+{
+  const auto at = [&](std::size_t i) -> const Vertex& { return corners[this->around[i]]; };
+  const auto turn = [&](std::size_t i, std::size_t j)
+  { return local.planar(at(i), at(j), p, this->axes.p, this->axes.q); };
+  switch (this->spans)
+  {
+    case 0:
+      return samePosition(corners[0], p) ? 0 : -1;
+    case 1:
+      return local.isBetween(corners[0], corners[1], p) ? 0 : -1;
+    default:
+      return local.above(at(0), at(1), at(2), p) == 0 &&
+          fanTriangleOf(this->around.size(), turn) != 0
+        ? 0
+        : -1;
+  }
+}
+
+Placed HullModel::place(
+  const HullGeometry& local, const double* x, std::uint32_t start, const HullLocator* locator) const
+{
+  Vertex p = { { x[0], x[1], x[2] }, NoIndex, 0 }; // behind all ids
+  const WideSpace* const wide = this->fits(x) ? nullptr : &this->wideSpace();
+  for (int i = 0; i < 3 && !wide; ++i)
+  {
+    p.x[i] = std::ldexp(x[i], this->arithmetic.scaleExponent);
+  }
+  const HullGeometry wideLocal = wide ? wide->geometry : HullGeometry();
+  const HullGeometry& geometry = wide ? wideLocal : local;
+  const Vertex* const corners = wide ? wide->corners.data() : this->solid.vertices.data();
+  if (this->spans < 3)
+  {
+    return { static_cast<Side>(this->sideInPlane(geometry, corners, p)), 0 };
+  }
+  std::uint32_t t = start;
+  if (wide)
+  {
+    Mesh mesh;
+    mesh.triangles = const_cast<Triangle*>(this->solid.triangles.data()); // walks only read
+    mesh.vertices = const_cast<Vertex*>(corners);
+    std::int64_t steps = 0;
+    t = locateFrom(geometry, mesh, start, p, this->solid.triangleCount(), steps).triangle;
+    ensure(t != NoIndex);
+  }
+  else
+  {
+    t = locator->locate(geometry, p, start);
+  }
+  const std::uint32_t* const v = this->solid.triangles[t].v;
+  return { static_cast<Side>(-geometry.above(corners[v[0]], corners[v[1]], corners[v[2]], p)), t };
+}
+
+}

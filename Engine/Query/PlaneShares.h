@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The shares that sites have in a value between them; and those of a linear function.
+#ifndef flipflop_PlaneShares_h
+#define flipflop_PlaneShares_h
+
+#include "Query/PlaneValues.h"
+#include "Query/SiteChain.h"
+#include "Query/SiteLocator.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// They sum to 1, but for rounding. Empty: the place is outside.
+struct PlaneShare
+{
+  std::uint32_t site;
+  double share;
+};
+using PlaneShares = std::vector<PlaneShare>;
+
+/// Along the edge of two sites, which the query lies on. The lower index comes first.
+template <class Space>
+void sharesOnEdge(const Space& space, std::uint32_t a, std::uint32_t b, PlaneShares& shares)
+{
+  if (a > b)
+  {
+    std::swap(a, b);
+  }
+  const Vertex from = space.site(a);
+  const Vertex to = space.site(b);
+  const int axis = std::fabs(to.x[0] - from.x[0]) >= std::fabs(to.x[1] - from.x[1]) ? 0 : 1;
+  withValues(
+    [&](auto& values)
+    {
+      const auto length = values.difference(to.x[axis], from.x[axis]);
+      shares.clear();
+      shares.push_back(
+        { a, toDouble(values.difference(to.x[axis], space.query.x[axis]) / length) });
+      shares.push_back(
+        { b, toDouble(values.difference(space.query.x[axis], from.x[axis]) / length) });
+    });
+}
+
+/// Of the corners of the triangle that holds the query.
+template <class Space>
+void sharesOfCorners(const Space& space, const std::uint32_t* corners, PlaneShares& shares)
+{
+  const Vertex a = space.site(corners[0]);
+  const Vertex b = space.site(corners[1]);
+  const Vertex c = space.site(corners[2]);
+  const double* const q = space.query.x;
+  withValues(
+    [&](auto& values)
+    {
+      const auto ofA = values.area(b.x, c.x, q);
+      const auto ofB = values.area(c.x, a.x, q);
+      const auto ofC = values.area(a.x, b.x, q);
+      const auto all = ofA + ofB + ofC;
+      shares.clear();
+      shares.push_back({ corners[0], toDouble(ofA / all) });
+      shares.push_back({ corners[1], toDouble(ofB / all) });
+      shares.push_back({ corners[2], toDouble(ofC / all) });
+    });
+}
+
+/// Of a function that is linear over each triangle.
+template <class Space>
+void linearShares(
+  const Space& space, const FanMesh& mesh, const PlaceInMesh& place, PlaneShares& shares)
+{
+  shares.clear();
+  if (place.kind == PlaceInMesh::Outside)
+  {
+    return;
+  }
+  const std::uint32_t* const v = mesh.triangles[place.triangle].v;
+  switch (place.kind)
+  {
+    case PlaceInMesh::AtCorner:
+      shares.push_back({ v[place.corner], 1.0 });
+      return;
+    case PlaceInMesh::OnEdge:
+      sharesOnEdge(space, v[place.corner], v[nextCorner(place.corner)], shares);
+      return;
+    default:
+      sharesOfCorners(space, v, shares);
+  }
+}
+
+/// The same along a chain.
+template <class Space>
+void linearShares(const Space& space, const PlaceInChain& place, PlaneShares& shares)
+{
+  shares.clear();
+  if (place.from == NoIndex)
+  {
+    return;
+  }
+  if (place.from == place.to)
+  {
+    shares.push_back({ place.from, 1.0 });
+    return;
+  }
+  sharesOnEdge(space, place.from, place.to, shares);
+}
+
+}
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A run that answers queries: threads, errors, progress, and points that are not finite.
+#ifndef flipflop_QueryRun_h
+#define flipflop_QueryRun_h
+
+#include "Points/PointSource.h"
+#include "Run/Run.h"
+#include "Support/Monitor.h"
+#include "Support/Parallel.h"
+#include "Support/Threads.h"
+#include "Support/TypedErrors.h"
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
+#include <flipflop/Statistics.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// body (Monitor&) on as many threads as so many items are worth.
+/// @throw Error OutOfMemory, Aborted, or what @p body throws
+template <class Body>
+void runOver(std::size_t items, const Options& options, Body&& body)
+{
+  withTypedErrors(
+    [&]
+    {
+      Monitor monitor(options);
+      ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(items)));
+      arena.execute(
+        [&]
+        {
+          monitor.stage(0.0, 1.0, static_cast<std::int64_t>(items));
+          body(monitor);
+          monitor.stage(1.0, 1.0, 1);
+        });
+    });
+}
+
+/// A run over points that a query is about, or over a hull's corners.
+class QueryRun : public Run
+{
+public:
+  QueryRun(const PointView& points, const Options& options)
+    : Run(points, 3, PointSource(points), options)
+  {
+  }
+
+  using Run::look;
+  using Run::setArithmetic;
+};
+
+/// What such a run gives: nothing but its statistics.
+struct QueryResult
+{
+  Statistics statistics;
+};
+
+/// Answer one query a point, on the run's threads.
+/// @param answers room for one a point
+/// @param prepare void (QueryRun&): what all answers need
+/// @param answer  void (QueryRun&, std::uint32_t begin, std::uint32_t end)
+/// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
+template <class Prepare, class Answer>
+void eachQuery(const PointView& queries, const void* answers, const Options& options,
+  const Prepare& prepare, const Answer& answer)
+{
+  constexpr std::size_t QueriesPerTask = 1 << 12;
+  QueryRun run(queries, options);
+  if (queries.count > 0 && !answers)
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  run.execute<QueryResult>(
+    [&](QueryResult& result)
+    {
+      if (queries.count == 0)
+      {
+        return;
+      }
+      run.look(result.statistics);
+      prepare(run);
+      run.monitor.stage(0.3, 1.0, queries.count);
+      eachRun(static_cast<std::size_t>(queries.count), QueriesPerTask,
+        [&](std::size_t begin, std::size_t end, std::size_t)
+        {
+          answer(run, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+          run.monitor.advance(static_cast<std::int64_t>(end - begin));
+        });
+    });
+}
+
+}
+
+#endif

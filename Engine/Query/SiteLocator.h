@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where in a triangulation is a place, and which site is nearest? A grid tells a start; from there
+/// a walk leads on by exact signs.
+///
+/// Places beyond the triangle's side walk over it: of a regular triangulation no such walk goes
+/// round, and over the border it leaves the hull. The nearest site is where no neighbour is nearer,
+/// for the neighbours' lines of equal power alone bound a power cell. Of sites that are level, two
+/// are neighbours, or all are corners of one facet, so the way to the lowest id leads over
+/// neighbours, too: over the corner that the facet's fan has in common.
+#ifndef flipflop_SiteLocator_h
+#define flipflop_SiteLocator_h
+
+#include "Geometry/PlaceGrid.h"
+#include "Geometry/VisibilityWalk.h"
+#include "Query/FanMesh.h"
+#include "Query/Sites.h"
+#include "Support/Monitor.h"
+#include <flipflop/Triangulation.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Where a place is: in a triangle, on an edge or at a corner. Of several triangles the lowest.
+struct PlaceInMesh
+{
+  enum Kind
+  {
+    Outside,
+    Inside,
+    OnEdge,  ///< from the corner to the next one
+    AtCorner ///< at the corner
+  };
+  Kind kind = Outside;
+  std::uint32_t triangle = NoIndex;
+  int corner = 0;
+};
+
+class SiteLocator
+{
+public:
+  SiteLocator() = default;
+
+  /// @param mesh of the sites, not empty; both must outlive the locator
+  SiteLocator(const Sites& sites, const FanMesh& mesh, Monitor& monitor);
+
+  /// @param place in the sites' box
+  template <class Space>
+  PlaceInMesh locate(const Space& space, const double* place) const
+  {
+    int onSides = 0;
+    std::uint32_t beyond = 0;
+    const Triangle* const triangles = this->mesh->triangles.data();
+    const std::uint32_t found = visibilityWalk(triangles, NoIndex, this->near(place),
+      static_cast<std::uint32_t>(this->mesh->triangles.size()),
+      [&](std::uint32_t t, int entry)
+      {
+        onSides = 0;
+        const std::uint32_t* v = triangles[t].v;
+        const int side = firstExit(entry,
+          [&](int i)
+          {
+            const int sign =
+              space.geometry.orient(space.site(v[i]), space.site(v[nextCorner(i)]), space.query);
+            onSides |= (sign == 0 ? 1 : 0) << i;
+            return sign < 0 ? -1 : 1;
+          });
+        beyond = side == NoSide ? 0 : triangles[t].twin[side];
+        return side;
+      });
+    ensure(found != NoIndex || beyond == NoIndex);
+    return found == NoIndex ? PlaceInMesh() : this->lowest(found, onSides);
+  }
+
+  /// The index of the nearest site.
+  template <class Space>
+  std::uint32_t nearest(const Space& space, const double* place) const
+  {
+    double start[2] = { place[0], place[1] };
+    this->sites->intoBox(start);
+    std::uint32_t best = this->mesh->triangles[this->near(start)].v[0];
+    for (std::uint32_t from = NoIndex; from != best;)
+    {
+      from = best;
+      this->mesh->eachNeighbour(from,
+        [&](std::uint32_t u)
+        {
+          best = isNearer(space, u, best) ? u : best;
+          return true;
+        });
+    }
+    return best;
+  }
+
+  /// Is site @p a nearer to the query than @p b, or as near and of a lower id?
+  template <class Space>
+  static bool isNearer(const Space& space, std::uint32_t a, std::uint32_t b)
+  {
+    const int order = space.geometry.comparePowers(space.query, space.site(a), space.site(b));
+    return order != 0 ? order < 0 : a < b;
+  }
+
+private:
+  std::uint32_t near(const double* place) const
+  {
+    const Vertex p = this->sites->scaled(place);
+    return this->grid.valueAt(this->grid.cellOf(p.x[0], p.x[1]), p.x[0], p.x[1]);
+  }
+
+  PlaceInMesh lowest(std::uint32_t t, int onSides) const;
+
+  const Sites* sites = nullptr;
+  const FanMesh* mesh = nullptr;
+  PlaceGrid grid; ///< of triangles
+};
+
+}
+
+#endif

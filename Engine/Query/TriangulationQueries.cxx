@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <flipflop/TriangulationQueries.h>
+
+#include "PowerDiagram/TriangulationInput.h"
+#include "Query/AnswerQueries.h"
+#include "Query/FanMesh.h"
+#include "Query/NaturalShares.h"
+#include "Query/PlaneShares.h"
+#include "Query/SiteChain.h"
+#include "Query/SiteLocator.h"
+#include "Query/Sites.h"
+#include "Support/Monitor.h"
+#include "Support/Threads.h"
+#include "Support/TypedErrors.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace flipflop
+{
+
+class TriangulationQueries::Implementation
+{
+public:
+  Implementation(const PointView& points, const WeightView& weights,
+    const Triangulation& triangulation, const Options& options)
+  {
+    Monitor monitor(options);
+    monitor.stage(0.0, 1.0, 1);
+    ArenaLoan arena(
+      threadCount(options.threads, static_cast<std::int64_t>(triangulation.pointIds.size())));
+    arena.execute(
+      [&]
+      {
+        const Buffer<PowerSite> given = loadSites(points, weights, triangulation);
+        checkCells(triangulation);
+        this->dimension = triangulation.dimension;
+        if (this->dimension >= 0)
+        {
+          this->sites = Sites(given, triangulation);
+        }
+        if (this->dimension == 1)
+        {
+          this->chain = SiteChain(this->sites, triangulation, monitor);
+        }
+        if (this->dimension == 2)
+        {
+          this->mesh =
+            FanMesh(this->sites.data(), this->sites.scaledGeometry(), triangulation, monitor);
+          this->locator = SiteLocator(this->sites, this->mesh, monitor);
+        }
+        monitor.stage(1.0, 1.0, 1);
+      });
+  }
+
+  /// The locator knows where its sites are.
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  /// -1 outside.
+  std::int64_t cellAt(const SiteSigns& signs, const double* place) const
+  {
+    if (this->dimension < 0 || !this->sites.inBox(place))
+    {
+      return -1;
+    }
+    if (this->dimension == 0)
+    {
+      return 0; // the box is the site
+    }
+    return signs.withSpace(place,
+      [&](const auto& space) -> std::int64_t
+      {
+        if (this->dimension == 1)
+        {
+          const PlaceInChain found = this->chain.locate(space);
+          return found.from == NoIndex ? -1 : static_cast<std::int64_t>(found.cell);
+        }
+        const PlaceInMesh found = this->locator.locate(space, place);
+        return found.kind == PlaceInMesh::Outside
+          ? -1
+          : static_cast<std::int64_t>(this->mesh.cellOf(found.triangle));
+      });
+  }
+
+  /// -1: there is no site.
+  std::int64_t nearestTo(const SiteSigns& signs, const double* place) const
+  {
+    if (this->dimension < 1)
+    {
+      return this->dimension < 0 ? -1 : static_cast<std::int64_t>(this->sites[0].id);
+    }
+    return signs.withSpace(place,
+      [&](const auto& space) -> std::int64_t
+      {
+        const std::uint32_t found =
+          this->dimension == 1 ? this->chain.nearest(space) : this->locator.nearest(space, place);
+        return this->sites[found].id;
+      });
+  }
+
+  /// @param natural null: linear over each triangle
+  void sharesAt(const SiteSigns& signs, const double* place, NaturalNeighbours* natural,
+    PlaneShares& shares) const
+  {
+    shares.clear();
+    if (this->dimension < 0 || !this->sites.inBox(place))
+    {
+      return;
+    }
+    if (this->dimension == 0)
+    {
+      shares.push_back({ 0, 1.0 });
+      return;
+    }
+    const auto ask = [&](const auto& space)
+    {
+      if (this->dimension == 1)
+      {
+        linearShares(space, this->chain.locate(space), shares);
+        return true;
+      }
+      const PlaceInMesh found = this->locator.locate(space, place);
+      linearShares(space, this->mesh, found, shares);
+      return !natural || this->makeNatural(space, found, *natural, shares);
+    };
+    if (!signs.withSpace(place, ask))
+    {
+      signs.withWideSpace(place, ask);
+    }
+  }
+
+  /// What each query's place has in @p results, a number a query.
+  /// @param find std::int64_t (signs, place)
+  template <class Find>
+  void answer(
+    const PointView& queries, std::int64_t* results, const Options& options, const Find& find) const
+  {
+    if (queries.count > 0 && !results)
+    {
+      refuse();
+    }
+    answerQueries(queries, options,
+      [&]
+      {
+        return [&find, results, signs = SiteSigns(this->sites)](std::uint32_t i,
+                 const double* place) { results[i] = place ? find(signs, place) : -1; };
+      });
+  }
+
+  /// The values between the sites.
+  /// @param isNatural or linear over each triangle
+  void interpolate(bool isNatural, const double* values, std::int64_t components,
+    const PointView& queries, double* result, const Options& options) const
+  {
+    if (components < 1 || (queries.count > 0 && (!result || (!values && this->dimension >= 0))))
+    {
+      refuse();
+    }
+    answerQueries(queries, options,
+      [&]
+      {
+        return [&, signs = SiteSigns(this->sites), natural = NaturalNeighbours(this->mesh),
+                 shares = PlaneShares()](std::uint32_t i, const double* place) mutable
+        {
+          shares.clear();
+          if (place)
+          {
+            this->sharesAt(signs, place, isNatural ? &natural : nullptr, shares);
+          }
+          double* const to = result + static_cast<std::int64_t>(i) * components;
+          std::fill(
+            to, to + components, shares.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+          for (const PlaneShare& share : shares)
+          {
+            const double* from =
+              values + static_cast<std::int64_t>(this->sites[share.site].id) * components;
+            for (std::int64_t c = 0; c < components; ++c)
+            {
+              to[c] += share.share * from[c];
+            }
+          }
+        };
+      });
+  }
+
+private:
+  /// From the linear shares to the natural ones, where these are others.
+  /// @return false where the space does not carry the query's weight
+  template <class Space>
+  bool makeNatural(const Space& space, const PlaceInMesh& place, NaturalNeighbours& natural,
+    PlaneShares& shares) const
+  {
+    const bool onEdge = place.kind == PlaceInMesh::OnEdge;
+    if ((place.kind != PlaceInMesh::Inside && !onEdge) ||
+      (onEdge && this->mesh.twin(halfEdge(place.triangle, place.corner)) == NoIndex))
+    {
+      return true;
+    }
+    double weight = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const PlaneShare& share : shares)
+    {
+      const double ofSite = space.site(share.site).x[2];
+      weight += share.share * ofSite;
+      least = std::min(least, ofSite);
+      most = std::max(most, ofSite);
+    }
+    weight = std::max(least, std::min(most, weight));
+    if (!space.carries(weight))
+    {
+      return false;
+    }
+    Space lifted = space;
+    lifted.query.x[2] = weight;
+    natural.share(lifted, place.triangle, shares);
+    return true;
+  }
+
+  int dimension = -1;
+  Sites sites;
+  FanMesh mesh;        ///< of dimension 2
+  SiteLocator locator; ///< of dimension 2
+  SiteChain chain;     ///< of dimension 1
+};
+
+TriangulationQueries::TriangulationQueries(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const Options& options)
+  : implementation(withTypedErrors(
+      [&] { return std::make_unique<Implementation>(points, weights, triangulation, options); }))
+{
+}
+
+TriangulationQueries::TriangulationQueries(TriangulationQueries&& other) noexcept = default;
+TriangulationQueries& TriangulationQueries::operator=(
+  TriangulationQueries&& other) noexcept = default;
+TriangulationQueries::~TriangulationQueries() = default;
+
+void TriangulationQueries::locate(
+  const PointView& queries, std::int64_t* cells, const Options& options) const
+{
+  const Implementation& self = *this->implementation;
+  self.answer(queries, cells, options,
+    [&self](const SiteSigns& signs, const double* place) { return self.cellAt(signs, place); });
+}
+
+void TriangulationQueries::nearest(
+  const PointView& queries, std::int64_t* ids, const Options& options) const
+{
+  const Implementation& self = *this->implementation;
+  self.answer(queries, ids, options,
+    [&self](const SiteSigns& signs, const double* place) { return self.nearestTo(signs, place); });
+}
+
+void TriangulationQueries::interpolateLinear(const double* values, std::int64_t components,
+  const PointView& queries, double* result, const Options& options) const
+{
+  this->implementation->interpolate(false, values, components, queries, result, options);
+}
+
+void TriangulationQueries::interpolateNatural(const double* values, std::int64_t components,
+  const PointView& queries, double* result, const Options& options) const
+{
+  this->implementation->interpolate(true, values, components, queries, result, options);
+}
+
+}

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What convex hulls are for: is a point inside, how far away is it, which vertex is the farthest
+/// in a direction, how long is the hull, and which box holds it?
+#ifndef flipflop_HullQueries_h
+#define flipflop_HullQueries_h
+
+#include <flipflop/Buffer.h>
+#include <flipflop/Hull.h>
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace flipflop
+{
+
+/// On which side of a hull's surface a point is. Below dimension 3 a hull has no inside.
+enum class Side : std::int8_t
+{
+  Outside = -1, ///< not in the hull
+  On = 0,       ///< on the surface; below dimension 3, in the hull
+  Inside = 1    ///< in the hull, not on its surface
+};
+
+/// Two points of a hull that are as far apart as any two are.
+struct Diameter
+{
+  std::int64_t first = -1;  ///< its id: a position in the hull's points; -1: the hull is empty
+  std::int64_t second = -1; ///< its id, not below the first; that of the same point in dimension 0
+  double length = 0;        ///< their distance, off by a few units of its last place
+};
+
+class HullModel;
+
+/// Questions about one hull. It keeps what it needs of the hull and its points, and prepares what a
+/// kind of question needs when the first one comes. Any number of threads may ask at once.
+///
+/// Of the options, threads and progress count, and nonFinite for the points that are asked about:
+/// such a point is an error, or it has the answer that each function names. Results do not depend
+/// on the number of threads, bit for bit.
+class HullQueries
+{
+public:
+  /// @param points of the hull; not needed any more afterwards
+  /// @param hull   as convexHull() or flipFlop() give it, in triangles or polygons; of any
+  ///               dimension. That it is convex is not checked: see validate().
+  /// @param options threads, progress
+  /// @throw Error  BadArgument (also for a hull that has not the form which Hull promises, or is
+  /// not
+  ///               one of these points), TooManyPoints, OutOfMemory, Aborted
+  HullQueries(const PointView& points, const Hull& hull, const Options& options = Options());
+  HullQueries(const HullQueries&) = delete;
+  HullQueries& operator=(const HullQueries&) = delete;
+  /// Takes all over; @p other may then only be destroyed or assigned to.
+  HullQueries(HullQueries&& other) noexcept;
+  /// As the constructor.
+  HullQueries& operator=(HullQueries&& other) noexcept;
+  ~HullQueries();
+
+  /// On which side each point is. Exact, for all finite points: no tolerance decides.
+  ///
+  /// Points outside the bounding box take a few comparisons each, and nearly all that are deep
+  /// inside a look into a table. The others take a short walk over the triangles.
+  /// @param queries points in space
+  /// @param sides   room for one value a point: those of Side. Outside, for a point that is not
+  ///                finite and ignored
+  /// @param options threads, progress, nonFinite
+  /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
+  void contains(
+    const PointView& queries, std::int8_t* sides, const Options& options = Options()) const;
+
+  /// The distance of each point from the surface; below dimension 3, from the hull. It is negative
+  /// inside, 0 on the surface and positive outside; this sign is exact. The distance itself is
+  /// rounded: it is off by no more than 1e-14 times the distance to the farthest vertex.
+  ///
+  /// Branch and bound over a tree of the triangles, from one near the point. It takes about as long
+  /// as the logarithm of their number, but for points that very many triangles are about as near
+  /// to, such as the centre of a sphere.
+  /// @param queries   points in space
+  /// @param distances room for one value a point, in the unit of the coordinates. Infinity: the
+  /// hull
+  ///                  is empty, or no double is so large. NaN: the point is not finite and ignored
+  /// @param options   threads, progress, nonFinite
+  /// @throw Error     BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
+  void distance(
+    const PointView& queries, double* distances, const Options& options = Options()) const;
+
+  /// The vertex that is farthest along each direction: the one with the largest dot product. Exact,
+  /// for all finite directions, of any length; of several such vertices it is the one of lowest id.
+  /// All are equally far along the direction 0 0 0.
+  ///
+  /// A table of directions tells a vertex near the answer, or the answer where a vertex is extreme
+  /// in many directions. From there on the way leads uphill over the edges.
+  /// @param directions vectors in space
+  /// @param ids     room for one id a direction: a position in the hull's points. -1: the hull is
+  ///                empty, or the direction is not finite and ignored
+  /// @param options threads, progress, nonFinite
+  /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
+  void support(
+    const PointView& directions, std::int64_t* ids, const Options& options = Options()) const;
+
+  /// The vertices that are farthest apart: of all such pairs that of the lowest first id, then of
+  /// the lowest second. Distances are compared exactly.
+  ///
+  /// Branch and bound over pairs of boxes. It is near-linear for solids and for spheres, where very
+  /// many vertices are nearly as far from another one.
+  /// @param options threads, progress
+  /// @throw Error   OutOfMemory, Aborted
+  Diameter diameter(const Options& options = Options()) const;
+
+private:
+  std::unique_ptr<const HullModel> model;
+};
+
+/// The planes of a hull's cells: four doubles a cell, the outward unit normal n and the offset d,
+/// so that n . x + d is at most 0 for the hull's points, and the distance from the plane elsewhere.
+/// For a hull of dimension 2, the plane of the polygon, its normal on the side that Hull names.
+/// Empty below dimension 2.
+///
+/// Each component of a normal is off by no more than 1e-15 of itself and 1e-280, however thin the
+/// cell is. The corners of the hull give n . x + d at most 2e-15 times the hull's largest
+/// coordinate.
+/// @param points  of the hull
+/// @param hull    in triangles or polygons, as convexHull() or flipFlop() give it
+/// @param options threads, progress
+/// @throw Error   BadArgument (also for a hull that has not the form which Hull promises, or is not
+///                one of these points), TooManyPoints, OutOfMemory, Aborted
+Buffer<double> facetPlanes(
+  const PointView& points, const Hull& hull, const Options& options = Options());
+
+}
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Questions about places in the plane to a regular triangulation: which cell holds a place, which
+/// site is nearest, and what value is there, between the sites' values.
+#ifndef flipflop_TriangulationQueries_h
+#define flipflop_TriangulationQueries_h
+
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
+#include <flipflop/Triangulation.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace flipflop
+{
+
+/// A triangulation made ready for queries. It takes about 150 bytes a visible point.
+///
+/// Which cell and which site is exact for every finite place, at any range of numbers; values are
+/// rounded. All answers are the same, bit for bit, for any number of threads, and for any order of
+/// the queries.
+///
+/// Several threads may call the const members at once.
+///
+/// Queries are places: of a PointView, x and y are read. What all calls do alike:
+/// - A query with a coordinate that is NaN or infinite is an error, or, with
+///   NonFinitePolicy::Ignore, is answered as a place outside is: by -1 or NaN.
+/// - Arrays of results are the caller's; they are written from the first to the last query. Where
+///   a call throws, they are as they were, or partly written.
+class TriangulationQueries
+{
+public:
+  /// Copies what it needs; the arguments may go afterwards.
+  /// @param points          as they were triangulated
+  /// @param weights         as they were triangulated
+  /// @param triangulation   of these points, in either mode of facets
+  /// @param options         only the threads and the progress function are used
+  /// @throw Error           WeightCount, TooManyPoints (2^30 triangles), OutOfMemory, Aborted,
+  ///                        BadArgument. The last one also for a complex that is not a regular
+  ///                        triangulation of its points: an index or id out of range, a triangle
+  ///                        that is not counter-clockwise, facets that form no ring, an edge that
+  ///                        is not regular, a border that is not convex. Whether the hidden points
+  ///                        should be hidden is not checked.
+  TriangulationQueries(const PointView& points, const WeightView& weights,
+    const Triangulation& triangulation, const Options& options = Options());
+
+  TriangulationQueries(TriangulationQueries&& other) noexcept;
+  TriangulationQueries& operator=(TriangulationQueries&& other) noexcept;
+  TriangulationQueries(const TriangulationQueries&) = delete;
+  TriangulationQueries& operator=(const TriangulationQueries&) = delete;
+  ~TriangulationQueries();
+
+  /// The cell that holds each query, its border included. Exact.
+  /// @param queries places
+  /// @param cells   receives for each query the index of its cell in the triangulation; of several
+  ///                (on an edge, at a corner) the lowest; -1 outside the convex hull. Of a
+  ///                triangulation of dimension 1 a cell is a segment, of dimension 0 its one point.
+  /// @param options the threads, the policy for what is not finite, and the progress function
+  /// @throw Error   NonFinite (index: the first such query, count: how many), BadArgument (a null
+  ///                array), TooManyPoints (queries), OutOfMemory, Aborted
+  void locate(
+    const PointView& queries, std::int64_t* cells, const Options& options = Options()) const;
+
+  /// The visible point (site) with the least power distance from each query: |query - site|^2,
+  /// less the site's weight. In other words, whose power cell holds the query. Without weights, it
+  /// is the nearest point. Exact, inside the hull and outside.
+  ///
+  /// A query costs the neighbours of a few sites: more, if a site has very many.
+  /// @param queries places
+  /// @param ids     receives for each query the site's id (position in the input); of several at
+  ///                one distance, the lowest; -1 where there is no site
+  /// @param options as for locate()
+  /// @throw Error   as for locate()
+  void nearest(
+    const PointView& queries, std::int64_t* ids, const Options& options = Options()) const;
+
+  /// Values between the sites: linear over each triangle. A cell of more than three corners counts
+  /// as its fan from the lowest corner, which FacetMode::Triangles gives; the values are the same,
+  /// bit for bit. At a site the value is the site's, exactly, on an edge linear between the two
+  /// ends; so values are continuous, and NaN outside the convex hull.
+  ///
+  /// The share of each corner is rounded last: it is off by a few units in its last place, also
+  /// where a triangle is almost flat.
+  /// @param values     of each point of the input: values[id * components + c]. Those of hidden
+  ///                   points are not read.
+  /// @param components of a value: 1 or more
+  /// @param queries    places
+  /// @param result     receives for each query its value: result[query * components + c]
+  /// @param options    as for locate()
+  /// @throw Error      as for locate(); BadArgument also for components less than 1
+  void interpolateLinear(const double* values, std::int64_t components, const PointView& queries,
+    double* result, const Options& options = Options()) const;
+
+  /// Values between the sites by natural neighbour coordinates (R. Sibson, 1981): smoother than
+  /// linear ones, and no function of how facets are cut into triangles. Were the query a site, its
+  /// power cell would take some area from the cells around. The share of a site in the value is its
+  /// share of that area.
+  ///
+  /// The query has the weight that is linear over its triangle, from the corners' weights
+  /// (rounded); without weights, none, as Sibson's has. So it is never hidden, and values pass
+  /// through those of the sites. Shares are positive and sum to 1. Linear functions are reproduced,
+  /// with weights, too. Values are continuous, and without weights smooth but at the sites. At a
+  /// site the value is the site's, exactly; on the hull's border it is linear between the two ends
+  /// of the edge; it is NaN outside. In dimension 1 and 0, it is that of interpolateLinear().
+  ///
+  /// Which sites have a share is exact; shares are rounded, mostly to a few units in the last place
+  /// (of the greatest, where many triangles meet). A query costs the triangles that it would
+  /// remove: a few, but all those at a site of very many neighbours.
+  /// @param values     as for interpolateLinear()
+  /// @param components as for interpolateLinear()
+  /// @param queries    as for interpolateLinear()
+  /// @param result     as for interpolateLinear()
+  /// @param options    as for locate()
+  /// @throw Error      as for interpolateLinear()
+  void interpolateNatural(const double* values, std::int64_t components, const PointView& queries,
+    double* result, const Options& options = Options()) const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+
+}
+
+#endif

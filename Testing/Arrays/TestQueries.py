@@ -1,0 +1,241 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Questions to hulls and triangulations of arrays, beside scipy and beside brute force."""
+
+import itertools
+
+import numpy as np
+import pytest
+import scipy.spatial
+
+from vtkflipflop.arrays import InputError, Side, convex_hull, power_diagram, regular_triangulation
+
+RANDOM = np.random.default_rng(9)
+CUBE = np.array(list(itertools.product((0.0, 2.0), repeat=3)))
+SQUARE = CUBE[:4, 1:]
+LATTICE = np.stack(np.meshgrid(*3 * [np.arange(-1, 4)], indexing="ij"), -1).reshape(-1, 3)
+
+
+# Hulls ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ndim", [2, 3])
+def test_neighbors_and_equations_are_scipys(ndim):
+    points = RANDOM.random((200, ndim))
+    ours, other = convex_hull(points), scipy.spatial.ConvexHull(points)
+    place = {frozenset(cell): i for i, cell in enumerate(other.simplices.tolist())}
+    for i, cell in enumerate(ours.simplices.tolist()):
+        j = place[frozenset(cell)]
+        assert np.allclose(ours.equations[i], other.equations[j], rtol=0, atol=1e-13)
+        for corner, neighbor in zip(cell, ours.neighbors[i]):
+            theirs = other.neighbors[j][other.simplices[j].tolist().index(corner)]
+            assert place[frozenset(ours.simplices[neighbor].tolist())] == theirs
+
+
+def test_neighbors_are_opposite_to_corners():
+    for hull in (convex_hull(CUBE), convex_hull(CUBE, facets="polygons"), convex_hull(SQUARE)):
+        for i, (cell, across) in enumerate(zip(hull.simplices, hull.neighbors)):
+            for corner, neighbor in zip(cell, across):
+                assert set(cell) - {corner} == set(cell) & set(hull.simplices[neighbor])
+                assert i in hull.neighbors[neighbor]
+
+
+@pytest.mark.parametrize("flat", [False, True])
+def test_sides_of_a_lattice(flat):
+    """Every kind of place: corners, edges, faces, inside, outside."""
+    hull, places = (convex_hull(SQUARE), LATTICE[:, :2]) if flat else (convex_hull(CUBE), LATTICE)
+    expected = np.where(((places > 0) & (places < 2)).all(axis=1), Side.INSIDE, Side.ON)
+    expected[((places < 0) | (places > 2)).any(axis=1)] = Side.OUTSIDE
+    assert np.array_equal(hull.contains(places), expected)
+    assert np.array_equal(np.sign(hull.distance(places)), -expected)
+    assert hull.contains(places[0]) == Side.OUTSIDE and np.ndim(hull.contains(places[0])) == 0
+
+
+@pytest.mark.parametrize("ndim", [2, 3])
+def test_distances(ndim):
+    points, places = RANDOM.random((60, ndim)), RANDOM.random((100, ndim)) * 2 - 0.5
+    hull = convex_hull(points)
+    inside = hull.contains(places) > 0
+    heights = places @ hull.equations[:, :-1].T + hull.equations[:, -1]
+    found = hull.distance(places)
+    assert np.allclose(found[inside], heights[inside].max(axis=1), rtol=0, atol=1e-13)
+    # Outside: no nearer than any plane tells, and as near as the best of many points of the surface.
+    assert (found[~inside] >= heights[~inside].max(axis=1) - 1e-13).all()
+    shares = RANDOM.dirichlet(np.ones(ndim), 1000)
+    surface = np.einsum("sk,fkc->fsc", shares, points[hull.simplices]).reshape(-1, ndim)
+    near = np.linalg.norm(places[~inside][:, None] - surface[None], axis=2).min(axis=1)
+    assert (found[~inside] <= near + 1e-13).all() and np.allclose(found[~inside], near, atol=0.1)
+
+
+def test_a_prism_of_any_size_stands_for_a_polygon():
+    for size in (1e-300, 1e-3, 1.0, 1e150, 8e307):
+        hull = convex_hull(SQUARE / 2 * size)
+        assert hull.contains([[0.5 * size, 0.5 * size], [0, 0.5 * size], [-0.5 * size, 0]]).tolist() == [1, 0, -1]
+        assert hull.distance([0.5 * size, 0.25 * size]) == pytest.approx(-0.25 * size, rel=1e-12)
+        assert hull.support([1, 1]) == 3
+
+
+@pytest.mark.parametrize("ndim", [2, 3])
+def test_support(ndim):
+    points = RANDOM.integers(0, 4, (40, ndim))
+    hull = convex_hull(points)
+    directions = np.array(list(itertools.product((-2, -1, 0, 1, 2), repeat=ndim)))
+    reach = directions @ points[hull.vertices].T
+    ids = np.sort(hull.vertices)
+    reach = directions @ points[ids].T
+    assert np.array_equal(hull.support(directions), ids[reach.argmax(axis=1)])
+
+
+def test_diameter():
+    for points in (RANDOM.random((300, 3)), RANDOM.random((300, 2)), CUBE, SQUARE):
+        first, second, length = convex_hull(points).diameter()
+        apart = scipy.spatial.distance.cdist(points, points)
+        assert length == pytest.approx(apart.max(), rel=1e-15)
+        assert first < second and apart[first, second] == pytest.approx(length, rel=1e-15)
+    assert convex_hull(CUBE).diameter()[:2] == (0, 7)
+    assert convex_hull(CUBE[:0]).diameter().first == -1
+
+
+@pytest.mark.parametrize(
+    "points", [CUBE[:0], CUBE[:1], CUBE[:2], CUBE[:4], SQUARE[:0], SQUARE[:1], SQUARE[:2]], ids=range(7)
+)
+def test_hulls_of_less(points):
+    hull = convex_hull(points)
+    places = RANDOM.random((10, points.shape[1])) + 5
+    assert (hull.contains(places) == Side.OUTSIDE).all()
+    assert (hull.distance(places) > 0).all()
+    assert (hull.contains(points) == Side.ON).all()
+    assert (hull.distance(points) == 0).all()
+    assert set(hull.support(places)) <= ({-1} if not len(points) else set(hull.vertices))
+    assert hull.neighbors.shape == hull.simplices.shape
+    assert len(hull.equations) == (len(hull.simplices) if hull.dimension >= 2 or hull.ndim == 2 else 0)
+
+
+def test_places_take_every_form():
+    hull = convex_hull(CUBE)
+    places = RANDOM.integers(-1, 4, (50, 3))
+    expected = hull.contains(places)
+    for form in (places.astype(">f4"), np.asfortranarray(places), places.tolist(), np.repeat(places, 2, axis=0)[::2]):
+        assert np.array_equal(hull.contains(form), expected)
+    assert hull.contains([]).shape == (0,)
+
+
+def test_places_at_fault():
+    hull, flat, triangulation = convex_hull(CUBE), convex_hull(SQUARE), regular_triangulation(SQUARE)
+    bad = np.ones((3, 3))
+    bad[1, 0] = np.nan
+    for ask in (hull.contains, hull.distance, hull.support, triangulation.locate, triangulation.nearest):
+        with pytest.raises(InputError, match="first at point 1"):
+            ask(bad)
+    assert hull.contains(bad, non_finite="ignore").tolist() == [1, -1, 1]
+    assert np.isnan(hull.distance(bad, non_finite="ignore")).tolist() == [False, True, False]
+    assert triangulation.locate(bad, non_finite="ignore")[1] == -1
+    for ask, places in ((hull.contains, SQUARE), (flat.contains, CUBE), (flat.support, [1, 2, 3])):
+        with pytest.raises(ValueError, match="coordinates here"):
+            ask(places)
+
+
+# Triangulations ---------------------------------------------------------------------------------------------------
+
+
+def test_neighbors_of_triangles_are_scipys():
+    points = RANDOM.random((300, 2))
+    ours, other = regular_triangulation(points), scipy.spatial.Delaunay(points)
+    place = {frozenset(cell): i for i, cell in enumerate(other.simplices.tolist())}
+    for i, cell in enumerate(ours.simplices.tolist()):
+        j = place[frozenset(cell)]
+        for corner, neighbor in zip(cell, ours.neighbors[i]):
+            theirs = other.neighbors[j][other.simplices[j].tolist().index(corner)]
+            assert (neighbor < 0) == (theirs < 0)
+            assert neighbor < 0 or place[frozenset(ours.simplices[neighbor].tolist())] == theirs
+    assert {frozenset(edge) for edge in ours.convex_hull.tolist()} == {
+        frozenset(edge) for edge in other.convex_hull.tolist()
+    }
+    starts, links = ours.vertex_neighbor_vertices
+    their_starts, their_links = other.vertex_neighbor_vertices
+    assert np.array_equal(starts, their_starts)
+    for i in range(300):
+        assert links[starts[i] : starts[i + 1]].tolist() == sorted(their_links[starts[i] : starts[i + 1]])
+    assert all(i in ours.simplices[ours.vertex_to_simplex[i]] for i in range(300))
+
+
+def test_the_border_is_counter_clockwise():
+    edges = regular_triangulation(SQUARE).convex_hull
+    turns = SQUARE[edges[:, 1]] - SQUARE[edges[:, 0]], [1, 1] - SQUARE[edges[:, 0]]
+    assert (turns[0][:, 0] * turns[1][:, 1] - turns[0][:, 1] * turns[1][:, 0] > 0).all()
+
+
+@pytest.mark.parametrize("facets", ["triangles", "polygons"])
+def test_locate(facets):
+    points = RANDOM.random((300, 2))
+    ours, other = regular_triangulation(points, facets=facets), scipy.spatial.Delaunay(points)
+    places = RANDOM.random((1000, 2)) * 1.4 - 0.2
+    found, theirs = ours.locate(places), other.find_simplex(places)
+    assert np.array_equal(found < 0, theirs < 0)
+    for mine, its in zip(found, theirs):
+        assert mine < 0 or set(ours.simplices[mine]) == set(other.simplices[its])
+    assert ours.find_simplex(places[0]) == found[0]
+
+
+@pytest.mark.parametrize("facets", ["triangles", "polygons"])
+def test_locate_on_borders_tells_the_lowest(facets):
+    grid = np.stack(np.meshgrid(np.arange(4), np.arange(4), indexing="ij"), -1).reshape(-1, 2)
+    ours = regular_triangulation(grid, facets=facets)
+    found = ours.locate(grid)
+    assert np.array_equal(found, ours.vertex_to_simplex)
+
+
+def test_nearest():
+    points, weights, places = RANDOM.random((200, 2)), RANDOM.random(200) * 0.01, RANDOM.random((500, 2)) * 2 - 0.5
+    power = ((places[:, None] - points[None]) ** 2).sum(axis=2)
+    assert np.array_equal(regular_triangulation(points).nearest(places), power.argmin(axis=1))
+    assert np.array_equal(regular_triangulation(points, weights).nearest(places), (power - weights).argmin(axis=1))
+
+
+def test_interpolate():
+    points, places = RANDOM.random((100, 2)), RANDOM.random((300, 2)) * 1.2 - 0.1
+    triangulation = regular_triangulation(points)
+    plane = points @ [2.0, -3.0] + 1
+    found = triangulation.interpolate(plane, places)
+    outside = triangulation.locate(places) < 0
+    assert np.array_equal(np.isnan(found), outside) and 0 < outside.sum() < 300
+    assert np.allclose(found[~outside], (places @ [2.0, -3.0] + 1)[~outside], rtol=0, atol=1e-14)
+    values = RANDOM.random((100, 3))
+    assert np.array_equal(triangulation.interpolate(values, points), values)
+    assert triangulation.interpolate(values, places[0]).shape == (3,)
+    assert np.ndim(triangulation.interpolate(plane, points[4])) == 0
+    rows = triangulation.interpolate(values, places)
+    assert np.array_equal(rows[:, 1], triangulation.interpolate(values[:, 1], places), equal_nan=True)
+    with pytest.raises(ValueError, match="'linear'.* not 'cubic'"):
+        triangulation.interpolate(plane, places, "cubic")
+    with pytest.raises(ValueError, match="values are 100 numbers or rows, not an array of shape"):
+        triangulation.interpolate(plane[1:], places)
+
+
+def test_measures():
+    points = RANDOM.random((200, 2))
+    triangulation = regular_triangulation(points)
+    assert triangulation.areas.sum() == pytest.approx(convex_hull(points).volume, rel=1e-13)
+    assert np.allclose(triangulation.centroids, points[triangulation.simplices].mean(axis=1), rtol=0, atol=1e-15)
+    diagram = power_diagram(points, box=(0, 1, 0, 1))
+    assert diagram.areas.sum() == pytest.approx(1, rel=1e-14)
+    assert np.allclose(diagram.areas @ diagram.centroids, 0.5, rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("points", [SQUARE[:0], SQUARE[:1], SQUARE[:2], SQUARE[[0, 1, 0]]], ids=range(4))
+def test_triangulations_of_less(points):
+    triangulation = regular_triangulation(points)
+    assert triangulation.neighbors.shape == triangulation.simplices.shape
+    assert len(triangulation.convex_hull) == 0
+    assert len(triangulation.areas) == len(triangulation.simplices)
+    starts, links = triangulation.vertex_neighbor_vertices
+    assert len(starts) == len(points) + 1 and len(links) == (2 if triangulation.dimension == 1 else 0)
+    assert triangulation.locate([[9.0, 9.0]]).tolist() == [-1]
+    assert triangulation.nearest([[9.0, 9.0]])[0] == (len(points[:2]) - 1 if len(points) else -1)
+
+
+def test_the_same_on_any_number_of_threads():
+    points, places = RANDOM.random((20_000, 3)), RANDOM.random((50_000, 3))
+    hull, triangulation = convex_hull(points), regular_triangulation(points)
+    for ask in (hull.contains, hull.distance, hull.support, triangulation.locate, triangulation.nearest):
+        assert ask(places, threads=1).tobytes() == ask(places, threads=3).tobytes()

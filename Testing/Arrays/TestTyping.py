@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package is typed: mypy knows what each layer takes and gives, and finds nothing to complain of in it."""
+
+import importlib.util
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import vtkflipflop
+
+pytest.importorskip("mypy", reason="mypy is not installed")
+
+ARRAYS = """
+import numpy as np
+from numpy.typing import NDArray
+from typing import assert_type
+from vtkflipflop.arrays import ConvexHull, HullBatch, InputError, Polygons, PowerDiagram, RegularTriangulation
+from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
+from vtkflipflop.arrays import validate
+
+hull = convex_hull([[0.0, 0, 0]], threads=2, progress=print)
+assert_type(hull, ConvexHull)
+assert_type(hull.vertices, NDArray[np.int64])
+assert_type(hull.simplices, NDArray[np.int64])
+assert_type(hull.polygons, Polygons)
+assert_type(hull.volume, float)
+assert_type(hull.area, float)
+assert_type(hull.statistics, dict[str, float])
+assert_type(validate(hull), Validation)
+assert_type(convexify(hull.points, hull.simplices), ConvexHull)
+batch = convex_hulls(np.zeros((4, 3)), [0, 2, 4])
+assert_type(batch, HullBatch)
+assert_type(batch[0], ConvexHull)
+assert_type(batch[1:], list[ConvexHull])
+assert_type(batch.volumes, NDArray[np.float64])
+triangulation = regular_triangulation(np.zeros((4, 2)), np.zeros(4))
+assert_type(triangulation, RegularTriangulation)
+assert_type(triangulation.hidden, NDArray[np.int64])
+assert_type(triangulation.power_diagram(), PowerDiagram)
+assert_type(power_diagram([[0.0, 1]]).regions, list[NDArray[np.int64]])
+assert_type(InputError("").index, int)
+"""
+
+WRONG = """
+from vtkflipflop.arrays import convex_hull
+convex_hull([[0, 0, 0]], colour="red")
+convex_hull([[0, 0, 0]]).volume = 3.0
+convex_hull([[0, 0, 0]]).corners
+"""
+
+
+def said(tmp_path, *arguments):
+    command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path), *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
+    return done.stdout + done.stderr
+
+
+def test_the_array_layer(tmp_path):
+    (tmp_path / "use.py").write_text(ARRAYS)
+    assert said(tmp_path, "use.py").startswith("Success")
+
+
+def test_what_is_wrong_is_found(tmp_path):
+    (tmp_path / "use.py").write_text(WRONG)
+    lines = [line for line in said(tmp_path, "use.py").splitlines() if "error:" in line]
+    assert [line.split(":")[1] for line in lines] == ["3", "4", "5"], lines
+
+
+def test_the_package_itself(tmp_path):
+    assert said(tmp_path, "-p", "vtkflipflop.arrays").startswith("Success")
+
+
+@pytest.mark.skipif(
+    not (Path(vtkflipflop.__file__).parent / "vtkFiltersFlipFlop.pyi").exists()
+    or not importlib.util.find_spec("vtkmodules"),
+    reason="no VTK classes, or no VTK",
+)
+def test_the_vtk_classes(tmp_path):
+    (tmp_path / "use.py").write_text(
+        "from typing import assert_type\n"
+        "from vtkflipflop import vtkFFHullFilter, vtkPFFRegularTriangulationFilter\n"
+        "hull = vtkFFHullFilter()\n"
+        "assert_type(hull.GetVolume(), float)\n"
+        "hull.SetNumberOfThreads('two')\n"
+    )
+    lines = [line for line in said(tmp_path, "use.py").splitlines() if "error:" in line]
+    assert [line.split(":")[1] for line in lines] == ["5"], lines

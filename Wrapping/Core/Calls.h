@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What every call takes: its choices, and its points.
+#ifndef flipflop_Calls_h
+#define flipflop_Calls_h
+
+#include "Views.h"
+#include "Watch.h"
+
+#include <flipflop/Engines.h>
+#include <flipflop/Options.h>
+
+#include <nanobind/nanobind.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace flipflop
+{
+
+/// The choices that every call has.
+struct Settings
+{
+  int threads = 0;
+  bool polygons = false;
+  bool ignoreNonFinite = false;
+  int engine = 0;
+  nanobind::object progress;
+
+  Options options() const
+  {
+    Options options;
+    options.threads = this->threads;
+    options.facets = this->polygons ? FacetMode::Polygons : FacetMode::Triangles;
+    options.nonFinite = this->ignoreNonFinite ? NonFinitePolicy::Ignore : NonFinitePolicy::Error;
+    return options;
+  }
+
+  /// Does the work with these choices, watched, and the interpreter free.
+  template <class Work>
+  auto run(Work&& work) const
+  {
+    return Watch(this->progress).run(this->options(), std::forward<Work>(work));
+  }
+
+  EngineOptions engineOptions() const
+  {
+    EngineOptions chosen;
+    chosen.choice = static_cast<EngineChoice>(this->engine);
+    return chosen;
+  }
+};
+
+/// Points in space: rows of two coordinates get a z of zero.
+class SpacePoints
+{
+public:
+  explicit SpacePoints(const InputArray& array)
+    : View(pointView(array, 2))
+  {
+    if (array.shape(1) == 2)
+    {
+      this->View.type == ScalarType::Float32 ? this->widen(this->Singles)
+                                             : this->widen(this->Doubles);
+    }
+  }
+
+  const PointView& view() const { return this->View; }
+
+private:
+  template <class T>
+  void widen(Buffer<T>& copy)
+  {
+    const T* from = static_cast<const T*>(this->View.data);
+    copy.allocate(3 * static_cast<std::size_t>(this->View.count));
+    for (std::int64_t i = 0; i < this->View.count; ++i)
+    {
+      T* const to = copy.data() + 3 * i;
+      std::copy_n(from + i * this->View.stride, 2, to);
+      to[2] = 0;
+    }
+    this->View = PointView(copy.data(), this->View.count);
+  }
+
+  PointView View;
+  Buffer<float> Singles;
+  Buffer<double> Doubles;
+};
+
+/// The methods of results that answer questions about places.
+void bindQueries(nanobind::module_& module);
+
+}
+
+#endif

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Questions about places, asked of results.
+#include "Calls.h"
+#include "Results.h"
+#include "Views.h"
+
+#include <flipflop/HullQueries.h>
+#include <flipflop/Measures.h>
+#include <flipflop/TriangulationQueries.h>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace flipflop
+{
+
+namespace
+{
+
+using Values =
+  nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>; ///< a row for each point
+
+/// One answer for each place.
+template <class T, class Ask>
+auto answers(const PointView& places, const Settings& settings, const Ask& ask)
+{
+  Buffer<T> found(static_cast<std::size_t>(places.count));
+  settings.run(
+    [&](const Options& options)
+    {
+      ask(places, found.data(), options);
+      return 0;
+    });
+  return arrayOf(std::move(found));
+}
+
+/// Values between the points' values.
+template <class Ask>
+auto interpolated(const Values& values, const InputArray& places, std::int64_t points,
+  const Settings& settings, const Ask& ask)
+{
+  const PointView view = pointView(places, 2);
+  const std::size_t components = values.shape(1);
+  if (static_cast<std::int64_t>(values.shape(0)) != points)
+  {
+    throw nb::value_error("there are not as many values as points");
+  }
+  Buffer<double> found(static_cast<std::size_t>(view.count) * components);
+  settings.run(
+    [&](const Options& options)
+    {
+      ask(values.data(), static_cast<std::int64_t>(components), view, found.data(), options);
+      return 0;
+    });
+  return arrayOf(std::move(found), { static_cast<std::size_t>(view.count), components });
+}
+
+/// Areas and centroids, by a call that writes them.
+template <class Measure>
+nb::tuple measured(std::int64_t cells, const Measure& measure)
+{
+  Buffer<double> areas(static_cast<std::size_t>(cells));
+  Buffer<double> centroids(2 * areas.size());
+  {
+    const nb::gil_scoped_release free;
+    measure(areas.data(), centroids.data());
+  }
+  const std::size_t size = areas.size();
+  return nb::make_tuple(
+    arrayOf(std::move(areas), { size }), arrayOf(std::move(centroids), { size, 2 }));
+}
+
+/// Questions to a triangulation, which knows how many points it was given.
+struct Sites
+{
+  TriangulationQueries queries;
+  std::int64_t points;
+};
+
+Sites sitesOf(const InputArray& points, const std::optional<InputArray>& weights,
+  const Handle<Triangulation>& triangulation, const Settings& settings)
+{
+  const PointView places = pointView(points, 2);
+  const WeightView heavy = weightView(weights);
+  return settings.run(
+    [&](const Options& options)
+    {
+      return Sites{ TriangulationQueries(places, heavy, *triangulation.result, options),
+        places.count };
+    });
+}
+
+}
+
+void bindQueries(nb::module_& module)
+{
+  nb::class_<HullQueries>(module, "HullQueries")
+    .def("contains",
+      [](const HullQueries& self, const InputArray& places, const Settings& settings)
+      {
+        return answers<std::int8_t>(SpacePoints(places).view(), settings,
+          [&](const PointView& view, std::int8_t* found, const Options& options)
+          { self.contains(view, found, options); });
+      })
+    .def("distance",
+      [](const HullQueries& self, const InputArray& places, const Settings& settings)
+      {
+        return answers<double>(SpacePoints(places).view(), settings,
+          [&](const PointView& view, double* found, const Options& options)
+          { self.distance(view, found, options); });
+      })
+    .def("support",
+      [](const HullQueries& self, const InputArray& directions, const Settings& settings)
+      {
+        return answers<std::int64_t>(SpacePoints(directions).view(), settings,
+          [&](const PointView& view, std::int64_t* found, const Options& options)
+          { self.support(view, found, options); });
+      })
+    .def("diameter",
+      [](const HullQueries& self, const Settings& settings)
+      {
+        const Diameter found =
+          settings.run([&](const Options& options) { return self.diameter(options); });
+        return nb::make_tuple(found.first, found.second, found.length);
+      });
+  module.def("hull_queries",
+    [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)
+    {
+      const SpacePoints input(points);
+      return settings.run(
+        [&](const Options& options) { return HullQueries(input.view(), *hull.result, options); });
+    });
+  module.def("facet_planes",
+    [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)
+    {
+      const SpacePoints input(points);
+      Buffer<double> planes = settings.run(
+        [&](const Options& options) { return facetPlanes(input.view(), *hull.result, options); });
+      const std::size_t rows = planes.size() / 4;
+      return arrayOf(std::move(planes), { rows, 4 });
+    });
+
+  nb::class_<Sites>(module, "TriangulationQueries")
+    .def("locate",
+      [](const Sites& self, const InputArray& places, const Settings& settings)
+      {
+        return answers<std::int64_t>(pointView(places, 2), settings,
+          [&](const PointView& view, std::int64_t* found, const Options& options)
+          { self.queries.locate(view, found, options); });
+      })
+    .def("nearest",
+      [](const Sites& self, const InputArray& places, const Settings& settings)
+      {
+        return answers<std::int64_t>(pointView(places, 2), settings,
+          [&](const PointView& view, std::int64_t* found, const Options& options)
+          { self.queries.nearest(view, found, options); });
+      })
+    .def("interpolate_linear",
+      [](
+        const Sites& self, const Values& values, const InputArray& places, const Settings& settings)
+      {
+        return interpolated(values, places, self.points, settings,
+          [&](auto... arguments) { self.queries.interpolateLinear(arguments...); });
+      });
+  module.def("triangulation_queries", &sitesOf, "points"_a, "weights"_a.none(), "triangulation"_a,
+    "settings"_a);
+
+  module.def("triangle_measures",
+    [](const InputArray& points, const Handle<Triangulation>& triangulation)
+    {
+      const PointView places = pointView(points, 2);
+      return measured(triangulation.result->cellCount(),
+        [&](double* areas, double* centroids)
+        { cellMeasures(places, *triangulation.result, areas, centroids); });
+    });
+  module.def("power_cell_measures",
+    [](const Handle<PowerDiagram>& diagram)
+    {
+      return measured(static_cast<std::int64_t>(diagram.result->siteIds.size()),
+        [&](double* areas, double* centroids) { cellMeasures(*diagram.result, areas, centroids); });
+    });
+}
+
+}

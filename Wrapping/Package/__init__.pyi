@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+from .vtkFiltersFlipFlop import vtkFFAlgorithm as vtkFFAlgorithm
+from .vtkFiltersFlipFlop import vtkFFConvexifyFilter as vtkFFConvexifyFilter
+from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
+from .vtkFiltersFlipFlop import vtkFFHullFilter as vtkFFHullFilter
+from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
+from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter as vtkPFFHullFilter
+from .vtkFiltersParallelFlipFlop import vtkPFFRegularTriangulationFilter as vtkPFFRegularTriangulationFilter
+
+__version__: str
