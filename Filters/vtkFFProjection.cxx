@@ -6,11 +6,11 @@
 
 #include "vtkAbstractTransform.h"
 #include "vtkHomogeneousTransform.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -57,13 +57,6 @@ void visitPoints(
   }
 }
 
-/// The power of two that takes values of that size to about 1; 1 for 0.
-double toUnit(double largest)
-{
-  return largest > 0.0 ? std::ldexp(1.0, -std::max(-1000, std::min(std::ilogb(largest), 1000)))
-                       : 1.0;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -72,7 +65,7 @@ void vtkFFProjection::InStretches(vtkIdType count, vtkIdType length, const Work&
 {
   for (vtkIdType begin = 0; begin < count; begin += length)
   {
-    if (this->Progress && !this->Progress(0.0, this->ProgressContext))
+    if (this->Options.progress && !this->Options.progress(0.0, this->Options.progressContext))
     {
       throw flipflop::Error(flipflop::ErrorCode::Aborted);
     }
@@ -135,114 +128,12 @@ void vtkFFProjection::ToXY(const flipflop::PointView& points)
 }
 
 //------------------------------------------------------------------------------
-vtkFFProjection::Plane vtkFFProjection::FitPlane(
-  const flipflop::PointView& points, double* start) const
-{
-  // Measured from one of the points, in a unit near the largest coordinate: nothing overflows, and
-  // a flat set far from the origin stays flat.
-  double finite = 0.0;
-  double largest = 0.0;
-  this->VisitPoints(points,
-    [&](vtkIdType, const double* p)
-    {
-      if (isFinite(p))
-      {
-        if (finite == 0.0)
-        {
-          std::copy(p, p + 3, start);
-        }
-        finite += 1.0;
-        largest = std::max({ largest, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) });
-      }
-    });
-  const double unit = toUnit(largest);
-  double mean[3] = { 0.0, 0.0, 0.0 };
-  this->VisitPoints(points,
-    [&](vtkIdType, const double* p)
-    {
-      for (int k = 0; isFinite(p) && k < 3; ++k)
-      {
-        mean[k] += p[k] * unit - start[k] * unit;
-      }
-    });
-  for (double& m : mean)
-  {
-    m = finite > 0.0 ? m / finite : 0.0;
-  }
-  double spread[3][3] = {};
-  this->VisitPoints(points,
-    [&](vtkIdType, const double* p)
-    {
-      if (isFinite(p))
-      {
-        double d[3];
-        for (int k = 0; k < 3; ++k)
-        {
-          d[k] = (p[k] * unit - start[k] * unit) - mean[k];
-        }
-        for (int i = 0; i < 3; ++i)
-        {
-          for (int k = 0; k < 3; ++k)
-          {
-            spread[i][k] += d[i] * d[k];
-          }
-        }
-      }
-    });
-
-  // The axes of the spread, by decreasing size; Jacobi's method destroys its input.
-  double* rows[3] = { spread[0], spread[1], spread[2] };
-  double vectors[3][3];
-  double* columns[3] = { vectors[0], vectors[1], vectors[2] };
-  double sizes[3];
-  vtkMath::Jacobi(rows, sizes, columns);
-  double normal[3] = { vectors[0][2], vectors[1][2], vectors[2][2] };
-
-  int main = 2;
-  for (int k = 1; k >= 0; --k)
-  {
-    main = std::fabs(normal[k]) > std::fabs(normal[main]) ? k : main;
-  }
-  if (normal[main] < 0.0)
-  {
-    vtkMath::MultiplyScalar(normal, -1.0);
-  }
-  vtkMath::Normalize(normal);
-
-  Plane plane;
-  const int next = (main + 1) % 3;
-  for (int k = 0; k < 3; ++k)
-  {
-    plane.First[k] = (k == next ? 1.0 : 0.0) - normal[next] * normal[k];
-  }
-  vtkMath::Normalize(plane.First);
-  vtkMath::Cross(normal, plane.First, plane.Second);
-
-  // The foot of the starting point on the plane.
-  const double height = vtkMath::Dot(mean, normal);
-  for (int k = 0; k < 3; ++k)
-  {
-    plane.Origin[k] = finite > 0.0 ? start[k] + height * normal[k] / unit : 0.0;
-  }
-  return plane;
-}
-
-//------------------------------------------------------------------------------
 void vtkFFProjection::ToBestFittingPlane(const flipflop::PointView& points)
 {
-  double start[3] = { 0.0, 0.0, 0.0 };
   this->Fitted = true;
-  this->BestPlane = this->FitPlane(points, start);
-  double* copy = this->AllocateCopy(points.count);
-  const Plane& plane = this->BestPlane;
-  this->VisitInParallel(points,
-    [&](vtkIdType i, const double* p)
-    {
-      const double d[3] = { p[0] - start[0], p[1] - start[1], p[2] - start[2] };
-      const bool finite = isFinite(p);
-      copy[2 * i] = finite ? vtkMath::Dot(d, plane.First) : NaN;
-      copy[2 * i + 1] = finite ? vtkMath::Dot(d, plane.Second) : NaN;
-    });
+  this->BestPlane = flipflop::fitPlane(points, this->Options);
+  this->Copy = flipflop::placesInPlane(points, this->BestPlane, this->Options);
+  this->View = flipflop::PointView(this->Copy.data(), points.count, 2);
 }
 
 //------------------------------------------------------------------------------
@@ -286,11 +177,8 @@ bool vtkFFProjection::ToSpace(const double* xy, vtkIdType count, double* xyz) co
     const double y = xy[2 * i + 1];
     if (this->Fitted)
     {
-      const Plane& plane = this->BestPlane;
-      for (int k = 0; k < 3; ++k)
-      {
-        to[k] = plane.Origin[k] + (x * plane.First[k] + y * plane.Second[k]);
-      }
+      const std::array<double, 3> position = flipflop::positionOf(this->BestPlane, x, y);
+      std::copy(position.begin(), position.end(), to);
     }
     else
     {

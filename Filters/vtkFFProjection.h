@@ -17,6 +17,7 @@
 
 #include <flipflop/Buffer.h>
 #include <flipflop/Options.h>
+#include <flipflop/PlaneFit.h>
 #include <flipflop/PointView.h>
 
 #include "vtkFFMarks.h"
@@ -29,11 +30,10 @@ class vtkFFProjection
 {
 public:
   /**
-   * Only the progress function of @p options is used.
+   * Only the threads and the progress function of @p options are used.
    */
   explicit vtkFFProjection(const flipflop::Options& options)
-    : Progress(options.progress)
-    , ProgressContext(options.progressContext)
+    : Options(options)
   {
   }
   vtkFFProjection(const vtkFFProjection&) = delete;
@@ -47,13 +47,8 @@ public:
   void ToXY(const flipflop::PointView& points);
 
   /**
-   * Measure the points in the plane through their centroid that has the least sum of squared
-   * distances to them. The plane's frame is right-handed. The normal's component of largest
-   * magnitude is positive (the last one, if several are equal). The first axis is the next
-   * coordinate axis (y after x, x after z), projected into the plane. The first finite point is at
-   * (0, 0).
-   *
-   * Everything is computed in double and in a fixed order, so the same points give the same bits.
+   * Measure the points in the plane that fits them best: flipflop::fitPlane(). The first finite
+   * point is at (0, 0).
    */
   void ToBestFittingPlane(const flipflop::PointView& points);
 
@@ -74,13 +69,6 @@ public:
   bool ToSpace(const double* xy, vtkIdType count, double* xyz) const;
 
 private:
-  struct Plane
-  {
-    double Origin[3]; // of the frame, on the plane
-    double First[3];  // its axes
-    double Second[3];
-  };
-
   /**
    * Calls work(begin, end) for one stretch of points after another: @p count points in stretches of
    * @p length.
@@ -103,15 +91,13 @@ private:
   //@}
 
   double* AllocateCopy(std::int64_t count);
-  Plane FitPlane(const flipflop::PointView& points, double* start) const;
 
-  flipflop::ProgressFunction Progress;
-  void* ProgressContext;
+  flipflop::Options Options;
   flipflop::PointView View;
   flipflop::Buffer<double> Copy;
   vtkAbstractTransform* Transform = nullptr; // not owned
   bool Fitted = false;
-  Plane BestPlane;
+  flipflop::FittedPlane BestPlane;
 };
 VTK_ABI_NAMESPACE_END
 

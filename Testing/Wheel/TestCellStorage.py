@@ -5,10 +5,10 @@
 import numpy as np
 import pytest
 import pyvista as pv
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from vtkflipflop.pyvista import convexify
+
+pytestmark = pytest.mark.skipif(pv.vtk_version_info < (9, 6), reason="VTK before 9.6 stores cells in one way")
 
 
 def starlike():
@@ -22,14 +22,14 @@ def starlike():
 def test_surface(kind, one_size):
     surface = starlike()
     corners = surface.faces.reshape(-1, 4)[:, 1:]
-    ids = numpy_to_vtk(np.ascontiguousarray(corners, kind).ravel(), deep=True)
-    cells = vtkCellArray()
+    ids = pv.convert_array(np.ascontiguousarray(corners, kind).ravel(), deep=True)
+    cells = pv.CellArray()
     if one_size:
         assert cells.SetData(3, ids)
     else:
         offsets = np.arange(0, 3 * len(corners) + 1, 3).astype(np.int16)
-        assert cells.SetData(numpy_to_vtk(offsets, deep=True), ids)
-    data = vtkPolyData()
+        assert cells.SetData(pv.convert_array(offsets, deep=True), ids)
+    data = pv.PolyData()
     data.SetPoints(surface.GetPoints())
     data.SetPolys(cells)
     expected = convexify(surface)

@@ -10,6 +10,7 @@
 #include <flipflop/Batch.h>
 #include <flipflop/Engines.h>
 #include <flipflop/FlipFlop.h>
+#include <flipflop/PlaneFit.h>
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/Validate.h>
 
@@ -72,6 +73,28 @@ Handle<Hull> convexified(const InputArray& points, const Corners& triangles,
   surface.count = static_cast<std::int64_t>(triangles.shape(0));
   return handleOf(settings.run([&](const Options& options)
     { return flipFlop(places, surface, kernel ? kernel->data() : nullptr, options); }));
+}
+
+/// Points' places in the plane that fits them best; and of the plane, the origin and the axes.
+nb::tuple placesInBestPlane(const InputArray& points, const Settings& settings)
+{
+  const PointView view = pointView(points, 3);
+  FittedPlane plane;
+  Buffer<double> places = settings.run(
+    [&](const Options& options)
+    {
+      plane = fitPlane(view, options);
+      return placesInPlane(view, plane, options);
+    });
+  const auto vector = [](const std::array<double, 3>& values)
+  {
+    Buffer<double> copy(values.size());
+    std::copy(values.begin(), values.end(), copy.begin());
+    return arrayOf(std::move(copy));
+  };
+  const std::size_t rows = places.size() / 2;
+  return nb::make_tuple(arrayOf(std::move(places), { rows, 2 }), vector(plane.origin),
+    vector(plane.first), vector(plane.second));
 }
 
 Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<InputArray>& weights,
@@ -231,6 +254,7 @@ NB_MODULE(_core, module)
   module.def(
     "regular_triangulation", &triangulationOf, "points"_a, "weights"_a.none(), "settings"_a);
   module.def("convexify", &convexified, "points"_a, "triangles"_a, "kernel"_a.none(), "settings"_a);
+  module.def("to_best_fitting_plane", &placesInBestPlane);
   module.def("power_diagram", &diagramOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "box"_a.none(), "settings"_a);
 

@@ -100,6 +100,8 @@ nanobind::class_<Handle<Result>> bindCells(nanobind::module_& module, const char
     .def_prop_ro("statistics", [](Self self) { return dictOf(self.result->statistics); })
     .def("vertices", [](Self self) { return arrayOf(self.result->pointIds, self.result); })
     .def("offsets", [](Self self) { return arrayOf(cellOffsets(*self.result)); })
+    // Of the corners of all cells: places in vertices(), not ids.
+    .def("connectivity", [](Self self) { return arrayOf(self.result->connectivity, self.result); })
     .def("corners", [](Self self) { return arrayOf(cornerIds(*self.result)); })
     .def("triangles",
       [](Self self)

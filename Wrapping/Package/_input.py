@@ -23,9 +23,19 @@ def points_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     """
     array = values
     if type(array) is not np.ndarray or array.ndim != 2 or array.shape[1] not in (2, 3) or array.dtype not in _FLOATS:
-        array, masked = _exact(_rows_of(values), "coordinate", ignore)
+        array, masked = _exact(rows_of(values), "coordinate", ignore)
         return array, ignore or masked
     return _adjacent(array), ignore
+
+
+def rows_of(values: Any) -> np.ndarray:
+    """n rows of 2 or 3 real numbers of any type, masked where the values are masked."""
+    array = _as_array(values, "coordinate")
+    if array.shape in ((0,), (3,)):
+        array = array.reshape(-1, 3)  # an empty list; one point
+    if array.ndim != 2 or array.shape[1] not in (2, 3):
+        raise ValueError(f"points are an array of n by 3 or n by 2 coordinates, not of shape {array.shape}")
+    return array
 
 
 def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
@@ -39,7 +49,9 @@ def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
             raise ValueError(f"weights are n numbers, one for each point, not an array of shape {array.shape}")
         array, masked = _exact(array, "weight", ignore)
         return array, ignore or masked
-    return (array if array.flags.aligned and array.strides[0] % array.itemsize == 0 else array.copy()), ignore
+    step = array.strides[0]
+    in_place = array.flags.aligned and step >= array.itemsize and step % array.itemsize == 0
+    return (array if in_place else array.copy()), ignore
 
 
 def ids_of(values: Any, what: str) -> np.ndarray:
@@ -67,15 +79,6 @@ def _adjacent(array: np.ndarray) -> np.ndarray:
     if inner == size and step >= size * array.shape[1] and step % size == 0 and array.flags.aligned:
         return array
     return np.ascontiguousarray(array)
-
-
-def _rows_of(values: Any) -> np.ndarray:
-    array = _as_array(values, "coordinate")
-    if array.shape in ((0,), (3,)):
-        array = array.reshape(-1, 3)  # an empty list; one point
-    if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise ValueError(f"points are an array of n by 3 or n by 2 coordinates, not of shape {array.shape}")
-    return array
 
 
 def _as_array(values: Any, what: str) -> np.ndarray:

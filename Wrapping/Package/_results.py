@@ -19,7 +19,7 @@ Ids = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Progress = Callable[[float], Any] | bool | None
 
-_ENGINES = {"automatic": 0, "cpu": 1, "cuda": 2}
+ENGINES = {"automatic": 0, "cpu": 1, "cuda": 2}
 
 
 # What work that nobody watches is done with.
@@ -136,16 +136,16 @@ def settings(
     """The engine's options; and a tqdm bar to close, or None."""
     bar = None
     if progress is True:
-        bar = _Bar()
+        bar = Bar()
         progress = bar
     elif progress is False:
         progress = None
     if progress is not None and not callable(progress):
         raise TypeError(f"progress is a callable, True or None, not {progress!r}")
     try:
-        number = _ENGINES[engine]
+        number = ENGINES[engine]
     except (KeyError, TypeError):
-        raise ValueError(f"engine is one of {', '.join(map(repr, _ENGINES))}, not {engine!r}") from None
+        raise ValueError(f"engine is one of {', '.join(map(repr, ENGINES))}, not {engine!r}") from None
     if facets != "triangles" and facets != "polygons":
         raise ValueError(f"facets is one of 'triangles', 'polygons', not {facets!r}")
     if threads.__class__ is not int:
@@ -202,7 +202,7 @@ def _whole(threads: Any) -> int:
         raise TypeError(f"threads is an integer, not {threads!r}") from None
 
 
-class _Bar:
+class Bar:
     """tqdm's bar, as a progress callable."""
 
     def __init__(self) -> None:

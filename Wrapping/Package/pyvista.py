@@ -1,265 +1,626 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filters in one line, for PyVista.
+"""Exact convex hulls, regular triangulations and power diagrams of PyVista's meshes.
 
     import pyvista as pv
     from vtkflipflop.pyvista import convex_hull
 
     hull = convex_hull(pv.examples.download_bunny())
 
-Each function accepts a mesh (or anything that pyvista.wrap turns into one), or an array or list of points. It runs
-one filter and returns its output as a PyVista mesh, with the point data and "vtkOriginalPointIds". PyVista 0.48 and
-later offer the same as methods of a mesh, without an import: mesh.flipflop.convex_hull().
+PyVista 0.48 and later offer the same as methods of a mesh, without an import: mesh.flipflop.convex_hull().
 
-Arrays are read exactly, in any byte order and of any type of real numbers. Masked numbers are an error like NaN, or
-ignored like NaN.
+A mesh is any data set or composite of PyVista's, a VTK object that pyvista.wrap takes, or an array or list of n by 3 or
+n by 2 coordinates, as vtkflipflop.arrays takes them: no number is rounded, masked points are left out. The functions
+run on whatever VTK PyVista runs on, and give what the VTK filters of this package give, bit for bit: points of the
+input in their own type, its point data, and "vtkOriginalPointIds". A composite gives a composite of the same structure.
 
-A filter's properties are keyword arguments: VTK's names in snake_case, such as number_of_threads=4. Give choices
-by name: facet_mode="polygons", engine="cpu", non_finite_points="ignore". If a filter reports an error, or no filter
-accepts the data, the functions raise FilterError. An argument of the wrong type is a TypeError; an argument out of
-its range is a ValueError.
+Errors are those of vtkflipflop.arrays: InputError and others. FilterError is another name of FlipFlopError, from which
+all are derived. An argument of the wrong type is a TypeError; an unknown choice is a ValueError that lists the choices.
 """
 
-import pyvista
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataObjectTree, vtkPointSet, vtkPolyData
+from __future__ import annotations
 
-from . import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
-from ._arrays import FilterError, as_points, as_weights, is_array_like
-from ._properties import flag, set_properties
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Literal, overload
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
+from ._input import ids_of
+from ._meshes import (
+    LEAVES,
+    Block,
+    Cloud,
+    blocks_of,
+    composite_of,
+    data_of,
+    is_partitioned,
+    is_tree,
+    pass_field_data,
+    set_cells,
+    surface_of,
+)
+from ._projection import Projection, projection_of
+from ._results import ENGINES, Bar
 
 __all__ = [
+    "AbortedError",
+    "DeviceError",
     "FilterError",
+    "FlipFlopError",
+    "InputError",
+    "OutOfMemoryError",
     "convex_hull",
     "convexify",
     "power_diagram",
     "regular_triangulation",
 ]
 
-if not issubclass(pyvista.PolyData, vtkPolyData):
-    _base = next(kind for kind in pyvista.PolyData.__mro__ if kind.__name__ == "vtkPolyData")
-    _other = _base.__module__.split(".")[0]
-    raise ImportError(
-        f"PyVista {pyvista.__version__} runs on {_other}, a VTK of its own, and not on vtk, as vtkflipflop does: the "
-        f"one cannot use the other's data. The way out: PYVISTA_VTK_BACKEND=vtk in the environment, or "
-        f"pip uninstall {_other}"
-    )
+FilterError = FlipFlopError
+"""Another name of FlipFlopError, the base of all errors that are not about an argument's type or choice."""
+
+FacetMode = Literal["triangles", "polygons"]
+CompositeMode = Literal["each_block", "all_blocks"]
+NonFinitePoints = Literal["error", "ignore"]
+Engine = Literal["automatic", "cpu", "cuda"]
+ProjectionPlaneMode = Literal["xy_plane", "best_fitting_plane", "transform"]
+Mesh = pv.DataSet | pv.MultiBlock | pv.PartitionedDataSet | ArrayLike
+Output = pv.PolyData | pv.MultiBlock | pv.PartitionedDataSet
+
+_Report = Callable[[float], Any] | None
 
 
-def convex_hull(mesh, *, progress_bar=False, **properties):
-    """The convex hull of a mesh's points (vtkFFHullFilter).
-
-    Parameters
-    ----------
-    mesh : any PyVista or VTK data set or composite, or an array or list of n by 3 or n by 2 coordinates
-    progress_bar : show progress in the terminal; needs tqdm
-    properties : of vtkFFHullFilter; facet_mode="polygons" gives whole facets
-
-    Returns
-    -------
-    pyvista.PolyData, closed, with facets facing outwards. For a composite, a composite of the same structure with the
-    hull of each block, or one hull with composite_mode="all_blocks".
-    """
-    hull = vtkFFHullFilter()
-    set_properties(hull, properties)
-    return _outputs(hull, _points_of(mesh, hull), progress_bar)[0]
-
-
-def convexify(surface, *, progress_bar=False, **properties):
-    """The convex hull of a closed star-shaped surface, reached by flips alone (vtkFFConvexifyFilter).
+def convex_hull(
+    mesh: Mesh,
+    *,
+    facet_mode: FacetMode = "triangles",
+    composite_mode: CompositeMode = "each_block",
+    number_of_threads: int = 0,
+    non_finite_points: NonFinitePoints = "error",
+    engine: Engine = "automatic",
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress_bar: bool = False,
+) -> Output:
+    """The exact convex hull of a mesh's points.
 
     Parameters
     ----------
-    surface : a closed, oriented PolyData of triangles that is star-shaped from some point
-    progress_bar : show progress in the terminal; needs tqdm
-    properties : of vtkFFConvexifyFilter
+    mesh : data set, composite, or n by 3 or n by 2 coordinates
+        its cells do not matter
+    composite_mode : {"each_block", "all_blocks"}
+        of a composite, a hull of each block, or one hull of the points of all blocks. The latter's ids count the points
+        of all blocks in order, and the point array "BlockIndex" has the flat index of each point's block.
+    facet_mode : {"triangles", "polygons"}
+        a flat facet of more than three corners is a fan of triangles, or one polygon
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    non_finite_points : {"error", "ignore"}
+        what NaN and infinity lead to: an InputError, or that these points are left out
+    engine : {"automatic", "cpu", "cuda"}
+        who does the work. The result is the same.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
 
     Returns
     -------
     pyvista.PolyData
+        closed, with facets facing outwards; of points that span less than space, one polygon, line or vertex. Or a
+        composite of these.
+
+    Raises
+    ------
+    InputError
+        names the first point at fault, its block, and how many there are
     """
-    convexifier = vtkFFConvexifyFilter()
-    set_properties(convexifier, properties)
-    points = _points_of(surface, convexifier)
-    if is_array_like(surface) or isinstance(points, vtkPointSet) and not points.IsA("vtkPolyData"):
-        raise FilterError(f"{type(surface).__name__} is no surface: a PolyData is wanted")
-    return _outputs(convexifier, points, progress_bar)[0]
+    run = _Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
+    together = _choice("composite_mode", composite_mode, ("each_block", "all_blocks")) == "all_blocks"
+    data = data_of(mesh)
+    if not (together and is_tree(data)):
+        return _each_block(data, lambda block, report: [run.hull([block], report)], 1, progress_bar)[0]
+    with _bar(progress_bar) as report:
+        blocks = [block for block in blocks_of(data) if block is not None]
+        hull = run.hull(blocks, report)
+    if not is_partitioned(data):
+        hull.point_data.set_array(run.block_index, "BlockIndex")
+    pass_field_data(data, hull)
+    return hull
+
+
+def convexify(
+    surface: Mesh,
+    kernel_point: ArrayLike | None = None,
+    *,
+    facet_mode: FacetMode = "triangles",
+    number_of_threads: int = 0,
+    pass_point_data: bool = True,
+    progress_bar: bool = False,
+) -> Output:
+    """The convex hull of a closed star-shaped surface, reached by flips alone.
+
+    Parameters
+    ----------
+    surface : PolyData, or composite of such
+        triangles that form a closed, consistently oriented manifold, outward or inward. Points that no triangle uses
+        are no part of it.
+    kernel_point : 3 numbers, optional
+        a point that strictly sees the inside of every triangle; by default it is sought
+    facet_mode : {"triangles", "polygons"}
+        a flat facet of more than three corners is a fan of triangles, or one polygon
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
+
+    Returns
+    -------
+    pyvista.PolyData, or a composite of these
+
+    Raises
+    ------
+    InputError
+        the surface is open, not of triangles, not a manifold, not oriented or not star-shaped; names the first cell
+    """
+    run = _Run(facet_mode, number_of_threads, "error", "cpu", False, pass_point_data)
+    kernel = None if kernel_point is None else _numbers("kernel_point", kernel_point, 3)
+    data = data_of(surface)
+    if not hasattr(data, "IsA") or not (is_tree(data) or data.IsA("vtkPolyData")):
+        raise TypeError(f"{type(surface).__name__} is no surface: a PolyData is wanted")
+
+    def convexified(block: Block, report: _Report) -> list[pv.PolyData]:
+        return [run.convexified(block, kernel, report)]
+
+    return _each_block(data, convexified, 1, progress_bar, ("vtkPolyData",))[0]
+
+
+@overload
+def regular_triangulation(
+    mesh: Mesh,
+    weights: ArrayLike | str | None = ...,
+    *,
+    facet_mode: FacetMode = ...,
+    projection_plane_mode: ProjectionPlaneMode = ...,
+    transform: Any = ...,
+    return_hidden_points: Literal[False] = ...,
+    number_of_threads: int = ...,
+    non_finite_points: NonFinitePoints = ...,
+    engine: Engine = ...,
+    skip_ghost_points: bool = ...,
+    pass_point_data: bool = ...,
+    progress_bar: bool = ...,
+) -> Output: ...
+
+
+@overload
+def regular_triangulation(
+    mesh: Mesh,
+    weights: ArrayLike | str | None = ...,
+    *,
+    facet_mode: FacetMode = ...,
+    projection_plane_mode: ProjectionPlaneMode = ...,
+    transform: Any = ...,
+    return_hidden_points: Literal[True],
+    number_of_threads: int = ...,
+    non_finite_points: NonFinitePoints = ...,
+    engine: Engine = ...,
+    skip_ghost_points: bool = ...,
+    pass_point_data: bool = ...,
+    progress_bar: bool = ...,
+) -> tuple[Output, Output]: ...
 
 
 def regular_triangulation(
-    mesh, weights=None, *, return_hidden_points=False, progress_bar=False, **properties
-):
-    """The regular (weighted Delaunay) triangulation of points in the plane (vtkFFRegularTriangulationFilter).
+    mesh: Mesh,
+    weights: ArrayLike | str | None = None,
+    *,
+    facet_mode: FacetMode = "triangles",
+    projection_plane_mode: ProjectionPlaneMode = "xy_plane",
+    transform: Any = None,
+    return_hidden_points: bool = False,
+    number_of_threads: int = 0,
+    non_finite_points: NonFinitePoints = "error",
+    engine: Engine = "automatic",
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress_bar: bool = False,
+) -> Output | tuple[Output, Output]:
+    """The exact regular (weighted Delaunay) triangulation of a mesh's points in a plane.
 
     Parameters
     ----------
-    mesh : any PyVista or VTK data set or composite, or an array or list of n by 3 or n by 2 coordinates
-    weights : a point array's name, or n numbers if mesh is no composite; squared lengths. By default none: Delaunay
-    return_hidden_points : also return the points that do not appear in the triangulation
-    progress_bar : show progress in the terminal; needs tqdm
-    properties : of vtkFFRegularTriangulationFilter; projection_plane_mode="best_fitting_plane" for tilted points
+    mesh : data set, composite, or n by 3 or n by 2 coordinates
+        its cells do not matter
+    weights : str or n numbers, optional
+        a point array's name, or numbers if mesh is no composite: squared lengths. By default none: Delaunay.
+    projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
+        where points are triangulated: by x and y as they are; in the plane with the least sum of squared distances; or
+        by x and y after the transform. The result's points are where they were.
+    transform : 4 by 4 numbers, or what has them as its attribute matrix
+        takes the points to the xy plane; given, it is used
+    return_hidden_points : bool
+        also return the points that do not appear in the triangulation
+    facet_mode : {"triangles", "polygons"}
+        a flat facet of more than three corners is a fan of triangles, or one polygon
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    non_finite_points : {"error", "ignore"}
+        what NaN and infinity lead to: an InputError, or that these points are left out
+    engine : {"automatic", "cpu", "cuda"}
+        who does the work. The result is the same.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
 
     Returns
     -------
-    pyvista.PolyData, or a pair of them: the triangulation, and the hidden points as vertices
+    pyvista.PolyData, or a pair of them
+        the triangulation, and the hidden points as vertices. Or composites of these.
+
+    Raises
+    ------
+    InputError
+        names the first point at fault, its block, and how many there are; or the weights' array
     """
-    both = flag("return_hidden_points", return_hidden_points)
-    outputs = _triangulated(mesh, weights, properties, progress_bar)
+    run = _Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
+    projection = projection_of(projection_plane_mode, transform)
+    both = _flag("return_hidden_points", return_hidden_points)
+    data = data_of(mesh)
+    _check_weights(weights, data)
+
+    def triangulated(block: Block, report: _Report) -> list[pv.PolyData]:
+        return run.triangulation(block, weights, projection, report, both)
+
+    outputs = _each_block(data, triangulated, 2 if both else 1, progress_bar)
     return (outputs[0], outputs[1]) if both else outputs[0]
 
 
-def power_diagram(mesh, weights=None, *, progress_bar=False, **properties):
-    """The power diagram of points in the plane, a polygon for each cell; without weights, the Voronoi diagram.
+def power_diagram(
+    mesh: Mesh,
+    weights: ArrayLike | str | None = None,
+    *,
+    power_diagram_bounds: ArrayLike | None = None,
+    projection_plane_mode: ProjectionPlaneMode = "xy_plane",
+    transform: Any = None,
+    number_of_threads: int = 0,
+    non_finite_points: NonFinitePoints = "error",
+    engine: Engine = "automatic",
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress_bar: bool = False,
+) -> Output:
+    """The power diagram of a mesh's points in a plane: a polygon for each cell; without weights, the Voronoi diagram.
 
     Parameters
     ----------
-    mesh, weights, progress_bar, properties : as for regular_triangulation
+    mesh : data set, composite, or n by 3 or n by 2 coordinates
+        its cells do not matter
+    weights : str or n numbers, optional
+        a point array's name, or numbers if mesh is no composite: squared lengths. By default none: Voronoi.
+    power_diagram_bounds : 4 numbers, optional
+        x least, x greatest, y least, y greatest in the plane: where cells are cut. By default the box of the points.
+    projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
+    transform : 4 by 4 numbers, or what has them as its attribute matrix
+        as for regular_triangulation(). Corners lie in the fitted plane, or where the inverse transform takes z = 0.
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    non_finite_points : {"error", "ignore"}
+        what NaN and infinity lead to: an InputError, or that these points are left out
+    engine : {"automatic", "cpu", "cuda"}
+        who does the work. The result is the same.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether the input's point data is passed
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
 
     Returns
     -------
-    pyvista.PolyData, with the points' data as cell data
+    pyvista.PolyData
+        with the points' data as cell data. Or a composite of these.
     """
-    if not flag("generate_power_diagram", properties.pop("generate_power_diagram", True)):
-        raise ValueError("power_diagram() generates a power diagram: generate_power_diagram cannot be False")
-    return _triangulated(mesh, weights, {**properties, "generate_power_diagram": True}, progress_bar)[2]
+    run = _Run("polygons", number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
+    projection = projection_of(projection_plane_mode, transform)
+    box = None if power_diagram_bounds is None else _numbers("power_diagram_bounds", power_diagram_bounds, 4)
+    if box is not None and not (box[0] < box[1] and box[2] < box[3]):
+        raise ValueError(f"power_diagram_bounds have no inside: x least, x greatest, y least, y greatest is {box}")
+    data = data_of(mesh)
+    _check_weights(weights, data)
+
+    def divided(block: Block, report: _Report) -> list[pv.PolyData]:
+        return [run.diagram(block, weights, projection, box, report)]
+
+    return _each_block(data, divided, 1, progress_bar)[0]
 
 
-class _Accessor:
-    """The functions of this module as methods: mesh.flipflop.convex_hull()."""
+class Accessor:
+    """The functions of vtkflipflop.pyvista as methods of a mesh: mesh.flipflop.convex_hull()."""
 
-    def __init__(self, mesh):
+    def __init__(self, mesh: Any) -> None:
         self._mesh = mesh
 
-    def convex_hull(self, **settings):
-        return convex_hull(self._mesh, **settings)
+    def convex_hull(
+        self,
+        *,
+        facet_mode: FacetMode = "triangles",
+        composite_mode: CompositeMode = "each_block",
+        number_of_threads: int = 0,
+        non_finite_points: NonFinitePoints = "error",
+        engine: Engine = "automatic",
+        skip_ghost_points: bool = True,
+        pass_point_data: bool = True,
+        progress_bar: bool = False,
+    ) -> Output:
+        return convex_hull(
+            self._mesh,
+            facet_mode=facet_mode,
+            composite_mode=composite_mode,
+            number_of_threads=number_of_threads,
+            non_finite_points=non_finite_points,
+            engine=engine,
+            skip_ghost_points=skip_ghost_points,
+            pass_point_data=pass_point_data,
+            progress_bar=progress_bar,
+        )
 
-    def convexify(self, **settings):
-        return convexify(self._mesh, **settings)
+    def convexify(
+        self,
+        kernel_point: ArrayLike | None = None,
+        *,
+        facet_mode: FacetMode = "triangles",
+        number_of_threads: int = 0,
+        pass_point_data: bool = True,
+        progress_bar: bool = False,
+    ) -> Output:
+        return convexify(
+            self._mesh,
+            kernel_point,
+            facet_mode=facet_mode,
+            number_of_threads=number_of_threads,
+            pass_point_data=pass_point_data,
+            progress_bar=progress_bar,
+        )
 
-    def regular_triangulation(self, weights=None, **settings):
-        return regular_triangulation(self._mesh, weights, **settings)
+    def regular_triangulation(
+        self,
+        weights: ArrayLike | str | None = None,
+        *,
+        facet_mode: FacetMode = "triangles",
+        projection_plane_mode: ProjectionPlaneMode = "xy_plane",
+        transform: Any = None,
+        return_hidden_points: bool = False,
+        number_of_threads: int = 0,
+        non_finite_points: NonFinitePoints = "error",
+        engine: Engine = "automatic",
+        skip_ghost_points: bool = True,
+        pass_point_data: bool = True,
+        progress_bar: bool = False,
+    ) -> Any:
+        function: Any = regular_triangulation  # with a flag that may be either, none of its two forms
+        return function(
+            self._mesh,
+            weights,
+            facet_mode=facet_mode,
+            projection_plane_mode=projection_plane_mode,
+            transform=transform,
+            return_hidden_points=return_hidden_points,
+            number_of_threads=number_of_threads,
+            non_finite_points=non_finite_points,
+            engine=engine,
+            skip_ghost_points=skip_ghost_points,
+            pass_point_data=pass_point_data,
+            progress_bar=progress_bar,
+        )
 
-    def power_diagram(self, weights=None, **settings):
-        return power_diagram(self._mesh, weights, **settings)
+    def power_diagram(
+        self,
+        weights: ArrayLike | str | None = None,
+        *,
+        power_diagram_bounds: ArrayLike | None = None,
+        projection_plane_mode: ProjectionPlaneMode = "xy_plane",
+        transform: Any = None,
+        number_of_threads: int = 0,
+        non_finite_points: NonFinitePoints = "error",
+        engine: Engine = "automatic",
+        skip_ghost_points: bool = True,
+        pass_point_data: bool = True,
+        progress_bar: bool = False,
+    ) -> Output:
+        return power_diagram(
+            self._mesh,
+            weights,
+            power_diagram_bounds=power_diagram_bounds,
+            projection_plane_mode=projection_plane_mode,
+            transform=transform,
+            number_of_threads=number_of_threads,
+            non_finite_points=non_finite_points,
+            engine=engine,
+            skip_ghost_points=skip_ghost_points,
+            pass_point_data=pass_point_data,
+            progress_bar=progress_bar,
+        )
 
 
-for _method, _function in (
-    (_Accessor.convex_hull, convex_hull),
-    (_Accessor.convexify, convexify),
-    (_Accessor.regular_triangulation, regular_triangulation),
-    (_Accessor.power_diagram, power_diagram),
-):
-    _method.__doc__ = _function.__doc__
+for _function in (convex_hull, convexify, regular_triangulation, power_diagram):
+    getattr(Accessor, _function.__name__).__doc__ = _function.__doc__
 
-if hasattr(pyvista, "register_dataset_accessor"):  # distributions have older ones
-    pyvista.register_dataset_accessor("flipflop", pyvista.DataObject)(_Accessor)
+if hasattr(pv, "register_dataset_accessor"):  # since 0.48
+    pv.register_dataset_accessor("flipflop", pv.DataObject)(Accessor)
 
 
-def _points_of(mesh, algorithm):
-    """The algorithm's input: the mesh as a data set that stores its points, or as a composite of such data sets."""
-    if isinstance(mesh, vtkDataObjectTree):
-        copy = mesh.NewInstance()
-        copy.ShallowCopy(mesh)
-        places = mesh.NewTreeIterator()
-        while not places.IsDoneWithTraversal():
-            leaf = places.GetCurrentDataObject()
-            if leaf.IsA("vtkImageData") or leaf.IsA("vtkRectilinearGrid"):
-                copy.SetDataSetFrom(places, _points_of(leaf, algorithm))
-            places.GoToNextItem()
-        return copy
-    if isinstance(mesh, vtkPoints):
-        mesh = mesh.GetData()
-    if isinstance(mesh, vtkDataArray):
-        mesh = vtk_to_numpy(mesh)
-    if not hasattr(mesh, "IsA"):
-        if is_array_like(mesh):
-            # Integers stay: as floats, they were rounded.
-            return pyvista.PolyData(as_points(mesh, _ignores_masked(algorithm)), force_float=False)
-        mesh = _wrapped(mesh)
-    elif not isinstance(mesh, vtkDataObject) and hasattr(mesh, "GetDataObjectType"):
-        raise FilterError(f"{type(mesh).__name__} is of another VTK, the module {type(mesh).__module__}")
-    if isinstance(mesh, vtkPointSet):
-        return mesh
-    if mesh is None or not (mesh.IsA("vtkImageData") or mesh.IsA("vtkRectilinearGrid")):
-        raise FilterError(f"{type(mesh).__name__} has no points to take")
-    return pyvista.wrap(mesh).cast_to_structured_grid()
+class _Run:
+    """The choices of a call, and what it makes of one block."""
+
+    block_index: Any  # of the last hull's points
+
+    def __init__(
+        self, facets: str, threads: int, non_finite: str, engine: str, skip_ghosts: bool, pass_data: bool
+    ) -> None:
+        self._polygons = _choice("facet_mode", facets, ("triangles", "polygons")) == "polygons"
+        self._ignore = _choice("non_finite_points", non_finite, ("error", "ignore")) == "ignore"
+        self._engine = ENGINES[_choice("engine", engine, tuple(ENGINES))]
+        self._threads = _threads(threads)
+        self._skip_ghosts = _flag("skip_ghost_points", skip_ghosts)
+        self._pass_data = _flag("pass_point_data", pass_data)
+
+    def hull(self, blocks: list[Block], report: _Report) -> pv.PolyData:
+        cloud = Cloud(blocks, self._skip_ghosts, self._ignore)
+        core = cloud.engine(_core.convex_hull, cloud.array, self._settings(cloud, report))
+        self.block_index = cloud.block_index(cloud.ids(core.vertices()))
+        return self._cells_of(cloud, core)
+
+    def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: _Report) -> pv.PolyData:
+        with_cells = [part for part in block.parts if part.mesh.GetNumberOfCells() > 0]
+        of = f" of {block.place}" if block.place else ""
+        if len(with_cells) > 1:
+            raise InputError(f"the surface{of} is spread over {len(with_cells)} partitions", "bad_argument")
+        if not with_cells and block.count:
+            raise InputError(f"the surface{of} has no cells, but {block.count} point(s)", "bad_argument")
+        cloud = Cloud([Block(with_cells or block.parts[:1], block.place)], False, False)
+        corners = ids_of(surface_of(cloud.blocks[0].parts[0], block.place), "corners")
+        core = cloud.engine(_core.convexify, cloud.array, corners, kernel, self._settings(cloud, report))
+        return self._cells_of(cloud, core)
+
+    def triangulation(
+        self, block: Block, weights: Any, projection: Projection, report: _Report, hidden: bool
+    ) -> list[pv.PolyData]:
+        cloud = Cloud([block], self._skip_ghosts, self._ignore)
+        heavy = cloud.weights(weights, self._ignore)
+        settings = self._settings(cloud, report)
+        places = projection.to_plane(cloud.array, settings)
+        core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
+        found = [self._cells_of(cloud, core)]
+        if hidden:
+            ids = cloud.ids(core.hidden())
+            found.append(cloud.mesh(ids, self._pass_data))
+            set_cells(found[1], 0, 1, None, np.arange(len(ids)))
+        return found
+
+    def diagram(
+        self, block: Block, weights: Any, projection: Projection, box: tuple[float, ...] | None, report: _Report
+    ) -> pv.PolyData:
+        cloud = Cloud([block], self._skip_ghosts, self._ignore)
+        heavy = cloud.weights(weights, self._ignore)
+        first, second = _split(report, 0.4)
+        settings = self._settings(cloud, first)
+        places = projection.to_plane(cloud.array, settings)
+        core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
+        arguments = places, heavy, core, box if core.dimension >= 0 else None, self._settings(cloud, second)
+        found = cloud.engine(_core.power_diagram, *arguments)
+        made = pv.PolyData()
+        made.SetPoints(pv.vtk_points(projection.to_space(found.vertices()), deep=False, force_float=False))
+        set_cells(made, 2, 0, found.offsets(), found.connectivity())
+        cloud.pass_data(cloud.ids(found.sites()), made, "cell", self._pass_data)
+        return made
+
+    def _settings(self, cloud: Cloud, report: _Report) -> Any:
+        return _core.Settings(self._threads, self._polygons, cloud.left_out, self._engine, report)
+
+    def _cells_of(self, cloud: Cloud, core: Any) -> pv.PolyData:
+        made = cloud.mesh(cloud.ids(core.vertices()), self._pass_data)
+        size = core.cell_size
+        set_cells(made, core.dimension, size, None if size else core.offsets(), core.connectivity())
+        return made
 
 
-def _wrapped(mesh):
-    """PyVista's mesh for an object that is not VTK's; None for None."""
+def _each_block(
+    data: Any,
+    make: Callable[[Block, _Report], list[pv.PolyData]],
+    count: int,
+    progress_bar: bool,
+    leaves: tuple[str, ...] = LEAVES,
+) -> list[Output]:
+    """What is made of each block: so many meshes, or composites of them."""
+    made: list[list[pv.PolyData | None]] = []
+    with _bar(progress_bar) as report:
+        blocks = blocks_of(data, leaves)
+        total = 1 + sum(block.count for block in blocks if block is not None)
+        done = 0
+        for block in blocks:
+            if block is None:
+                made.append([None] * count)
+                continue
+            meshes = make(block, _stretch(report, done / total, (done + block.count) / total))
+            done += block.count
+            for mesh in meshes if block.parts[0].mesh is not None else ():
+                pass_field_data(block.parts[0].mesh, mesh)
+            made.append([*meshes])
+    if is_tree(data):
+        return [composite_of(data, [meshes[i] for meshes in made]) for i in range(count)]
+    return [mesh for mesh in made[0] if mesh is not None]
+
+
+@contextmanager
+def _bar(progress_bar: bool) -> Iterator[_Report]:
+    """A callable for progress that shows a bar, or None."""
+    if not _flag("progress_bar", progress_bar):
+        yield None
+        return
+    bar = Bar()
+    with bar:
+        yield bar
+
+
+def _stretch(report: _Report, begin: float, end: float) -> _Report:
+    """Reports a part's progress as that of the whole."""
+    if report is None:
+        return None
+    whole = report
+    return lambda fraction: whole(begin + fraction * (end - begin))
+
+
+def _split(report: _Report, at: float) -> tuple[_Report, _Report]:
+    return _stretch(report, 0.0, at), _stretch(report, at, 1.0)
+
+
+def _choice(name: str, value: Any, choices: tuple[str, ...]) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is one of {', '.join(map(repr, choices))}, not {value!r}")
+    if value not in choices:
+        raise ValueError(f"{name} is one of {', '.join(map(repr, choices))}, not {value!r}")
+    return value
+
+
+def _flag(name: str, value: Any) -> bool:
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is True or False, not {value!r}")
+    return bool(value)
+
+
+def _threads(value: Any) -> int:
     try:
-        return pyvista.wrap(mesh)
-    except (NotImplementedError, TypeError):
-        raise FilterError(f"{type(mesh).__name__} has no points to take") from None
+        number = int(value.__index__())
+    except (AttributeError, TypeError):
+        raise TypeError(f"number_of_threads is an integer, not {value!r}") from None
+    if not 0 <= number < 2**31:
+        raise ValueError(f"number_of_threads is 0 (all) or more, not {value!r}")
+    return number
 
 
-def _ignores_masked(algorithm):
-    return algorithm.GetNonFinitePoints() == algorithm.NON_FINITE_IGNORE
-
-
-def _triangulated(mesh, weights, properties, progress_bar):
-    triangulation = vtkFFRegularTriangulationFilter()
-    set_properties(triangulation, properties)
-    mesh = _points_of(mesh, triangulation)
-    own = None
-    if isinstance(weights, str):
-        triangulation.SetInputArrayToProcess(0, 0, 0, 0, weights)
-    elif weights is not None:
-        if not isinstance(mesh, vtkPointSet):
-            raise TypeError("the weights of a composite are the name of a point array")
-        own = "weights"
-        while mesh.GetPointData().HasArray(own):
-            own += "_"
-        array = numpy_to_vtk(as_weights(weights, _ignores_masked(triangulation)), deep=True)
-        array.SetName(own)
-        weighted = mesh.NewInstance()
-        weighted.ShallowCopy(mesh)
-        weighted.GetPointData().AddArray(array)
-        mesh = weighted
-        triangulation.SetInputArrayToProcess(0, 0, 0, 0, own)
-    outputs = _outputs(triangulation, mesh, progress_bar)
-    for output in outputs if own else ():
-        output.GetPointData().RemoveArray(own)
-        output.GetCellData().RemoveArray(own)
-    return outputs
-
-
-def _outputs(algorithm, mesh, progress_bar):
-    """Runs the algorithm on the mesh; returns its outputs as PyVista meshes, which do not share its pipeline."""
-    errors = []
-
-    def keep(caller, event, message):
-        errors.append(message)
-
-    keep.CallDataType = "string0"
-    algorithm.AddObserver("ErrorEvent", keep)
-    # It says no more than that the algorithm failed, and would say it on the terminal.
-    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
-    algorithm.SetInputDataObject(mesh)
-    if flag("progress_bar", progress_bar):
-        from pyvista.core.utilities.observers import ProgressMonitor
-
-        with ProgressMonitor(algorithm, message=algorithm.GetClassName()):
-            algorithm.Update()
-    else:
-        algorithm.Update()
-    if errors:
-        # Without VTK's head, which names a source line and an address.
-        raise FilterError("\n".join(message.split("): ", 1)[-1].strip() for message in errors))
-    if algorithm.GetErrorCode():
-        raise FilterError("vtkObject.GlobalWarningDisplayOff() is in force: VTK tells no errors")
-    return [
-        _of_pyvista(algorithm.GetOutputDataObject(port))
-        for port in range(algorithm.GetNumberOfOutputPorts())
-    ]
-
-
-def _of_pyvista(data):
-    """The data as PyVista's class if it has one, otherwise a copy."""
+def _numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
+    """So many finite numbers."""
     try:
-        return pyvista.wrap(data)
-    except TypeError:
-        copy = data.NewInstance()
-        copy.ShallowCopy(data)
-        return copy
+        array = np.asarray(value, np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is {count} numbers, not {value!r}") from None
+    if array.shape != (count,) or not np.isfinite(array).all():
+        raise ValueError(f"{name} is {count} finite numbers, not {value!r}")
+    return tuple(array.tolist())
+
+
+def _check_weights(weights: Any, data: Any) -> None:
+    if weights is not None and not isinstance(weights, str) and is_tree(data):
+        raise TypeError("the weights of a composite are the name of a point array")

@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The normal is the axis of least spread: an eigenvector of a symmetric matrix, by Jacobi's
+/// rotations.
+#include <flipflop/PlaneFit.h>
+
+#include "Points/PointSource.h"
+#include "Support/Threads.h"
+#include "Support/TypedErrors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace flipflop
+{
+
+namespace
+{
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<Vector, 3>;
+
+/// Points between two looks whether to go on: some milliseconds.
+constexpr std::int64_t OfOneThread = 1 << 16;
+constexpr std::int64_t OfAllThreads = 1 << 20;
+
+/// What a task looks at.
+constexpr std::size_t PointsPerTask = 1 << 14;
+
+bool isFinite(const Vector& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+double dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void normalize(Vector& a)
+{
+  const double length = std::sqrt(dot(a, a));
+  for (std::size_t k = 0; length != 0.0 && k < 3; ++k)
+  {
+    a[k] /= length;
+  }
+}
+
+/// The power of two that takes values of that size to about 1; 1 for 0.
+double toUnit(double largest)
+{
+  return largest > 0.0 ? std::ldexp(1.0, -std::max(-1000, std::min(std::ilogb(largest), 1000)))
+                       : 1.0;
+}
+
+/// work(begin, end) for one stretch of points after another.
+/// @throw Error Aborted
+template <class Work>
+void inStretches(std::int64_t count, std::int64_t length, const Options& options, const Work& work)
+{
+  for (std::int64_t begin = 0; begin < count; begin += length)
+  {
+    if (options.progress && !options.progress(0.0, options.progressContext))
+    {
+      throw Error(ErrorCode::Aborted);
+    }
+    work(begin, std::min(count, begin + length));
+  }
+}
+
+/// visit(i, p) for the points of a range, in order.
+template <class T, class Visit>
+void visitAs(const PointView& points, std::int64_t begin, std::int64_t end, const Visit& visit)
+{
+  const T* data = static_cast<const T*>(points.data);
+  for (std::int64_t i = begin; i < end; ++i)
+  {
+    const T* p = data + i * points.stride;
+    visit(i, Vector{ p[0], p[1], p[2] });
+  }
+}
+
+template <class Visit>
+void visitRange(const PointView& points, std::int64_t begin, std::int64_t end, const Visit& visit)
+{
+  if (points.type == ScalarType::Float32)
+  {
+    visitAs<float>(points, begin, end, visit);
+  }
+  else
+  {
+    visitAs<double>(points, begin, end, visit);
+  }
+}
+
+/// visit(p) for the finite points, in order.
+template <class Visit>
+void visitFinite(const PointView& points, const Options& options, const Visit& visit)
+{
+  inStretches(points.count, OfOneThread, options,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      visitRange(points, begin, end,
+        [&](std::int64_t, const Vector& p)
+        {
+          if (isFinite(p))
+          {
+            visit(p);
+          }
+        });
+    });
+}
+
+/// Turns the axes p and q such that the symmetric matrix has a zero there.
+void rotate(Matrix& matrix, Matrix& axes, std::size_t p, std::size_t q)
+{
+  const double apart = matrix[p][q];
+  if (apart == 0.0)
+  {
+    return;
+  }
+  // The tangent of the smaller of two angles. Where the quotient is infinite, it is zero.
+  const double half = (matrix[q][q] - matrix[p][p]) / (2.0 * apart);
+  const double tangent =
+    (half < 0.0 ? -1.0 : 1.0) / (std::fabs(half) + std::sqrt(half * half + 1.0));
+  const double cosine = 1.0 / std::sqrt(tangent * tangent + 1.0);
+  const double sine = tangent * cosine;
+  matrix[p][p] -= tangent * apart;
+  matrix[q][q] += tangent * apart;
+  matrix[p][q] = matrix[q][p] = 0.0;
+  const std::size_t r = 3 - p - q;
+  const double toP = matrix[r][p];
+  const double toQ = matrix[r][q];
+  matrix[r][p] = matrix[p][r] = cosine * toP - sine * toQ;
+  matrix[r][q] = matrix[q][r] = sine * toP + cosine * toQ;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double ofP = axes[p][k];
+    const double ofQ = axes[q][k];
+    axes[p][k] = cosine * ofP - sine * ofQ;
+    axes[q][k] = sine * ofP + cosine * ofQ;
+  }
+}
+
+/// An eigenvector of the least eigenvalue of a symmetric matrix (of the last, if several are
+/// equal).
+Vector leastAxis(Matrix matrix)
+{
+  constexpr int Enough = 50; // sweeps; a few do, since the rest shrinks to its square in each
+  Matrix axes{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
+  for (int sweep = 0; sweep < Enough; ++sweep)
+  {
+    // What is too small to change an eigenvalue turns the axes all the same, until it is zero.
+    if (matrix[0][1] == 0.0 && matrix[0][2] == 0.0 && matrix[1][2] == 0.0)
+    {
+      break;
+    }
+    rotate(matrix, axes, 0, 1);
+    rotate(matrix, axes, 0, 2);
+    rotate(matrix, axes, 1, 2);
+  }
+  std::size_t least = 2;
+  for (std::size_t k : { std::size_t(1), std::size_t(0) })
+  {
+    least = matrix[k][k] < matrix[least][least] ? k : least;
+  }
+  return axes[least];
+}
+
+FittedPlane fitted(const PointView& points, const Options& options)
+{
+  FittedPlane plane;
+  // Measured from one of the points, in a unit near the largest coordinate: nothing overflows, and
+  // a flat set far from the origin stays flat.
+  double count = 0.0;
+  double largest = 0.0;
+  visitFinite(points, options,
+    [&](const Vector& p)
+    {
+      if (count == 0.0)
+      {
+        plane.start = p;
+      }
+      count += 1.0;
+      largest = std::max({ largest, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) });
+    });
+  const double unit = toUnit(largest);
+  const Vector& start = plane.start;
+  Vector mean{};
+  visitFinite(points, options,
+    [&](const Vector& p)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        mean[k] += p[k] * unit - start[k] * unit;
+      }
+    });
+  for (double& m : mean)
+  {
+    m = count > 0.0 ? m / count : 0.0;
+  }
+  Matrix spread{};
+  visitFinite(points, options,
+    [&](const Vector& p)
+    {
+      Vector d;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        d[k] = (p[k] * unit - start[k] * unit) - mean[k];
+      }
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          spread[i][k] += d[i] * d[k];
+        }
+      }
+    });
+
+  Vector normal = leastAxis(spread);
+  std::size_t main = 2;
+  for (std::size_t k : { std::size_t(1), std::size_t(0) })
+  {
+    main = std::fabs(normal[k]) > std::fabs(normal[main]) ? k : main;
+  }
+  if (normal[main] < 0.0)
+  {
+    for (double& n : normal)
+    {
+      n = -n;
+    }
+  }
+  normalize(normal);
+
+  const std::size_t next = (main + 1) % 3;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    plane.first[k] = (k == next ? 1.0 : 0.0) - normal[next] * normal[k];
+  }
+  normalize(plane.first);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    plane.second[k] = normal[i] * plane.first[j] - normal[j] * plane.first[i];
+  }
+
+  // The foot of the starting point on the plane.
+  const double height = dot(mean, normal);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    plane.origin[k] = count > 0.0 ? start[k] + height * normal[k] / unit : 0.0;
+  }
+  return plane;
+}
+
+}
+
+FittedPlane fitPlane(const PointView& points, const Options& options)
+{
+  return withTypedErrors(
+    [&]
+    {
+      requireArray(points, 3);
+      return fitted(points, options);
+    });
+}
+
+Buffer<double> placesInPlane(
+  const PointView& points, const FittedPlane& plane, const Options& options)
+{
+  return withTypedErrors(
+    [&]
+    {
+      requireArray(points, 3);
+      constexpr double none = std::numeric_limits<double>::quiet_NaN();
+      Buffer<double> places(2 * static_cast<std::size_t>(points.count));
+      ArenaLoan arena(threadCount(options.threads, points.count));
+      inStretches(points.count, OfAllThreads, options,
+        [&](std::int64_t from, std::int64_t to)
+        {
+          arena.execute(
+            [&]
+            {
+              eachRun(static_cast<std::size_t>(to - from), PointsPerTask,
+                [&](std::size_t begin, std::size_t end, std::size_t)
+                {
+                  visitRange(points, from + static_cast<std::int64_t>(begin),
+                    from + static_cast<std::int64_t>(end),
+                    [&](std::int64_t i, const Vector& p)
+                    {
+                      const Vector d{ p[0] - plane.start[0], p[1] - plane.start[1],
+                        p[2] - plane.start[2] };
+                      const bool finite = isFinite(p);
+                      double* const place = places.data() + 2 * i;
+                      place[0] = finite ? dot(d, plane.first) : none;
+                      place[1] = finite ? dot(d, plane.second) : none;
+                    });
+                });
+            });
+        });
+      return places;
+    });
+}
+
+}

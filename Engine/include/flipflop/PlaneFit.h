@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Points in space as points of the plane that fits them best, and back. Triangulations of tilted
+/// points start here.
+#ifndef flipflop_PlaneFit_h
+#define flipflop_PlaneFit_h
+
+#include <flipflop/Buffer.h>
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
+
+#include <array>
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// A plane in space, with a right-handed frame: first, second, and the normal.
+struct FittedPlane
+{
+  std::array<double, 3> start{};  ///< the first finite point: (0, 0) in the plane; the origin: none
+  std::array<double, 3> origin{}; ///< its foot on the plane
+  std::array<double, 3> first{};  ///< the axes, of length 1 but for rounding
+  std::array<double, 3> second{};
+};
+
+/// The plane through the points' centroid with the least sum of squared distances to them. Points
+/// that are not finite do not count.
+///
+/// The normal's component of largest magnitude is positive (the last one, if several are equal).
+/// Of several planes that fit alike, as those of points on a line do, one is taken. The first axis
+/// is the next coordinate axis after that component's (y after x, x after z), projected into the
+/// plane.
+///
+/// All is computed in double and in a fixed order, so the same points give the same bits.
+/// @param options only the progress function is used; it is called with 0 from time to time
+/// @throw Error   BadArgument, Aborted
+FittedPlane fitPlane(const PointView& points, const Options& options = Options());
+
+/// The places of points in the plane: x and y of each, measured from start; rounded. NaN, if a
+/// coordinate of the point is not finite.
+/// @param options only the threads and the progress function are used
+/// @throw Error   BadArgument, OutOfMemory, Aborted
+Buffer<double> placesInPlane(
+  const PointView& points, const FittedPlane& plane, const Options& options = Options());
+
+/// The position in space of a place in the plane, rounded.
+inline std::array<double, 3> positionOf(const FittedPlane& plane, double x, double y)
+{
+  std::array<double, 3> position;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    position[k] = plane.origin[k] + (x * plane.first[k] + y * plane.second[k]);
+  }
+  return position;
+}
+
+}
+
+#endif

@@ -1,0 +1,233 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkflipflop.pyvista gives what the VTK filters give, array by array, bit for bit.
+
+It runs where the filters fit the VTK that PyVista runs on.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import pyvista as pv
+
+try:
+    from vtkflipflop import vtkFFAlgorithm, vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    from vtkmodules.vtkCommonTransforms import vtkTransform
+except ImportError as error:
+    pytest.skip(f"no VTK filters here: {error}", allow_module_level=True)
+if not issubclass(pv.PolyData, vtkPolyData):
+    pytest.skip("PyVista runs on another VTK than the filters", allow_module_level=True)
+
+from vtkflipflop.pyvista import convex_hull, convexify, power_diagram, regular_triangulation
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Python"))
+import digests  # noqa: E402
+
+TOP = Path(__file__).resolve().parents[2]
+TRANSFORM = np.array([[0.8, 0.3, -0.1, 1], [-0.2, 0.7, 0.5, 2], [0.3, -0.4, 0.9, 3], [0, 0, 0, 1]])
+
+
+def with_data(mesh):
+    """The mesh with point data of many types, field data, and something active."""
+    count = mesh.n_points
+    if count:
+        ids = np.arange(count)
+        for kind in "i1 u1 i2 u2 i4 u4 i8 u8 f4 f8".split():
+            mesh.point_data[kind] = (ids % 100).astype(kind)
+        mesh.point_data["flag"] = ids % 3 == 0
+        mesh.point_data["name"] = np.array([f"p{i}" for i in ids])
+        mesh.point_data["Normals"] = np.ones((count, 3))
+        mesh.point_data["weight"] = np.sin(ids) * 1e-3
+        mesh.point_data.active_normals_name = "Normals"
+        mesh.point_data.active_scalars_name = "f4"
+    mesh.field_data["source"] = [3, 4]
+    mesh.field_data["FlipFlopVolume"] = [3.0]
+    return mesh
+
+
+def rows(count, seed=1):
+    return np.random.default_rng(seed).random((count, 3))
+
+
+def turned_image():
+    grid = pv.ImageData(dimensions=(4, 5, 6), spacing=(0.1, 0.7, 1e-3), origin=(1, 1e6, -3))
+    grid.direction_matrix = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]])
+    return grid.extract_subset((1, 3, 0, 4, 2, 5))
+
+
+def some_ghosts():
+    mesh = pv.PolyData(rows(300))
+    mesh.point_data["vtkGhostType"] = (np.arange(300) % 4).astype(np.uint8)
+    return mesh
+
+
+MESHES = {
+    "empty": lambda: pv.PolyData(),
+    "point": lambda: pv.PolyData(np.ones((4, 3))),
+    "line": lambda: pv.PolyData(np.outer(np.arange(9.0), [1, 2, 3])),
+    "plane": lambda: pv.Plane(direction=(1, 2, 3), i_resolution=7, j_resolution=5),
+    "flat": lambda: pv.PolyData(rows(200) * [1, 1, 0]),
+    "uniform": lambda: pv.PolyData(rows(2000)),
+    "floats": lambda: pv.PolyData(rows(2000).astype(np.float32)),
+    "lattice": lambda: pv.PolyData(np.stack(np.mgrid[:6, :5, :4], -1).reshape(-1, 3), force_float=False),
+    "bytes": lambda: pv.PolyData((rows(300) * 255).astype(np.uint8), force_float=False),
+    "grid": lambda: pv.PolyData(rows(100)).cast_to_unstructured_grid(),
+    "image": lambda: pv.ImageData(dimensions=(3, 4, 5), origin=(0.1, 0.2, 0.3)),
+    "turned": turned_image,
+    "rectilinear": lambda: pv.RectilinearGrid(*(np.arange(n) ** 1.5 for n in (3, 4, 5))),
+    "narrow": lambda: pv.RectilinearGrid(*(np.arange(n, dtype=np.float32) ** 0.5 for n in (3, 4, 5))),
+    "far": lambda: pv.PolyData(rows(500) + 1e15),
+    "ghosts": some_ghosts,
+    "autzen": lambda: pv.read(TOP / "Data" / "autzen.vtp"),
+}
+
+
+def blocks():
+    return pv.MultiBlock(
+        {
+            "a": with_data(MESHES["uniform"]()),
+            "none": None,
+            "inner": pv.MultiBlock({"b": with_data(MESHES["image"]()), "c": with_data(MESHES["ghosts"]())}),
+            "empty": pv.PolyData(),
+            "d": with_data(MESHES["floats"]()),
+        }
+    )
+
+
+def outputs_of(algorithm, mesh):
+    algorithm.SetInputDataObject(mesh)
+    algorithm.Update()
+    assert algorithm.GetErrorCode() == 0
+    return [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+
+
+def parts(data):
+    found = digests.digest(data)
+    del found["class"]  # of PyVista's own
+    return found
+
+
+def expect_same(found, expected):
+    assert parts(found) == parts(expected)
+
+
+@pytest.mark.parametrize("name", MESHES)
+@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
+def test_hulls(name, facets):
+    mesh = with_data(MESHES[name]())
+    algorithm = vtkFFHullFilter()
+    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    (expected,) = outputs_of(algorithm, mesh)
+    expect_same(convex_hull(mesh, facet_mode=facets.lower()), expected)
+    algorithm.SkipGhostPointsOff()
+    algorithm.PassPointDataOff()
+    (expected,) = outputs_of(algorithm, mesh)
+    found = convex_hull(mesh, facet_mode=facets.lower(), skip_ghost_points=False, pass_point_data=False)
+    expect_same(found, expected)
+
+
+def triangulation_filter(projection, weights, bounds):
+    algorithm = vtkFFRegularTriangulationFilter()
+    settings = {}
+    if projection == "transform":
+        transform = vtkTransform()
+        transform.SetMatrix(TRANSFORM.ravel().tolist())
+        algorithm.SetTransform(transform)
+        settings["transform"] = TRANSFORM
+    elif projection == "best_fitting_plane":
+        algorithm.SetProjectionPlaneModeToBestFittingPlane()
+        settings["projection_plane_mode"] = projection
+    if weights:
+        algorithm.SetInputArrayToProcess(0, 0, 0, 0, weights)
+    algorithm.GeneratePowerDiagramOn()
+    if bounds:
+        algorithm.SetPowerDiagramBounds(*bounds)
+    return algorithm, settings
+
+
+@pytest.mark.parametrize("name", MESHES)
+@pytest.mark.parametrize("projection", ["xy_plane", "best_fitting_plane", "transform"])
+@pytest.mark.parametrize("weights", [None, "weight"])
+def test_triangulations(name, projection, weights):
+    mesh = with_data(MESHES[name]())
+    algorithm, settings = triangulation_filter(projection, weights, None)
+    expected, hidden, cells = outputs_of(algorithm, mesh)
+    shown, left = regular_triangulation(mesh, weights, return_hidden_points=True, **settings)
+    expect_same(shown, expected)
+    expect_same(left, hidden)
+    expect_same(power_diagram(mesh, weights, **settings), cells)
+    algorithm.SetFacetModeToPolygons()
+    expect_same(
+        regular_triangulation(mesh, weights, facet_mode="polygons", **settings), outputs_of(algorithm, mesh)[0]
+    )
+
+
+def test_bounds_of_diagrams():
+    for projection in ("xy_plane", "best_fitting_plane", "transform"):
+        mesh = with_data(MESHES["uniform"]())
+        bounds = (-0.25, 0.5, 0.125, 2)
+        algorithm, settings = triangulation_filter(projection, "weight", bounds)
+        cells = outputs_of(algorithm, mesh)[2]
+        expect_same(power_diagram(mesh, "weight", power_diagram_bounds=bounds, **settings), cells)
+
+
+def test_points_that_are_not_finite():
+    mesh = with_data(MESHES["ghosts"]())
+    mesh.points[[4, 9, 100], [0, 1, 2]] = np.nan, np.inf, np.nan
+    hull = vtkFFHullFilter()
+    hull.SetNonFinitePointsToIgnore()
+    expect_same(convex_hull(mesh, non_finite_points="ignore"), outputs_of(hull, mesh)[0])
+    for projection in ("xy_plane", "best_fitting_plane", "transform"):
+        algorithm, settings = triangulation_filter(projection, "weight", None)
+        algorithm.SetNonFinitePointsToIgnore()
+        expected = outputs_of(algorithm, mesh)
+        settings["non_finite_points"] = "ignore"
+        found = regular_triangulation(mesh, "weight", return_hidden_points=True, **settings)
+        expect_same(found[0], expected[0])
+        expect_same(found[1], expected[1])
+        expect_same(power_diagram(mesh, "weight", **settings), expected[2])
+
+
+def test_composites():
+    hull = vtkFFHullFilter()
+    expect_same(convex_hull(blocks()), outputs_of(hull, blocks())[0])
+    hull.SetCompositeModeToAllBlocks()
+    expect_same(convex_hull(blocks(), composite_mode="all_blocks"), outputs_of(hull, blocks())[0])
+    algorithm, settings = triangulation_filter("best_fitting_plane", "weight", None)
+    expected = outputs_of(algorithm, blocks())
+    found = regular_triangulation(blocks(), "weight", return_hidden_points=True, **settings)
+    expect_same(found[0], expected[0])
+    expect_same(found[1], expected[1])
+    expect_same(power_diagram(blocks(), "weight", **settings), expected[2])
+
+
+def test_partitions():
+    pieces = [with_data(MESHES[name]()) for name in ("uniform", "floats", "empty", "ghosts")]
+    partitions = pv.PartitionedDataSet(pieces)
+    expect_same(convex_hull(partitions), outputs_of(vtkFFHullFilter(), partitions)[0])
+    algorithm, _ = triangulation_filter("xy_plane", "weight", None)
+    expected = outputs_of(algorithm, partitions)
+    expect_same(regular_triangulation(partitions, "weight"), expected[0])
+    expect_same(power_diagram(partitions, "weight"), expected[2])
+
+
+@pytest.mark.parametrize("kernel", [None, (0.01, 0.02, 0)])
+@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
+def test_surfaces(kernel, facets):
+    surface = pv.Sphere(theta_resolution=20, phi_resolution=20).triangulate()
+    surface.points *= 1 + 0.2 * np.random.default_rng(2).random((surface.n_points, 1))
+    surface = with_data(surface)
+    algorithm = vtkFFConvexifyFilter()
+    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    if kernel:
+        algorithm.SetKernelPoint(*kernel)
+    for mesh in (surface, pv.PolyData(), pv.MultiBlock({"a": surface, "b": None})):
+        (expected,) = outputs_of(algorithm, mesh)
+        expect_same(convexify(mesh, kernel, facet_mode=facets.lower()), expected)
+
+
+def test_the_filters_are_the_real_ones():
+    assert issubclass(vtkFFHullFilter, vtkFFAlgorithm)
