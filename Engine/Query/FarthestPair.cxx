@@ -4,6 +4,7 @@
 
 #include "Predicates/WideSigns.h"
 #include "Query/BoxTree.h"
+#include "Query/UnitFrame.h"
 
 #include <atomic>
 #include <cmath>
@@ -17,9 +18,7 @@ namespace flipflop
 namespace
 {
 
-/// Corners are moved to about the origin and scaled, so that the longest side of their box is from
-/// 1 to 2. Each coordinate is then off by 2^-51 at most, and the square of a distance, or a bound
-/// on it, by less than 2e-14.
+/// Squares of distances in the frame, and bounds on them, are off by less than 2e-14.
 constexpr double Margin = 1e-13;
 
 class PairSearch
@@ -30,9 +29,8 @@ public:
     , count(count)
     , wide(isWide)
     , monitor(monitor)
-    , place(std::size_t(3) * count)
+    , frame(corners, count)
   {
-    this->placeCorners();
     this->tree.emplace(
       count,
       [&](std::uint32_t item)
@@ -111,41 +109,7 @@ private:
     std::uint32_t leaves = 0; ///< pairs of them that were looked at
   };
 
-  const double* at(std::uint32_t corner) const
-  {
-    return this->place.data() + 3 * std::size_t(corner);
-  }
-
-  void placeCorners()
-  {
-    Box box;
-    for (std::uint32_t i = 0; i < this->count; ++i)
-    {
-      // Halves, against overflow. No corner is so small that they lose a bit that counts.
-      double* const x = this->place.data() + 3 * std::size_t(i);
-      for (int k = 0; k < 3; ++k)
-      {
-        x[k] = 0.5 * this->corners[i].x[k];
-      }
-      box.add(x);
-    }
-    double centre[3];
-    double longest = 0;
-    for (int k = 0; k < 3; ++k)
-    {
-      centre[k] = 0.5 * box.low[k] + 0.5 * box.high[k];
-      longest = std::max(longest, box.high[k] - box.low[k]);
-    }
-    const int exponent = longest > 0 ? -std::ilogb(longest) : 0;
-    for (std::uint32_t i = 0; i < this->count; ++i)
-    {
-      double* const x = this->place.data() + 3 * std::size_t(i);
-      for (int k = 0; k < 3; ++k)
-      {
-        x[k] = std::ldexp(x[k] - centre[k], exponent);
-      }
-    }
-  }
+  const double* at(std::uint32_t corner) const { return this->frame.at(corner); }
 
   double squareOf(const CornerPair& pair) const
   {
@@ -282,7 +246,7 @@ private:
   std::uint32_t count;
   bool wide;
   Monitor& monitor;
-  Buffer<double> place; ///< three coordinates a corner
+  UnitFrame frame;
   std::optional<BoxTree> tree;
   Buffer<double> reach;             ///< by node: the greatest square of a distance from the origin
   std::atomic<double> longest{ 0 }; ///< the square of a distance between two corners

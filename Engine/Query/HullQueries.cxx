@@ -5,6 +5,7 @@
 #include "Geometry/Extents.h"
 #include "Query/FarthestPair.h"
 #include "Query/HullModel.h"
+#include "Query/MinimalBox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -203,6 +204,21 @@ Diameter HullQueries::diameter(const Options& options) const
         distanceBetween(hull.corner(pair.first), hull.corner(pair.second), hull.scaleExponent());
     });
   return result;
+}
+
+OrientedBox HullQueries::minimalBox(const Options& options) const
+{
+  const HullModel& hull = *this->model;
+  OrientedBox box;
+  runOver(hull.size(), options,
+    [&](Monitor& monitor)
+    {
+      if (hull.dimension() >= 0)
+      {
+        box = minimalBoxOf(hull, monitor);
+      }
+    });
+  return box;
 }
 
 }

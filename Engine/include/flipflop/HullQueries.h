@@ -33,6 +33,18 @@ struct Diameter
   double length = 0;        ///< their distance, off by a few units of its last place
 };
 
+/// A box in any position: the points center + x axes[0] + y axes[1] + z axes[2], with |x|, |y|, |z|
+/// up to half of lengths[0], [1], [2].
+struct OrientedBox
+{
+  double center[3] = { 0, 0, 0 };
+  /// Orthonormal up to rounding, right-handed; the direction of the longest side first.
+  double axes[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  double lengths[3] = { 0, 0, 0 }; ///< of the sides, descending; 0 from the hull's dimension on
+  double volume = 0;               ///< the product of the lengths; 0 below dimension 3
+  double lowerBound = 0;           ///< no box that holds the hull has less volume
+};
+
 class HullModel;
 
 /// Questions about one hull. It keeps what it needs of the hull and its points, and prepares what a
@@ -110,6 +122,25 @@ public:
   /// @param options threads, progress
   /// @throw Error   OutOfMemory, Aborted
   Diameter diameter(const Options& options = Options()) const;
+
+  /// A small box that holds the hull: of the boxes that are tried, the one of least volume. It is
+  /// not proven to be the least of all, but no box has less volume than its lowerBound, the greater
+  /// of the hull's volume and three times that of a large tetrahedron in the hull.
+  ///
+  /// Tried are the box along the coordinate axes, and the least boxes that have an axis along the
+  /// normal of a facet, along an edge (of about a thousand triangles, where there are more), or
+  /// along one of some directions in between. Of hulls of up to 64 edges, triangulated, also the
+  /// boxes with two sides, next to each other, that run along an edge each, as a least box has:
+  /// these are sampled and improved. The best ones are improved by keeping each axis in turn and
+  /// choosing the others anew. A hull of dimension 2 gets its rectangle of least area, up to
+  /// rounding.
+  ///
+  /// No vertex is farther outside the box than 1e-14 times the hull's largest coordinate or length.
+  /// (So a side of less than 1e-300 times the longest may be zero.)
+  /// @param options threads, progress
+  /// @return        for an empty hull, a box of lengths 0 at the origin
+  /// @throw Error   OutOfMemory, Aborted
+  OrientedBox minimalBox(const Options& options = Options()) const;
 
 private:
   std::unique_ptr<const HullModel> model;

@@ -125,6 +125,7 @@ TEST(QueryErrors, StoppedOnRequest)
     [&](const Options& o) { queries.support(viewOf(cloud), ids.data(), o); },
     [&](const Options& o) { queries.distance(viewOf(cloud), distances.data(), o); },
     [&](const Options& o) { queries.diameter(o); },
+    [&](const Options& o) { queries.minimalBox(o); },
     [&](const Options& o) { facetPlanes(viewOf(cloud), hull, o); },
     [&](const Options& o) { cellNeighbors(hull, o); },
   };
