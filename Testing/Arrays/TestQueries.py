@@ -96,6 +96,31 @@ def test_diameter():
     assert convex_hull(CUBE[:0]).diameter().first == -1
 
 
+def rotation(ndim):
+    return np.linalg.qr(RANDOM.standard_normal((ndim, ndim)))[0]
+
+
+@pytest.mark.parametrize("ndim", [2, 3])
+def test_minimal_box_of_a_box(ndim):
+    corners = np.array(list(itertools.product((0.0, 1.0), repeat=ndim))) * [3, 2, 1][:ndim]
+    box = convex_hull(corners @ rotation(ndim) + 5).minimal_box()
+    assert np.allclose(box.lengths, [3, 2, 1][:ndim], rtol=1e-13)
+    assert box.volume == pytest.approx(6, rel=1e-13) and box.lower_bound <= box.volume * (1 + 1e-13)
+
+
+@pytest.mark.parametrize("ndim", [2, 3])
+def test_minimal_box_holds_the_points(ndim):
+    points = RANDOM.standard_normal((200, ndim)) @ rotation(ndim) * [5, 2, 1][:ndim]
+    hull = convex_hull(points)
+    box = hull.minimal_box()
+    assert np.allclose(box.axes @ box.axes.T, np.eye(ndim), rtol=0, atol=1e-14)
+    assert np.linalg.det(box.axes) == pytest.approx(1)
+    assert (np.abs((points - box.center) @ box.axes.T) <= box.lengths / 2 + 1e-13).all()
+    assert hull.volume <= box.lower_bound * (1 + 1e-13)
+    assert box.lower_bound <= box.volume <= np.ptp(points, axis=0).prod() * (1 + 1e-13)
+    assert (np.diff(box.lengths) <= 0).all()
+
+
 @pytest.mark.parametrize(
     "points", [CUBE[:0], CUBE[:1], CUBE[:2], CUBE[:4], SQUARE[:0], SQUARE[:1], SQUARE[:2]], ids=range(7)
 )

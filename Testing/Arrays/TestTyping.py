@@ -17,7 +17,7 @@ ARRAYS = """
 import numpy as np
 from numpy.typing import NDArray
 from typing import assert_type
-from vtkflipflop.arrays import ConvexHull, HullBatch, InputError, Polygons, PowerDiagram, RegularTriangulation
+from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons, PowerDiagram, RegularTriangulation
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import validate
 
@@ -29,6 +29,10 @@ assert_type(hull.polygons, Polygons)
 assert_type(hull.volume, float)
 assert_type(hull.area, float)
 assert_type(hull.statistics, dict[str, float])
+assert_type(hull.equations, NDArray[np.float64])
+assert_type(hull.neighbors, NDArray[np.int64])
+assert_type(hull.diameter(), Diameter)
+assert_type(hull.minimal_box(), OrientedBox)
 assert_type(validate(hull), Validation)
 assert_type(convexify(hull.points, hull.simplices), ConvexHull)
 batch = convex_hulls(np.zeros((4, 3)), [0, 2, 4])

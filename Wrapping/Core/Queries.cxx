@@ -14,6 +14,7 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -134,6 +135,17 @@ void bindQueries(nb::module_& module)
         const Diameter found =
           settings.run([&](const Options& options) { return self.diameter(options); });
         return nb::make_tuple(found.first, found.second, found.length);
+      })
+    .def("minimal_box",
+      [](const HullQueries& self, const Settings& settings)
+      {
+        const OrientedBox box =
+          settings.run([&](const Options& options) { return self.minimalBox(options); });
+        Buffer<double> places(15); // the center, the axes, the lengths
+        std::copy_n(box.center, 3, places.data());
+        std::copy_n(box.axes[0], 9, places.data() + 3);
+        std::copy_n(box.lengths, 3, places.data() + 12);
+        return nb::make_tuple(arrayOf(std::move(places)), box.volume, box.lowerBound);
       });
   module.def("hull_queries",
     [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)

@@ -45,6 +45,29 @@ class Diameter(NamedTuple):
     length: float
 
 
+class OrientedBox(NamedTuple):
+    """A box in any position: center + t @ axes, with |t| up to half of lengths.
+
+    Attributes
+    ----------
+    center : ndarray of ndim
+    axes : ndarray of ndim by ndim
+        a row for each side: orthonormal, right-handed, the longest side first
+    lengths : ndarray of ndim
+        of the sides, descending
+    volume : float
+        in the plane, the area
+    lower_bound : float
+        no box that holds the hull has less volume
+    """
+
+    center: Floats
+    axes: Floats
+    lengths: Floats
+    volume: float
+    lower_bound: float
+
+
 class ConvexHull(Cells):
     """The exact convex hull of points in space, or of points in the plane.
 
@@ -174,6 +197,19 @@ class ConvexHull(Cells):
     def diameter(self) -> Diameter:
         """The two vertices that are farthest apart, found by exact comparison."""
         return Diameter(*self._queries.diameter(QUIET))
+
+    def minimal_box(self) -> OrientedBox:
+        """A small box around the hull, in any position, and a proven bound of how small a box can be.
+
+        In the plane, it is the least rectangle, up to rounding. In space, it is the least box of a large family: see
+        minimalBox() in the engine's HullQueries.h.
+        """
+        places, volume, lower_bound = self._queries.minimal_box(QUIET)
+        center, axes, lengths = places[:3], places[3:12].reshape(3, 3), places[12:]
+        if not self._planar:
+            return OrientedBox(center, axes, lengths, volume, lower_bound)
+        area = float(lengths[0] * lengths[1])
+        return OrientedBox(center[:2], axes[:2, :2], lengths[:2], area, area)
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the convex hull of the points."""

@@ -31,7 +31,7 @@ from __future__ import annotations
 
 from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
-from ._hull import ConvexHull, Diameter, Side, convex_hull, convexify
+from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._results import Polygons, Validation
 from ._triangulation import PowerDiagram, RegularTriangulation, power_diagram, regular_triangulation
 
@@ -43,6 +43,7 @@ __all__ = [
     "FlipFlopError",
     "HullBatch",
     "InputError",
+    "OrientedBox",
     "OutOfMemoryError",
     "Polygons",
     "PowerDiagram",
