@@ -30,13 +30,23 @@ if [ "$what" = wheel ]; then
   wheels="$top/build/wheel"
   "$top/Scripts/wheel/build-wheel.sh" "$wheels" \
     --config-settings=cmake.define.FLIPFLOP_WARNINGS_AS_ERRORS=ON
-  say "Test: the wheel in a clean environment"
-  "$python" -m venv --clear "$wheels/clean"
-  "$wheels/clean/bin/pip" install --quiet --upgrade pip
-  "$wheels/clean/bin/pip" install --quiet "$(echo "$wheels"/repaired/*.whl)[pyvista,vtk]" scipy pytest
+  wheel=$(echo "$wheels"/repaired/*.whl)
+  # in_clean FOLDER REQUIREMENTS FOLDER_OF_TESTS...: the tests, where nothing but these is installed
+  in_clean() {
+    local folder=$wheels/$1 requirements=$2
+    shift 2
+    "$python" -m venv --clear "$folder"
+    "$folder/bin/pip" install --quiet --upgrade pip
+    # shellcheck disable=SC2086
+    "$folder/bin/pip" install --quiet $requirements
+    (cd "$wheels" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH= "$folder/bin/python" -m pytest -rs \
+      -p no:cacheprovider --override-ini 'python_files=Test*.py' "$@")
+  }
+  say "Test: the wheel with numpy alone"
+  in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestReadme.py"
+  say "Test: the wheel with PyVista and the VTK of its classes"
   start_display
-  (cd "$wheels" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH= "$wheels/clean/bin/python" -m pytest -rs \
-    -p no:cacheprovider --override-ini 'python_files=Test*.py' "$top/Testing/Python" "$top/Testing/Wheel")
+  in_clean pyvista "$wheel[pyvista,vtk] pytest scipy" "$top/Testing/Python" "$top/Testing/Wheel"
   exit
 fi
 

@@ -2,24 +2,25 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# nightly.sh [sanitizers|tests|compilers|windows|fuzz]...: what takes too long for every change. By default all:
+# nightly.sh [sanitizers|tests|compilers|windows|wheels|fuzz]...: what takes too long for every change. By default all:
 #   sanitizers  every test that a sanitizer can find something in (test.sh runs a part of them)
 #   tests       the tests that only FLIPFLOP_NIGHTLY builds: the tests of the tests, by mutants; the pictures beside
 #               their sources; the device code's budgets for every architecture
 #   compilers   clang with libc++, compiled only
 #   windows     MinGW-w64, run by Wine
+#   wheels      the wheels for each Python that is here, beside each VTK and PyVista (Testing/Wheel/matrix.py)
 #   fuzz        each fuzzer for half an hour
 # The first failure ends it.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests compilers windows fuzz)
+[ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests compilers windows wheels fuzz)
 
 for part in "${parts[@]}"; do
   case "$part" in
-    sanitizers | tests | compilers | windows | fuzz) ;;
-    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|fuzz]..." >&2; exit 2 ;;
+    sanitizers | tests | compilers | windows | wheels | fuzz) ;;
+    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|wheels|fuzz]..." >&2; exit 2 ;;
   esac
 done
 
@@ -38,6 +39,15 @@ for part in "${parts[@]}"; do
     tests) build_and_test ci ci-nightly -DFLIPFLOP_NIGHTLY=ON ;;
     compilers) "$top/Scripts/libcxx.sh" ;;
     windows) "$top/Scripts/mingw.sh" ;;
+    wheels)
+      "$top/Scripts/install-dependencies.sh" wheel
+      pythons=()
+      for name in python3.11 python3.12 python3.13 python3.14; do
+        ! "$name" -c "" 2>/dev/null || pythons+=("$name")
+      done
+      PYTHON="${pythons[*]}" "$top/Scripts/wheel/build-wheel.sh" "$top/build/wheels"
+      "$python" "$top/Testing/Wheel/matrix.py" "$top"/build/wheels/repaired/*.whl
+      ;;
     fuzz)
       for entry in Engine Filters; do
         "$top/Scripts/fuzz.sh" "$entry" 1800
