@@ -27,6 +27,11 @@ DeviceFinding findCudaDevice()
 
 void releaseCudaMemory() {}
 
+void copyFromDevice(void*, const void*, std::size_t)
+{
+  throw Error(ErrorCode::NoDevice);
+}
+
 template <class Geometry>
 std::unique_ptr<CudaBuilder<Geometry>> makeCudaBuilder()
 {

@@ -58,6 +58,18 @@ int currentCudaDevice()
   return device;
 }
 
+void copyFromDevice(void* to, const void* from, std::size_t bytes)
+{
+  if (currentCudaDevice() < 0)
+  {
+    throw Error(ErrorCode::NoDevice);
+  }
+  if (bytes)
+  {
+    requireCuda(cudaMemcpy(to, from, bytes, cudaMemcpyDefault));
+  }
+}
+
 DeviceFinding findCudaDevice()
 {
   DeviceFinding found;

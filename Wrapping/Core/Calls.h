@@ -30,6 +30,10 @@ struct Settings
   int engine = 0;
   nanobind::object progress;
 
+  /// Where a device has the points and the weights, too; 0: nowhere.
+  std::uintptr_t pointsMemory = 0;
+  std::uintptr_t weightsMemory = 0;
+
   Options options() const
   {
     Options options;
@@ -58,9 +62,11 @@ struct Settings
 class SpacePoints
 {
 public:
-  explicit SpacePoints(const InputArray& array)
+  /// @param memory where a device has the rows, too; 0: nowhere
+  explicit SpacePoints(const InputArray& array, std::uintptr_t memory = 0)
     : View(pointView(array, 2))
   {
+    this->View.deviceData = deviceMemory(memory);
     if (array.shape(1) == 2)
     {
       this->View.type == ScalarType::Float32 ? this->widen(this->Singles)

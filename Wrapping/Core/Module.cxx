@@ -54,8 +54,10 @@ Handle<Hull> hullOf(const InputArray& points, const Settings& settings)
 Handle<Triangulation> triangulationOf(
   const InputArray& points, const std::optional<InputArray>& weights, const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
-  const WeightView heavy = weightView(weights);
+  PointView places = pointView(points, 2);
+  WeightView heavy = weightView(weights);
+  places.deviceData = deviceMemory(settings.pointsMemory);
+  heavy.deviceData = deviceMemory(settings.weightsMemory);
   return handleOf(settings.run(
     [&](const Options& options)
     {
@@ -173,6 +175,48 @@ auto eachResult(const Results<Result>& self, const Get& get)
   return arrayOf(std::move(values), { results.size() });
 }
 
+/// An array of another library's, in any memory, as DLPack tells of it.
+struct DeviceArray
+{
+  explicit DeviceArray(nb::ndarray<nb::ro> given)
+    : array(std::move(given))
+  {
+  }
+  nb::ndarray<nb::ro> array;
+};
+
+/// A tuple with one value for each axis.
+template <class Get>
+nb::tuple eachAxis(const nb::ndarray<nb::ro>& array, const Get& get)
+{
+  nb::list values;
+  for (std::size_t axis = 0; axis < array.ndim(); ++axis)
+  {
+    values.append(get(axis));
+  }
+  return nb::tuple(values);
+}
+
+/// NumPy's letter for a kind of numbers.
+const char* kindOf(nb::dlpack::dtype type)
+{
+  switch (static_cast<nb::dlpack::dtype_code>(type.code))
+  {
+    case nb::dlpack::dtype_code::Float:
+      return "f";
+    case nb::dlpack::dtype_code::Int:
+      return "i";
+    case nb::dlpack::dtype_code::UInt:
+      return "u";
+    case nb::dlpack::dtype_code::Bool:
+      return "b";
+    case nb::dlpack::dtype_code::Complex:
+      return "c";
+    default:
+      return "V"; // of no type that NumPy has
+  }
+}
+
 nb::tuple judged(const Validation& validation)
 {
   return nb::make_tuple(
@@ -210,7 +254,9 @@ NB_MODULE(_core, module)
       [](Settings* self, int threads, bool polygons, bool ignore, int engine, nb::object progress) {
         new (self) Settings{ threads, polygons, ignore, engine, std::move(progress) };
       },
-      "threads"_a, "polygons"_a, "ignore_non_finite"_a, "engine"_a, "progress"_a.none());
+      "threads"_a, "polygons"_a, "ignore_non_finite"_a, "engine"_a, "progress"_a.none())
+    .def_rw("points_memory", &Settings::pointsMemory)
+    .def_rw("weights_memory", &Settings::weightsMemory);
 
   bindCells<Hull>(module, "Hull")
     .def_prop_ro("volume", [](const Handle<Hull>& self) { return self.result->volume; })
@@ -300,6 +346,28 @@ NB_MODULE(_core, module)
     },
     "points"_a, "weights"_a.none(), "triangulation"_a, "threads"_a);
 
+  nb::class_<DeviceArray>(module, "DeviceArray")
+    .def(nb::init<nb::ndarray<nb::ro>>())
+    .def_prop_ro("pointer",
+      [](const DeviceArray& self) { return reinterpret_cast<std::uintptr_t>(self.array.data()); })
+    .def_prop_ro("shape",
+      [](const DeviceArray& self)
+      { return eachAxis(self.array, [&](std::size_t axis) { return self.array.shape(axis); }); })
+    .def_prop_ro("strides",
+      [](const DeviceArray& self)
+      { return eachAxis(self.array, [&](std::size_t axis) { return self.array.stride(axis); }); })
+    .def_prop_ro("kind", [](const DeviceArray& self) { return kindOf(self.array.dtype()); })
+    .def_prop_ro("size", [](const DeviceArray& self) { return self.array.itemsize(); });
+  module.def("copy_from_device",
+    [](std::uintptr_t address, std::size_t bytes)
+    {
+      Buffer<std::uint8_t> copy(bytes);
+      {
+        const nb::gil_scoped_release free;
+        copyFromDevice(copy.data(), deviceMemory(address), bytes);
+      }
+      return arrayOf(std::move(copy));
+    });
   module.def("cuda_status",
     []
     {

@@ -48,6 +48,12 @@ inline ScalarType scalarTypeOf(const InputArray& array)
   throw nanobind::type_error("float32 or float64 is wanted");
 }
 
+/// Memory of a device, by its address.
+inline const void* deviceMemory(std::uintptr_t address)
+{
+  return reinterpret_cast<const void*>(address);
+}
+
 /// A view of points, one a row.
 /// @param columns the rows have that many at least
 inline PointView pointView(const InputArray& array, std::size_t columns)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._device import memory_of
 from ._input import ids_of, points_of
 from ._results import (
     QUIET,
@@ -283,6 +284,7 @@ def convex_hull(
     """
     array, left_out = points_of(points, ignores(non_finite))
     chosen = settings(threads, facets, non_finite, engine, progress, left_out)
+    chosen[0].points_memory = memory_of(array)
     return ConvexHull(array, run(chosen, _core.convex_hull, array), left_out)
 
 

@@ -9,9 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from ._device import HostCopy, host_copy, is_on_device
 from ._errors import InputError
 
 _FLOATS = (np.dtype(np.float32), np.dtype(np.float64))
+_PLAIN = (np.ndarray, HostCopy)
 
 
 def points_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
@@ -19,11 +21,12 @@ def points_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
 
     An array is taken as it is if the engine reads its memory: float32 or float64 in this machine's byte order, a
     row's coordinates side by side. Otherwise it is copied, exactly. Masked points become NaN, which the engine then
-    leaves out; other points must be finite all the same, unless these are ignored, too.
+    leaves out; other points must be finite all the same, unless these are ignored, too. Of an array on a device it is a
+    HostCopy.
     """
-    array = values
-    if type(array) is not np.ndarray or array.ndim != 2 or array.shape[1] not in (2, 3) or array.dtype not in _FLOATS:
-        array, masked = _exact(rows_of(values), "coordinate", ignore)
+    array = _of_host(values)
+    if type(array) not in _PLAIN or array.ndim != 2 or array.shape[1] not in (2, 3) or array.dtype not in _FLOATS:
+        array, masked = _exact(rows_of(array), "coordinate", ignore)
         return array, ignore or masked
     return _adjacent(array), ignore
 
@@ -40,9 +43,9 @@ def rows_of(values: Any) -> np.ndarray:
 
 def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     """n weights, in the way of points_of()."""
-    array = values
-    if type(array) is not np.ndarray or array.ndim != 1 or array.dtype not in _FLOATS:
-        array = _as_array(values, "weight")
+    array = _of_host(values)
+    if type(array) not in _PLAIN or array.ndim != 1 or array.dtype not in _FLOATS:
+        array = _as_array(array, "weight")
         if array.ndim == 2 and array.shape[1] == 1:
             array = array[:, 0]
         if array.ndim != 1:
@@ -85,7 +88,7 @@ def _as_array(values: Any, what: str) -> np.ndarray:
     """The values as a NumPy array of numbers, masked where the values are masked."""
     if not is_array_like(values):
         raise TypeError(f"{what}s are an array or a list of numbers, not of type {type(values).__name__}")
-    array = np.asanyarray(_of_host(values, what)) if not isinstance(values, Sequence) else _of_lists(values, what)
+    array = np.asanyarray(_by_dlpack(values)) if not isinstance(values, Sequence) else _of_lists(values, what)
     if not np.ma.isMaskedArray(array):
         array = np.asarray(array)  # of other subclasses, a matrix stays a matrix
     if array.dtype.kind not in "biufO":
@@ -95,13 +98,12 @@ def _as_array(values: Any, what: str) -> np.ndarray:
     return array
 
 
-def _of_host(values: Any, what: str) -> Any:
-    """The values, or their memory by DLPack; a TypeError if a device has them."""
-    if hasattr(values, "__cuda_array_interface__"):
-        raise TypeError(
-            f"the {what}s are on a CUDA device, and this build of vtkflipflop has no CUDA engine: copy them to the "
-            "host first, as cupy.asnumpy() does"
-        )
+def _of_host(values: Any) -> Any:
+    """The values; a copy on the host, if a device has them."""
+    return host_copy(values) if type(values) is not np.ndarray and is_on_device(values) else values
+
+
+def _by_dlpack(values: Any) -> Any:
     return values if hasattr(values, "__array__") else np.from_dlpack(values)
 
 

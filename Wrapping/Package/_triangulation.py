@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._device import memory_of
 from ._input import points_of, weights_of
 from ._results import (
     QUIET,
@@ -308,6 +309,7 @@ def regular_triangulation(
         heavy, masked = weights_of(weights, ignore)
         left_out = left_out or masked
     chosen = settings(threads, facets, non_finite, engine, progress, left_out)
+    chosen[0].points_memory, chosen[0].weights_memory = memory_of(array), memory_of(heavy)
     core = run(chosen, _core.regular_triangulation, array, heavy)
     return RegularTriangulation(array, heavy, core, left_out)
 

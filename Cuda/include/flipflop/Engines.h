@@ -9,6 +9,7 @@
 #include <flipflop/ConvexHull.h>
 #include <flipflop/RegularTriangulation.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace flipflop
@@ -58,6 +59,13 @@ const CudaStatus& cudaStatus();
 /// Give back to the device the memory that is kept for the next run: at most an eighth of the
 /// device's memory for each of the last two runs that ran at once.
 void releaseCudaMemory();
+
+/// Copies from the memory of the thread's current device, after what was given to the device's
+/// default stream before.
+/// @param to    room for that many bytes
+/// @param from  on the device
+/// @throw Error NoDevice, DeviceFailed
+void copyFromDevice(void* to, const void* from, std::size_t bytes);
 
 /// convexHull(points, options), by the chosen engine.
 /// @param points  any number up to 2^32 - 2
