@@ -11,7 +11,6 @@
 #define flipflop_HullModel_h
 
 #include "Geometry/ConvexPolygon.h"
-#include "Geometry/Extents.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/HullLocator.h"
 #include "Mesh/Polyhedron.h"
@@ -26,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -86,19 +86,20 @@ public:
   /// A triangle that a finite point outside the box looks towards.
   std::uint32_t triangleTowards(const double* x, const HullLocator& locator) const
   {
-    // The table's floats do not reach everywhere: where the point is far, one on its way to the box
-    // is looked for.
+    // The table's floats do not reach everywhere: where the point is many times the box away, one
+    // on its way there is looked for.
     constexpr double Far = 1024;
     double half[3], centre[3];
-    double extent = 0;
+    double away = 0; // in units of the box's sides
     for (int i = 0; i < 3; ++i)
     {
       centre[i] = 0.5 * this->low[i] + 0.5 * this->high[i];
       half[i] = 0.5 * x[i] - 0.5 * centre[i];
-      extent = std::max(extent, 0.5 * this->high[i] - 0.5 * this->low[i]);
+      const double side = std::max(
+        0.5 * this->high[i] - 0.5 * this->low[i], std::numeric_limits<double>::denorm_min());
+      away = std::max(away, std::fabs(half[i]) / side);
     }
-    const double away = largestOf(half[0], half[1], half[2]);
-    const double share = away > Far * extent ? Far * (extent / away) : 1.0;
+    const double share = away > Far ? Far / away : 1.0;
     double towards[3];
     for (int i = 0; i < 3; ++i)
     {

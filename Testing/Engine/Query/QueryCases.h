@@ -178,6 +178,70 @@ inline std::vector<std::int8_t> sidesByBruteForce(
   return sides;
 }
 
+using Integers = IntegerSpace<mpz_class>::Vector;
+
+inline mpz_class dot(const Integers& a, const Integers& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The farthest vertex in each direction, the lowest of several.
+inline std::vector<std::int64_t> farthestByBruteForce(
+  const Cloud& cloud, const Hull& hull, const Cloud& directions)
+{
+  const std::vector<Integers> points = integersOf(cloud);
+  std::vector<std::int64_t> result;
+  for (const Point& d : directions)
+  {
+    const Integers vector = integersOf({ d })[0];
+    std::int64_t best = hull.pointIds[0];
+    mpz_class most = dot(points[static_cast<std::size_t>(best)], vector);
+    for (const std::int64_t id : hull.pointIds)
+    {
+      const mpz_class along = dot(points[static_cast<std::size_t>(id)], vector);
+      if (along > most)
+      {
+        most = along;
+        best = id;
+      }
+    }
+    result.push_back(best);
+  }
+  return result;
+}
+
+/// Of all farthest pairs the first.
+struct FarthestIds
+{
+  std::int64_t first = -1;
+  std::int64_t second = -1;
+  mpz_class square = -1;
+};
+
+inline FarthestIds farthestPairByBruteForce(const Cloud& cloud, const Hull& hull)
+{
+  const auto points = integersOf(cloud);
+  FarthestIds wanted;
+  for (std::size_t i = 0; i < hull.pointIds.size(); ++i)
+  {
+    for (std::size_t j = hull.pointIds.size() > 1 ? i + 1 : i; j < hull.pointIds.size(); ++j)
+    {
+      const auto& a = points[static_cast<std::size_t>(hull.pointIds[i])];
+      const auto& b = points[static_cast<std::size_t>(hull.pointIds[j])];
+      mpz_class square = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        square += (a[k] - b[k]) * (a[k] - b[k]);
+      }
+      if (square > wanted.square)
+      {
+        wanted = { hull.pointIds[i], hull.pointIds[j], square };
+      }
+    }
+  }
+  return wanted;
+}
+
 /// The hull in polygons or triangles.
 inline Hull hullOf(const Cloud& cloud, FacetMode facets)
 {

@@ -13,41 +13,10 @@ namespace test
 namespace
 {
 
-struct Wanted
-{
-  std::int64_t first = -1;
-  std::int64_t second = -1;
-  mpz_class square = -1;
-};
-
-Wanted byBruteForce(const Cloud& cloud, const Hull& hull)
-{
-  const auto points = integersOf(cloud);
-  Wanted wanted;
-  for (std::size_t i = 0; i < hull.pointIds.size(); ++i)
-  {
-    for (std::size_t j = hull.pointIds.size() > 1 ? i + 1 : i; j < hull.pointIds.size(); ++j)
-    {
-      const auto& a = points[static_cast<std::size_t>(hull.pointIds[i])];
-      const auto& b = points[static_cast<std::size_t>(hull.pointIds[j])];
-      mpz_class square = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        square += (a[k] - b[k]) * (a[k] - b[k]);
-      }
-      if (square > wanted.square)
-      {
-        wanted = { hull.pointIds[i], hull.pointIds[j], square };
-      }
-    }
-  }
-  return wanted;
-}
-
 void expectDiameter(const std::string& name, const Cloud& cloud)
 {
   const Hull hull = hullOf(cloud, FacetMode::Polygons);
-  const Wanted wanted = byBruteForce(cloud, hull);
+  const FarthestIds wanted = farthestPairByBruteForce(cloud, hull);
   const HullQueries queries(viewOf(cloud), hull);
   for (const int threads : { 1, 2, 4 })
   {

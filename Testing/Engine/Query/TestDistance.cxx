@@ -166,6 +166,20 @@ TEST(Distance, KnownValues)
   EXPECT_EQ(distancesOf(hull, queries, 1), wanted);
 }
 
+TEST(Distance, FarBesideAThinHull)
+{
+  const Cloud plate = scaled(integerGrid(2), 1, 1e-60, 1);
+  const HullQueries hull(viewOf(plate), hullOf(plate, FacetMode::Triangles));
+  const Cloud queries = { { 0.5, 2, 0.5 }, { 0.5, -1e-30, 0.5 }, { 1e50, 0, 0 }, { 0.5, 3, 5 },
+    { 0.5, 0.5e-60, 0.25 } };
+  const std::vector<double> wanted = { 2, 1e-30, 1e50, 5, -0.5e-60 };
+  const std::vector<double> found = distancesOf(hull, queries, 1);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], wanted[i], 1e-15 * std::fabs(wanted[i])) << "query " << i;
+  }
+}
+
 TEST(Distance, OnAnyThreads)
 {
   const Cloud cloud = fromFamily("ball", 3000, 5).make();

@@ -13,37 +13,6 @@ namespace test
 namespace
 {
 
-using Integers = IntegerSpace<mpz_class>::Vector;
-
-mpz_class dot(const Integers& a, const Integers& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-std::vector<std::int64_t> farthestByBruteForce(
-  const Cloud& cloud, const Hull& hull, const Cloud& directions)
-{
-  const std::vector<Integers> points = integersOf(cloud);
-  std::vector<std::int64_t> result;
-  for (const Point& d : directions)
-  {
-    const Integers vector = integersOf({ d })[0];
-    std::int64_t best = hull.pointIds[0];
-    mpz_class most = dot(points[static_cast<std::size_t>(best)], vector);
-    for (const std::int64_t id : hull.pointIds)
-    {
-      const mpz_class along = dot(points[static_cast<std::size_t>(id)], vector);
-      if (along > most)
-      {
-        most = along;
-        best = id;
-      }
-    }
-    result.push_back(best);
-  }
-  return result;
-}
-
 /// Normals of facets, where doubles hold them, and what is near them; vectors along axes and
 /// diagonals; of any length, in any range.
 Cloud directionsFor(const Cloud& cloud, std::uint64_t seed, int count)
