@@ -22,7 +22,7 @@ PROMISED = {
     "Cuda": {"Engine"},
     "Filters": {"Engine", "Cuda"},
     "Plugin": {"Filters"},
-    "Wrapping": {"Filters"},
+    "Wrapping": {"Filters", "Engine", "Cuda"},
 }
 
 
