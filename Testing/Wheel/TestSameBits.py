@@ -86,7 +86,7 @@ MESHES = {
 
 
 def blocks():
-    return pv.MultiBlock(
+    made = pv.MultiBlock(
         {
             "a": with_data(MESHES["uniform"]()),
             "none": None,
@@ -95,6 +95,8 @@ def blocks():
             "d": with_data(MESHES["floats"]()),
         }
     )
+    made.field_data["survey"] = [7]
+    return made
 
 
 def outputs_of(algorithm, mesh):

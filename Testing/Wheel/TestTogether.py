@@ -3,10 +3,12 @@
 """vtkflipflop beside vtk and pyvista in one process: whatever is imported first, objects are shared."""
 
 import itertools
+import os
 import re
 import subprocess
 import sys
 from importlib.metadata import requires, version
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -84,3 +86,29 @@ def test_the_newest_vtk_that_is_allowed_is_the_one_of_the_build():
     assert _vtk_check.NEWEST == sdk
     allowed = next(name for name in requires("vtkflipflop") if re.match(r"vtk\W", name))
     assert set(allowed[3:].split(",")) == {f">={_vtk_check.OLDEST}", f"<={_vtk_check.NEWEST}"}
+
+
+FOREIGN = """
+import pyvista
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkflipflop.pyvista import convex_hull
+source = vtkSphereSource()
+source.Update()
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(0, source.GetOutput())
+for data in (source.GetOutput(), blocks, source.GetOutput().GetPoints()):
+    try:
+        convex_hull(data)
+    except TypeError as error:
+        print("is of another VTK" in str(error))
+print(convex_hull(pyvista.Sphere()).n_points)
+"""
+
+
+@pytest.mark.skipif(not (find_spec("cvista") and find_spec("vtkmodules")), reason="needs vtk and cvista")
+@pytest.mark.parametrize(("backend", "said"), [("vtk", ["842"]), ("cvista", ["True", "True", "True", "842"])])
+def test_meshes_of_a_vtk_that_pyvista_does_not_run_on(backend, said):
+    environment = {**os.environ, "PYVISTA_VTK_BACKEND": backend}
+    done = subprocess.run([sys.executable, "-c", FOREIGN], capture_output=True, text=True, env=environment)
+    assert done.stdout.split() == said, done.stdout + done.stderr
