@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Beside a VTK that it does not fit, the package says so before a library is loaded; the VTKs here are stand-ins."""
+"""Beside a VTK that they do not fit, the VTK classes say so before a library is loaded; the VTKs here are stand-ins."""
 
 import os
 import subprocess
@@ -16,8 +16,9 @@ from vtkflipflop import _vtk_check
 PROGRAM = """
 import sys
 sys.path[:0] = {path!r}
+import vtkflipflop  # what needs no VTK is there in any case
 try:
-    import vtkflipflop
+    from vtkflipflop import vtkFFHullFilter
 except ImportError as error:
     print(error)
 assert not [line for line in open("/proc/self/maps") if "libvtk" in line]
@@ -39,7 +40,7 @@ class TestVtkCheck(unittest.TestCase):
                 (modules / "vtkCommonCore.cpython-311-x86_64-linux-gnu.so").write_bytes(STRINGS % library.encode())
             package = Path(folder, "vtkflipflop")
             package.mkdir()
-            for file in ("__init__.py", "_vtk_check.py"):
+            for file in ("__init__.py", "_vtk.py", "_vtk_check.py"):
                 (package / file).write_bytes(Path(vtkflipflop.__file__).with_name(file).read_bytes())
             done = subprocess.run(
                 # -S: no VTK but that of the folder
@@ -58,6 +59,7 @@ class TestVtkCheck(unittest.TestCase):
 
     def test_none(self):
         said = self.said("", "", hidden=True)
+        self.assertIn("Instead, vtkflipflop.arrays (NumPy) and vtkflipflop.pyvista", said)
         self.assertRegex(said, r"^vtkflipflop [\d.]+ (needs VTK|was built for).*Python finds no VTK\. The way out: ")
 
     def test_another_build(self):
