@@ -13,6 +13,7 @@
 #include "Points/Vertex.h"
 #include "Predicates/DoubleDouble.h"
 #include "Predicates/WideIntegers.h"
+#include "Support/HostDevice.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -56,7 +57,7 @@ public:
   }
 
   /// Twice the area of abc, positive where it turns left; zero only where it is.
-  Number area(const double* a, const double* b, const double* c)
+  FF_FLAT Number area(const double* a, const double* b, const double* c)
   {
     const Number ux = this->difference(b[0], a[0]), uy = this->difference(b[1], a[1]);
     const Number vx = this->difference(c[0], a[0]), vy = this->difference(c[1], a[1]);
@@ -66,7 +67,7 @@ public:
 
   /// How high p is above the plane of abc, which turns left, times twice the area; positive in the
   /// power circle; zero only where it is. Third coordinates are weights.
-  Number heightAbove(const double* a, const double* b, const double* c, const double* p)
+  FF_FLAT Number heightAbove(const double* a, const double* b, const double* c, const double* p)
   {
     const double* const row[3] = { b, c, p };
     Number u[3][3];
