@@ -15,14 +15,14 @@
 ///     the next one opposite the edge
 ///   to or from the query's center beyond an edge ab:  I(t, q) / (A(t) A(a, b, q))
 ///
-/// (half of that), where I is how high a point is above t times A, twice the area. All these
-/// multiples are positive, so they lose no bits; the polygon's area is the sum of the crosses of
-/// its sides.
+/// (half of that), where I is how high a point is above t, times A, and A is twice the area. For
+/// along the axis of ab, which all these centers are on, the power of a third point changes against
+/// that of a and b by twice its distance from ab for each step. All these multiples are positive,
+/// so they lose no bits. The polygon's area is the sum of the crosses of its sides.
 ///
-/// Points on an axis perpendicular to t's edge ab differ in power at a and q by as much as they
-/// are apart times twice the distance of q from ab, whence the multiples. That the shares reproduce
-/// linear functions is the divergence theorem for what the query takes of the least power, whatever
-/// the weights.
+/// Why the shares reproduce linear functions, whatever the weights: the least power to the sites,
+/// less that to the query, is zero around the query's cell, so its gradient has the integral zero
+/// over the cell. On what comes from site a, that gradient is 2 (q - a).
 #ifndef flipflop_NaturalShares_h
 #define flipflop_NaturalShares_h
 
@@ -68,8 +68,9 @@ public:
     this->measureSides();
   }
 
-  /// @param shares is left as it is where the areas are nothing
-  void share(PlaneShares& shares)
+  /// @param shares is left as it is where the areas are nothing, or beyond the numbers' range
+  /// @return false there
+  bool share(PlaneShares& shares)
   {
     this->takeFromBorder();
     this->takeHidden();
@@ -78,14 +79,16 @@ public:
     {
       all = all + part.area;
     }
-    if (toDouble(all) > 0)
+    if (!this->values.isPositive(all))
     {
-      shares.clear();
-      for (const Part& part : this->parts)
-      {
-        shares.push_back({ part.site, std::max(0.0, toDouble(part.area / all)) });
-      }
+      return false;
     }
+    shares.clear();
+    for (const Part& part : this->parts)
+    {
+      shares.push_back({ part.site, std::max(0.0, toDouble(part.area / all)) });
+    }
+    return true;
   }
 
 private:
@@ -272,7 +275,7 @@ public:
         [&](auto& values)
         {
           using Values = std::decay_t<decltype(values)>;
-          StolenAreas<Space, Values>(this->mesh, this->region, space, values).share(shares);
+          return StolenAreas<Space, Values>(this->mesh, this->region, space, values).share(shares);
         });
     }
   }

@@ -47,6 +47,8 @@ public:
 
   static Number number(double x) { return { x, 0.0 }; }
   static bool isZero(const Number& x) { return x.high == 0.0; }
+  /// And in range.
+  static bool isPositive(const Number& x) { return x.high > 0.0 && std::isfinite(x.high); }
 
   /// a - b.
   Number difference(double a, double b)
@@ -122,6 +124,7 @@ public:
 
   static Number number(double x) { return Number(x); }
   static bool isZero(const Number& x) { return x.is_zero(); }
+  static bool isPositive(const Number& x) { return x > 0; }
 
   Number difference(double a, double b) const
   {
@@ -157,13 +160,13 @@ inline double toDouble(const FarValues::Number& a)
   return a.convert_to<double>();
 }
 
-/// compute(values) in double-double; again in numbers of any range where that is too vague.
+/// In double-double; again in numbers of any range where that is too vague.
+/// @param compute bool (values): false if what is made of the values is no result
 template <class Compute>
 void withValues(const Compute& compute)
 {
   NearValues nearby;
-  compute(nearby);
-  if (nearby.isVague())
+  if (!compute(nearby) || nearby.isVague())
   {
     FarValues far;
     compute(far);
