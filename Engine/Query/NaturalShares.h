@@ -15,14 +15,14 @@
 ///     the next one opposite the edge
 ///   to or from the query's center beyond an edge ab:  I(t, q) / (A(t) A(a, b, q))
 ///
-/// (half of that), where I is how high a point is above t times A, twice the area. All these
-/// multiples are positive, so they lose no bits; the polygon's area is the sum of the crosses of
-/// its sides.
+/// (half of that), where I is how high a point is above t, times A, and A is twice the area. For
+/// along the axis of ab, which all these centers are on, the power of a third point changes against
+/// that of a and b by twice its distance from ab for each step. All these multiples are positive,
+/// so they lose no bits. The polygon's area is the sum of the crosses of its sides.
 ///
-/// Points on an axis perpendicular to t's edge ab differ in power at a and q by as much as they
-/// are apart times twice the distance of q from ab, whence the multiples. That the shares reproduce
-/// linear functions is the divergence theorem for what the query takes of the least power, whatever
-/// the weights.
+/// Why the shares reproduce linear functions, whatever the weights: the least power to the sites,
+/// less that to the query, is zero around the query's cell, so its gradient has the integral zero
+/// over the cell. On what comes from site a, that gradient is 2 (q - a).
 #ifndef flipflop_NaturalShares_h
 #define flipflop_NaturalShares_h
 
@@ -63,12 +63,14 @@ public:
       const Vertex b = this->space.site(corners[1]);
       const Vertex c = this->space.site(corners[2]);
       this->measured.push_back({ this->values.area(a.x, b.x, c.x),
-        this->values.heightAbove(a.x, b.x, c.x, this->space.query.x), 0 });
+        this->values.heightAbove(a.x, b.x, c.x, this->space.query.x), {}, 0 });
     }
+    this->measureSides();
   }
 
-  /// @param shares is left as it is where the areas are nothing
-  void share(PlaneShares& shares)
+  /// @param shares is left as it is where the areas are nothing, or beyond the numbers' range
+  /// @return false there
+  bool share(PlaneShares& shares)
   {
     this->takeFromBorder();
     this->takeHidden();
@@ -77,23 +79,26 @@ public:
     {
       all = all + part.area;
     }
-    if (toDouble(all) > 0)
+    if (!this->values.isPositive(all))
     {
-      shares.clear();
-      for (const Part& part : this->parts)
-      {
-        shares.push_back({ part.site, std::max(0.0, toDouble(part.area / all)) });
-      }
+      return false;
     }
+    shares.clear();
+    for (const Part& part : this->parts)
+    {
+      shares.push_back({ part.site, std::max(0.0, toDouble(part.area / all)) });
+    }
+    return true;
   }
 
 private:
   /// Of a triangle of the region.
   struct Measured
   {
-    Number area;   ///< twice
-    Number height; ///< of the query, times that
-    int seen;      ///< bit i: its corner i has been counted
+    Number area;    ///< twice
+    Number height;  ///< of the query, times that
+    Number side[3]; ///< by half-edge: how many times it the polygons' side is
+    int seen;       ///< bit i: its corner i has been counted
   };
 
   struct Part
@@ -101,6 +106,32 @@ private:
     std::uint32_t site;
     Number area; ///< eight times
   };
+
+  /// Those of an inner edge are the same from both its triangles.
+  void measureSides()
+  {
+    for (std::size_t i = 0; i < this->region.size(); ++i)
+    {
+      Measured& m = this->measured[i];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const std::uint32_t h = halfEdge(this->region[i], corner);
+        const std::uint32_t next = this->across(h);
+        if (next == NoIndex)
+        {
+          const Vertex a = this->space.site(this->mesh.origin(h));
+          const Vertex b = this->space.site(this->mesh.origin(nextHalfEdge(h)));
+          m.side[corner] = m.height / (m.area * this->values.area(a.x, b.x, this->space.query.x));
+        }
+        else if (next > i)
+        {
+          Measured& other = this->measured[next];
+          m.side[corner] = this->depthBeyond(h) / (m.area * other.area);
+          other.side[cornerOf(this->mesh.twin(h))] = m.side[corner];
+        }
+      }
+    }
+  }
 
   /// From the sites at the region's border.
   void takeFromBorder()
@@ -113,9 +144,8 @@ private:
         const std::uint32_t h = halfEdge(this->region[i], corner);
         if (this->across(h) == NoIndex)
         {
-          const Measured& m = this->measured[i];
           this->begin(h);
-          this->addSide(this->beyond(m, h), this->mesh.origin(nextHalfEdge(h)));
+          this->addSide(this->measured[i].side[corner], this->mesh.origin(nextHalfEdge(h)));
           this->addRing(h);
         }
       }
@@ -157,16 +187,10 @@ private:
       Measured& m = this->measured[this->region.find(triangleOf(h))];
       m.seen |= 1 << cornerOf(h);
       const std::uint32_t back = previousHalfEdge(h);
-      const std::uint32_t next = this->across(back);
-      if (next == NoIndex)
-      {
-        this->addSide(this->beyond(m, back), this->mesh.origin(back));
-        return;
-      }
-      this->addSide(
-        this->depthBeyond(back) / (m.area * this->measured[next].area), this->mesh.origin(back));
+      this->addSide(m.side[cornerOf(back)], this->mesh.origin(back));
+      const bool leaves = this->across(back) == NoIndex;
       h = this->mesh.twin(back);
-      if (h == first)
+      if (leaves || h == first)
       {
         return;
       }
@@ -183,14 +207,6 @@ private:
     area = area + (this->sum[0] * y - this->sum[1] * x);
     this->sum[0] = this->sum[0] + x;
     this->sum[1] = this->sum[1] + y;
-  }
-
-  /// From a triangle's center to the query's beyond a half-edge of the region's border.
-  Number beyond(const Measured& m, std::uint32_t h)
-  {
-    const Vertex a = this->space.site(this->mesh.origin(h));
-    const Vertex b = this->space.site(this->mesh.origin(nextHalfEdge(h)));
-    return m.height / (m.area * this->values.area(a.x, b.x, this->space.query.x));
   }
 
   /// How deep the corner beyond a half-edge is below its triangle, times twice the area.
@@ -259,7 +275,7 @@ public:
         [&](auto& values)
         {
           using Values = std::decay_t<decltype(values)>;
-          StolenAreas<Space, Values>(this->mesh, this->region, space, values).share(shares);
+          return StolenAreas<Space, Values>(this->mesh, this->region, space, values).share(shares);
         });
     }
   }

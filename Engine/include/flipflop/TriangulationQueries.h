@@ -16,7 +16,7 @@
 namespace flipflop
 {
 
-/// A triangulation made ready for queries. It takes about 150 bytes a visible point.
+/// A triangulation made ready for queries. It takes about 110 bytes a visible point.
 ///
 /// Which cell and which site is exact for every finite place, at any range of numbers; values are
 /// rounded. All answers are the same, bit for bit, for any number of threads, and for any order of
@@ -46,8 +46,11 @@ public:
   TriangulationQueries(const PointView& points, const WeightView& weights,
     const Triangulation& triangulation, const Options& options = Options());
 
+  ///@{
+  /// @p other may only be destroyed or assigned to afterwards.
   TriangulationQueries(TriangulationQueries&& other) noexcept;
   TriangulationQueries& operator=(TriangulationQueries&& other) noexcept;
+  ///@}
   TriangulationQueries(const TriangulationQueries&) = delete;
   TriangulationQueries& operator=(const TriangulationQueries&) = delete;
   ~TriangulationQueries();

@@ -278,6 +278,47 @@ TEST(NaturalNeighbours, AreContinuous)
   }
 }
 
+/// In every arithmetic: scaled, and in integers of any size.
+TEST(NaturalNeighbours, AreTheSameAtEveryScale)
+{
+  for (const double weight : { 0.0, 0.01 })
+  {
+    Cloud sites = randomSites(24, weight, 21);
+    sites[0] = { 0, 0, 0 };
+    const Coordinates coordinates(sites, FacetMode::Triangles);
+    Cloud beside = sites;
+    beside[0][0] = 1e-200; // takes a range that no expansions carry
+    const Coordinates wide(beside, FacetMode::Triangles);
+    Random random(22);
+    int shared = 0;
+    for (int i = 0; i < 20; ++i)
+    {
+      const Point place = { random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), 0 };
+      const std::vector<double> expected = coordinates.at(place);
+      if (std::isnan(expected[0]))
+      {
+        continue; // outside
+      }
+      shared += static_cast<int>(
+        std::count_if(expected.begin(), expected.end(), [](double share) { return share > 0; }));
+      const auto expectSame = [&](const std::vector<double>& found)
+      {
+        for (std::size_t k = 0; k < sites.size(); ++k)
+        {
+          EXPECT_NEAR(found[k], expected[k], 4e-16);
+        }
+      };
+      expectSame(wide.at(place));
+      for (const double factor : { 0x1p-300, 0x1p-60, 0x1p100, 0x1p400 })
+      {
+        expectSame(Coordinates(magnified(sites, factor), FacetMode::Triangles)
+                     .at({ place[0] * factor, place[1] * factor, 0 }));
+      }
+    }
+    EXPECT_GT(shared, 15 * 4);
+  }
+}
+
 /// Between the ends of a border's edge, these alone have a share.
 TEST(NaturalNeighbours, AreLinearAlongTheBorder)
 {
