@@ -112,7 +112,9 @@ Cloud roundedToFloat(Cloud cloud)
   {
     for (double& x : p)
     {
-      x = static_cast<float>(x);
+      // At -O3, GCC 12 vectorises this loop and forgets some of its numbers.
+      volatile const float rounded = static_cast<float>(x);
+      x = rounded;
     }
   }
   return cloud;

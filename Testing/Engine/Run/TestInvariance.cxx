@@ -112,6 +112,15 @@ protected:
   std::vector<Cell> cells(const Cloud& cloud) const { return cellsOf(complexOf(this->run(cloud))); }
 };
 
+/// What the tests of floats are made of. (A compiler has left some numbers as they were.)
+TEST(Floats, AreFloats)
+{
+  for (int count = 1; count < 60; ++count)
+  {
+    EXPECT_TRUE(isFloat(roundedToFloat(fromFamily("ball", count, 1).make()))) << count << " points";
+  }
+}
+
 TEST_P(Invariance, UnderPermutation)
 {
   const Cloud cloud = this->make();
