@@ -37,7 +37,7 @@ struct Diameter
 /// up to half of lengths[0], [1], [2].
 struct OrientedBox
 {
-  double center[3] = { 0, 0, 0 };
+  double center[3] = { 0, 0, 0 }; ///< the middle of the box
   /// Orthonormal up to rounding, right-handed; the direction of the longest side first.
   double axes[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   double lengths[3] = { 0, 0, 0 }; ///< of the sides, descending; 0 from the hull's dimension on
