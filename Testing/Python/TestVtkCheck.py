@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Beside a VTK that they do not fit, the VTK classes say so before a library is loaded; the VTKs here are stand-ins."""
 
+import importlib
 import os
 import subprocess
 import sys
@@ -83,6 +84,13 @@ class TestVtkCheck(unittest.TestCase):
             program = PROGRAM.format(path=[folder])
             done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
             self.assertIn(f"in the same folder as itself, {folder}, but", done.stdout, done.stderr)
+
+
+    @unittest.skipIf(FROM_WHEEL, "a wheel has the array layer")
+    def test_the_array_layer_is_told_to_be_elsewhere(self):
+        for name in ("vtkflipflop.arrays", "vtkflipflop._core"):
+            with self.assertRaisesRegex(ImportError, "has the VTK classes alone.*pip install"):
+                importlib.import_module(name)
 
 
 if __name__ == "__main__":
