@@ -47,7 +47,8 @@ if [ "$what" = wheel ]; then
   in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestReadme.py"
   say "Test: the wheel with PyVista and the VTK of its classes"
   start_display
-  in_clean pyvista "$wheel[pyvista,vtk] pytest scipy" "$top/Testing/Python" "$top/Testing/Wheel"
+  in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy" "$top/Testing/Python" "$top/Testing/Wheel" \
+    "$top/Testing/Arrays/TestTyping.py"
   exit
 fi
 

@@ -77,6 +77,20 @@ def test_the_package_itself(tmp_path):
     assert said(tmp_path, "-p", "vtkflipflop.arrays").startswith("Success")
 
 
+@pytest.mark.skipif(not importlib.util.find_spec("pyvista"), reason="no PyVista")
+def test_the_functions_for_pyvista(tmp_path):
+    (tmp_path / "use.py").write_text(
+        "import pyvista as pv\n"
+        "from vtkflipflop.pyvista import convex_hull, regular_triangulation\n"
+        "convex_hull(pv.PolyData(), facet_mode='polygons', number_of_threads=2)\n"
+        "shown, hidden = regular_triangulation([[0.0, 0, 0]], return_hidden_points=True)\n"
+        "convex_hull(pv.PolyData(), facet_mode='squares')\n"
+        "convex_hull(pv.PolyData(), colour='red')\n"
+    )
+    lines = [line for line in said(tmp_path, "use.py").splitlines() if line.startswith("use.py") and "error:" in line]
+    assert [line.split(":")[1] for line in lines] == ["5", "6"], lines
+
+
 @pytest.mark.skipif(
     not (Path(vtkflipflop.__file__).parent / "vtkFiltersFlipFlop.pyi").exists()
     or not importlib.util.find_spec("vtkmodules"),

@@ -19,17 +19,17 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 
-ARRAYS = ["Testing/Arrays"]
-PYVISTA = ["Testing/Arrays/TestBits.py", "Testing/Wheel"]
+ARRAYS = ["Testing/Arrays", "Testing/Wheel/TestReadme.py"]
+PYVISTA = ["Testing/Arrays/TestBits.py", "Testing/Arrays/TestTyping.py", "Testing/Wheel"]
 CLASSES = [*PYVISTA, "Testing/Python"]
 
 # What is installed beside the wheel, without what it would bring along by itself; and the tests.
 ENVIRONMENTS = {
     "numpy alone": (["mypy", "scipy"], ARRAYS),
-    "vtk of the VTK classes": (["vtk==9.6.2", "pyvista", "tqdm", "scipy"], CLASSES),
-    "newest vtk": (["vtk", "pyvista", "tqdm", "scipy"], PYVISTA),
-    "cvista": (["cvista", "pyvista", "tqdm", "scipy"], PYVISTA),
-    "oldest PyVista": (["pyvista==0.44.*", "vtk<9.6", "tqdm", "scipy"], PYVISTA),
+    "vtk of the VTK classes": (["vtk==9.6.2", "pyvista", "tqdm", "scipy", "mypy"], CLASSES),
+    "newest vtk": (["vtk", "pyvista", "tqdm", "scipy", "mypy"], PYVISTA),
+    "cvista": (["cvista", "pyvista", "tqdm", "scipy", "mypy"], PYVISTA),
+    "oldest PyVista": (["pyvista==0.44.*", "vtk<9.6", "tqdm", "scipy", "mypy"], PYVISTA),
 }
 
 SHOWN = ("numpy", "vtk", "cvista", "pyvista")
