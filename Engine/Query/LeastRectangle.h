@@ -76,8 +76,10 @@ inline Rectangle leastRectangle(std::vector<PlanePoint>& points)
   {
     const double x = at(i + 1)[0] - at(i)[0];
     const double y = at(i + 1)[1] - at(i)[1];
-    const double length = std::hypot(x, y);
-    const PlanePoint d = { x / length, y / length };
+    // Scaled, so that no square vanishes. (std::hypot's last bit is not the same everywhere.)
+    const double longer = std::max(std::fabs(x), std::fabs(y));
+    const double length = std::sqrt((x / longer) * (x / longer) + (y / longer) * (y / longer));
+    const PlanePoint d = { x / longer / length, y / longer / length };
     const auto along = [&](const PlanePoint& p) { return d[0] * p[0] + d[1] * p[1]; };
     const auto above = [&](const PlanePoint& p) { return d[0] * p[1] - d[1] * p[0]; };
     // Each goes on from where it is, at most once around.

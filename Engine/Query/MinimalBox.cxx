@@ -181,12 +181,19 @@ private:
   /// Directions all around, evenly: points of a spiral on the sphere.
   static void spread(std::size_t count, std::vector<Vector>& directions)
   {
+    // Each is turned from the one before by the golden angle.
+    constexpr double Cosine = -0.7373688780783197;
+    constexpr double Sine = 0.6754902942615238;
+    double x = 1;
+    double y = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
       const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
-      const double turn = 2.399963229728653 * static_cast<double>(i);
       const double r = std::sqrt(1 - z * z);
-      directions.push_back({ { r * std::cos(turn), r * std::sin(turn), z } });
+      directions.push_back({ { r * x, r * y, z } });
+      const double next = Cosine * x - Sine * y;
+      y = Sine * x + Cosine * y;
+      x = next;
     }
   }
 
@@ -323,15 +330,22 @@ private:
   Candidate aboutPair(const double* along, const double* other) const
   {
     constexpr int Turns = 48;
-    constexpr double Pi = 3.14159265358979323846;
     double u[3], v[3];
     complete(along, u, v);
-    const auto at = [&](double angle)
+    // A way around half the circle, from 0 to 2, by fractions: a quarter takes 1. (The last bits of
+    // sines are not the same everywhere.)
+    const auto at = [&](double way)
     {
+      const double around = way - 2 * std::floor(way / 2);
+      const double t = around < 1 ? around : around - 1;
+      const double c = (1 - t * t) / (1 + t * t);
+      const double s = 2 * t / (1 + t * t);
+      const double x = around < 1 ? c : -s;
+      const double y = around < 1 ? s : c;
       Candidate result;
       for (int i = 0; i < 3; ++i)
       {
-        result.axis[0][i] = std::cos(angle) * u[i] + std::sin(angle) * v[i];
+        result.axis[0][i] = x * u[i] + y * v[i];
       }
       cross(other, result.axis[0], result.axis[1]);
       if (normalise(result.axis[1]))
@@ -345,12 +359,12 @@ private:
     double where = 0;
     for (int i = 0; i < Turns; ++i)
     {
-      const Candidate next = at(Pi * i / Turns);
-      where = next.volume < best.volume ? Pi * i / Turns : where;
+      const Candidate next = at(2.0 * i / Turns);
+      where = next.volume < best.volume ? 2.0 * i / Turns : where;
       best = next.volume < best.volume ? next : best;
     }
     // Closer and closer around the best.
-    double step = Pi / Turns;
+    double step = 2.0 / Turns;
     for (int i = 0; i < 50; ++i)
     {
       const Candidate less = at(where - step);

@@ -64,6 +64,7 @@ void releaseCudaMemory();
 /// default stream before.
 /// @param to    room for that many bytes
 /// @param from  on the device
+/// @param bytes how many
 /// @throw Error NoDevice, DeviceFailed
 void copyFromDevice(void* to, const void* from, std::size_t bytes);
 

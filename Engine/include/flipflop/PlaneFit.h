@@ -21,8 +21,8 @@ struct FittedPlane
 {
   std::array<double, 3> start{};  ///< the first finite point: (0, 0) in the plane; the origin: none
   std::array<double, 3> origin{}; ///< its foot on the plane
-  std::array<double, 3> first{};  ///< the axes, of length 1 but for rounding
-  std::array<double, 3> second{};
+  std::array<double, 3> first{};  ///< the first axis, of length 1 but for rounding
+  std::array<double, 3> second{}; ///< the second axis
 };
 
 /// The plane through the points' centroid with the least sum of squared distances to them. Points
@@ -34,12 +34,15 @@ struct FittedPlane
 /// plane.
 ///
 /// All is computed in double and in a fixed order, so the same points give the same bits.
+/// @param points  in space
 /// @param options only the progress function is used; it is called with 0 from time to time
 /// @throw Error   BadArgument, Aborted
 FittedPlane fitPlane(const PointView& points, const Options& options = Options());
 
 /// The places of points in the plane: x and y of each, measured from start; rounded. NaN, if a
 /// coordinate of the point is not finite.
+/// @param points  in space
+/// @param plane   that fitPlane() gave
 /// @param options only the threads and the progress function are used
 /// @throw Error   BadArgument, OutOfMemory, Aborted
 Buffer<double> placesInPlane(

@@ -56,6 +56,8 @@ public:
   ~TriangulationQueries();
 
   /// The cell that holds each query, its border included. Exact.
+  ///
+  /// A query costs a short walk: a longer one beside a site of very many neighbours.
   /// @param queries places
   /// @param cells   receives for each query the index of its cell in the triangulation; of several
   ///                (on an edge, at a corner) the lowest; -1 outside the convex hull. Of a
