@@ -57,6 +57,7 @@ void measure(std::int64_t count, const Corner& corner, double* area, double* cen
           : values.difference(corner(count - 1)[k], a[k]) * values.number(0.5);
         centroid[k] = toDouble(values.number(a[k]) + mean);
       }
+      return true;
     });
 }
 

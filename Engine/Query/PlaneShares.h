@@ -46,6 +46,7 @@ void sharesOnEdge(const Space& space, std::uint32_t a, std::uint32_t b, PlaneSha
         { a, toDouble(values.difference(to.x[axis], space.query.x[axis]) / length) });
       shares.push_back(
         { b, toDouble(values.difference(space.query.x[axis], from.x[axis]) / length) });
+      return true;
     });
 }
 
@@ -68,6 +69,7 @@ void sharesOfCorners(const Space& space, const std::uint32_t* corners, PlaneShar
       shares.push_back({ corners[0], toDouble(ofA / all) });
       shares.push_back({ corners[1], toDouble(ofB / all) });
       shares.push_back({ corners[2], toDouble(ofC / all) });
+      return true;
     });
 }
 

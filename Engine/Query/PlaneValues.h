@@ -13,6 +13,7 @@
 #include "Points/Vertex.h"
 #include "Predicates/DoubleDouble.h"
 #include "Predicates/WideIntegers.h"
+#include "Support/HostDevice.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -46,6 +47,8 @@ public:
 
   static Number number(double x) { return { x, 0.0 }; }
   static bool isZero(const Number& x) { return x.high == 0.0; }
+  /// And in range.
+  static bool isPositive(const Number& x) { return x.high > 0.0 && std::isfinite(x.high); }
 
   /// a - b.
   Number difference(double a, double b)
@@ -56,7 +59,7 @@ public:
   }
 
   /// Twice the area of abc, positive where it turns left; zero only where it is.
-  Number area(const double* a, const double* b, const double* c)
+  FF_FLAT Number area(const double* a, const double* b, const double* c)
   {
     const Number ux = this->difference(b[0], a[0]), uy = this->difference(b[1], a[1]);
     const Number vx = this->difference(c[0], a[0]), vy = this->difference(c[1], a[1]);
@@ -66,7 +69,7 @@ public:
 
   /// How high p is above the plane of abc, which turns left, times twice the area; positive in the
   /// power circle; zero only where it is. Third coordinates are weights.
-  Number heightAbove(const double* a, const double* b, const double* c, const double* p)
+  FF_FLAT Number heightAbove(const double* a, const double* b, const double* c, const double* p)
   {
     const double* const row[3] = { b, c, p };
     Number u[3][3];
@@ -121,6 +124,7 @@ public:
 
   static Number number(double x) { return Number(x); }
   static bool isZero(const Number& x) { return x.is_zero(); }
+  static bool isPositive(const Number& x) { return x > 0; }
 
   Number difference(double a, double b) const
   {
@@ -156,13 +160,13 @@ inline double toDouble(const FarValues::Number& a)
   return a.convert_to<double>();
 }
 
-/// compute(values) in double-double; again in numbers of any range where that is too vague.
+/// In double-double; again in numbers of any range where that is too vague.
+/// @param compute bool (values): false if what is made of the values is no result
 template <class Compute>
 void withValues(const Compute& compute)
 {
   NearValues nearby;
-  compute(nearby);
-  if (nearby.isVague())
+  if (!compute(nearby) || nearby.isVague())
   {
     FarValues far;
     compute(far);

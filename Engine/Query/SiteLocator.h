@@ -112,6 +112,7 @@ private:
     return this->grid.valueAt(this->grid.cellOf(p.x[0], p.x[1]), p.x[0], p.x[1]);
   }
 
+  std::uint32_t walkTo(double x, double y, std::uint32_t start) const;
   PlaceInMesh lowest(std::uint32_t t, int onSides) const;
 
   const Sites* sites = nullptr;

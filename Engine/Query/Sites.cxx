@@ -33,15 +33,16 @@ CoordinateRange rangeOf(const Buffer<PowerSite>& sites)
   return range;
 }
 
-/// The least power of two that may be a coordinate, too, without another choice of arithmetic.
-double leastCoordinate(CoordinateRange range, const Arithmetic& chosen)
+/// The least power of two that may be a coordinate of an axis, too, without another choice of
+/// arithmetic.
+double leastOnAxis(int axis, CoordinateRange range, const Arithmetic& chosen)
 {
   double least = std::numeric_limits<double>::max();
-  const double smallest = std::min({ range.smallest[0], range.smallest[1], least });
+  const double smallest = std::min(least, range.smallest[axis]);
   for (int exponent = std::ilogb(smallest); exponent >= -1074; --exponent)
   {
     const double candidate = std::ldexp(1.0, exponent);
-    range.smallest[0] = std::min(range.smallest[0], candidate);
+    range.smallest[axis] = std::min(range.smallest[axis], candidate);
     const Arithmetic asked = chooseLiftedArithmetic(range);
     if (asked.wide != chosen.wide || asked.scaleExponent != chosen.scaleExponent)
     {
@@ -67,7 +68,9 @@ Sites::Sites(const Buffer<PowerSite>& sites, const Triangulation& triangulation)
   }
   if (!arithmetic.wide)
   {
-    this->least = leastCoordinate(range, arithmetic);
+    this->least = leastOnAxis(0, range, arithmetic);
+    range.smallest[0] = std::min(range.smallest[0], this->least);
+    this->leastWeight = std::ldexp(leastOnAxis(2, range, arithmetic), 2 * this->exponent);
     // Signs of points in the plane are of products of two: far from overflow.
     constexpr int MostExponent = 200;
     this->most = std::ldexp(1.0, std::min(MostExponent - this->exponent, 1023));

@@ -76,6 +76,10 @@ private:
   {
     return !this->geometry.isWide() && this->fits(place[0]) && this->fits(place[1]);
   }
+  bool fitsWeight(double weight) const
+  {
+    return weight == 0 || std::fabs(weight) >= this->leastWeight;
+  }
   bool fits(double coordinate) const
   {
     const double size = std::fabs(coordinate);
@@ -88,6 +92,7 @@ private:
   int exponent = 0;        ///< scaled by 2^ this, weights by its square
   double least = 0;        ///< magnitudes of coordinates that fit
   double most = 0;
+  double leastWeight = 0;   ///< of scaled weights that fit
   double low[2] = { 0, 0 }; ///< the box, not scaled
   double high[2] = { 0, 0 };
 };
@@ -111,6 +116,9 @@ public:
     Vertex query;
 
     const Vertex& site(std::uint32_t i) const { return this->sites[i]; }
+
+    /// May the query have a weight, which is between those of sites?
+    bool carries(double weight) const { return this->sites.fitsWeight(weight); }
   };
 
   /// Where they are as given.
@@ -119,6 +127,8 @@ public:
     const Sites& sites;
     const Sites::Geometry& geometry;
     Vertex query;
+
+    static constexpr bool carries(double) { return true; }
 
     Vertex site(std::uint32_t i) const
     {
@@ -139,6 +149,13 @@ public:
     {
       return use(Narrow{ this->sites, this->geometry, this->sites.scaled(place) });
     }
+    return this->withWideSpace(place, use);
+  }
+
+  /// The same in the space that carries all places and weights.
+  template <class Use>
+  auto withWideSpace(const double* place, Use&& use) const
+  {
     return use(
       Wide{ this->sites, this->wideGeometry, Vertex{ { place[0], place[1], 0.0 }, NoIndex, 0 } });
   }

@@ -5,6 +5,7 @@
 #include "PowerDiagram/TriangulationInput.h"
 #include "Query/AnswerQueries.h"
 #include "Query/FanMesh.h"
+#include "Query/NaturalShares.h"
 #include "Query/PlaneShares.h"
 #include "Query/SiteChain.h"
 #include "Query/SiteLocator.h"
@@ -99,7 +100,9 @@ public:
       });
   }
 
-  void sharesAt(const SiteSigns& signs, const double* place, PlaneShares& shares) const
+  /// @param natural null: linear over each triangle
+  void sharesAt(const SiteSigns& signs, const double* place, NaturalNeighbours* natural,
+    PlaneShares& shares) const
   {
     shares.clear();
     if (this->dimension < 0 || !this->sites.inBox(place))
@@ -111,16 +114,21 @@ public:
       shares.push_back({ 0, 1.0 });
       return;
     }
-    signs.withSpace(place,
-      [&](const auto& space)
+    const auto ask = [&](const auto& space)
+    {
+      if (this->dimension == 1)
       {
-        if (this->dimension == 1)
-        {
-          linearShares(space, this->chain.locate(space), shares);
-          return;
-        }
-        linearShares(space, this->mesh, this->locator.locate(space, place), shares);
-      });
+        linearShares(space, this->chain.locate(space), shares);
+        return true;
+      }
+      const PlaceInMesh found = this->locator.locate(space, place);
+      linearShares(space, this->mesh, found, shares);
+      return !natural || this->makeNatural(space, found, *natural, shares);
+    };
+    if (!signs.withSpace(place, ask))
+    {
+      signs.withWideSpace(place, ask);
+    }
   }
 
   /// What each query's place has in @p results, a number a query.
@@ -142,10 +150,9 @@ public:
   }
 
   /// The values between the sites.
-  /// @param findShares void (signs, place, shares)
-  template <class FindShares>
-  void interpolate(const double* values, std::int64_t components, const PointView& queries,
-    double* result, const Options& options, const FindShares& findShares) const
+  /// @param isNatural or linear over each triangle
+  void interpolate(bool isNatural, const double* values, std::int64_t components,
+    const PointView& queries, double* result, const Options& options) const
   {
     if (components < 1 || (queries.count > 0 && (!result || (!values && this->dimension >= 0))))
     {
@@ -154,13 +161,13 @@ public:
     answerQueries(queries, options,
       [&]
       {
-        return [&, signs = SiteSigns(this->sites), shares = PlaneShares()](
-                 std::uint32_t i, const double* place) mutable
+        return [&, signs = SiteSigns(this->sites), natural = NaturalNeighbours(this->mesh),
+                 shares = PlaneShares()](std::uint32_t i, const double* place) mutable
         {
           shares.clear();
           if (place)
           {
-            findShares(signs, place, shares);
+            this->sharesAt(signs, place, isNatural ? &natural : nullptr, shares);
           }
           double* const to = result + static_cast<std::int64_t>(i) * components;
           std::fill(
@@ -179,6 +186,39 @@ public:
   }
 
 private:
+  /// From the linear shares to the natural ones, where these are others.
+  /// @return false where the space does not carry the query's weight
+  template <class Space>
+  bool makeNatural(const Space& space, const PlaceInMesh& place, NaturalNeighbours& natural,
+    PlaneShares& shares) const
+  {
+    const bool onEdge = place.kind == PlaceInMesh::OnEdge;
+    if ((place.kind != PlaceInMesh::Inside && !onEdge) ||
+      (onEdge && this->mesh.twin(halfEdge(place.triangle, place.corner)) == NoIndex))
+    {
+      return true;
+    }
+    double weight = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const PlaneShare& share : shares)
+    {
+      const double ofSite = space.site(share.site).x[2];
+      weight += share.share * ofSite;
+      least = std::min(least, ofSite);
+      most = std::max(most, ofSite);
+    }
+    weight = std::max(least, std::min(most, weight));
+    if (!space.carries(weight))
+    {
+      return false;
+    }
+    Space lifted = space;
+    lifted.query.x[2] = weight;
+    natural.share(lifted, place.triangle, shares);
+    return true;
+  }
+
   int dimension = -1;
   Sites sites;
   FanMesh mesh;        ///< of dimension 2
@@ -217,10 +257,13 @@ void TriangulationQueries::nearest(
 void TriangulationQueries::interpolateLinear(const double* values, std::int64_t components,
   const PointView& queries, double* result, const Options& options) const
 {
-  const Implementation& self = *this->implementation;
-  self.interpolate(values, components, queries, result, options,
-    [&self](const SiteSigns& signs, const double* place, PlaneShares& shares)
-    { self.sharesAt(signs, place, shares); });
+  this->implementation->interpolate(false, values, components, queries, result, options);
+}
+
+void TriangulationQueries::interpolateNatural(const double* values, std::int64_t components,
+  const PointView& queries, double* result, const Options& options) const
+{
+  this->implementation->interpolate(true, values, components, queries, result, options);
 }
 
 }

@@ -48,6 +48,8 @@ Answers answersOf(const TriangulationQueries& queries, const Cloud& sites, const
   queries.locate(viewOf(places), result.numbers.data(), options);
   queries.nearest(viewOf(places), result.numbers.data() + count, options);
   queries.interpolateLinear(sites.data()->data(), 1, viewOf(places), result.values.data(), options);
+  queries.interpolateNatural(
+    sites.data()->data(), 1, viewOf(places), result.values.data() + count, options);
   return result;
 }
 
@@ -125,7 +127,8 @@ TEST(TriangulationQueryCalls, NonFinitePlaces)
   const std::vector<std::function<void()>> calls = { [&]
     { queries.locate(viewOf(places), numbers.data(), options); },
     [&] { queries.nearest(viewOf(places), numbers.data(), options); },
-    [&] { queries.interpolateLinear(given, 1, viewOf(places), values.data(), options); } };
+    [&] { queries.interpolateLinear(given, 1, viewOf(places), values.data(), options); },
+    [&] { queries.interpolateNatural(given, 1, viewOf(places), values.data(), options); } };
   for (const auto& call : calls)
   {
     expectError(call, ErrorCode::NonFinite, 5000, 2);
@@ -158,6 +161,9 @@ TEST(TriangulationQueryCalls, BadArguments)
   expectError([&] { queries.interpolateLinear(values.data(), 1, places, nullptr); }, bad);
   expectError([&] { queries.interpolateLinear(nullptr, 1, places, values.data()); }, bad);
   expectError([&] { queries.interpolateLinear(values.data(), 0, places, values.data()); }, bad);
+  expectError([&] { queries.interpolateNatural(values.data(), 1, places, nullptr); }, bad);
+  expectError([&] { queries.interpolateNatural(nullptr, 1, places, values.data()); }, bad);
+  expectError([&] { queries.interpolateNatural(values.data(), -1, places, values.data()); }, bad);
   PointView wrong = places;
   wrong.stride = 1;
   expectError([&] { queries.locate(wrong, numbers.data()); }, bad);
@@ -259,6 +265,9 @@ TEST(TriangulationQueryCalls, ProgressAndAbort)
     { TriangulationQueries(viewOf(sites), weightsOf(sites), triangulation, options); },
     [&](const Options& options) { queries.locate(viewOf(places), numbers.data(), options); },
     [&](const Options& options) { queries.nearest(viewOf(places), numbers.data(), options); },
+    [&](const Options& options) {
+      queries.interpolateNatural(sites.data()->data(), 1, viewOf(places), values.data(), options);
+    },
     [&](const Options& options) {
       queries.interpolateLinear(sites.data()->data(), 1, viewOf(places), values.data(), options);
     } };

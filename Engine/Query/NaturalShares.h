@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Natural neighbour coordinates (R. Sibson, 1981), also of weighted points: insert the query; the
+/// share of a site is the area that the query's power cell takes from the site's.
+///
+/// Which triangles the query would remove (the region) is told by exact signs. What it takes from a
+/// site a is a convex polygon: from the center of the query and the edge by which the region begins
+/// at a, over the power centers of a's triangles in the region, to the center of the query and the
+/// edge by which it ends. Centers may be far away, and the polygon thin, so no center is computed.
+/// The sides of the polygon are perpendicular to the edges at a, and each is a known multiple of
+/// its edge:
+///
+///   from a triangle t to the next one across an edge: -I(t, d) / (A(t) A(next)), d the corner of
+///     the next one opposite the edge
+///   to or from the query's center beyond an edge ab:  I(t, q) / (A(t) A(a, b, q))
+///
+/// (half of that), where I is how high a point is above t, times A, and A is twice the area. For
+/// along the axis of ab, which all these centers are on, the power of a third point changes against
+/// that of a and b by twice its distance from ab for each step. All these multiples are positive,
+/// so they lose no bits. The polygon's area is the sum of the crosses of its sides.
+///
+/// Why the shares reproduce linear functions, whatever the weights: the least power to the sites,
+/// less that to the query, is zero around the query's cell, so its gradient has the integral zero
+/// over the cell. On what comes from site a, that gradient is 2 (q - a).
+#ifndef flipflop_NaturalShares_h
+#define flipflop_NaturalShares_h
+
+#include "Query/FanMesh.h"
+#include "Query/PlaneShares.h"
+#include "Query/PlaneValues.h"
+#include "Query/SiteLocator.h"
+#include "Query/TriangleSet.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace flipflop
+{
+
+/// The areas that a query takes.
+template <class Space, class Values>
+class StolenAreas
+{
+public:
+  using Number = typename Values::Number;
+
+  /// @param triangles of the region, not empty
+  StolenAreas(const FanMesh& fans, const TriangleSet& triangles, const Space& querySpace, Values& v)
+    : mesh(fans)
+    , region(triangles)
+    , space(querySpace)
+    , values(v)
+  {
+    this->measured.reserve(this->region.size());
+    for (std::size_t i = 0; i < this->region.size(); ++i)
+    {
+      const std::uint32_t* corners = this->mesh.triangles[this->region[i]].v;
+      const Vertex a = this->space.site(corners[0]);
+      const Vertex b = this->space.site(corners[1]);
+      const Vertex c = this->space.site(corners[2]);
+      this->measured.push_back({ this->values.area(a.x, b.x, c.x),
+        this->values.heightAbove(a.x, b.x, c.x, this->space.query.x), {}, 0 });
+    }
+    this->measureSides();
+  }
+
+  /// @param shares is left as it is where the areas are nothing, or beyond the numbers' range
+  /// @return false there
+  bool share(PlaneShares& shares)
+  {
+    this->takeFromBorder();
+    this->takeHidden();
+    Number all = this->values.number(0.0);
+    for (const Part& part : this->parts)
+    {
+      all = all + part.area;
+    }
+    if (!this->values.isPositive(all))
+    {
+      return false;
+    }
+    shares.clear();
+    for (const Part& part : this->parts)
+    {
+      shares.push_back({ part.site, std::max(0.0, toDouble(part.area / all)) });
+    }
+    return true;
+  }
+
+private:
+  /// Of a triangle of the region.
+  struct Measured
+  {
+    Number area;    ///< twice
+    Number height;  ///< of the query, times that
+    Number side[3]; ///< by half-edge: how many times it the polygons' side is
+    int seen;       ///< bit i: its corner i has been counted
+  };
+
+  struct Part
+  {
+    std::uint32_t site;
+    Number area; ///< eight times
+  };
+
+  /// Those of an inner edge are the same from both its triangles.
+  void measureSides()
+  {
+    for (std::size_t i = 0; i < this->region.size(); ++i)
+    {
+      Measured& m = this->measured[i];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const std::uint32_t h = halfEdge(this->region[i], corner);
+        const std::uint32_t next = this->across(h);
+        if (next == NoIndex)
+        {
+          const Vertex a = this->space.site(this->mesh.origin(h));
+          const Vertex b = this->space.site(this->mesh.origin(nextHalfEdge(h)));
+          m.side[corner] = m.height / (m.area * this->values.area(a.x, b.x, this->space.query.x));
+        }
+        else if (next > i)
+        {
+          Measured& other = this->measured[next];
+          m.side[corner] = this->depthBeyond(h) / (m.area * other.area);
+          other.side[cornerOf(this->mesh.twin(h))] = m.side[corner];
+        }
+      }
+    }
+  }
+
+  /// From the sites at the region's border.
+  void takeFromBorder()
+  {
+    this->parts.reserve(this->region.size() + 2);
+    for (std::size_t i = 0; i < this->region.size(); ++i)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const std::uint32_t h = halfEdge(this->region[i], corner);
+        if (this->across(h) == NoIndex)
+        {
+          this->begin(h);
+          this->addSide(this->measured[i].side[corner], this->mesh.origin(nextHalfEdge(h)));
+          this->addRing(h);
+        }
+      }
+    }
+  }
+
+  /// From the sites that the query hides: all that they have.
+  void takeHidden()
+  {
+    for (std::size_t i = 0; i < this->region.size(); ++i)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        if (!(this->measured[i].seen >> corner & 1))
+        {
+          const std::uint32_t h = halfEdge(this->region[i], corner);
+          this->begin(h);
+          this->addRing(h);
+        }
+      }
+    }
+  }
+
+  /// The polygon of the site where a half-edge begins.
+  void begin(std::uint32_t h)
+  {
+    const Number none = this->values.number(0.0);
+    this->parts.push_back({ this->mesh.origin(h), none });
+    this->site = this->space.site(this->mesh.origin(h));
+    this->sum[0] = this->sum[1] = none;
+  }
+
+  /// The sides from the triangle of @p first on, counter-clockwise around its origin, until the
+  /// ring leaves the region, or is closed.
+  void addRing(std::uint32_t first)
+  {
+    for (std::uint32_t h = first;;)
+    {
+      Measured& m = this->measured[this->region.find(triangleOf(h))];
+      m.seen |= 1 << cornerOf(h);
+      const std::uint32_t back = previousHalfEdge(h);
+      this->addSide(m.side[cornerOf(back)], this->mesh.origin(back));
+      const bool leaves = this->across(back) == NoIndex;
+      h = this->mesh.twin(back);
+      if (leaves || h == first)
+      {
+        return;
+      }
+    }
+  }
+
+  /// The next side is so many times the edge to @p neighbour, turned by a right angle.
+  void addSide(const Number& multiple, std::uint32_t neighbour)
+  {
+    const Vertex to = this->space.site(neighbour);
+    const Number x = multiple * this->values.difference(to.x[0], this->site.x[0]);
+    const Number y = multiple * this->values.difference(to.x[1], this->site.x[1]);
+    Number& area = this->parts.back().area;
+    area = area + (this->sum[0] * y - this->sum[1] * x);
+    this->sum[0] = this->sum[0] + x;
+    this->sum[1] = this->sum[1] + y;
+  }
+
+  /// How deep the corner beyond a half-edge is below its triangle, times twice the area.
+  Number depthBeyond(std::uint32_t h)
+  {
+    const std::uint32_t* v = this->mesh.triangles[triangleOf(h)].v;
+    const Vertex a = this->space.site(v[0]);
+    const Vertex b = this->space.site(v[1]);
+    const Vertex c = this->space.site(v[2]);
+    const Vertex d = this->space.site(this->mesh.origin(previousHalfEdge(this->mesh.twin(h))));
+    const Number none = this->values.number(0.0);
+    // On one circle the value would be too vague to be zero.
+    return this->space.geometry.above(a, b, c, d) == 0
+      ? none
+      : none - this->values.heightAbove(a.x, b.x, c.x, d.x);
+  }
+
+  /// The place in the region of the triangle beyond a half-edge; NoIndex: it is not in there.
+  std::uint32_t across(std::uint32_t h) const
+  {
+    const std::uint32_t twin = this->mesh.twin(h);
+    return twin == NoIndex ? NoIndex : this->region.find(triangleOf(twin));
+  }
+
+  const FanMesh& mesh;
+  const TriangleSet& region;
+  const Space& space;
+  Values& values;
+  std::vector<Measured> measured; ///< as the region is ordered
+  std::vector<Part> parts;
+  Vertex site;   ///< of the last part
+  Number sum[2]; ///< of its sides so far, before they are turned
+};
+
+/// For one task: it keeps its memory from query to query.
+class NaturalNeighbours
+{
+public:
+  explicit NaturalNeighbours(const FanMesh& fans)
+    : mesh(fans)
+  {
+  }
+
+  /// @param space  of the query, whose weight is set
+  /// @param start  a triangle that holds the query, which is strictly inside the hull and not at a
+  ///               site
+  /// @param shares is left as it is where rounding has put the query beneath the sites' surface
+  template <class Space>
+  void share(const Space& space, std::uint32_t start, PlaneShares& shares)
+  {
+    this->region.clear();
+    this->addIfAbove(space, start);
+    for (std::size_t i = 0; i < this->region.size(); ++i)
+    {
+      for (const std::uint32_t twin : this->mesh.triangles[this->region[i]].twin)
+      {
+        if (twin != NoIndex && this->region.find(triangleOf(twin)) == NoIndex)
+        {
+          this->addIfAbove(space, triangleOf(twin));
+        }
+      }
+    }
+    if (this->region.size() > 0)
+    {
+      withValues(
+        [&](auto& values)
+        {
+          using Values = std::decay_t<decltype(values)>;
+          return StolenAreas<Space, Values>(this->mesh, this->region, space, values).share(shares);
+        });
+    }
+  }
+
+private:
+  template <class Space>
+  void addIfAbove(const Space& space, std::uint32_t t)
+  {
+    const std::uint32_t* v = this->mesh.triangles[t].v;
+    if (space.geometry.above(space.site(v[0]), space.site(v[1]), space.site(v[2]), space.query) > 0)
+    {
+      this->region.add(t);
+    }
+  }
+
+  const FanMesh& mesh;
+  TriangleSet region;
+};
+
+}
+
+#endif

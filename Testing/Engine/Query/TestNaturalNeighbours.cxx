@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Natural neighbour coordinates are shares that reproduce linear functions, at every range; they
+/// are the areas that power diagrams with and without the query differ by; and they are continuous.
+#include "Testing/Engine/Query/PlaneQueries.h"
+
+#include <flipflop/Measures.h>
+#include <flipflop/PowerDiagram.h>
+#include <flipflop/TriangulationQueries.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+/// The share of each site at each place: row by row.
+class Coordinates
+{
+public:
+  Coordinates(const Cloud& sites, FacetMode facets)
+    : count(sites.size())
+    , triangulation(triangulationOf(sites, facets))
+    , queries(viewOf(sites), weightsOf(sites), this->triangulation)
+  {
+    this->unit.assign(this->count * this->count, 0.0);
+    for (std::size_t i = 0; i < this->count; ++i)
+    {
+      this->unit[i * this->count + i] = 1.0;
+    }
+  }
+
+  std::vector<double> at(const Point& place) const
+  {
+    const Cloud one = { place };
+    std::vector<double> shares(this->count);
+    this->queries.interpolateNatural(
+      this->unit.data(), static_cast<std::int64_t>(this->count), viewOf(one), shares.data());
+    return shares;
+  }
+
+  const std::size_t count;
+  const Triangulation triangulation;
+  const TriangulationQueries queries;
+
+private:
+  std::vector<double> unit;
+};
+
+/// Positive, of sum 1, and with the place for their mean: to a few units in the last place of the
+/// sites that have a share, but for shares that are too small to be doubles.
+void expectShares(const Cloud& sites, const Point& place, const std::vector<double>& shares)
+{
+  Rational sum = 0;
+  Rational mean[2] = { 0, 0 };
+  double most[2] = { 0, 0 };
+  double widest = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    ASSERT_GE(shares[i], 0.0) << placeText(place);
+    sum += shares[i];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      mean[k] += Rational(shares[i]) * sites[i][k];
+      widest = std::max(widest, std::fabs(sites[i][k]));
+      most[k] = shares[i] > 0 ? std::max(most[k], std::fabs(sites[i][k])) : most[k];
+    }
+  }
+  ASSERT_LE(abs(Rational(sum - 1)), 1e-15 * 3) << placeText(place);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const Rational lost =
+      Rational(0x1p-1074) * (Rational(widest) * static_cast<int>(sites.size()) + 1);
+    ASSERT_LE(abs(Rational(mean[k] - place[k])), Rational(Rational(most[k]) * 3e-15 + lost))
+      << placeText(place);
+  }
+}
+
+void expectAll(const Cloud& sites, int count, std::uint64_t seed)
+{
+  Random random(seed);
+  const Cloud places = placesAmong(sites, count, random);
+  for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+  {
+    const Coordinates coordinates(sites, facets);
+    std::vector<std::int64_t> cells(places.size());
+    coordinates.queries.locate(viewOf(places), cells.data());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const std::vector<double> shares = coordinates.at(places[i]);
+      if (cells[i] < 0)
+      {
+        ASSERT_TRUE(std::all_of(
+          shares.begin(), shares.end(), [](double share) { return std::isnan(share); }));
+        continue;
+      }
+      ASSERT_NO_FATAL_FAILURE(expectShares(sites, places[i], shares));
+    }
+    for (const std::int64_t id : coordinates.triangulation.pointIds)
+    {
+      EXPECT_EQ(
+        coordinates.at(sites[static_cast<std::size_t>(id)])[static_cast<std::size_t>(id)], 1.0);
+    }
+  }
+}
+
+class OnSpecialSites : public testing::TestWithParam<Input>
+{
+};
+
+TEST_P(OnSpecialSites, AreSharesWithThePlaceForTheirMean)
+{
+  const Cloud sites = GetParam().make();
+  expectAll(sites, sites.size() > 100 ? 2 : 8, 1 + GetParam().seed);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  NaturalNeighbours, OnSpecialSites, testing::ValuesIn(smallWeightedInputs()));
+
+class OnFamilies : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(OnFamilies, AreSharesWithThePlaceForTheirMean)
+{
+  for (const int count : { 4, 30 })
+  {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    {
+      SCOPED_TRACE(std::to_string(count) + " sites, seed " + std::to_string(seed));
+      expectAll(fromWeightedFamily(GetParam(), count, seed).make(), 8, seed);
+    }
+  }
+}
+
+std::vector<std::string> familyNames()
+{
+  std::vector<std::string> names;
+  for (const Family& family : weightedFamilies())
+  {
+    names.push_back(family.name);
+  }
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(NaturalNeighbours, OnFamilies, testing::ValuesIn(familyNames()));
+
+/// By the id of the site; and is the cell of one site within the box?
+std::map<std::int64_t, double> areasOf(
+  const Cloud& sites, const double* box, std::int64_t site, bool& isWithin)
+{
+  const PowerDiagram diagram =
+    powerDiagram(viewOf(sites), weightsOf(sites), triangulationOf(sites, FacetMode::Polygons), box);
+  std::vector<double> areas(diagram.siteIds.size());
+  cellMeasures(diagram, areas.data(), nullptr);
+  std::map<std::int64_t, double> result;
+  for (std::size_t c = 0; c < areas.size(); ++c)
+  {
+    result[diagram.siteIds[c]] = areas[c];
+    for (std::int64_t i = diagram.offsets[c];
+         diagram.siteIds[c] == site && i < diagram.offsets[c + 1]; ++i)
+    {
+      const double* corner =
+        diagram.corners.data() + 2 * diagram.connectivity[static_cast<std::size_t>(i)];
+      isWithin = isWithin && corner[0] > box[0] && corner[0] < box[1] && corner[1] > box[2] &&
+        corner[1] < box[3];
+    }
+  }
+  return result;
+}
+
+TEST(NaturalNeighbours, AreWhatPowerDiagramsDifferBy)
+{
+  const double box[] = { -3, 4, -3, 4 };
+  int compared = 0;
+  int hiding = 0;
+  for (const double weight : { 0.0, 0.01, 0.3 })
+  {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    {
+      Random random(seed);
+      const Cloud grid = scaled(squareGrid(5), 0.25, 0.25, 1);
+      const Cloud sites =
+        seed <= 4 ? withWeights(grid, 0, weight / 5, random) : randomSites(25, weight, seed);
+      const Coordinates coordinates(sites, FacetMode::Triangles);
+      std::vector<double> weights;
+      for (const Point& site : sites)
+      {
+        weights.push_back(site[2]);
+      }
+      bool ignored = true;
+      const std::map<std::int64_t, double> before = areasOf(sites, box, -1, ignored);
+      for (const Point& place : placesAmong(sites, 3, random))
+      {
+        Cloud one = { place };
+        double ofPlace = 0;
+        coordinates.queries.interpolateLinear(weights.data(), 1, viewOf(one), &ofPlace);
+        const std::vector<double> shares = coordinates.at(place);
+        const auto id = static_cast<std::int64_t>(sites.size());
+        Cloud with = sites;
+        with.push_back({ place[0], place[1], ofPlace });
+        if (std::isnan(ofPlace))
+        {
+          continue;
+        }
+        bool isWithin = true;
+        std::map<std::int64_t, double> after = areasOf(with, box, id, isWithin);
+        if (!isWithin || after.count(id) == 0)
+        {
+          continue; // at the border, or at a site
+        }
+        const double whole = after[id];
+        for (const auto& cell : before)
+        {
+          const double share = (cell.second - after[cell.first]) / whole;
+          EXPECT_NEAR(shares[static_cast<std::size_t>(cell.first)], share, 1e-13 / whole)
+            << placeText(place);
+          hiding += after[cell.first] == 0 ? 1 : 0;
+        }
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 300);
+  EXPECT_GT(hiding, 5);
+}
+
+/// On an edge a place is in two triangles, and a step away in one.
+TEST(NaturalNeighbours, AreContinuous)
+{
+  for (const double weight : { 0.0, 0.02 })
+  {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    {
+      const Cloud sites = seed == 1 ? squareGrid(4) : randomSites(20, weight, seed);
+      const Coordinates coordinates(sites, FacetMode::Triangles);
+      for (const Cell& cell : cellsOf(coordinates.triangulation))
+      {
+        for (std::size_t e = 0; e < 3; ++e)
+        {
+          const Point& a = sites[static_cast<std::size_t>(cell[e])];
+          const Point& b = sites[static_cast<std::size_t>(cell[(e + 1) % 3])];
+          for (const double t : { 0.25, 0.5 })
+          {
+            const double x = a[0] + t * (b[0] - a[0]);
+            const double y = a[1] + t * (b[1] - a[1]);
+            const double step = 1e-9;
+            const std::vector<double> here = coordinates.at({ x, y, 0 });
+            const std::vector<double> left =
+              coordinates.at({ x - step * (b[1] - a[1]), y + step * (b[0] - a[0]), 0 });
+            const std::vector<double> right =
+              coordinates.at({ x + step * (b[1] - a[1]), y - step * (b[0] - a[0]), 0 });
+            for (std::size_t i = 0; i < sites.size(); ++i)
+            {
+              // Beyond the border there is nothing.
+              EXPECT_TRUE(
+                std::isnan(here[i]) || std::isnan(left[i]) || std::fabs(here[i] - left[i]) < 1e-5)
+                << left[i] - here[i];
+              EXPECT_TRUE(
+                std::isnan(here[i]) || std::isnan(right[i]) || std::fabs(here[i] - right[i]) < 1e-5)
+                << right[i] - here[i];
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+/// In every arithmetic: scaled, and in integers of any size.
+TEST(NaturalNeighbours, AreTheSameAtEveryScale)
+{
+  for (const double weight : { 0.0, 0.01 })
+  {
+    Cloud sites = randomSites(24, weight, 21);
+    sites[0] = { 0, 0, 0 };
+    const Coordinates coordinates(sites, FacetMode::Triangles);
+    Cloud beside = sites;
+    beside[0][0] = 1e-200; // takes a range that no expansions carry
+    const Coordinates wide(beside, FacetMode::Triangles);
+    Random random(22);
+    int shared = 0;
+    for (int i = 0; i < 20; ++i)
+    {
+      const Point place = { random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), 0 };
+      const std::vector<double> expected = coordinates.at(place);
+      if (std::isnan(expected[0]))
+      {
+        continue; // outside
+      }
+      shared += static_cast<int>(
+        std::count_if(expected.begin(), expected.end(), [](double share) { return share > 0; }));
+      const auto expectSame = [&](const std::vector<double>& found)
+      {
+        for (std::size_t k = 0; k < sites.size(); ++k)
+        {
+          EXPECT_NEAR(found[k], expected[k], 4e-16);
+        }
+      };
+      expectSame(wide.at(place));
+      for (const double factor : { 0x1p-300, 0x1p-60, 0x1p100, 0x1p400 })
+      {
+        expectSame(Coordinates(magnified(sites, factor), FacetMode::Triangles)
+                     .at({ place[0] * factor, place[1] * factor, 0 }));
+      }
+    }
+    EXPECT_GT(shared, 15 * 4);
+  }
+}
+
+/// Between the ends of a border's edge, these alone have a share.
+TEST(NaturalNeighbours, AreLinearAlongTheBorder)
+{
+  const Cloud sites = squareGrid(4);
+  const Coordinates coordinates(sites, FacetMode::Polygons);
+  const std::vector<double> shares = coordinates.at({ 1.25, 0, 0 });
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    const bool first = sites[i][0] == 1 && sites[i][1] == 0;
+    const bool second = sites[i][0] == 2 && sites[i][1] == 0;
+    EXPECT_EQ(shares[i], first ? 0.75 : (second ? 0.25 : 0.0));
+  }
+  // In the middle of a square by symmetry.
+  const std::vector<double> middle = coordinates.at({ 1.5, 1.5, 0 });
+  EXPECT_EQ(std::count(middle.begin(), middle.end(), 0.25), 4);
+}
+
+}
+}
+}
