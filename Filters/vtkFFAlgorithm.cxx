@@ -3,42 +3,23 @@
 #include "vtkFFAlgorithm.h"
 
 #include "vtkFFAlgorithmInternals.h"
-#include "vtkFFExactValues.h"
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
 #include <flipflop/CellComplex.h>
 #include <flipflop/Engines.h>
-#include <flipflop/Error.h>
 #include <flipflop/Options.h>
 
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <new>
 #include <utility>
-
-// ParaView 5.11 carries a VTK 9.2 that has CheckAbort() already.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230000)
-#define VTK_FF_HAS_CHECK_ABORT 1
-#else
-#define VTK_FF_HAS_CHECK_ABORT 0
-#endif
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-
-/// Empty for the block that is the whole input.
-std::string ofBlock(unsigned int flatIndex)
-{
-  return flatIndex ? " of the block of flat index " + std::to_string(flatIndex) : std::string();
-}
 
 /// Of all classes: with the last, what is kept for the next run goes.
 std::atomic<int> filterCount{ 0 };
@@ -114,7 +95,8 @@ void vtkFFAlgorithm::SetInternals(std::unique_ptr<vtkInternals> internals)
 
 //------------------------------------------------------------------------------
 vtkFFAlgorithm::vtkInternals::vtkInternals(vtkFFAlgorithm* filter)
-  : Filter(filter)
+  : vtkFFGuard(filter)
+  , Filter(filter)
 {
 }
 
@@ -172,46 +154,6 @@ void vtkFFAlgorithm::vtkInternals::AddToReport(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::vtkInternals::ReportError(const std::string& message)
-{
-  this->Filter->SetErrorCode(vtkErrorCode::UserError);
-  vtkErrorWithObjectMacro(this->Filter, << message);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFAlgorithm::vtkInternals::ReportFailure(const vtkFFFailure& failure, bool aloud)
-{
-  if (failure.Kind == vtkFFFailure::None)
-  {
-    return;
-  }
-  if (failure.Kind == vtkFFFailure::Aborted)
-  {
-    // The pipeline is to know that the output is not whole, where another process was aborted, too:
-    // all run again, or none.
-#if VTK_FF_HAS_CHECK_ABORT
-    this->Filter->SetAbortOutput(true);
-#endif
-    return;
-  }
-  if (!aloud)
-  {
-    this->Filter->SetErrorCode(vtkErrorCode::UserError);
-  }
-  else if (failure.Kind == vtkFFFailure::NonFinite)
-  {
-    this->NonFinitePointsOfFailure = failure.Count;
-    this->Statistics.nonFinite = failure.Count;
-    this->ReportError(this->DescribeError(
-      flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));
-  }
-  else
-  {
-    this->ReportError(failure.Message);
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkFFAlgorithm::vtkInternals::RunEngine(const EngineWork& work)
 {
   vtkFFFailure failure;
@@ -223,20 +165,15 @@ bool vtkFFAlgorithm::vtkInternals::RunEngine(const EngineWork& work)
 //------------------------------------------------------------------------------
 bool vtkFFAlgorithm::vtkInternals::TryEngine(const EngineWork& work, vtkFFFailure& failure)
 {
-  try
+  const auto guarded = [&]()
   {
-    flipflop::Options options;
-    options.threads = this->Filter->NumberOfThreads > 0
-      ? this->Filter->NumberOfThreads
-      : vtkSMPTools::GetEstimatedNumberOfThreads();
+    flipflop::Options options = this->MakeOptions(this->Filter->NumberOfThreads);
     options.facets = this->Filter->FacetMode == FACETS_AS_POLYGONS ? flipflop::FacetMode::Polygons
                                                                    : flipflop::FacetMode::Triangles;
     options.nonFinite = this->Filter->NonFinitePoints == NON_FINITE_IGNORE
       ? flipflop::NonFinitePolicy::Ignore
       : flipflop::NonFinitePolicy::Error;
     options.vBiased = this->Filter->VBiased;
-    options.progress = &vtkInternals::ForwardProgress;
-    options.progressContext = this;
     flipflop::EngineOptions engine;
     engine.choice = this->Filter->Engine == ENGINE_CUDA ? flipflop::EngineChoice::CUDA
       : this->Filter->Engine == ENGINE_CPU              ? flipflop::EngineChoice::CPU
@@ -246,94 +183,31 @@ bool vtkFFAlgorithm::vtkInternals::TryEngine(const EngineWork& work, vtkFFFailur
                                                                  : this->Filter->CUDAThreshold;
     flipflop::EngineReport report;
     work(options, engine, report);
-    return true;
-  }
-  catch (const flipflop::Error& error)
-  {
-    switch (error.code())
-    {
-      case flipflop::ErrorCode::NonFinite:
-        failure.Kind = vtkFFFailure::NonFinite;
-        failure.Place = this->GetPlaceOfPoint(static_cast<vtkIdType>(error.index()));
-        failure.Count = static_cast<vtkIdType>(error.count());
-        return false;
-      case flipflop::ErrorCode::Aborted:
-        failure.Kind = vtkFFFailure::Aborted;
-        return false;
-      default:
-        failure.Say(this->DescribeError(error));
-        break;
-    }
-  }
-  catch (const vtkFFInexactValue& error)
-  {
-    const std::string kind = error.GetKind();
-    failure.Say("A " + kind + " is a 64-bit integer that no double holds: first at " +
-      this->DescribePoint(this->GetPlaceOfPoint(error.GetIndex())) +
-      ". Subtract an offset from every " + kind + ": the result has the same shape.");
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure.Say("There is not enough memory for this input.");
-  }
-  catch (const std::exception& error)
-  {
-    failure.Say(error.what());
-  }
-  catch (...)
-  {
-    failure.Say("The engine failed for an unknown reason.");
-  }
-  return false;
+  };
+  return this->Try(guarded, failure);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::vtkInternals::SetProgressRange(double begin, double end)
+void vtkFFAlgorithm::vtkInternals::SetErrorCode(unsigned long code)
 {
-  this->ProgressRange[0] = begin;
-  this->ProgressRange[1] = end;
-  this->SetProgressPart(0.0, 1.0);
-  this->ProgressReached = begin;
+  this->Filter->SetErrorCode(code);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::vtkInternals::SetProgressPart(double begin, double end)
+void vtkFFAlgorithm::vtkInternals::MarkAborted()
 {
-  this->ProgressPart[0] = begin;
-  this->ProgressPart[1] = end;
-}
-
-//------------------------------------------------------------------------------
-bool vtkFFAlgorithm::vtkInternals::ForwardProgress(double fraction, void* self)
-{
-  auto* internals = static_cast<vtkInternals*>(self);
-  const double* range = internals->ProgressRange;
-  const double* part = internals->ProgressPart;
-  const double inRange = part[0] + fraction * (part[1] - part[0]);
-  // Never back: a run that the CUDA engine gave up starts anew on the CPU.
-  internals->ProgressReached =
-    std::max(internals->ProgressReached, range[0] + inRange * (range[1] - range[0]));
-  internals->Filter->UpdateProgress(internals->ProgressReached);
-  return !internals->IsAbortRequested();
-}
-
-//------------------------------------------------------------------------------
-bool vtkFFAlgorithm::vtkInternals::IsAbortRequested()
-{
+  // The pipeline is to know that the output is not whole, where another process was aborted, too:
+  // all run again, or none.
 #if VTK_FF_HAS_CHECK_ABORT
-  return this->Filter->CheckAbort();
-#else
-  return this->Filter->GetAbortExecute() != 0;
+  this->Filter->SetAbortOutput(true);
 #endif
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::vtkInternals::NoteAbort(vtkFFFailure& failure)
+void vtkFFAlgorithm::vtkInternals::NoteNonFinite(vtkIdType count)
 {
-  if (failure.Kind == vtkFFFailure::None && this->IsAbortRequested())
-  {
-    failure.Kind = vtkFFFailure::Aborted;
-  }
+  this->NonFinitePointsOfFailure = count;
+  this->Statistics.nonFinite = count;
 }
 
 //------------------------------------------------------------------------------
@@ -343,7 +217,7 @@ std::string vtkFFAlgorithm::vtkInternals::DescribePoint(vtkIdType place)
   {
     if (place < block.NumberOfPoints)
     {
-      return "point " + std::to_string(place) + ofBlock(block.FlatIndex);
+      return "point " + std::to_string(place) + vtkFFGuard::OfBlockAt(block.FlatIndex);
     }
     place -= block.NumberOfPoints;
   }
@@ -353,76 +227,8 @@ std::string vtkFFAlgorithm::vtkInternals::DescribePoint(vtkIdType place)
 //------------------------------------------------------------------------------
 std::string vtkFFAlgorithm::vtkInternals::OfBlock()
 {
-  return this->CurrentBlocks.size() == 1 ? ofBlock(this->CurrentBlocks[0].FlatIndex)
+  return this->CurrentBlocks.size() == 1 ? vtkFFGuard::OfBlockAt(this->CurrentBlocks[0].FlatIndex)
                                          : std::string();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::vtkInternals::DescribeNonFinite(
-  const std::string& what, const flipflop::Error& error)
-{
-  return what + " is NaN or infinite: first at " +
-    this->DescribePoint(static_cast<vtkIdType>(error.index())) + ", " +
-    std::to_string(error.count()) + " such point(s) in all.";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFFAlgorithm::vtkInternals::DescribeError(const flipflop::Error& error)
-{
-  using flipflop::ErrorCode;
-  const auto index = static_cast<vtkIdType>(error.index());
-  const std::string count = std::to_string(error.count());
-  const std::string cell = "cell " + std::to_string(index) + this->OfBlock();
-  switch (error.code())
-  {
-    case ErrorCode::NonFinite:
-      return this->DescribeNonFinite("A coordinate", error) +
-        " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
-    case ErrorCode::TooManyPoints:
-      return count + " points are more than 32-bit indices can name.";
-    case ErrorCode::OutOfMemory:
-      return "There is not enough memory for this input" +
-        (error.count() > 0 ? ": " + count + " bytes were refused." : std::string("."));
-    case ErrorCode::Aborted:
-      return "The run was aborted.";
-    case ErrorCode::BadArgument:
-      return "The engine was called with an invalid argument.";
-    case ErrorCode::WeightCount:
-      return "There are " + count + " weights, which is not the number of points.";
-    case ErrorCode::BadTriangle:
-      return "A triangle names a point that does not exist, or the same point twice: first at " +
-        cell + ", " + count + " such triangle(s) in all.";
-    case ErrorCode::NotClosed:
-      return "The surface is not closed: first at " + cell +
-        ", which has an edge that no other triangle shares; " + count + " such edge(s) in all.";
-    case ErrorCode::NotManifold:
-      return "The surface is not a manifold: first at " + cell +
-        ", which has an edge of three or more triangles, or a vertex where several fans of "
-        "triangles meet; " +
-        count + " such edge(s) and vertices in all.";
-    case ErrorCode::NotOriented:
-      return "The surface is not oriented consistently: first at " + cell +
-        ", whose neighbour runs their shared edge the same way. vtkPolyDataNormals can mend that.";
-    case ErrorCode::NotStarShaped:
-      return "The surface is not star-shaped: the kernel point does not see the inside of " + cell +
-        "; " + count + " such triangle(s) in all.";
-    case ErrorCode::NoKernel:
-      return "The surface" + this->OfBlock() +
-        " is not star-shaped, or no point was found from which it is. Give one with "
-        "SetKernelPoint().";
-    case ErrorCode::NoDevice:
-      return std::string("The CUDA engine was asked for, but ") + vtkFFAlgorithm::GetCUDAProblem() +
-        ". Use SetEngineToAutomatic() or SetEngineToCPU().";
-    case ErrorCode::DeviceMemory:
-      return "The CUDA device has not enough memory for this input: " + count +
-        " bytes were refused. Use SetEngineToAutomatic() or SetEngineToCPU().";
-    case ErrorCode::DeviceFailed:
-      return "The CUDA device failed: error " + std::to_string(index) +
-        " of the CUDA runtime. Use SetEngineToAutomatic() or SetEngineToCPU().";
-    case ErrorCode::Internal:
-      return "An internal error: please report it, with the input.";
-  }
-  return error.what();
 }
 
 //------------------------------------------------------------------------------

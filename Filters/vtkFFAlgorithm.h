@@ -352,6 +352,7 @@ protected:
    * What a subclass does its own way, in the place of what its superclass does.
    */
   void SetInternals(std::unique_ptr<vtkInternals> internals);
+  vtkInternals* GetInternals() { return this->Internals.get(); }
 
   int Engine;
   vtkIdType CUDAThreshold;

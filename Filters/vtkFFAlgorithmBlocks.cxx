@@ -29,7 +29,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -121,17 +120,6 @@ constexpr std::int64_t pointsOfARun = 512;
 /// What is run ahead, for each thread: some hundredths of a second's work.
 constexpr std::int64_t pointsAhead = 1 << 16;
 
-/// Names as a sentence has them: "a, b or c".
-std::string list(const std::vector<std::string>& names)
-{
-  std::string text = names[0];
-  for (std::size_t i = 1; i < names.size(); ++i)
-  {
-    text += (i + 1 < names.size() ? ", " : " or ") + names[i];
-  }
-  return text;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -215,13 +203,7 @@ int vtkFFAlgorithm::RequestData(
   {
     return 1;
   }
-  // The executive forgets the extents that this run asked for only after a success. It would ask
-  // the next input for them, too, which may be a smaller image.
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    outputVector->GetInformationObject(port)->Remove(
-      vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
-  }
+  vtkFFGuard::ForgetExtents(outputVector);
   return 0;
 }
 
@@ -296,7 +278,7 @@ void vtkFFAlgorithm::vtkInternals::AddBlock(
     {
       failure.Say((flatIndex ? "The " + which : std::string("The input")) +
         (piece == data ? " is a " : " has a partition that is a ") + piece->GetClassName() +
-        ". It must be a " + list(types) +
+        ". It must be a " + List(types) +
         (flatIndex || piece != data ? "." : ", or a composite of such (vtkDataObjectTree)."));
       return;
     }

@@ -5,9 +5,9 @@
  * @brief   what the filters do, and how they differ in that
  *
  * A filter holds settings and a report. Its vtkInternals does the run: it reads the settings and
- * fills in the report. That of vtkFFAlgorithm takes the input apart into blocks, guards the
- * engine's runs, and turns failures into errors; that of a filter makes one result from one block.
- * The filters for distributed data derive theirs, in another library, so the classes are exported.
+ * fills in the report. That of vtkFFAlgorithm takes the input apart into blocks; that of a filter
+ * makes one result from one block. What the engine does for either is guarded: see vtkFFGuard. The
+ * filters for distributed data derive theirs, in another library, so the classes are exported.
  */
 
 #ifndef vtkFFAlgorithmInternals_h
@@ -15,6 +15,7 @@
 
 #include "vtkFFAlgorithm.h"
 #include "vtkFFBlock.h"
+#include "vtkFFGuard.h"
 
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
@@ -44,15 +45,13 @@ class vtkFFBlockWork;
 class vtkPolyData;
 struct vtkFFFailure;
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm::vtkInternals
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFAlgorithm::vtkInternals : public vtkFFGuard
 {
 public:
   using Block = vtkFFBlock;
 
   explicit vtkInternals(vtkFFAlgorithm* filter);
-  vtkInternals(const vtkInternals&) = delete;
-  void operator=(const vtkInternals&) = delete;
-  virtual ~vtkInternals();
+  ~vtkInternals() override;
 
   vtkFFAlgorithm* GetFilter() const { return this->Filter; }
 
@@ -145,37 +144,10 @@ public:
   bool RunEngine(const EngineWork& work);
 
   /**
-   * A failure becomes an error, unless it is an abort. Where it is not for this process to say it,
-   * only the error code tells.
-   */
-  void ReportFailure(const vtkFFFailure& failure, bool aloud = true);
-
-  /**
-   * Report an error: the message, and the error code that tells callers of the failure.
-   */
-  void ReportError(const std::string& message);
-
-  /**
-   * Where progress of the next runs of the engine lies within what is being worked on, which is
-   * one of the blocks: the whole by default.
-   */
-  void SetProgressPart(double begin, double end);
-
-  /**
-   * Whether somebody asked this filter to stop.
-   */
-  bool IsAbortRequested();
-
-  /**
-   * An abort, if somebody asked for one, is a failure; unless there is another.
-   */
-  void NoteAbort(vtkFFFailure& failure);
-
-  /**
    * The place, among all points of CurrentBlocks, of the point that the engine counts as @p index:
    * the same, unless a subclass gave the engine only some of them.
    */
-  virtual vtkIdType GetPlaceOfPoint(vtkIdType index)
+  vtkIdType GetPlaceOfPoint(vtkIdType index) override
   {
     return this->PlacesOfPoints.empty() ? index
                                         : this->PlacesOfPoints[static_cast<std::size_t>(index)];
@@ -201,31 +173,18 @@ public:
    */
   void RestoreIds(vtkDataSetAttributes* output);
 
-  /**
-   * How errors speak of a point of CurrentBlocks: "point 7 of the block of flat index 2".
-   */
-  std::string DescribePoint(vtkIdType place);
-
-  /**
-   * How they tell the one block that is worked on: " of the block of flat index 2", or nothing
-   * where it is the whole input.
-   */
-  std::string OfBlock();
-
-  /**
-   * Which numbers are not finite, where first, and how many: the sentence before what helps.
-   */
-  std::string DescribeNonFinite(const std::string& what, const flipflop::Error& error);
-
-  /**
-   * What is wrong, where, how often, and what helps: an engine's error as a sentence.
-   */
-  virtual std::string DescribeError(const flipflop::Error& error);
+  std::string DescribePoint(vtkIdType place) override;
+  std::string OfBlock() override;
 
   /**
    * What is being worked on.
    */
   std::vector<Block> CurrentBlocks;
+
+protected:
+  void SetErrorCode(unsigned long code) override;
+  void MarkAborted() override;
+  void NoteNonFinite(vtkIdType count) override;
 
 private:
   void CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
@@ -235,8 +194,6 @@ private:
     const std::vector<vtkDataObject*>& outputs);
   bool RunAhead(const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs);
   void ReduceReportToFailure(); // blocks that went well before it are forgotten
-  void SetProgressRange(double begin, double end);
-  static bool ForwardProgress(double fraction, void* self);
 
   std::vector<vtkSmartPointer<vtkPointSet>> LaidOutPoints; // of blocks, while these are worked on
 
@@ -244,9 +201,6 @@ private:
   std::string EngineReason;
   flipflop::Statistics Statistics;
   vtkIdType NonFinitePointsOfFailure;
-  double ProgressRange[2]; // of what is being worked on
-  double ProgressPart[2];  // within that
-  double ProgressReached;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -5,7 +5,8 @@
  * @brief   what the filters that give a convex hull have in common
  *
  * vtkFFHullAlgorithm is the abstract superclass of the Flip-Flop filters that give a convex hull.
- * It adds the hull's volume and area to the figures that all Flip-Flop filters report.
+ * It adds the hull's volume and area to the figures that all Flip-Flop filters report, and gives
+ * the planes of its facets as an implicit function.
  *
  * @sa
  * vtkFFAlgorithm vtkFFHullFilter vtkFFConvexifyFilter
@@ -19,6 +20,8 @@
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkPlanes;
+
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
@@ -38,6 +41,20 @@ public:
   vtkGetMacro(Volume, double);
   vtkGetMacro(Area, double);
   //@}
+
+  /**
+   * Give @p planes the planes of the last output's cells, in the cells' order: the first corner of
+   * each cell as its point, and the outward unit normal. So the implicit function is negative
+   * inside the hull and positive outside; vtkClipPolyData, vtkExtractGeometry and others take it.
+   * With SetFacetModeToPolygons() there is one plane for each facet.
+   *
+   * The normals are rounded: off by no more than 1e-15 of each component, however thin a facet is.
+   * So the function is not exact next to the surface; vtkFFSelectEnclosedPoints is.
+   *
+   * The hull must be of dimension 3, and the output a single hull, not a composite. Otherwise there
+   * is an error, @p planes has no plane, and the result is false.
+   */
+  bool GetPlanes(vtkPlanes* planes);
 
 protected:
   vtkFFHullAlgorithm();

@@ -21,6 +21,7 @@ struct Hull;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkFFPointSource;
+class vtkPlanes;
 
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullAlgorithm::vtkInternals
   : public vtkFFAlgorithm::vtkInternals
@@ -35,6 +36,13 @@ public:
    */
   void AddToReport(
     const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output);
+
+  /**
+   * Set the planes to those of a hull of dimension 3.
+   *
+   * @throw vtkFFInexactValue, flipflop::Error: also for what is no hull.
+   */
+  static void SetPlanes(vtkPolyData* hull, const flipflop::Options& options, vtkPlanes* planes);
 };
 
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter::vtkInternals

@@ -13,6 +13,7 @@
 
 #include <flipflop/Engines.h>
 #include <flipflop/Error.h>
+#include <flipflop/Measures.h>
 #include <flipflop/PowerDiagram.h>
 
 #include "vtkAbstractTransform.h"
@@ -24,6 +25,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -34,11 +36,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -50,6 +55,49 @@ namespace
 /// Of the progress, where a power diagram follows.
 constexpr double shareOfTriangulation = 0.4;
 
+/// Positions in the plane of a projection as an array of positions in space.
+vtkSmartPointer<vtkDoubleArray> toSpace(
+  const vtkFFProjection& projection, const flipflop::Buffer<double>& xy, const char* what)
+{
+  const auto count = static_cast<vtkIdType>(xy.size() / 2);
+  auto places = vtkSmartPointer<vtkDoubleArray>::New();
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(count);
+  if (!projection.ToSpace(xy.data(), count, places->GetPointer(0)))
+  {
+    throw std::runtime_error(std::string(what) +
+      " have no finite places in space: the transform "
+      "has no inverse, or they lie too far out.");
+  }
+  return places;
+}
+
+/// The areas and centroids of so many cells: measure(areas, centroids).
+class CellMeasures
+{
+public:
+  template <class Measure>
+  CellMeasures(std::int64_t count, const vtkFFProjection& projection, const Measure& measure)
+  {
+    this->Areas->SetName("Area");
+    this->Areas->SetNumberOfValues(static_cast<vtkIdType>(count));
+    flipflop::Buffer<double> centroids(2 * static_cast<std::size_t>(count));
+    measure(this->Areas->GetPointer(0), centroids.data());
+    this->Centroids = toSpace(projection, centroids, "The cells' centroids");
+    this->Centroids->SetName("Centroid");
+  }
+
+  void AddTo(vtkPolyData* output) const
+  {
+    output->GetCellData()->AddArray(this->Areas);
+    output->GetCellData()->AddArray(this->Centroids);
+  }
+
+private:
+  vtkNew<vtkDoubleArray> Areas;
+  vtkSmartPointer<vtkDoubleArray> Centroids;
+};
+
 }
 
 //------------------------------------------------------------------------------
@@ -57,6 +105,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   : ProjectionPlaneMode(XY_PLANE)
   , Transform(nullptr)
   , GeneratePowerDiagram(false)
+  , GenerateCellMeasures(false)
   , PowerDiagramBoxMode(BOX_OF_POINTS)
   , PowerDiagramBounds{ 0.0, 1.0, 0.0, 1.0 }
   , NumberOfHiddenPoints(0)
@@ -350,6 +399,13 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
       flipflop::fanPolygons(triangulation);
     }
   }
+  if (filter->GenerateCellMeasures)
+  {
+    const auto measure = [&](double* areas, double* centroids) {
+      flipflop::cellMeasures(this->Projection->GetView(), triangulation, areas, centroids, options);
+    };
+    CellMeasures(triangulation.cellCount(), *this->Projection, measure).AddTo(outputs[0]);
+  }
   internals->AddToReport(triangulation, report, outputs[0]);
   const auto hiddenPoints = static_cast<std::int64_t>(triangulation.hiddenIds.size());
   filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hiddenPoints);
@@ -399,18 +455,17 @@ void vtkFFRegularTriangulationFilter::vtkInternals::BuildPowerDiagram(
       flipflop::powerDiagram(projection.GetView(), weights, triangulation, box.data(), options);
   }
 
-  const auto count = static_cast<vtkIdType>(diagram.corners.size() / 2);
-  vtkNew<vtkDoubleArray> corners;
-  corners->SetNumberOfComponents(3);
-  corners->SetNumberOfTuples(count);
-  if (!projection.ToSpace(diagram.corners.data(), count, corners->GetPointer(0)))
-  {
-    throw std::runtime_error("The power diagram's corners have no finite places in space: the "
-                             "transform has no inverse, or they lie too far out.");
-  }
+  const auto corners = toSpace(projection, diagram.corners, "The power diagram's corners");
   vtkNew<vtkPoints> points;
   points->SetData(corners);
   output->SetPoints(points);
+  std::optional<CellMeasures> measures;
+  if (filter->GenerateCellMeasures)
+  {
+    measures.emplace(static_cast<std::int64_t>(diagram.siteIds.size()), projection,
+      [&](double* areas, double* centroids)
+      { flipflop::cellMeasures(diagram, areas, centroids, options); });
+  }
 
   flipflop::CellComplex cells;
   cells.dimension = 2;
@@ -425,6 +480,10 @@ void vtkFFRegularTriangulationFilter::vtkInternals::BuildPowerDiagram(
       { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetCellData());
   }
   vtkFFOutput::AddIds(ids, filter->VisiblePointIds, output->GetCellData());
+  if (measures)
+  {
+    measures->AddTo(output);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -472,6 +531,7 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
     os << "(none)\n";
   }
   os << indent << "GeneratePowerDiagram: " << (this->GeneratePowerDiagram ? "On" : "Off") << "\n";
+  os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";
   os << indent << "PowerDiagramBoxMode: " << this->GetPowerDiagramBoxModeAsString() << "\n";
   const double* box = this->PowerDiagramBounds;
   os << indent << "PowerDiagramBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "

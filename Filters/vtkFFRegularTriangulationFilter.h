@@ -191,6 +191,28 @@ public:
 
   //@{
   /**
+   * Set/Get whether the cells of the triangulation and of the power diagram have two more cell
+   * arrays: Area (vtkDoubleArray) and Centroid (vtkDoubleArray, a position in space). Off by
+   * default.
+   *
+   * Both are measured in the plane of the triangulation, as seen along its normal: heights above
+   * the plane make no cell larger, and with TRANSFORM_PLANE the cell is measured after the
+   * transform. Centroids are positions of that plane, as the power diagram's corners are: at z = 0
+   * for XY_PLANE, in the fitted plane, or where the inverse transform takes z = 0. A transform
+   * without an inverse is then an error. Lines and vertices have the area 0, and their middle for a
+   * centroid.
+   *
+   * An area is off by no more than 2^-50 of itself, however flat a cell is. In power cells that
+   * rounding made concave, it is 2^-50 of the areas of the fan from the first corner. Arrays of the
+   * input with these names are not passed to the power diagram's cells.
+   */
+  vtkSetMacro(GenerateCellMeasures, bool);
+  vtkGetMacro(GenerateCellMeasures, bool);
+  vtkBooleanMacro(GenerateCellMeasures, bool);
+  //@}
+
+  //@{
+  /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
    * transformed points, or measured in the fitted plane. (0, 1, 0, 1) by default. It must be finite
    * and have an inside. SetPowerDiagramBounds() also sets PowerDiagramBoxMode to BOX_OF_BOUNDS; you
@@ -246,6 +268,7 @@ protected:
   int ProjectionPlaneMode;
   vtkAbstractTransform* Transform;
   bool GeneratePowerDiagram;
+  bool GenerateCellMeasures;
   int PowerDiagramBoxMode;
   double PowerDiagramBounds[4];
 

@@ -213,6 +213,8 @@ void testModification()
   FF_CHECK(runsAgain());
   filter->SetProjectionPlaneModeToTransform();
   FF_CHECK(runsAgain()); // the use of the inverse is no change of the transform
+  filter->GenerateCellMeasuresOn();
+  FF_CHECK(runsAgain());
 
   filter->SetProjectionPlaneMode(9);
   FF_CHECK_EQUAL(
@@ -279,9 +281,10 @@ void testPrint()
   vtkNew<vtkTransform> transform;
   filter->SetTransform(transform);
   filter->Print(text);
-  for (const char* name : { "Engine", "CUDAThreshold", "FacetMode", "Dimension",
-         "NumberOfInputPoints", "ProjectionPlaneMode", "Transform", "GeneratePowerDiagram",
-         "PowerDiagramBoxMode", "PowerDiagramBounds", "NumberOfHiddenPoints" })
+  for (const char* name :
+    { "Engine", "CUDAThreshold", "FacetMode", "Dimension", "NumberOfInputPoints",
+      "ProjectionPlaneMode", "Transform", "GeneratePowerDiagram", "GenerateCellMeasures",
+      "PowerDiagramBoxMode", "PowerDiagramBounds", "NumberOfHiddenPoints" })
   {
     if (text.str().find("\n  " + std::string(name) + ": ") == std::string::npos)
     {

@@ -10,7 +10,12 @@ from vtkmodules.vtkCommonDataModel import (
     vtkTable,
 )
 
-from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
+from vtkflipflop import (
+    vtkFFConvexifyFilter,
+    vtkFFHullFilter,
+    vtkFFRegularTriangulationFilter,
+    vtkFFSelectEnclosedPoints,
+)
 
 from outcomes import poly_data, use_weights
 
@@ -92,6 +97,12 @@ def weighted(array):
     return use_weights(algorithm)
 
 
+def selection(surface):
+    algorithm = set_up(vtkFFSelectEnclosedPoints(), poly_data(TETRAHEDRON))
+    algorithm.SetSurfaceData(surface)
+    return algorithm
+
+
 def surface_without_its_last_corner():
     algorithm = surface(FACETS)
     corners = algorithm.GetInput().GetPolys().GetConnectivityArray()
@@ -136,6 +147,8 @@ FAILURES = {
         PowerDiagramBoxMode=BOUNDS,
         PowerDiagramBounds=(0, 0, 0, 1),
     ),
+    "points to select, and no surface": lambda: selection(None),
+    "a coordinate of a surface is NaN or infinite": lambda: selection(poly_data("0 0 0; nan 0 0")),
     "cells with a corner too few": surface_without_its_last_corner,
     "points without cells, as a surface": lambda: surface([]),
     "a cell that is no triangle": lambda: surface([[0, 1, 2, 3]]),

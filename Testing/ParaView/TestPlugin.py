@@ -38,6 +38,7 @@ DEFAULTS = {
         "Weights": ["POINTS", "None"],
         "ProjectionPlaneMode": "XY Plane",
         "GeneratePowerDiagram": 0,
+        "GenerateCellMeasures": 0,
         "PowerDiagramBoxMode": "Bounds of the Points",
         "PowerDiagramBounds": [0.0, 1.0, 0.0, 1.0],
     },

@@ -4,7 +4,9 @@ from .vtkFiltersFlipFlop import vtkFFAlgorithm as vtkFFAlgorithm
 from .vtkFiltersFlipFlop import vtkFFConvexifyFilter as vtkFFConvexifyFilter
 from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
 from .vtkFiltersFlipFlop import vtkFFHullFilter as vtkFFHullFilter
+from .vtkFiltersFlipFlop import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
 from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
+from .vtkFiltersFlipFlop import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints
 from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter as vtkPFFHullFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFRegularTriangulationFilter as vtkPFFRegularTriangulationFilter
 

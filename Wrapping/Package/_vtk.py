@@ -11,7 +11,9 @@ from .vtkFiltersFlipFlop import (  # noqa: E402
     vtkFFConvexifyFilter,
     vtkFFHullAlgorithm,
     vtkFFHullFilter,
+    vtkFFQueryAlgorithm,
     vtkFFRegularTriangulationFilter,
+    vtkFFSelectEnclosedPoints,
 )
 from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter, vtkPFFRegularTriangulationFilter  # noqa: E402
 
@@ -20,7 +22,9 @@ __all__ = [
     "vtkFFConvexifyFilter",
     "vtkFFHullAlgorithm",
     "vtkFFHullFilter",
+    "vtkFFQueryAlgorithm",
     "vtkFFRegularTriangulationFilter",
+    "vtkFFSelectEnclosedPoints",
     "vtkPFFHullFilter",
     "vtkPFFRegularTriangulationFilter",
 ]

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFSelectEnclosedPoints
+ * @brief   which points are in the convex hull of others, exactly
+ *
+ * vtkFFSelectEnclosedPoints tells of each point of its input whether it is inside the convex hull
+ * of a surface's points, on it, or outside. It is used as vtkSelectEnclosedPoints is, but the
+ * region is the convex hull of the points of the surface, whose cells are ignored. It may also be a
+ * mere set of points.
+ *
+ * The answer is exact for all finite points: no tolerance decides anything. Points outside the
+ * hull's box take a few comparisons, nearly all that are deep inside a look into a table. The
+ * others take a short walk over the hull's triangles.
+ *
+ * The output is a shallow copy of the input with these point arrays:
+ *
+ * - SelectedPoints (vtkUnsignedCharArray), the active scalars: 1 for
+ *   points that are selected, 0 for others. Points inside the hull are,
+ *   and those on its surface, unless SelectPointsOnSurface is off.
+ *   InsideOut turns the selection round.
+ * - FlipFlopSide (vtkSignedCharArray): 1 inside, 0 on the surface, -1
+ *   outside
+ * - FlipFlopDistance (vtkDoubleArray), if GenerateDistances is on: the
+ *   distance from the surface, negative inside
+ *
+ * A hull of dimension 2 or less has no inside: all of its points are on the surface. If there is no
+ * point, all is outside, and infinitely far away.
+ *
+ * Points of the input that are not finite are an error. If they are ignored, they are outside, and
+ * their distance is NaN.
+ *
+ * @warning
+ * At most 2^32 - 2 points can be given on either port, and in each block.
+ *
+ * @sa
+ * vtkFFQueryAlgorithm vtkFFHullFilter vtkSelectEnclosedPoints
+ */
+
+#ifndef vtkFFSelectEnclosedPoints_h
+#define vtkFFSelectEnclosedPoints_h
+
+#include "vtkFFMarks.h" // For VTK_MARSHALAUTO
+#include "vtkFFQueryAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithmOutput;
+class vtkDataObject;
+
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFSelectEnclosedPoints
+  : public vtkFFQueryAlgorithm
+{
+public:
+  //@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
+  static vtkFFSelectEnclosedPoints* New();
+  vtkTypeMacro(vtkFFSelectEnclosedPoints, vtkFFQueryAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  //@}
+
+  //@{
+  /**
+   * Set/Get the surface (the input of port 1). The convex hull of its points is the region.
+   */
+  void SetSurfaceData(vtkDataObject* surface);
+  void SetSurfaceConnection(vtkAlgorithmOutput* output);
+  vtkDataObject* GetSurface();
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether the points that are not enclosed are selected instead. Off by default.
+   */
+  vtkSetMacro(InsideOut, bool);
+  vtkGetMacro(InsideOut, bool);
+  vtkBooleanMacro(InsideOut, bool);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether points on the surface count as enclosed. On by default.
+   */
+  vtkSetMacro(SelectPointsOnSurface, bool);
+  vtkGetMacro(SelectPointsOnSurface, bool);
+  vtkBooleanMacro(SelectPointsOnSurface, bool);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether the output has the distance of each point from the surface. Off by default. The
+   * distance's sign is exact: negative inside, 0 on the surface, positive outside. Its value is off
+   * by no more than 1e-14 times the distance to the farthest vertex.
+   */
+  vtkSetMacro(GenerateDistances, bool);
+  vtkGetMacro(GenerateDistances, bool);
+  vtkBooleanMacro(GenerateDistances, bool);
+  //@}
+
+  /**
+   * Whether the last run selected this point of the input (1) or not (0). 0 also for a point that
+   * does not exist, and for composite input.
+   */
+  int IsInside(vtkIdType inputPointId);
+
+  //@{
+  /**
+   * Ask about single points, also without a run. Initialize() prepares the hull of a surface's
+   * points; a run does that, too. IsInsideSurface() then gives 1 for enclosed points (also those on
+   * the surface, unless SelectPointsOnSurface is off), and 0 for all others. InsideOut does not
+   * matter. Complete() releases the memory.
+   *
+   * Without a surface, there is an error. For many points, a run takes much less time.
+   */
+  void Initialize(vtkDataObject* surface);
+  int IsInsideSurface(const double x[3]);
+  int IsInsideSurface(double x, double y, double z);
+  void Complete();
+  //@}
+
+protected:
+  vtkFFSelectEnclosedPoints();
+  ~vtkFFSelectEnclosedPoints() override;
+
+  class vtkInternals;
+
+  bool InsideOut;
+  bool SelectPointsOnSurface;
+  bool GenerateDistances;
+
+private:
+  vtkFFSelectEnclosedPoints(const vtkFFSelectEnclosedPoints&) = delete;
+  void operator=(const vtkFFSelectEnclosedPoints&) = delete;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
