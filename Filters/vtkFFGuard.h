@@ -44,6 +44,9 @@ struct vtkFFFailure;
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFGuard
 {
 public:
+  /**
+   * A guard of that algorithm's runs; it does not own the algorithm.
+   */
   explicit vtkFFGuard(vtkAlgorithm* algorithm);
   vtkFFGuard(const vtkFFGuard&) = delete;
   void operator=(const vtkFFGuard&) = delete;
