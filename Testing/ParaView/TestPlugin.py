@@ -129,7 +129,7 @@ for line in open("/proc/self/maps"):
 
             lines = self.execute(
                 os.environ["FLIPFLOP_PVPYTHON"], "--dr", "-c",
-                "import vtkflipflop\nprint(vtkflipflop.__file__)" + mapped,
+                "import vtkflipflop\nvtkflipflop.vtkFFHullFilter\nprint(vtkflipflop.__file__)" + mapped,
                 PYTHONPATH=package,
             )  # fmt: skip
             self.assertEqual(len(lines), 5)  # the package, and for each module its wrapping and its library

@@ -47,13 +47,21 @@ def installed(python, wheels, requirements):
     if "cvista" in requirements:
         # PyVista asks for vtk, which cvista replaces.
         others = [name for name in requirements if name != "pyvista"]
-        steps = [["vtkflipflop", *others, "pytest", "matplotlib", "pillow", "pooch", "scooby", "typing-extensions",
-                  "platformdirs", *folders], ["--no-deps", "pyvista"]]  # fmt: skip
+        steps = [["vtkflipflop", *others, "pytest", *folders], ["--no-deps", "pyvista"]]
     for step in steps:
         done = said([python, "-m", "pip", "install", *binary, *step])
         if done.returncode:
             return done.stderr.strip().splitlines()[-1]
+    if "cvista" in requirements:
+        said([python, "-m", "pip", "install", *binary, *needed_but_vtk(python)])
     return None
+
+
+def needed_but_vtk(python):
+    """What PyVista needs beside VTK."""
+    program = "from importlib.metadata import requires; print(*requires('pyvista'), sep='\\n')"
+    lines = said([python, "-c", program]).stdout.splitlines()
+    return [line.split(";")[0] for line in lines if "extra ==" not in line and not re.match(r"vtk\b", line)]
 
 
 def versions(python):

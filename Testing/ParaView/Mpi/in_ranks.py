@@ -13,9 +13,10 @@ import cases
 import digests
 import observing
 import pieces
-import vtkflipflop
 from vtkmodules.vtkCommonCore import vtkCharArray
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+from vtkflipflop import vtkPFFHullFilter
 
 FOUND = ("Dimension", "EngineUsed", "NumberOfInputPoints", "NumberOfNonFinitePoints")
 FOUND_OF_HULL = ("Volume", "Area")
@@ -49,7 +50,7 @@ def run(name, folder, rank, messages):
 
 def stop(rank, ranks):
     """Numbers of points: of a run that the last rank aborts, of the next update, and with the flag reset."""
-    hull = vtkflipflop.vtkPFFHullFilter()
+    hull = vtkPFFHullFilter()
     hull.SetInputData(pieces.ball(rank, ranks))
     counts = []
     if rank == ranks - 1:
