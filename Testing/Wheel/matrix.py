@@ -61,7 +61,7 @@ def needed_but_vtk(python):
     """What PyVista needs beside VTK."""
     program = "from importlib.metadata import requires; print(*requires('pyvista'), sep='\\n')"
     lines = said([python, "-c", program]).stdout.splitlines()
-    return [line.split(";")[0] for line in lines if "extra ==" not in line and not re.match(r"vtk\b", line)]
+    return [line for line in lines if "extra ==" not in line and not re.match(r"vtk\b", line)]
 
 
 def versions(python):
