@@ -214,6 +214,12 @@ std::string vtkFFQueryAlgorithm::vtkInternals::DescribePoint(vtkIdType place)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFFQueryAlgorithm::vtkInternals::OfBlock()
+{
+  return this->Current.size() == 1 ? this->Current[0].OfWhat : std::string();
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkDataArray*> vtkFFQueryAlgorithm::vtkInternals::ArraysOf(
   const std::vector<vtkPointSet*>& pieces)
 {
@@ -391,6 +397,10 @@ bool vtkFFQueryAlgorithm::vtkInternals::RunFilter(
   if (!done)
   {
     output->Initialize();
+  }
+  else if (!this->KeepsPrepared())
+  {
+    this->Forget();
   }
   return done;
 }

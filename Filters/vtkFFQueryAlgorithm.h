@@ -20,7 +20,7 @@
  * abort; its output is then empty, too, but the update goes on.
  *
  * @sa
- * vtkFFSelectEnclosedPoints vtkFFAlgorithm
+ * vtkFFSelectEnclosedPoints vtkFFPointInterpolator2D vtkFFAlgorithm
  */
 
 #ifndef vtkFFQueryAlgorithm_h

@@ -59,6 +59,11 @@ public:
   virtual void Forget() = 0;
 
   /**
+   * Whether what was prepared stays after a run, for single questions.
+   */
+  virtual bool KeepsPrepared() { return false; }
+
+  /**
    * What this filter calls its second input, in a word: "surface". Its setters have that name.
    */
   virtual std::string GetSecondName() = 0;
@@ -90,6 +95,12 @@ public:
 
   vtkIdType GetPlaceOfPoint(vtkIdType index) override;
   std::string DescribePoint(vtkIdType place) override;
+
+  /**
+   * How errors name the one data set that is worked on: " of the source"; nothing where there are
+   * several.
+   */
+  std::string OfBlock() override;
 
 protected:
   void SetErrorCode(unsigned long code) override;

@@ -19,12 +19,8 @@
 #include "vtkAbstractTransform.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -38,7 +34,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -298,69 +293,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& 
 //------------------------------------------------------------------------------
 vtkDataArray* vtkFFRegularTriangulationFilter::vtkInternals::FindWeights(vtkPointSet* input)
 {
-  auto* filter = this->GetTriangulationFilter();
-  vtkInformationVector* chosen = filter->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
-  vtkInformation* choice = chosen ? chosen->GetInformationObject(0) : nullptr;
-  if (!choice || input->GetNumberOfPoints() == 0)
-  {
-    return nullptr;
-  }
-  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  if (name && !strcmp(name, "None") && !input->GetPointData()->HasArray(name))
-  {
-    return nullptr;
-  }
-  const bool byName = name && *name;
-  if (!byName && !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
-  {
-    return nullptr;
-  }
-  std::string what;
-  vtkAbstractArray* array = nullptr;
-  if (byName)
-  {
-    what = std::string("The weights' array \"") + name + "\"" + this->OfBlock() + " ";
-    array = input->GetPointData()->GetAbstractArray(name);
-  }
-  else
-  {
-    const int attribute = choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
-    const char* label = vtkDataSetAttributes::GetAttributeTypeAsString(attribute);
-    array = label ? input->GetPointData()->GetAbstractAttribute(attribute) : nullptr;
-    what = "The weights' array" + this->OfBlock() + ", the point data's active " +
-      (label ? label : "array") +
-      (array && array->GetName() ? std::string(" \"") + array->GetName() + "\", " : ", ");
-  }
-
-  const int association = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
-  std::ostringstream wrong;
-  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
-    association != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
-  {
-    wrong << "was asked for as data that does not belong to the points; weights must be point data";
-  }
-  else if (!array)
-  {
-    wrong << "is missing from the input's point data";
-  }
-  else if (!vtkDataArray::SafeDownCast(array))
-  {
-    wrong << "is a " << array->GetClassName() << ", which does not hold numbers";
-  }
-  else if (array->GetNumberOfComponents() != 1)
-  {
-    wrong << "has " << array->GetNumberOfComponents() << " components; a weight has 1";
-  }
-  else if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    wrong << "has " << array->GetNumberOfTuples() << " value(s) for " << input->GetNumberOfPoints()
-          << " point(s)";
-  }
-  if (!wrong.str().empty())
-  {
-    throw std::runtime_error(what + wrong.str() + ".");
-  }
-  return vtkDataArray::SafeDownCast(array);
+  return vtkFFWeightSource::FindArray(this->GetFilter(), input, this->OfBlock(), "input");
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ public:
   using vtkFFQueryAlgorithm::vtkInternals::vtkInternals;
 
   void Forget() override;
+  bool KeepsPrepared() override { return true; }
   std::string GetSecondName() override { return "surface"; }
   int Prepare(const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options) override;
   void Answer(const flipflop::PointView& points, const flipflop::Options& options,

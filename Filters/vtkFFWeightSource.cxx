@@ -4,7 +4,18 @@
 
 #include "vtkFFExactValues.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
@@ -46,4 +57,73 @@ void vtkFFWeightSource::Convert(vtkDataArray* array, flipflop::Buffer<T>& copy)
     this->View.deviceData = vtkFFExactValues::DeviceMemory(array);
   }
 }
+//------------------------------------------------------------------------------
+vtkDataArray* vtkFFWeightSource::FindArray(
+  vtkAlgorithm* filter, vtkPointSet* points, const std::string& ofWhat, const std::string& owner)
+{
+  vtkInformationVector* chosen =
+    filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* choice = chosen ? chosen->GetInformationObject(0) : nullptr;
+  if (!choice || points->GetNumberOfPoints() == 0)
+  {
+    return nullptr;
+  }
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  if (name && !std::strcmp(name, "None") && !points->GetPointData()->HasArray(name))
+  {
+    return nullptr;
+  }
+  const bool byName = name && *name;
+  if (!byName && !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    return nullptr;
+  }
+  std::string what;
+  vtkAbstractArray* array = nullptr;
+  if (byName)
+  {
+    what = std::string("The weights' array \"") + name + "\"" + ofWhat + " ";
+    array = points->GetPointData()->GetAbstractArray(name);
+  }
+  else
+  {
+    const int attribute = choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+    const char* label = vtkDataSetAttributes::GetAttributeTypeAsString(attribute);
+    array = label ? points->GetPointData()->GetAbstractAttribute(attribute) : nullptr;
+    what = "The weights' array" + ofWhat + ", the point data's active " +
+      (label ? label : "array") +
+      (array && array->GetName() ? std::string(" \"") + array->GetName() + "\", " : ", ");
+  }
+
+  const int association = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  std::ostringstream wrong;
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    association != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+  {
+    wrong << "was asked for as data that does not belong to the points; weights must be point data";
+  }
+  else if (!array)
+  {
+    wrong << "is missing from the " << owner << "'s point data";
+  }
+  else if (!vtkDataArray::SafeDownCast(array))
+  {
+    wrong << "is a " << array->GetClassName() << ", which does not hold numbers";
+  }
+  else if (array->GetNumberOfComponents() != 1)
+  {
+    wrong << "has " << array->GetNumberOfComponents() << " components; a weight has 1";
+  }
+  else if (array->GetNumberOfTuples() != points->GetNumberOfPoints())
+  {
+    wrong << "has " << array->GetNumberOfTuples() << " value(s) for " << points->GetNumberOfPoints()
+          << " point(s)";
+  }
+  if (!wrong.str().empty())
+  {
+    throw std::runtime_error(what + wrong.str() + ".");
+  }
+  return vtkDataArray::SafeDownCast(array);
+}
+
 VTK_ABI_NAMESPACE_END

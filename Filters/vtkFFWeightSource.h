@@ -18,8 +18,12 @@
 #include <flipflop/Buffer.h>
 #include <flipflop/PointView.h>
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithm;
 class vtkDataArray;
+class vtkPointSet;
 
 class vtkFFWeightSource
 {
@@ -38,6 +42,18 @@ public:
    * All weights; valid as long as this object and the array exist.
    */
   const flipflop::WeightView& GetView() const { return this->View; }
+
+  /**
+   * The point array that was chosen as the filter's array 0 to process; null: none was. It fits the
+   * points.
+   *
+   * @param points those that are weighted, with their data
+   * @param ofWhat how errors name them: " of the block of flat index 2"
+   * @param owner  how they name the filter's input: "input"
+   * @throw std::runtime_error where it does not fit.
+   */
+  static vtkDataArray* FindArray(
+    vtkAlgorithm* filter, vtkPointSet* points, const std::string& ofWhat, const std::string& owner);
 
 private:
   template <class T>

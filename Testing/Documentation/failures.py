@@ -5,6 +5,7 @@
 from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
+    vtkDataObject,
     vtkMultiBlockDataSet,
     vtkRectilinearGrid,
     vtkTable,
@@ -13,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkflipflop import (
     vtkFFConvexifyFilter,
     vtkFFHullFilter,
+    vtkFFPointInterpolator2D,
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
 )
@@ -103,6 +105,13 @@ def selection(surface):
     return algorithm
 
 
+def interpolation(source):
+    algorithm = set_up(vtkFFPointInterpolator2D(), poly_data(TETRAHEDRON))
+    algorithm.SetSourceData(source)
+    algorithm.SetInputArrayToProcess(0, 1, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "weight")
+    return algorithm
+
+
 def surface_without_its_last_corner():
     algorithm = surface(FACETS)
     corners = algorithm.GetInput().GetPolys().GetConnectivityArray()
@@ -149,6 +158,8 @@ FAILURES = {
     ),
     "points to select, and no surface": lambda: selection(None),
     "a coordinate of a surface is NaN or infinite": lambda: selection(poly_data("0 0 0; nan 0 0")),
+    "points to interpolate at, and no source": lambda: interpolation(None),
+    "a source without its array of weights": lambda: interpolation(poly_data(TETRAHEDRON)),
     "cells with a corner too few": surface_without_its_last_corner,
     "points without cells, as a surface": lambda: surface([]),
     "a cell that is no triangle": lambda: surface([[0, 1, 2, 3]]),

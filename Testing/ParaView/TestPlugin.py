@@ -14,7 +14,11 @@ LABELS = {
     "FlipFlopConvexHull": "Flip-Flop Convex Hull",
     "FlipFlopConvexify": "Flip-Flop Convexify",
     "FlipFlopRegularTriangulation": "Flip-Flop Regular Triangulation",
+    "FlipFlopSelectEnclosedPoints": "Flip-Flop Select Enclosed Points",
+    "FlipFlopPointInterpolator2D": "Flip-Flop Point Interpolator 2D",
 }
+# The second input of those that answer questions at the points of the first.
+SECOND = {"FlipFlopSelectEnclosedPoints": "Surface", "FlipFlopPointInterpolator2D": "Source"}
 COMMON = {
     "FacetMode": "Triangles",
     "PassPointData": 1,
@@ -29,6 +33,7 @@ ENGINES = {
     "Engine": "Automatic",
     "CUDAThreshold": 2**31 - 1,
 }
+QUERIES = {"NonFinitePoints": "Report an Error", "SkipGhostPoints": 1, "NumberOfThreads": 0}
 DEFAULTS = {
     "FlipFlopConvexHull": {**COMMON, **ENGINES, "CompositeMode": "Hull of Each Block"},
     "FlipFlopConvexify": {**COMMON, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
@@ -42,11 +47,30 @@ DEFAULTS = {
         "PowerDiagramBoxMode": "Bounds of the Points",
         "PowerDiagramBounds": [0.0, 1.0, 0.0, 1.0],
     },
+    "FlipFlopSelectEnclosedPoints": {
+        **QUERIES,
+        "SelectPointsOnSurface": 1,
+        "InsideOut": 0,
+        "GenerateDistances": 0,
+    },
+    "FlipFlopPointInterpolator2D": {
+        **QUERIES,
+        "Weights": ["POINTS", "None"],
+        "InterpolationMode": "Linear",
+        "NullPointsStrategy": "Mask Points",
+        "NullValue": 0.0,
+        "InterpolateZ": 1,
+        "PassPointArrays": 1,
+        "PassCellArrays": 1,
+        "PassFieldArrays": 1,
+    },
 }
 PORTS = {
     "FlipFlopConvexHull": ["Hull"],
     "FlipFlopConvexify": ["Hull"],
     "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Power Diagram"],
+    "FlipFlopSelectEnclosedPoints": ["Points"],
+    "FlipFlopPointInterpolator2D": ["Points"],
 }
 FOUND = ["Dimension", "EngineUsed", "EngineReason", "NumberOfInputPoints", "NumberOfNonFinitePoints",
          "NumberOfThreadsUsed", "NumberOfFlips22", "NumberOfFlips31", "SecondsTotal"]  # fmt: skip
@@ -138,7 +162,8 @@ for line in open("/proc/self/maps"):
 
 class TestProxies(unittest.TestCase):
     def source(self, name):
-        return getattr(simple, name)(Input=simple.Sphere())
+        second = {SECOND[name]: simple.Sphere(Radius=2)} if name in SECOND else {}
+        return getattr(simple, name)(Input=simple.Sphere(), **second)
 
     def test_defaults(self):
         for name, defaults in DEFAULTS.items():
@@ -153,7 +178,7 @@ class TestProxies(unittest.TestCase):
                 for key in proxy.ListProperties()
                 if not proxy.GetProperty(key).SMProperty.GetInformationOnly()
             }
-            self.assertEqual(settings - {"Input", "Transform"}, set(defaults))
+            self.assertEqual(settings - {"Input", "Transform", *SECOND.values()}, set(defaults))
         transform = self.source("FlipFlopRegularTriangulation").Transform
         self.assertEqual(transform.GetXMLName(), "Transform3")
 
@@ -163,8 +188,20 @@ class TestProxies(unittest.TestCase):
             self.assertEqual(proxy.GetNumberOfOutputPorts(), len(ports))
             self.assertEqual([proxy.GetOutputPortName(i) for i in range(len(ports))], ports)
 
+    def test_answers(self):
+        proxy = self.source("FlipFlopSelectEnclosedPoints")
+        proxy.GenerateDistances = 1
+        proxy.UpdatePipeline()
+        self.assertEqual(proxy.PointData["SelectedPoints"].GetRange(), (1, 1))
+        self.assertEqual(proxy.PointData["FlipFlopSide"].GetRange(), (1, 1))
+        self.assertLess(proxy.PointData["FlipFlopDistance"].GetRange()[1], -1.0)
+        proxy = self.source("FlipFlopPointInterpolator2D")
+        proxy.UpdatePipeline()
+        self.assertEqual(proxy.PointData["vtkValidPointMask"].GetRange(), (1, 1))
+        self.assertIn("Elevation", proxy.PointData.keys())
+
     def test_what_a_run_found(self):
-        for name in LABELS:
+        for name in LABELS.keys() - SECOND.keys():
             proxy = self.source(name)
             proxy.UpdatePipeline()
             proxy.UpdatePropertyInformation()
@@ -193,7 +230,7 @@ class TestProxies(unittest.TestCase):
                 self.assertTrue(text and text.GetDescription().strip(), iterator.GetKey())
                 count += 1
                 iterator.Next()
-            self.assertGreater(count, 20)
+            self.assertGreater(count, 6 if name in SECOND else 20)
 
     def test_menu(self):
         for name in LABELS:

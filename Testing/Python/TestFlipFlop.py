@@ -375,6 +375,7 @@ class TestPackage(unittest.TestCase):
                 "vtkFFConvexifyFilter",
                 "vtkFFHullAlgorithm",
                 "vtkFFHullFilter",
+                "vtkFFPointInterpolator2D",
                 "vtkFFQueryAlgorithm",
                 "vtkFFRegularTriangulationFilter",
                 "vtkFFSelectEnclosedPoints",

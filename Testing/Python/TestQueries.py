@@ -13,7 +13,12 @@ from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersModeling import vtkSelectEnclosedPoints
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from vtkflipflop import vtkFFHullFilter, vtkFFSelectEnclosedPoints
+from vtkflipflop import (
+    vtkFFHullFilter,
+    vtkFFPointInterpolator2D,
+    vtkFFRegularTriangulationFilter,
+    vtkFFSelectEnclosedPoints,
+)
 
 from watching import errors_of
 
@@ -139,6 +144,66 @@ class TestSelectEnclosedPoints(unittest.TestCase):
         select.SetNonFinitePointsToIgnore()
         select.Update()
         self.assertEqual(list(array(select.GetOutput(), "SelectedPoints")), [1] + 7 * [0])
+
+
+class TestPointInterpolator2D(unittest.TestCase):
+    def setUp(self):
+        rng = np.random.default_rng(3)
+        self.xy = rng.uniform(-1, 1, (1000, 3))
+        self.values = np.stack([self.xy[:, 0] + 2 * self.xy[:, 1], 3 - self.xy[:, 1]], axis=1)
+        source = poly_data(self.xy)
+        values = numpy_to_vtk(self.values)
+        values.SetName("values")
+        source.GetPointData().AddArray(values)
+        self.image = vtkImageData()
+        self.image.SetDimensions(20, 20, 1)
+        self.image.SetOrigin(-1.1, -1.1, 0)
+        self.image.SetSpacing(0.11, 0.11, 1)
+        self.filter = vtkFFPointInterpolator2D()
+        self.filter.SetInputData(self.image)
+        self.filter.SetSourceData(source)
+
+    def test_linear_function(self):
+        at = np.array([self.image.GetPoint(i) for i in range(400)])
+        for mode in ("Linear", "NaturalNeighbor"):
+            getattr(self.filter, f"SetInterpolationModeTo{mode}")()
+            self.filter.Update()
+            output = self.filter.GetOutput()
+            self.assertTrue(output.IsA("vtkImageData"))
+            valid = array(output, "vtkValidPointMask") == 1
+            self.assertGreater(valid.sum(), 200)
+            self.assertLess(valid.sum(), 400)
+            expected = np.stack([at[:, 0] + 2 * at[:, 1], 3 - at[:, 1]], axis=1)
+            found = array(output, "values")
+            np.testing.assert_allclose(found[valid], expected[valid], rtol=0, atol=1e-13)
+            self.assertTrue((found[~valid] == 0).all())
+            self.assertTrue(output.GetPointData().HasArray("Elevation"))
+
+    def test_settings(self):
+        self.filter.SetNullPointsStrategyToClosestPoint()
+        self.filter.SetZArrayName("z")
+        self.filter.AddExcludedArray("values")
+        self.filter.Update()
+        data = self.filter.GetOutput().GetPointData()
+        self.assertEqual([data.GetArrayName(i) for i in range(data.GetNumberOfArrays())], ["z"])
+        at = np.array([self.image.GetPoint(i)[:2] for i in range(400)])
+        nearest = ((self.xy[None, :, :2] - at[:, None]) ** 2).sum(axis=2).argmin(axis=1)
+        self.assertEqual(array(self.filter.GetOutput(), "z")[0], self.xy[nearest[0], 2])
+
+    def test_measures(self):
+        """A triangle's value at its centroid is the mean of its corners'."""
+        triangulation = vtkFFRegularTriangulationFilter()
+        triangulation.GenerateCellMeasuresOn()
+        triangulation.SetInputData(self.filter.GetSource())
+        triangulation.Update()
+        output = triangulation.GetOutput()
+        centroids = vtk_to_numpy(output.GetCellData().GetArray("Centroid"))
+        self.assertTrue((vtk_to_numpy(output.GetCellData().GetArray("Area")) > 0).all())
+        self.filter.SetInputData(poly_data(centroids))
+        self.filter.Update()
+        corners = vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        means = array(output, "values")[corners].mean(axis=1)
+        np.testing.assert_allclose(array(self.filter.GetOutput(), "values"), means, atol=1e-13)
 
 
 if __name__ == "__main__":

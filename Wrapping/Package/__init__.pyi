@@ -4,6 +4,7 @@ from .vtkFiltersFlipFlop import vtkFFAlgorithm as vtkFFAlgorithm
 from .vtkFiltersFlipFlop import vtkFFConvexifyFilter as vtkFFConvexifyFilter
 from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
 from .vtkFiltersFlipFlop import vtkFFHullFilter as vtkFFHullFilter
+from .vtkFiltersFlipFlop import vtkFFPointInterpolator2D as vtkFFPointInterpolator2D
 from .vtkFiltersFlipFlop import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
 from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
 from .vtkFiltersFlipFlop import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints

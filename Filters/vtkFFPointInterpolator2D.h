@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFPointInterpolator2D
+ * @brief   point data between points in the plane, by their triangulation
+ *
+ * vtkFFPointInterpolator2D gives the points of its input (port 0) values from a source (port 1):
+ * points with point data. It is used as vtkPointInterpolator2D is: x and y of all points count, z
+ * does not. Between the points of the source, values are interpolated over their Delaunay
+ * triangulation. If weights are chosen, it is their regular triangulation, as
+ * vtkFFRegularTriangulationFilter gives it:
+ *
+ *     filter->SetInputArrayToProcess(
+ *       0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
+ *
+ * There are two ways to interpolate (see SetInterpolationMode()). Both give a source point's own
+ * value at its place, and reproduce linear functions up to rounding. Which triangle a point is in
+ * is decided exactly, so the values do not depend on a tolerance, a radius, or a number of
+ * neighbours.
+ *
+ * The output is a shallow copy of the input with these point arrays, which take the place of the
+ * input's arrays of the same names:
+ *
+ * - each point array of numbers of the source: as float if it is float,
+ *   otherwise as double. Left out are vtkGhostType, global and pedigree
+ *   ids, and excluded arrays (see AddExcludedArray()). Integers that no
+ *   double holds are rounded.
+ * - Elevation: the z of the source's points, if InterpolateZ is on, and
+ *   if the source has no array of that name
+ * - vtkValidPointMask (vtkCharArray): 1 for points that have values, 0
+ *   for null points, if NullPointsStrategy is MASK_POINTS
+ *
+ * The source's active scalars, vectors, tensors and texture coordinates are active in the output.
+ *
+ * A null point is one outside the convex hull of the source's points, where nothing can be
+ * interpolated; see SetNullPointsStrategy(). If the source's points are on a line, so is their
+ * hull. If the source has no points, all are null. So is a point that is not finite, if such points
+ * are ignored.
+ *
+ * Source points that are hidden have no part in it: of points at one place, that of the greatest
+ * weight counts, then that of the lowest id.
+ *
+ * @warning
+ * At most 2^32 - 2 points can be given, about 5e8 in the source.
+ *
+ * @sa
+ * vtkFFQueryAlgorithm vtkFFRegularTriangulationFilter vtkPointInterpolator2D vtkProbeFilter
+ */
+
+#ifndef vtkFFPointInterpolator2D_h
+#define vtkFFPointInterpolator2D_h
+
+#include "vtkFFMarks.h" // For VTK_MARSHALAUTO
+#include "vtkFFQueryAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithmOutput;
+class vtkDataObject;
+
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointInterpolator2D
+  : public vtkFFQueryAlgorithm
+{
+public:
+  //@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
+  static vtkFFPointInterpolator2D* New();
+  vtkTypeMacro(vtkFFPointInterpolator2D, vtkFFQueryAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  //@}
+
+  /**
+   * How values are interpolated.
+   */
+  enum InterpolationModeType
+  {
+    LINEAR = 0,
+    NATURAL_NEIGHBOR = 1
+  };
+
+  /**
+   * What to do at points where nothing can be interpolated. The values are those of
+   * vtkPointInterpolator.
+   */
+  enum Strategy
+  {
+    MASK_POINTS = 0,
+    NULL_VALUE = 1,
+    CLOSEST_POINT = 2
+  };
+
+  //@{
+  /**
+   * Set/Get the source (the input of port 1): points with point data.
+   */
+  void SetSourceData(vtkDataObject* source);
+  void SetSourceConnection(vtkAlgorithmOutput* output);
+  vtkDataObject* GetSource();
+  //@}
+
+  //@{
+  /**
+   * Set/Get how values are interpolated.
+   *
+   * - LINEAR (the default): linearly over each triangle
+   * - NATURAL_NEIGHBOR: by natural neighbours (Sibson). Values are
+   *   smooth but at the source's points, and do not depend on how points
+   *   of one circle are cut into triangles. It takes longer. (With
+   *   weights, values are continuous.)
+   */
+  vtkSetClampMacro(InterpolationMode, int, LINEAR, NATURAL_NEIGHBOR);
+  vtkGetMacro(InterpolationMode, int);
+  void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
+  void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
+  const char* GetInterpolationModeAsString();
+  //@}
+
+  //@{
+  /**
+   * Set/Get what null points get.
+   *
+   * - MASK_POINTS (the default): NullValue, and the mask array tells
+   *   which points these are
+   * - NULL_VALUE: NullValue. This is vtkPointInterpolator's default.
+   * - CLOSEST_POINT: the values of the closest point of the source (with
+   *   weights, by power distance). Points have NullValue only if there
+   *   is none, or if they are not finite.
+   */
+  vtkSetClampMacro(NullPointsStrategy, int, MASK_POINTS, CLOSEST_POINT);
+  vtkGetMacro(NullPointsStrategy, int);
+  void SetNullPointsStrategyToMaskPoints() { this->SetNullPointsStrategy(MASK_POINTS); }
+  void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
+  void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
+  const char* GetNullPointsStrategyAsString();
+  //@}
+
+  //@{
+  /**
+   * Set/Get the value of all components at null points. 0 by default; NaN is possible.
+   */
+  vtkSetMacro(NullValue, double);
+  vtkGetMacro(NullValue, double);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the name of the mask array. "vtkValidPointMask" by default.
+   */
+  vtkSetMacro(ValidPointsMaskArrayName, std::string);
+  vtkGetMacro(ValidPointsMaskArrayName, std::string);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether the z of the source's points is interpolated, too. On by default.
+   */
+  vtkSetMacro(InterpolateZ, bool);
+  vtkGetMacro(InterpolateZ, bool);
+  vtkBooleanMacro(InterpolateZ, bool);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the name of the array of interpolated z. "Elevation" by default.
+   */
+  vtkSetMacro(ZArrayName, std::string);
+  vtkGetMacro(ZArrayName, std::string);
+  //@}
+
+  //@{
+  /**
+   * The names of arrays of the source that are not interpolated: add one, remove all, get their
+   * number, get one (null if there is none of that index).
+   */
+  void AddExcludedArray(const char* name);
+  void ClearExcludedArrays();
+  int GetNumberOfExcludedArrays();
+  const char* GetExcludedArray(int index);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether the input's point data, cell data and field data are passed to the output. On
+   * by default.
+   */
+  vtkSetMacro(PassPointArrays, bool);
+  vtkGetMacro(PassPointArrays, bool);
+  vtkBooleanMacro(PassPointArrays, bool);
+  vtkSetMacro(PassCellArrays, bool);
+  vtkGetMacro(PassCellArrays, bool);
+  vtkBooleanMacro(PassCellArrays, bool);
+  vtkSetMacro(PassFieldArrays, bool);
+  vtkGetMacro(PassFieldArrays, bool);
+  vtkBooleanMacro(PassFieldArrays, bool);
+  //@}
+
+protected:
+  vtkFFPointInterpolator2D();
+  ~vtkFFPointInterpolator2D() override;
+
+  class vtkInternals;
+
+  int InterpolationMode;
+  int NullPointsStrategy;
+  double NullValue;
+  std::string ValidPointsMaskArrayName;
+  bool InterpolateZ;
+  std::string ZArrayName;
+  std::vector<std::string> ExcludedArrays;
+  bool PassPointArrays;
+  bool PassCellArrays;
+  bool PassFieldArrays;
+
+private:
+  vtkFFPointInterpolator2D(const vtkFFPointInterpolator2D&) = delete;
+  void operator=(const vtkFFPointInterpolator2D&) = delete;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

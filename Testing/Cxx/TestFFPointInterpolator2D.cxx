@@ -1,0 +1,458 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Point data between points in the plane: linear functions come out again, in each mode, for each
+// type; null points in each strategy; which arrays; weights; errors, progress, abort.
+#include "FFTest.h"
+
+#include "vtkCellData.h"
+#include "vtkCharArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFFPointInterpolator2D.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+using namespace fftest;
+
+namespace
+{
+
+using Filter = vtkFFPointInterpolator2D;
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Linear in x and y.
+double height(const double* x)
+{
+  return 3.0 * x[0] - 2.0 * x[1] + 0.5;
+}
+
+/// Points in a square with an array of heights (and two components of it), of the type.
+vtkSmartPointer<vtkPolyData> makeSource(int count, int type = VTK_DOUBLE)
+{
+  auto points = randomPoints(count, 91);
+  for (int i = 0; i < 4; ++i)
+  {
+    points[static_cast<std::size_t>(i)] = { i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, 0.0 };
+  }
+  vtkSmartPointer<vtkDataArray> heights, pairs;
+  heights.TakeReference(vtkDataArray::CreateDataArray(type));
+  heights->SetName("height");
+  heights->SetNumberOfTuples(count);
+  pairs.TakeReference(vtkDataArray::CreateDataArray(type));
+  pairs->SetName("pair");
+  pairs->SetNumberOfComponents(2);
+  pairs->SetComponentName(1, "times ten");
+  pairs->SetNumberOfTuples(count);
+  for (int i = 0; i < count; ++i)
+  {
+    Point& point = points[static_cast<std::size_t>(i)];
+    point[2] = -height(point.data());
+    heights->SetTuple1(i, height(point.data()));
+    pairs->SetTuple2(i, height(point.data()), 10.0 * height(point.data()));
+  }
+  auto source = makePoints(points);
+  source->GetPointData()->SetScalars(heights);
+  source->GetPointData()->AddArray(pairs);
+  return source;
+}
+
+std::vector<double> valuesOf(vtkDataObject* data, const char* name)
+{
+  auto* set = vtkDataSet::SafeDownCast(data);
+  vtkDataArray* array = set ? set->GetPointData()->GetArray(name) : nullptr;
+  FF_CHECK(array != nullptr);
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+bool isNear(double a, double b, double tolerance = 1e-13)
+{
+  return std::fabs(a - b) <= tolerance * (1.0 + std::fabs(b));
+}
+
+void testLinearFunction()
+{
+  auto queries = randomPoints(5000, 92);
+  queries[0] = { 1.0, 1.0, 7.0 };
+  queries[1] = { 1.0, 0.25, 7.0 };
+  const auto input = makePoints(queries);
+  for (const int mode : { 0, 1 })
+  {
+    for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+    {
+      vtkNew<Filter> filter;
+      const auto errors = ErrorObserver::Of(filter);
+      filter->SetInterpolationMode(mode);
+      filter->SetInputData(input);
+      filter->SetSourceData(makeSource(3000, type));
+      filter->Update();
+      FF_CHECK(errors->Messages.empty());
+      FF_CHECK_EQUAL(filter->GetDimension(), 2);
+      vtkPointData* data = filter->GetPolyDataOutput()->GetPointData();
+      FF_CHECK_EQUAL(data->GetNumberOfArrays(), 4);
+      FF_CHECK(data->GetScalars() == data->GetArray("height"));
+      FF_CHECK_EQUAL(data->GetArray("height")->GetDataType(), type);
+      FF_CHECK_EQUAL(data->GetArray("Elevation")->GetDataType(), VTK_DOUBLE);
+      FF_CHECK_EQUAL(std::string(data->GetArray("pair")->GetComponentName(1)), "times ten");
+      FF_CHECK(vtkCharArray::SafeDownCast(data->GetArray("vtkValidPointMask")) != nullptr);
+      const double tolerance = type == VTK_FLOAT ? 1e-6 : 1e-13;
+      for (vtkIdType i = 0; i < 5000; ++i)
+      {
+        const double expected = height(input->GetPoint(i));
+        FF_CHECK(isNear(data->GetArray("height")->GetComponent(i, 0), expected, tolerance));
+        FF_CHECK(isNear(data->GetArray("pair")->GetComponent(i, 1), 10.0 * expected, tolerance));
+        FF_CHECK(isNear(data->GetArray("Elevation")->GetComponent(i, 0), -expected));
+        FF_CHECK_EQUAL(data->GetArray("vtkValidPointMask")->GetComponent(i, 0), 1.0);
+      }
+    }
+  }
+}
+
+/// Values over one square, by heart: the modes differ.
+void testModes()
+{
+  const auto square = makeWeighted(
+    { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } }, { 0, 1, 0, 1 }, VTK_INT, "values");
+  vtkNew<Filter> filter;
+  filter->SetInputData(makePoints({ { 1, 1, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 0.5, 1.5, 0 } }));
+  filter->SetSourceData(square);
+  filter->Update();
+  // The fan from the lowest id has the diagonal from corner 0 to corner 2.
+  FF_CHECK(valuesOf(filter->GetOutput(), "values") == (std::vector<double>{ 0.0, 1.0, 0.5, 0.5 }));
+  FF_CHECK_EQUAL(
+    filter->GetPolyDataOutput()->GetPointData()->GetArray("values")->GetDataType(), VTK_DOUBLE);
+  filter->SetInterpolationModeToNaturalNeighbor();
+  filter->Update();
+  const auto natural = valuesOf(filter->GetOutput(), "values");
+  FF_CHECK(isNear(natural[0], 0.5) && natural[1] == 1.0 && isNear(natural[2], 0.5));
+  FF_CHECK(natural[3] > 0.5 && natural[3] < 1.0);
+}
+
+void testNullPoints()
+{
+  const auto triangle =
+    makeWeighted({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 } }, { 10, 20, 30 }, VTK_DOUBLE, "values");
+  vtkNew<Filter> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  filter->SetInputData(makePoints({ { 2, 0, 5 }, { 9, 1, 0 }, { -1, -1, 0 }, { 0, 4, 0 } }));
+  filter->SetSourceData(triangle);
+  filter->SetNullValue(-7.0);
+  const auto values = [&]()
+  {
+    filter->Update();
+    return valuesOf(filter->GetOutput(), "values");
+  };
+  FF_CHECK(values() == (std::vector<double>{ 15, -7, -7, 30 }));
+  FF_CHECK(
+    valuesOf(filter->GetOutput(), "vtkValidPointMask") == (std::vector<double>{ 1, 0, 0, 1 }));
+  filter->SetValidPointsMaskArrayName("mask");
+  FF_CHECK(values() == (std::vector<double>{ 15, -7, -7, 30 }));
+  FF_CHECK(valuesOf(filter->GetOutput(), "mask") == (std::vector<double>{ 1, 0, 0, 1 }));
+  filter->SetNullPointsStrategyToNullValue();
+  FF_CHECK(values() == (std::vector<double>{ 15, -7, -7, 30 }));
+  FF_CHECK(!filter->GetPolyDataOutput()->GetPointData()->HasArray("mask"));
+  filter->SetNullPointsStrategyToClosestPoint();
+  FF_CHECK(values() == (std::vector<double>{ 15, 20, 10, 30 }));
+  filter->SetNullValue(nan);
+  filter->SetNullPointsStrategyToMaskPoints();
+  FF_CHECK(std::isnan(values()[1]));
+
+  // Values that are NaN make no null points.
+  triangle->GetPointData()->GetArray("values")->SetTuple1(2, nan);
+  triangle->GetPointData()->GetArray("values")->Modified();
+  triangle->Modified();
+  filter->SetNullValue(0.0);
+  FF_CHECK(std::isnan(values()[3]));
+  FF_CHECK(valuesOf(filter->GetOutput(), "mask") == (std::vector<double>{ 1, 0, 0, 1 }));
+
+  // On a line, at a point, of none.
+  filter->SetSourceData(makeWeighted({ { 0, 0, 0 }, { 4, 0, 0 } }, { 10, 20 }, VTK_INT, "values"));
+  FF_CHECK(values() == (std::vector<double>{ 15, 0, 0, 0 }));
+  FF_CHECK_EQUAL(filter->GetDimension(), 1);
+  filter->SetSourceData(makeWeighted({ { 2, 0, 0 } }, { 10 }, VTK_INT, "values"));
+  FF_CHECK(values() == (std::vector<double>{ 10, 0, 0, 0 }));
+  filter->SetNullPointsStrategyToClosestPoint();
+  FF_CHECK(values() == (std::vector<double>{ 10, 10, 10, 10 }));
+  filter->SetSourceData(makeWeighted({}, {}, VTK_INT, "values"));
+  FF_CHECK(values() == (std::vector<double>{ 0, 0, 0, 0 }));
+  FF_CHECK_EQUAL(filter->GetDimension(), -1);
+  vtkNew<vtkMultiBlockDataSet> nothing;
+  filter->SetSourceData(nothing);
+  filter->Update();
+  FF_CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 4);
+  FF_CHECK(errors->Messages.empty());
+}
+
+/// Which arrays there are, and what stays of the input.
+void testArrays()
+{
+  const auto source = makeSource(20);
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  words->SetNumberOfValues(20);
+  source->GetPointData()->AddArray(words);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ids");
+  ids->SetNumberOfValues(20);
+  source->GetPointData()->SetGlobalIds(ids);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(20);
+  marks->Fill(0);
+  source->GetPointData()->AddArray(marks);
+
+  vtkNew<vtkImageData> image;
+  image->SetExtent(-1, 1, -1, 1, 3, 3);
+  const auto addArray = [](vtkFieldData* data, const char* name, vtkIdType count)
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    array->SetNumberOfValues(count);
+    array->Fill(7);
+    data->AddArray(array);
+  };
+  addArray(image->GetPointData(), "own", 9);
+  addArray(image->GetPointData(), "height", 9);
+  addArray(image->GetCellData(), "ofCells", 4);
+  addArray(image->GetFieldData(), "ofField", 2);
+
+  vtkNew<Filter> filter;
+  filter->SetInputData(image);
+  filter->SetSourceData(source);
+  filter->Update();
+  vtkImageData* output = filter->GetImageDataOutput();
+  vtkPointData* data = output->GetPointData();
+  FF_CHECK_EQUAL(output->GetNumberOfPoints(), vtkIdType(9));
+  FF_CHECK_EQUAL(data->GetNumberOfArrays(), 5);
+  FF_CHECK_EQUAL(data->GetArray("own")->GetComponent(0, 0), 7.0);
+  FF_CHECK(isNear(data->GetArray("height")->GetComponent(0, 0), -0.5));
+  FF_CHECK_EQUAL(image->GetPointData()->GetArray("height")->GetComponent(0, 0), 7.0);
+  FF_CHECK(data->HasArray("pair") && data->HasArray("Elevation"));
+  FF_CHECK(output->GetCellData()->HasArray("ofCells"));
+  FF_CHECK(output->GetFieldData()->HasArray("ofField"));
+
+  filter->InterpolateZOff();
+  filter->AddExcludedArray("pair");
+  filter->AddExcludedArray("none");
+  FF_CHECK_EQUAL(filter->GetNumberOfExcludedArrays(), 2);
+  FF_CHECK_EQUAL(std::string(filter->GetExcludedArray(1)), "none");
+  FF_CHECK(filter->GetExcludedArray(2) == nullptr && filter->GetExcludedArray(-1) == nullptr);
+  filter->PassPointArraysOff();
+  filter->PassCellArraysOff();
+  filter->PassFieldArraysOff();
+  filter->Update();
+  FF_CHECK_EQUAL(data->GetNumberOfArrays(), 2);
+  FF_CHECK(data->HasArray("height") && data->HasArray("vtkValidPointMask"));
+  FF_CHECK_EQUAL(output->GetCellData()->GetNumberOfArrays(), 0);
+  FF_CHECK(!output->GetFieldData()->HasArray("ofField"));
+  filter->ClearExcludedArrays();
+  filter->InterpolateZOn();
+  filter->SetZArrayName("pair"); // the source's own goes first
+  filter->Update();
+  FF_CHECK_EQUAL(data->GetNumberOfArrays(), 3);
+  FF_CHECK_EQUAL(data->GetArray("pair")->GetNumberOfComponents(), 2);
+  filter->SetZArrayName("z");
+  filter->Update();
+  FF_CHECK(isNear(data->GetArray("z")->GetComponent(0, 0), 0.5));
+}
+
+/// A heavy point hides another, whose value has no effect.
+void testWeights()
+{
+  const auto source = makeWeighted(
+    { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 2, 1, 0 } }, { 0, 0, 0, 0, -100 });
+  vtkNew<vtkIntArray> values;
+  values->SetName("values");
+  values->SetNumberOfValues(5);
+  values->Fill(1);
+  values->SetValue(4, 99);
+  source->GetPointData()->AddArray(values);
+  vtkNew<Filter> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  filter->SetInputData(makePoints({ { 2, 1, 0 }, { 9, 0, 0 } }));
+  filter->SetSourceData(source);
+  filter->Update();
+  FF_CHECK(valuesOf(filter->GetOutput(), "values")[0] == 99.0);
+  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
+  for (const int mode : { 0, 1 })
+  {
+    filter->SetInterpolationMode(mode);
+    filter->Update();
+    FF_CHECK(isNear(valuesOf(filter->GetOutput(), "values")[0], 1.0));
+  }
+  FF_CHECK(errors->Messages.empty());
+  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "none");
+  filter->Update();
+  FF_CHECK(errors->Has(
+    "The weights' array \"none\" of the source is missing from the source's point data."));
+}
+
+void testThreads()
+{
+  const auto source = makeSource(20000);
+  const auto input = makePoints(randomPoints(300000, 93)); // more than are asked about at once
+  for (const int mode : { 0, 1 })
+  {
+    std::vector<double> bits;
+    for (const int threads : { 1, 2, 4 })
+    {
+      vtkNew<Filter> filter;
+      filter->SetInterpolationMode(mode);
+      filter->SetNumberOfThreads(threads);
+      filter->SetInputData(input);
+      filter->SetSourceData(source);
+      filter->Update();
+      const auto found = valuesOf(filter->GetOutput(), "height");
+      bits = bits.empty() ? found : bits;
+      FF_CHECK(bits.size() == 300000 && found.size() == bits.size() &&
+        std::memcmp(bits.data(), found.data(), bits.size() * sizeof(double)) == 0);
+    }
+    FF_CHECK(isNear(bits[299999], height(input->GetPoint(299999))));
+  }
+}
+
+/// The blocks of a source count together, those of an input each have values.
+void testBlocks()
+{
+  vtkNew<vtkMultiBlockDataSet> source;
+  source->SetBlock(0, makeWeighted({ { 0, 0, 0 }, { 4, 0, 0 } }, { 1, 2 }, VTK_INT, "values"));
+  source->SetBlock(1, makeWeighted({ { 0, 4, 0 } }, { 3 }, VTK_INT, "values"));
+  vtkNew<vtkMultiBlockDataSet> input;
+  input->SetBlock(0, makePoints({ { 2, 0, 0 } }));
+  input->SetBlock(2, makePoints({ { 0, 2, 0 }, { 4, 4, 0 } }, VTK_FLOAT));
+  vtkNew<Filter> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  filter->SetInputData(input);
+  filter->SetSourceData(source);
+  filter->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutput());
+  FF_CHECK(valuesOf(output->GetBlock(0), "values") == (std::vector<double>{ 1.5 }));
+  FF_CHECK(valuesOf(output->GetBlock(2), "values") == (std::vector<double>{ 2.0, 0.0 }));
+  FF_CHECK(errors->Messages.empty());
+}
+
+void testErrors()
+{
+  const auto source = makeSource(10);
+  std::vector<Point> queries(400000, Point{ 0, 0, nan }); // z does not matter
+  const auto good = makePoints(queries);
+  queries[5][0] = nan;
+  queries[399999][1] = nan;
+  const auto wrong = makePoints(queries);
+  vtkNew<Filter> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  filter->SetInputData(good);
+  filter->Update();
+  FF_CHECK(errors->Has("There is no source. Give one with SetSourceData() or SetSourceConn"));
+  FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
+  errors->Clear();
+  filter->SetSourceData(source);
+  filter->Update();
+  FF_CHECK(errors->Messages.empty());
+  filter->SetInputData(wrong);
+  filter->Update();
+  FF_CHECK(errors->Has("A coordinate is NaN or infinite: first at point 5, 2 such point(s)"));
+  FF_CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), vtkIdType(0));
+  errors->Clear();
+  filter->SetSourceData(wrong);
+  filter->Update();
+  FF_CHECK(errors->Has(
+    "A coordinate or a weight is NaN or infinite: first at point 5 of the source, 2 such point"));
+  errors->Clear();
+  filter->SetNonFinitePointsToIgnore();
+  filter->SetNullPointsStrategyToClosestPoint();
+  filter->SetNullValue(-1.0);
+  filter->SetSourceData(source);
+  filter->Update();
+  const auto found = valuesOf(filter->GetOutput(), "height");
+  FF_CHECK_EQUAL(found[5], -1.0);
+  FF_CHECK_EQUAL(found[399999], -1.0);
+  FF_CHECK(isNear(found[6], 0.5));
+  FF_CHECK(errors->Messages.empty());
+}
+
+void testProgressAndAbort()
+{
+  const auto source = makeSource(100000);
+  const auto input = makePoints(randomPoints(600000, 94));
+  vtkNew<Filter> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  vtkNew<ProgressObserver> progress;
+  filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  filter->SetInputData(input);
+  filter->SetSourceData(source);
+  filter->Update();
+  checkProgress(progress->Values);
+  for (const double mark : { 0.01, 0.7 })
+  {
+    progress->AbortAt = mark;
+    progress->Values.clear();
+    filter->Modified();
+    filter->Update();
+    FF_CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), vtkIdType(0));
+    FF_CHECK(errors->Messages.empty());
+    FF_CHECK(progress->StoppedOnTheWay());
+    filter->SetAbortExecute(0);
+  }
+  progress->AbortAt = 2.0;
+  filter->Modified();
+  filter->Update();
+  FF_CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), vtkIdType(600000));
+}
+
+void testPrint()
+{
+  vtkNew<Filter> filter;
+  filter->AddExcludedArray("some");
+  filter->SetInterpolationMode(9);
+  filter->SetNullPointsStrategy(9);
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* name :
+    { "InterpolationMode: NaturalNeighbor", "NullPointsStrategy: ClosestPoint", "NullValue: 0",
+      "ValidPointsMaskArrayName: vtkValidPointMask", "InterpolateZ: On", "ZArrayName: Elevation",
+      "ExcludedArrays: 1", "PassPointArrays: On", "PassCellArrays: On", "PassFieldArrays: On",
+      "NumberOfThreads: 0", "NonFinitePoints: Error" })
+  {
+    FF_CHECK(text.str().find(std::string("\n  ") + name) != std::string::npos);
+  }
+  const vtkMTimeType time = filter->GetMTime();
+  filter->SetZArrayName("Elevation");
+  filter->SetValidPointsMaskArrayName("vtkValidPointMask");
+  FF_CHECK_EQUAL(filter->GetMTime(), time);
+}
+
+}
+
+int TestFFPointInterpolator2D(int, char*[])
+{
+  testLinearFunction();
+  testModes();
+  testNullPoints();
+  testArrays();
+  testWeights();
+  testThreads();
+  testBlocks();
+  testErrors();
+  testProgressAndAbort();
+  testPrint();
+  return result();
+}
