@@ -36,7 +36,8 @@ HullModel::HullModel(const PointView& points, const Hull& hull, const Options& o
   {
     return;
   }
-  QueryRun run(PointView(given.data(), static_cast<std::int64_t>(hull.pointIds.size())), options);
+  QueryRun run(
+    PointView(given.data(), static_cast<std::int64_t>(hull.pointIds.size())), 3, options);
   run.execute<QueryResult>(
     [&](QueryResult& result)
     {

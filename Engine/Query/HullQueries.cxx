@@ -114,7 +114,7 @@ void HullQueries::contains(
   const HullModel& hull = *this->model;
   const HullLocator* locator = nullptr;
   eachQuery(
-    queries, sides, options, [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
+    queries, 3, sides, options, [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
     [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
     {
       eachPlaced(hull, run, locator, begin, end,
@@ -147,7 +147,7 @@ void HullQueries::distance(
     return placed.side == Side::Inside ? -distance : distance;
   };
   eachQuery(
-    queries, distances, options,
+    queries, 3, distances, options,
     [&](QueryRun& run)
     {
       locator = locatorOf(hull, run.monitor);
@@ -168,7 +168,7 @@ void HullQueries::support(
   const HullModel& hull = *this->model;
   const DirectionMap* map = nullptr;
   eachQuery(
-    directions, ids, options,
+    directions, 3, ids, options,
     [&](QueryRun& run)
     {
       run.monitor.stage(0.1, 0.3, 1);

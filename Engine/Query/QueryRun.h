@@ -45,8 +45,10 @@ void runOver(std::size_t items, const Options& options, Body&& body)
 class QueryRun : public Run
 {
 public:
-  QueryRun(const PointView& points, const Options& options)
-    : Run(points, 3, PointSource(points), options)
+  /// @param dimension 3: points in space; 2: places in the plane
+  QueryRun(const PointView& points, int dimension, const Options& options)
+    : Run(points, dimension,
+        dimension == 3 ? PointSource(points) : PointSource(points, WeightView()), options)
   {
   }
 
@@ -61,16 +63,17 @@ struct QueryResult
 };
 
 /// Answer one query a point, on the run's threads.
+/// @param dimension of the space that the points are in
 /// @param answers room for one a point
 /// @param prepare void (QueryRun&): what all answers need
 /// @param answer  void (QueryRun&, std::uint32_t begin, std::uint32_t end)
 /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
 template <class Prepare, class Answer>
-void eachQuery(const PointView& queries, const void* answers, const Options& options,
+void eachQuery(const PointView& queries, int dimension, const void* answers, const Options& options,
   const Prepare& prepare, const Answer& answer)
 {
   constexpr std::size_t QueriesPerTask = 1 << 12;
-  QueryRun run(queries, options);
+  QueryRun run(queries, dimension, options);
   if (queries.count > 0 && !answers)
   {
     throw Error(ErrorCode::BadArgument);

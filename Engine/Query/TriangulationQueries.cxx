@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/TriangulationQueries.h>
 
+#include "Points/InsertionOrder.h"
 #include "PowerDiagram/TriangulationInput.h"
-#include "Query/AnswerQueries.h"
 #include "Query/FanMesh.h"
 #include "Query/NaturalShares.h"
 #include "Query/PlaneShares.h"
+#include "Query/QueryRun.h"
 #include "Query/SiteChain.h"
 #include "Query/SiteLocator.h"
 #include "Query/Sites.h"
@@ -19,6 +20,49 @@
 
 namespace flipflop
 {
+
+namespace
+{
+
+/// Answer each query about a place. Many are answered along a curve, so that one finds what it
+/// needs in the cache, where the one before left it. An answer depends on its query alone, so the
+/// order and the threads do not matter to it.
+/// @param answers    room for one a query
+/// @param makeAnswer answer (): for a task; answer(i, place) is called for each query, where place
+///                   is null for one that is not finite
+/// @throw Error BadArgument, NonFinite, TooManyPoints, OutOfMemory, Aborted
+template <class MakeAnswer>
+void eachPlace(const PointView& queries, const void* answers, const Options& options,
+  const MakeAnswer& makeAnswer)
+{
+  constexpr std::uint32_t Many = 1 << 12;
+  Buffer<std::uint32_t> order; // empty: as they come
+  eachQuery(
+    queries, 2, answers, options,
+    [&](QueryRun& run)
+    {
+      if (run.source.count() >= Many && !run.checkFinite)
+      {
+        PointSubset all;
+        all.count = run.source.count();
+        run.monitor.stage(0.1, 0.3, 1);
+        order = curveOrder(run.source, all, Unfolding(), run.monitor);
+      }
+    },
+    [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
+    {
+      auto answer = makeAnswer();
+      for (std::uint32_t k = begin; k < end; ++k)
+      {
+        const std::uint32_t i = order.empty() ? k : order[k];
+        double place[3];
+        run.source.load(i, place);
+        answer(i, isFinite(place) ? place : nullptr);
+      }
+    });
+}
+
+}
 
 class TriangulationQueries::Implementation
 {
@@ -137,11 +181,7 @@ public:
   void answer(
     const PointView& queries, std::int64_t* results, const Options& options, const Find& find) const
   {
-    if (queries.count > 0 && !results)
-    {
-      refuse();
-    }
-    answerQueries(queries, options,
+    eachPlace(queries, results, options,
       [&]
       {
         return [&find, results, signs = SiteSigns(this->sites)](std::uint32_t i,
@@ -154,11 +194,11 @@ public:
   void interpolate(bool isNatural, const double* values, std::int64_t components,
     const PointView& queries, double* result, const Options& options) const
   {
-    if (components < 1 || (queries.count > 0 && (!result || (!values && this->dimension >= 0))))
+    if (components < 1 || (queries.count > 0 && !values && this->dimension >= 0))
     {
       refuse();
     }
-    answerQueries(queries, options,
+    eachPlace(queries, result, options,
       [&]
       {
         return [&, signs = SiteSigns(this->sites), natural = NaturalNeighbours(this->mesh),
