@@ -21,7 +21,9 @@ void fuzzPowerDiagram(Bytes& bytes); ///< of triangulations, and of what is none
 void fuzzFlipFlop(Bytes& bytes);     ///< of star-shaped surfaces, and of any triangles
 void fuzzHullJudge(Bytes& bytes);    ///< validate, of answers that are wrong
 void fuzzTriangulationJudge(Bytes& bytes);
-void fuzzArguments(Bytes& bytes); ///< null, negative, too many
+void fuzzArguments(Bytes& bytes);            ///< null, negative, too many
+void fuzzHullQueries(Bytes& bytes);          ///< of hulls, and of what is none
+void fuzzTriangulationQueries(Bytes& bytes); ///< of triangulations, and of what is none
 
 /// Change one number in some of a result's parts.
 /// @param hidden a triangulation's; null: a hull's

@@ -6,7 +6,9 @@
 #include "vtkDataObject.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFPointInterpolator2D.h"
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFFSelectEnclosedPoints.h"
 #include "vtkGeneralTransform.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -30,6 +32,12 @@ int drawChoice(Bytes& bytes)
 {
   const int choice = bytes.below(8);
   return choice == 7 ? static_cast<int>(bytes.integer()) : choice % 3;
+}
+
+int drawThreads(Bytes& bytes)
+{
+  constexpr int threads[] = { 1, 2, 3, 0, -1, 64, 1000, 1000000, VTK_INT_MAX };
+  return threads[bytes.below(9)];
 }
 
 vtkSmartPointer<vtkAbstractTransform> drawTransform(Bytes& bytes)
@@ -90,11 +98,8 @@ void drawCommon(Bytes& bytes, vtkFFAlgorithm* filter)
       filter->SetCUDAThreshold(static_cast<vtkIdType>(bytes.integer()));
       break;
     case 3:
-    {
-      constexpr int threads[] = { 1, 2, 3, 0, -1, 64, 1000, 1000000, VTK_INT_MAX };
-      filter->SetNumberOfThreads(threads[bytes.below(9)]);
+      filter->SetNumberOfThreads(drawThreads(bytes));
       break;
-    }
     case 4:
       filter->SetFacetMode(drawChoice(bytes));
       break;
@@ -140,7 +145,7 @@ void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
 
 void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
 {
-  switch (bytes.below(9))
+  switch (bytes.below(10))
   {
     case 1:
     {
@@ -178,8 +183,67 @@ void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
       filter->SetProjectionPlaneModeToTransform();
       filter->SetTransform(drawTransform(bytes));
       break;
+    case 9:
+      filter->SetGenerateCellMeasures(bytes.flag());
+      break;
     default:
       filter->SetGeneratePowerDiagram(bytes.flag());
+      break;
+  }
+}
+
+void drawOwn(Bytes& bytes, vtkFFSelectEnclosedPoints* filter)
+{
+  switch (bytes.below(3))
+  {
+    case 1:
+      filter->SetInsideOut(bytes.flag());
+      break;
+    case 2:
+      filter->SetSelectPointsOnSurface(bytes.flag());
+      break;
+    default:
+      filter->SetGenerateDistances(bytes.flag());
+      break;
+  }
+}
+
+void drawOwn(Bytes& bytes, vtkFFPointInterpolator2D* filter)
+{
+  const char* name = nullptr;
+  switch (bytes.below(9))
+  {
+    case 1:
+      filter->SetNullPointsStrategy(drawChoice(bytes));
+      break;
+    case 2:
+      filter->SetNullValue(bytes.number());
+      break;
+    case 3:
+      name = drawArrayName(bytes);
+      filter->SetValidPointsMaskArrayName(name ? name : "mask");
+      break;
+    case 4:
+      filter->SetInterpolateZ(bytes.flag());
+      break;
+    case 5:
+      name = drawArrayName(bytes);
+      filter->SetZArrayName(name ? name : "z");
+      break;
+    case 6:
+      filter->AddExcludedArray(drawArrayName(bytes));
+      break;
+    case 7:
+      filter->SetPassPointArrays(bytes.flag());
+      filter->SetPassCellArrays(bytes.flag());
+      filter->SetPassFieldArrays(bytes.flag());
+      break;
+    case 8:
+      filter->SetInputArrayToProcess(
+        0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, drawArrayName(bytes));
+      break;
+    default:
+      filter->SetInterpolationMode(drawChoice(bytes));
       break;
   }
 }
@@ -205,6 +269,35 @@ void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter)
     else if (auto* hull = vtkFFHullFilter::SafeDownCast(filter))
     {
       hull->SetCompositeMode(drawChoice(bytes));
+    }
+  }
+}
+
+void drawSettings(Bytes& bytes, vtkFFQueryAlgorithm* filter)
+{
+  for (int n = bytes.below(8); n > 0; --n)
+  {
+    switch (bytes.below(8))
+    {
+      case 1:
+        filter->SetNumberOfThreads(drawThreads(bytes));
+        break;
+      case 2:
+        filter->SetNonFinitePoints(drawChoice(bytes));
+        break;
+      case 3:
+        filter->SetSkipGhostPoints(bytes.flag());
+        break;
+      default:
+        if (auto* interpolator = vtkFFPointInterpolator2D::SafeDownCast(filter))
+        {
+          drawOwn(bytes, interpolator);
+        }
+        else if (auto* enclosed = vtkFFSelectEnclosedPoints::SafeDownCast(filter))
+        {
+          drawOwn(bytes, enclosed);
+        }
+        break;
     }
   }
 }

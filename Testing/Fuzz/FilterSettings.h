@@ -8,6 +8,7 @@
 #include "Bytes.h"
 
 class vtkFFAlgorithm;
+class vtkFFQueryAlgorithm;
 
 namespace flipflop
 {
@@ -16,6 +17,7 @@ namespace fuzz
 
 /// A few calls. The same bytes are the same calls, for another filter of the class too.
 void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter);
+void drawSettings(Bytes& bytes, vtkFFQueryAlgorithm* filter);
 
 }
 }

@@ -19,8 +19,9 @@ using namespace flipflop::fuzz;
 void oneCall(Bytes bytes)
 {
   static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzPowerDiagram,
-    fuzzFlipFlop, fuzzHullJudge, fuzzTriangulationJudge, fuzzArguments };
-  calls[bytes.below(7)](bytes);
+    fuzzFlipFlop, fuzzHullJudge, fuzzTriangulationJudge, fuzzArguments, fuzzHullQueries,
+    fuzzTriangulationQueries };
+  calls[bytes.below(9)](bytes);
 }
 
 }

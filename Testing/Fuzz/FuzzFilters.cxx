@@ -5,18 +5,15 @@
 /// a failure is an error that is reported, with empty outputs; a success is what the engine's
 /// validate takes for right; and a block's result is the one that it has alone.
 #include "Bytes.h"
-#include "Demand.h"
 #include "FilterInputs.h"
+#include "FilterRun.h"
 #include "FilterSettings.h"
-
-#include "FFTest.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
@@ -67,29 +64,6 @@ bool silence()
   return true;
 }
 
-/// Aborts at one of its filter's reports.
-class Aborter : public vtkCommand
-{
-public:
-  static Aborter* New() { return new Aborter; }
-  vtkTypeMacro(Aborter, vtkCommand);
-
-  void Execute(vtkObject* caller, unsigned long, void* data) override
-  {
-    const double fraction = *static_cast<double*>(data);
-    demand(fraction >= 0 && fraction <= 1, "progress out of 0 to 1");
-    if (++this->Reports == this->AbortAt)
-    {
-      this->Aborted = true;
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    }
-  }
-
-  int AbortAt = 0; // from 1 on; 0: never
-  int Reports = 0;
-  bool Aborted = false;
-};
-
 vtkSmartPointer<vtkFFAlgorithm> makeFilter(int kind)
 {
   vtkSmartPointer<vtkFFAlgorithm> filter;
@@ -120,13 +94,6 @@ vtkSmartPointer<vtkFFAlgorithm> makeFilter(int kind)
       break;
   }
   return filter;
-}
-
-bool isNothing(vtkDataObject* data)
-{
-  return !data ||
-    (data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
-      data->GetNumberOfElements(vtkDataObject::CELL) == 0);
 }
 
 /// Whether all numbers of the points are finite.
@@ -243,9 +210,7 @@ public:
     const Bytes before = bytes;
     drawSettings(bytes, this->Filter);
     this->Settings.push_back(before);
-    this->Abort->Reports = 0;
-    this->Abort->Aborted = false;
-    this->Abort->AbortAt = bytes.oneOf(4) ? bytes.below(24) : 0;
+    this->Abort->draw(bytes);
     if (given)
     {
       this->Input = given;
@@ -264,22 +229,7 @@ public:
 private:
   void judge()
   {
-    const bool failed = !this->Errors->Messages.empty();
-    demand(this->Errors->FailedRequests == int(failed), "the pipeline was told otherwise");
-    if (failed)
-    {
-      demand(this->Filter->GetErrorCode() != vtkErrorCode::NoError,
-        "an error without an error code: " + this->Errors->Messages.front());
-    }
-    else
-    {
-      demand(this->Filter->GetErrorCode() == vtkErrorCode::NoError, "an error code without words");
-    }
-    for (int port = 0; port < this->Filter->GetNumberOfOutputPorts(); ++port)
-    {
-      demand(!failed || isNothing(this->Filter->GetOutputDataObject(port)),
-        "an output beside an error: " + (failed ? this->Errors->Messages.front() : ""));
-    }
+    const bool failed = demandTold(this->Filter, this->Errors);
     auto* points = vtkPointSet::SafeDownCast(this->Input);
     auto* hull = vtkFFHullFilter::SafeDownCast(this->Filter);
     demand(!failed || !points || !hull || !mustHaveHull(hull, points),
@@ -364,6 +314,11 @@ private:
 
 void oneSession(Bytes bytes, vtkDataObject* given)
 {
+  if (bytes.oneOf(3))
+  {
+    queryFilters(bytes, given, MostPoints);
+    return;
+  }
   Session session(bytes);
   for (int runs = 1 + bytes.below(3); runs > 0; --runs)
   {

@@ -57,6 +57,13 @@ class Block:
         self.count = sum(len(part.rows) for part in self.parts)
 
 
+def values_of(array: Any) -> Any:
+    """A VTK array's numbers: its own memory, or a copy of what is stored component by component."""
+    if not array.HasStandardMemoryLayout() and hasattr(array, "ToAOSDataArray"):
+        array = array.ToAOSDataArray()  # cvista 9.7 does not read the other one on every Python
+    return np.asarray(pv.convert_array(array))
+
+
 def data_of(mesh: Any) -> Any:
     """The mesh as a data object, PyVista's where it has a class for it; or numbers that are still to be looked at."""
     if isinstance(mesh, np.ndarray):
@@ -70,7 +77,7 @@ def data_of(mesh: Any) -> Any:
         if mesh.IsA("vtkPoints"):
             mesh = mesh.GetData()
         if mesh.IsA("vtkDataArray"):
-            return pv.convert_array(mesh)
+            return values_of(mesh)
     elif is_array_like(mesh):
         return mesh
     try:
@@ -182,7 +189,7 @@ def _part_of(data: Any, place: str, leaves: Sequence[str]) -> Part:
     if size != 3:
         of = f" of {place}" if place else ""
         raise InputError(f"the points{of} have {size} coordinates each; a point has 3", "bad_argument")
-    return Part(np.asarray(pv.convert_array(source)).reshape(-1, 3), source, data)
+    return Part(values_of(source).reshape(-1, 3), source, data)
 
 
 def _check_count(dimensions: Sequence[int]) -> bool:
@@ -217,7 +224,7 @@ def _grid_points(grid: Any) -> NDArray[Any]:
     axes = []
     for name, size in zip("XYZ", dimensions):
         array = getattr(grid, f"Get{name}Coordinates")()
-        values = np.empty(0) if array is None else np.asarray(pv.convert_array(array))
+        values = np.empty(0) if array is None else values_of(array)
         if values.ndim != 1 or len(values) < size:
             raise InputError(f"a grid has {values.shape} {name.lower()} coordinates and needs {size}", "bad_argument")
         axes.append(values[:size])
@@ -320,7 +327,7 @@ class Cloud:
             if marks is None or count == 0:
                 kept.append(np.arange(start, start + count))
                 continue
-            values = np.asarray(pv.convert_array(marks)).reshape(-1)
+            values = values_of(marks).reshape(-1)
             if len(values) != count:
                 raise InputError(
                     f"the point array {marks.GetName()} has {len(values)} value(s) for {count} point(s): mend or "
@@ -396,7 +403,7 @@ class Cloud:
                 wrong = f"has {array.GetNumberOfTuples()} value(s) for {len(part.rows)} point(s)"
             if wrong:
                 raise InputError(f'the weights\' array "{name}"{of} {wrong}', "bad_argument")
-            values.append(np.asarray(pv.convert_array(array)))
+            values.append(values_of(array))
         return values[0] if len(values) == 1 else np.concatenate([weights_of(some, True)[0] for some in values])
 
     def _told(self, error: FlipFlopError, places: Ids | None) -> FlipFlopError:
@@ -500,9 +507,9 @@ def _gathered(arrays: Sequence[tuple[Any, Ids]], count: int) -> Any:
         like.SetLookupTable(first.GetLookupTable())
     like.SetNumberOfTuples(count)
     if numbers and not first.IsA("vtkBitArray"):
-        values = [np.asarray(pv.convert_array(array))[ids] for array, ids in arrays]
+        values = [values_of(array)[ids] for array, ids in arrays]
         if count:
-            np.concatenate(values, out=np.asarray(pv.convert_array(like)))
+            np.concatenate(values, out=values_of(like))
         return like
     size, at = first.GetNumberOfComponents(), 0
     for array, ids in arrays:
@@ -560,9 +567,11 @@ def _tell_pyvista(mesh: Any, attributes: Any, to: pv.DataSetAttributes) -> None:
         name, size = array.GetName(), array.GetNumberOfComponents()
         if not name or not (array.IsA("vtkUnsignedCharArray") or array.IsA("vtkDataArray") and size == 2):
             continue
+        if not mesh.GetPointData().GetAbstractArray(name).HasStandardMemoryLayout():
+            continue  # PyVista has not made it
         kind = mesh.point_data[name].dtype
         if kind.kind in "bc":
-            values = np.asarray(pv.convert_array(array))
+            values = values_of(array)
             to.set_array(values.view(kind).reshape(len(values), -1).squeeze(1) if kind.kind == "c" else
                          values.view(kind), name)
 
@@ -572,7 +581,7 @@ def _turn_marks(attributes: Any) -> None:
     marks = _marks_of(attributes)
     if marks is None or not marks.GetNumberOfValues():
         return
-    values = np.asarray(pv.convert_array(marks))
+    values = values_of(marks)
     duplicate = np.where(values & attributes.DUPLICATEPOINT, attributes.DUPLICATECELL, 0)
     hidden = np.where(values & attributes.HIDDENPOINT, attributes.HIDDENCELL, 0)
     values[...] = duplicate | hidden

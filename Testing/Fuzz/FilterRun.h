@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One run of a filter: who aborts it, and what must hold of its errors and outputs.
+#ifndef flipflop_fuzz_FilterRun_h
+#define flipflop_fuzz_FilterRun_h
+
+#include "Bytes.h"
+#include "Demand.h"
+
+#include "FFTest.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+
+namespace flipflop
+{
+namespace fuzz
+{
+
+/// Aborts at one of its filter's reports.
+class Aborter : public vtkCommand
+{
+public:
+  static Aborter* New() { return new Aborter; }
+  vtkTypeMacro(Aborter, vtkCommand);
+
+  /// For the next run: never, or at one of the first reports.
+  void draw(Bytes& bytes)
+  {
+    this->Reports = 0;
+    this->Aborted = false;
+    this->AbortAt = bytes.oneOf(4) ? bytes.below(24) : 0;
+  }
+
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    const double fraction = *static_cast<double*>(data);
+    demand(fraction >= 0 && fraction <= 1, "progress out of 0 to 1");
+    if (++this->Reports == this->AbortAt)
+    {
+      this->Aborted = true;
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  }
+
+  int AbortAt = 0; // from 1 on; 0: never
+  int Reports = 0;
+  bool Aborted = false;
+};
+
+inline bool isNothing(vtkDataObject* data)
+{
+  return !data ||
+    (data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
+      data->GetNumberOfElements(vtkDataObject::CELL) == 0);
+}
+
+/// An error is told in all ways, and leaves no output.
+/// @return whether the run failed
+inline bool demandTold(vtkAlgorithm* filter, const fftest::ErrorObserver* errors)
+{
+  const bool failed = !errors->Messages.empty();
+  demand(errors->FailedRequests == int(failed), "the pipeline was told otherwise");
+  if (failed)
+  {
+    demand(filter->GetErrorCode() != vtkErrorCode::NoError,
+      "an error without an error code: " + errors->Messages.front());
+  }
+  else
+  {
+    demand(filter->GetErrorCode() == vtkErrorCode::NoError, "an error code without words");
+  }
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    demand(!failed || isNothing(filter->GetOutputDataObject(port)),
+      "an output beside an error: " + (failed ? errors->Messages.front() : ""));
+  }
+  return failed;
+}
+
+/// Runs of a filter that answers questions at points, one or several after each other.
+/// @param given data to run with; null: some is drawn
+void queryFilters(Bytes& bytes, vtkDataObject* given, int mostPoints);
+
+}
+}
+
+#endif
