@@ -262,10 +262,10 @@ void vtkFFPointInterpolator2D::vtkInternals::TakeFields(vtkPointSet* source)
   this->Values.allocate(stride * static_cast<std::size_t>(count));
   for (const Field& field : this->Fields)
   {
-    double* to = this->Values.data() + field.Begin;
-    for (vtkIdType i = 0; i < count; ++i, to += stride)
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      field.Source->GetTuple(i, to);
+      const std::size_t at = static_cast<std::size_t>(i) * stride + field.Begin;
+      field.Source->GetTuple(i, &this->Values[at]);
     }
   }
   for (vtkIdType i = 0; i < count; ++i)

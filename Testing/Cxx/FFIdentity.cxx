@@ -35,6 +35,10 @@ std::string text(const char* name)
 
 bool sameValues(vtkAbstractArray* a, vtkAbstractArray* b)
 {
+  if (a == b)
+  {
+    return true;
+  }
   if (a->GetNumberOfTuples() != b->GetNumberOfTuples())
   {
     return false;
@@ -139,21 +143,35 @@ bool sameCells(vtkCellArray* a, vtkCellArray* b)
   return same;
 }
 
-bool samePolyData(vtkPolyData* a, vtkPolyData* b, const std::string& where)
+bool samePoints(vtkPointSet* a, vtkPointSet* b, const std::string& where)
 {
   if (!a->GetPoints() != !b->GetPoints())
   {
     return differs(where, a->GetPoints() ? "has points" : "has no points");
   }
-  if (a->GetPoints() &&
-    !sameArray(a->GetPoints()->GetData(), b->GetPoints()->GetData(), where + ", points"))
+  return !a->GetPoints() ||
+    sameArray(a->GetPoints()->GetData(), b->GetPoints()->GetData(), where + ", points");
+}
+
+/// Of the cells, those of poly data are looked at, of others their number.
+bool sameDataSet(vtkDataSet* a, vtkDataSet* b, const std::string& where)
+{
+  auto* points = vtkPointSet::SafeDownCast(a);
+  if (points && !samePoints(points, vtkPointSet::SafeDownCast(b), where))
   {
     return false;
   }
-  if (!sameCells(a->GetVerts(), b->GetVerts()) || !sameCells(a->GetLines(), b->GetLines()) ||
-    !sameCells(a->GetPolys(), b->GetPolys()) || !sameCells(a->GetStrips(), b->GetStrips()))
+  auto* one = vtkPolyData::SafeDownCast(a);
+  auto* other = vtkPolyData::SafeDownCast(b);
+  if (a->GetNumberOfPoints() != b->GetNumberOfPoints() ||
+    a->GetNumberOfCells() != b->GetNumberOfCells() ||
+    (one &&
+      (!sameCells(one->GetVerts(), other->GetVerts()) ||
+        !sameCells(one->GetLines(), other->GetLines()) ||
+        !sameCells(one->GetPolys(), other->GetPolys()) ||
+        !sameCells(one->GetStrips(), other->GetStrips()))))
   {
-    return differs(where, "other cells");
+    return differs(where, "other points or cells");
   }
   return sameAttributes(a->GetPointData(), b->GetPointData(), where + ", point data") &&
     sameAttributes(a->GetCellData(), b->GetCellData(), where + ", cell data") &&
@@ -173,9 +191,9 @@ bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::strin
   {
     return differs(what, std::string("a ") + found->GetClassName());
   }
-  if (auto* data = vtkPolyData::SafeDownCast(found))
+  if (auto* data = vtkDataSet::SafeDownCast(found))
   {
-    return samePolyData(data, vtkPolyData::SafeDownCast(expected), what);
+    return sameDataSet(data, vtkDataSet::SafeDownCast(expected), what);
   }
 
   vtkSmartPointer<vtkDataObjectTreeIterator> iterators[2];

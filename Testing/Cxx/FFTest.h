@@ -135,8 +135,9 @@ bool isTriangulationOf(vtkPointSet* input, const char* weights,
 /// Whether two outputs are the same, bit for bit: points, cells and original ids.
 bool isSame(vtkPolyData* a, vtkPolyData* b);
 
-/// Whether all is the same, bit for bit: class, structure, points, cells, point, cell and field
-/// data (of the reports in it, not the seconds and threads). Says what is not.
+/// Whether all is the same, bit for bit: class, structure, points, cells (of other data than poly
+/// data, their number), point, cell and field data (of the reports in it, not the seconds and
+/// threads). Says what is not.
 bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::string& what);
 
 /// Whether there are neither points nor cells.

@@ -54,7 +54,7 @@ def rows(count, seed=1):
 
 def turned_image():
     grid = pv.ImageData(dimensions=(4, 5, 6), spacing=(0.1, 0.7, 1e-3), origin=(1, 1e6, -3))
-    grid.direction_matrix = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]])
+    grid.SetDirectionMatrix(0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6)
     return grid.extract_subset((1, 3, 0, 4, 2, 5))
 
 

@@ -29,7 +29,7 @@ ENVIRONMENTS = {
     "vtk of the VTK classes": (["vtk==9.6.2", "pyvista", "tqdm", "scipy", "mypy"], CLASSES),
     "newest vtk": (["vtk", "pyvista", "tqdm", "scipy", "mypy"], PYVISTA),
     "cvista": (["cvista", "pyvista", "tqdm", "scipy", "mypy"], PYVISTA),
-    "oldest PyVista": (["pyvista==0.44.*", "vtk<9.6", "tqdm", "scipy", "mypy"], PYVISTA),
+    "oldest PyVista": (["pyvista==0.44.*", "vtk<9.5", "tqdm", "scipy", "mypy"], PYVISTA),
 }
 
 SHOWN = ("numpy", "vtk", "cvista", "pyvista")
