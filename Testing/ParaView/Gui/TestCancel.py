@@ -9,7 +9,7 @@ import sys
 import time
 
 import gui
-from PyQt5 import QtCore, QtWidgets
+from qt import QtCore, QtWidgets
 
 SOON = 1 / 2  # from the press to the end of Apply, drawing included: of the time of a whole run
 
@@ -28,7 +28,7 @@ class Pointer(QtCore.QObject):
         self.label.installEventFilter(self)
 
     def eventFilter(self, watched, event):
-        if event.type() == QtCore.QEvent.Paint and "FFHullFilter" in self.label.text():
+        if event.type() == QtCore.QEvent.Type.Paint and "FFHullFilter" in self.label.text():
             self.enabled.append(self.button.isEnabled())
             if self.enabled[-1] and self.command:
                 self.acted = time.monotonic()
