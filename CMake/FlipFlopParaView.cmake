@@ -1,6 +1,11 @@
 # The plugin's tree: the module built against ParaView's own VTK, the plugin around it, and the Python
 # package for pvpython. A VTK build and this one exclude each other: every VTK has a tree of its own.
+#
+# For its deployment, Qt 6 would walk through the project's folders, for ever: the module's folder, the project's own, is
+# one of them (FlipFlopModule.cmake). Qt deploys nothing here: tell it that this has been seen to.
+set_property(GLOBAL PROPERTY _qt_have_generated_deploy_support TRUE)
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager)
+include(FlipFlopParaViewQt)
 
 include(FlipFlopModule)
 paraview_plugin_scan(

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# install-paraview.sh: see to a ParaView with its development files. Where PARAVIEW_ROOT names one (the prefix
-# that holds bin/pvpython), that is it. Else Debian's packages are unpacked, not installed, into
+# install-paraview.sh: see to a ParaView, 5.11 or later, with its development files. Where PARAVIEW_ROOT names one (the
+# prefix that holds bin/pvpython), that is it: /usr on Debian testing, with paraview-dev and python3-paraview installed. Else Debian's packages are unpacked, not installed, into
 # build/paraview-root: ParaView's Python package conflicts with that of VTK, which the VTK build needs.
 # Unpacked, it runs in place. Where all is there, nothing is done and no privilege is needed.
 set -euo pipefail
@@ -19,10 +19,11 @@ runs() {
     "$paraview/bin/pvpython" -c "$check" >/dev/null 2>&1
 }
 if runs; then
+  "$top/Scripts/link-paraview-modules.sh"
   exit 0
 fi
 if [ -n "${PARAVIEW_ROOT:-}" ]; then
-  echo "PARAVIEW_ROOT is $PARAVIEW_ROOT, and no ParaView 5.11 with development files runs there" >&2
+  echo "PARAVIEW_ROOT is $PARAVIEW_ROOT, and no ParaView 5.11 or later with development files runs there" >&2
   exit 1
 fi
 

@@ -89,7 +89,8 @@ Triangulation regularTriangulation(const PointView& points, const WeightView& we
   return withOrWithoutWeights(weights,
     [&](auto weighted)
     {
-      using Run = TriangulationRun<weighted>;
+      // By its type: GCC 16 takes the name for a use of the parameter in the lambda below.
+      using Run = TriangulationRun<decltype(weighted)::value>;
       using Geometry = typename Run::Geometry;
       return runEngine<Geometry, Triangulation>(
         engine, points.count, report,

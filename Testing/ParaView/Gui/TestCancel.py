@@ -9,8 +9,9 @@ import sys
 import time
 
 import gui
-from PyQt5 import QtCore, QtWidgets
+from qt import QtCore, QtWidgets
 
+OFFERED = 0.4  # seconds after which FlipFlopCancel has long been watching; ParaView 6 enables the button at once
 SOON = 1 / 2  # from the press to the end of Apply, drawing included: of the time of a whole run
 
 
@@ -24,14 +25,15 @@ class Pointer(QtCore.QObject):
         super().__init__()
         self.label = window.find(QtWidgets.QLabel, "ProgressBar")
         self.button = window.find(QtWidgets.QToolButton, "AbortButton")
-        self.command, self.acted, self.enabled = [], None, []
+        self.command, self.start, self.acted, self.enabled = [], None, None, []
         self.label.installEventFilter(self)
 
     def eventFilter(self, watched, event):
-        if event.type() == QtCore.QEvent.Paint and "FFHullFilter" in self.label.text():
+        if event.type() == QtCore.QEvent.Type.Paint and "FFHullFilter" in self.label.text():
             self.enabled.append(self.button.isEnabled())
-            if self.enabled[-1] and self.command:
-                self.acted = time.monotonic()
+            now = time.monotonic()
+            if self.enabled[-1] and self.command and now - self.start > OFFERED:
+                self.acted = now
                 subprocess.Popen(["xdotool", *self.command])
                 self.command = []
         return False
@@ -50,7 +52,7 @@ def test(window):
         """Press Apply: seconds, and how often the filter ran."""
         pointer.enabled.clear()
         del runs[:]
-        start = time.monotonic()
+        start = pointer.start = time.monotonic()
         gui.click(accept)
         gui.check_equal(pointer.button.isEnabled(), False)
         return time.monotonic() - start, len(runs)
@@ -81,7 +83,7 @@ def test(window):
     pointer.command = [*pointer.click(pointer.label), "windowsize", top, "1000", "800",
                        "windowsize", top, "1500", "1100"]
     seconds, times = apply()
-    assert not pointer.command and pointer.enabled[-1], f"the button was enabled: {pointer.enabled}"
+    assert not pointer.command, f"the button was enabled: {pointer.enabled}"
     gui.check_equal(times, 1)
     yield lambda: window.window.width() == 1500
     whole, _ = yield from window.information()

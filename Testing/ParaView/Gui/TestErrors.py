@@ -3,7 +3,7 @@
 """A file with a NaN: the filter's own words come up in Output Messages, and ParaView goes on."""
 import gui
 import numpy
-from PyQt5 import QtWidgets
+from qt import QtWidgets
 
 
 def test(window):

@@ -4,7 +4,7 @@
 import os
 
 import gui
-from PyQt5 import QtWidgets
+from qt import QtWidgets
 
 
 def test(window):

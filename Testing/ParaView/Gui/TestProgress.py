@@ -8,7 +8,7 @@ Asked by the filter's own AbortExecute, between two progress events; TestCancel 
 import time
 
 import gui
-from PyQt5 import QtCore, QtWidgets
+from qt import QtCore, QtWidgets
 
 SOON = 1 / 2  # from the request to the end of Apply, drawing included: of the time of a whole run
 
@@ -23,7 +23,7 @@ class ProgressWatch(QtCore.QObject):
         self.label.installEventFilter(self)
 
     def eventFilter(self, watched, event):
-        if event.type() == QtCore.QEvent.Paint and "FFHullFilter" in self.label.text():
+        if event.type() == QtCore.QEvent.Type.Paint and "FFHullFilter" in self.label.text():
             self.parts.append(self.filled_part())
             if self.on_progress:
                 self.on_progress()

@@ -7,7 +7,7 @@ import subprocess
 
 import gui
 from paraview import simple
-from PyQt5 import QtWidgets
+from qt import QtWidgets
 
 READ = """
 for source in GetSources().values():

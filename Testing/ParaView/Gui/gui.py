@@ -3,7 +3,7 @@
 """
 A hand on ParaView's window: menus, dialogs, buttons, panels, for scripts that run inside it.
 
-ParaView's own Python runs the script (paraview --script), and PyQt5 finds the widgets of the process
+ParaView's own Python runs the script (paraview --script), and PyQt finds the widgets of the process
 that it is in. ParaView has the event loop, so a script is a generator, taken up by a timer: it yields
 a condition, and goes on once that holds. What opens a dialog is triggered by the event loop, too; the
 dialog's own loop runs the timer on.
@@ -22,7 +22,7 @@ import traceback
 
 import numpy
 from paraview import simple
-from PyQt5 import QtCore, QtTest, QtWidgets, sip
+from qt import QtCore, QtTest, QtWidgets, sip
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -93,7 +93,7 @@ def plain(text):
 
 def click(widget):
     assert widget.isEnabled() and widget.isVisible(), f"{widget.objectName()} cannot be clicked"
-    QtTest.QTest.mouseClick(widget, QtCore.Qt.LeftButton)
+    QtTest.QTest.mouseClick(widget, QtCore.Qt.MouseButton.LeftButton)
 
 
 def click_for_dialog(widget):
@@ -176,7 +176,7 @@ class Gui:
         dialog = yield from self.dialog("pqFileDialog")
         name = dialog.findChild(QtWidgets.QLineEdit, "EntityName")
         name.setText(path)
-        QtTest.QTest.keyClick(name, QtCore.Qt.Key_Return)
+        QtTest.QTest.keyClick(name, QtCore.Qt.Key.Key_Return)
         yield lambda: gone(dialog)
 
     # -- the pipeline

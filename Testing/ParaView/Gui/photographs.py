@@ -14,7 +14,7 @@ import os
 import gui
 import numpy
 from paraview import simple
-from PyQt5 import QtCore, QtGui, QtWidgets
+from qt import QtCore, QtGui, QtWidgets
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
@@ -28,14 +28,14 @@ def arrange(window, pipeline=150):
     """A window of the size of the pictures, its panels wide enough to be read."""
     window.window.resize(SIZE)
     docks = [window.find(QtWidgets.QDockWidget, name) for name in ("pipelineBrowserDock", "propertiesDock")]
-    window.window.resizeDocks(docks, [LEFT_COLUMN] * 2, QtCore.Qt.Horizontal)
-    window.window.resizeDocks(docks, [pipeline, SIZE.height() - pipeline], QtCore.Qt.Vertical)
+    window.window.resizeDocks(docks, [LEFT_COLUMN] * 2, QtCore.Qt.Orientation.Horizontal)
+    window.window.resizeDocks(docks, [pipeline, SIZE.height() - pipeline], QtCore.Qt.Orientation.Vertical)
     yield from window.stands_still()
 
 
 def of_few_colours(image):
     """The image in 256 colours: a third of the bytes, and no eye sees it."""
-    image = image.convertToFormat(QtGui.QImage.Format_RGB888)
+    image = image.convertToFormat(QtGui.QImage.Format.Format_RGB888)
     width, height = image.width(), image.height()
     pixels = image.constBits().asarray(image.bytesPerLine() * height)
     pixels = numpy.array(pixels, numpy.uint8).reshape(height, -1)[:, : 3 * width].reshape(-1, 3)
@@ -51,7 +51,7 @@ def of_few_colours(image):
     indices = vtk_to_numpy(quantize.GetOutput().GetPointData().GetScalars()).astype(numpy.uint8)
     rows = numpy.zeros((height, (width + 3) // 4 * 4), numpy.uint8)
     rows[:, :width] = indices.reshape(height, width)
-    few = QtGui.QImage(rows.tobytes(), width, height, QtGui.QImage.Format_Indexed8)
+    few = QtGui.QImage(rows.tobytes(), width, height, QtGui.QImage.Format.Format_Indexed8)
     few.setColorTable([QtGui.qRgb(*(int(c) for c in colour[:3])) for colour in colours])
     return few.copy()
 

@@ -18,7 +18,10 @@ export HOME="$output/home" XDG_CONFIG_HOME="$output/home/config" XDG_RUNTIME_DIR
 chmod 700 "$XDG_RUNTIME_DIR"
 export PYTHONPATH="$top/Testing/ParaView/Gui${PYTHONPATH:+:$PYTHONPATH}" PYTHONDONTWRITEBYTECODE=1
 
-"$python" -c 'import PyQt5.QtTest' || { echo "The GUI's tests need python3-pyqt5." >&2; exit 1; }
+"$python" -c 'import PyQt5.QtTest' 2>/dev/null || "$python" -c 'import PyQt6.QtTest' || {
+  echo "The GUI's tests need python3-pyqt5, or python3-pyqt6 where ParaView has Qt 6." >&2
+  exit 1
+}
 
 trap stop_display EXIT
 start_display

@@ -60,7 +60,8 @@ def group(folder=None):
 
 def with_ghosts(folder=None):
     """A surface, with a layer of cells of the other ranks."""
-    return simple.GhostCellsGenerator(Input=sphere())
+    ghost_cells = getattr(simple, "GhostCells", None) or simple.GhostCellsGenerator  # before ParaView 6
+    return ghost_cells(Input=sphere())
 
 
 def made_blocks(kind):
