@@ -193,7 +193,7 @@ int vtkFFAlgorithm::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   std::vector<vtkDataObject*> outputs;
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     outputs.push_back(vtkDataObject::GetData(outputVector, port));
     vtkFFOutput::RemoveReport(outputs.back()->GetFieldData()); // the executive passed the input's

@@ -19,8 +19,13 @@
 #include "vtkAbstractTransform.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -93,6 +98,27 @@ private:
   vtkSmartPointer<vtkDoubleArray> Centroids;
 };
 
+/// The field data of an output, or of each of its blocks, on another one of the same structure.
+void passFieldData(vtkDataObject* from, vtkDataObject* to)
+{
+  to->GetFieldData()->PassData(from->GetFieldData());
+  auto* source = vtkDataObjectTree::SafeDownCast(from);
+  if (!source)
+  {
+    return;
+  }
+  vtkSmartPointer<vtkDataObjectTreeIterator> leaves;
+  leaves.TakeReference(source->NewTreeIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    vtkDataObject* target = vtkDataObjectTree::SafeDownCast(to)->GetDataSet(leaves);
+    if (target)
+    {
+      target->GetFieldData()->PassData(leaves->GetCurrentDataObject()->GetFieldData());
+    }
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -103,6 +129,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , GenerateCellMeasures(false)
   , PowerDiagramBoxMode(BOX_OF_POINTS)
   , PowerDiagramBounds{ 0.0, 1.0, 0.0, 1.0 }
+  , PowerDiagramLengths{ 1.0, 1.0 }
   , NumberOfHiddenPoints(0)
 {
   this->SetNumberOfOutputPorts(3);
@@ -153,8 +180,28 @@ void vtkFFRegularTriangulationFilter::StorePowerDiagramBounds(
   if (!std::equal(bounds, bounds + 4, this->PowerDiagramBounds))
   {
     std::copy(bounds, bounds + 4, this->PowerDiagramBounds);
+    this->PowerDiagramLengths[0] = xmax - xmin;
+    this->PowerDiagramLengths[1] = ymax - ymin;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::StorePowerDiagramCorner(double x, double y, double)
+{
+  const double lengths[2] = { this->PowerDiagramLengths[0], this->PowerDiagramLengths[1] };
+  this->StorePowerDiagramBounds(x, x + lengths[0], y, y + lengths[1]);
+  // What was rounded on the way does not stay.
+  std::copy(lengths, lengths + 2, this->PowerDiagramLengths);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::StorePowerDiagramLengths(double x, double y, double)
+{
+  const double* from = this->PowerDiagramBounds;
+  this->StorePowerDiagramBounds(from[0], from[0] + x, from[2], from[2] + y);
+  this->PowerDiagramLengths[0] = x;
+  this->PowerDiagramLengths[1] = y;
 }
 
 //------------------------------------------------------------------------------
@@ -167,13 +214,47 @@ vtkMTimeType vtkFFRegularTriangulationFilter::GetMTime()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkFFRegularTriangulationFilter::GetHiddenPointsOutput()
 {
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+  return this->GetNumberOfOutputPorts() < 3
+    ? nullptr
+    : vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkFFRegularTriangulationFilter::GetPowerDiagramOutput()
 {
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+  return this->GetNumberOfOutputPorts() < 3
+    ? nullptr
+    : vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+//------------------------------------------------------------------------------
+int vtkFFRegularTriangulationFilter::RequestDataOfOneOutput(int index, vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The others are made as always, and nobody sees them.
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  vtkNew<vtkInformationVector> all;
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkSmartPointer<vtkDataObject> data = output;
+    if (port != index)
+    {
+      data.TakeReference(output->NewInstance());
+    }
+    vtkNew<vtkInformation> info;
+    info->Set(vtkDataObject::DATA_OBJECT(), data);
+    all->Append(info);
+  }
+  const int done = this->vtkFFAlgorithm::RequestData(request, inputVector, all);
+  if (!done)
+  {
+    vtkFFGuard::ForgetExtents(outputVector);
+  }
+  else if (index != 0)
+  {
+    passFieldData(vtkDataObject::GetData(all, 0), output);
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -229,6 +229,15 @@ public:
 
   //@{
   /**
+   * Set the same bounds by the box's least corner and its lengths, in any order; z does not count.
+   * The mode stays. It is for applications whose users move a box in space.
+   */
+  void StorePowerDiagramCorner(double x, double y, double z);
+  void StorePowerDiagramLengths(double x, double y, double z);
+  //@}
+
+  //@{
+  /**
    * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
    * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). If the points have no
    * extent along x or y, the box has the extent of the other direction, half of it on either side.
@@ -243,7 +252,8 @@ public:
 
   //@{
   /**
-   * Get the outputs of ports 1 and 2: the hidden points and the power diagram.
+   * Get the outputs of ports 1 and 2: the hidden points and the power diagram. Null for a subclass
+   * that has not this port.
    */
   vtkPolyData* GetHiddenPointsOutput();
   vtkPolyData* GetPowerDiagramOutput();
@@ -265,12 +275,19 @@ protected:
 
   class vtkInternals;
 
+  /**
+   * RequestData() of a subclass with a single output port: that is one of the three outputs.
+   */
+  int RequestDataOfOneOutput(int index, vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+
   int ProjectionPlaneMode;
   vtkAbstractTransform* Transform;
   bool GeneratePowerDiagram;
   bool GenerateCellMeasures;
   int PowerDiagramBoxMode;
   double PowerDiagramBounds[4];
+  double PowerDiagramLengths[2];
 
 private:
   vtkFFRegularTriangulationFilter(const vtkFFRegularTriangulationFilter&) = delete;

@@ -379,7 +379,9 @@ class TestPackage(unittest.TestCase):
                 "vtkFFQueryAlgorithm",
                 "vtkFFRegularTriangulationFilter",
                 "vtkFFSelectEnclosedPoints",
+                "vtkPFFDelaunayFilter",
                 "vtkPFFHullFilter",
+                "vtkPFFPowerDiagramFilter",
                 "vtkPFFRegularTriangulationFilter",
             ],
         )

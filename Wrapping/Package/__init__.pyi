@@ -8,7 +8,9 @@ from .vtkFiltersFlipFlop import vtkFFPointInterpolator2D as vtkFFPointInterpolat
 from .vtkFiltersFlipFlop import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
 from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
 from .vtkFiltersFlipFlop import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints
+from .vtkFiltersParallelFlipFlop import vtkPFFDelaunayFilter as vtkPFFDelaunayFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter as vtkPFFHullFilter
+from .vtkFiltersParallelFlipFlop import vtkPFFPowerDiagramFilter as vtkPFFPowerDiagramFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFRegularTriangulationFilter as vtkPFFRegularTriangulationFilter
 
 __version__: str

@@ -16,7 +16,12 @@ from .vtkFiltersFlipFlop import (  # noqa: E402
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
 )
-from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter, vtkPFFRegularTriangulationFilter  # noqa: E402
+from .vtkFiltersParallelFlipFlop import (  # noqa: E402
+    vtkPFFDelaunayFilter,
+    vtkPFFHullFilter,
+    vtkPFFPowerDiagramFilter,
+    vtkPFFRegularTriangulationFilter,
+)
 
 __all__ = [
     "vtkFFAlgorithm",
@@ -27,6 +32,8 @@ __all__ = [
     "vtkFFQueryAlgorithm",
     "vtkFFRegularTriangulationFilter",
     "vtkFFSelectEnclosedPoints",
+    "vtkPFFDelaunayFilter",
     "vtkPFFHullFilter",
+    "vtkPFFPowerDiagramFilter",
     "vtkPFFRegularTriangulationFilter",
 ]

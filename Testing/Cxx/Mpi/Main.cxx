@@ -16,6 +16,7 @@ int main(int argc, char* argv[])
     { "Hull", testHull },
     { "HullComposite", testHullComposite },
     { "HullErrors", testHullErrors },
+    { "OneOutput", testOneOutput },
     { "RandomPartitions", testRandomPartitions },
     { "Triangulation", testTriangulation },
     { "TriangulationErrors", testTriangulationErrors },

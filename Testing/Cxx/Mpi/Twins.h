@@ -111,6 +111,7 @@ bool allWell();
 void testHull();
 void testHullComposite();
 void testHullErrors();
+void testOneOutput();
 void testRandomPartitions();
 void testTriangulation();
 void testTriangulationErrors();
