@@ -24,7 +24,9 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
+#include "vtkPFFDelaunayFilter.h"
 #include "vtkPFFHullFilter.h"
+#include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
@@ -87,6 +89,20 @@ vtkSmartPointer<vtkFFAlgorithm> makeFilter(int kind)
       auto triangulation = vtkSmartPointer<vtkPFFRegularTriangulationFilter>::New();
       triangulation->SetController(nullptr);
       filter = triangulation;
+      break;
+    }
+    case 5:
+    {
+      auto delaunay = vtkSmartPointer<vtkPFFDelaunayFilter>::New();
+      delaunay->SetController(nullptr);
+      filter = delaunay;
+      break;
+    }
+    case 6:
+    {
+      auto diagram = vtkSmartPointer<vtkPFFPowerDiagramFilter>::New();
+      diagram->SetController(nullptr);
+      filter = diagram;
       break;
     }
     default:
@@ -181,7 +197,7 @@ void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
     demand(fftest::isHullOf(input, output, filter->GetDimension()), "not the hull");
   }
   auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter);
-  if (triangulation &&
+  if (triangulation && triangulation->GetNumberOfOutputPorts() == 3 &&
     triangulation->GetProjectionPlaneMode() == vtkFFRegularTriangulationFilter::XY_PLANE &&
     !triangulation->GetInformation()->Has(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
   {
@@ -196,7 +212,7 @@ class Session
 {
 public:
   explicit Session(Bytes& bytes)
-    : Kind(bytes.below(5))
+    : Kind(bytes.below(7))
     , Filter(makeFilter(this->Kind))
     , Errors(fftest::ErrorObserver::Of(this->Filter))
   {
