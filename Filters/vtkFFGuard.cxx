@@ -4,6 +4,7 @@
 
 #include "vtkFFExactValues.h"
 #include "vtkFFFailure.h"
+#include "vtkFFWeightSource.h"
 #include <flipflop/Engines.h>
 #include <flipflop/Error.h>
 #include <flipflop/Options.h>
@@ -70,6 +71,11 @@ bool vtkFFGuard::Try(const std::function<void()>& work, vtkFFFailure& failure)
     failure.Say("A " + kind + " is a 64-bit integer that no double holds: first at " +
       this->DescribePoint(this->GetPlaceOfPoint(error.GetIndex())) +
       ". Subtract an offset from every " + kind + ": the result has the same shape.");
+  }
+  catch (const vtkFFBadWeight& error)
+  {
+    failure.Say(std::string(error.what()) + ": first at " +
+      this->DescribePoint(this->GetPlaceOfPoint(error.GetIndex())) + ". " + error.GetAdvice());
   }
   catch (const std::bad_alloc&)
   {

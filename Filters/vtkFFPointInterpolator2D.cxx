@@ -139,6 +139,8 @@ private:
 //------------------------------------------------------------------------------
 vtkFFPointInterpolator2D::vtkFFPointInterpolator2D()
   : InterpolationMode(LINEAR)
+  , WeightMode(WEIGHTS)
+  , WeightFactor(1.0)
   , NullPointsStrategy(MASK_POINTS)
   , NullValue(0.0)
   , ValidPointsMaskArrayName("vtkValidPointMask")
@@ -290,8 +292,10 @@ int vtkFFPointInterpolator2D::vtkInternals::Prepare(
   }
   vtkPoints* places = source->GetPoints();
   const vtkFFPointSource points(places ? places->GetData() : nullptr);
+  const vtkFFPointInterpolator2D* filter = this->GetInterpolator();
   const vtkFFWeightSource weights(
-    vtkFFWeightSource::FindArray(this->GetFilter(), source, this->OfBlock(), "source"));
+    vtkFFWeightSource::FindArray(this->GetFilter(), source, this->OfBlock(), "source"),
+    vtkFFWeightSource::Rule{ filter->WeightMode == RADII, filter->WeightFactor });
   this->SetProgressPart(0.0, shareOfTriangulation);
   const flipflop::Triangulation triangulation =
     flipflop::regularTriangulation(points.GetView(), weights.GetView(), options);
@@ -449,6 +453,12 @@ const char* vtkFFPointInterpolator2D::GetInterpolationModeAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkFFPointInterpolator2D::GetWeightModeAsString()
+{
+  return this->WeightMode == RADII ? "Radii" : "Weights";
+}
+
+//------------------------------------------------------------------------------
 const char* vtkFFPointInterpolator2D::GetNullPointsStrategyAsString()
 {
   return this->NullPointsStrategy == CLOSEST_POINT ? "ClosestPoint"
@@ -462,6 +472,8 @@ void vtkFFPointInterpolator2D::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
   os << indent << "InterpolationMode: " << this->GetInterpolationModeAsString() << "\n";
+  os << indent << "WeightMode: " << this->GetWeightModeAsString() << "\n";
+  os << indent << "WeightFactor: " << this->WeightFactor << "\n";
   os << indent << "NullPointsStrategy: " << this->GetNullPointsStrategyAsString() << "\n";
   os << indent << "NullValue: " << this->NullValue << "\n";
   os << indent << "ValidPointsMaskArrayName: " << this->ValidPointsMaskArrayName << "\n";

@@ -84,6 +84,15 @@ public:
   };
 
   /**
+   * What the values of the weights' array are.
+   */
+  enum WeightModeType
+  {
+    WEIGHTS = 0,
+    RADII = 1
+  };
+
+  /**
    * What to do at points where nothing can be interpolated. The values are those of
    * vtkPointInterpolator.
    */
@@ -118,6 +127,34 @@ public:
   void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
   void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
   const char* GetInterpolationModeAsString();
+  //@}
+
+  //@{
+  /**
+   * Set/Get what the values of the weights' array are. Without an array, this does not matter.
+   *
+   * - WEIGHTS (the default): weights. Each is multiplied by
+   *   WeightFactor.
+   * - RADII: the radii of disks. Each is multiplied by WeightFactor, and
+   *   the weight is the square.
+   *
+   * They are computed, and errors are told, as in vtkFFRegularTriangulationFilter.
+   */
+  vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
+  vtkGetMacro(WeightMode, int);
+  void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
+  void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
+  const char* GetWeightModeAsString();
+  //@}
+
+  //@{
+  /**
+   * Set/Get the factor of all weights, or of all radii: see SetWeightMode(). 1 by default, with
+   * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
+   * infinity are errors.
+   */
+  vtkSetMacro(WeightFactor, double);
+  vtkGetMacro(WeightFactor, double);
   //@}
 
   //@{
@@ -206,6 +243,8 @@ protected:
   class vtkInternals;
 
   int InterpolationMode;
+  int WeightMode;
+  double WeightFactor;
   int NullPointsStrategy;
   double NullValue;
   std::string ValidPointsMaskArrayName;

@@ -18,7 +18,8 @@
  * By default there is no array, and all points weigh the same. An empty name means the same, and so
  * does the name None if no array has it. A weight is a squared length and may be negative: the
  * power distance of x from a point p of weight w is |x - p|^2 - w, so a disk of radius r has the
- * weight r^2. Adding the same number to all weights changes nothing.
+ * weight r^2. The array may also have the radii (see SetWeightMode()). Adding the same number to
+ * all weights changes nothing.
  *
  * The algorithm is ffRT of the paper named in vtkFFAlgorithm. The points are lifted to (x, y,
  * x^2 + y^2 - w), a star-shaped surface below all lifts is grown, and Flip-Flop turns it into the
@@ -63,6 +64,8 @@
  *   counted
  * - missing or unusable weights: an error naming the array, and empty
  *   output
+ * - a negative radius, or a weight that WeightMode or WeightFactor make
+ *   too large: an error naming the point, and empty output
  * - ghost points: left out, unless SkipGhostPoints is off
  * - too many points, no memory: an error, and empty output
  *
@@ -108,6 +111,15 @@ public:
     XY_PLANE = 0,
     TRANSFORM_PLANE = 1,
     BEST_FITTING_PLANE = 2
+  };
+
+  /**
+   * What the values of the weights' array are.
+   */
+  enum WeightModeType
+  {
+    WEIGHTS = 0,
+    RADII = 1
   };
 
   /**
@@ -167,6 +179,40 @@ public:
     this->SetProjectionPlaneMode(BEST_FITTING_PLANE);
   }
   const char* GetProjectionPlaneModeAsString();
+  //@}
+
+  //@{
+  /**
+   * Set/Get what the values of the weights' array are. Without an array, this does not matter.
+   *
+   * - WEIGHTS (the default): weights. Each is multiplied by
+   *   WeightFactor.
+   * - RADII: the radii of disks. Each is multiplied by WeightFactor, and
+   *   the weight is the square.
+   *
+   * Both are computed in double, from the values as they are: the product is rounded to double, and
+   * so is its square. For any number r, that is s * s of the double s = WeightFactor * r. So the
+   * weights are the same bits as in C++ or NumPy, and the result is exact for these weights. The
+   * square of a float, or of an integer below 2^26, is not rounded at all.
+   *
+   * A negative radius is an error that names the point. So is a weight that is too large for a
+   * double, though the value is finite.
+   */
+  vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
+  vtkGetMacro(WeightMode, int);
+  void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
+  void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
+  const char* GetWeightModeAsString();
+  //@}
+
+  //@{
+  /**
+   * Set/Get the factor of all weights, or of all radii: see SetWeightMode(). 1 by default, with
+   * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
+   * infinity are errors.
+   */
+  vtkSetMacro(WeightFactor, double);
+  vtkGetMacro(WeightFactor, double);
   //@}
 
   //@{
@@ -283,6 +329,8 @@ protected:
 
   int ProjectionPlaneMode;
   vtkAbstractTransform* Transform;
+  int WeightMode;
+  double WeightFactor;
   bool GeneratePowerDiagram;
   bool GenerateCellMeasures;
   int PowerDiagramBoxMode;

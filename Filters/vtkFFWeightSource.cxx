@@ -13,20 +13,33 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
+#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array)
+vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const Rule& rule)
 {
+  if (!std::isfinite(rule.Factor))
+  {
+    std::ostringstream message;
+    message << "The factor of the weights (WeightFactor) is " << rule.Factor
+            << "; it must be finite.";
+    throw std::runtime_error(message.str());
+  }
   if (!array)
   {
     return;
   }
   const vtkIdType count = array->GetNumberOfTuples();
-  if (const float* floats = vtkFFExactValues::Memory<float>(array))
+  if (rule.AreRadii || rule.Factor != 1.0)
+  {
+    this->Compute(array, rule);
+  }
+  else if (const float* floats = vtkFFExactValues::Memory<float>(array))
   {
     this->View = flipflop::WeightView(floats, count);
   }
@@ -57,6 +70,50 @@ void vtkFFWeightSource::Convert(vtkDataArray* array, flipflop::Buffer<T>& copy)
     this->View.deviceData = vtkFFExactValues::DeviceMemory(array);
   }
 }
+
+//------------------------------------------------------------------------------
+void vtkFFWeightSource::Compute(vtkDataArray* array, const Rule& rule)
+{
+  const vtkIdType count = array->GetNumberOfTuples();
+  this->Doubles.allocate(static_cast<std::size_t>(count));
+  double* const weights = this->Doubles.data();
+  try
+  {
+    vtkFFExactValues::Copy<1>(array, "weight", 0, weights);
+  }
+  catch (const vtkFFInexactValue& error)
+  {
+    if (!rule.AreRadii)
+    {
+      throw;
+    }
+    // An offset, which helps with weights, would make other disks of these.
+    throw vtkFFBadWeight("A radius is a 64-bit integer that no double holds", error.GetIndex(),
+      "Round the radii to doubles.");
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = weights[i];
+    if (rule.AreRadii && value < 0 && std::isfinite(value))
+    {
+      throw vtkFFBadWeight("A radius is negative", i,
+        "Radii are lengths. If the array has weights, which may be negative, use "
+        "SetWeightModeToWeights().");
+    }
+    const double scaled = rule.Factor * value;
+    weights[i] = rule.AreRadii ? scaled * scaled : scaled;
+    // What is not finite in the array is the engine's to judge: it may be ignored.
+    if (!std::isfinite(weights[i]) && std::isfinite(value))
+    {
+      throw vtkFFBadWeight(rule.AreRadii
+          ? "The square of a radius, times WeightFactor, is more than a double holds"
+          : "A weight, times WeightFactor, is more than a double holds",
+        i, "Use another unit of length, or a smaller factor.");
+    }
+  }
+  this->View = flipflop::WeightView(weights, count);
+}
+
 //------------------------------------------------------------------------------
 vtkDataArray* vtkFFWeightSource::FindArray(
   vtkAlgorithm* filter, vtkPointSet* points, const std::string& ofWhat, const std::string& owner)

@@ -8,6 +8,9 @@
  * copied if it has the layout that the engine needs. Everything else is copied: float arrays of
  * another layout to floats, other arrays to doubles. If an array of float or double is on the CUDA
  * device, the view names that memory as well. A value that no double holds is an error.
+ *
+ * With a Rule other than the default, the weights are computed from the values: in double, each
+ * step rounded once.
  */
 
 #ifndef vtkFFWeightSource_h
@@ -18,6 +21,9 @@
 #include <flipflop/Buffer.h>
 #include <flipflop/PointView.h>
 
+#include "vtkType.h"
+
+#include <exception>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -25,15 +31,51 @@ class vtkAlgorithm;
 class vtkDataArray;
 class vtkPointSet;
 
+/**
+ * Thrown for a value of which no weight can be made.
+ */
+class vtkFFBadWeight : public std::exception
+{
+public:
+  vtkFFBadWeight(const char* sentence, vtkIdType index, const char* advice)
+    : Sentence(sentence)
+    , Index(index)
+    , Advice(advice)
+  {
+  }
+  const char* what() const noexcept override { return this->Sentence; }
+
+  /// Which point it belongs to.
+  vtkIdType GetIndex() const { return this->Index; }
+
+  /// What helps, in a sentence.
+  const char* GetAdvice() const { return this->Advice; }
+
+private:
+  const char* Sentence;
+  vtkIdType Index;
+  const char* Advice;
+};
+
 class vtkFFWeightSource
 {
 public:
   /**
-   * The values of @p array; null: no weights.
-   *
-   * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
+   * What makes weights of the array's values: factor * value, or the square of factor * radius.
    */
-  explicit vtkFFWeightSource(vtkDataArray* array);
+  struct Rule
+  {
+    bool AreRadii = false;
+    double Factor = 1.0;
+  };
+
+  /**
+   * The weights by the values of @p array; null: no weights.
+   *
+   * @throw vtkFFInexactValue, vtkFFBadWeight, flipflop::Error OutOfMemory; std::runtime_error for a
+   *        factor that is not finite.
+   */
+  vtkFFWeightSource(vtkDataArray* array, const Rule& rule);
 
   vtkFFWeightSource(const vtkFFWeightSource&) = delete;
   void operator=(const vtkFFWeightSource&) = delete;
@@ -58,6 +100,7 @@ public:
 private:
   template <class T>
   void Convert(vtkDataArray* array, flipflop::Buffer<T>& copy);
+  void Compute(vtkDataArray* array, const Rule& rule);
 
   flipflop::WeightView View;
   flipflop::Buffer<float> Floats;

@@ -430,7 +430,7 @@ void testPrint()
     { "InterpolationMode: NaturalNeighbor", "NullPointsStrategy: ClosestPoint", "NullValue: 0",
       "ValidPointsMaskArrayName: vtkValidPointMask", "InterpolateZ: On", "ZArrayName: Elevation",
       "ExcludedArrays: 1", "PassPointArrays: On", "PassCellArrays: On", "PassFieldArrays: On",
-      "NumberOfThreads: 0", "NonFinitePoints: Error" })
+      "WeightMode: Weights", "WeightFactor: 1", "NumberOfThreads: 0", "NonFinitePoints: Error" })
   {
     FF_CHECK(text.str().find(std::string("\n  ") + name) != std::string::npos);
   }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Filters that fail, each set up as a row of Exactness.md's table of errors says."""
 
-from vtkmodules.vtkCommonCore import vtkLongLongArray, vtkStringArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkLongLongArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkDataObject,
@@ -41,6 +41,13 @@ def integers(components, count, value=0):
     array.SetNumberOfTuples(count)
     for i in range(components * count):
         array.SetValue(i, value)
+    return array
+
+
+def doubles(*values):
+    array = vtkDoubleArray()
+    for value in values:
+        array.InsertNextValue(value)
     return array
 
 
@@ -91,8 +98,8 @@ def triangulation(**settings):
     return set_up(vtkFFRegularTriangulationFilter(), poly_data("0 0 0; 1 0 0; 0 1 0"), **settings)
 
 
-def weighted(array):
-    algorithm = triangulation()
+def weighted(array, **settings):
+    algorithm = triangulation(**settings)
     if array:
         array.SetName("weight")
         algorithm.GetInput().GetPointData().AddArray(array)
@@ -132,6 +139,7 @@ def surface(facets, points=TETRAHEDRON, **settings):
 
 NAN = float("nan")
 PLANE = vtkFFRegularTriangulationFilter.TRANSFORM_PLANE
+RADII = vtkFFRegularTriangulationFilter.RADII
 BOUNDS = vtkFFRegularTriangulationFilter.BOX_OF_BOUNDS
 CUDA = vtkFFHullFilter.ENGINE_CUDA
 
@@ -150,6 +158,9 @@ FAILURES = {
     "weights of two components": lambda: weighted(integers(2, 3)),
     "two weights for three points": lambda: weighted(integers(1, 2)),
     "an integer weight that no double holds": lambda: weighted(integers(1, 3, 2**53 + 1)),
+    "a negative radius": lambda: weighted(doubles(0.0, -1.0, -2.0), WeightMode=RADII),
+    "a radius whose square no double holds": lambda: weighted(doubles(1e200, 0.0, 0.0), WeightMode=RADII),
+    "a factor of weights that is NaN": lambda: weighted(doubles(0.0, 0.0, 0.0), WeightFactor=NAN),
     "a projection by transform, without one": lambda: triangulation(ProjectionPlaneMode=PLANE),
     "a box of the power diagram without an inside": lambda: triangulation(
         GeneratePowerDiagram=True,

@@ -145,7 +145,7 @@ void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
 
 void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
 {
-  switch (bytes.below(10))
+  switch (bytes.below(12))
   {
     case 1:
     {
@@ -186,6 +186,12 @@ void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
     case 9:
       filter->SetGenerateCellMeasures(bytes.flag());
       break;
+    case 10:
+      filter->SetWeightMode(drawChoice(bytes));
+      break;
+    case 11:
+      filter->SetWeightFactor(bytes.number());
+      break;
     default:
       filter->SetGeneratePowerDiagram(bytes.flag());
       break;
@@ -211,7 +217,7 @@ void drawOwn(Bytes& bytes, vtkFFSelectEnclosedPoints* filter)
 void drawOwn(Bytes& bytes, vtkFFPointInterpolator2D* filter)
 {
   const char* name = nullptr;
-  switch (bytes.below(9))
+  switch (bytes.below(10))
   {
     case 1:
       filter->SetNullPointsStrategy(drawChoice(bytes));
@@ -241,6 +247,10 @@ void drawOwn(Bytes& bytes, vtkFFPointInterpolator2D* filter)
     case 8:
       filter->SetInputArrayToProcess(
         0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, drawArrayName(bytes));
+      break;
+    case 9:
+      filter->SetWeightMode(drawChoice(bytes));
+      filter->SetWeightFactor(bytes.flag() ? 1.0 : bytes.number());
       break;
     default:
       filter->SetInterpolationMode(drawChoice(bytes));
