@@ -452,6 +452,66 @@ def test_weights_by_name_and_by_value():
     assert regular_triangulation(mesh).n_points == mesh.n_points
 
 
+def test_radii_and_factors():
+    mesh = cloud(400)
+    mesh.point_data["r"] = np.abs(np.sin(np.arange(400))) * 0.05
+    radii = np.asarray(mesh.point_data["r"])
+    expected = regular_triangulation(mesh, radii * radii, return_hidden_points=True)
+    assert expected[1].n_points > 0
+    for found in (
+        regular_triangulation(mesh, radii="r", return_hidden_points=True),
+        regular_triangulation(mesh, radii=radii.tolist(), return_hidden_points=True),
+        regular_triangulation(mesh, radii=8 * radii, weight_factor=0.125, return_hidden_points=True),
+        mesh.flipflop.regular_triangulation(radii="r", weight_factor=-1, return_hidden_points=True)
+        if hasattr(mesh, "flipflop") else expected,
+    ):
+        for one, other in zip(found, expected):
+            np.testing.assert_array_equal(one.points, other.points)
+            np.testing.assert_array_equal(one["vtkOriginalPointIds"], other["vtkOriginalPointIds"])
+    cells = power_diagram(mesh, radii="r", weight_factor=1.5)
+    np.testing.assert_array_equal(cells.points, power_diagram(mesh, (1.5 * radii) * (1.5 * radii)).points)
+    np.testing.assert_array_equal(
+        power_diagram(mesh, "r", weight_factor=0.1).points, power_diagram(mesh, 0.1 * radii).points
+    )
+    # float32 is squared in double
+    narrow = radii.astype(np.float32)
+    np.testing.assert_array_equal(
+        regular_triangulation(mesh, radii=narrow).faces, regular_triangulation(mesh, narrow.astype(float) ** 2).faces
+    )
+    assert regular_triangulation(pv.PolyData(), radii="absent").n_points == 0
+
+
+def test_radii_that_cannot_be_used():
+    mesh = cloud(30)
+    with pytest.raises(ValueError, match="weights or radii, not both"):
+        regular_triangulation(mesh, np.ones(30), radii=np.ones(30))
+    radii = np.ones(30)
+    radii[[7, 9]] = -1
+    with pytest.raises(InputError, match="a radius is negative: first at point 7, 2 such") as error:
+        regular_triangulation(mesh, radii=radii)
+    assert (error.value.index, error.value.count) == (7, 2)
+    mesh.point_data["vtkGhostType"] = (np.arange(30) < 8).astype(np.uint8)
+    with pytest.raises(InputError, match="a radius is negative: first at point 9, 1 such"):
+        power_diagram(mesh, radii=radii)
+    radii[9] = 1e200
+    with pytest.raises(InputError, match="the square of a radius, times weight_factor, .* first at point 9"):
+        regular_triangulation(mesh, radii=radii)
+    with pytest.raises(InputError, match="a weight, times weight_factor, .* first at point 9"):
+        regular_triangulation(mesh, radii, weight_factor=1e200)
+    radii[9] = -np.inf
+    with pytest.raises(InputError, match="NaN or infinite"):
+        regular_triangulation(mesh, radii=radii)
+    assert regular_triangulation(mesh, radii=radii, non_finite_points="ignore").n_points == 21
+    for factor in (np.nan, np.inf):
+        with pytest.raises(ValueError, match="weight_factor is a finite number"):
+            regular_triangulation(mesh, weight_factor=factor)
+    for factor in ("1", None, [1.0]):
+        with pytest.raises(TypeError, match="weight_factor is a number"):
+            power_diagram(mesh, weight_factor=factor)
+    with pytest.raises(TypeError, match="the radii of a composite are the name of a point array"):
+        regular_triangulation(pv.MultiBlock({"a": mesh}), radii=radii)
+
+
 def test_weights_that_cannot_be_used():
     mesh = cloud(30)
     mesh.point_data["pairs"] = np.zeros((30, 2))

@@ -167,6 +167,24 @@ def test_triangulations(name, projection, weights):
     )
 
 
+@pytest.mark.parametrize("name", ["uniform", "floats", "bytes", "image", "ghosts", "far"])
+@pytest.mark.parametrize("array", ["weight", "f4", "u2"])
+@pytest.mark.parametrize("factor", [1.0, 0.03, -0.7])
+@pytest.mark.parametrize("radii", [False, True])
+def test_radii_and_factors(name, array, factor, radii):
+    mesh = with_data(MESHES[name]())
+    mesh.point_data["weight"] = np.abs(mesh.point_data["weight"])
+    algorithm, _ = triangulation_filter("xy_plane", array, None)
+    algorithm.SetWeightMode(int(radii))
+    algorithm.SetWeightFactor(factor)
+    expected, hidden, cells = outputs_of(algorithm, mesh)
+    settings = {"radii" if radii else "weights": array, "weight_factor": factor}
+    shown, left = regular_triangulation(mesh, return_hidden_points=True, **settings)
+    expect_same(shown, expected)
+    expect_same(left, hidden)
+    expect_same(power_diagram(mesh, **settings), cells)
+
+
 def test_bounds_of_diagrams():
     for projection in ("xy_plane", "best_fitting_plane", "transform"):
         mesh = with_data(MESHES["uniform"]())

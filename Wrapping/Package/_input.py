@@ -142,7 +142,7 @@ def _exact(array: np.ndarray, what: str, ignore: bool) -> tuple[np.ndarray, bool
     if masked:
         if not ignore:
             # The engine is about to ignore all, so what is not masked is looked at here.
-            _refuse(~np.isfinite(numbers) & ~mask, "a coordinate or weight is NaN or infinite", "non_finite")
+            refuse(~np.isfinite(numbers) & ~mask, "a coordinate or weight is NaN or infinite", "non_finite")
         numbers[mask] = np.nan
     return numbers, masked
 
@@ -164,7 +164,7 @@ def _as_doubles(array: np.ndarray, mask: Any, what: str) -> np.ndarray:
         doubles = np.where(changed, np.nan, boxed).astype(np.float64)
     if changed.any():
         value = str(array[tuple(np.argwhere(changed)[0])])
-        _refuse(changed, f"a {what} is no number that a double holds, {value:.40}", "inexact")
+        refuse(changed, f"a {what} is no number that a double holds, {value:.40}", "inexact")
     return doubles
 
 
@@ -177,7 +177,7 @@ def _as_double(value: Any) -> float | None:
         return None
 
 
-def _refuse(wrong: np.ndarray, sentence: str, code: str) -> None:
+def refuse(wrong: np.ndarray, sentence: str, code: str) -> None:
     """Raises an error if any is wrong, in the words of the engine's."""
     points = wrong.reshape(len(wrong), -1).any(axis=1)
     if points.any():

@@ -17,6 +17,7 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 
+from ._arguments import Weights
 from ._errors import FlipFlopError, InputError
 from ._input import is_array_like, points_of, rows_of, weights_of
 from ._results import Ids
@@ -270,8 +271,9 @@ class Cloud:
         """The ids of the caller's points."""
         return found if self._places is None else self._places[found]
 
-    def weights(self, values: Any, ignore: bool) -> NDArray[Any] | None:
+    def weights(self, weights: Weights, ignore: bool) -> NDArray[Any] | None:
         """One weight for each point: of the point array of that name, or given."""
+        values = weights.values
         if values is None or isinstance(values, str) and not self._starts[-1]:
             return None
         if isinstance(values, str):
@@ -286,7 +288,10 @@ class Cloud:
                 f"there are {len(heavy)} weights, which is not the number of points, {self._starts[-1]}",
                 "weight_count", -1, len(heavy),
             )
-        return heavy if self._places is None else heavy[self._places]
+        try:
+            return weights.computed(heavy if self._places is None else heavy[self._places])
+        except InputError as error:
+            raise self._told(error, self._places) from None
 
     def mesh(self, ids: Ids, pass_point_data: bool) -> pv.PolyData:
         """A mesh of these of the caller's points, in their type, with their data; it has no cells yet."""

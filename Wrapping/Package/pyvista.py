@@ -29,6 +29,14 @@ import pyvista as pv
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._arguments import (
+    Weights,
+    choice_of,
+    flag_of,
+    numbers_of,
+    threads_of,
+    weights_of_call,
+)
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._input import ids_of
 from ._meshes import (
@@ -122,7 +130,7 @@ def convex_hull(
         names the first point at fault, its block, and how many there are
     """
     run = _Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
-    together = _choice("composite_mode", composite_mode, ("each_block", "all_blocks")) == "all_blocks"
+    together = choice_of("composite_mode", composite_mode, ("each_block", "all_blocks")) == "all_blocks"
     data = data_of(mesh)
     if not (together and is_tree(data)):
         return _each_block(data, lambda block, report: [run.hull([block], report)], 1, progress_bar)[0]
@@ -172,7 +180,7 @@ def convexify(
         the surface is open, not of triangles, not a manifold, not oriented or not star-shaped; names the first cell
     """
     run = _Run(facet_mode, number_of_threads, "error", "cpu", False, pass_point_data)
-    kernel = None if kernel_point is None else _numbers("kernel_point", kernel_point, 3)
+    kernel = None if kernel_point is None else numbers_of("kernel_point", kernel_point, 3)
     data = data_of(surface)
     if not hasattr(data, "IsA") or not (is_tree(data) or data.IsA("vtkPolyData")):
         raise TypeError(f"{type(surface).__name__} is no surface: a PolyData is wanted")
@@ -188,6 +196,8 @@ def regular_triangulation(
     mesh: Mesh,
     weights: ArrayLike | str | None = ...,
     *,
+    radii: ArrayLike | str | None = ...,
+    weight_factor: float = ...,
     facet_mode: FacetMode = ...,
     projection_plane_mode: ProjectionPlaneMode = ...,
     transform: Any = ...,
@@ -206,6 +216,8 @@ def regular_triangulation(
     mesh: Mesh,
     weights: ArrayLike | str | None = ...,
     *,
+    radii: ArrayLike | str | None = ...,
+    weight_factor: float = ...,
     facet_mode: FacetMode = ...,
     projection_plane_mode: ProjectionPlaneMode = ...,
     transform: Any = ...,
@@ -223,6 +235,8 @@ def regular_triangulation(
     mesh: Mesh,
     weights: ArrayLike | str | None = None,
     *,
+    radii: ArrayLike | str | None = None,
+    weight_factor: float = 1.0,
     facet_mode: FacetMode = "triangles",
     projection_plane_mode: ProjectionPlaneMode = "xy_plane",
     transform: Any = None,
@@ -242,6 +256,10 @@ def regular_triangulation(
         its cells do not matter
     weights : str or n numbers, optional
         a point array's name, or numbers if mesh is no composite: squared lengths. By default none: Delaunay.
+    radii : str or n numbers, optional
+        the same for the radii of disks, instead of weights: a weight is the square of weight_factor * radius
+    weight_factor : float
+        by which weights, or radii, are multiplied. Products and squares are rounded to double; with 1, weights are not.
     projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
         where points are triangulated: by x and y as they are; in the plane with the least sum of squared distances; or
         by x and y after the transform. The result's points are where they were.
@@ -276,12 +294,12 @@ def regular_triangulation(
     """
     run = _Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
-    both = _flag("return_hidden_points", return_hidden_points)
+    both = flag_of("return_hidden_points", return_hidden_points)
     data = data_of(mesh)
-    _check_weights(weights, data)
+    heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
     def triangulated(block: Block, report: _Report) -> list[pv.PolyData]:
-        return run.triangulation(block, weights, projection, report, both)
+        return run.triangulation(block, heavy, projection, report, both)
 
     outputs = _each_block(data, triangulated, 2 if both else 1, progress_bar)
     return (outputs[0], outputs[1]) if both else outputs[0]
@@ -291,6 +309,8 @@ def power_diagram(
     mesh: Mesh,
     weights: ArrayLike | str | None = None,
     *,
+    radii: ArrayLike | str | None = None,
+    weight_factor: float = 1.0,
     power_diagram_bounds: ArrayLike | None = None,
     projection_plane_mode: ProjectionPlaneMode = "xy_plane",
     transform: Any = None,
@@ -309,6 +329,9 @@ def power_diagram(
         its cells do not matter
     weights : str or n numbers, optional
         a point array's name, or numbers if mesh is no composite: squared lengths. By default none: Voronoi.
+    radii : str or n numbers, optional
+    weight_factor : float
+        as for regular_triangulation()
     power_diagram_bounds : 4 numbers, optional
         x least, x greatest, y least, y greatest in the plane: where cells are cut. By default the box of the points.
     projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
@@ -334,14 +357,14 @@ def power_diagram(
     """
     run = _Run("polygons", number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
-    box = None if power_diagram_bounds is None else _numbers("power_diagram_bounds", power_diagram_bounds, 4)
+    box = None if power_diagram_bounds is None else numbers_of("power_diagram_bounds", power_diagram_bounds, 4)
     if box is not None and not (box[0] < box[1] and box[2] < box[3]):
         raise ValueError(f"power_diagram_bounds have no inside: x least, x greatest, y least, y greatest is {box}")
     data = data_of(mesh)
-    _check_weights(weights, data)
+    heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
     def divided(block: Block, report: _Report) -> list[pv.PolyData]:
-        return [run.diagram(block, weights, projection, box, report)]
+        return [run.diagram(block, heavy, projection, box, report)]
 
     return _each_block(data, divided, 1, progress_bar)[0]
 
@@ -398,6 +421,8 @@ class Accessor:
         self,
         weights: ArrayLike | str | None = None,
         *,
+        radii: ArrayLike | str | None = None,
+        weight_factor: float = 1.0,
         facet_mode: FacetMode = "triangles",
         projection_plane_mode: ProjectionPlaneMode = "xy_plane",
         transform: Any = None,
@@ -413,6 +438,8 @@ class Accessor:
         return function(
             self._mesh,
             weights,
+            radii=radii,
+            weight_factor=weight_factor,
             facet_mode=facet_mode,
             projection_plane_mode=projection_plane_mode,
             transform=transform,
@@ -429,6 +456,8 @@ class Accessor:
         self,
         weights: ArrayLike | str | None = None,
         *,
+        radii: ArrayLike | str | None = None,
+        weight_factor: float = 1.0,
         power_diagram_bounds: ArrayLike | None = None,
         projection_plane_mode: ProjectionPlaneMode = "xy_plane",
         transform: Any = None,
@@ -442,6 +471,8 @@ class Accessor:
         return power_diagram(
             self._mesh,
             weights,
+            radii=radii,
+            weight_factor=weight_factor,
             power_diagram_bounds=power_diagram_bounds,
             projection_plane_mode=projection_plane_mode,
             transform=transform,
@@ -469,12 +500,12 @@ class _Run:
     def __init__(
         self, facets: str, threads: int, non_finite: str, engine: str, skip_ghosts: bool, pass_data: bool
     ) -> None:
-        self._polygons = _choice("facet_mode", facets, ("triangles", "polygons")) == "polygons"
-        self._ignore = _choice("non_finite_points", non_finite, ("error", "ignore")) == "ignore"
-        self._engine = ENGINES[_choice("engine", engine, tuple(ENGINES))]
-        self._threads = _threads(threads)
-        self._skip_ghosts = _flag("skip_ghost_points", skip_ghosts)
-        self._pass_data = _flag("pass_point_data", pass_data)
+        self._polygons = choice_of("facet_mode", facets, ("triangles", "polygons")) == "polygons"
+        self._ignore = choice_of("non_finite_points", non_finite, ("error", "ignore")) == "ignore"
+        self._engine = ENGINES[choice_of("engine", engine, tuple(ENGINES))]
+        self._threads = threads_of(threads)
+        self._skip_ghosts = flag_of("skip_ghost_points", skip_ghosts)
+        self._pass_data = flag_of("pass_point_data", pass_data)
 
     def hull(self, blocks: list[Block], report: _Report) -> pv.PolyData:
         cloud = Cloud(blocks, self._skip_ghosts, self._ignore)
@@ -495,7 +526,7 @@ class _Run:
         return self._cells_of(cloud, core)
 
     def triangulation(
-        self, block: Block, weights: Any, projection: Projection, report: _Report, hidden: bool
+        self, block: Block, weights: Weights, projection: Projection, report: _Report, hidden: bool
     ) -> list[pv.PolyData]:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
         heavy = cloud.weights(weights, self._ignore)
@@ -510,7 +541,7 @@ class _Run:
         return found
 
     def diagram(
-        self, block: Block, weights: Any, projection: Projection, box: tuple[float, ...] | None, report: _Report
+        self, block: Block, weights: Weights, projection: Projection, box: tuple[float, ...] | None, report: _Report
     ) -> pv.PolyData:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
         heavy = cloud.weights(weights, self._ignore)
@@ -566,7 +597,7 @@ def _each_block(
 @contextmanager
 def _bar(progress_bar: bool) -> Iterator[_Report]:
     """A callable for progress that shows a bar, or None."""
-    if not _flag("progress_bar", progress_bar):
+    if not flag_of("progress_bar", progress_bar):
         yield None
         return
     bar = Bar()
@@ -584,43 +615,3 @@ def _stretch(report: _Report, begin: float, end: float) -> _Report:
 
 def _split(report: _Report, at: float) -> tuple[_Report, _Report]:
     return _stretch(report, 0.0, at), _stretch(report, at, 1.0)
-
-
-def _choice(name: str, value: Any, choices: tuple[str, ...]) -> str:
-    if not isinstance(value, str):
-        raise TypeError(f"{name} is one of {', '.join(map(repr, choices))}, not {value!r}")
-    if value not in choices:
-        raise ValueError(f"{name} is one of {', '.join(map(repr, choices))}, not {value!r}")
-    return value
-
-
-def _flag(name: str, value: Any) -> bool:
-    if not isinstance(value, (bool, np.bool_)):
-        raise TypeError(f"{name} is True or False, not {value!r}")
-    return bool(value)
-
-
-def _threads(value: Any) -> int:
-    try:
-        number = int(value.__index__())
-    except (AttributeError, TypeError):
-        raise TypeError(f"number_of_threads is an integer, not {value!r}") from None
-    if not 0 <= number < 2**31:
-        raise ValueError(f"number_of_threads is 0 (all) or more, not {value!r}")
-    return number
-
-
-def _numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
-    """So many finite numbers."""
-    try:
-        array = np.asarray(value, np.float64)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} is {count} numbers, not {value!r}") from None
-    if array.shape != (count,) or not np.isfinite(array).all():
-        raise ValueError(f"{name} is {count} finite numbers, not {value!r}")
-    return tuple(array.tolist())
-
-
-def _check_weights(weights: Any, data: Any) -> None:
-    if weights is not None and not isinstance(weights, str) and is_tree(data):
-        raise TypeError("the weights of a composite are the name of a point array")

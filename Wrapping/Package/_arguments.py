@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The arguments of the functions for PyVista: of the wrong type they are a TypeError, otherwise wrong a ValueError."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._input import refuse
+
+
+@dataclass
+class Weights:
+    """What weights are made of: a point array's name, or numbers, or None; all times a factor, and radii squared."""
+
+    values: Any
+    are_radii: bool
+    factor: float
+
+    def computed(self, values: NDArray[Any]) -> NDArray[Any]:
+        """The weights of exact numbers: in double, each step rounded once."""
+        if not self.are_radii and self.factor == 1.0:
+            return values
+        given = values.astype(np.float64)
+        finite = np.isfinite(given)
+        if self.are_radii:
+            refuse(finite & (given < 0), "a radius is negative", "bad_argument")
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            scaled = self.factor * given
+            made: NDArray[Any] = scaled * scaled if self.are_radii else scaled
+        what = "the square of a radius" if self.are_radii else "a weight"
+        refuse(finite & ~np.isfinite(made), f"{what}, times weight_factor, is more than a double holds", "bad_argument")
+        return made
+
+
+def choice_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is one of {', '.join(map(repr, choices))}, not {value!r}")
+    if value not in choices:
+        raise ValueError(f"{name} is one of {', '.join(map(repr, choices))}, not {value!r}")
+    return value
+
+
+def flag_of(name: str, value: Any) -> bool:
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is True or False, not {value!r}")
+    return bool(value)
+
+
+def threads_of(value: Any) -> int:
+    try:
+        number = int(value.__index__())
+    except (AttributeError, TypeError):
+        raise TypeError(f"number_of_threads is an integer, not {value!r}") from None
+    if not 0 <= number < 2**31:
+        raise ValueError(f"number_of_threads is 0 (all) or more, not {value!r}")
+    return number
+
+
+def numbers_of(name: str, value: Any, count: int) -> tuple[float, ...]:
+    """So many finite numbers."""
+    try:
+        array = np.asarray(value, np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is {count} numbers, not {value!r}") from None
+    if array.shape != (count,) or not np.isfinite(array).all():
+        raise ValueError(f"{name} is {count} finite numbers, not {value!r}")
+    return tuple(array.tolist())
+
+
+def number_of(name: str, value: Any) -> float:
+    if isinstance(value, (str, bytes)) or np.ndim(value) != 0:
+        raise TypeError(f"{name} is a number, not {value!r}")
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is a number, not {value!r}") from None
+    if not np.isfinite(number):
+        raise ValueError(f"{name} is a finite number, not {value!r}")
+    return number
+
+
+def weights_of_call(weights: Any, radii: Any, factor: Any, composite: bool) -> Weights:
+    """What the arguments of these names tell."""
+    if weights is not None and radii is not None:
+        raise ValueError("a point has a weight or a radius: give weights or radii, not both")
+    values = weights if radii is None else radii
+    if values is not None and not isinstance(values, str) and composite:
+        what = "weights" if radii is None else "radii"
+        raise TypeError(f"the {what} of a composite are the name of a point array")
+    return Weights(values, radii is not None, number_of("weight_factor", factor))
