@@ -58,12 +58,14 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , Transform(nullptr)
   , WeightMode(WEIGHTS)
   , WeightFactor(1.0)
+  , MaximumEdgeLength(0.0)
   , GeneratePowerDiagram(false)
   , GenerateCellMeasures(false)
   , PowerDiagramBoxMode(BOX_OF_POINTS)
   , PowerDiagramBounds{ 0.0, 1.0, 0.0, 1.0 }
   , PowerDiagramLengths{ 1.0, 1.0 }
   , NumberOfHiddenPoints(0)
+  , NumberOfDroppedCells(0)
 {
   this->SetNumberOfOutputPorts(3);
   this->SetInternals(std::make_unique<vtkInternals>(this));
@@ -196,6 +198,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::ResetReport()
   auto* filter = this->GetTriangulationFilter();
   this->vtkFFAlgorithm::vtkInternals::ResetReport();
   filter->NumberOfHiddenPoints = 0;
+  filter->NumberOfDroppedCells = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -214,6 +217,14 @@ void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& 
     failure.Say(
       "The projection is to be a transform, and none is set. Use SetTransform() or another "
       "ProjectionPlaneMode.");
+    return;
+  }
+  if (!(filter->MaximumEdgeLength >= 0.0)) // NaN, too
+  {
+    std::ostringstream message;
+    message << "MaximumEdgeLength is " << filter->MaximumEdgeLength
+            << "; it must be a length, or 0 for edges of any length.";
+    failure.Say(message.str());
     return;
   }
   const double* box = filter->PowerDiagramBounds;
@@ -281,6 +292,7 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "WeightMode: " << this->GetWeightModeAsString() << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "GeneratePowerDiagram: " << (this->GeneratePowerDiagram ? "On" : "Off") << "\n";
   os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";
   os << indent << "PowerDiagramBoxMode: " << this->GetPowerDiagramBoxModeAsString() << "\n";
@@ -288,5 +300,6 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PowerDiagramBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "
      << box[3] << ")\n";
   os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
+  os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
 }
 VTK_ABI_NAMESPACE_END

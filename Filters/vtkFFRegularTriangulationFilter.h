@@ -67,6 +67,8 @@
  * - a negative radius, or a weight that WeightMode or WeightFactor make
  *   too large: an error naming the point, and empty output
  * - ghost points: left out, unless SkipGhostPoints is off
+ * - cells with an edge longer than MaximumEdgeLength, if that is not 0:
+ *   left out and counted
  * - too many points, no memory: an error, and empty output
  *
  * Weights are unusable if they are not numbers, or if there is not one for each point. Without
@@ -217,6 +219,24 @@ public:
 
   //@{
   /**
+   * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
+   * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
+   * measured in the plane of the triangulation, and compared exactly: one as long as
+   * MaximumEdgeLength stays. Infinity leaves nothing out. A negative number and NaN are errors.
+   *
+   * All points stay in the output, also those of no cell. The hidden points and the power diagram
+   * do not change.
+   *
+   * As polygons (see SetFacetMode()), all points of one empty power circle are one cell, which is
+   * judged by its border. As triangles, each triangle of the fan is judged by itself; some of its
+   * edges are diagonals, so of a square of side 1, a length of 1.2 leaves out both triangles.
+   */
+  vtkSetMacro(MaximumEdgeLength, double);
+  vtkGetMacro(MaximumEdgeLength, double);
+  //@}
+
+  //@{
+  /**
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
    * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
@@ -311,6 +331,12 @@ public:
   vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
 
   /**
+   * Get the number of cells that the last run left out for MaximumEdgeLength; the sum for several
+   * blocks.
+   */
+  vtkGetMacro(NumberOfDroppedCells, vtkIdType);
+
+  /**
    * The time of the last change, also of the transform.
    */
   vtkMTimeType GetMTime() override;
@@ -331,6 +357,7 @@ protected:
   vtkAbstractTransform* Transform;
   int WeightMode;
   double WeightFactor;
+  double MaximumEdgeLength;
   bool GeneratePowerDiagram;
   bool GenerateCellMeasures;
   int PowerDiagramBoxMode;
@@ -342,6 +369,7 @@ private:
   void operator=(const vtkFFRegularTriangulationFilter&) = delete;
 
   vtkIdType NumberOfHiddenPoints;
+  vtkIdType NumberOfDroppedCells;
 };
 VTK_ABI_NAMESPACE_END
 

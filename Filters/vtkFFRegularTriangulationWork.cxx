@@ -12,6 +12,7 @@
 #include "vtkFFProjection.h"
 #include "vtkFFWeightSource.h"
 
+#include <flipflop/EdgeLengths.h>
 #include <flipflop/Engines.h>
 #include <flipflop/Measures.h>
 #include <flipflop/PowerDiagram.h>
@@ -61,6 +62,21 @@ vtkSmartPointer<vtkDoubleArray> toSpace(
       "has no inverse, or they lie too far out.");
   }
   return places;
+}
+
+/// Leaves out the cells with a longer edge. Returns how many these are.
+std::int64_t dropLongCells(const flipflop::PointView& points, double maximumEdgeLength,
+  const flipflop::Options& options, flipflop::Triangulation& triangulation)
+{
+  const std::int64_t cells = triangulation.cellCount();
+  flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(cells));
+  const std::int64_t kept = flipflop::cellsWithinEdgeLength(
+    points, triangulation, maximumEdgeLength, within.data(), options);
+  if (kept < cells)
+  {
+    flipflop::keepCells(triangulation, within.data());
+  }
+  return cells - kept;
 }
 
 /// The areas and centroids of so many cells: measure(areas, centroids).
@@ -209,6 +225,13 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
       flipflop::fanPolygons(triangulation);
     }
   }
+  std::int64_t droppedCells = 0;
+  if (filter->MaximumEdgeLength > 0.0)
+  {
+    droppedCells =
+      dropLongCells(this->Projection->GetView(), filter->MaximumEdgeLength, options, triangulation);
+    filter->NumberOfDroppedCells += static_cast<vtkIdType>(droppedCells);
+  }
   if (filter->GenerateCellMeasures)
   {
     const auto measure = [&](double* areas, double* centroids) {
@@ -222,6 +245,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   if (filter->ReportAsFieldData)
   {
     vtkFFOutput::AddValue(outputs[0]->GetFieldData(), "FlipFlopHiddenPoints", hiddenPoints);
+    vtkFFOutput::AddValue(outputs[0]->GetFieldData(), "FlipFlopDroppedCells", droppedCells);
   }
 
   std::vector<vtkFFOutput::Source> data;

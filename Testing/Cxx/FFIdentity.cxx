@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
+#include "vtkVariantArray.h"
 
 #include <algorithm>
 #include <cstring>
@@ -59,6 +60,12 @@ bool sameValues(vtkAbstractArray* a, vtkAbstractArray* b)
       ++i;
     }
     return i == count;
+  }
+  if (auto* variants = vtkVariantArray::SafeDownCast(a))
+  {
+    auto* others = vtkVariantArray::SafeDownCast(b);
+    return std::equal(
+      variants->GetPointer(0), variants->GetPointer(0) + count, others->GetPointer(0));
   }
   const auto bytes = static_cast<std::size_t>(count * a->GetDataTypeSize());
   return bytes == 0 || std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;

@@ -283,8 +283,9 @@ void testPrint()
   filter->Print(text);
   for (const char* name :
     { "Engine", "CUDAThreshold", "FacetMode", "Dimension", "NumberOfInputPoints",
-      "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor", "GeneratePowerDiagram",
-      "GenerateCellMeasures", "PowerDiagramBoxMode", "PowerDiagramBounds", "NumberOfHiddenPoints" })
+      "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor", "MaximumEdgeLength",
+      "NumberOfDroppedCells", "GeneratePowerDiagram", "GenerateCellMeasures", "PowerDiagramBoxMode",
+      "PowerDiagramBounds", "NumberOfHiddenPoints" })
   {
     if (text.str().find("\n  " + std::string(name) + ": ") == std::string::npos)
     {

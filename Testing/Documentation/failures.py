@@ -161,6 +161,7 @@ FAILURES = {
     "a negative radius": lambda: weighted(doubles(0.0, -1.0, -2.0), WeightMode=RADII),
     "a radius whose square no double holds": lambda: weighted(doubles(1e200, 0.0, 0.0), WeightMode=RADII),
     "a factor of weights that is NaN": lambda: weighted(doubles(0.0, 0.0, 0.0), WeightFactor=NAN),
+    "a negative edge length": lambda: triangulation(MaximumEdgeLength=-1.0),
     "a projection by transform, without one": lambda: triangulation(ProjectionPlaneMode=PLANE),
     "a box of the power diagram without an inside": lambda: triangulation(
         GeneratePowerDiagram=True,

@@ -4,6 +4,7 @@
 #include "EngineQueries.h"
 
 #include "Testing/Engine/Query/PlaneQueries.h"
+#include <flipflop/EdgeLengths.h>
 #include <flipflop/Measures.h>
 #include <flipflop/TriangulationQueries.h>
 
@@ -112,6 +113,28 @@ void judgeMeasures(
   }
 }
 
+void judgeEdges(const Cloud& sites, const Triangulation& triangulation, double limit,
+  const Options& options, bool isRight)
+{
+  const auto cells = static_cast<std::size_t>(std::max<std::int64_t>(0, triangulation.cellCount()));
+  const auto outcome = attempt(
+    [&]
+    {
+      std::vector<std::uint8_t> within(cells);
+      cellsWithinEdgeLength(
+        test::viewOf(sites), triangulation, limit, within.data(), unwatched(options));
+      return within;
+    });
+  expectOutcome(outcome, Watch(), { ErrorCode::BadArgument });
+  demand(outcome.result || !isRight || !(limit >= 0), "a triangulation or a length is refused");
+  demand(!outcome.result || limit >= 0, "a length is no length");
+  if (outcome.result && isRight && std::isfinite(limit))
+  {
+    demand(*outcome.result == test::withinByForce(sites, test::cellsOf(triangulation), limit),
+      "not the cells without long edges");
+  }
+}
+
 }
 
 void fuzzTriangulationQueries(Bytes& bytes)
@@ -138,6 +161,7 @@ void fuzzTriangulationQueries(Bytes& bytes)
     corrupt(bytes, triangulation, &triangulation.hiddenIds);
   }
   const Cloud queries = drawQueries(bytes, sites);
+  const double limit = bytes.number();
 
   const Options making = kind == 4 ? options : unwatched(options);
   const auto asked =
@@ -148,6 +172,7 @@ void fuzzTriangulationQueries(Bytes& bytes)
   if (!corrupted || isForm)
   {
     judgeMeasures(points, triangulation, options, !corrupted);
+    judgeEdges(sites, triangulation, limit, options, !corrupted);
   }
   if (!asked.result)
   {

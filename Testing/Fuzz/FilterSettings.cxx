@@ -145,7 +145,7 @@ void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
 
 void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
 {
-  switch (bytes.below(12))
+  switch (bytes.below(13))
   {
     case 1:
     {
@@ -191,6 +191,9 @@ void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
       break;
     case 11:
       filter->SetWeightFactor(bytes.number());
+      break;
+    case 12:
+      filter->SetMaximumEdgeLength(bytes.flag() ? 0.0 : bytes.number());
       break;
     default:
       filter->SetGeneratePowerDiagram(bytes.flag());

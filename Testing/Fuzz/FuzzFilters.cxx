@@ -198,6 +198,7 @@ void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
   }
   auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter);
   if (triangulation && triangulation->GetNumberOfOutputPorts() == 3 &&
+    triangulation->GetNumberOfDroppedCells() == 0 &&
     triangulation->GetProjectionPlaneMode() == vtkFFRegularTriangulationFilter::XY_PLANE &&
     !triangulation->GetInformation()->Has(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
   {

@@ -6,6 +6,7 @@
 #include "Results.h"
 #include "Views.h"
 
+#include <flipflop/EdgeLengths.h>
 #include <flipflop/HullQueries.h>
 #include <flipflop/Measures.h>
 #include <flipflop/TriangulationQueries.h>

@@ -137,6 +137,27 @@ inline std::int64_t nearestByForce(
   return best;
 }
 
+/// 1 for each cell without an edge longer than the limit, which is finite.
+inline std::vector<std::uint8_t> withinByForce(
+  const Cloud& sites, const std::vector<Cell>& cells, double limit)
+{
+  std::vector<std::uint8_t> within;
+  for (const Cell& cell : cells)
+  {
+    bool isWithin = true;
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+      const Point& a = sites[static_cast<std::size_t>(cell[i])];
+      const Point& b = sites[static_cast<std::size_t>(cell[(i + 1) % cell.size()])];
+      const Rational x = Rational(a[0]) - b[0];
+      const Rational y = Rational(a[1]) - b[1];
+      isWithin = isWithin && x * x + y * y <= Rational(limit) * limit;
+    }
+    within.push_back(isWithin ? 1 : 0);
+  }
+  return within;
+}
+
 inline std::string placeText(const Point& place)
 {
   return toString(Cloud{ place });
