@@ -182,7 +182,7 @@ bool vtkFFProjection::ToSpace(const double* xy, vtkIdType count, double* xyz) co
     }
     else
     {
-      const double flat[3] = { x, y, 0.0 };
+      const double flat[3] = { x, y, this->Height };
       std::copy(flat, flat + 3, to);
       if (inverse)
       {

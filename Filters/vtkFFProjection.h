@@ -63,8 +63,19 @@ public:
   const flipflop::PointView& GetView() const { return this->View; }
 
   /**
+   * Where the XY plane lies for ToSpace(): at this z, 0 by default. It does not move other planes.
+   */
+  void SetHeight(double z) { this->Height = z; }
+
+  /**
+   * Whether the plane is the XY plane, so that there is a height to set.
+   */
+  bool IsXYPlane() const { return !this->Fitted && !this->Transform; }
+
+  /**
    * The positions in space, as x, y, z, of positions in the plane, given as x, y. In the XY plane,
-   * and before a transform is undone, z is 0. False if a position in the plane has none in space.
+   * z is the height; before a transform is undone, z is 0. False if a position in the plane has
+   * none in space.
    */
   bool ToSpace(const double* xy, vtkIdType count, double* xyz) const;
 
@@ -97,6 +108,7 @@ private:
   flipflop::Buffer<double> Copy;
   vtkAbstractTransform* Transform = nullptr; // not owned
   bool Fitted = false;
+  double Height = 0.0;
   flipflop::FittedPlane BestPlane;
 };
 VTK_ABI_NAMESPACE_END

@@ -239,9 +239,11 @@ public:
   /**
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
-   * Its corners lie in the plane of the triangulation: at z = 0 for XY_PLANE, in the fitted plane
-   * for BEST_FITTING_PLANE, and for TRANSFORM_PLANE where the inverse transform takes z = 0. A
-   * transform without an inverse is then an error. The reported seconds are the triangulation's.
+   * Its corners lie in the plane of the triangulation: for XY_PLANE at the lowest z of the points
+   * that are triangulated or hidden, in the fitted plane for BEST_FITTING_PLANE, and for
+   * TRANSFORM_PLANE where the inverse transform takes z = 0. A transform without an inverse is then
+   * an error. Each block of a composite has its own lowest z. The reported seconds are the
+   * triangulation's.
    *
    * In the plane, the cells are simple polygons, counter-clockwise, that fill the box edge to edge
    * without gap or overlap. That holds exactly for the rounded corners. The cells are convex except
@@ -263,10 +265,10 @@ public:
    *
    * Both are measured in the plane of the triangulation, as seen along its normal: heights above
    * the plane make no cell larger, and with TRANSFORM_PLANE the cell is measured after the
-   * transform. Centroids are positions of that plane, as the power diagram's corners are: at z = 0
-   * for XY_PLANE, in the fitted plane, or where the inverse transform takes z = 0. A transform
-   * without an inverse is then an error. Lines and vertices have the area 0, and their middle for a
-   * centroid.
+   * transform. Centroids are positions of that plane, as the power diagram's corners are: at the
+   * points' lowest z for XY_PLANE, in the fitted plane, or where the inverse transform takes z = 0.
+   * A transform without an inverse is then an error. Lines and vertices have the area 0, and their
+   * middle for a centroid.
    *
    * An area is off by no more than 2^-50 of itself, however flat a cell is. In power cells that
    * rounding made concave, it is 2^-50 of the areas of the fan from the first corner. Arrays of the

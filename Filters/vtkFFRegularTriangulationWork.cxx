@@ -31,8 +31,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -62,6 +64,21 @@ vtkSmartPointer<vtkDoubleArray> toSpace(
       "has no inverse, or they lie too far out.");
   }
   return places;
+}
+
+/// The lowest z of the points that were triangulated, also of the hidden ones; 0 if there are none.
+double lowestOf(vtkDataArray* points, const flipflop::Triangulation& triangulation)
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const auto* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
+  {
+    for (const std::int64_t id : *ids)
+    {
+      lowest = std::min(lowest, points->GetComponent(static_cast<vtkIdType>(id), 2));
+    }
+  }
+  // A sum with 0 is never -0, so the sign of a zero does not depend on the points' order.
+  return std::isinf(lowest) ? 0.0 : lowest + 0.0;
 }
 
 /// Leaves out the cells with a longer edge. Returns how many these are.
@@ -215,6 +232,11 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   vtkFFRegularTriangulationFilter* const filter = this->Filter;
   vtkInternals* const internals = this->Internals;
   flipflop::Triangulation& triangulation = this->Triangulation;
+  if (this->Projection->IsXYPlane() &&
+    (filter->GeneratePowerDiagram || filter->GenerateCellMeasures) && triangulation.dimension >= 0)
+  {
+    this->Projection->SetHeight(lowestOf(this->Input->GetPoints()->GetData(), triangulation));
+  }
   if (filter->GeneratePowerDiagram)
   {
     internals->SetProgressPart(shareOfTriangulation, 1.0);

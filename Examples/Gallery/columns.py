@@ -23,11 +23,12 @@ assert np.isclose(areas.sum(), (x_max - x_min) * (y_max - y_min), rtol=1e-9)
 print(f"{cells.n_cells:,} cells, {areas.sum() / 1e6:.1f} square kilometres")
 print(f"mean height {np.average(cells['Elevation'], weights=areas):.0f} m, by area")
 
+flat = cells.points * (1, 1, 0)
 points, faces, heights = [], [], []
 for cell, height in zip(cells.irregular_faces, cells["Elevation"]):
     bottom = len(points) + np.arange(len(cell))
     top = bottom + len(cell)
-    points += [*(cells.points[cell] + (0, 0, 900)), *(cells.points[cell] + (0, 0, 1.5 * height))]
+    points += [*(flat[cell] + (0, 0, 900)), *(flat[cell] + (0, 0, 1.5 * height))]
     faces += [top, *zip(bottom, np.roll(bottom, -1), np.roll(top, -1), top)]
     heights += [height] * (1 + len(cell))
 columns = pv.PolyData.from_irregular_faces(np.array(points), faces)

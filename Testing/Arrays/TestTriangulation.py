@@ -117,6 +117,26 @@ def test_weights_at_fault_are_named():
     assert np.array_equal(regular_triangulation(GRID, masked).simplices, ignoring.simplices)
 
 
+def test_long_edges():
+    points = RANDOM.random((400, 2))
+    triangulation = regular_triangulation(points)
+    corners = points[triangulation.simplices]
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    within = triangulation.within_edge_length(0.08)
+    assert within.dtype == bool and 0 < within.sum() < len(within)
+    assert np.array_equal(within, longest < 0.08)
+    assert np.array_equal(regular_triangulation(points, facets="polygons").within_edge_length(0.08, threads=2), within)
+    assert triangulation.within_edge_length(np.inf).all() and not triangulation.within_edge_length(0).any()
+    right = regular_triangulation([[0, 0], [3, 0], [0, 4]])
+    assert right.within_edge_length(5).tolist() == [True]
+    assert right.within_edge_length(np.nextafter(5, 0)).tolist() == [False]
+    assert regular_triangulation([[0, 0], [3, 0], [4, 0]]).within_edge_length(2).tolist() == [False, True]
+    assert regular_triangulation(points[:0]).within_edge_length(1).tolist() == []
+    for wrong in (-1, np.nan):
+        with pytest.raises(ValueError, match="a limit of lengths is 0 or more"):
+            triangulation.within_edge_length(wrong)
+
+
 def test_boxes_at_fault():
     with pytest.raises(ValueError, match="a box is x least"):
         power_diagram(GRID, box=(0, 1))

@@ -12,15 +12,25 @@
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 using namespace fftest;
 
 namespace
 {
+
+/// Are all points at that height?
+bool liesAt(vtkPolyData* diagram, double height)
+{
+  double bounds[6];
+  diagram->GetBounds(bounds);
+  return diagram->GetNumberOfPoints() > 0 && bounds[4] == height && bounds[5] == height;
+}
 
 struct Run
 {
@@ -44,6 +54,7 @@ struct Run
     this->Filter->Update();
     FF_CHECK(this->Errors->Messages.empty());
     FF_CHECK_EQUAL(this->Filter->GetErrorCode(), vtkErrorCode::NoError);
+    FF_CHECK(liesAt(this->Diagram(), input->GetBounds()[4]));
   }
   vtkPolyData* Diagram() { return this->Filter->GetPowerDiagramOutput(); }
   std::vector<vtkIdType> Sites()
@@ -65,7 +76,6 @@ std::vector<Point> cornersOf(vtkPolyData* diagram, vtkIdType cell)
   {
     Point p;
     diagram->GetPoint(polygon->GetPointId(static_cast<int>(k)), p.data());
-    FF_CHECK_EQUAL(p[2], 0.0);
     corners.push_back(p);
   }
   return corners;
@@ -82,6 +92,65 @@ double areaOf(const std::vector<Point>& corners)
       (b[0] - corners[0][0]) * (a[1] - corners[0][1]);
   }
   return sum / 2.0;
+}
+
+/// It lies at the lowest z of the points that are used, hidden or not, and exactly there.
+void testHeight()
+{
+  const auto heightOf = [](vtkPolyData* input, double height, bool ignore = false)
+  {
+    vtkNew<vtkFFRegularTriangulationFilter> filter;
+    const auto errors = ErrorObserver::Of(filter);
+    filter->GeneratePowerDiagramOn();
+    filter->GenerateCellMeasuresOn();
+    filter->SetNonFinitePoints(ignore);
+    filter->SetInputData(input);
+    filter->Update();
+    FF_CHECK(errors->Messages.empty());
+    FF_CHECK(liesAt(filter->GetPowerDiagramOutput(), height));
+    for (vtkPolyData* output : { filter->GetOutput(), filter->GetPowerDiagramOutput() })
+    {
+      const double* range = output->GetCellData()->GetArray("Centroid")->GetRange(2);
+      FF_CHECK(range[0] == height && range[1] == height);
+    }
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point> points = { { 0, 0, 7 }, { 4, 0, 5.1 }, { 0, 4, 9 }, { 3, 3, 1e9 } };
+  heightOf(makePoints(points), 5.1);
+  heightOf(makePoints(points, VTK_FLOAT), static_cast<double>(5.1F));
+  points.push_back({ 0, 0, -3 }); // a duplicate, which is hidden
+  heightOf(makePoints(points), -3);
+  heightOf(makePoints(points, VTK_INT), -3);
+  points.push_back({ nan, 0, -8 });
+  points.push_back({ 1, 1, -std::numeric_limits<double>::infinity() });
+  heightOf(makePoints(points), -3, true);
+  points.resize(5);
+  const auto input = makePoints(points);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(5);
+  marks->Fill(0);
+  marks->SetValue(4, vtkDataSetAttributes::DUPLICATEPOINT);
+  input->GetPointData()->AddArray(marks);
+  heightOf(input, 5.1);
+  // A zero has no sign, whichever point comes first.
+  for (const double first : { 0.0, -0.0 })
+  {
+    vtkNew<vtkFFRegularTriangulationFilter> filter;
+    filter->GeneratePowerDiagramOn();
+    filter->SetInputData(makePoints({ { 0, 0, first }, { 4, 0, -first }, { 0, 4, 9 } }));
+    filter->Update();
+    FF_CHECK(!std::signbit(filter->GetPowerDiagramOutput()->GetPoint(0)[2]));
+  }
+  // Nothing is left: no corner, and no error.
+  vtkNew<vtkFFRegularTriangulationFilter> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  filter->GeneratePowerDiagramOn();
+  filter->SetNonFinitePointsToIgnore();
+  filter->SetInputData(makePoints({ { nan, 0, 4 } }));
+  filter->Update();
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(isEmpty(filter->GetPowerDiagramOutput()));
 }
 
 /// The voronoi diagram of a grid: squares, clipped at the border to halves and quarters.
@@ -303,6 +372,7 @@ void testDeterminism()
 
 int TestFFPowerDiagram(int, char*[])
 {
+  testHeight();
   testGrid();
   testTwoSites();
   testFlat();

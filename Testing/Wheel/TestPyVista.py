@@ -452,6 +452,22 @@ def test_weights_by_name_and_by_value():
     assert regular_triangulation(mesh).n_points == mesh.n_points
 
 
+def test_diagrams_lie_at_the_lowest_point():
+    points = np.array([[0, 0, 7], [4, 0, 5.1], [0, 4, 9], [0, 0, -3], [1, 1, -np.inf], [np.nan, 0, -8]])
+    heights = power_diagram(points[:3]).points[:, 2]
+    assert len(heights) and (heights == 5.1).all()
+    assert (power_diagram(points[:4]).points[:, 2] == -3).all()  # a duplicate, which is hidden
+    assert (power_diagram(points, non_finite_points="ignore").points[:, 2] == -3).all()
+    assert (power_diagram(points[:3, :2]).points[:, 2] == 0).all()
+    mesh = pv.PolyData(points[:4])
+    mesh.point_data["vtkGhostType"] = np.array([0, 0, 0, 1], np.uint8)
+    both = pv.MultiBlock({"a": mesh, "b": pv.PolyData(points[:4] + 1)})
+    found = power_diagram(both)
+    assert (found["a"].points[:, 2] == 5.1).all() and (found["b"].points[:, 2] == -2).all()
+    negative = power_diagram(points[:3] * [1, 1, -0.0]).points[:, 2]
+    assert not np.signbit(negative).any()
+
+
 def test_radii_and_factors():
     mesh = cloud(400)
     mesh.point_data["r"] = np.abs(np.sin(np.arange(400))) * 0.05
@@ -510,6 +526,23 @@ def test_radii_that_cannot_be_used():
             power_diagram(mesh, weight_factor=factor)
     with pytest.raises(TypeError, match="the radii of a composite are the name of a point array"):
         regular_triangulation(pv.MultiBlock({"a": mesh}), radii=radii)
+
+
+@pytest.mark.parametrize("facets", ["triangles", "polygons"])
+def test_long_edges(facets):
+    mesh = pv.PolyData(np.array([[0, 0, 0], [1, 0, 9], [1, 1, 0], [0, 1, 0], [3, 0.5, 0]], float))
+    whole = regular_triangulation(mesh, facet_mode=facets)
+    found = regular_triangulation(mesh, facet_mode=facets, maximum_edge_length=1)
+    assert found.n_points == whole.n_points == 5
+    assert found.n_cells == (0 if facets == "triangles" else 1)
+    found = regular_triangulation(mesh, facet_mode=facets, maximum_edge_length=2)
+    assert found.n_cells == whole.n_cells - 1
+    assert regular_triangulation(mesh, facet_mode=facets, maximum_edge_length=np.inf).n_cells == whole.n_cells
+    for limit in (-1, np.nan):
+        with pytest.raises(ValueError, match="maximum_edge_length is a length of 0 or more"):
+            regular_triangulation(mesh, maximum_edge_length=limit)
+    with pytest.raises(TypeError, match="maximum_edge_length is a number"):
+        regular_triangulation(mesh, maximum_edge_length="1")
 
 
 def test_weights_that_cannot_be_used():

@@ -185,6 +185,20 @@ def test_radii_and_factors(name, array, factor, radii):
     expect_same(power_diagram(mesh, **settings), cells)
 
 
+@pytest.mark.parametrize("name", MESHES)
+@pytest.mark.parametrize("projection", ["xy_plane", "best_fitting_plane", "transform"])
+@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
+def test_long_edges(name, projection, facets):
+    mesh = with_data(MESHES[name]())
+    algorithm, settings = triangulation_filter(projection, None, None)
+    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    for limit in (1e-9, 0.05, 1.0, 2.0**0.5, 30.0, np.inf):
+        algorithm.SetMaximumEdgeLength(limit)
+        expected = outputs_of(algorithm, mesh)[0]
+        found = regular_triangulation(mesh, maximum_edge_length=limit, facet_mode=facets.lower(), **settings)
+        expect_same(found, expected)
+
+
 def test_bounds_of_diagrams():
     for projection in ("xy_plane", "best_fitting_plane", "transform"):
         mesh = with_data(MESHES["uniform"]())

@@ -205,6 +205,20 @@ void bindQueries(nb::module_& module)
         [&](double* areas, double* centroids)
         { cellMeasures(places, *triangulation.result, areas, centroids); });
     });
+  module.def("cells_within_edge_length",
+    [](const InputArray& points, const Handle<Triangulation>& triangulation, double limit,
+      const Settings& settings)
+    {
+      const PointView places = pointView(points, 2);
+      const auto cells = static_cast<std::size_t>(triangulation.result->cellCount());
+      Buffer<std::uint8_t> within(cells);
+      settings.run(
+        [&](const Options& options) {
+          return cellsWithinEdgeLength(
+            places, *triangulation.result, limit, within.data(), options);
+        });
+      return arrayOf(std::move(within));
+    });
   module.def("power_cell_measures",
     [](const Handle<PowerDiagram>& diagram)
     {

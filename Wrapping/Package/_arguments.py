@@ -72,15 +72,27 @@ def numbers_of(name: str, value: Any, count: int) -> tuple[float, ...]:
     return tuple(array.tolist())
 
 
-def number_of(name: str, value: Any) -> float:
+def _float_of(name: str, value: Any) -> float:
     if isinstance(value, (str, bytes)) or np.ndim(value) != 0:
         raise TypeError(f"{name} is a number, not {value!r}")
     try:
-        number = float(value)
+        return float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name} is a number, not {value!r}") from None
+
+
+def number_of(name: str, value: Any) -> float:
+    number = _float_of(name, value)
     if not np.isfinite(number):
         raise ValueError(f"{name} is a finite number, not {value!r}")
+    return number
+
+
+def length_of(name: str, value: Any) -> float:
+    """0 or more, also infinity."""
+    number = _float_of(name, value)
+    if not number >= 0:
+        raise ValueError(f"{name} is a length of 0 or more, not {value!r}")
     return number
 
 

@@ -12,13 +12,22 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import InputError
-from ._results import Floats
+from ._results import Floats, Ids
 
 _MODES = ("xy_plane", "best_fitting_plane", "transform")
 
 
 class Projection:
-    """To x and y as they are, and back to z = 0."""
+    """To x and y as they are, and back to the lowest z of what was triangulated."""
+
+    _height: float = 0.0
+
+    def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
+        """Chooses the plane's place in space, where there is a choice: used are the rows that were triangulated."""
+        if len(used) and points.shape[1] == 3:
+            self._height = float(points[used, 2].min()) + 0.0  # never -0
+        else:
+            self._height = 0.0
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         """The points in the plane, as rows of two or more; a point has a NaN if any coordinate is not finite."""
@@ -31,13 +40,16 @@ class Projection:
 
     def to_space(self, corners: Floats) -> Floats:
         """Positions in space of positions in the plane; an error if one has none."""
-        return np.column_stack([corners, np.zeros(len(corners))])
+        return np.column_stack([corners, np.full(len(corners), self._height)])
 
 
 class _BestFitting(Projection):
     """To the plane with the least sum of squared distances to the points."""
 
     _plane: tuple[Floats, Floats, Floats]
+
+    def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
+        pass
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         if points.shape[1] == 2:
@@ -57,6 +69,9 @@ class _ByMatrix(Projection):
 
     def __init__(self, matrix: Floats) -> None:
         self._matrix = matrix
+
+    def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
+        pass
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         if points.shape[1] == 2:

@@ -89,6 +89,19 @@ class RegularTriangulation(Cells):
         """The x and y of the centroid of each of `simplices`, rounded."""
         return self._measures[1]
 
+    def within_edge_length(self, limit: float, *, threads: int = 0) -> NDArray[np.bool_]:
+        """Which of `simplices` have no edge longer than the limit, exactly: `simplices[within_edge_length(0.1)]`.
+
+        An edge as long as the limit is not longer. Edges are measured in the plane, by x and y.
+        """
+        limit = float(limit)
+        if not limit >= 0:
+            raise ValueError(f"a limit of lengths is 0 or more, not {limit!r}")
+        chosen = settings(threads, "triangles", "error", "cpu", None, False)
+        found = run(chosen, _core.cells_within_edge_length, self.points, self._triangles, limit)
+        within: NDArray[np.bool_] = found.view(np.bool_)
+        return within
+
     @cached_property
     def convex_hull(self) -> Ids:
         """The border's edges as rows of ids, counter-clockwise each; in the order of their triangles."""

@@ -26,13 +26,14 @@ from typing import Any, Literal, overload
 
 import numpy as np
 import pyvista as pv
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (
     Weights,
     choice_of,
     flag_of,
+    length_of,
     numbers_of,
     threads_of,
     weights_of_call,
@@ -53,7 +54,7 @@ from ._meshes import (
     surface_of,
 )
 from ._projection import Projection, projection_of
-from ._results import ENGINES, Bar
+from ._results import ENGINES, QUIET, Bar
 
 __all__ = [
     "AbortedError",
@@ -198,6 +199,7 @@ def regular_triangulation(
     *,
     radii: ArrayLike | str | None = ...,
     weight_factor: float = ...,
+    maximum_edge_length: float = ...,
     facet_mode: FacetMode = ...,
     projection_plane_mode: ProjectionPlaneMode = ...,
     transform: Any = ...,
@@ -218,6 +220,7 @@ def regular_triangulation(
     *,
     radii: ArrayLike | str | None = ...,
     weight_factor: float = ...,
+    maximum_edge_length: float = ...,
     facet_mode: FacetMode = ...,
     projection_plane_mode: ProjectionPlaneMode = ...,
     transform: Any = ...,
@@ -237,6 +240,7 @@ def regular_triangulation(
     *,
     radii: ArrayLike | str | None = None,
     weight_factor: float = 1.0,
+    maximum_edge_length: float = 0.0,
     facet_mode: FacetMode = "triangles",
     projection_plane_mode: ProjectionPlaneMode = "xy_plane",
     transform: Any = None,
@@ -260,6 +264,9 @@ def regular_triangulation(
         the same for the radii of disks, instead of weights: a weight is the square of weight_factor * radius
     weight_factor : float
         by which weights, or radii, are multiplied. Products and squares are rounded to double; with 1, weights are not.
+    maximum_edge_length : float
+        leave out cells with a longer edge, measured in the plane and compared exactly; by default, 0, none. All points
+        stay. A polygon is judged by its border, a triangle of its fan by its own edges.
     projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
         where points are triangulated: by x and y as they are; in the plane with the least sum of squared distances; or
         by x and y after the transform. The result's points are where they were.
@@ -295,11 +302,12 @@ def regular_triangulation(
     run = _Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
     both = flag_of("return_hidden_points", return_hidden_points)
+    limit = length_of("maximum_edge_length", maximum_edge_length)
     data = data_of(mesh)
     heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
     def triangulated(block: Block, report: _Report) -> list[pv.PolyData]:
-        return run.triangulation(block, heavy, projection, report, both)
+        return run.triangulation(block, heavy, projection, limit, report, both)
 
     outputs = _each_block(data, triangulated, 2 if both else 1, progress_bar)
     return (outputs[0], outputs[1]) if both else outputs[0]
@@ -336,7 +344,8 @@ def power_diagram(
         x least, x greatest, y least, y greatest in the plane: where cells are cut. By default the box of the points.
     projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
     transform : 4 by 4 numbers, or what has them as its attribute matrix
-        as for regular_triangulation(). Corners lie in the fitted plane, or where the inverse transform takes z = 0.
+        as for regular_triangulation(). Corners lie at the lowest z of the points, in the fitted plane, or where the
+        inverse transform takes z = 0.
     number_of_threads : int
         0: as many as the machine has. The result never depends on it.
     non_finite_points : {"error", "ignore"}
@@ -423,6 +432,7 @@ class Accessor:
         *,
         radii: ArrayLike | str | None = None,
         weight_factor: float = 1.0,
+        maximum_edge_length: float = 0.0,
         facet_mode: FacetMode = "triangles",
         projection_plane_mode: ProjectionPlaneMode = "xy_plane",
         transform: Any = None,
@@ -440,6 +450,7 @@ class Accessor:
             weights,
             radii=radii,
             weight_factor=weight_factor,
+            maximum_edge_length=maximum_edge_length,
             facet_mode=facet_mode,
             projection_plane_mode=projection_plane_mode,
             transform=transform,
@@ -526,14 +537,17 @@ class _Run:
         return self._cells_of(cloud, core)
 
     def triangulation(
-        self, block: Block, weights: Weights, projection: Projection, report: _Report, hidden: bool
+        self, block: Block, weights: Weights, projection: Projection, limit: float, report: _Report, hidden: bool
     ) -> list[pv.PolyData]:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
         heavy = cloud.weights(weights, self._ignore)
         settings = self._settings(cloud, report)
         places = projection.to_plane(cloud.array, settings)
         core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
-        found = [self._cells_of(cloud, core)]
+        within = None
+        if limit > 0:
+            within = cloud.engine(_core.cells_within_edge_length, places, core, limit, QUIET).view(np.bool_)
+        found = [self._cells_of(cloud, core, within)]
         if hidden:
             ids = cloud.ids(core.hidden())
             found.append(cloud.mesh(ids, self._pass_data))
@@ -551,6 +565,7 @@ class _Run:
         core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
         arguments = places, heavy, core, box if core.dimension >= 0 else None, self._settings(cloud, second)
         found = cloud.engine(_core.power_diagram, *arguments)
+        projection.lie_beneath(cloud.array, np.concatenate([core.vertices(), core.hidden()]))
         made = pv.PolyData()
         made.SetPoints(pv.vtk_points(projection.to_space(found.vertices()), deep=False, force_float=False))
         set_cells(made, 2, 0, found.offsets(), found.connectivity())
@@ -560,10 +575,16 @@ class _Run:
     def _settings(self, cloud: Cloud, report: _Report) -> Any:
         return _core.Settings(self._threads, self._polygons, cloud.left_out, self._engine, report)
 
-    def _cells_of(self, cloud: Cloud, core: Any) -> pv.PolyData:
+    def _cells_of(self, cloud: Cloud, core: Any, kept: NDArray[np.bool_] | None = None) -> pv.PolyData:
+        """A mesh of the points and the cells, or of those cells that are kept."""
         made = cloud.mesh(cloud.ids(core.vertices()), self._pass_data)
         size = core.cell_size
-        set_cells(made, core.dimension, size, None if size else core.offsets(), core.connectivity())
+        offsets, corners = None if size else core.offsets(), core.connectivity()
+        if kept is not None:
+            sizes = np.full(len(kept), size) if offsets is None else np.diff(offsets)
+            corners = corners[np.repeat(kept, sizes)]
+            offsets = None if offsets is None else np.concatenate([[0], np.cumsum(sizes[kept])])
+        set_cells(made, core.dimension, size, offsets, corners)
         return made
 
 
