@@ -6,6 +6,7 @@
 set_property(GLOBAL PROPERTY _qt_have_generated_deploy_support TRUE)
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager)
 include(FlipFlopParaViewQt)
+include(FlipFlopPluginHelp)
 
 include(FlipFlopModule)
 paraview_plugin_scan(
@@ -13,13 +14,12 @@ paraview_plugin_scan(
   PROVIDES_PLUGINS plugins
   ENABLE_BY_DEFAULT ON
   HIDE_PLUGINS_FROM_CACHE ON)
-# Pages of help would take Qt's development files; the texts are in the panels' tooltips as well.
 paraview_plugin_build(
   PLUGINS ${plugins}
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_FILE_NAME "flipflop.plugins.xml"
   INSTALL_HEADERS OFF
-  DISABLE_XML_DOCUMENTATION ON)
+  DISABLE_XML_DOCUMENTATION "${FLIPFLOP_WITHOUT_HELP}")
 
 # PV_PLUGIN_PATH for the build tree; installed, it is the same folder below the prefix.
 set(FLIPFLOP_LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/FlipFlop")

@@ -19,7 +19,7 @@ libcxx=(clang libc++-dev libc++abi-dev)
 # The tests' GoogleTest is built for Windows from its source.
 mingw=(cmake ninja-build g++-mingw-w64-x86-64-posix libboost-dev googletest wine wine64)
 # What ParaView's VTK asks for when CMake looks for it, MPI, the GUI's icons; for FlipFlopCancel ParaView's Qt and
-# XCB; PyQt and a pointer for the GUI's tests, and what its window of traces asks for.
+# XCB; what makes help pages; PyQt and a pointer for the GUI's tests, and what its window of traces asks for.
 plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libdouble-conversion-dev libeigen3-dev libexpat1-dev liblz4-dev liblzma-dev libutfcpp-dev zlib1g-dev
   mpi-default-bin mpi-default-dev libxcb1-dev python3-pygments xdotool xvfb)
@@ -27,7 +27,7 @@ config=$(find "$paraview"/lib* -maxdepth 4 -name paraview-config.cmake 2>/dev/nu
 if grep -qs 'PARAVIEW_QT_MAJOR_VERSION "6"' "$config"; then
   plugin+=(qt6-base-dev python3-pyqt6)
 else
-  plugin+=(libqt5svg5 qtbase5-dev python3-pyqt5)
+  plugin+=(libqt5svg5 qtbase5-dev python3-pyqt5 qtxmlpatterns5-dev-tools qttools5-dev qttools5-dev-tools)
 fi
 if grep -qs '_paraview_use_external_vtk "ON"' "$config"; then
   plugin+=(libvtk9-dev)

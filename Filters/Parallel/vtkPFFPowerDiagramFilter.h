@@ -8,6 +8,8 @@
  * diagram, a convex polygon for each point that has a region in the box. Without weights it is the
  * Voronoi diagram. GeneratePowerDiagram is on; if it is off, the output is empty.
  *
+ * With VisiblePointIds, the ids are the active scalars of the cells.
+ *
  * Which point is whose neighbour is exact; the corners of the polygons are rounded to double.
  *
  * @sa

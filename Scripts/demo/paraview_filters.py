@@ -5,7 +5,7 @@ import time
 
 from paraview import servermanager, simple
 
-if not hasattr(simple, "FlipFlopConvexHull"):
+if not hasattr(simple, "ConvexHullFlipFlop"):
     raise SystemExit("the plugin is not loaded: PV_PLUGIN_PATH names no folder that holds it")
 
 
@@ -26,7 +26,7 @@ def updated(kind, points, **properties):
 
 def hull(points):
     """The hull, its volume, the engine's name, and the seconds that took."""
-    proxy, seconds = updated(simple.FlipFlopConvexHull, points, FacetMode="Polygons")
+    proxy, seconds = updated(simple.ConvexHullFlipFlop, points, FacetMode="Polygons")
     return servermanager.Fetch(proxy), proxy.Volume, proxy.EngineUsed, seconds
 
 
@@ -37,6 +37,7 @@ def triangulation(points, weights=None, bounds=None):
         properties.update(Weights=["POINTS", weights])
     if bounds:
         properties.update(GeneratePowerDiagram=1, PowerDiagramBoxMode="Bounds Given")
-        properties.update(PowerDiagramBounds=bounds)
-    proxy, seconds = updated(simple.FlipFlopRegularTriangulation, points, **properties)
+        low_x, high_x, low_y, high_y = bounds
+        properties.update(PowerDiagramCorner=[low_x, low_y, 0], PowerDiagramLengths=[high_x - low_x, high_y - low_y, 0])
+    proxy, seconds = updated(simple.RegularWeightedDelaunayTriangulationFlipFlop, points, **properties)
     return [servermanager.Fetch(proxy, idx=port) for port in range(3)], proxy.EngineUsed, seconds

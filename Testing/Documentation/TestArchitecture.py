@@ -103,7 +103,7 @@ class TestDependencies(unittest.TestCase):
         "Examples/a.py": "from vtkflipflop import vtkFFHullFilter\n",
         "Examples/a.cxx": "#include <vtkFFHullFilter.h>\n",
         "Testing/a.cxx": "#include <flipflop/Hull.h>\n#include <tbb/vtkFFHullFilter.h>\n",
-        "Testing/a.py": "simple.FlipFlopConvexHull()\n",
+        "Testing/a.py": "simple.ConvexHullFlipFlop()\n",
     }
     USES = {
         ("Cuda", "Engine"),

@@ -27,7 +27,7 @@ CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dty
 
 
 def hull_of(source, **settings):
-    return run(simple.FlipFlopConvexHull(Input=source, **settings))
+    return run(simple.ConvexHullFlipFlop(Input=source, **settings))
 
 
 class TestHull(unittest.TestCase):
@@ -176,7 +176,7 @@ class TestConvexify(unittest.TestCase):
                  [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]  # fmt: skip
 
     def convexify(self, source, **settings):
-        return run(simple.FlipFlopConvexify(Input=source, **settings))
+        return run(simple.ConvexifyFlipFlop(Input=source, **settings))
 
     def test_by_flips(self):
         source = cloud(self.XYZ, self.TRIANGLES)

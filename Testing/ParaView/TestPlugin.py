@@ -3,30 +3,36 @@
 """The plugin as ParaView sees it: how it is loaded, and what its filters offer."""
 
 import os
+import re
 import subprocess
 import tempfile
 import unittest
 
 from paraview import servermanager, simple
 
+from pipelines import run as updated
+
+ICONS = os.path.join(os.environ["FLIPFLOP_SOURCE"], "Plugin", "Cancel", "Icons")
 PLUGIN = os.path.join(os.environ["PV_PLUGIN_PATH"], "FlipFlop.so")
 LABELS = {
-    "FlipFlopConvexHull": "Flip-Flop Convex Hull",
-    "FlipFlopConvexify": "Flip-Flop Convexify",
-    "FlipFlopRegularTriangulation": "Flip-Flop Regular Triangulation",
-    "FlipFlopSelectEnclosedPoints": "Flip-Flop Select Enclosed Points",
-    "FlipFlopPointInterpolator2D": "Flip-Flop Point Interpolator 2D",
+    "FlipFlopConvexHull": "Convex Hull (Flip-Flop)",
+    "FlipFlopConvexify": "Convexify (Flip-Flop)",
+    "FlipFlopDelaunay": "Delaunay Triangulation 2D (Flip-Flop)",
+    "FlipFlopPowerDiagram": "Voronoi / Power Diagram (Flip-Flop)",
+    "FlipFlopRegularTriangulation": "Regular (Weighted Delaunay) Triangulation (Flip-Flop)",
+    "FlipFlopSelectEnclosedPoints": "Select Points in Convex Hull (Flip-Flop)",
+    "FlipFlopPointInterpolator2D": "Point Interpolator 2D, Delaunay (Flip-Flop)",
 }
 # The second input of those that answer questions at the points of the first.
 SECOND = {"FlipFlopSelectEnclosedPoints": "Surface", "FlipFlopPointInterpolator2D": "Source"}
 COMMON = {
-    "FacetMode": "Triangles",
     "PassPointData": 1,
     "VisiblePointIds": 0,
     "ReportAsFieldData": 1,
     "NumberOfThreads": 0,
     "VBiased": 1,
 }
+FACETS = {"FacetMode": "Triangles"}
 ENGINES = {
     "NonFinitePoints": "Report an Error",
     "SkipGhostPoints": 1,
@@ -34,18 +40,30 @@ ENGINES = {
     "CUDAThreshold": 2**31 - 1,
 }
 QUERIES = {"NonFinitePoints": "Report an Error", "SkipGhostPoints": 1, "NumberOfThreads": 0}
+WEIGHTS = {"Weights": ["POINTS", "None"], "WeightMode": "Weights", "WeightFactor": 1.0}
+PLANE = {"ProjectionPlaneMode": "XY Plane"}
+# The box is that of the sphere.
+LOW_X, HIGH_X, LOW_Y, HIGH_Y, LOW_Z, HIGH_Z = updated(simple.Sphere()).GetDataInformation().GetBounds()
+BOX = {
+    "PowerDiagramBoxMode": "Bounds of the Points",
+    "PowerDiagramCorner": [LOW_X, LOW_Y, LOW_Z],
+    "PowerDiagramLengths": [HIGH_X - LOW_X, HIGH_Y - LOW_Y, HIGH_Z - LOW_Z],
+    "GenerateCellMeasures": 0,
+}
 DEFAULTS = {
-    "FlipFlopConvexHull": {**COMMON, **ENGINES, "CompositeMode": "Hull of Each Block"},
-    "FlipFlopConvexify": {**COMMON, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
+    "FlipFlopConvexHull": {**COMMON, **FACETS, **ENGINES, "CompositeMode": "Hull of Each Block"},
+    "FlipFlopDelaunay": {**COMMON, **FACETS, **ENGINES, **PLANE, "MaximumEdgeLength": 0.0},
+    "FlipFlopPowerDiagram": {**COMMON, **ENGINES, **WEIGHTS, **PLANE, **BOX, "VisiblePointIds": 1},
+    "FlipFlopConvexify": {**COMMON, **FACETS, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
     "FlipFlopRegularTriangulation": {
         **COMMON,
+        **FACETS,
         **ENGINES,
-        "Weights": ["POINTS", "None"],
-        "ProjectionPlaneMode": "XY Plane",
+        **WEIGHTS,
+        **PLANE,
+        **BOX,
+        "MaximumEdgeLength": 0.0,
         "GeneratePowerDiagram": 0,
-        "GenerateCellMeasures": 0,
-        "PowerDiagramBoxMode": "Bounds of the Points",
-        "PowerDiagramBounds": [0.0, 1.0, 0.0, 1.0],
     },
     "FlipFlopSelectEnclosedPoints": {
         **QUERIES,
@@ -55,7 +73,7 @@ DEFAULTS = {
     },
     "FlipFlopPointInterpolator2D": {
         **QUERIES,
-        "Weights": ["POINTS", "None"],
+        **WEIGHTS,
         "InterpolationMode": "Linear",
         "NullPointsStrategy": "Mask Points",
         "NullValue": 0.0,
@@ -68,12 +86,19 @@ DEFAULTS = {
 PORTS = {
     "FlipFlopConvexHull": ["Hull"],
     "FlipFlopConvexify": ["Hull"],
+    "FlipFlopDelaunay": ["Triangulation"],
+    "FlipFlopPowerDiagram": ["Power Diagram"],
     "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Power Diagram"],
     "FlipFlopSelectEnclosedPoints": ["Points"],
     "FlipFlopPointInterpolator2D": ["Points"],
 }
 FOUND = ["Dimension", "EngineUsed", "EngineReason", "NumberOfInputPoints", "NumberOfNonFinitePoints",
          "NumberOfThreadsUsed", "NumberOfFlips22", "NumberOfFlips31", "SecondsTotal"]  # fmt: skip
+
+
+def function(name):
+    """What makes a filter in Python: ParaView names it for the label."""
+    return getattr(simple, re.sub("[^A-Za-z0-9]", "", LABELS[name]))
 
 
 def definition(name):
@@ -88,10 +113,10 @@ class TestLoading(unittest.TestCase):
     # Whether the filter is there before and after; where it comes from.
     SCRIPT = """
 from paraview import simple
-print("before", hasattr(simple, "FlipFlopConvexHull"))
+print("before", hasattr(simple, "ConvexHullFlipFlop"))
 {load}
-print("after", hasattr(simple, "FlipFlopConvexHull"))
-hull = simple.FlipFlopConvexHull(Input=simple.Sphere())
+print("after", hasattr(simple, "ConvexHullFlipFlop"))
+hull = simple.ConvexHullFlipFlop(Input=simple.Sphere())
 hull.UpdatePipeline()
 print("cells", hull.GetDataInformation().GetNumberOfCells())
 """
@@ -163,7 +188,7 @@ for line in open("/proc/self/maps"):
 class TestProxies(unittest.TestCase):
     def source(self, name):
         second = {SECOND[name]: simple.Sphere(Radius=2)} if name in SECOND else {}
-        return getattr(simple, name)(Input=simple.Sphere(), **second)
+        return function(name)(Input=updated(simple.Sphere()), **second)
 
     def test_defaults(self):
         for name, defaults in DEFAULTS.items():
@@ -221,6 +246,7 @@ class TestProxies(unittest.TestCase):
             self.assertGreater(len(documentation.GetShortHelp()), 20)
             self.assertIn("exact", documentation.GetLongHelp())
             self.assertGreater(len(documentation.GetDescription().split()), 80, name)
+            self.assertIn("(Flip-Flop)", label)
             self.assertIn("error", documentation.GetDescription())
             iterator = proxy.NewPropertyIterator()
             iterator.Begin()
@@ -236,6 +262,8 @@ class TestProxies(unittest.TestCase):
         for name in LABELS:
             menu = definition(name).FindNestedElementByName("Hints").FindNestedElementByName("ShowInMenu")
             self.assertEqual(menu.GetAttribute("category"), "Flip-Flop")
+            self.assertEqual(menu.GetAttribute("icon"), f":/FlipFlop/{name}.svg")
+            self.assertTrue(os.path.exists(os.path.join(ICONS, f"{name}.svg")))
 
 
 if __name__ == "__main__":

@@ -47,13 +47,13 @@ class TestTime(unittest.TestCase):
         )
         source.UpdatePipelineInformation()
         self.assertEqual(list(source.TimestepValues), [0.0, 1.0, 2.0])
-        hull = simple.FlipFlopConvexHull(Input=source)
-        triangulation = simple.FlipFlopRegularTriangulation(Input=source)
+        hull = simple.ConvexHullFlipFlop(Input=source)
+        triangulation = simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=source)
         volumes = []
         for time in (0.0, 2.0, 1.0, 2.0):
             for proxy, alone in (
-                (hull, simple.FlipFlopConvexHull(Input=cloud(points_at(time)))),
-                (triangulation, simple.FlipFlopRegularTriangulation(Input=cloud(points_at(time)))),
+                (hull, simple.ConvexHullFlipFlop(Input=cloud(points_at(time)))),
+                (triangulation, simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=cloud(points_at(time)))),
             ):
                 proxy.UpdatePipeline(time)
                 run(alone)
@@ -71,19 +71,19 @@ class TestSelection(unittest.TestCase):
         simple.SetActiveSource(source)
         simple.SelectPoints("Elevation > 1500", source)
         extracted = simple.ExtractSelection(Input=source)
-        hull = run(simple.FlipFlopConvexHull(Input=extracted))
+        hull = run(simple.ConvexHullFlipFlop(Input=extracted))
         xyz = coordinates(fetch(source))
         chosen = xyz[array(fetch(source).GetPointData(), "Elevation") > 1500]
         self.assertTrue(100 < len(chosen) < len(xyz) / 2)
         self.assertEqual(hull.NumberOfInputPoints, len(chosen))
-        alone = run(simple.FlipFlopConvexHull(Input=cloud(chosen)))
+        alone = run(simple.ConvexHullFlipFlop(Input=cloud(chosen)))
         self.assertEqual(cells_by_ids(fetch(hull)), cells_by_ids(fetch(alone)))
         self.assertEqual(coordinates(fetch(hull)).dtype, xyz.dtype)
         simple.ClearSelection(source)
 
     def test_selection_of_a_hull(self):
         """Ids of the hull's points, which ParaView has never seen in the input, do not get in its way."""
-        hull = run(simple.FlipFlopConvexHull(Input=real("spot"), VisiblePointIds=1))
+        hull = run(simple.ConvexHullFlipFlop(Input=real("spot"), VisiblePointIds=1))
         ids = array(fetch(hull).GetPointData(), IDS)
         simple.SetActiveSource(hull)
         simple.SelectPoints("OriginalPointIds < 1000", hull)
@@ -108,7 +108,7 @@ for name, port in {outputs!r}:
 weighted = simple.FindSource("weighted")
 found["settings"] = [list(weighted.Weights), weighted.FacetMode.GetData(),
                      weighted.ProjectionPlaneMode.GetData(), list(weighted.Transform.Rotate),
-                     list(weighted.PowerDiagramBounds)]
+                     list(weighted.PowerDiagramCorner), list(weighted.PowerDiagramLengths)]
 with open({result!r}, "wb") as file:
     pickle.dump(found, file)
 """
@@ -122,21 +122,22 @@ with open({result!r}, "wb") as file:
             registrationName="squares", Input=source, ResultArrayName="squares",
             Function="coordsZ*coordsZ", ResultArrayType="Double",
         )  # fmt: skip
-        hull = simple.FlipFlopConvexHull(registrationName="hull", Input=source)
-        simple.FlipFlopConvexify(registrationName="convex", Input=hull)
-        weighted = simple.FlipFlopRegularTriangulation(registrationName="weighted", Input=squares)
+        hull = simple.ConvexHullFlipFlop(registrationName="hull", Input=source)
+        simple.ConvexifyFlipFlop(registrationName="convex", Input=hull)
+        weighted = simple.RegularWeightedDelaunayTriangulationFlipFlop(registrationName="weighted", Input=squares)
         weighted.Weights = ["POINTS", "squares"]
         weighted.FacetMode = "Polygons"
         weighted.GeneratePowerDiagram = 1
         weighted.PowerDiagramBoxMode = "Bounds Given"
-        weighted.PowerDiagramBounds = [635700, 636000, 848900, 849200]
+        weighted.PowerDiagramCorner, weighted.PowerDiagramLengths = [635700, 848900, 0], [300, 300, 0]
         weighted.ProjectionPlaneMode = "Transform"
         weighted.Transform.Rotate = [10, 0, 0]
         self.expected = {
             (name, port): bits(fetch(run(simple.FindSource(name)), port)) for name, port in self.OUTPUTS
         }
         self.expected["settings"] = [
-            ["POINTS", "squares"], "Polygons", "Transform", [10, 0, 0], [635700, 636000, 848900, 849200]
+            ["POINTS", "squares"], "Polygons", "Transform", [10, 0, 0], [635700, 848900, 0],
+            [300, 300, 0],
         ]  # fmt: skip
 
     def check(self, save, load):

@@ -30,7 +30,7 @@ WEIGHT = np.array([0, 0, 0, 0, 1, -3.0])
 
 
 def triangulation_of(source, **settings):
-    return run(simple.FlipFlopRegularTriangulation(Input=source, **settings))
+    return run(simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=source, **settings))
 
 
 def port_sizes(proxy):
@@ -70,7 +70,7 @@ class TestWeights(unittest.TestCase):
         data = poly_data(SQUARE, weight=WEIGHT, flat=np.zeros(6))
         data.GetPointData().SetActiveScalars("weight")
         source = producer(data)
-        triangulation = simple.FlipFlopRegularTriangulation(Input=source)
+        triangulation = simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=source)
         self.assertEqual(triangulation.Weights[1], "None")
         plain = fetch(run(triangulation))
         self.assertEqual(plain.GetNumberOfPoints(), 6)
@@ -125,7 +125,7 @@ class TestPlanes(unittest.TestCase):
         self.assertTrue(expected <= found, expected - found)
         self.assertLess(len(found - expected), 0.02 * len(found))
         # Euler: with c points on the border, all of them corners.
-        corners = run(simple.FlipFlopConvexHull(Input=source)).GetDataInformation().GetNumberOfPoints()
+        corners = run(simple.ConvexHullFlipFlop(Input=source)).GetDataInformation().GetNumberOfPoints()
         self.assertEqual(len(found), 2 * 2000 - 2 - corners)
 
     def test_plane(self):
@@ -164,17 +164,17 @@ class TestPorts(unittest.TestCase):
         ids = array(diagram.GetCellData(), "OriginalPointIds")
         self.assertEqual(list(ids), [0, 1, 2, 3, 4])
         np.testing.assert_array_equal(array(diagram.GetCellData(), "weight"), WEIGHT[:5])
-        self.assertEqual(diagram.GetBounds(), (0.0, 2.0, 0.0, 2.0, 0.0, 0.0))
+        self.assertEqual(diagram.GetBounds(), (0.0, 2.0, 0.0, 2.0, 4.0, 4.0))
         self.assertEqual([len(cell) for cell in cells(diagram.GetPolys())], [3, 3, 3, 3, 8])
 
         # Bounds count only where they are to be used.
-        triangulation.PowerDiagramBounds = [-9, 9, -9, 9]
-        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (0.0, 2.0, 0.0, 2.0, 0.0, 0.0))
+        triangulation.PowerDiagramCorner, triangulation.PowerDiagramLengths = [-9, -9, 0], [18, 18, 0]
+        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (0.0, 2.0, 0.0, 2.0, 4.0, 4.0))
         triangulation.PowerDiagramBoxMode = "Bounds Given"
-        triangulation.PowerDiagramBounds = [-4, 4, -3, 3]
-        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (-4.0, 4.0, -3.0, 3.0, 0.0, 0.0))
+        triangulation.PowerDiagramCorner, triangulation.PowerDiagramLengths = [-4, -3, 0], [8, 6, 0]
+        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (-4.0, 4.0, -3.0, 3.0, 4.0, 4.0))
         with errors() as lines:
-            triangulation.PowerDiagramBounds = [1, 0, 0, 1]
+            triangulation.PowerDiagramLengths = [-1, 1, 0]
             run(triangulation)
         self.assertEqual(len(lines), 1, lines)
         self.assertIn("PowerDiagramBounds", lines[0])
@@ -186,7 +186,7 @@ class TestPorts(unittest.TestCase):
             np.column_stack([rng.random((300, 2)), np.zeros(300)]), weight=0.02 * rng.random(300)
         )
         triangulation = triangulation_of(source, Weights=["POINTS", "weight"], GeneratePowerDiagram=1)
-        hidden = run(simple.FlipFlopConvexHull(Input=simple.OutputPort(triangulation, "Hidden Points")))
+        hidden = run(simple.ConvexHullFlipFlop(Input=simple.OutputPort(triangulation, "Hidden Points")))
         self.assertEqual(hidden.NumberOfInputPoints, triangulation.NumberOfHiddenPoints)
         self.assertGreater(hidden.NumberOfInputPoints, 0)
         diagram = simple.OutputPort(triangulation, "Power Diagram")

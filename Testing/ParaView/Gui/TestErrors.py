@@ -10,7 +10,7 @@ def test(window):
     coordinates = numpy.random.default_rng(1).random((100, 3))
     coordinates[[7, 42], 1] = numpy.nan
     yield from window.open_file(gui.write_points("nan.vtp", coordinates))
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     gui.check_equal(window.messages(), "")
     yield from window.apply()
 
@@ -33,7 +33,7 @@ def test(window):
     gui.check_range(arrays, "FlipFlopNonFinitePoints", 2, 2)
 
     yield from window.open_file(gui.data("spot.vtp"))
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     yield from window.apply()
     counts, _ = yield from window.information()
     gui.check_equal(counts, ["305 (float)", "606"])

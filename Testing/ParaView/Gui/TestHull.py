@@ -15,7 +15,7 @@ def test(window):
     pictures.look_from((1.0, 0.25, -0.75), (0, 1, 0))
     points = pictures.draw(os.path.join(gui.output, "points.png"))
 
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     yield from window.apply()
     hull = simple.GetActiveSource()
     simple.Hide(cloud)

@@ -36,7 +36,7 @@ def trace(window):
     gui.click(options.findChild(QtWidgets.QPushButton, "OKButton"))
     yield lambda: gui.gone(options)
     yield from window.open_file(gui.data("spot.vtp"))
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     window.property_box("FacetMode").setCurrentText("Polygons")
     yield from window.apply()
     yield from window.choose("Tools", "Stop Trace")
@@ -54,7 +54,7 @@ def trace(window):
 
 def test(window):
     script = yield from trace(window)
-    assert "FlipFlopConvexHull(" in script and "FacetMode = 'Polygons'" in script, script
+    assert "ConvexHullFlipFlop(" in script and "FacetMode = 'Polygons'" in script, script
     hull = simple.GetActiveSource().GetDataInformation()
     shown = f"{hull.GetNumberOfPoints()} {hull.GetNumberOfCells()}"
     gui.check_equal(sorted(run("trace.py", script + READ)), sorted(["2930 2930", shown]))

@@ -16,7 +16,7 @@ def test(window):
     cloud = simple.GetActiveSource()
     cloud.ResultArrayName, cloud.Function = "weight", "Elevation * Elevation / 10"
     yield from window.apply()
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     yield from window.apply()
     hull = simple.GetActiveSource()
     simple.Show(hull, Representation="Surface")
@@ -25,7 +25,7 @@ def test(window):
     simple.Hide(hull)
 
     simple.SetActiveSource(cloud)
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Regular Triangulation")
+    yield from window.add_filter("Flip-Flop", "Regular (Weighted Delaunay) Triangulation (Flip-Flop)")
     weights = window.property_box("Weights")
     gui.check_equal(sorted(gui.choices(weights)), ["Elevation", "None", "weight"])
     gui.check_equal(weights.currentText(), "None")

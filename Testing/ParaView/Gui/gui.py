@@ -10,7 +10,7 @@ dialog's own loop runs the timer on.
 
     def test(gui):
         yield from gui.open_file("Data/spot.vtp")
-        yield from gui.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+        yield from gui.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
         yield from gui.apply()
 
     gui.run(test)
@@ -65,7 +65,7 @@ def add_long_hull(window, count):
     points = numpy.random.default_rng(1).random((count, 3))
     points[:, 2] = (points[:, 0] + points[:, 1]) / 3
     yield from window.open_file(write_points("plane.vtp", points))
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     hull = simple.GetActiveSource()
     hull.NumberOfThreads = 1
     return hull

@@ -110,7 +110,7 @@ def hull(window):
     simple.ResetCamera(view)
     view.CameraViewAngle = 24
     yield from menu(window)
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     yield from window.apply()
     display = simple.Show(simple.GetActiveSource(), Representation="Surface With Edges")
     display.Opacity = 0.4
@@ -132,7 +132,7 @@ def triangulation(window):
     weighted.ResultArrayName, weighted.Function = "weight", "-60 * Elevation"
     yield from window.apply()
     simple.Hide(weighted)
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Regular Triangulation")
+    yield from window.add_filter("Flip-Flop", "Regular (Weighted Delaunay) Triangulation (Flip-Flop)")
     window.property_box("Weights").setCurrentText("weight")
     panel = window.find(QtWidgets.QWidget, "propertiesPanel")
     gui.click(panel.findChild(QtWidgets.QWidget, "GeneratePowerDiagram").findChild(QtWidgets.QCheckBox))
@@ -158,7 +158,7 @@ def triangulation(window):
 def error(window):
     """What a NaN brings up."""
     yield from window.open_file(gui.write_points("nan.vtp", [[0, 0, 0], [1, 0, 0], [0, float("nan"), 0]]))
-    yield from window.add_filter("Flip-Flop", "Flip-Flop Convex Hull")
+    yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     yield from window.apply()
     messages = window.find(QtWidgets.QDockWidget, "outputWidgetDock")
     yield messages.isVisible

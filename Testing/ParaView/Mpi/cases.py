@@ -13,8 +13,8 @@ import pipelines
 
 AS_ONE = {"CompositeMode": 1}
 POLYGONS = {"FacetMode": 1}
-HULL, CONVEXIFY = "FlipFlopConvexHull", "FlipFlopConvexify"
-TRIANGULATION = "FlipFlopRegularTriangulation"
+HULL, CONVEXIFY = "ConvexHullFlipFlop", "ConvexifyFlipFlop"
+TRIANGULATION = "RegularWeightedDelaunayTriangulationFlipFlop"
 
 
 class Case(NamedTuple):
