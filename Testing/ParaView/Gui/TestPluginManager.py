@@ -18,8 +18,8 @@ def test(window):
     window.screen("plugin-manager.png")
     manager.close()
     yield lambda: gui.gone(manager)
-    for name in ("Convex Hull", "Convexify", "Regular Triangulation"):
-        assert f"Flip-Flop {name}" in window.entries("Filters", "Flip-Flop"), name
+    for name in ("Convex Hull", "Convexify", "Delaunay Triangulation 2D", "Voronoi / Power Diagram"):
+        assert f"{name} (Flip-Flop)" in window.entries("Filters", "Flip-Flop"), name
     gui.check_equal(window.messages(), "")
 
 
