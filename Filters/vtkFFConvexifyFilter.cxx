@@ -5,13 +5,12 @@
 #include "vtkFFHullInternals.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
+#include "vtkFFSurfaceCells.h"
 
 #include <flipflop/Engines.h>
-#include <flipflop/FlipFlop.h>
+#include <flipflop/Error.h>
+#include <flipflop/Hull.h>
 
-#include "vtkAOSDataArrayTemplate.h"
-#include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -27,58 +26,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFConvexifyFilter);
 
-namespace
-{
-
-/// Where the first cell's corners begin: VTK takes any place for it.
-vtkIdType firstCornerOf(vtkCellArray* cells)
-{
-  return cells->GetNumberOfCells() > 0
-    ? static_cast<vtkIdType>(cells->GetOffsetsArray()->GetComponent(0, 0))
-    : 0;
-}
-
-/// The corners of cells that all are triangles; copied only when they are not 64-bit integers.
-/// Cells may leave out corners before the first one's, and after the last one's.
-class Triangles
-{
-public:
-  explicit Triangles(vtkCellArray* cells)
-  {
-    this->View.count = cells->GetNumberOfCells();
-    if (this->View.count == 0)
-    {
-      return;
-    }
-    vtkDataArray* corners = cells->GetConnectivityArray();
-    const vtkIdType first = firstCornerOf(cells);
-    if (auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(corners))
-    {
-      static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same type by two names");
-      this->View.corners = reinterpret_cast<const std::int64_t*>(wide->GetPointer(first));
-      return;
-    }
-    const vtkIdType size = 3 * static_cast<vtkIdType>(this->View.count);
-    this->Copy.allocate(static_cast<std::size_t>(size));
-    auto* narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(corners);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      this->Copy[static_cast<std::size_t>(i)] = narrow
-        ? static_cast<std::int64_t>(narrow->GetValue(first + i))
-        : static_cast<std::int64_t>(corners->GetComponent(first + i, 0));
-    }
-    this->View.corners = this->Copy.data();
-  }
-
-  const flipflop::TriangleView& GetView() const { return this->View; }
-
-private:
-  flipflop::TriangleView View;
-  flipflop::Buffer<std::int64_t> Copy;
-};
-
-}
-
 //------------------------------------------------------------------------------
 class vtkFFConvexifyFilter::vtkInternals : public vtkFFHullAlgorithm::vtkInternals
 {
@@ -90,7 +37,6 @@ public:
   std::string DescribeError(const flipflop::Error& error) override;
 
 private:
-  bool CheckCells(vtkPolyData* input);
   bool Convexify(vtkPolyData* input, vtkPolyData* output);
 };
 
@@ -147,7 +93,8 @@ bool vtkFFConvexifyFilter::vtkInternals::Execute(
   {
     this->ReportError("The surface" + this->OfBlock() + " has no cells, but " +
       std::to_string(blocks[0].NumberOfPoints) +
-      " point(s). It takes triangles; vtkFFHullFilter gives the hull of points.");
+      " point(s). It takes triangles, polygons and triangle strips; vtkFFHullFilter gives the hull "
+      "of points.");
     return false;
   }
   if (count > 1)
@@ -157,70 +104,13 @@ bool vtkFFConvexifyFilter::vtkInternals::Execute(
       "vtkAppendPolyData and vtkCleanPolyData can do that.");
     return false;
   }
-  return this->CheckCells(input) && this->Convexify(input, outputs[0]);
-}
-
-//------------------------------------------------------------------------------
-bool vtkFFConvexifyFilter::vtkInternals::CheckCells(vtkPolyData* input)
-{
-  // Cells are counted as vtkPolyData does: vertices, lines, polygons, strips.
-  const char* kind = nullptr;
-  vtkIdType cell = 0;
-  vtkCellArray* polys = input->GetPolys();
-  if (input->GetNumberOfVerts() > 0)
+  const std::string fault = vtkFFSurfaceCells::DescribeFault(input, this->OfBlock());
+  if (!fault.empty())
   {
-    kind = "a vertex cell";
-  }
-  else if (input->GetNumberOfLines() > 0)
-  {
-    kind = "a line cell";
-  }
-  else
-  {
-    const vtkIdType count = polys->GetNumberOfCells();
-    if (polys->IsHomogeneous() != 3)
-    {
-      while (cell < count && polys->GetCellSize(cell) == 3)
-      {
-        ++cell;
-      }
-    }
-    else
-    {
-      cell = count;
-    }
-    kind = cell < count                ? "a polygon"
-      : input->GetNumberOfStrips() > 0 ? "a triangle strip"
-                                       : nullptr;
-  }
-  if (kind)
-  {
-    std::ostringstream message;
-    message << "Every cell of the input must be a triangle, but cell " << cell << this->OfBlock()
-            << " is " << kind;
-    if (cell < polys->GetNumberOfCells() && input->GetNumberOfVerts() == 0 &&
-      input->GetNumberOfLines() == 0)
-    {
-      message << " of " << polys->GetCellSize(cell) << " points";
-    }
-    message << ". vtkTriangleFilter makes triangles of polygons and strips.";
-    this->ReportError(message.str());
+    this->ReportError(fault);
     return false;
   }
-
-  const vtkIdType first = firstCornerOf(polys);
-  const vtkIdType size = 3 * polys->GetNumberOfCells();
-  const vtkIdType given = polys->GetConnectivityArray()->GetNumberOfTuples();
-  if (first < 0 || first > given - size)
-  {
-    std::ostringstream message;
-    message << "The input's cells" << this->OfBlock()
-            << " are not valid: their offsets name corners " << first << " to " << first + size - 1
-            << ", and the connectivity has " << given << ".";
-    this->ReportError(message.str());
-    return false;
-  }
-  return true;
+  return this->Convexify(input, outputs[0]);
 }
 
 //------------------------------------------------------------------------------
@@ -256,11 +146,11 @@ bool vtkFFConvexifyFilter::vtkInternals::Convexify(vtkPolyData* input, vtkPolyDa
 
     vtkPoints* points = input->GetPoints();
     const vtkFFPointSource source(points ? points->GetData() : nullptr);
-    const Triangles triangles(input->GetPolys());
+    const vtkFFSurfaceCells cells(input, source.GetView(), options);
     flipflop::Hull hull;
-    if (triangles.GetView().count > 0)
+    if (cells.GetView().count > 0)
     {
-      hull = flipflop::flipFlop(source.GetView(), triangles.GetView(), kernel, options);
+      hull = cells.FlipFlop(source.GetView(), kernel, options);
     }
     this->AddToReport(hull, report, output);
 

@@ -9,20 +9,27 @@
  * is proportional to the flips needed. So a surface that is nearly convex, such as a hull whose
  * points have moved a little, takes less time than a hull from scratch.
  *
- * The input is a vtkPolyData of triangles that form a closed, consistently oriented manifold. Its
- * normals may point outward or inward. It must be star-shaped: there is a kernel point that
- * strictly sees the inside of every triangle. Give that point with SetKernelPoint(), or let the
+ * The input is a vtkPolyData of triangles, polygons and triangle strips that form a closed,
+ * consistently oriented manifold. Its normals may point outward or inward. Polygons are cut into
+ * triangles, concave ones too: as they are seen along the coordinate axis that is nearest to their
+ * normal, by exact signs, so that none of a flat polygon's triangles folds over another. A convex
+ * polygon becomes the fan from its first corner.
+ *
+ * The surface must be star-shaped: there is a kernel point that strictly sees the inside of every
+ * triangle. Give that point with SetKernelPoint(), or let the
  * filter search for one (the default). An exact test decides whether the surface is star-shaped
  * from it.
  *
  * Only one partition of a vtkPartitionedDataSet may have cells: it is the input.
  *
  * The output is the exact hull in the same canonical form as vtkFFHullFilter's, with the same
- * arrays. Points that no triangle uses are ignored. An input without points gives an empty output.
+ * arrays. How polygons were cut does not show in it. Points that no cell uses are ignored. An input
+ * without points gives an empty output.
  *
  * The following inputs are errors. They name the first cell at fault and give an empty output:
- * points without a cell; a cell that is not a triangle (also vertices, lines and strips); a
- * triangle with a corner that does not exist or is used twice; a surface that is not closed, not a
+ * points without a cell; a vertex or a line; a polygon or strip of fewer than three points; a cell
+ * with a corner that does not exist or is used twice; a polygon that crosses or touches itself; a
+ * surface that is not closed, not a
  * manifold or not oriented consistently; a surface that is not star-shaped from the kernel point. A
  * NaN or infinite coordinate of a used point is always an error, since the surface would not be
  * closed without the point.

@@ -235,8 +235,11 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
     case ErrorCode::WeightCount:
       return "There are " + count + " weights, which is not the number of points.";
     case ErrorCode::BadTriangle:
-      return "A triangle names a point that does not exist, or the same point twice: first at " +
-        cell + ", " + count + " such triangle(s) in all.";
+      return "A cell names a point that does not exist, or the same point twice: first at " + cell +
+        ", " + count + " such cell(s) in all.";
+    case ErrorCode::NotSimple:
+      return "A polygon crosses or touches itself, so it cannot be cut into triangles: first at " +
+        cell + ", " + count + " such polygon(s) in all.";
     case ErrorCode::NotClosed:
       return "The surface is not closed: first at " + cell +
         ", which has an edge that no other triangle shares; " + count + " such edge(s) in all.";

@@ -5,8 +5,7 @@
 #ifndef flipflop_PlanarRings_h
 #define flipflop_PlanarRings_h
 
-#include "Predicates/DoubleDouble.h"
-#include "Predicates/WideSigns.h"
+#include "Predicates/PlaneOrientation.h"
 
 #include <algorithm>
 #include <array>
@@ -36,17 +35,7 @@ public:
   /// Positive when a, b, c turn left.
   int orientation(Index a, Index b, Index c) const
   {
-    const double* p = this->position(a);
-    const double* q = this->position(b);
-    const double* r = this->position(c);
-    int sign = 0;
-    if (ExpansionSigns::filterOrient2(p, q, r, 0, 1, sign) ||
-      ExpansionSigns::signOfMinor(doubleDifference(q[0], p[0]), doubleDifference(q[1], p[1]),
-        doubleDifference(r[0], p[0]), doubleDifference(r[1], p[1]), 0.0, 0.0, sign))
-    {
-      return sign;
-    }
-    return WideSigns::orient2(p, q, Row<1>{ { r } }, 0, 1);
+    return planeOrientation(this->position(a), this->position(b), this->position(c));
   }
 
   /// The order of positions: by x, then y.

@@ -15,6 +15,7 @@
 #include "vtkPoints.h"
 #include "vtkSphereSource.h"
 
+#include <array>
 #include <cmath>
 
 using namespace fftest;
@@ -172,6 +173,93 @@ void testUnusedPoints()
   }
 }
 
+/// A box with a ditch along its top: its ends are concave polygons with a corner on a straight
+/// stretch, all else is squares.
+vtkSmartPointer<vtkPolyData> makeDitch()
+{
+  const std::vector<std::array<double, 2>> profile{ { 0, 0 }, { 2, 0 }, { 4, 0 }, { 4, 3 },
+    { 3, 3 }, { 2, 2 }, { 1, 3 }, { 0, 3 } };
+  std::vector<Point> points;
+  std::vector<std::vector<vtkIdType>> cells(2);
+  const auto count = static_cast<vtkIdType>(profile.size());
+  for (const double y : { 0.0, 2.0 })
+  {
+    for (const auto& p : profile)
+    {
+      points.push_back({ p[0], y, p[1] });
+    }
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType next = (i + 1) % count;
+    cells[0].push_back(i);
+    cells[1].push_back(2 * count - 1 - i);
+    cells.push_back({ i, i + count, next + count, next });
+  }
+  return makeSurface(points, cells);
+}
+
+/// As the hull of the points, from polygons, strips, and triangles of any kind.
+void testPolygons()
+{
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  const auto errors = ErrorObserver::Of(convexify);
+  vtkNew<vtkFFHullFilter> hull;
+  const auto expectHull = [&](vtkPolyData* input, double volume)
+  {
+    for (const bool polygons : { false, true })
+    {
+      for (const int threads : { 1, 3 })
+      {
+        convexify->SetNumberOfThreads(threads);
+        convexify->SetFacetMode(polygons);
+        hull->SetFacetMode(polygons);
+        convexify->SetInputData(input);
+        hull->SetInputData(input);
+        convexify->Update();
+        hull->Update();
+        FF_CHECK(errors->Messages.empty());
+        FF_CHECK(isSame(convexify->GetOutput(), hull->GetOutput()));
+        FF_CHECK_EQUAL(convexify->GetVolume(), volume);
+      }
+    }
+  };
+  const auto ditch = makeDitch();
+  expectHull(ditch, 24.0);
+  vtkNew<vtkPolyData> reversed;
+  reversed->DeepCopy(ditch);
+  for (vtkIdType i = 0; i < reversed->GetNumberOfCells(); ++i)
+  {
+    reversed->ReverseCell(i);
+  }
+  expectHull(reversed, 24.0);
+  ditch->GetPolys()->ConvertTo32BitStorage();
+  expectHull(ditch, 24.0);
+
+  // Of a cube, squares and strips; the strip around it goes over four sides.
+  const auto cube = makeSurface(cubeCorners(), { { 0, 2, 3, 1 }, { 4, 5, 7, 6 } });
+  vtkNew<vtkCellArray> strips;
+  const vtkIdType around[10] = { 4, 0, 5, 1, 7, 3, 6, 2, 4, 0 };
+  strips->InsertNextCell(10, around);
+  cube->SetStrips(strips);
+  expectHull(cube, 1.0);
+
+  // Corners out of place: the squares of a sphere are not flat.
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(30);
+  sphere->SetPhiResolution(20);
+  sphere->LatLongTessellationOn();
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  convexify->SetInputData(sphere->GetOutput());
+  hull->SetInputData(sphere->GetOutput());
+  convexify->Update();
+  hull->Update();
+  FF_CHECK(sphere->GetOutput()->GetPolys()->GetMaxCellSize() == 4);
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(isSame(convexify->GetOutput(), hull->GetOutput()));
+}
+
 void testEmpty()
 {
   vtkNew<vtkFFConvexifyFilter> convexify;
@@ -191,6 +279,7 @@ int TestFFConvexifyFilter(int, char*[])
   testAgainstHull();
   testVoxels();
   testUnusedPoints();
+  testPolygons();
   testEmpty();
   return result();
 }

@@ -12,6 +12,7 @@
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -79,10 +80,8 @@ void testNoCells()
 void testCells()
 {
   auto cells = tetrahedron;
-  cells[2] = { 0, 3, 2, 1 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 2", "polygon of 4 points" });
   cells[1] = { 0, 1 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 1", "polygon of 2 points" });
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 1", "polygon of 2." });
 
   vtkNew<vtkCellArray> one;
   const vtkIdType ids[4] = { 0, 1, 2, 3 };
@@ -102,7 +101,68 @@ void testCells()
   one->Reset();
   one->InsertNextCell(4, ids);
   input->SetStrips(one);
-  refuses(input, { "cell 4", "strip" });
+  refuses(input, { "not a manifold" });
+  one->Reset();
+  one->InsertNextCell(3, ids);
+  one->InsertNextCell(2, ids);
+  input->SetStrips(one);
+  refuses(input, { "cell 5", "strip of 2." });
+
+  // Nothing but these.
+  input = makePoints(tetrahedronPoints);
+  one->Reset();
+  one->InsertNextCell(1, ids);
+  input->SetVerts(one);
+  refuses(input, { "The surface has no polygons: its cells are vertices. ", "vtkFFHullFilter" });
+  vtkNew<vtkCellArray> two;
+  two->InsertNextCell(2, ids);
+  input->SetLines(two);
+  refuses(input, { "its cells are vertices and lines. " });
+  input->SetVerts(nullptr);
+  refuses(input, { "its cells are lines. " });
+}
+
+/// Faults of polygons and strips are those of the input's cells, not of triangles.
+void testPolygons()
+{
+  const auto cube = cubeCorners();
+  const Triangles quads{ { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+    { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+  auto cells = quads;
+  std::swap(cells[4][1], cells[4][2]);
+  refuses(makeSurface(cube, cells), { "crosses or touches itself", "cell 4,", "1 such polygon" });
+  cells = quads;
+  cells[3][2] = 8;
+  refuses(makeSurface(cube, cells), { "cell 3,", "1 such cell", "does not exist" });
+  cells[3][2] = cells[3][0];
+  refuses(makeSurface(cube, cells), { "cell 3,", "1 such cell", "twice" });
+  cells = quads;
+  cells.pop_back();
+  refuses(makeSurface(cube, cells), { "not closed", "cell 0", "4 such edge" });
+  cells = quads;
+  std::reverse(cells[5].begin(), cells[5].end());
+  refuses(makeSurface(cube, cells), { "not oriented", "cell 0" });
+  cells.erase(cells.begin());
+  cells.push_back(quads[0]);
+  const double outside[3] = { 0.5, 0.5, -1.0 };
+  refuses(makeSurface(cube, quads), { "does not see", "cell 0", "2 such triangle" }, outside);
+  const double above[3] = { 0.5, 0.5, 2.0 };
+  refuses(makeSurface(cube, quads), { "does not see", "cell 1", "2 such triangle" }, above);
+
+  // The last two polygons as strips.
+  auto input = makeSurface(cube, { quads[0], quads[1], quads[2], quads[3] });
+  vtkNew<vtkCellArray> strips;
+  const vtkIdType first[4] = { 0, 4, 2, 6 };
+  const vtkIdType last[4] = { 1, 3, 5, 7 };
+  strips->InsertNextCell(4, first);
+  strips->InsertNextCell(4, last);
+  input->SetStrips(strips);
+  const double right[3] = { 2.0, 0.5, 0.5 };
+  refuses(input, { "does not see", "cell 5", "2 such triangle" }, right);
+
+  auto bad = cube;
+  bad[6][0] = std::numeric_limits<double>::infinity();
+  refuses(makeSurface(bad, quads), { "point 6,", "1 such point", "NaN or infinite" });
 }
 
 /// The tetrahedron's cells in arrays of one's own: corners before and after those that cells take.
@@ -168,15 +228,15 @@ void testBadTriangles()
 {
   auto cells = tetrahedron;
   cells[3] = { 1, 2, 4 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3", "1 such triangle" });
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3", "1 such cell" });
   cells[3] = { 1, 2, -1 };
   refuses(makeSurface(tetrahedronPoints, cells), { "cell 3", "does not exist" });
   cells[3] = { 1, 2, std::numeric_limits<vtkIdType>::max() };
   refuses(makeSurface(tetrahedronPoints, cells), { "cell 3" });
   cells[3] = { 1, 2, 1 };
   cells[1] = { 3, 3, 3 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 1", "2 such triangle" });
-  refuses(makeSurface({}, tetrahedron), { "cell 0", "4 such triangle" });
+  refuses(makeSurface(tetrahedronPoints, cells), { "cell 1", "2 such cell" });
+  refuses(makeSurface({}, tetrahedron), { "cell 0", "4 such cell" });
 }
 
 void testNotClosed()
@@ -282,6 +342,7 @@ int TestFFConvexifyFilterErrors(int, char*[])
 {
   testNoCells();
   testCells();
+  testPolygons();
   testCellArrays<vtkTypeInt32Array>();
   testCellArrays<vtkTypeInt64Array>();
   testBadTriangles();

@@ -137,6 +137,15 @@ def surface(facets, points=TETRAHEDRON, **settings):
     return set_up(vtkFFConvexifyFilter(), data, **settings)
 
 
+def surface_with_a_vertex(facets):
+    algorithm = surface(facets)
+    vertex = vtkCellArray()
+    vertex.InsertNextCell(1)
+    vertex.InsertCellPoint(0)
+    algorithm.GetInput().SetVerts(vertex)
+    return algorithm
+
+
 NAN = float("nan")
 PLANE = vtkFFRegularTriangulationFilter.TRANSFORM_PLANE
 RADII = vtkFFRegularTriangulationFilter.RADII
@@ -174,7 +183,10 @@ FAILURES = {
     "a source without its array of weights": lambda: interpolation(poly_data(TETRAHEDRON)),
     "cells with a corner too few": surface_without_its_last_corner,
     "points without cells, as a surface": lambda: surface([]),
-    "a cell that is no triangle": lambda: surface([[0, 1, 2, 3]]),
+    "vertices alone, as a surface": lambda: surface_with_a_vertex([]),
+    "a vertex cell beside polygons": lambda: surface_with_a_vertex(FACETS),
+    "a polygon of two points": lambda: surface([[0, 1], *FACETS]),
+    "a polygon that crosses itself": lambda: surface([[0, 1, 2, 3], *FACETS], "0 0 0; 1 1 0; 1 0 0; 0 1 0"),
     "a triangle with a corner twice": lambda: surface([*FACETS, [0, 1, 1]]),
     "a triangle is missing": lambda: surface(FACETS[:3]),
     "a triangle is there three times": lambda: surface([FACETS[0], FACETS[0], *FACETS]),

@@ -19,6 +19,7 @@ void fuzzHull(Bytes& bytes);
 void fuzzTriangulation(Bytes& bytes);
 void fuzzPowerDiagram(Bytes& bytes); ///< of triangulations, and of what is none
 void fuzzFlipFlop(Bytes& bytes);     ///< of star-shaped surfaces, and of any triangles
+void fuzzPolygons(Bytes& bytes);     ///< any polygons, to be cut into triangles
 void fuzzHullJudge(Bytes& bytes);    ///< validate, of answers that are wrong
 void fuzzTriangulationJudge(Bytes& bytes);
 void fuzzArguments(Bytes& bytes);            ///< null, negative, too many

@@ -6,9 +6,12 @@
 
 #include "Testing/Engine/Conformance/Compare.h"
 #include <flipflop/FlipFlop.h>
+#include <flipflop/SurfacePolygons.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace flipflop
 {
@@ -74,6 +77,71 @@ void fuzzFlipFlop(Bytes& bytes)
   }
   const std::string difference = test::bitDifference(hull, expected);
   demand(difference.empty(), "not the hull of the points used: " + difference);
+}
+
+void fuzzPolygons(Bytes& bytes)
+{
+  Watch watch;
+  const Options options = drawOptions(bytes, watch);
+  const Layout layout = drawLayout(bytes);
+  Cloud cloud = drawCloud(bytes, 60);
+  const Scalars scalars(cloud, 0, 3, layout);
+  const auto count = static_cast<std::int64_t>(cloud.size());
+  std::vector<std::int64_t> corners;
+  std::vector<std::int64_t> offsets = { 0 };
+  for (int n = bytes.below(12); n > 0; --n)
+  {
+    // Corners in the order of ids, mostly: others seldom make a polygon.
+    std::int64_t corner = count > 0 ? bytes.below(static_cast<int>(count)) : 0;
+    for (int size = bytes.below(16); size > 0; --size)
+    {
+      corners.push_back(bytes.oneOf(40) ? bytes.integer() : corner);
+      corner += 1 + bytes.below(2);
+      corner = count > 0 ? corner % count : corner;
+    }
+    offsets.push_back(static_cast<std::int64_t>(corners.size()));
+  }
+  PolygonView polygons;
+  polygons.corners = corners.data();
+  polygons.offsets = offsets.data();
+  polygons.count = static_cast<std::int64_t>(offsets.size()) - 1;
+  const auto outcome =
+    attempt([&] { return triangulatePolygons(scalars.points(), polygons, options); });
+  expectOutcome(
+    outcome, watch, { ErrorCode::BadArgument, ErrorCode::BadTriangle, ErrorCode::NotSimple });
+  if (!outcome.result)
+  {
+    return;
+  }
+  // Each polygon's edges are edges of one of its triangles, run the same way; the others pair.
+  const PolygonTriangles& found = *outcome.result;
+  std::size_t t = 0;
+  for (std::int64_t p = 0; p < polygons.count; ++p)
+  {
+    std::vector<std::pair<std::int64_t, std::int64_t>> open;
+    for (; t < found.polygonIds.size() && found.polygonIds[t] == p; ++t)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const std::int64_t a = found.corners[3 * t + k];
+        const std::int64_t b = found.corners[3 * t + (k + 1) % 3];
+        const auto twin = std::find(open.begin(), open.end(), std::make_pair(b, a));
+        twin == open.end() ? open.insert(twin, { a, b }) : open.erase(twin);
+      }
+    }
+    std::vector<std::pair<std::int64_t, std::int64_t>> border;
+    const auto begin = offsets[static_cast<std::size_t>(p)];
+    const auto end = offsets[static_cast<std::size_t>(p) + 1];
+    for (std::int64_t i = begin; i < end; ++i)
+    {
+      border.emplace_back(corners[static_cast<std::size_t>(i)],
+        corners[static_cast<std::size_t>(i + 1 < end ? i + 1 : begin)]);
+    }
+    std::sort(open.begin(), open.end());
+    std::sort(border.begin(), border.end());
+    demand(open == border, "the triangles are not of the polygon");
+  }
+  demand(t == found.polygonIds.size(), "triangles of no polygon");
 }
 
 }

@@ -258,7 +258,10 @@ def test_surfaces(kernel, facets):
     getattr(algorithm, f"SetFacetModeTo{facets}")()
     if kernel:
         algorithm.SetKernelPoint(*kernel)
-    for mesh in (surface, pv.PolyData(), pv.MultiBlock({"a": surface, "b": None})):
+    quads = with_data(pv.Cube().clean())
+    stripped = pv.Sphere(theta_resolution=12, phi_resolution=9).strip()
+    assert quads.faces[0] == 4 and stripped.n_strips
+    for mesh in (surface, pv.PolyData(), pv.MultiBlock({"a": surface, "b": None}), quads, stripped):
         (expected,) = outputs_of(algorithm, mesh)
         expect_same(convexify(mesh, kernel, facet_mode=facets.lower()), expected)
 

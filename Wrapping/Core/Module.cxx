@@ -12,6 +12,7 @@
 #include <flipflop/FlipFlop.h>
 #include <flipflop/PlaneFit.h>
 #include <flipflop/PowerDiagram.h>
+#include <flipflop/SurfacePolygons.h>
 #include <flipflop/Validate.h>
 
 #include <nanobind/nanobind.h>
@@ -75,6 +76,28 @@ Handle<Hull> convexified(const InputArray& points, const Corners& triangles,
   surface.count = static_cast<std::int64_t>(triangles.shape(0));
   return handleOf(settings.run([&](const Options& options)
     { return flipFlop(places, surface, kernel ? kernel->data() : nullptr, options); }));
+}
+
+/// Polygons as triangles: the corners of these, and the polygon of each.
+nb::tuple trianglesOf(const InputArray& points, const IdArray& offsets, const IdArray& corners,
+  const Settings& settings)
+{
+  const SpacePoints input(points);
+  PolygonView polygons;
+  polygons.corners = corners.data();
+  polygons.offsets = offsets.data();
+  polygons.count = std::max<std::int64_t>(0, static_cast<std::int64_t>(offsets.shape(0)) - 1);
+  // Offsets that leave the corners would be read where there is nothing.
+  const auto size = static_cast<std::int64_t>(corners.shape(0));
+  if (polygons.count > 0 && offsets.data()[polygons.count] > size)
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  PolygonTriangles found = settings.run(
+    [&](const Options& options) { return triangulatePolygons(input.view(), polygons, options); });
+  const std::size_t rows = found.polygonIds.size();
+  return nb::make_tuple(
+    arrayOf(std::move(found.corners), { rows, 3 }), arrayOf(std::move(found.polygonIds)));
 }
 
 /// Points' places in the plane that fits them best; and of the plane, the origin and the axes.
@@ -300,6 +323,7 @@ NB_MODULE(_core, module)
   module.def(
     "regular_triangulation", &triangulationOf, "points"_a, "weights"_a.none(), "settings"_a);
   module.def("convexify", &convexified, "points"_a, "triangles"_a, "kernel"_a.none(), "settings"_a);
+  module.def("triangulate_polygons", &trianglesOf);
   module.def("to_best_fitting_plane", &placesInBestPlane);
   module.def("power_diagram", &diagramOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "box"_a.none(), "settings"_a);

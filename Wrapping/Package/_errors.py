@@ -59,6 +59,7 @@ _CODES = (
     ("bad_argument", InputError, "at set {}", ""),
     ("weight_count", InputError, "", "{} weights"),
     ("bad_triangle", InputError, "first at triangle {}", "{} such triangle(s) in all"),
+    ("not_simple", InputError, "first at cell {}", "{} such polygon(s) in all"),
     ("not_closed", InputError, "first at triangle {}", "{} edge(s) in all"),
     ("not_manifold", InputError, "first at triangle {}", "{} such edge(s) and vertices in all"),
     ("not_oriented", InputError, "first at triangle {}", ""),

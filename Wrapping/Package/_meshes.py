@@ -415,7 +415,7 @@ class Cloud:
         """The same error, in terms of the caller's points and blocks."""
         message, index = str(error), error.index
         composite = any(block.place for block in self.blocks)
-        what = re.search(r"\bat (point|triangle) (\d+)", message)
+        what = re.search(r"\bat (point|triangle|cell) (\d+)", message)
         if what is None or index < 0:
             if composite and len(self.blocks) == 1:
                 message += f", in {self.blocks[0].place}"
@@ -455,47 +455,6 @@ def pass_field_data(data: Any, to: Any) -> None:
     for name in [fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())]:
         if name and name.startswith("FlipFlop"):
             fields.RemoveArray(name)
-
-
-def surface_of(part: Part, place: str) -> NDArray[Any]:
-    """The corners of a surface's cells, which all are triangles; otherwise an error that names the first that is not."""
-    mesh = part.mesh
-    of = f" of {place}" if place else ""
-    polygons = mesh.GetPolys()
-    count = polygons.GetNumberOfCells()
-    kind, cell = "", 0
-    faces = np.empty((0, 4), np.int64)
-    if mesh.GetNumberOfVerts() > 0:
-        kind = "a vertex cell"
-    elif mesh.GetNumberOfLines() > 0:
-        kind = "a line cell"
-    else:
-        if count:
-            offsets = polygons.GetOffsetsArray()
-            first, last = (int(offsets.GetComponent(i, 0)) for i in (0, count))
-            given = polygons.GetConnectivityArray().GetNumberOfTuples()
-            if not 0 <= first <= last <= given:
-                raise InputError(
-                    f"the surface's cells{of} are not valid: their offsets name corners {first} to {last}, and the "
-                    f"connectivity has {given}",
-                    "bad_argument",
-                )
-        cell = next((i for i in range(count) if polygons.GetCellSize(i) != 3), count) if (
-            polygons.GetNumberOfConnectivityIds() != 3 * count or polygons.GetMaxCellSize() > 3
-        ) else count
-        if cell < count:
-            kind = f"a polygon of {polygons.GetCellSize(cell)} points"
-        elif mesh.GetNumberOfStrips() > 0:
-            kind = "a triangle strip"
-        elif count:
-            faces = np.asarray(pv.wrap(mesh, **_UNCHECKED).faces).reshape(-1, 4)
-    if kind:
-        raise InputError(
-            f"every cell of a surface must be a triangle, but cell {cell}{of} is {kind}: mesh.triangulate() makes "
-            "triangles of polygons and strips",
-            "bad_triangle", cell,
-        )
-    return faces[:, 1:]
 
 
 def _gathered(arrays: Sequence[tuple[Any, Ids]], count: int) -> Any:

@@ -39,7 +39,6 @@ from ._arguments import (
     weights_of_call,
 )
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
-from ._input import ids_of
 from ._meshes import (
     LEAVES,
     Block,
@@ -51,10 +50,10 @@ from ._meshes import (
     is_tree,
     pass_field_data,
     set_cells,
-    surface_of,
 )
 from ._projection import Projection, projection_of
 from ._results import ENGINES, QUIET, Bar
+from ._surfaces import by_cell, surface_of
 
 __all__ = [
     "AbortedError",
@@ -158,8 +157,8 @@ def convexify(
     Parameters
     ----------
     surface : PolyData, or composite of such
-        triangles that form a closed, consistently oriented manifold, outward or inward. Points that no triangle uses
-        are no part of it.
+        triangles, polygons and strips that form a closed, consistently oriented manifold, outward or inward. Polygons
+        are cut into triangles, exactly, concave ones too. Points that no cell uses are no part of it.
     kernel_point : 3 numbers, optional
         a point that strictly sees the inside of every triangle; by default it is sought
     facet_mode : {"triangles", "polygons"}
@@ -178,7 +177,7 @@ def convexify(
     Raises
     ------
     InputError
-        the surface is open, not of triangles, not a manifold, not oriented or not star-shaped; names the first cell
+        the surface is open, not of polygons, not a manifold, not oriented or not star-shaped; names the first cell
     """
     run = _Run(facet_mode, number_of_threads, "error", "cpu", False, pass_point_data)
     kernel = None if kernel_point is None else numbers_of("kernel_point", kernel_point, 3)
@@ -532,8 +531,15 @@ class _Run:
         if not with_cells and block.count:
             raise InputError(f"the surface{of} has no cells, but {block.count} point(s)", "bad_argument")
         cloud = Cloud([Block(with_cells or block.parts[:1], block.place)], False, False)
-        corners = ids_of(surface_of(cloud.blocks[0].parts[0], block.place), "corners")
-        core = cloud.engine(_core.convexify, cloud.array, corners, kernel, self._settings(cloud, report))
+        settings = self._settings(cloud, report)
+        starts, corners, cell_of = surface_of(cloud.blocks[0].parts[0], block.place)
+        triangles = corners
+        if cell_of is not None:
+            cut = cloud.engine(by_cell(_core.triangulate_polygons, cell_of), cloud.array, starts, corners, settings)
+            triangles, polygon_of = cut
+            cell_of = cell_of[polygon_of]
+        flip = by_cell(_core.convexify, cell_of)
+        core = cloud.engine(flip, cloud.array, triangles.reshape(-1, 3), kernel, settings)
         return self._cells_of(cloud, core)
 
     def triangulation(

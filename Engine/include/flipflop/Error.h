@@ -22,6 +22,7 @@ enum class ErrorCode
                  ///< batch whose offsets descend or leave the array
   WeightCount,   ///< count: weights given, which is not the number of points
   BadTriangle, ///< index: first triangle with a corner out of range or used twice; count: how many
+  NotSimple,   ///< index: first polygon that crosses or touches itself; count: how many
   NotClosed,   ///< index: first triangle with an edge that no other triangle shares; count: edges
   NotManifold, ///< index: first triangle with an edge of three or more triangles, or with a vertex
                ///< whose triangles form several fans; count: how many such edges and vertices
@@ -49,7 +50,7 @@ public:
 
   /// What went wrong.
   ErrorCode code() const noexcept { return this->Code; }
-  /// The first point or triangle at fault, -1 if there is none.
+  /// The first point, triangle or polygon at fault, -1 if there is none.
   std::int64_t index() const noexcept { return this->Index; }
   /// How many are at fault, or the size asked for.
   std::int64_t count() const noexcept { return this->Count; }
@@ -73,6 +74,8 @@ public:
         return "there are not as many weights as points";
       case ErrorCode::BadTriangle:
         return "a triangle's corner is out of range or used twice";
+      case ErrorCode::NotSimple:
+        return "a polygon crosses or touches itself";
       case ErrorCode::NotClosed:
         return "the surface is not closed";
       case ErrorCode::NotManifold:

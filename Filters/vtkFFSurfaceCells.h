@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFSurfaceCells
+ * @brief   the cells of a surface as the engine's triangles
+ *
+ * vtkFFSurfaceCells gives the engine the triangles, polygons and triangle strips of a vtkPolyData.
+ * Where all cells are triangles, their corners are copied only if they are not 64-bit integers.
+ * Otherwise, the engine cuts the polygons: flipflop::triangulatePolygons().
+ */
+
+#ifndef vtkFFSurfaceCells_h
+#define vtkFFSurfaceCells_h
+
+#include "vtkFFMarks.h"
+#include "vtkType.h"
+
+#include <flipflop/FlipFlop.h>
+#include <flipflop/SurfacePolygons.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkCellArray;
+class vtkPolyData;
+
+class vtkFFSurfaceCells
+{
+public:
+  /**
+   * What is wrong with the cells, before a look at their corners: in a sentence. Empty: nothing.
+   *
+   * @param ofBlock how errors tell the block: " of the block of flat index 2", or nothing
+   */
+  static std::string DescribeFault(vtkPolyData* surface, const std::string& ofBlock);
+
+  /**
+   * The cells of a surface without such a fault.
+   *
+   * @param points  its points
+   * @param options of which the progress function is used
+   * @throw flipflop::Error as triangulatePolygons(), with cells for polygons.
+   */
+  vtkFFSurfaceCells(
+    vtkPolyData* surface, const flipflop::PointView& points, const flipflop::Options& options);
+
+  vtkFFSurfaceCells(const vtkFFSurfaceCells&) = delete;
+  void operator=(const vtkFFSurfaceCells&) = delete;
+
+  /**
+   * The triangles; valid as long as this object and the surface exist.
+   */
+  const flipflop::TriangleView& GetView() const { return this->View; }
+
+  /**
+   * The surface's hull by flips.
+   *
+   * @throw flipflop::Error as flipFlop(), with cells for triangles.
+   */
+  flipflop::Hull FlipFlop(const flipflop::PointView& points, const double* kernel,
+    const flipflop::Options& options) const;
+
+private:
+  void TakeTriangles(vtkCellArray* cells);
+  void TakePolygons(vtkCellArray* polygons, vtkCellArray* strips);
+
+  /// The cell that a triangle is of.
+  std::int64_t CellOf(std::int64_t triangle) const;
+
+  flipflop::TriangleView View;
+  flipflop::Buffer<std::int64_t> Copy; // of corners that are no 64-bit integers
+  // Where not all cells are triangles:
+  std::vector<std::int64_t> Corners; // of all polygons
+  std::vector<std::int64_t> Offsets; // where each begins, and the end
+  std::vector<std::int64_t> CellIds; // of each; a strip is several triangles
+  flipflop::PolygonTriangles Triangles;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Polygons become triangles that cover them once, by rationals: convex, concave, with straight
+/// corners, in any plane, at any range. Others are named.
+#include "Testing/Engine/Conformance/ProgressWatch.h"
+#include "Testing/Engine/Query/PlaneQueries.h"
+
+#include <flipflop/SurfacePolygons.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <vector>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+using Ids = std::vector<std::int64_t>;
+using Vector = std::array<Rational, 3>;
+
+PolygonTriangles triangulated(
+  const Cloud& points, const std::vector<Ids>& polygons, const Options& options = Options())
+{
+  Ids corners;
+  Ids offsets = { 0 };
+  for (const Ids& polygon : polygons)
+  {
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    offsets.push_back(static_cast<std::int64_t>(corners.size()));
+  }
+  PolygonView view;
+  view.corners = corners.data();
+  view.offsets = offsets.data();
+  view.count = static_cast<std::int64_t>(polygons.size());
+  return triangulatePolygons(viewOf(points), view, options);
+}
+
+/// Twice the area, as a vector along the normal.
+Vector areaOf(const Cloud& points, const std::int64_t* corners, std::size_t count)
+{
+  Vector sum;
+  const Point& a = points[static_cast<std::size_t>(corners[0])];
+  for (std::size_t i = 1; i + 1 < count; ++i)
+  {
+    const Point& b = points[static_cast<std::size_t>(corners[i])];
+    const Point& c = points[static_cast<std::size_t>(corners[i + 1])];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t u = (k + 1) % 3;
+      const std::size_t v = (k + 2) % 3;
+      sum[k] += (Rational(b[u]) - a[u]) * (Rational(c[v]) - a[v]) -
+        (Rational(b[v]) - a[v]) * (Rational(c[u]) - a[u]);
+    }
+  }
+  return sum;
+}
+
+/// The triangles of a flat polygon all face its way, and sum to it: so none overlap.
+void expectCut(const Cloud& points, const Ids& polygon)
+{
+  const PolygonTriangles found = triangulated(points, { polygon });
+  ASSERT_EQ(found.polygonIds.size(), polygon.size() - 2);
+  ASSERT_EQ(found.corners.size(), 3 * (polygon.size() - 2));
+  const Vector whole = areaOf(points, polygon.data(), polygon.size());
+  Vector sum;
+  std::set<std::int64_t> used;
+  for (std::size_t t = 0; t < found.polygonIds.size(); ++t)
+  {
+    EXPECT_EQ(found.polygonIds[t], 0);
+    const std::int64_t* const corners = &found.corners[3 * t];
+    used.insert(corners, corners + 3);
+    const Vector part = areaOf(points, corners, 3);
+    Rational along;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum[k] += part[k];
+      along += part[k] * whole[k];
+    }
+    EXPECT_GT(along, 0);
+  }
+  EXPECT_EQ(sum, whole);
+  EXPECT_EQ(used, std::set<std::int64_t>(polygon.begin(), polygon.end()));
+}
+
+Ids idsOf(const Cloud& points)
+{
+  Ids ids(points.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  return ids;
+}
+
+/// In each coordinate plane, both ways round, from each first corner, at several scales, and on a
+/// slope.
+void expectCutEverywhere(const Cloud& flat)
+{
+  for (const double scale : { 1.0, 0x1p-1000, 0x1p900, 1.0 / 3 })
+  {
+    for (std::size_t axis = 0; axis < 4; ++axis)
+    {
+      Cloud points;
+      for (const Point& p : flat)
+      {
+        const double x = scale * p[0];
+        const double y = scale * p[1];
+        Point q = { { x, y, axis == 3 ? 4 * x - y / 2 : scale } };
+        std::rotate(q.begin(), q.begin() + static_cast<std::ptrdiff_t>(axis % 3), q.end());
+        points.push_back(q);
+      }
+      if (axis == 3 && scale == 1.0 / 3)
+      {
+        continue; // rounding bends it
+      }
+      Ids ids = idsOf(points);
+      for (std::size_t first = 0; first < ids.size(); ++first)
+      {
+        expectCut(points, ids);
+        expectCut(points, Ids(ids.rbegin(), ids.rend()));
+        std::rotate(ids.begin(), ids.begin() + 1, ids.end());
+      }
+    }
+  }
+}
+
+const Cloud square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+const Cloud arrow = { { 0, 0, 0 }, { 4, 4, 0 }, { 0, 1, 0 }, { -4, 4, 0 } };
+const Cloud withStraightCorners = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 4, 0, 0 }, { 2, 2, 0 },
+  { 1, 3, 0 }, { 0, 4, 0 }, { 0, 2, 0 } };
+const Cloud comb = { { 0, 0, 0 }, { 7, 0, 0 }, { 7, 5, 0 }, { 6, 5, 0 }, { 6, 1, 0 }, { 5, 1, 0 },
+  { 5, 5, 0 }, { 4, 5, 0 }, { 4, 1, 0 }, { 3, 1, 0 }, { 3, 5, 0 }, { 2, 5, 0 }, { 2, 1, 0 },
+  { 1, 1, 0 }, { 1, 5, 0 }, { 0, 5, 0 } };
+
+const Cloud spiral = { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 10, 0 }, { 0, 10, 0 }, { 0, 3, 0 },
+  { 7, 3, 0 }, { 7, 7, 0 }, { 3, 7, 0 }, { 3, 6, 0 }, { 6, 6, 0 }, { 6, 4, 0 }, { 1, 4, 0 },
+  { 1, 9, 0 }, { 9, 9, 0 }, { 9, 1, 0 }, { 5, 1, 0 }, { 0, 1, 0 } };
+
+TEST(SurfacePolygons, Shapes)
+{
+  for (const Cloud& shape : { square, arrow, withStraightCorners, comb, spiral })
+  {
+    expectCutEverywhere(shape);
+  }
+}
+
+/// Stars of random radii on a lattice: simple, mostly concave, often with straight corners.
+TEST(SurfacePolygons, RandomStars)
+{
+  Random random(91);
+  for (int run = 0; run < effort(300); ++run)
+  {
+    const int count = random.integer(4, 40);
+    Cloud points;
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 2 * 3.14159265358979 * i / count;
+      const double radius = random.integer(20, 400);
+      points.push_back(
+        { { std::floor(radius * std::cos(angle)), std::floor(radius * std::sin(angle)), 0 } });
+    }
+    // Rounded, neighbours may run into each other near the centre.
+    bool simple = true;
+    for (int i = 0; i < count; ++i)
+    {
+      simple = simple &&
+        orientation({ { 0.0, 0.0, 0.0 } }, points[static_cast<std::size_t>(i)],
+          points[static_cast<std::size_t>((i + 1) % count)]) > 0;
+    }
+    if (simple)
+    {
+      expectCut(points, idsOf(points));
+    }
+  }
+}
+
+/// A convex polygon is the fan from its first corner.
+TEST(SurfacePolygons, Fans)
+{
+  const PolygonTriangles found = triangulated(square, { { 2, 3, 0, 1 }, { 0, 1, 2 } });
+  EXPECT_EQ(Ids(found.corners.begin(), found.corners.end()), (Ids{ 2, 3, 0, 2, 0, 1, 0, 1, 2 }));
+  EXPECT_EQ(Ids(found.polygonIds.begin(), found.polygonIds.end()), (Ids{ 0, 0, 1 }));
+  // A triangle is taken as it is, and so is a polygon that has no place.
+  Cloud bad = square;
+  bad[1][2] = std::nan("");
+  EXPECT_EQ(triangulated(bad, { { 0, 1, 2, 3 } }).polygonIds.size(), 2U);
+  EXPECT_EQ(
+    triangulated({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } }).polygonIds[0], 0);
+  EXPECT_EQ(triangulated(square, {}).polygonIds.size(), 0U);
+}
+
+/// A polygon that is not flat is cut as it is seen from somewhere, without a fold.
+TEST(SurfacePolygons, NotFlat)
+{
+  Cloud bent = comb;
+  Random random(92);
+  for (Point& p : bent)
+  {
+    p[2] = random.uniform(-3, 3);
+  }
+  const PolygonTriangles found = triangulated(bent, { idsOf(bent) });
+  ASSERT_EQ(found.polygonIds.size(), bent.size() - 2);
+  Rational sum;
+  for (std::size_t t = 0; t < found.polygonIds.size(); ++t)
+  {
+    const Vector part = areaOf(bent, &found.corners[3 * t], 3);
+    EXPECT_GT(part[2], 0);
+    sum += part[2];
+  }
+  EXPECT_EQ(sum, 2 * (7 + 4 * 4));
+}
+
+TEST(SurfacePolygons, NotSimple)
+{
+  const Cloud bowTie = { { 0, 0, 0 }, { 2, 2, 0 }, { 2, 0, 0 }, { 0, 2, 0 } };
+  const auto expectNotSimple = [](const Cloud& points, const std::vector<Ids>& polygons,
+                                 std::int64_t index, std::int64_t count)
+  { expectError([&] { triangulated(points, polygons); }, ErrorCode::NotSimple, index, count); };
+  expectNotSimple(bowTie, { { 0, 2, 1, 3 }, { 0, 1, 2, 3 }, { 1, 2, 3, 0 } }, 1, 2);
+  // On a line; two corners at one place; a corner on an edge; back on itself.
+  expectNotSimple({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 }, { 3, 3, 3 } }, { { 0, 1, 2, 3 } }, 0, 1);
+  expectNotSimple({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 0 } }, { { 0, 1, 2, 3 } }, 0, 1);
+  expectNotSimple({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 2, 0, 0 }, { 0, 4, 0 } },
+    { { 0, 1, 2, 3, 4 } }, 0, 1);
+  expectNotSimple({ { 0, 0, 0 }, { 4, 0, 0 }, { 2, 0, 0 }, { 2, 4, 0 } }, { { 0, 1, 2, 3 } }, 0, 1);
+}
+
+TEST(SurfacePolygons, Errors)
+{
+  for (const Ids& polygon :
+    { Ids{ 0, 1 }, Ids{}, Ids{ 0, 1, 2, 4 }, Ids{ 0, -1, 2 }, Ids{ 0, 1, 2, 1 }, Ids{ 0, 0, 1 } })
+  {
+    expectError(
+      [&] {
+        triangulated(square, { { 0, 1, 2 }, polygon, { 0, 1, 2, 3 }, { 5, 6, 7 } });
+      },
+      ErrorCode::BadTriangle, 1, 2);
+  }
+  const std::int64_t corners[] = { 0, 1, 2 };
+  const std::int64_t offsets[] = { 0, 3, 2 };
+  PolygonView view;
+  view.corners = corners;
+  const auto expectBad = [&]
+  { expectError([&] { triangulatePolygons(viewOf(square), view); }, ErrorCode::BadArgument); };
+  view.count = 1;
+  expectBad();
+  view.offsets = offsets;
+  view.count = -1;
+  expectBad();
+  view.count = 2;
+  expectBad();
+  view.count = 1;
+  EXPECT_EQ(triangulatePolygons(viewOf(square), view).polygonIds.size(), 1U);
+  view.corners = nullptr;
+  expectBad();
+
+  // A comb so long that one polygon is polled.
+  Cloud teeth = { { 90000, -1, 0 }, { 0, -1, 0 } };
+  for (int i = 0; i < 40000; ++i)
+  {
+    teeth.push_back({ { double(i), i % 2 ? 5.0 : 0.0, 0 } });
+  }
+  Watch watch;
+  watch.stopAt = 2;
+  expectError([&] { triangulated(teeth, { idsOf(teeth) }, watch.options(1)); }, ErrorCode::Aborted);
+}
+
+}
+}
+}

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The cells of PyVista's surfaces, as polygons that the engine cuts into triangles."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import InputError
+from ._meshes import Part, values_of
+from ._results import Ids
+
+
+def surface_of(part: Part, place: str) -> tuple[NDArray[Any], NDArray[Any], Ids | None]:
+    """The cells of a surface: where their corners begin, the corners, and the cell of each; None: all are triangles.
+
+    A strip is several triangles. What is no polygon is an error that names the first such cell.
+    """
+    mesh = part.mesh
+    of = f" of {place}" if place else ""
+    polygons, strips = mesh.GetPolys(), mesh.GetStrips()
+    vertices, lines = mesh.GetNumberOfVerts(), mesh.GetNumberOfLines()
+    if vertices + lines and not polygons.GetNumberOfCells() + strips.GetNumberOfCells():
+        kinds = "vertices and lines" if vertices and lines else "vertices" if vertices else "lines"
+        raise InputError(
+            f"the surface{of} has no polygons: its cells are {kinds}; convex_hull() gives the hull of points",
+            "bad_argument",
+        )
+    if vertices + lines:
+        raise InputError(
+            f"every cell of a surface must be a triangle, a polygon or a triangle strip, but cell 0{of} is a "
+            f"{'vertex' if vertices else 'line'} cell",
+            "bad_triangle", 0,
+        )
+    starts, corners = _cells_of(polygons, of)
+    strip_starts, strip_corners = _cells_of(strips, of)
+    count = len(starts) - 1
+    sizes = np.concatenate([np.diff(starts), np.diff(strip_starts)])
+    if (sizes < 3).any():
+        cell = int((sizes < 3).argmax())
+        raise InputError(
+            f"every polygon and every triangle strip must have three points or more, but cell {cell}{of} is a "
+            f"{'polygon' if cell < count else 'strip'} of {sizes[cell]}",
+            "bad_triangle", cell,
+        )
+    if (sizes[:count] == 3).all() and len(sizes) == count:
+        return starts, corners, None
+    triangles = _triangles_of_strips(strip_starts, strip_corners)
+    cell_of = np.repeat(count + np.arange(len(sizes) - count), sizes[count:] - 2)
+    all_starts = np.concatenate([starts, starts[-1] + 3 * np.arange(1, len(triangles) + 1)])
+    return all_starts, np.concatenate([corners, triangles.reshape(-1)]), np.concatenate([np.arange(count), cell_of])
+
+
+def _cells_of(cells: Any, of: str) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Where cells begin, from 0 to the end, and their corners."""
+    if not cells.GetNumberOfCells():
+        return np.zeros(1, np.int64), np.empty(0, np.int64)
+    offsets = values_of(cells.GetOffsetsArray()).astype(np.int64)
+    given = cells.GetConnectivityArray().GetNumberOfTuples()
+    first, last = int(offsets[0]), int(offsets[-1])
+    if not 0 <= first or last > given or (np.diff(offsets) < 0).any():
+        raise InputError(
+            f"the surface's cells{of} are not valid: their offsets name corners {first} to {last - 1}, and the "
+            f"connectivity has {given}",
+            "bad_argument",
+        )
+    return offsets - first, values_of(cells.GetConnectivityArray())[first:last].astype(np.int64)
+
+
+def _triangles_of_strips(starts: NDArray[np.int64], corners: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Every other triangle of a strip goes the other way round."""
+    found = []
+    for begin, end in zip(starts[:-1], starts[1:]):
+        strip = corners[begin:end]
+        rows = np.stack([strip[:-2], strip[1:-1], strip[2:]], axis=1)
+        rows[1::2, :2] = rows[1::2, 1::-1]
+        found.append(rows)
+    return np.concatenate([np.empty((0, 3), np.int64), *found])
+
+
+def by_cell(call: Callable[..., Any], cell_of: Ids | None) -> Callable[..., Any]:
+    """The call, whose errors tell the surface's cells instead of its triangles; None: each cell is a triangle."""
+    if cell_of is None:
+        return call
+
+    def told(*arguments: Any) -> Any:
+        try:
+            return call(*arguments)
+        except InputError as error:
+            place = re.search(r"\bat (triangle|cell) \d+", str(error))
+            if place is None or error.index < 0:
+                raise
+            cell = int(cell_of[error.index])
+            message = str(error).replace(place[0], f"at cell {cell}")
+            raise InputError(message, error.code, cell, error.count) from None
+
+    return told
