@@ -23,7 +23,8 @@ mingw=(cmake ninja-build g++-mingw-w64-x86-64-posix libboost-dev googletest wine
 plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libdouble-conversion-dev libeigen3-dev libexpat1-dev liblz4-dev liblzma-dev libutfcpp-dev zlib1g-dev
   mpi-default-bin mpi-default-dev libxcb1-dev python3-pygments xdotool xvfb)
-config=$(find "$paraview"/lib* -maxdepth 4 -name paraview-config.cmake 2>/dev/null | head -n 1)
+# Nothing is found, and find fails, where there is no ParaView.
+config=$(find "$paraview"/lib* -maxdepth 4 -name paraview-config.cmake 2>/dev/null | head -n 1 || true)
 if grep -qs 'PARAVIEW_QT_MAJOR_VERSION "6"' "$config"; then
   plugin+=(qt6-base-dev python3-pyqt6)
 else
