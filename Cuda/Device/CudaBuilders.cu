@@ -3,6 +3,7 @@
 #include "Device/CudaBuilders.h"
 
 #include "Device/CudaExecutor.h"
+#include "Device/MissingDevice.h"
 #include "FlipFlop/CpuBuilder.h"
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
@@ -89,9 +90,20 @@ DeviceFinding findCudaDevice()
   };
   int count = 0;
   cudaError_t error = cudaGetDeviceCount(&count);
+  if (error == cudaErrorNoDevice || error == cudaErrorInsufficientDriver)
+  {
+    int driver = 0;
+    int needed = 0;
+    cudaDriverGetVersion(&driver);
+    cudaRuntimeGetVersion(&needed);
+    fail("", error);
+    describeMissingDevice(driver, error == cudaErrorInsufficientDriver ? needed : 0, status.problem,
+      sizeof(status.problem));
+    return found;
+  }
   if (error != cudaSuccess)
   {
-    return fail("there is no CUDA device", error);
+    return fail("the CUDA devices do not answer", error);
   }
   int device = 0;
   cudaDeviceProp properties;
