@@ -49,6 +49,7 @@ flipflop::Options vtkFFAheadRuns::OptionsOf(RunType& run, const flipflop::Option
   flipflop::Options own = options;
   own.progress = &vtkFFAheadRuns::KeepProgress;
   own.progressContext = &run;
+  own.step = nullptr; // it is for one thread to tell
   return own;
 }
 

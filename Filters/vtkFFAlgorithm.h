@@ -152,8 +152,9 @@ public:
 
   //@{
   /**
-   * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools would use. The
-   * output does not depend on it.
+   * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools would use. If its
+   * backend is Sequential, as in Debian's ParaView and the wheels of VTK, 0 means all that the
+   * machine has. The output does not depend on it.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

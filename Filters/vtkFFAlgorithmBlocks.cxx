@@ -308,7 +308,7 @@ void vtkFFAlgorithm::vtkInternals::CollectBlocks(
 {
   if (!input)
   {
-    failure.Say("There is no input. Give one with SetInputData() or SetInputConnection().");
+    failure.Say("There is no input. Set one.");
     return;
   }
   BlockIterator iterator(input);

@@ -36,6 +36,9 @@ public:
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::string DescribeError(const flipflop::Error& error) override;
 
+protected:
+  const char* GetProgressTitle() override { return "Convexify"; }
+
 private:
   bool Convexify(vtkPolyData* input, vtkPolyData* output);
 };
@@ -93,15 +96,15 @@ bool vtkFFConvexifyFilter::vtkInternals::Execute(
   {
     this->ReportError("The surface" + this->OfBlock() + " has no cells, but " +
       std::to_string(blocks[0].NumberOfPoints) +
-      " point(s). It takes triangles, polygons and triangle strips; vtkFFHullFilter gives the hull "
-      "of points.");
+      " point(s). It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) "
+      "gives the hull of points.");
     return false;
   }
   if (count > 1)
   {
     this->ReportError("The surface is spread over " + std::to_string(count) +
       " partitions. Make one data set of them, such that they share the points where they meet: "
-      "vtkAppendPolyData and vtkCleanPolyData can do that.");
+      "Append Geometry (vtkAppendPolyData) and Clean (vtkCleanPolyData) can do that.");
     return false;
   }
   const std::string fault = vtkFFSurfaceCells::DescribeFault(input, this->OfBlock());
@@ -119,8 +122,8 @@ bool vtkFFConvexifyFilter::vtkInternals::Convexify(vtkPolyData* input, vtkPolyDa
   const auto* filter = static_cast<vtkFFConvexifyFilter*>(this->GetFilter());
   if (filter->Engine == ENGINE_CUDA)
   {
-    this->ReportError("The CUDA engine was asked for, but this filter runs on the CPU. Use "
-                      "SetEngineToAutomatic() or SetEngineToCPU().");
+    this->ReportError("The CUDA engine was asked for, but this filter runs on the CPU. Set "
+                      "Engine to Automatic or CPU.");
     return false;
   }
   const double* kernel = filter->UseKernelPoint ? filter->KernelPoint : nullptr;

@@ -17,6 +17,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -34,10 +35,20 @@ vtkFFGuard::~vtkFFGuard() = default;
 flipflop::Options vtkFFGuard::MakeOptions(int threads)
 {
   flipflop::Options options;
-  options.threads = threads > 0 ? threads : vtkSMPTools::GetEstimatedNumberOfThreads();
+  options.threads = threads > 0 ? threads : this->GetDefaultNumberOfThreads();
   options.progress = &vtkFFGuard::ForwardProgress;
   options.progressContext = this;
+  options.step = &vtkFFGuard::ForwardStep;
   return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFGuard::GetDefaultNumberOfThreads()
+{
+  // The engine's threads are oneTBB's, whatever VTK's are.
+  const char* backend = vtkSMPTools::GetBackend();
+  const bool hasThreads = backend && std::strcmp(backend, "Sequential") != 0;
+  return hasThreads ? vtkSMPTools::GetEstimatedNumberOfThreads() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -133,7 +144,15 @@ void vtkFFGuard::SetProgressRange(double begin, double end)
   this->ProgressRange[0] = begin;
   this->ProgressRange[1] = end;
   this->SetProgressPart(0.0, 1.0);
+  this->SetProgressTitle(this->GetProgressTitle());
   this->ProgressReached = begin;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFGuard::SetProgressTitle(const char* title)
+{
+  this->ProgressTitle = title;
+  this->Algorithm->SetProgressText(title);
 }
 
 //------------------------------------------------------------------------------
@@ -141,6 +160,15 @@ void vtkFFGuard::SetProgressPart(double begin, double end)
 {
   this->ProgressPart[0] = begin;
   this->ProgressPart[1] = end;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFGuard::ForwardStep(const char* name, void* self)
+{
+  auto* guard = static_cast<vtkFFGuard*>(self);
+  const char* title = guard->ProgressTitle ? guard->ProgressTitle : guard->GetProgressTitle();
+  const std::string text = std::string(title) + ": " + name;
+  guard->Algorithm->SetProgressText(text.c_str());
 }
 
 //------------------------------------------------------------------------------
@@ -222,7 +250,7 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
   {
     case ErrorCode::NonFinite:
       return this->DescribeNonFinite("A coordinate", error) +
-        " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
+        " Remove them, or set Non Finite Points to Ignore.";
     case ErrorCode::TooManyPoints:
       return count + " points are more than 32-bit indices can name.";
     case ErrorCode::OutOfMemory:
@@ -250,23 +278,25 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
         count + " such edge(s) and vertices in all.";
     case ErrorCode::NotOriented:
       return "The surface is not oriented consistently: first at " + cell +
-        ", whose neighbour runs their shared edge the same way. vtkPolyDataNormals can mend that.";
+        ", whose neighbour runs their shared edge the same way. Surface normals with Consistency "
+        "on "
+        "(vtkPolyDataNormals) can mend that.";
     case ErrorCode::NotStarShaped:
       return "The surface is not star-shaped: the kernel point does not see the inside of " + cell +
         "; " + count + " such triangle(s) in all.";
     case ErrorCode::NoKernel:
       return "The surface" + this->OfBlock() +
-        " is not star-shaped, or no point was found from which it is. Give one with "
-        "SetKernelPoint().";
+        " is not star-shaped, or no point was found from which it is. If you know one, turn on "
+        "Use Kernel Point, and give it as Kernel Point.";
     case ErrorCode::NoDevice:
       return std::string("The CUDA engine was asked for, but ") + flipflop::cudaStatus().problem +
-        ". Use SetEngineToAutomatic() or SetEngineToCPU().";
+        ". Set Engine to Automatic or CPU.";
     case ErrorCode::DeviceMemory:
       return "The CUDA device has not enough memory for this input: " + count +
-        " bytes were refused. Use SetEngineToAutomatic() or SetEngineToCPU().";
+        " bytes were refused. Set Engine to Automatic or CPU.";
     case ErrorCode::DeviceFailed:
       return "The CUDA device failed: error " + std::to_string(index) +
-        " of the CUDA runtime. Use SetEngineToAutomatic() or SetEngineToCPU().";
+        " of the CUDA runtime. Set Engine to Automatic or CPU.";
     case ErrorCode::Internal:
       return "An internal error: please report it, with the input.";
   }

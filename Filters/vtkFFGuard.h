@@ -53,8 +53,8 @@ public:
   virtual ~vtkFFGuard();
 
   /**
-   * The options of a run: so many threads (0: as many as vtkSMPTools would use), and the filter's
-   * progress.
+   * The options of a run: so many threads (0: see GetDefaultNumberOfThreads()), and the filter's
+   * progress with its text.
    */
   flipflop::Options MakeOptions(int threads);
 
@@ -83,6 +83,12 @@ public:
   void SetProgressRange(double begin, double end);
   void SetProgressPart(double begin, double end);
   //@}
+
+  /**
+   * What the progress text says that is being made, until the next range is set. By default
+   * GetProgressTitle().
+   */
+  void SetProgressTitle(const char* title);
 
   /**
    * Whether somebody asked the filter to stop.
@@ -149,17 +155,30 @@ protected:
   virtual void MarkAborted() = 0;
 
   /**
+   * What the filter makes, in the progress text: "Convex hull".
+   */
+  virtual const char* GetProgressTitle() = 0;
+
+  /**
+   * How many threads a run has that nobody gave a number: as many as vtkSMPTools would use, or, if
+   * its backend is Sequential, as many as the machine has.
+   */
+  virtual int GetDefaultNumberOfThreads();
+
+  /**
    * For a report: so many points are not finite, which is an error.
    */
   virtual void NoteNonFinite(vtkIdType count);
 
 private:
   static bool ForwardProgress(double fraction, void* self);
+  static void ForwardStep(const char* name, void* self);
 
   vtkAlgorithm* const Algorithm;
   double ProgressRange[2] = { 0.0, 1.0 };
   double ProgressPart[2] = { 0.0, 1.0 };
   double ProgressReached = 0.0;
+  const char* ProgressTitle = nullptr;
 };
 VTK_ABI_NAMESPACE_END
 

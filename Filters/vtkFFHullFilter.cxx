@@ -52,6 +52,12 @@ vtkFFHullFilter::vtkFFHullFilter()
 vtkFFHullFilter::~vtkFFHullFilter() = default;
 
 //------------------------------------------------------------------------------
+const char* vtkFFHullFilter::vtkInternals::GetProgressTitle()
+{
+  return "Convex hull";
+}
+
+//------------------------------------------------------------------------------
 vtkFFHullFilter* vtkFFHullFilter::vtkInternals::GetHullFilter()
 {
   return static_cast<vtkFFHullFilter*>(this->GetFilter());

@@ -70,6 +70,9 @@ public:
    */
   void AddBlockIndex(vtkPolyData* output);
 
+protected:
+  const char* GetProgressTitle() override;
+
 private:
   class Work;
 

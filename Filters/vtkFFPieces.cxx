@@ -41,7 +41,7 @@ vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
     throw std::runtime_error(std::string("The point array ") +
       vtkDataSetAttributes::GhostArrayName() + " has " +
       std::to_string(marks->GetNumberOfValues()) + " value(s) for " + std::to_string(count) +
-      " point(s). Mend or remove it, or have ghosts counted: SkipGhostPointsOff().");
+      " point(s). Mend or remove it, or turn off Skip Ghost Points.");
   }
   constexpr int ghost = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();

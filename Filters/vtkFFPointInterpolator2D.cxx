@@ -106,6 +106,9 @@ public:
     vtkDataSet* output) override;
   std::string DescribeError(const flipflop::Error& error) override;
 
+protected:
+  const char* GetProgressTitle() override { return "Point interpolation"; }
+
 private:
   vtkFFPointInterpolator2D* GetInterpolator() const
   {
@@ -441,7 +444,7 @@ std::string vtkFFPointInterpolator2D::vtkInternals::DescribeError(const flipflop
   if (error.code() == flipflop::ErrorCode::NonFinite && this->IsPreparing)
   {
     return this->DescribeNonFinite("A coordinate or a weight", error) +
-      " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
+      " Remove them, or set Non Finite Points to Ignore.";
   }
   return this->vtkFFQueryAlgorithm::vtkInternals::DescribeError(error);
 }

@@ -49,12 +49,6 @@ bool isLeaf(vtkDataObject* data)
   return false;
 }
 
-std::string capitalised(std::string word)
-{
-  word[0] = static_cast<char>(word[0] - 'a' + 'A');
-  return word;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -262,9 +256,7 @@ std::vector<vtkFFQueryAlgorithm::vtkInternals::Leaf> vtkFFQueryAlgorithm::vtkInt
 {
   if (!data)
   {
-    const std::string setter = "Set" + capitalised(name);
-    throw std::runtime_error("There is no " + name + ". Give one with " + setter + "Data() or " +
-      setter + "Connection().");
+    throw std::runtime_error("There is no " + name + ". Set one.");
   }
   std::vector<Leaf> leaves;
   auto* tree = vtkDataObjectTree::SafeDownCast(data);

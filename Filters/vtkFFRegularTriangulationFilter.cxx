@@ -199,6 +199,13 @@ void vtkFFRegularTriangulationFilter::vtkInternals::ResetReport()
   this->vtkFFAlgorithm::vtkInternals::ResetReport();
   filter->NumberOfHiddenPoints = 0;
   filter->NumberOfDroppedCells = 0;
+  this->HasWarnedOfVerticalPlane = false;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFRegularTriangulationFilter::vtkInternals::GetProgressTitle()
+{
+  return "Regular triangulation";
 }
 
 //------------------------------------------------------------------------------
@@ -214,15 +221,14 @@ void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& 
   auto* filter = this->GetTriangulationFilter();
   if (filter->ProjectionPlaneMode == TRANSFORM_PLANE && !filter->Transform)
   {
-    failure.Say(
-      "The projection is to be a transform, and none is set. Use SetTransform() or another "
-      "ProjectionPlaneMode.");
+    failure.Say("Projection Plane Mode is Transform, and no Transform is set. Set one, or take "
+                "another mode.");
     return;
   }
   if (!(filter->MaximumEdgeLength >= 0.0)) // NaN, too
   {
     std::ostringstream message;
-    message << "MaximumEdgeLength is " << filter->MaximumEdgeLength
+    message << "Maximum Edge Length is " << filter->MaximumEdgeLength
             << "; it must be a length, or 0 for edges of any length.";
     failure.Say(message.str());
     return;
@@ -233,8 +239,8 @@ void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& 
   if (filter->GeneratePowerDiagram && filter->PowerDiagramBoxMode == BOX_OF_BOUNDS && !isBox)
   {
     std::ostringstream message;
-    message << "The power diagram's box has no inside or is not finite: PowerDiagramBounds (xmin, "
-               "xmax, ymin, ymax) is ("
+    message << "The power diagram's box has no inside or is not finite: it is (xmin, xmax, ymin, "
+               "ymax) = ("
             << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
     failure.Say(message.str());
   }
@@ -250,7 +256,7 @@ std::string vtkFFRegularTriangulationFilter::vtkInternals::DescribeError(
     const std::string projected =
       filter->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)";
     return this->DescribeNonFinite("A coordinate" + projected + " or a weight", error) +
-      " Remove them, or have them ignored: NonFinitePoints, SetNonFinitePointsToIgnore().";
+      " Remove them, or set Non Finite Points to Ignore.";
   }
   return this->vtkFFAlgorithm::vtkInternals::DescribeError(error);
 }

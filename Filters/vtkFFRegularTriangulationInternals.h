@@ -39,8 +39,16 @@ public:
   void ResetReport() override;
   std::string DescribeError(const flipflop::Error& error) override;
 
+protected:
+  const char* GetProgressTitle() override;
+
 private:
   class Work;
+
+  /**
+   * Say, once an update, that the points, whose x and y are on a line, are in one vertical plane.
+   */
+  void WarnOfVerticalPlane();
 
   /**
    * The array of weights that was chosen; null: none was.
@@ -55,6 +63,8 @@ private:
     vtkPointSet* input, vtkPolyData* output);
 
   vtkFFRegularTriangulationFilter* GetTriangulationFilter();
+
+  bool HasWarnedOfVerticalPlane = false;
 };
 VTK_ABI_NAMESPACE_END
 

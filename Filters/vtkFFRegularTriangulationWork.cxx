@@ -12,6 +12,7 @@
 #include "vtkFFProjection.h"
 #include "vtkFFWeightSource.h"
 
+#include <flipflop/ConvexHull.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Engines.h>
 #include <flipflop/Measures.h>
@@ -79,6 +80,28 @@ double lowestOf(vtkDataArray* points, const flipflop::Triangulation& triangulati
   }
   // A sum with 0 is never -0, so the sign of a zero does not depend on the points' order.
   return std::isinf(lowest) ? 0.0 : lowest + 0.0;
+}
+
+/// The dimension of what the points that were triangulated, also the hidden ones, span in space.
+int dimensionInSpace(vtkDataArray* points, const flipflop::Triangulation& triangulation,
+  const flipflop::Options& chosen)
+{
+  flipflop::Buffer<double> xyz(
+    3 * (triangulation.pointIds.size() + triangulation.hiddenIds.size()));
+  double* to = xyz.data();
+  for (const auto* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
+  {
+    for (const std::int64_t id : *ids)
+    {
+      points->GetTuple(static_cast<vtkIdType>(id), to);
+      to += 3;
+    }
+  }
+  flipflop::Options options = chosen;
+  options.progress = nullptr; // the filter's own run is over
+  options.step = nullptr;
+  return flipflop::convexHull({ xyz.data(), static_cast<std::int64_t>(xyz.size() / 3) }, options)
+    .dimension;
 }
 
 /// Leaves out the cells with a longer edge. Returns how many these are.
@@ -226,6 +249,20 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Project(
 }
 
 //------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::WarnOfVerticalPlane()
+{
+  if (!this->HasWarnedOfVerticalPlane)
+  {
+    this->HasWarnedOfVerticalPlane = true;
+    vtkWarningWithObjectMacro(
+      this->GetFilter(), << "The points" << this->OfBlock()
+                         << " are in one vertical plane, so in the XY plane they are on a line. To "
+                            "triangulate them in "
+                            "their own plane, set Projection Plane Mode to Best-Fitting Plane.");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::Options& options,
   const flipflop::EngineReport& report, const std::vector<vtkPolyData*>& outputs)
 {
@@ -237,9 +274,15 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   {
     this->Projection->SetHeight(lowestOf(this->Input->GetPoints()->GetData(), triangulation));
   }
+  if (this->Projection->IsXYPlane() && triangulation.dimension == 1 &&
+    dimensionInSpace(this->Input->GetPoints()->GetData(), triangulation, options) == 2)
+  {
+    internals->WarnOfVerticalPlane();
+  }
   if (filter->GeneratePowerDiagram)
   {
     internals->SetProgressPart(shareOfTriangulation, 1.0);
+    internals->SetProgressTitle("Power diagram");
     internals->BuildPowerDiagram(
       *this->Projection, this->Weights->GetView(), triangulation, options, this->Input, outputs[2]);
     if (options.facets == flipflop::FacetMode::Triangles)

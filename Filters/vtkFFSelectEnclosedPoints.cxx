@@ -40,6 +40,7 @@ public:
   void Answer(const flipflop::PointView& points, const flipflop::Options& options,
     vtkDataSet* output) override;
 
+  const char* GetProgressTitle() override { return "Points in convex hull"; }
   vtkFFSelectEnclosedPoints* GetSelection() const
   {
     return static_cast<vtkFFSelectEnclosedPoints*>(this->GetFilter());

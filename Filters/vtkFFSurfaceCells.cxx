@@ -77,8 +77,8 @@ std::string vtkFFSurfaceCells::DescribeFault(vtkPolyData* surface, const std::st
             << (lines == 0         ? "vertices"
                    : vertices == 0 ? "lines"
                                    : "vertices and lines")
-            << ". It takes triangles, polygons and triangle strips; vtkFFHullFilter gives the hull "
-               "of points.";
+            << ". It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) "
+               "gives the hull of points.";
     return message.str();
   }
   if (vertices + lines > 0)
@@ -87,8 +87,9 @@ std::string vtkFFSurfaceCells::DescribeFault(vtkPolyData* surface, const std::st
       << "Every cell of the input must be a triangle, a polygon or a triangle strip, but cell "
          "0"
       << ofBlock << " is a " << (vertices > 0 ? "vertex" : "line")
-      << " cell. vtkTriangleFilter leaves out vertices and lines with PassVertsOff() and "
-         "PassLinesOff().";
+      << " cell. Take vertices and lines out: vtkTriangleFilter does, with Pass Verts and Pass "
+         "Lines "
+         "off.";
     return message.str();
   }
   for (vtkCellArray* cells : { polygons, strips })
@@ -109,7 +110,7 @@ std::string vtkFFSurfaceCells::DescribeFault(vtkPolyData* surface, const std::st
             << (isPolygon ? polygon : polygons->GetNumberOfCells() + strip) << ofBlock << " is a "
             << (isPolygon ? "polygon" : "strip") << " of "
             << (isPolygon ? polygons->GetCellSize(polygon) : strips->GetCellSize(strip))
-            << ". vtkCleanPolyData can take it out.";
+            << ". Clean (vtkCleanPolyData) can take it out.";
   }
   return message.str();
 }

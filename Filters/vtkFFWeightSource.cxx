@@ -26,8 +26,7 @@ vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const Rule& rule)
   if (!std::isfinite(rule.Factor))
   {
     std::ostringstream message;
-    message << "The factor of the weights (WeightFactor) is " << rule.Factor
-            << "; it must be finite.";
+    message << "Weight Factor is " << rule.Factor << "; it must be finite.";
     throw std::runtime_error(message.str());
   }
   if (!array)
@@ -97,8 +96,8 @@ void vtkFFWeightSource::Compute(vtkDataArray* array, const Rule& rule)
     if (rule.AreRadii && value < 0 && std::isfinite(value))
     {
       throw vtkFFBadWeight("A radius is negative", i,
-        "Radii are lengths. If the array has weights, which may be negative, use "
-        "SetWeightModeToWeights().");
+        "Radii are lengths. If the array has weights, which may be negative, set "
+        "Weight Mode to Weights.");
     }
     const double scaled = rule.Factor * value;
     weights[i] = rule.AreRadii ? scaled * scaled : scaled;
@@ -106,8 +105,8 @@ void vtkFFWeightSource::Compute(vtkDataArray* array, const Rule& rule)
     if (!std::isfinite(weights[i]) && std::isfinite(value))
     {
       throw vtkFFBadWeight(rule.AreRadii
-          ? "The square of a radius, times WeightFactor, is more than a double holds"
-          : "A weight, times WeightFactor, is more than a double holds",
+          ? "The square of a radius, times Weight Factor, is more than a double holds"
+          : "A weight, times Weight Factor, is more than a double holds",
         i, "Use another unit of length, or a smaller factor.");
     }
   }

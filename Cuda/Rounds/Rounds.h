@@ -66,7 +66,7 @@ public:
   void grow(const Polyhedron& start)
   {
     const std::uint32_t count = this->source.count();
-    this->monitor.stage(0.1, 0.5, count);
+    this->monitor.stage(0.1, 0.5, count, "growing");
     typename Executor::Residence residence(this->executor);
     const PointSource points = this->executor.resident(this->source, residence);
     Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
@@ -117,7 +117,7 @@ public:
     const Counters& counted = this->now();
     const std::uint32_t t = counted.triangles;
     const std::uint32_t v = counted.vertices;
-    this->monitor.stage(0.5, 0.85, t);
+    this->monitor.stage(0.5, 0.85, t, "flipping");
     Array<std::uint32_t> moved(this->executor, 4 * std::size_t(t));
     Array<std::uint32_t> flipped(this->executor, t);
     Array<std::uint32_t> queued(this->executor, t);

@@ -210,7 +210,7 @@ private:
     const PointSubset& subset, double from, double to, Tally& tally, Statistics& statistics)
   {
     Stopwatch watch;
-    task.monitor.stage(from, to, subset.count);
+    task.monitor.stage(from, to, subset.count, "locating");
     Association<Geometry> association(task.geometry, task.source, base, task.threads, task.monitor);
     ConflictLists outside = association.run(subset, tally);
     statistics.secondsLocate += watch.lap();
@@ -220,7 +220,8 @@ private:
   static Polyhedron flipGrown(const BuildTask<Geometry>& task, Polyhedron&& base,
     ConflictLists&& outside, double from, double to, Tally& tally)
   {
-    task.monitor.stage(from, to, static_cast<std::int64_t>(outside.vertices.size()));
+    task.monitor.stage(
+      from, to, static_cast<std::int64_t>(outside.vertices.size()), "growing and flipping");
     Patches<Geometry> patches(
       task.geometry, std::move(base), std::move(outside), task.options.vBiased, task.monitor);
     tally.add(patches.run());

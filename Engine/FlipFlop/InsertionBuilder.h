@@ -59,11 +59,11 @@ public:
   {
     Stopwatch watch;
     const double ordered = from + (to - from) / 8;
-    task.monitor.stage(from, ordered, subset.count);
+    task.monitor.stage(from, ordered, subset.count, "sorting");
     const InsertionOrder order =
       insertionOrder(task.source, subset, unfoldingOf(task.geometry, start), task.monitor);
     statistics.secondsLocate += watch.lap();
-    task.monitor.stage(ordered, to, subset.count);
+    task.monitor.stage(ordered, to, subset.count, "inserting");
     const std::uint32_t base = start.vertexCount();
     const std::size_t count = base + order.ids.size();
     const std::size_t triangleCount = start.triangleCount() + 2 * order.ids.size();

@@ -246,8 +246,9 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options)
 {
   Monitor monitor(options);
-  monitor.stage(
-    0.0, 0.8, triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()));
+  monitor.stage(0.0, 0.8,
+    triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()),
+    "making cells");
   if (!box || !(box[0] < box[1] && box[2] < box[3]))
   {
     refuse();
@@ -268,7 +269,7 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
       const Buffer<PowerSite> sites = loadSites(points, weights, triangulation);
       checkCells(triangulation);
       RoundedCells cells = roundedCells(triangulation, sites, box, monitor);
-      monitor.stage(0.9, 1.0, 1);
+      monitor.stage(0.9, 1.0, 1, "finishing");
       repairCells(cells, box, monitor);
       copy(cells.positions, result.corners);
       copy(cells.corners, result.connectivity);

@@ -102,7 +102,7 @@ const HullLocator* locatorOf(const HullModel& hull, Monitor& monitor)
   {
     return nullptr;
   }
-  monitor.stage(0.1, 0.2, 1);
+  monitor.stage(0.1, 0.2, 1, "preparing");
   return &hull.locator(monitor);
 }
 

@@ -65,7 +65,7 @@ void measure(std::int64_t count, const Corner& corner, double* area, double* cen
 template <class Measure>
 void eachCell(std::int64_t cells, Monitor& monitor, const Measure& measure)
 {
-  monitor.stage(0.1, 1.0, cells);
+  monitor.stage(0.1, 1.0, cells, "measuring");
   eachRun(static_cast<std::size_t>(cells), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {

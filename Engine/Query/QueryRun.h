@@ -87,7 +87,7 @@ void eachQuery(const PointView& queries, int dimension, const void* answers, con
       }
       run.look(result.statistics);
       prepare(run);
-      run.monitor.stage(0.3, 1.0, queries.count);
+      run.monitor.stage(0.3, 1.0, queries.count, "answering");
       eachRun(static_cast<std::size_t>(queries.count), QueriesPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {

@@ -45,7 +45,7 @@ void eachPlace(const PointView& queries, const void* answers, const Options& opt
       {
         PointSubset all;
         all.count = run.source.count();
-        run.monitor.stage(0.1, 0.3, 1);
+        run.monitor.stage(0.1, 0.3, 1, "sorting");
         order = curveOrder(run.source, all, Unfolding(), run.monitor);
       }
     },
@@ -71,7 +71,7 @@ public:
     const Triangulation& triangulation, const Options& options)
   {
     Monitor monitor(options);
-    monitor.stage(0.0, 1.0, 1);
+    monitor.stage(0.0, 1.0, 1, "preparing");
     ArenaLoan arena(
       threadCount(options.threads, static_cast<std::int64_t>(triangulation.pointIds.size())));
     arena.execute(

@@ -145,6 +145,7 @@ private:
     own.threads = threads;
     own.progress = this->options.progress ? Share::tellFrom : nullptr;
     own.progressContext = &share;
+    own.step = nullptr; // many sets are at many steps
     try
     {
       withTypedErrors(

@@ -73,7 +73,7 @@ public:
   void finish(Polyhedron&& polyhedron, Tally&& tally, CellComplex& result, Write&& write)
   {
     Stopwatch watch;
-    this->monitor.stage(0.9, 1.0, 1);
+    this->monitor.stage(0.9, 1.0, 1, "finishing");
     const bool anyFlat =
       RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove();
     CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),

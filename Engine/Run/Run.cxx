@@ -22,7 +22,7 @@ bool Run::look(Statistics& statistics)
 {
   statistics.points = this->source.count();
   statistics.threads = this->threads;
-  this->monitor.stage(0.0, 0.1, statistics.points);
+  this->monitor.stage(0.0, 0.1, statistics.points, "scanning");
   const ScanResult found = scan(this->source, this->threads, this->monitor);
   statistics.nonFinite = found.nonFinite;
   if (found.nonFinite && this->options.nonFinite == NonFinitePolicy::Error)

@@ -24,6 +24,7 @@ public:
   explicit Monitor(const Options& options,
     std::chrono::steady_clock::duration interval = std::chrono::milliseconds(20))
     : function(options.progress)
+    , step(options.step)
     , context(options.progressContext)
     , caller(std::this_thread::get_id())
     , between(interval)
@@ -31,9 +32,14 @@ public:
   }
 
   /// Begin a stage that takes the run from @p from to @p to while @p work units are done.
+  /// @param name what the run does now, for users; null: what it did before
   /// @throw Error Aborted
-  void stage(double from, double to, std::int64_t work)
+  void stage(double from, double to, std::int64_t work, const char* name = nullptr)
   {
+    if (name && this->step && std::this_thread::get_id() == this->caller)
+    {
+      this->step(name, this->context);
+    }
     this->begin = from;
     this->end = to;
     this->total = work > 0 ? work : 1;
@@ -85,6 +91,7 @@ private:
   }
 
   ProgressFunction function;
+  StepFunction step;
   void* context;
   std::thread::id caller;
   std::chrono::steady_clock::duration between;

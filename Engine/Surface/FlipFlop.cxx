@@ -207,7 +207,8 @@ Hull flipFlop(const PointView& points, const TriangleView& triangles, const doub
       chooseKernel(run, polyhedron, kernel ? scaled : nullptr);
       result.statistics.secondsScan = watch.lap();
 
-      run.monitor.stage(0.1, 0.9, static_cast<std::int64_t>(polyhedron.triangles.size()));
+      run.monitor.stage(
+        0.1, 0.9, static_cast<std::int64_t>(polyhedron.triangles.size()), "flipping");
       ConflictLists nothing = noConflicts(polyhedron);
       Patches<HullGeometry> patches(
         run.geometry, std::move(polyhedron), std::move(nothing), options.vBiased, run.monitor);

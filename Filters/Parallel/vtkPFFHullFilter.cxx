@@ -21,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -86,6 +87,9 @@ public:
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 
+protected:
+  int GetDefaultNumberOfThreads() override;
+
 private:
   /**
    * A hull, and what is to be told of it.
@@ -121,6 +125,15 @@ private:
 
   vtkIdType PlaceOfPiece = 0; // of this process's first point of the block that is worked on
 };
+
+//------------------------------------------------------------------------------
+int vtkPFFHullFilter::vtkInternals::GetDefaultNumberOfThreads()
+{
+  // Processes on one machine would get into each other's way.
+  return vtkFFProcesses(this->GetController()).GetCount() > 1
+    ? vtkSMPTools::GetEstimatedNumberOfThreads()
+    : this->vtkFFHullFilter::vtkInternals::GetDefaultNumberOfThreads();
+}
 
 //------------------------------------------------------------------------------
 vtkPFFHullFilter::vtkPFFHullFilter()

@@ -14,6 +14,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -36,6 +37,9 @@ public:
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 
+protected:
+  int GetDefaultNumberOfThreads() override;
+
 private:
   vtkMultiProcessController* GetController()
   {
@@ -44,6 +48,15 @@ private:
 
   vtkIdType PlaceOfPiece = 0; // of this process's first point of the block that is worked on
 };
+
+//------------------------------------------------------------------------------
+int vtkPFFRegularTriangulationFilter::vtkInternals::GetDefaultNumberOfThreads()
+{
+  // Processes on one machine would get into each other's way.
+  return vtkFFProcesses(this->GetController()).GetCount() > 1
+    ? vtkSMPTools::GetEstimatedNumberOfThreads()
+    : this->vtkFFRegularTriangulationFilter::vtkInternals::GetDefaultNumberOfThreads();
+}
 
 //------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()

@@ -83,6 +83,11 @@ void ErrorObserver::Clear()
 void ProgressObserver::Execute(vtkObject* caller, unsigned long, void* data)
 {
   this->Values.push_back(*static_cast<double*>(data));
+  const char* text = vtkAlgorithm::SafeDownCast(caller)->GetProgressText();
+  if (text && (this->Texts.empty() || this->Texts.back() != text))
+  {
+    this->Texts.emplace_back(text);
+  }
   if (this->Values.back() >= this->AbortAt)
   {
     vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);

@@ -87,6 +87,7 @@ public:
 
   double AbortAt = 2.0;
   std::vector<double> Values;
+  std::vector<std::string> Texts; ///< without repetitions in a row
 };
 
 /// It goes from somewhere to 1, in some steps, and never back.

@@ -295,7 +295,7 @@ void testNotStarShaped()
 {
   // A U: no point sees the inside of both its arms' inner walls.
   const auto u = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 2, 1, 0 } });
-  refuses(u, { "SetKernelPoint()" });
+  refuses(u, { "Use Kernel Point" });
   const double inTheBase[3] = { 1.5, 0.5, 0.5 };
   refuses(u, { "not star-shaped", "does not see", "cell" }, inTheBase);
 

@@ -8,12 +8,14 @@
 #include "vtkExecutive.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkSphereSource.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -69,6 +71,56 @@ void testProgress()
   hull->SetInputData(blocks);
   hull->Update();
   checkProgress(progress->Values);
+}
+
+/// The text beside the progress tells what is being made, and the step.
+void testProgressText()
+{
+  const auto textsOf = [](vtkFFAlgorithm* algorithm, vtkDataObject* input)
+  {
+    vtkNew<ProgressObserver> progress;
+    algorithm->AddObserver(vtkCommand::ProgressEvent, progress);
+    algorithm->SetInputDataObject(input);
+    algorithm->Update();
+    return progress->Texts;
+  };
+  /// They begin with these titles, and some are of these steps, in this order.
+  const auto check = [](const std::vector<std::string>& texts,
+                       const std::vector<std::string>& titles,
+                       const std::vector<std::string>& steps)
+  {
+    for (const std::string& text : texts)
+    {
+      FF_CHECK(std::any_of(titles.begin(), titles.end(),
+        [&](const std::string& title) { return text.compare(0, title.size(), title) == 0; }));
+    }
+    auto text = texts.begin();
+    for (const std::string& step : steps)
+    {
+      text = std::find(text, texts.end(), step);
+      if (text == texts.end())
+      {
+        std::cerr << "no step " << step << "\n";
+      }
+      FF_CHECK(text != texts.end());
+    }
+  };
+  const auto points = makePoints(onSphere(50000));
+  vtkNew<vtkFFHullFilter> hull;
+  check(textsOf(hull, points), { "Convex hull" },
+    { "Convex hull: scanning", "Convex hull: sorting", "Convex hull: finishing" });
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  check(textsOf(convexify, hull->GetOutput()), { "Convexify" },
+    { "Convexify: flipping", "Convexify: finishing" });
+  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
+  triangulation->GeneratePowerDiagramOn();
+  check(textsOf(triangulation, points), { "Regular triangulation", "Power diagram" },
+    { "Regular triangulation: scanning", "Regular triangulation: finishing",
+      "Power diagram: making cells" });
+  // A second run begins with the first title.
+  triangulation->Modified();
+  check(textsOf(triangulation, points), { "Regular triangulation", "Power diagram" },
+    { "Regular triangulation: scanning", "Power diagram: making cells" });
 }
 
 void testAbort()
@@ -270,6 +322,7 @@ void testPrint()
 int TestFFHullFilterPipeline(int, char*[])
 {
   testProgress();
+  testProgressText();
   testAbort();
   testError();
   testModification();

@@ -361,7 +361,7 @@ void testErrors()
   const auto errors = ErrorObserver::Of(filter);
   filter->SetInputData(good);
   filter->Update();
-  FF_CHECK(errors->Has("There is no source. Give one with SetSourceData() or SetSourceConn"));
+  FF_CHECK(errors->Has("There is no source. Set one."));
   FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
   errors->Clear();
   filter->SetSourceData(source);

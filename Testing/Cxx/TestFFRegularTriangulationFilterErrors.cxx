@@ -128,7 +128,7 @@ void testSettings()
   filter->SetProjectionPlaneModeToTransform();
   filter->Update();
   checkFailure(filter, errors);
-  FF_CHECK(errors->Has("SetTransform()"));
+  FF_CHECK(errors->Has("no Transform is set"));
   filter->SetProjectionPlaneModeToXYPlane();
   checkSuccess(filter, errors);
 
@@ -143,7 +143,7 @@ void testSettings()
     filter->GeneratePowerDiagramOn();
     filter->Update();
     checkFailure(filter, errors);
-    FF_CHECK(errors->Has("PowerDiagramBounds"));
+    FF_CHECK(errors->Has("(xmin, xmax, ymin, ymax)"));
   }
   filter->SetPowerDiagramBounds(0, 1, 0, 1);
   checkSuccess(filter, errors);

@@ -5,8 +5,10 @@
 #include "FFTest.h"
 
 #include "vtkCellArray.h"
+#include "vtkErrorCode.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -305,6 +307,60 @@ void testTransform()
   FF_CHECK(run.Polys() == before);
 }
 
+/// What lies in a vertical plane, and not on a line, brings a hint of the mode that fits.
+void testVerticalPlane()
+{
+  const auto warnings = [](vtkDataObject* input, int mode, const char* block)
+  {
+    vtkNew<vtkFFRegularTriangulationFilter> filter;
+    const auto observer = ErrorObserver::Of(filter);
+    filter->SetProjectionPlaneMode(mode);
+    filter->SetInputData(input);
+    filter->Update();
+    FF_CHECK_EQUAL(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+    const std::string said = std::string("The points") + block + " are in one vertical plane";
+    FF_CHECK(observer->Messages.empty() || observer->Has(said));
+    FF_CHECK(observer->Messages.empty() ||
+      observer->Has("set Projection Plane Mode to Best-Fitting Plane."));
+    return observer->Messages.size();
+  };
+  const int xy = vtkFFRegularTriangulationFilter::XY_PLANE;
+  std::vector<Point> wall;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double along = i % 5;
+    wall.push_back({ 3.0 * along, -along, 0.5 * (i / 5) });
+  }
+  const auto upright = makePoints(wall);
+  FF_CHECK_EQUAL(warnings(upright, xy, ""), std::size_t(1));
+  FF_CHECK_EQUAL(
+    warnings(upright, vtkFFRegularTriangulationFilter::BEST_FITTING_PLANE, ""), std::size_t(0));
+
+  // One bit off the plane, in it on a line, on an upright line: nothing to hint at.
+  std::vector<Point> off = wall;
+  off[7][0] = std::nextafter(off[7][0], 7.0);
+  FF_CHECK_EQUAL(warnings(makePoints(off), xy, ""), std::size_t(0));
+  FF_CHECK_EQUAL(
+    warnings(makePoints({ { 0, 0, 0 }, { 1, 2, 3 }, { 2, 4, 6 } }), xy, ""), std::size_t(0));
+  FF_CHECK_EQUAL(
+    warnings(makePoints({ { 1, 2, 0 }, { 1, 2, 3 }, { 1, 2, 6 } }), xy, ""), std::size_t(0));
+  // One bit off the line in space.
+  FF_CHECK_EQUAL(
+    warnings(makePoints({ { 0, 0, 0 }, { 1, 2, std::nextafter(3.0, 4.0) }, { 2, 4, 6 } }), xy, ""),
+    std::size_t(1));
+
+  // Points above each other, of which one is hidden.
+  FF_CHECK_EQUAL(
+    warnings(makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 5 } }), xy, ""), std::size_t(1));
+
+  // One hint is enough for all blocks.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makePoints(cubeCorners()));
+  blocks->SetBlock(1, upright);
+  blocks->SetBlock(2, upright);
+  FF_CHECK_EQUAL(warnings(blocks, xy, " of the block of flat index 2"), std::size_t(1));
+}
+
 }
 
 int TestFFRegularTriangulationFilterProjection(int, char*[])
@@ -317,5 +373,6 @@ int TestFFRegularTriangulationFilterProjection(int, char*[])
   testOutlier();
   testNoPlane();
   testTransform();
+  testVerticalPlane();
   return result();
 }

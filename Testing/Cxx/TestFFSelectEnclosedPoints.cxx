@@ -354,7 +354,7 @@ void testSinglePoints()
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
   errors->Clear();
   filter->Initialize(nullptr);
-  FF_CHECK(errors->Has("There is no surface. Give one with SetSurfaceData()"));
+  FF_CHECK(errors->Has("There is no surface. Set one."));
 }
 
 }

@@ -159,9 +159,8 @@ void testErrors()
     FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfElements(vtkDataObject::POINT), vtkIdType(0));
     FF_CHECK_EQUAL(filter->IsInside(0), 0);
   };
-  fails(nullptr, cube, "There is no input. Give one with SetInputData() or SetInputConnection().");
-  fails(cube, nullptr,
-    "There is no surface. Give one with SetSurfaceData() or SetSurfaceConnection().");
+  fails(nullptr, cube, "There is no input. Set one.");
+  fails(cube, nullptr, "There is no surface. Set one.");
   vtkNew<vtkTable> table;
   fails(table, cube, "The input is a vtkTable. It must be a vtkPointSet,");
   fails(cube, table, "The surface is a vtkTable. It must be a vtkPointSet,");

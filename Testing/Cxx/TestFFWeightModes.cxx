@@ -208,18 +208,18 @@ void testErrors()
   values[4] = 2e154;
   filter->SetInputData(makeWeighted(points, values));
   expectError(filter, errors,
-    "The square of a radius, times WeightFactor, is more than a double holds: first at point 4.");
+    "The square of a radius, times Weight Factor, is more than a double holds: first at point 4.");
   filter->SetWeightModeToWeights();
   filter->SetWeightFactor(1e200);
-  expectError(
-    filter, errors, "A weight, times WeightFactor, is more than a double holds: first at point 4.");
+  expectError(filter, errors,
+    "A weight, times Weight Factor, is more than a double holds: first at point 4.");
 
   // A factor is looked at even where there are no weights.
   for (const double factor : { infinite, -infinite, std::numeric_limits<double>::quiet_NaN() })
   {
     filter->SetWeightFactor(factor);
     useWeights(filter);
-    expectError(filter, errors, "The factor of the weights (WeightFactor) is ");
+    expectError(filter, errors, "Weight Factor is ");
     useWeights(filter, "None");
     expectError(filter, errors, "it must be finite");
   }

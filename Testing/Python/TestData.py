@@ -51,7 +51,7 @@ class TestData(unittest.TestCase):
                 errors = errors_of(convexify)
                 convexify.Update()
                 self.assertEqual(len(errors), 1)
-                self.assertIn("cell 0 is a vertex cell", errors[0])
+                self.assertIn("The surface has no polygons: its cells are vertices", errors[0])
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ class TestEngines(unittest.TestCase):
             algorithm.Update()
             self.assertEqual(len(messages), 1)
             self.assertIn(PROBLEM, messages[0])
-            self.assertIn("SetEngineToCPU()", messages[0])
+            self.assertIn("Set Engine to Automatic or CPU", messages[0])
             self.assertNotEqual(algorithm.GetErrorCode(), 0)
             self.assertEqual(algorithm.GetEngineUsed(), vtkFFAlgorithm.ENGINE_NONE)
             self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)

@@ -26,6 +26,10 @@ enum class NonFinitePolicy
 /// the run, which then throws ErrorCode::Aborted.
 using ProgressFunction = bool (*)(double fraction, void* context);
 
+/// Called with the name of each step of the run that begins ("locating", "growing and flipping"),
+/// on the calling thread only, before the progress function. A run may come back to a step.
+using StepFunction = void (*)(const char* name, void* context);
+
 /// The choices of one run.
 struct Options
 {
@@ -36,7 +40,8 @@ struct Options
   /// flip is left. The output is the same. Without it, a label may cause very many flips.
   bool vBiased = true;
   ProgressFunction progress = nullptr; ///< null: no progress reports, and no way to stop the run
-  void* progressContext = nullptr;     ///< passed to progress unchanged
+  void* progressContext = nullptr;     ///< passed to progress and step unchanged
+  StepFunction step = nullptr;         ///< null: no names
 };
 
 }

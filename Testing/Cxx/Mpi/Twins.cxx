@@ -309,6 +309,7 @@ Twins::Twins(vtkFFAlgorithm* distributed, vtkFFAlgorithm* plain)
   distributed->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
   plain->AddObserver(vtkCommand::ErrorEvent, this->PlainErrors);
   plain->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->PlainErrors);
+  plain->AddObserver(vtkCommand::WarningEvent, this->PlainWarnings);
 }
 
 //------------------------------------------------------------------------------
@@ -329,6 +330,7 @@ bool Twins::Run(const std::string& what, vtkDataObject* piece, vtkDataObject* wh
   this->Errors->Clear();
   this->Warnings->Clear();
   this->PlainErrors->Clear();
+  this->PlainWarnings->Clear();
   this->Distributed->SetInputDataObject(piece);
   this->Distributed->Modified();
   this->Distributed->Update();
@@ -346,6 +348,14 @@ bool Twins::Run(const std::string& what, vtkDataObject* piece, vtkDataObject* wh
   {
     std::cerr << what << ": the error code is " << this->Distributed->GetErrorCode() << ", not "
               << code << "\n";
+  }
+  for (const std::string& warning : this->PlainWarnings->Messages)
+  {
+    if (!this->Warnings->Has(sentence(warning)))
+    {
+      std::cerr << what << ": there is no warning " << sentence(warning);
+      good = false;
+    }
   }
   good = this->CheckOutputs(what) && good;
   good = this->CheckReports(what) && good;

@@ -92,6 +92,7 @@ private:
   bool CheckOutputs(const std::string& what);
   bool CheckReports(const std::string& what);
   vtkNew<ErrorObserver> PlainErrors;
+  vtkNew<ErrorObserver> PlainWarnings;
 };
 
 /// The twins of a filter.

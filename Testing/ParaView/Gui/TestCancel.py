@@ -29,7 +29,7 @@ class Pointer(QtCore.QObject):
         self.label.installEventFilter(self)
 
     def eventFilter(self, watched, event):
-        if event.type() == QtCore.QEvent.Type.Paint and "FFHullFilter" in self.label.text():
+        if event.type() == QtCore.QEvent.Type.Paint and "Convex hull" in self.label.text():
             self.enabled.append(self.button.isEnabled())
             now = time.monotonic()
             if self.enabled[-1] and self.command and now - self.start > OFFERED:

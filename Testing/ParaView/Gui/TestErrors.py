@@ -15,7 +15,7 @@ def test(window):
     yield from window.apply()
 
     said = "A coordinate is NaN or infinite: first at point 7, 2 such point(s) in all."
-    choice = "have them ignored: NonFinitePoints,"
+    choice = "set Non Finite Points to Ignore."
     yield window.find(QtWidgets.QDockWidget, "outputWidgetDock").isVisible
     assert said in window.messages(), window.messages()
     assert choice in window.messages(), window.messages()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 """
-A long run: the progress bar follows it, and it stops soon after it is asked to.
+A long run: the progress bar follows it and names its steps, and it stops soon after it is asked to.
 
 Asked by the filter's own AbortExecute, between two progress events; TestCancel presses the button.
 """
@@ -19,12 +19,13 @@ class ProgressWatch(QtCore.QObject):
     def __init__(self, window):
         super().__init__()
         self.label = window.find(QtWidgets.QLabel, "ProgressBar")
-        self.parts, self.on_progress = [], None
+        self.parts, self.texts, self.on_progress = [], set(), None
         self.label.installEventFilter(self)
 
     def eventFilter(self, watched, event):
-        if event.type() == QtCore.QEvent.Type.Paint and "FFHullFilter" in self.label.text():
+        if event.type() == QtCore.QEvent.Type.Paint and "Convex hull" in self.label.text():
             self.parts.append(self.filled_part())
+            self.texts.add(self.label.text())
             if self.on_progress:
                 self.on_progress()
         return False
@@ -49,6 +50,8 @@ def test(window):
     assert len(parts) >= 5, f"the bar was painted {len(parts)} times: {parts}"
     assert parts == sorted(parts), f"the bar went back: {parts}"
     assert parts[0] < 0.3 and parts[-1] > 0.4, f"the bar showed {parts}"
+    steps = {text.split(":")[1].strip() for text in watch.texts if ":" in text}
+    assert len(steps) >= 2, f"the bar's texts were {watch.texts}"
     whole, _ = yield from window.information()
     assert whole[1] != "0", whole
 

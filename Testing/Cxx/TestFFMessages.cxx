@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The words of errors that only large inputs, the device or faults cause. Documentation/Messages.md
+// has the same.
+#include "FFTest.h"
+
+#include "vtkFFFailure.h"
+#include "vtkFFGuard.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFFHullFilter.h"
+#include "vtkNew.h"
+
+#include <flipflop/Error.h>
+
+#include <functional>
+#include <new>
+#include <stdexcept>
+
+using namespace fftest;
+
+namespace
+{
+
+class Guard : public vtkFFGuard
+{
+public:
+  using vtkFFGuard::vtkFFGuard;
+
+  unsigned long Code = vtkErrorCode::NoError;
+  bool Aborted = false;
+
+protected:
+  void SetErrorCode(unsigned long code) override { this->Code = code; }
+  void MarkAborted() override { this->Aborted = true; }
+  const char* GetProgressTitle() override { return "A test"; }
+};
+
+/// What is said after the work threw.
+std::string said(const std::function<void()>& work)
+{
+  vtkNew<vtkFFHullFilter> algorithm;
+  const auto errors = ErrorObserver::Of(algorithm);
+  Guard guard(algorithm);
+  vtkFFFailure failure;
+  FF_CHECK(!guard.Try(work, failure));
+  guard.ReportFailure(failure, true);
+  FF_CHECK_EQUAL(guard.Aborted, errors->Messages.empty());
+  FF_CHECK_EQUAL(guard.Code != vtkErrorCode::NoError, !guard.Aborted);
+  if (errors->Messages.empty())
+  {
+    return {};
+  }
+  const std::string& message = errors->Messages.front();
+  const std::size_t begin = message.find("): ") + 3;
+  return message.substr(begin, message.find_last_not_of('\n') + 1 - begin);
+}
+
+template <class... Arguments>
+std::string saidOf(flipflop::ErrorCode code, Arguments... arguments)
+{
+  return said([=] { throw flipflop::Error(code, arguments...); });
+}
+
+void testErrorsOfTheEngine()
+{
+  using flipflop::ErrorCode;
+  FF_CHECK_EQUAL(saidOf(ErrorCode::TooManyPoints, -1, 4294967296),
+    "4294967296 points are more than 32-bit indices can name.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::OutOfMemory), "There is not enough memory for this input.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::OutOfMemory, -1, 1 << 30),
+    "There is not enough memory for this input: 1073741824 bytes were refused.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::BadArgument), "The engine was called with an invalid argument.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::WeightCount, -1, 3),
+    "There are 3 weights, which is not the number of points.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::NoDevice),
+    std::string("The CUDA engine was asked for, but ") + vtkFFAlgorithm::GetCUDAProblem() +
+      ". Set Engine to Automatic or CPU.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::DeviceMemory, -1, 1000),
+    "The CUDA device has not enough memory for this input: 1000 bytes were refused. Set Engine to "
+    "Automatic or CPU.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::DeviceFailed, 700),
+    "The CUDA device failed: error 700 of the CUDA runtime. Set Engine to Automatic or CPU.");
+  FF_CHECK_EQUAL(
+    saidOf(ErrorCode::Internal), "An internal error: please report it, with the input.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::Aborted), "");
+}
+
+void testOtherExceptions()
+{
+  FF_CHECK_EQUAL(
+    said([] { throw std::bad_alloc(); }), "There is not enough memory for this input.");
+  FF_CHECK_EQUAL(said([] { throw std::runtime_error("What it says."); }), "What it says.");
+  FF_CHECK_EQUAL(said([] { throw 7; }), "The engine failed for an unknown reason.");
+}
+
+}
+
+int TestFFMessages(int, char*[])
+{
+  testErrorsOfTheEngine();
+  testOtherExceptions();
+  return result();
+}
