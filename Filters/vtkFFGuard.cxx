@@ -256,8 +256,8 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
     case ErrorCode::OutOfMemory:
       return "There is not enough memory for this input" +
         (error.count() > 0 ? ": " + count + " bytes were refused." : std::string("."));
-    case ErrorCode::Aborted:
-      return "The run was aborted.";
+    case ErrorCode::Aborted: // is reported by the empty output alone
+      break;
     case ErrorCode::BadArgument:
       return "The engine was called with an invalid argument.";
     case ErrorCode::WeightCount:
@@ -278,9 +278,8 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
         count + " such edge(s) and vertices in all.";
     case ErrorCode::NotOriented:
       return "The surface is not oriented consistently: first at " + cell +
-        ", whose neighbour runs their shared edge the same way. Surface normals with Consistency "
-        "on "
-        "(vtkPolyDataNormals) can mend that.";
+        ", whose neighbour runs their shared edge the same way. Generate Surface "
+        "Normals (vtkPolyDataNormals) can mend that, with Consistency on.";
     case ErrorCode::NotStarShaped:
       return "The surface is not star-shaped: the kernel point does not see the inside of " + cell +
         "; " + count + " such triangle(s) in all.";

@@ -87,9 +87,8 @@ std::string vtkFFSurfaceCells::DescribeFault(vtkPolyData* surface, const std::st
       << "Every cell of the input must be a triangle, a polygon or a triangle strip, but cell "
          "0"
       << ofBlock << " is a " << (vertices > 0 ? "vertex" : "line")
-      << " cell. Take vertices and lines out: vtkTriangleFilter does, with Pass Verts and Pass "
-         "Lines "
-         "off.";
+      << " cell. Take vertices and lines out: Extract Cells By Type "
+         "(vtkExtractCellsByType) can do that.";
     return message.str();
   }
   for (vtkCellArray* cells : { polygons, strips })

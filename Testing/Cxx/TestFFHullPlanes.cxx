@@ -104,19 +104,23 @@ void testErrors()
     FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
     FF_CHECK(!planes->GetPoints() && !planes->GetNormals());
   };
-  isNone("update the filter first");
+  const char* const flat = "There is no hull of dimension 3 that planes could bound: update the "
+                           "filter first; its points must not lie in one plane.";
+  isNone(flat);
   hull->SetInputData(makePoints({}));
   hull->Update();
-  isNone("no hull of dimension 3");
+  isNone(flat);
   hull->SetInputData(makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
   hull->Update();
-  isNone("must not lie in one plane");
+  isNone(flat);
 
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, makePoints(cubeCorners()));
   hull->SetInputData(blocks);
   hull->Update();
-  isNone("The output is a vtkMultiBlockDataSet");
+  isNone(
+    "The output is a vtkMultiBlockDataSet, which has no planes of its own. Take the hull of one "
+    "block, or one hull of all blocks.");
   hull->SetCompositeModeToAllBlocks();
   hull->Update();
   errors->Clear();
@@ -124,7 +128,7 @@ void testErrors()
   FF_CHECK_EQUAL(planes->GetNumberOfPlanes(), 12);
   FF_CHECK(errors->Messages.empty());
   FF_CHECK(!hull->GetPlanes(nullptr));
-  FF_CHECK(errors->Has("takes a vtkPlanes"));
+  FF_CHECK(errors->Has("There is nothing to give the planes to: GetPlanes() takes a vtkPlanes."));
 }
 
 }

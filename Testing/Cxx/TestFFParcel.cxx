@@ -109,7 +109,8 @@ bool isRefused(const std::string& parcel)
   }
   catch (const vtkFFDamagedParcel& error)
   {
-    FF_CHECK(std::strstr(error.what(), "damaged") != nullptr);
+    FF_CHECK_EQUAL(
+      std::string(error.what()), "The points that another process sent came in damaged.");
     return true;
   }
 }

@@ -338,7 +338,8 @@ void testSinglePoints()
   vtkNew<Filter> filter;
   const auto errors = ErrorObserver::Of(filter);
   FF_CHECK_EQUAL(filter->IsInsideSurface(0.5, 0.5, 0.5), 0);
-  FF_CHECK(errors->Has("no surface to ask about"));
+  FF_CHECK(
+    errors->Has("There is no surface to ask about: call Initialize() or update the filter first."));
   errors->Clear();
   filter->Initialize(makePoints(cubeCorners()));
   FF_CHECK_EQUAL(filter->IsInsideSurface(0.5, 0.5, 0.5), 1);

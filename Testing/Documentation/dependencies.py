@@ -15,7 +15,7 @@ CXX = {".h", ".cxx", ".cu"}
 NAMES = [
     (".py", re.compile(r"^\s*(?:from|import) \.?vtkFiltersFlipFlop\b", re.MULTILINE), "Filters"),
     (".py", re.compile(r"^\s*(?:from|import) vtkflipflop\b", re.MULTILINE), "Wrapping"),
-    (".py", re.compile(r"\bFlipFlop(?:ConvexHull|Convexify|PointInterpolator2D|RegularTriangulation|SelectEnclosedPoints)\b"), "Plugin"),
+    (".py", re.compile(r"\b\w+FlipFlop\("), "Plugin"),
     (".xml", re.compile(r'\bclass="vtkP?FF\w+"'), "Filters"),
 ]
 

@@ -1,15 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters that fail, each set up as a row of Exactness.md's table of errors says."""
+"""Filters that fail or warn, each set up as a row of Messages.md's tables says."""
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkLongLongArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkDataObject,
+    vtkDataSetAttributes,
     vtkMultiBlockDataSet,
+    vtkPartitionedDataSet,
     vtkRectilinearGrid,
     vtkTable,
 )
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkCommonTransforms import vtkTransform
 
 from vtkflipflop import (
     vtkFFConvexifyFilter,
@@ -73,6 +77,22 @@ def hull_of_a_table_in_blocks():
     return hull(blocks)
 
 
+def hull_of_a_table_in_partitions():
+    partitions = vtkPartitionedDataSet()
+    partitions.SetPartition(0, poly_data("0 0 0"))
+    partitions.SetPartition(1, vtkTable())
+    return hull(partitions)
+
+
+def hull_of_a_wide_grid():
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(2, 1, 1)
+    grid.SetXCoordinates(integers(1, 2, 2**53 + 1))
+    grid.SetYCoordinates(integers(1, 1))
+    grid.SetZCoordinates(integers(1, 1))
+    return hull(grid)
+
+
 def hull_of_a_bare_grid():
     grid = vtkRectilinearGrid()
     grid.SetDimensions(3, 2, 2)
@@ -106,6 +126,27 @@ def weighted(array, **settings):
     return use_weights(algorithm)
 
 
+def weighted_by(association, attribute):
+    algorithm = weighted(strings())
+    algorithm.SetInputArrayToProcess(0, 0, 0, association, attribute)
+    return algorithm
+
+
+def flattened(**settings):
+    """By a transform that has no inverse."""
+    matrix = vtkMatrix4x4()
+    matrix.SetElement(2, 2, 0.0)
+    transform = vtkTransform()
+    transform.SetMatrix(matrix)
+    return triangulation(Transform=transform, ProjectionPlaneMode=PLANE, **settings)
+
+
+def triangulation_of(points, **settings):
+    algorithm = triangulation(**settings)
+    algorithm.SetInputData(poly_data(points))
+    return algorithm
+
+
 def selection(surface):
     algorithm = set_up(vtkFFSelectEnclosedPoints(), poly_data(TETRAHEDRON))
     algorithm.SetSurfaceData(surface)
@@ -116,6 +157,30 @@ def interpolation(source):
     algorithm = set_up(vtkFFPointInterpolator2D(), poly_data(TETRAHEDRON))
     algorithm.SetSourceData(source)
     algorithm.SetInputArrayToProcess(0, 1, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "weight")
+    return algorithm
+
+
+def interpolation_of(points):
+    algorithm = vtkFFPointInterpolator2D()
+    algorithm.SetInputData(poly_data(TETRAHEDRON))
+    algorithm.SetSourceData(poly_data(points))
+    return algorithm
+
+
+def surface_in_partitions():
+    partitions = vtkPartitionedDataSet()
+    for k in range(2):
+        partitions.SetPartition(k, surface(FACETS).GetInput())
+    return set_up(vtkFFConvexifyFilter(), partitions)
+
+
+def surface_of_lines():
+    algorithm = surface([])
+    lines = vtkCellArray()
+    lines.InsertNextCell(2)
+    lines.InsertCellPoint(0)
+    lines.InsertCellPoint(1)
+    algorithm.GetInput().SetLines(lines)
     return algorithm
 
 
@@ -147,28 +212,40 @@ def surface_with_a_vertex(facets):
 
 
 NAN = float("nan")
+INTEGER = 2**53 + 1  # no double
 PLANE = vtkFFRegularTriangulationFilter.TRANSFORM_PLANE
+FITTING = vtkFFRegularTriangulationFilter.BEST_FITTING_PLANE
 RADII = vtkFFRegularTriangulationFilter.RADII
 BOUNDS = vtkFFRegularTriangulationFilter.BOX_OF_BOUNDS
 CUDA = vtkFFHullFilter.ENGINE_CUDA
+POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
 FAILURES = {
-    "a coordinate is NaN or infinite": lambda: hull(poly_data("0 0 0; nan 0 0")),
-    "an integer coordinate that no double holds": hull_of_integers,
     "no input": lambda: hull(None),
     "a table": lambda: hull(vtkTable()),
     "a table as a block": hull_of_a_table_in_blocks,
-    "a rectilinear grid without its coordinates": hull_of_a_bare_grid,
+    "a table as a partition": hull_of_a_table_in_partitions,
     "points of two coordinates": hull_of_pairs,
-    "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
+    "a coordinate is NaN or infinite": lambda: hull(poly_data("0 0 0; nan 0 0")),
+    "an integer coordinate that no double holds": hull_of_integers,
+    "a rectilinear grid without its coordinates": hull_of_a_bare_grid,
+    "an integer coordinate of such a grid": hull_of_a_wide_grid,
     "two marks for three points": hull_with_two_marks,
+    "a coordinate or a weight is NaN": lambda: triangulation_of("0 0 0; nan 0 0"),
+    "the same after a projection": lambda: triangulation_of("0 0 0; nan 0 0", ProjectionPlaneMode=FITTING),
     "the array of weights is missing": lambda: weighted(None),
     "weights are strings": lambda: weighted(strings()),
     "weights of two components": lambda: weighted(integers(2, 3)),
     "two weights for three points": lambda: weighted(integers(1, 2)),
-    "an integer weight that no double holds": lambda: weighted(integers(1, 3, 2**53 + 1)),
+    "weights of cells": lambda: weighted_by(CELLS, "weight"),
+    "weights are the active scalars, which are not there": lambda: weighted_by(
+        POINTS, vtkDataSetAttributes.SCALARS
+    ),
+    "an integer weight that no double holds": lambda: weighted(integers(1, 3, INTEGER)),
+    "an integer radius that no double holds": lambda: weighted(integers(1, 3, INTEGER), WeightMode=RADII),
     "a negative radius": lambda: weighted(doubles(0.0, -1.0, -2.0), WeightMode=RADII),
     "a radius whose square no double holds": lambda: weighted(doubles(1e200, 0.0, 0.0), WeightMode=RADII),
+    "a weight that a factor takes too far": lambda: weighted(doubles(0.0, 1e300, 0.0), WeightFactor=1e10),
     "a factor of weights that is NaN": lambda: weighted(doubles(0.0, 0.0, 0.0), WeightFactor=NAN),
     "a negative edge length": lambda: triangulation(MaximumEdgeLength=-1.0),
     "a projection by transform, without one": lambda: triangulation(ProjectionPlaneMode=PLANE),
@@ -177,17 +254,18 @@ FAILURES = {
         PowerDiagramBoxMode=BOUNDS,
         PowerDiagramBounds=(0, 0, 0, 1),
     ),
-    "points to select, and no surface": lambda: selection(None),
-    "a coordinate of a surface is NaN or infinite": lambda: selection(poly_data("0 0 0; nan 0 0")),
-    "points to interpolate at, and no source": lambda: interpolation(None),
-    "a source without its array of weights": lambda: interpolation(poly_data(TETRAHEDRON)),
-    "cells with a corner too few": surface_without_its_last_corner,
+    "a power diagram after a flat transform": lambda: flattened(GeneratePowerDiagram=True),
+    "centroids after a flat transform": lambda: flattened(GenerateCellMeasures=True),
     "points without cells, as a surface": lambda: surface([]),
     "vertices alone, as a surface": lambda: surface_with_a_vertex([]),
+    "lines alone, as a surface": surface_of_lines,
     "a vertex cell beside polygons": lambda: surface_with_a_vertex(FACETS),
+    "a surface in two partitions": surface_in_partitions,
+    "a used point is NaN": lambda: surface(FACETS, TETRAHEDRON[:-1] + "nan"),
+    "cells with a corner too few": surface_without_its_last_corner,
     "a polygon of two points": lambda: surface([[0, 1], *FACETS]),
-    "a polygon that crosses itself": lambda: surface([[0, 1, 2, 3], *FACETS], "0 0 0; 1 1 0; 1 0 0; 0 1 0"),
     "a triangle with a corner twice": lambda: surface([*FACETS, [0, 1, 1]]),
+    "a polygon that crosses itself": lambda: surface([[0, 1, 2, 3], *FACETS], "0 0 0; 1 1 0; 1 0 0; 0 1 0"),
     "a triangle is missing": lambda: surface(FACETS[:3]),
     "a triangle is there three times": lambda: surface([FACETS[0], FACETS[0], *FACETS]),
     "a triangle is turned over": lambda: surface([FACETS[0][::-1], *FACETS[1:]]),
@@ -204,5 +282,15 @@ FAILURES = {
     "all triangles are in one plane": lambda: surface(
         [[0, 1, 2], [0, 2, 1]], "0 0 0; 1 0 0; 0 1 0"
     ),
-    "a used point is NaN": lambda: surface(FACETS, TETRAHEDRON[:-1] + "nan"),
+    "points to select, and no surface": lambda: selection(None),
+    "a table as a surface": lambda: selection(vtkTable()),
+    "a coordinate of a surface is NaN or infinite": lambda: selection(poly_data("0 0 0; nan 0 0")),
+    "points to interpolate at, and no source": lambda: interpolation(None),
+    "a source without its array of weights": lambda: interpolation(poly_data(TETRAHEDRON)),
+    "a coordinate of a source is NaN or infinite": lambda: interpolation_of("0 0 0; 1 0 0; 0 inf 0"),
+    "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
+    "the CUDA engine for a surface": lambda: surface(FACETS, Engine=CUDA),
+}
+WARNINGS = {
+    "points in one vertical plane": lambda: triangulation_of("0 0 0; 1 1 0; 0 0 1"),
 }

@@ -31,17 +31,21 @@ def poly_data(text):
     return data
 
 
-def errors_while_updating(algorithm):
-    """The errors' sentences, without VTK's preamble."""
+def messages_while_updating(algorithm, event):
+    """The sentences of the event, ErrorEvent or WarningEvent, without VTK's preamble."""
     messages = []
 
     def observe(caller, event, message):
         messages.append(message.split("): ", 1)[1].strip())
 
     observe.CallDataType = "string0"
-    algorithm.AddObserver("ErrorEvent", observe)
+    algorithm.AddObserver(event, observe)
     algorithm.Update()
     return messages
+
+
+def errors_while_updating(algorithm):
+    return messages_while_updating(algorithm, "ErrorEvent")
 
 
 def ids(attributes):

@@ -143,9 +143,11 @@ void testStructures()
   Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
   if (processes() > 1) // one alone is like itself
   {
-    both.Fails("another structure", piece, "different numbers of blocks");
+    both.Fails(
+      "another structure", piece, "Processes have different numbers of blocks: process 0 has");
     vtkDataObject* other = rank() == 0 ? leaves[0][0].Get() : static_cast<vtkDataObject*>(piece);
-    both.Fails("no composite on one", other, "different numbers of blocks");
+    both.Fails(
+      "no composite on one", other, "Processes have different numbers of blocks: process 0 has");
   }
   both.Set<vtkFFHullFilter>([](vtkFFHullFilter* filter) { filter->SetCompositeModeToAllBlocks(); });
   both.Run("all blocks of another structure", piece, whole);

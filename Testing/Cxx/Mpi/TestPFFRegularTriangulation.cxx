@@ -60,7 +60,8 @@ void checkWarnings(const Twins& both, const std::vector<Pieces>& leaves)
       [](vtkPolyData* piece) { return piece && piece->GetNumberOfPoints() > 0; });
     if (filled > 1 && rank() == 0)
     {
-      expected.push_back("points of " + std::to_string(filled) + " processes are gathered");
+      expected.push_back("points of " + std::to_string(filled) +
+        " processes are gathered on one, which triangulates them alone.");
     }
   }
   FF_CHECK_EQUAL(both.Warnings->Messages.size(), expected.size());

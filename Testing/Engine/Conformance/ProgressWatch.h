@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Watch
 {
   std::thread::id caller = std::this_thread::get_id();
   std::vector<double> fractions;
+  std::vector<std::string> steps;
   bool elsewhere = false;
   int stopAt = 0; ///< the call that asks to stop; 0: none
   std::chrono::steady_clock::time_point stopped;
@@ -37,12 +39,20 @@ struct Watch
     return static_cast<int>(watch.fractions.size()) != watch.stopAt;
   }
 
+  static void enter(const char* name, void* context)
+  {
+    Watch& watch = *static_cast<Watch*>(context);
+    watch.elsewhere = watch.elsewhere || std::this_thread::get_id() != watch.caller;
+    watch.steps.emplace_back(name);
+  }
+
   Options options(int threads)
   {
     Options result;
     result.threads = threads;
     result.progress = see;
     result.progressContext = this;
+    result.step = enter;
     return result;
   }
 

@@ -51,6 +51,12 @@ TEST_P(ProgressOf, GrowsFrom0To1OnTheCallersThread)
     const Result found = kind.run(cloud, watch.options(threads));
     watch.expectOrder();
     EXPECT_GE(watch.fractions.size(), 2u) << threads << " threads";
+    ASSERT_FALSE(watch.steps.empty());
+    EXPECT_EQ(watch.steps.front(), "scanning");
+    if (watch.steps.size() > 1) // what is on a line is done at once
+    {
+      EXPECT_EQ(watch.steps.back(), "finishing");
+    }
     Options quiet;
     quiet.threads = threads;
     EXPECT_EQ(bitDifference(found, kind.run(cloud, quiet)), "") << "watching changed it";
