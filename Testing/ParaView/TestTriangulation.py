@@ -177,7 +177,7 @@ class TestPorts(unittest.TestCase):
             triangulation.PowerDiagramLengths = [-1, 1, 0]
             run(triangulation)
         self.assertEqual(len(lines), 1, lines)
-        self.assertIn("PowerDiagramBounds", lines[0])
+        self.assertIn("(xmin, xmax, ymin, ymax)", lines[0])
         self.assertEqual(port_sizes(triangulation), [0, 0, 0])
 
     def test_further_ports_feed_filters(self):
