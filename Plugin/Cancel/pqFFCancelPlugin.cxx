@@ -10,6 +10,7 @@
 #include "vtkPVPlugin.h"
 
 #include "pqFFCancel.h"
+#include "pqFFLabelTips.h"
 
 #include "vtkPVGUIPluginInterface.h"
 #include "vtkPVPluginLoader.h"
@@ -32,13 +33,15 @@ public:
   const char* GetRequiredPlugins() override { return ""; }
   const char* GetDescription() override
   {
-    return "Cancel for the Flip-Flop filters, in the built-in server";
+    return "Cancel for the Flip-Flop filters, in the built-in server; icons, and tooltips of "
+           "labels";
   }
   const char* GetEULA() override { return nullptr; }
   QObjectList interfaces() override { return { &this->Cancel }; }
 
 private:
   pqFFCancel Cancel;
+  pqFFLabelTips LabelTips;
 };
 
 }

@@ -4,7 +4,7 @@
 import os
 
 import gui
-from qt import QtTest, QtWidgets
+from qt import QtCore, QtGui, QtTest, QtWidgets
 
 # What somebody types after Ctrl+Space, and a part of what they must find.
 FOUND = {
@@ -56,6 +56,14 @@ def page(window):
     return found
 
 
+def tip_over(widget):
+    """The tooltip that comes up where the pointer rests on it."""
+    QtWidgets.QToolTip.hideText()
+    place = widget.rect().center()
+    gui.application.notify(widget, QtGui.QHelpEvent(QtCore.QEvent.Type.ToolTip, place, widget.mapToGlobal(place)))
+    return QtWidgets.QToolTip.text() if QtWidgets.QToolTip.isVisible() else ""
+
+
 def test(window):
     yield from window.open_file(gui.data("autzen.vtp"))
     icons = os.path.exists(os.path.join(os.environ["PV_PLUGIN_PATH"], "FlipFlopCancel.so"))
@@ -71,6 +79,9 @@ def test(window):
         assert words in text, text
     tip = window.property_box("ProjectionPlaneMode").parent().toolTip()
     assert "The plane in which the points are triangulated" in tip, tip
+    label = next(label for label in window.find(QtWidgets.QWidget, "propertiesPanel").findChildren(QtWidgets.QLabel)
+                 if "Projection Plane Mode" in label.text())
+    gui.check_equal(tip_over(label), tip if icons else "")
     gui.check_equal(window.messages(), "")
 
 
