@@ -43,11 +43,15 @@ def data(name):
     return os.path.join(os.environ["FLIPFLOP_SOURCE"], "Data", name)
 
 
-def write_points(name, coordinates):
-    """Write points to a file of the output folder; its path."""
+def write_points(name, coordinates, **arrays):
+    """Write points, with these point arrays, to a file of the output folder; its path."""
     points, cloud = vtkPoints(), vtkPolyData()
     points.SetData(numpy_to_vtk(numpy.asarray(coordinates, float), deep=True))
     cloud.SetPoints(points)
+    for array_name, values in arrays.items():
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(array_name)
+        cloud.GetPointData().AddArray(array)
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(os.path.join(output, name))
     writer.SetInputData(cloud)

@@ -155,6 +155,55 @@ def triangulation(window):
     yield from photograph(window, "paraview-triangulation.png")
 
 
+def diagram(window):
+    """Disks, their power diagram, and the box that cuts it."""
+    simple.ResetSession()
+    yield from arrange(window, pipeline=100)
+    random = numpy.random.default_rng(4)
+    places = numpy.c_[random.random((150, 2)) * [300, 200], numpy.zeros(150)]
+    radii = 3 + 12 * random.random(150) ** 3
+    yield from window.open_file(gui.write_points("disks.vtp", places, radius=radii))
+    disks = simple.GetActiveSource()
+    yield from window.add_filter("Flip-Flop", "Voronoi / Power Diagram (Flip-Flop)")
+    window.property_box("Weights").setCurrentText("radius")
+    window.property_box("WeightMode").setCurrentText("Radii")
+    window.property_box("PowerDiagramBoxMode").setCurrentText("Bounds Given")
+    yield from window.apply()
+    found = simple.GetActiveSource()
+    found.PowerDiagramCorner, found.PowerDiagramLengths = (60, 30, -10), (200, 140, 20)
+    spheres = simple.Glyph(
+        Input=disks, GlyphType="Sphere", ScaleArray=["POINTS", "radius"], ScaleFactor=2.0, GlyphMode="All Points",
+        OrientationArray=["POINTS", "No orientation array"])
+    spheres.GlyphType.ThetaResolution = spheres.GlyphType.PhiResolution = 48
+    circles = simple.Slice(Input=spheres, SliceType="Plane")
+    circles.SliceType.Origin, circles.SliceType.Normal = (0, 0, 0.5), (0, 0, 1)
+    display = simple.Show(circles)
+    display.LineWidth, display.Ambient, display.Diffuse = 2, 1.0, 0.0
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = (1.0, 1.0, 1.0)
+    simple.SetActiveSource(found)
+    view = simple.GetActiveView()
+    simple.GetDisplayProperties(found).SetScalarBarVisibility(view, False)
+    view.InteractionMode = "3D"
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (130, -130, 420), (155, 100, 0), (0, 1, 0)
+    panel = window.find(QtWidgets.QWidget, "propertiesPanel")
+    box = panel.findChild(QtWidgets.QWidget, "InteractiveBox").findChild(QtWidgets.QCheckBox, "show3DWidget")
+    yield from window.stands_still()
+    box.setChecked(True)
+    simple.Render(view)
+    yield from photograph(window, "paraview-diagram.png")
+
+
+def survey(window):
+    """The session of Examples/ParaView."""
+    simple.LoadState(
+        os.path.join(os.environ["FLIPFLOP_SOURCE"], "Examples", "ParaView", "survey.pvsm"), data_directory=gui.data(""))
+    yield from window.stands_still()
+    path = os.path.join(gui.output, "paraview-survey.png")
+    simple.SaveScreenshot(path, simple.GetLayout(simple.GetActiveView()), ImageResolution=(1000, 680))
+    of_few_colours(QtGui.QImage(path)).save(path)
+
+
 def error(window):
     """What a NaN brings up."""
     yield from window.open_file(gui.write_points("nan.vtp", [[0, 0, 0], [1, 0, 0], [0, float("nan"), 0]]))
@@ -164,6 +213,8 @@ def error(window):
     yield messages.isVisible
     messages.resize(1000, 200)
     gui.click(messages.findChild(QtWidgets.QCheckBox, "showFullMessagesCheckBox"))
+    for text in messages.findChildren(QtWidgets.QAbstractScrollArea):
+        text.verticalScrollBar().setValue(0)
     yield from photograph(window, "paraview-error.png", area_of(messages))
 
 
@@ -188,7 +239,9 @@ def test(window):
     yield from manager(window)
     yield from hull(window)
     yield from triangulation(window)
+    yield from diagram(window)
     yield from error(window)
+    yield from survey(window)
 
 
 gui.run(test)
