@@ -20,40 +20,16 @@ all are derived. An argument of the wrong type is a TypeError; an unknown choice
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from typing import Any, Literal, overload
 
-import numpy as np
 import pyvista as pv
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from . import _core
-from ._arguments import (
-    Weights,
-    choice_of,
-    flag_of,
-    length_of,
-    numbers_of,
-    threads_of,
-    weights_of_call,
-)
+from ._arguments import choice_of, flag_of, length_of, numbers_of, weights_of_call
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
-from ._meshes import (
-    LEAVES,
-    Block,
-    Cloud,
-    blocks_of,
-    composite_of,
-    data_of,
-    is_partitioned,
-    is_tree,
-    pass_field_data,
-    set_cells,
-)
-from ._projection import Projection, projection_of
-from ._results import ENGINES, QUIET, Bar
-from ._surfaces import by_cell, surface_of
+from ._mesh_runs import Output, Report, Run, bar_of, each_block
+from ._meshes import Block, blocks_of, data_of, is_partitioned, is_tree, pass_field_data
+from ._projection import projection_of
 
 __all__ = [
     "AbortedError",
@@ -77,9 +53,6 @@ NonFinitePoints = Literal["error", "ignore"]
 Engine = Literal["automatic", "cpu", "cuda"]
 ProjectionPlaneMode = Literal["xy_plane", "best_fitting_plane", "transform"]
 Mesh = pv.DataSet | pv.MultiBlock | pv.PartitionedDataSet | ArrayLike
-Output = pv.PolyData | pv.MultiBlock | pv.PartitionedDataSet
-
-_Report = Callable[[float], Any] | None
 
 
 def convex_hull(
@@ -129,12 +102,12 @@ def convex_hull(
     InputError
         names the first point at fault, its block, and how many there are
     """
-    run = _Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
+    run = Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
     together = choice_of("composite_mode", composite_mode, ("each_block", "all_blocks")) == "all_blocks"
     data = data_of(mesh)
     if not (together and is_tree(data)):
-        return _each_block(data, lambda block, report: [run.hull([block], report)], 1, progress_bar)[0]
-    with _bar(progress_bar) as report:
+        return each_block(data, lambda block, report: [run.hull([block], report)], 1, progress_bar)[0]
+    with bar_of(progress_bar) as report:
         blocks = [block for block in blocks_of(data) if block is not None]
         hull = run.hull(blocks, report)
     if not is_partitioned(data):
@@ -179,16 +152,16 @@ def convexify(
     InputError
         the surface is open, not of polygons, not a manifold, not oriented or not star-shaped; names the first cell
     """
-    run = _Run(facet_mode, number_of_threads, "error", "cpu", False, pass_point_data)
+    run = Run(facet_mode, number_of_threads, "error", "cpu", False, pass_point_data)
     kernel = None if kernel_point is None else numbers_of("kernel_point", kernel_point, 3)
     data = data_of(surface)
     if not hasattr(data, "IsA") or not (is_tree(data) or data.IsA("vtkPolyData")):
         raise TypeError(f"{type(surface).__name__} is no surface: a PolyData is wanted")
 
-    def convexified(block: Block, report: _Report) -> list[pv.PolyData]:
+    def convexified(block: Block, report: Report) -> list[pv.PolyData]:
         return [run.convexified(block, kernel, report)]
 
-    return _each_block(data, convexified, 1, progress_bar, ("vtkPolyData",))[0]
+    return each_block(data, convexified, 1, progress_bar, ("vtkPolyData",))[0]
 
 
 @overload
@@ -298,17 +271,17 @@ def regular_triangulation(
     InputError
         names the first point at fault, its block, and how many there are; or the weights' array
     """
-    run = _Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
+    run = Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
     both = flag_of("return_hidden_points", return_hidden_points)
     limit = length_of("maximum_edge_length", maximum_edge_length)
     data = data_of(mesh)
     heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
-    def triangulated(block: Block, report: _Report) -> list[pv.PolyData]:
+    def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
         return run.triangulation(block, heavy, projection, limit, report, both)
 
-    outputs = _each_block(data, triangulated, 2 if both else 1, progress_bar)
+    outputs = each_block(data, triangulated, 2 if both else 1, progress_bar)
     return (outputs[0], outputs[1]) if both else outputs[0]
 
 
@@ -363,7 +336,7 @@ def power_diagram(
     pyvista.PolyData
         with the points' data as cell data. Or a composite of these.
     """
-    run = _Run("polygons", number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
+    run = Run("polygons", number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
     box = None if power_diagram_bounds is None else numbers_of("power_diagram_bounds", power_diagram_bounds, 4)
     if box is not None and not (box[0] < box[1] and box[2] < box[3]):
@@ -371,10 +344,10 @@ def power_diagram(
     data = data_of(mesh)
     heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
-    def divided(block: Block, report: _Report) -> list[pv.PolyData]:
+    def divided(block: Block, report: Report) -> list[pv.PolyData]:
         return [run.diagram(block, heavy, projection, box, report)]
 
-    return _each_block(data, divided, 1, progress_bar)[0]
+    return each_block(data, divided, 1, progress_bar)[0]
 
 
 class Accessor:
@@ -500,145 +473,3 @@ for _function in (convex_hull, convexify, regular_triangulation, power_diagram):
 
 if hasattr(pv, "register_dataset_accessor"):  # since 0.48
     pv.register_dataset_accessor("flipflop", pv.DataObject)(Accessor)
-
-
-class _Run:
-    """The choices of a call, and what it makes of one block."""
-
-    block_index: Any  # of the last hull's points
-
-    def __init__(
-        self, facets: str, threads: int, non_finite: str, engine: str, skip_ghosts: bool, pass_data: bool
-    ) -> None:
-        self._polygons = choice_of("facet_mode", facets, ("triangles", "polygons")) == "polygons"
-        self._ignore = choice_of("non_finite_points", non_finite, ("error", "ignore")) == "ignore"
-        self._engine = ENGINES[choice_of("engine", engine, tuple(ENGINES))]
-        self._threads = threads_of(threads)
-        self._skip_ghosts = flag_of("skip_ghost_points", skip_ghosts)
-        self._pass_data = flag_of("pass_point_data", pass_data)
-
-    def hull(self, blocks: list[Block], report: _Report) -> pv.PolyData:
-        cloud = Cloud(blocks, self._skip_ghosts, self._ignore)
-        core = cloud.engine(_core.convex_hull, cloud.array, self._settings(cloud, report))
-        self.block_index = cloud.block_index(cloud.ids(core.vertices()))
-        return self._cells_of(cloud, core)
-
-    def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: _Report) -> pv.PolyData:
-        with_cells = [part for part in block.parts if part.mesh.GetNumberOfCells() > 0]
-        of = f" of {block.place}" if block.place else ""
-        if len(with_cells) > 1:
-            raise InputError(f"the surface{of} is spread over {len(with_cells)} partitions", "bad_argument")
-        if not with_cells and block.count:
-            raise InputError(f"the surface{of} has no cells, but {block.count} point(s)", "bad_argument")
-        cloud = Cloud([Block(with_cells or block.parts[:1], block.place)], False, False)
-        settings = self._settings(cloud, report)
-        starts, corners, cell_of = surface_of(cloud.blocks[0].parts[0], block.place)
-        triangles = corners
-        if cell_of is not None:
-            cut = cloud.engine(by_cell(_core.triangulate_polygons, cell_of), cloud.array, starts, corners, settings)
-            triangles, polygon_of = cut
-            cell_of = cell_of[polygon_of]
-        flip = by_cell(_core.convexify, cell_of)
-        core = cloud.engine(flip, cloud.array, triangles.reshape(-1, 3), kernel, settings)
-        return self._cells_of(cloud, core)
-
-    def triangulation(
-        self, block: Block, weights: Weights, projection: Projection, limit: float, report: _Report, hidden: bool
-    ) -> list[pv.PolyData]:
-        cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        heavy = cloud.weights(weights, self._ignore)
-        settings = self._settings(cloud, report)
-        places = projection.to_plane(cloud.array, settings)
-        core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
-        within = None
-        if limit > 0:
-            within = cloud.engine(_core.cells_within_edge_length, places, core, limit, QUIET).view(np.bool_)
-        found = [self._cells_of(cloud, core, within)]
-        if hidden:
-            ids = cloud.ids(core.hidden())
-            found.append(cloud.mesh(ids, self._pass_data))
-            set_cells(found[1], 0, 1, None, np.arange(len(ids)))
-        return found
-
-    def diagram(
-        self, block: Block, weights: Weights, projection: Projection, box: tuple[float, ...] | None, report: _Report
-    ) -> pv.PolyData:
-        cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        heavy = cloud.weights(weights, self._ignore)
-        first, second = _split(report, 0.4)
-        settings = self._settings(cloud, first)
-        places = projection.to_plane(cloud.array, settings)
-        core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
-        arguments = places, heavy, core, box if core.dimension >= 0 else None, self._settings(cloud, second)
-        found = cloud.engine(_core.power_diagram, *arguments)
-        projection.lie_beneath(cloud.array, np.concatenate([core.vertices(), core.hidden()]))
-        made = pv.PolyData()
-        made.SetPoints(pv.vtk_points(projection.to_space(found.vertices()), deep=False, force_float=False))
-        set_cells(made, 2, 0, found.offsets(), found.connectivity())
-        cloud.pass_data(cloud.ids(found.sites()), made, "cell", self._pass_data)
-        return made
-
-    def _settings(self, cloud: Cloud, report: _Report) -> Any:
-        return _core.Settings(self._threads, self._polygons, cloud.left_out, self._engine, report)
-
-    def _cells_of(self, cloud: Cloud, core: Any, kept: NDArray[np.bool_] | None = None) -> pv.PolyData:
-        """A mesh of the points and the cells, or of those cells that are kept."""
-        made = cloud.mesh(cloud.ids(core.vertices()), self._pass_data)
-        size = core.cell_size
-        offsets, corners = None if size else core.offsets(), core.connectivity()
-        if kept is not None:
-            sizes = np.full(len(kept), size) if offsets is None else np.diff(offsets)
-            corners = corners[np.repeat(kept, sizes)]
-            offsets = None if offsets is None else np.concatenate([[0], np.cumsum(sizes[kept])])
-        set_cells(made, core.dimension, size, offsets, corners)
-        return made
-
-
-def _each_block(
-    data: Any,
-    make: Callable[[Block, _Report], list[pv.PolyData]],
-    count: int,
-    progress_bar: bool,
-    leaves: tuple[str, ...] = LEAVES,
-) -> list[Output]:
-    """What is made of each block: so many meshes, or composites of them."""
-    made: list[list[pv.PolyData | None]] = []
-    with _bar(progress_bar) as report:
-        blocks = blocks_of(data, leaves)
-        total = 1 + sum(block.count for block in blocks if block is not None)
-        done = 0
-        for block in blocks:
-            if block is None:
-                made.append([None] * count)
-                continue
-            meshes = make(block, _stretch(report, done / total, (done + block.count) / total))
-            done += block.count
-            for mesh in meshes if block.parts[0].mesh is not None else ():
-                pass_field_data(block.parts[0].mesh, mesh)
-            made.append([*meshes])
-    if is_tree(data):
-        return [composite_of(data, [meshes[i] for meshes in made]) for i in range(count)]
-    return [mesh for mesh in made[0] if mesh is not None]
-
-
-@contextmanager
-def _bar(progress_bar: bool) -> Iterator[_Report]:
-    """A callable for progress that shows a bar, or None."""
-    if not flag_of("progress_bar", progress_bar):
-        yield None
-        return
-    bar = Bar()
-    with bar:
-        yield bar
-
-
-def _stretch(report: _Report, begin: float, end: float) -> _Report:
-    """Reports a part's progress as that of the whole."""
-    if report is None:
-        return None
-    whole = report
-    return lambda fraction: whole(begin + fraction * (end - begin))
-
-
-def _split(report: _Report, at: float) -> tuple[_Report, _Report]:
-    return _stretch(report, 0.0, at), _stretch(report, at, 1.0)
