@@ -26,7 +26,7 @@ plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-de
 # Nothing is found, and find fails, where there is no ParaView.
 config=$(find "$paraview"/lib* -maxdepth 4 -name paraview-config.cmake 2>/dev/null | head -n 1 || true)
 if grep -qs 'PARAVIEW_QT_MAJOR_VERSION "6"' "$config"; then
-  plugin+=(qt6-base-dev python3-pyqt6)
+  plugin+=(qt6-base-dev python3-pyqt6 qt6-tools-dev qt6-documentation-tools xsltproc libqt6sql6-sqlite)
 else
   plugin+=(libqt5svg5 qtbase5-dev python3-pyqt5 qtxmlpatterns5-dev-tools qttools5-dev qttools5-dev-tools)
 fi

@@ -22,8 +22,8 @@ def search(window, text):
     """What ParaView's search lists for a text: the icons by the names."""
     entries = window.entries("Filters")
     yield from window.choose("Filters", next(name for name in entries if name.startswith("Search")))
-    dialog = yield from window.dialog("pqQuickLaunchDialog")
-    QtTest.QTest.keyClicks(dialog, text)
+    dialog = yield from window.dialog("pqQuickLaunchDialog", "pqQuickLaunchDialogExtended")
+    QtTest.QTest.keyClicks(dialog.findChild(QtWidgets.QLineEdit) or dialog, text)
     yield from window.stands_still(0.2)
     window.screen(f"search-{text}.png")
     model = dialog.findChild(QtWidgets.QListView).model()

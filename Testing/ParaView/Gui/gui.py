@@ -168,11 +168,11 @@ class Gui:
         yield enabled
         QtCore.QTimer.singleShot(0, found[0].trigger)
 
-    def dialog(self, name):
-        """Wait for the dialog of a class."""
+    def dialog(self, *names):
+        """Wait for the dialog of a class, or of one of several: versions of ParaView differ."""
         yield lambda: application.activeModalWidget() is not None
         dialog = application.activeModalWidget()
-        assert kind(dialog) == name, f"a {kind(dialog)} came up where a {name} should"
+        assert kind(dialog) in names, f"a {kind(dialog)} came up where a {' or '.join(names)} should"
         return dialog
 
     def choose_file(self, path):
