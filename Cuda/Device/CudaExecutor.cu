@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device/CudaExecutor.h"
 
+#include "Device/PrefixSum.h"
 #include "Support/Parallel.h"
-
-#include <cub/device/device_scan.cuh>
 
 #include <algorithm>
 #include <cstring>
@@ -314,7 +313,7 @@ void CudaExecutor::finish()
 void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
 {
   std::size_t bytes = 0;
-  requireCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, values, values, n, this->stream));
+  requireCuda(exclusivePrefixSum(nullptr, bytes, values, n, this->stream));
   if (bytes > this->scratchBytes)
   {
     this->release(this->scratch, this->scratchBytes);
@@ -325,7 +324,7 @@ void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
   }
   const Timing timing = this->before();
   bytes = this->scratchBytes;
-  requireCuda(cub::DeviceScan::ExclusiveSum(this->scratch, bytes, values, values, n, this->stream));
+  requireCuda(exclusivePrefixSum(this->scratch, bytes, values, n, this->stream));
   this->after(timing, "prefix sum", nullptr, n, 2 * sizeof(std::uint32_t));
 }
 

@@ -7,6 +7,7 @@
 #define flipflop_test_PtxExecutor_h
 
 #include "Rounds/HostExecutor.h"
+#include "Testing/Cuda/Ptx/DeviceCode.h"
 
 #include <cxxabi.h>
 
@@ -17,17 +18,6 @@
 #include <stdexcept>
 #include <string>
 #include <typeinfo>
-
-/// What ptx_to_cxx.py writes.
-namespace ptx
-{
-struct Launch
-{
-  unsigned blockIndex, blockCount, threadIndex, threadCount;
-};
-using Kernel = void (*)(const void* const* parameters, const Launch& launch);
-Kernel find(const char* demangledName);
-}
 
 namespace flipflop
 {

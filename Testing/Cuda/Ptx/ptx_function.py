@@ -31,6 +31,7 @@ class Function:
             for i, variable in enumerate(variables):
                 self.addresses[0][variable.name] = f"{kind}{i}"
         self.counts = len(results), len(parameters)
+        self.parameter_sizes = [v.count * BITS[v.type] // 8 for v in parameters]
 
     # What the operands are.
 
@@ -209,6 +210,11 @@ class Function:
             kind = "b" + kind[1:]
         return parts, kind, is_atomic
 
+    def place(self, op, operand):
+        """Where an instruction reads or writes; what is to be global memory can be checked there."""
+        address = self.address(operand)
+        return f"inGlobal({address})" if "global" in op.flags else address
+
     def load(self, op, a):
         parts, kind, is_atomic = self.elements(op, a[0])
         lines = []
@@ -216,7 +222,7 @@ class Function:
             place = f"(M{CXX[kind]}*)(from + {i * BITS[kind] // 8})"
             value = f"__atomic_load_n({place}, {self.order(op)})" if is_atomic else f"*{place}"
             lines.append(self.write(part, kind, value, True))
-        return f"{{ const U64 from = {self.address(a[1])}; {' '.join(lines)} }}"
+        return f"{{ const U64 from = {self.place(op, a[1])}; {' '.join(lines)} }}"
 
     def store(self, op, a):
         parts, kind, is_atomic = self.elements(op, a[1])
@@ -226,7 +232,7 @@ class Function:
             value = self.read(part, kind, True)
             lines.append(f"__atomic_store_n({place}, {value}, {self.order(op)});" if is_atomic
                          else f"*{place} = {value};")
-        return f"{{ const U64 to = {self.address(a[0])}; {' '.join(lines)} }}"
+        return f"{{ const U64 to = {self.place(op, a[0])}; {' '.join(lines)} }}"
 
     # Arithmetic.
 
@@ -354,18 +360,13 @@ class Function:
         results, values = (a[:1], a[2:]) if op.base == "atom" else (["_"], a[1:])
         if len(values) != (2 if what == "cas" else 1) or what is None or kind[0] == "p":
             raise Refused("unknown atomic operation")
-        place, x = self.address(a[-1 - len(values)]), ", ".join(self.read(v, kind) for v in values)
-        builtin = {"exch": "exchange_n", "add": "fetch_add", "and": "fetch_and", "or": "fetch_or",
-                   "xor": "fetch_xor"}.get(what)
+        place, x = self.place(op, a[-1 - len(values)]), ", ".join(self.read(v, kind) for v in values)
         if op.types[0][0] == "f":
             if what not in ("add", "exch"):
                 raise Refused("unknown atomic operation")
-            builtin, what = (None, "add bits") if what == "add" else (builtin, what)
-        if builtin:
-            value = f"__atomic_{builtin}((M{CXX[kind]}*){place}, {x}, {self.order(op)})"
-        else:
-            call = "atomic" + what.title().replace(" ", "")
-            value = f"{call}<{CXX[kind]}, {self.order(op)}>({place}, {x})"
+            what = "add bits" if what == "add" else what
+        call = "atomic" + what.title().replace(" ", "")
+        value = f"{call}<{CXX[kind]}, {self.order(op)}>({place}, {x})"
         return self.write(results[0], kind, value)
 
     def fence(self, op, a):

@@ -164,7 +164,8 @@ def dispatch_table(modules):
             if seen.setdefault(mangled, text) != text:
                 raise Refused(f"{module.path}: a second and different {mangled}")
             if len(seen) > len(lines):
-                lines.append(f'  {{ "{mangled}", {function.name} }},\n')
+                sizes = ", ".join(str(size) for size in function.parameter_sizes)
+                lines.append(f'  {{ "{mangled}", {function.name}, {{ {sizes} }} }},\n')
     return INTERFACE.replace("@ENTRIES@", "".join(lines))
 
 

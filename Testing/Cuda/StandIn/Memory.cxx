@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Memory.h"
+
+#include <sys/mman.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace standin
+{
+
+namespace
+{
+
+constexpr std::size_t Page = 4096;
+/// Two of it are a NaN as a double; one is no index.
+constexpr std::uint32_t Poison = 0xFFFA5A5A;
+/// Of a longer block only the first so many bytes are poisoned: the rest would take too long.
+constexpr std::size_t MostPoisoned = std::size_t(64) << 20;
+
+std::size_t wholePages(std::size_t bytes)
+{
+  return (bytes + Page - 1) / Page * Page;
+}
+
+void poison(void* at, std::size_t bytes)
+{
+  auto* word = static_cast<std::uint32_t*>(at);
+  for (std::size_t i = 0; i < bytes / sizeof(Poison); ++i)
+  {
+    word[i] = Poison;
+  }
+}
+
+/// Does one of the blocks have all of it?
+bool contain(const std::map<const char*, std::size_t>& blocks, const void* from, std::size_t bytes)
+{
+  const auto* at = static_cast<const char*>(from);
+  auto block = blocks.upper_bound(at);
+  if (block == blocks.begin())
+  {
+    return false;
+  }
+  --block;
+  return at + bytes <= block->first + block->second;
+}
+
+}
+
+void fail(const char* what)
+{
+  std::fprintf(stderr, "The stand-in for CUDA: %s\n", what);
+  std::abort();
+}
+
+int setting(const char* name, int byDefault)
+{
+  const char* const text = std::getenv(name);
+  return text ? std::atoi(text) : byDefault;
+}
+
+Memory& Memory::get()
+{
+  static auto* const memory = new Memory; // for good: what is released last is released late
+  return *memory;
+}
+
+void* Memory::take(std::size_t bytes)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  if (bytes > this->total() - this->used)
+  {
+    return nullptr;
+  }
+  const std::size_t mapped = wholePages(bytes);
+  char* const begin = this->next;
+  this->next += mapped + Page; // the page behind it stays out of reach
+  require(this->next < reinterpret_cast<char*>(DeviceEnd), "no addresses are left");
+  void* const got = mmap(begin, mapped, PROT_READ | PROT_WRITE,
+    MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0);
+  require(got == begin, "there is no memory for the device");
+  poison(begin, mapped < MostPoisoned ? mapped : MostPoisoned);
+  // As far back as the alignment of CUB and of 32-byte sectors allows.
+  char* const block = begin + (mapped - bytes) / 32 * 32;
+  this->live[block] = bytes;
+  this->used += bytes;
+  return block;
+}
+
+void Memory::give(void* block)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  const auto found = this->live.find(static_cast<char*>(block));
+  require(found != this->live.end(), "memory is given back that was not taken");
+  char* const begin = static_cast<char*>(block) - reinterpret_cast<std::uintptr_t>(block) % Page;
+  const std::size_t mapped =
+    wholePages(found->second + static_cast<std::size_t>(static_cast<char*>(block) - begin));
+  void* const got =
+    mmap(begin, mapped, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0);
+  require(got == begin, "memory cannot be given back");
+  this->used -= found->second;
+  this->live.erase(found);
+}
+
+bool Memory::holds(const void* from, std::size_t bytes)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  return contain(this->live, from, bytes);
+}
+
+bool Memory::isUnwritten(const void* from, std::size_t bytes)
+{
+  const char* at = static_cast<const char*>(from);
+  for (std::size_t i = 0; i + sizeof(Poison) <= bytes; i += sizeof(Poison))
+  {
+    if (std::memcmp(at + i, &Poison, sizeof(Poison)) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void* Memory::takePinned(std::size_t bytes)
+{
+  void* const block = std::aligned_alloc(Page, wholePages(bytes));
+  require(block != nullptr, "there is no memory for a pinned buffer");
+  poison(block, wholePages(bytes));
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  this->pinned[static_cast<char*>(block)] = bytes;
+  return block;
+}
+
+void Memory::givePinned(void* block)
+{
+  if (block)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    require(this->pinned.erase(static_cast<char*>(block)) == 1,
+      "a pinned buffer is given back that was not taken");
+    std::free(block);
+  }
+}
+
+bool Memory::isPinned(const void* from, std::size_t bytes)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  return contain(this->pinned, from, bytes);
+}
+
+std::size_t Memory::total() const
+{
+  static const auto mebibytes = static_cast<std::size_t>(setting("STANDIN_MEBIBYTES", 8192));
+  return mebibytes << 20;
+}
+
+std::size_t Memory::free()
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  return this->total() - this->used;
+}
+
+std::size_t Memory::blocks()
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  return this->live.size();
+}
+
+}

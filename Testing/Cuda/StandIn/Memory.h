@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The stand-in's memory: of the device, and pinned.
+///
+/// The device's memory is in an address range of its own, so what is confused with the host's is
+/// noticed. Each block is poisoned, ends at a page that nobody may touch, and its addresses are
+/// never used again.
+#ifndef flipflop_standin_Memory_h
+#define flipflop_standin_Memory_h
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+
+namespace standin
+{
+
+/// Ends the program: the CUDA runtime was used wrongly, or is used in a way that the stand-in has
+/// not.
+[[noreturn]] void fail(const char* what);
+
+inline void require(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    fail(what);
+  }
+}
+
+/// A number from the environment.
+int setting(const char* name, int byDefault);
+
+/// Where the device's memory lies.
+constexpr std::uint64_t DeviceBegin = 0x200000000000, DeviceEnd = 0x300000000000;
+
+class Memory
+{
+public:
+  static Memory& get();
+
+  /// @return null if the device has no more
+  void* take(std::size_t bytes);
+  void give(void* block);
+  /// Is all of it in one of the device's blocks?
+  bool holds(const void* from, std::size_t bytes);
+  /// Is any of it as it was when its block was taken? Words of four bytes.
+  bool isUnwritten(const void* from, std::size_t bytes);
+
+  void* takePinned(std::size_t bytes);
+  void givePinned(void* block);
+  bool isPinned(const void* from, std::size_t bytes);
+
+  std::size_t total() const;
+  std::size_t free();
+  std::size_t blocks();
+
+private:
+  std::mutex mutex;
+  std::map<const char*, std::size_t> live; ///< of the device: its begin and length
+  std::map<const char*, std::size_t> pinned;
+  char* next = reinterpret_cast<char*>(DeviceBegin);
+  std::size_t used = 0;
+};
+
+}
+
+#endif

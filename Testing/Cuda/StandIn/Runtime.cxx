@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A stand-in for the CUDA runtime, for machines without a device: the calls that the CUDA engine
+/// and its device test make, on threads and memory of the host. The program is linked with this in
+/// cudart's place, from nvcc's own objects; so CudaExecutor.cu runs as it is.
+///
+/// What a device would do wrong in silence ends the program here: a launch or a copy out of bounds,
+/// memory of the host where the device's should be, memory given back twice or not at all.
+#include "Launch.h"
+#include "Memory.h"
+#include "Stream.h"
+
+#include "Device/PrefixSum.h"
+
+#include <cuda_runtime.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <vector>
+
+using standin::Memory;
+using standin::require;
+
+/// All memory is the device's, so a pool has nothing of its own.
+struct CUmemPoolHandle_st
+{
+};
+
+namespace
+{
+
+thread_local cudaError_t lastError = cudaSuccess;
+
+cudaError_t result(cudaError_t error)
+{
+  if (error != cudaSuccess)
+  {
+    lastError = error;
+  }
+  return error;
+}
+
+cudaError_t allocation(void** memory, void* block)
+{
+  *memory = block;
+  return result(block ? cudaSuccess : cudaErrorMemoryAllocation);
+}
+
+/// Copies of words that nothing had been written to: harmless, but compute-sanitizer calls them
+/// errors.
+std::atomic<long> unwrittenCopies{ 0 };
+
+void noteUnwritten(const void* from, std::size_t bytes)
+{
+  if (Memory::get().isUnwritten(from, bytes))
+  {
+    ++unwrittenCopies;
+  }
+}
+
+CUstream_st& streamOf(cudaStream_t stream)
+{
+  require(stream != nullptr, "the default stream is used, which waits for others");
+  return *stream;
+}
+
+struct Configuration
+{
+  dim3 blocks;
+  dim3 threads;
+  std::size_t shared = 0;
+  cudaStream_t stream = nullptr;
+};
+thread_local Configuration configuration;
+
+}
+
+// ---- What nvcc's code calls by itself
+// ------------------------------------------------------------------------------
+
+extern "C"
+{
+  void** __cudaRegisterFatBinary(void*)
+  {
+    static void* handle = nullptr;
+    return &handle;
+  }
+  void __cudaRegisterFatBinaryEnd(void**) {}
+  void __cudaUnregisterFatBinary(void**) {}
+  void __cudaRegisterVar(void**, char*, char*, const char*, int, std::size_t, int, int) {}
+  void __cudaRegisterFunction(
+    void**, const char* function, char*, const char* name, int, uint3*, uint3*, dim3*, dim3*, int*)
+  {
+    standin::registerKernel(function, name);
+  }
+  unsigned __cudaPushCallConfiguration(
+    dim3 blocks, dim3 threads, std::size_t shared, CUstream_st* stream)
+  {
+    configuration = { blocks, threads, shared, stream };
+    return 0;
+  }
+  cudaError_t __cudaPopCallConfiguration(
+    dim3* blocks, dim3* threads, std::size_t* shared, void* stream)
+  {
+    *blocks = configuration.blocks;
+    *threads = configuration.threads;
+    *shared = configuration.shared;
+    *static_cast<cudaStream_t*>(stream) = configuration.stream;
+    return cudaSuccess;
+  }
+  cudaError_t __cudaGetKernel(cudaKernel_t* kernel, const void* function)
+  {
+    *kernel = reinterpret_cast<cudaKernel_t>(const_cast<void*>(function));
+    return cudaSuccess;
+  }
+  cudaError_t __cudaLaunchKernel(cudaKernel_t kernel, dim3 blocks, dim3 threads, void** arguments,
+    std::size_t, cudaStream_t stream)
+  {
+    require(blocks.y == 1 && blocks.z == 1 && threads.y == 1 && threads.z == 1,
+      "a launch of more than one dimension");
+    standin::launch(kernel, blocks.x, threads.x, arguments, streamOf(stream));
+    return cudaSuccess;
+  }
+}
+
+// ---- The device
+// ------------------------------------------------------------------------------------------------------
+
+cudaError_t cudaGetDeviceCount(int* count)
+{
+  *count = 1;
+  return cudaSuccess;
+}
+cudaError_t cudaGetDevice(int* device)
+{
+  *device = 0;
+  return cudaSuccess;
+}
+cudaError_t cudaSetDevice(int device)
+{
+  return result(device == 0 ? cudaSuccess : cudaErrorInvalidDevice);
+}
+cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int)
+{
+  std::memset(properties, 0, sizeof(*properties));
+  std::snprintf(properties->name, sizeof(properties->name), "a stand-in on the host's threads");
+  properties->major = 9;
+  return cudaSuccess;
+}
+cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int)
+{
+  switch (attribute)
+  {
+    case cudaDevAttrMultiProcessorCount:
+      *value = standin::setting("STANDIN_MULTIPROCESSORS", 1);
+      return cudaSuccess;
+    case cudaDevAttrMemoryPoolsSupported:
+      *value = 1;
+      return cudaSuccess;
+    default:
+      standin::fail("an attribute of the device that it does not know");
+  }
+}
+cudaError_t cudaFuncGetAttributes(cudaFuncAttributes* attributes, const void*)
+{
+  std::memset(attributes, 0, sizeof(*attributes));
+  return cudaSuccess;
+}
+cudaError_t cudaDriverGetVersion(int* version)
+{
+  *version = CUDART_VERSION;
+  return cudaSuccess;
+}
+cudaError_t cudaRuntimeGetVersion(int* version)
+{
+  *version = CUDART_VERSION;
+  return cudaSuccess;
+}
+cudaError_t cudaGetLastError()
+{
+  const cudaError_t error = lastError;
+  lastError = cudaSuccess;
+  return error;
+}
+cudaError_t cudaPeekAtLastError()
+{
+  return lastError;
+}
+const char* cudaGetErrorString(cudaError_t)
+{
+  return "an error of the stand-in";
+}
+cudaError_t cudaDeviceSynchronize()
+{
+  return cudaSuccess; // nothing is given to the default stream but what is done at once
+}
+cudaError_t cudaDeviceReset()
+{
+  require(Memory::get().blocks() == 0, "memory of the device is left");
+  std::printf("the stand-in: %ld launches, %ld copies of memory that nobody wrote\n",
+    standin::launches(), unwrittenCopies.load());
+  return cudaSuccess;
+}
+
+// ---- Streams and events
+// ------------------------------------------------------------------------------------------------
+
+cudaError_t cudaStreamCreateWithFlags(cudaStream_t* stream, unsigned)
+{
+  *stream = new CUstream_st;
+  return cudaSuccess;
+}
+cudaError_t cudaStreamDestroy(cudaStream_t stream)
+{
+  delete stream;
+  return cudaSuccess;
+}
+cudaError_t cudaStreamSynchronize(cudaStream_t stream)
+{
+  streamOf(stream).wait();
+  return cudaSuccess;
+}
+cudaError_t cudaEventCreate(cudaEvent_t* event)
+{
+  *event = new CUevent_st;
+  return cudaSuccess;
+}
+cudaError_t cudaEventCreateWithFlags(cudaEvent_t* event, unsigned)
+{
+  return cudaEventCreate(event);
+}
+cudaError_t cudaEventDestroy(cudaEvent_t event)
+{
+  delete event;
+  return cudaSuccess;
+}
+cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream)
+{
+  event->record(streamOf(stream));
+  return cudaSuccess;
+}
+cudaError_t cudaEventSynchronize(cudaEvent_t event)
+{
+  event->wait();
+  return cudaSuccess;
+}
+cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t, cudaEvent_t)
+{
+  *milliseconds = 1; // no time of a stand-in is a figure
+  return cudaSuccess;
+}
+
+// ---- Memory
+// ----------------------------------------------------------------------------------------------------------
+
+cudaError_t cudaMallocHost(void** memory, std::size_t bytes)
+{
+  return allocation(memory, Memory::get().takePinned(bytes));
+}
+cudaError_t cudaFreeHost(void* memory)
+{
+  Memory::get().givePinned(memory);
+  return cudaSuccess;
+}
+cudaError_t cudaMalloc(void** memory, std::size_t bytes)
+{
+  return allocation(memory, Memory::get().take(bytes));
+}
+cudaError_t cudaFree(void* memory)
+{
+  if (memory)
+  {
+    Memory::get().give(memory);
+  }
+  return cudaSuccess;
+}
+cudaError_t cudaMallocFromPoolAsync(
+  void** memory, std::size_t bytes, cudaMemPool_t, cudaStream_t stream)
+{
+  streamOf(stream);
+  return allocation(memory, Memory::get().take(bytes));
+}
+cudaError_t cudaFreeAsync(void* memory, cudaStream_t stream)
+{
+  require(Memory::get().holds(memory, 1), "memory is given back that is not the device's");
+  streamOf(stream).give([memory] { Memory::get().give(memory); });
+  return cudaSuccess;
+}
+cudaError_t cudaMemPoolCreate(cudaMemPool_t* pool, const cudaMemPoolProps*)
+{
+  *pool = new CUmemPoolHandle_st;
+  return cudaSuccess;
+}
+cudaError_t cudaMemPoolDestroy(cudaMemPool_t pool)
+{
+  delete pool;
+  return cudaSuccess;
+}
+cudaError_t cudaMemPoolSetAttribute(cudaMemPool_t, cudaMemPoolAttr, void*)
+{
+  return cudaSuccess;
+}
+cudaError_t cudaMemPoolTrimTo(cudaMemPool_t, std::size_t)
+{
+  return cudaSuccess;
+}
+cudaError_t cudaMemGetInfo(std::size_t* free, std::size_t* total)
+{
+  *free = Memory::get().free();
+  *total = Memory::get().total();
+  return cudaSuccess;
+}
+cudaError_t cudaPointerGetAttributes(cudaPointerAttributes* attributes, const void* memory)
+{
+  std::memset(attributes, 0, sizeof(*attributes));
+  attributes->type =
+    Memory::get().holds(memory, 1) ? cudaMemoryTypeDevice : cudaMemoryTypeUnregistered;
+  return cudaSuccess;
+}
+
+// ---- Copies
+// ------------------------------------------------------------------------------------------------------------
+
+cudaError_t cudaMemcpy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind)
+{
+  std::memcpy(to, from, bytes); // of the default stream, which our streams do not wait for
+  return cudaSuccess;
+}
+cudaError_t cudaMemsetAsync(void* to, int byte, std::size_t bytes, cudaStream_t stream)
+{
+  require(bytes == 0 || Memory::get().holds(to, bytes), "memory is filled out of bounds");
+  streamOf(stream).give([=] { std::memset(to, byte, bytes); });
+  return cudaSuccess;
+}
+cudaError_t cudaMemcpyAsync(
+  void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind, cudaStream_t stream)
+{
+  Memory& memory = Memory::get();
+  CUstream_st& queue = streamOf(stream);
+  if (bytes == 0)
+  {
+    return cudaSuccess;
+  }
+  if (kind == cudaMemcpyHostToDevice)
+  {
+    require(memory.holds(to, bytes) && !memory.holds(from, 1), "a copy to the device");
+    if (memory.isPinned(from, bytes))
+    {
+      queue.give([=] { std::memcpy(to, from, bytes); });
+    }
+    else // it is taken at once, and copied later
+    {
+      const auto* const begin = static_cast<const char*>(from);
+      queue.give([to, own = std::vector<char>(begin, begin + bytes)]
+        { std::memcpy(to, own.data(), own.size()); });
+    }
+    return cudaSuccess;
+  }
+  require(memory.holds(from, bytes), "a copy from the device");
+  const auto copy = [=]
+  {
+    noteUnwritten(from, bytes);
+    std::memcpy(to, from, bytes);
+  };
+  if (kind == cudaMemcpyDeviceToDevice)
+  {
+    require(memory.holds(to, bytes), "a copy on the device");
+    queue.give(copy);
+    return cudaSuccess;
+  }
+  require(kind == cudaMemcpyDeviceToHost && !memory.holds(to, 1), "a copy to the host");
+  queue.give(copy);
+  if (!memory.isPinned(to, bytes)) // it is waited for
+  {
+    queue.wait();
+  }
+  return cudaSuccess;
+}
+
+// ---- In CUB's place
+// ------------------------------------------------------------------------------------------------------
+
+namespace flipflop
+{
+
+cudaError_t exclusivePrefixSum(
+  void* scratch, std::size_t& bytes, std::uint32_t* values, std::uint32_t n, cudaStream_t stream)
+{
+  if (!scratch)
+  {
+    bytes = 1;
+    return cudaSuccess;
+  }
+  require(Memory::get().holds(values, n * sizeof(std::uint32_t)), "a prefix sum out of bounds");
+  require(Memory::get().holds(scratch, bytes), "the scratch memory of a prefix sum");
+  streamOf(stream).give(
+    [values, n]
+    {
+      std::uint32_t sum = 0;
+      for (std::uint32_t i = 0; i < n; ++i)
+      {
+        const std::uint32_t value = values[i];
+        values[i] = sum;
+        sum += value;
+      }
+    });
+  return cudaSuccess;
+}
+
+}
