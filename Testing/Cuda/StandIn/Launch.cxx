@@ -57,22 +57,27 @@ private:
   std::vector<const void*> pointers;
 };
 
-/// Every @p step-th of the blocks from @p first on, in a random order, thread by thread.
-void runBlocks(ptx::Kernel kernel, const Arguments& arguments, unsigned blocks, unsigned threads,
+constexpr unsigned WarpSize = 32;
+
+/// Every @p step-th warp of a launch from @p first on, in a random order, thread by thread. Warps
+/// of one block run side by side, too: no kernel of ours waits for its block.
+void runWarps(ptx::Kernel kernel, const Arguments& arguments, unsigned blocks, unsigned threads,
   unsigned first, unsigned step, unsigned seed)
 {
+  const unsigned warpsEach = (threads + WarpSize - 1) / WarpSize;
   std::vector<unsigned> order;
-  for (unsigned block = first; block < blocks; block += step)
+  for (unsigned warp = first; warp < blocks * warpsEach; warp += step)
   {
-    order.push_back(block);
+    order.push_back(warp);
   }
   std::mt19937 random(seed + first);
   std::shuffle(order.begin(), order.end(), random);
-  for (const unsigned block : order)
+  for (const unsigned warp : order)
   {
-    for (unsigned thread = 0; thread < threads; ++thread)
+    const unsigned begin = warp % warpsEach * WarpSize;
+    for (unsigned thread = begin; thread < std::min(threads, begin + WarpSize); ++thread)
     {
-      kernel(arguments.get(), { block, blocks, thread, threads });
+      kernel(arguments.get(), { warp / warpsEach, blocks, thread, threads });
     }
   }
 }
@@ -98,15 +103,15 @@ void launch(
     [=, kernel = entry->kernel]
     {
       static const auto most = static_cast<unsigned>(setting("STANDIN_THREADS", 3));
-      const unsigned workers = std::min(blocks, most);
+      const unsigned workers = std::min(blocks * threads / WarpSize, most);
       const auto seed = static_cast<unsigned>(number) * 7919u;
       std::vector<std::thread> others;
       for (unsigned worker = 1; worker < workers; ++worker)
       {
         others.emplace_back(
-          [&, worker] { runBlocks(kernel, *copies, blocks, threads, worker, workers, seed); });
+          [&, worker] { runWarps(kernel, *copies, blocks, threads, worker, workers, seed); });
       }
-      runBlocks(kernel, *copies, blocks, threads, 0, workers, seed);
+      runWarps(kernel, *copies, blocks, threads, 0, workers, seed);
       for (std::thread& other : others)
       {
         other.join();

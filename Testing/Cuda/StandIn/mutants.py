@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Break the CUDA executor and the rounds on purpose, one way at a time, and see that the device test on the stand-in notices.
+
+A mutant is the source tree with one piece of text replaced, built like the tree itself. Each piece has to be there
+exactly once: where it is not, the source has changed, and the table below has to follow.
+
+    mutants.py --source TREE --work FOLDER --cuda-compiler NVCC [--only NAME...]
+"""
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+
+from is_noticed import is_noticed
+
+EXECUTOR, ROUNDS, FLIPS = "Cuda/Device/CudaExecutor.cu", "Cuda/Rounds/Rounds.h", "Cuda/Rounds/FlipKernels.h"
+TARGET = "flipflop-device-test-stand-in"
+
+# (name, what it breaks, file, text, text instead)
+MUTANTS = [
+    ("piece-not-waited-for",
+     "a piece is read before the device has written it",
+     EXECUTOR,
+     """    requireCuda(cudaEventSynchronize(this->session->pieceDone[i & 1]));
+    std::memcpy(static_cast<char*>(to)""",
+     """    std::memcpy(static_cast<char*>(to)"""),
+    ("piece-written-too-early",
+     "pinned memory is filled again before its copy is done",
+     EXECUTOR, "    if (piece >= 2)\n", "    if (piece >= 3)\n"),
+    ("wrong-piece",
+     "a piece is fetched twice, and the next never",
+     EXECUTOR, "      fetch(i + 1);\n", "      fetch(i);\n"),
+    ("record-not-waited-for",
+     "counters are read before the device has written them",
+     EXECUTOR, "  requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));\n", ""),
+    ("wake-in-two-steps",
+     "who looks whether a triangle is awake, and who wakes it, are two steps",
+     FLIPS,
+     "  if (atomics::exchange(&data.queued[t], next) != next)\n  {\n",
+     "  if (atomics::load(&data.queued[t]) != next)\n  {\n    atomics::store(&data.queued[t], next);\n"),
+    ("too-little-room",
+     "a round that adds as much as it can writes behind its arrays",
+     ROUNDS,
+     "    this->triangles.reserve(after.triangles, before.triangles);",
+     "    this->triangles.reserve((before.triangles + after.triangles) / 2, before.triangles);"),
+]  # fmt: skip
+
+
+def run(command, log):
+    with open(log, "w", encoding="utf-8") as file:
+        return subprocess.run(command, stdout=file, stderr=subprocess.STDOUT).returncode
+
+
+def copy_tree(source, to):
+    """What git knows of the source, as it lies there."""
+    names = subprocess.run(["git", "-C", source, "ls-files", "--cached", "--others", "--exclude-standard", "-z"],
+                           check=True, capture_output=True, text=True).stdout.split("\0")
+    for name in filter(None, names):
+        if not name.startswith(("Documentation/Figures", "Data/", "Testing/Data/")):
+            os.makedirs(os.path.dirname(os.path.join(to, name)), exist_ok=True)
+            shutil.copy2(os.path.join(source, name), os.path.join(to, name))
+
+
+class Tree:
+    def __init__(self, options):
+        self.source, self.build = os.path.join(options.work, "source"), os.path.join(options.work, "build")
+        self.log = os.path.join(options.work, "log.txt")
+        shutil.rmtree(self.source, ignore_errors=True)
+        copy_tree(options.source, self.source)
+        command = [
+            "cmake", "-G", "Ninja", "-S", self.source, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
+            f"-DCMAKE_CUDA_COMPILER={options.cuda_compiler}", "-DFLIPFLOP_CUDA=ON", "-DFLIPFLOP_BUILD_FILTERS=OFF",
+            "-DFLIPFLOP_WRAP_PYTHON=OFF", "-DFLIPFLOP_BUILD_EXAMPLES=OFF", "-DFLIPFLOP_BUILD_TESTING=ON",
+        ]  # fmt: skip
+        if run(command, self.log):
+            sys.exit(f"cmake failed: {self.log}")
+
+    def built(self):
+        return run(["cmake", "--build", self.build, "--target", TARGET], self.log) == 0
+
+    def test(self, seconds=600):
+        return is_noticed([os.path.join(self.build, "bin", TARGET), "--small"], seconds)
+
+    def noticed(self, path, text, instead):
+        """(whether the device test notices the replacement, what it says)"""
+        path = os.path.join(self.source, path)
+        with open(path, encoding="utf-8") as file:
+            whole = file.read()
+        if whole.count(text) != 1:
+            return False, f"the text is there {whole.count(text)} times"
+        try:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(whole.replace(text, instead))
+            return self.test() if self.built() else (False, f"does not compile: {self.log}")
+        finally:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(whole)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--source", required=True)
+    parser.add_argument("--work", required=True)
+    parser.add_argument("--cuda-compiler", required=True)
+    parser.add_argument("--only", nargs="+", default=[name for name, *_ in MUTANTS])
+    options = parser.parse_args()
+    os.makedirs(options.work, exist_ok=True)
+    tree = Tree(options)
+    if not tree.built():
+        sys.exit(f"the tree does not compile: {tree.log}")
+    failed, said = tree.test()
+    if failed:
+        sys.exit(f"the unbroken tree fails: {said}")
+    missed = 0
+    for name, what, *replacement in MUTANTS:
+        if name in options.only:
+            noticed, said = tree.noticed(*replacement)
+            print(f"{'noticed' if noticed else 'MISSED '} {name}: {what}: {said}", flush=True)
+            missed += not noticed
+    print(f"{missed} missed")
+    return missed > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
