@@ -81,13 +81,15 @@ std::vector<Floor> deviceFloors()
   floors.push_back({ "launch and wait", 1e6 * waiting / Launches, "us" });
 
   constexpr std::size_t Bytes = std::size_t(1) << 30;
-  ExecutorArray<CudaExecutor, char> from(executor, Bytes);
-  ExecutorArray<CudaExecutor, char> to(executor, Bytes);
+  constexpr std::size_t Values = Bytes / sizeof(ulonglong2);
+  ExecutorArray<CudaExecutor, ulonglong2> from(executor, Values);
+  ExecutorArray<CudaExecutor, ulonglong2> to(executor, Values);
   executor.fill(from.data(), 0, Bytes);
   const double copying = leastSeconds(
     [&]
     {
-      executor.copy(to.data(), from.data(), Bytes);
+      executor.each(static_cast<std::uint32_t>(Values), nullptr,
+        KeepValues<ulonglong2>{ {}, to.data(), from.data() });
       executor.finish();
     });
   floors.push_back({ "copy on the device, read and written", 2e-9 * Bytes / copying, "GB/s" });

@@ -259,11 +259,6 @@ void CudaExecutor::fill(void* to, int byte, std::size_t bytes)
   requireCuda(cudaMemsetAsync(to, byte, bytes, this->stream));
 }
 
-void CudaExecutor::copy(void* to, const void* from, std::size_t bytes)
-{
-  requireCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, this->stream));
-}
-
 void CudaExecutor::fromHost(void* to, const void* from, std::size_t bytes)
 {
   for (std::size_t done = 0; done < bytes; done += PieceBytes)

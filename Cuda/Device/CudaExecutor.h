@@ -56,7 +56,6 @@ public:
   void release(void* memory, std::size_t bytes) noexcept;
 
   void fill(void* to, int byte, std::size_t bytes);
-  void copy(void* to, const void* from, std::size_t bytes);
   void fromHost(void* to, const void* from, std::size_t bytes);
   void toHost(void* to, const void* from, std::size_t bytes);
   void finish();

@@ -5,13 +5,28 @@
 #ifndef flipflop_ExecutorArray_h
 #define flipflop_ExecutorArray_h
 
+#include "Rounds/Kernel.h"
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
 namespace flipflop
 {
+
+/// Over the values that an array keeps when it grows.
+template <class T>
+struct KeepValues : Kernel
+{
+  static constexpr const char* Name = "keep values";
+  static constexpr int Bytes = 2 * sizeof(T);
+  T* to;
+  const T* from;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const { this->to[i] = this->from[i]; }
+};
 
 /// Uninitialised plain values. Growing keeps what is used.
 template <class Executor, class T>
@@ -27,31 +42,35 @@ public:
   ExecutorArray(Executor& where, std::size_t size)
     : executor(where)
   {
-    this->reserve(size, 0);
+    this->reserve(size);
   }
   ExecutorArray(const ExecutorArray&) = delete;
   ExecutorArray& operator=(const ExecutorArray&) = delete;
   ~ExecutorArray() { this->clear(); }
 
-  /// Have room for @p size values, of which the first @p used keep theirs. Grows by half at least.
-  void reserve(std::size_t size, std::size_t used)
+  /// Have room for @p size values. Keeps none.
+  void reserve(std::size_t size)
+  {
+    if (size > this->room)
+    {
+      this->clear();
+      this->first = static_cast<T*>(this->executor.allocate(size * sizeof(T)));
+      this->room = size;
+    }
+  }
+
+  /// Have room for @p size values, of which the first keep theirs: as many as @p used tells in the
+  /// executor's memory, but not more than @p most. What was never written is not read. Grows by
+  /// half at least.
+  void grow(std::size_t size, std::size_t most, const std::uint32_t* used)
   {
     if (size <= this->room)
     {
       return;
     }
-    const std::size_t wanted = used ? std::max(size, this->room + this->room / 2) : size;
-    if (!used)
-    {
-      this->clear();
-    }
-    ExecutorArray wider(this->executor);
-    wider.first = static_cast<T*>(this->executor.allocate(wanted * sizeof(T)));
-    wider.room = wanted;
-    if (used)
-    {
-      this->executor.copy(wider.first, this->first, std::min(used, this->room) * sizeof(T));
-    }
+    ExecutorArray wider(this->executor, std::max(size, this->room + this->room / 2));
+    const auto least = static_cast<std::uint32_t>(std::min(most, this->room));
+    this->executor.each(least, used, KeepValues<T>{ {}, wider.first, this->first });
     std::swap(this->first, wider.first);
     std::swap(this->room, wider.room);
   }

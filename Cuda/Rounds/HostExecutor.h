@@ -79,7 +79,6 @@ public:
   }
 
   void fill(void* to, int byte, std::size_t bytes) { std::memset(to, byte, bytes); }
-  void copy(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void fromHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void toHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void finish() {}

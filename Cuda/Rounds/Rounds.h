@@ -71,7 +71,7 @@ public:
     const PointSource points = this->executor.resident(this->source, residence);
     Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
       Array<Vertex>(this->executor, count) };
-    this->undecided.reserve(count, 0);
+    this->undecided.reserve(count);
     this->begin(start);
 
     Counters* const c = this->counters.data();
@@ -123,10 +123,10 @@ public:
     Array<std::uint32_t> queued(this->executor, t);
     Array<Proposal> proposals(this->executor, t);
     Array<Proposal> flips(this->executor, t);
-    this->lists[0].reserve(t, 0);
-    this->lists[1].reserve(t, 0);
-    this->undecided.reserve(t, 0);
-    this->sameAs.reserve(3 * std::size_t(v), 0);
+    this->lists[0].reserve(t);
+    this->lists[1].reserve(t);
+    this->undecided.reserve(t);
+    this->sameAs.reserve(3 * std::size_t(v));
     this->executor.fill(this->sameAs.data(), 0xFF, 3 * std::size_t(v) * sizeof(std::uint32_t));
     this->executor.fill(this->keys.data(), 0xFF, t * sizeof(std::uint64_t));
     this->executor.fill(flipped.data(), 0, t * sizeof(std::uint32_t));
@@ -264,13 +264,13 @@ private:
     constexpr std::size_t Room = 1 << 10; // so that the first rounds need not grow
     const std::uint32_t t = start.triangleCount();
     const std::uint32_t v = start.vertexCount();
-    this->triangles.reserve(Room, 0);
-    this->vertices.reserve(Room, 0);
-    this->keys.reserve(Room, 0);
-    this->lowest.reserve(Room, 0);
-    this->lists[0].reserve(Room, 0);
-    this->lists[1].reserve(Room, 0);
-    this->places.reserve(Room, 0);
+    this->triangles.reserve(Room);
+    this->vertices.reserve(Room);
+    this->keys.reserve(Room);
+    this->lowest.reserve(Room);
+    this->lists[0].reserve(Room);
+    this->lists[1].reserve(Room);
+    this->places.reserve(Room);
 
     std::vector<std::uint32_t> all(t);
     std::iota(all.begin(), all.end(), std::uint32_t(0));
@@ -297,12 +297,13 @@ private:
     {
       throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(after.vertices));
     }
-    this->triangles.reserve(after.triangles, before.triangles);
-    this->keys.reserve(after.triangles, before.triangles);
-    this->vertices.reserve(after.vertices, before.vertices);
-    this->lowest.reserve(after.vertices, before.vertices);
-    this->places.reserve(before.candidates + 1, 0);
-    this->lists[(round & 1) ^ 1].reserve(after.candidates, 0);
+    const Counters* const c = this->counters.data();
+    this->triangles.grow(after.triangles, before.triangles, &c->triangles);
+    this->keys.grow(after.triangles, before.triangles, &c->triangles);
+    this->vertices.grow(after.vertices, before.vertices, &c->vertices);
+    this->lowest.grow(after.vertices, before.vertices, &c->vertices);
+    this->places.reserve(before.candidates + 1);
+    this->lists[(round & 1) ^ 1].reserve(after.candidates);
   }
 
   /// Where things are now.

@@ -28,7 +28,6 @@ public:
     {
       Launch,
       Sum,
-      Copy, ///< from the executor's memory to the executor's
       ToHost,
       Record,
       Recorded
@@ -64,11 +63,6 @@ public:
     HostExecutor::release(memory, bytes);
   }
 
-  void copy(void* to, const void* from, std::size_t bytes)
-  {
-    this->log.push_back({ Call::Kind::Copy, nullptr, -1 });
-    HostExecutor::copy(to, from, bytes);
-  }
   void toHost(void* to, const void* from, std::size_t bytes)
   {
     this->log.push_back({ Call::Kind::ToHost, nullptr, -1 });

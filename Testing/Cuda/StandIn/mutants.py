@@ -19,33 +19,36 @@ from is_noticed import is_noticed
 EXECUTOR, ROUNDS, FLIPS = "Cuda/Device/CudaExecutor.cu", "Cuda/Rounds/Rounds.h", "Cuda/Rounds/FlipKernels.h"
 TARGET = "flipflop-device-test-stand-in"
 
-# (name, what it breaks, file, text, text instead)
+SMALL = ["--small"]
+LARGE = ["--only", "rounds/plane-uniform-500000"]  # its copies are of several pieces
+
+# (name, what it breaks, the device test's arguments, file, text, text instead)
 MUTANTS = [
     ("piece-not-waited-for",
      "a piece is read before the device has written it",
-     EXECUTOR,
+     SMALL, EXECUTOR,
      """    requireCuda(cudaEventSynchronize(this->session->pieceDone[i & 1]));
     std::memcpy(static_cast<char*>(to)""",
      """    std::memcpy(static_cast<char*>(to)"""),
     ("piece-written-too-early",
      "pinned memory is filled again before its copy is done",
-     EXECUTOR, "    if (piece >= 2)\n", "    if (piece >= 3)\n"),
+     LARGE, EXECUTOR, "    if (piece >= 2)\n", "    if (piece >= 3)\n"),
     ("wrong-piece",
      "a piece is fetched twice, and the next never",
-     EXECUTOR, "      fetch(i + 1);\n", "      fetch(i);\n"),
+     LARGE, EXECUTOR, "      fetch(i + 1);\n", "      fetch(i);\n"),
     ("record-not-waited-for",
      "counters are read before the device has written them",
-     EXECUTOR, "  requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));\n", ""),
+     SMALL, EXECUTOR, "  requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));\n", ""),
     ("wake-in-two-steps",
      "who looks whether a triangle is awake, and who wakes it, are two steps",
-     FLIPS,
+     SMALL, FLIPS,
      "  if (atomics::exchange(&data.queued[t], next) != next)\n  {\n",
      "  if (atomics::load(&data.queued[t]) != next)\n  {\n    atomics::store(&data.queued[t], next);\n"),
     ("too-little-room",
      "a round that adds as much as it can writes behind its arrays",
-     ROUNDS,
-     "    this->triangles.reserve(after.triangles, before.triangles);",
-     "    this->triangles.reserve((before.triangles + after.triangles) / 2, before.triangles);"),
+     SMALL, ROUNDS,
+     "    this->triangles.grow(after.triangles, before.triangles, &c->triangles);",
+     "    this->triangles.grow((before.triangles + after.triangles) / 2, before.triangles, &c->triangles);"),
 ]  # fmt: skip
 
 
@@ -81,10 +84,10 @@ class Tree:
     def built(self):
         return run(["cmake", "--build", self.build, "--target", TARGET], self.log) == 0
 
-    def test(self, seconds=600):
-        return is_noticed([os.path.join(self.build, "bin", TARGET), "--small"], seconds)
+    def test(self, arguments):
+        return is_noticed([os.path.join(self.build, "bin", TARGET), *arguments])
 
-    def noticed(self, path, text, instead):
+    def noticed(self, arguments, path, text, instead):
         """(whether the device test notices the replacement, what it says)"""
         path = os.path.join(self.source, path)
         with open(path, encoding="utf-8") as file:
@@ -94,7 +97,7 @@ class Tree:
         try:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(whole.replace(text, instead))
-            return self.test() if self.built() else (False, f"does not compile: {self.log}")
+            return self.test(arguments) if self.built() else (False, f"does not compile: {self.log}")
         finally:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(whole)
@@ -111,9 +114,10 @@ def main():
     tree = Tree(options)
     if not tree.built():
         sys.exit(f"the tree does not compile: {tree.log}")
-    failed, said = tree.test()
-    if failed:
-        sys.exit(f"the unbroken tree fails: {said}")
+    for arguments in (SMALL, LARGE):
+        failed, said = tree.test(arguments)
+        if failed:
+            sys.exit(f"the unbroken tree fails: {said}")
     missed = 0
     for name, what, *replacement in MUTANTS:
         if name in options.only:
