@@ -2,7 +2,8 @@
 #
 # FLIPFLOP_CUDA: AUTO (the default) builds the CUDA engine's kernels where a compiler of CUDA 12 or later is
 # found, ON insists on one, OFF does without.
-# CMAKE_CUDA_ARCHITECTURES: by default those of the devices at hand, or 90 where there is none.
+# CMAKE_CUDA_ARCHITECTURES: by default those of the devices at hand. Where there is none, all that the compiler knows
+# from 7.5 on, and PTX for devices newer than these.
 #
 # Sets FLIPFLOP_USE_CUDA. flipflop_cuda_options(<target>): the rules that exactness depends on.
 set(FLIPFLOP_CUDA AUTO CACHE STRING "Build the CUDA engine: AUTO, ON or OFF")
@@ -21,7 +22,17 @@ if(FLIPFLOP_CUDA)
       list(TRANSFORM found REPLACE "\\." "")
       list(REMOVE_DUPLICATES found)
       if(failed OR NOT found)
-        set(found 90)
+        execute_process(COMMAND "${CMAKE_CUDA_COMPILER}" --list-gpu-arch OUTPUT_VARIABLE known)
+        string(REGEX MATCHALL "[0-9]+" known "${known}")
+        list(SORT known COMPARE NATURAL)
+        set(found)
+        foreach(architecture IN LISTS known)
+          if(architecture GREATER_EQUAL 75)
+            list(APPEND found ${architecture}-real)
+            set(newest ${architecture})
+          endif()
+        endforeach()
+        list(APPEND found ${newest}-virtual)
       endif()
       set(CMAKE_CUDA_ARCHITECTURES "${found}" CACHE STRING "Architectures to build device code for")
     endif()

@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # nightly.sh [sanitizers|tests|compilers|windows|wheels|fuzz]...: what takes too long for every change. By default all:
-#   sanitizers  every test that a sanitizer can find something in (test.sh runs a part of them)
+#   sanitizers  every test that a sanitizer can find something in (test.sh runs a part of them), and where there is
+#               nvcc, the device's code
 #   tests       the tests that only FLIPFLOP_NIGHTLY builds: the tests of the tests, by mutants; the pictures beside
 #               their sources; the device code's budgets for every architecture
 #   compilers   clang with libc++, compiled only
@@ -34,6 +35,13 @@ for part in "${parts[@]}"; do
       fixed_layout
       build_and_test asan asan-nightly -DFLIPFLOP_NIGHTLY=ON
       build_and_test tsan tsan-nightly -DFLIPFLOP_NIGHTLY=ON
+      if command -v nvcc >/dev/null; then
+        build="$top/build/stand-in-tsan"
+        (cd "$top" && cmake --preset stand-in-tsan -B "$build" -DPython3_EXECUTABLE="$python")
+        cmake --build "$build" --target flipflop-device-test-stand-in --parallel "$(parallel_jobs)"
+        say "Test: the device's code, on the stand-in, under ThreadSanitizer"
+        "${layout[@]}" "$build/bin/flipflop-device-test-stand-in" --small
+      fi
       layout=()
       ;;
     tests) build_and_test ci ci-nightly -DFLIPFLOP_NIGHTLY=ON ;;

@@ -295,7 +295,12 @@ void CudaExecutor::toHost(void* to, const void* from, std::size_t bytes)
       fetch(i + 1);
     }
     requireCuda(cudaEventSynchronize(this->session->pieceDone[i & 1]));
-    std::memcpy(static_cast<char*>(to) + i * PieceBytes, this->session->piece[i & 1], sizeOf(i));
+    // By several threads: the pages of a new array are made by those that write to them first.
+    const auto* const piece = static_cast<const char*>(this->session->piece[i & 1]);
+    eachRun(sizeOf(i), std::size_t(1) << 17,
+      [&](std::size_t begin, std::size_t end, std::size_t) {
+        std::memcpy(static_cast<char*>(to) + i * PieceBytes + begin, piece + begin, end - begin);
+      });
   }
   this->after(timing, "to the host", nullptr, 1, static_cast<std::int64_t>(bytes));
 }

@@ -32,8 +32,8 @@ inline void require(bool holds, const char* what)
 /// A number from the environment.
 int setting(const char* name, int byDefault);
 
-/// Where the device's memory lies.
-constexpr std::uint64_t DeviceBegin = 0x200000000000, DeviceEnd = 0x300000000000;
+/// Where the device's memory lies: low, where ThreadSanitizer lets a program have some.
+constexpr std::uint64_t DeviceBegin = 0x1000000000, DeviceEnd = 0x8000000000;
 
 class Memory
 {
