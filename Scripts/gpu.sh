@@ -2,9 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# gpu.sh [--dependencies FOLDER] [--output FOLDER] [--quick]: on a machine with an NVIDIA GPU, build the CUDA
+# gpu.sh [--dependencies FOLDER] [--output FOLDER] [--quick] [PART...]: on a machine with an NVIDIA GPU, build the CUDA
 # engine, test it on the device, by itself and under compute-sanitizer, and measure it; in less than nine minutes.
 #
+# Each part is useful alone, and takes less than nine minutes; all of them in one call share these:
+#   tests   the device test, compute-sanitizer, the device's floors
+#   device  the engine's kernels, the most points first
+#   peers   beside the CPU engine and Qhull, and from how many points on the device is faster
+# In a bundle (gpu-bundle.sh), nothing is built.
 # --dependencies: what gather-dependencies.sh has put there. --output (build/gpu/results): for log.txt,
 # memcheck.txt, initcheck.txt, floors.csv, crossover.csv, engines.csv, kernels.csv and tables.md. --quick: small
 # sizes only. FLIPFLOP_GPU_SECONDS in the environment: another limit for all.
@@ -16,7 +21,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 no_device=77
 sanitizer_found=99 # as we ask it to exit where it found something
 build="$top/build/gpu"
+# A bundle has the programs beside Scripts/.
+prebuilt=
+if [ -x "$top/bin/flipflop-device-test" ]; then
+  prebuilt=yes
+  build=$top
+fi
 dependencies=
+parts=()
 output="$build/results"
 quick=
 while [ $# -gt 0 ]; do
@@ -24,15 +36,21 @@ while [ $# -gt 0 ]; do
     --dependencies) dependencies=$(cd "$2" && pwd); shift 2 ;;
     --output) output=$2; shift 2 ;;
     --quick) quick=yes; shift ;;
-    *) echo "usage: gpu.sh [--dependencies FOLDER] [--output FOLDER] [--quick]" >&2; exit 2 ;;
+    tests | device | peers) parts+=("$1"); shift ;;
+    *) echo "usage: gpu.sh [--dependencies FOLDER] [--output FOLDER] [--quick] [tests|device|peers]..." >&2; exit 2 ;;
   esac
 done
+[ ${#parts[@]} -gt 0 ] || parts=(tests device peers)
+has() {
+  [[ " ${parts[*]} " == *" $1 "* ]]
+}
 mkdir -p "$output"
 output=$(cd "$output" && pwd)
 export PATH="$PATH:/usr/local/cuda/bin"
 
 allowed=${FLIPFLOP_GPU_SECONDS:-520}
 measuring=$((allowed / 4)) # kept for the benchmark, whatever the tests take
+has device || has peers || measuring=20
 left() {
   echo $((allowed - SECONDS))
 }
@@ -93,26 +111,38 @@ sanitize() {
   tail -n 3 "$file"
 }
 
+# measure PARTS [OPTION]...: it ends by itself once its time is up, but for the case in hand
+measure() {
+  local measured=$1 seconds
+  shift
+  seconds=$(($(left) * 4 / 5))
+  local options=(--parts "$measured" --max-seconds "$seconds" --max-qhull-seconds $((seconds / 4)) "$@")
+  [ -z "$quick" ] || options+=(--sizes "1e4,1e5" --repetitions 3)
+  step "Benchmark of $measured" "$(left)" 5 "$build/bin/cuda-benchmark" --output "$output" "${options[@]}" || true
+}
+
 main() {
-  local options=() tested=0 seconds
-  [ -z "$dependencies" ] || options+=("-DCMAKE_PREFIX_PATH=$dependencies")
-  if ! step Configure 60 0 cmake -S "$top" --preset gpu -B "$build" "${options[@]}" ||
-    ! step Build 240 0 cmake --build "$build" --parallel "$(parallel_jobs)"; then
-    return 1
+  local options=() tested=0
+  if [ -z "$prebuilt" ]; then
+    [ -z "$dependencies" ] || options+=("-DCMAKE_PREFIX_PATH=$dependencies")
+    if ! step Configure 60 0 cmake -S "$top" --preset gpu -B "$build" "${options[@]}" ||
+      ! step Build 240 0 cmake --build "$build" --parallel "$(parallel_jobs)"; then
+      return 1
+    fi
   fi
 
   options=()
   [ -z "$quick" ] || options+=(--small)
+  has tests || options=(--only probe)
   step "Device test" 130 "$measuring" "$build/bin/flipflop-device-test" "${options[@]}" || tested=$?
   [ "$tested" -ne "$no_device" ] || return "$no_device"
-  sanitize memcheck "" --leak-check full
-  sanitize initcheck rounds/
-
-  # It ends by itself once its time is up, but for the case in hand.
-  seconds=$(($(left) * 4 / 5))
-  options=(--max-seconds "$seconds" --max-qhull-seconds $((seconds / 4)))
-  [ -z "$quick" ] || options+=(--sizes "1e4,1e5" --repetitions 3)
-  step Benchmark "$(left)" 5 "$build/bin/cuda-benchmark" --output "$output" "${options[@]}" || true
+  if has tests; then
+    sanitize memcheck "" --leak-check full
+    sanitize initcheck rounds/
+    measure floors
+  fi
+  ! has device || measure kernels
+  ! has peers || measure engines,crossover
   python3 -B "$top/Benchmarks/Cuda/tables.py" "$output" >"$output/tables.md" || note FAILED tables.py
   [ -z "$failed" ]
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 namespace
@@ -22,6 +23,7 @@ const char* const usage =
   "usage: cuda-benchmark [OPTION]...\n"
   "  --host                count what the rounds do, on the host: rounds.csv\n"
   "  --output FOLDER       where to write floors.csv, crossover.csv, engines.csv, kernels.csv (.)\n"
+  "  --parts PART,...      of floors, crossover, engines (and Qhull) and kernels (all)\n"
   "  --sizes N,N,...       ascending numbers of points (1e5,1e6,1e7; with --host 1e4,1e5,1e6)\n"
   "  --repetitions N       runs a case, where it is quick (5)\n"
   "  --max-seconds S       begin nothing new after this time (240)\n"
@@ -78,6 +80,10 @@ Arguments parse(int argc, char** argv)
     {
       settings.sizes = parseSizes(value);
       sized = true;
+    }
+    else if (word == "--parts")
+    {
+      settings.parts = value;
     }
     else if (word == "--repetitions")
     {
@@ -136,6 +142,7 @@ int measureOnDevice(Settings settings, const Allowance& allowance)
   {
     std::printf("%s: %s\n", fact.first.c_str(), fact.second.c_str());
   }
+  if (settings.measures("floors"))
   {
     Csv floors(settings.folder, "floors", settings.facts, "floor,value,unit");
     for (const Floor& floor : deviceFloors())
@@ -144,18 +151,41 @@ int measureOnDevice(Settings settings, const Allowance& allowance)
       std::printf("%s: %.3g %s\n", floor.name.c_str(), floor.value, floor.unit.c_str());
     }
   }
-  measureCrossover(settings, *runner, allowance);
-  EngineRows engines(settings, *runner);
-  KernelRows kernels(settings, *runner);
+  if (settings.measures("crossover"))
+  {
+    measureCrossover(settings, *runner, allowance);
+  }
+  std::optional<EngineRows> engines;
+  std::optional<KernelRows> kernels;
+  if (settings.measures("engines"))
+  {
+    engines.emplace(settings, *runner);
+  }
+  if (settings.measures("kernels"))
+  {
+    kernels.emplace(settings, *runner);
+  }
+  // The largest first: they tell most, should the time not do for all.
+  std::reverse(settings.sizes.begin(), settings.sizes.end());
   for (const std::int64_t count : settings.sizes)
   {
     for (const Subject& subject : subjects())
     {
+      if (!engines && !kernels)
+      {
+        continue;
+      }
       if (allowance.left() > 0)
       {
         const Points points(subject, count, settings.seed);
-        kernels.measure(subject, points);
-        engines.measure(subject, points, allowance);
+        if (kernels)
+        {
+          kernels->measure(subject, points);
+        }
+        if (engines)
+        {
+          engines->measure(subject, points, allowance);
+        }
       }
       else
       {

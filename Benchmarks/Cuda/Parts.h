@@ -43,6 +43,13 @@ struct Settings
   std::string folder = ".";
   std::vector<std::int64_t> sizes = { 100000, 1000000, 10000000 };
   int repetitions = 5;
+  std::string parts = "floors,crossover,engines,kernels"; ///< what to measure on a device
+
+  bool measures(const std::string& part) const
+  {
+    return ("," + this->parts + ",").find("," + part + ",") != std::string::npos;
+  }
+
   double qhullSeconds = 60; ///< in all
   std::uint64_t seed = 2013;
   Facts facts;

@@ -220,7 +220,7 @@ class Function:
         lines = []
         for i, part in enumerate(parts):
             place = f"(M{CXX[kind]}*)(from + {i * BITS[kind] // 8})"
-            value = f"__atomic_load_n({place}, {self.order(op)})" if is_atomic else f"*{place}"
+            value = f"strongLoad<{self.order(op)}>({place})" if is_atomic else f"*{place}"
             lines.append(self.write(part, kind, value, True))
         return f"{{ const U64 from = {self.place(op, a[1])}; {' '.join(lines)} }}"
 

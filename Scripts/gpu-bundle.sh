@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# gpu-bundle.sh [ARCHITECTURES]: make build/gpu-bundle, a folder to take to a machine with an NVIDIA GPU and nothing but
+# its driver: the device test and the benchmark with the libraries they need, the CUDA runtime among them, and gpu.sh.
+# There: Scripts/gpu.sh. It takes nvcc here; there, a C library that is not older than this machine's.
+#
+# ARCHITECTURES, as CMAKE_CUDA_ARCHITECTURES: 80-real;90 by default (A100, H100, H200, and newer ones by PTX).
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+most_megabytes=64 # which such machines take
+bundle="$top/build/gpu-bundle"
+build="$top/build/gpu-bundle-build"
+# The libraries are looked for beside the programs.
+cuda_options=("-DCMAKE_CUDA_ARCHITECTURES=${1:-80-real;90}" '-DCMAKE_BUILD_RPATH=$ORIGIN/../lib')
+
+"$top/Scripts/install-dependencies.sh" benchmark
+configure_and_build gpu gpu-bundle-build
+
+rm -rf "$bundle"
+mkdir -p "$bundle/bin" "$bundle/lib" "$bundle/Scripts" "$bundle/Benchmarks/Cuda"
+cp "$build/bin/flipflop-device-test" "$build/bin/cuda-benchmark" "$bundle/bin"
+strip "$bundle"/bin/*
+# All but the C library's own, which the machine has.
+ldd "$bundle"/bin/* | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p' | sort -u |
+  grep -vE '/(libc|libm|libdl|librt|libpthread|libresolv)\.so\.[0-9]+$' | xargs -I{} cp -L {} "$bundle/lib"
+cp "$top/Scripts/gpu.sh" "$top/Scripts/common.sh" "$bundle/Scripts"
+cp "$top"/Benchmarks/Cuda/*.py "$bundle/Benchmarks/Cuda"
+
+megabytes=$(du -sm "$bundle" | cut -f1)
+newest=$(objdump -T "$bundle"/bin/* "$bundle"/lib/* 2>/dev/null | grep -o 'GLIBC_2\.[0-9]*' | sort -uV | tail -1)
+echo "$bundle: $megabytes MB, needs $newest"
+[ "$megabytes" -le "$most_megabytes" ] || { echo "More than $most_megabytes MB" >&2; exit 1; }
