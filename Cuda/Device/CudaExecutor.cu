@@ -355,30 +355,40 @@ PointSource CudaExecutor::resident(const PointSource& points, Residence& residen
     return points.onDevice();
   }
   const std::uint32_t count = points.count();
-  residence.bytes = std::size_t(count) * 3 * sizeof(double);
-  residence.memory = static_cast<double*>(this->allocate(residence.bytes));
+  const auto floats = static_cast<std::size_t>(points.floatsEach());
+  const std::size_t bytesEach = floats ? floats * sizeof(float) : 3 * sizeof(double);
+  residence.bytes = std::size_t(count) * bytesEach;
+  residence.memory = this->allocate(residence.bytes);
   const Timing timing = this->before();
-  constexpr std::uint64_t Piece = PieceBytes / (3 * sizeof(double));
+  const std::uint64_t pieceCount = PieceBytes / bytesEach;
   std::uint32_t piece = 0;
-  for (std::uint64_t begin = 0; begin < count; begin += Piece, ++piece)
+  for (std::uint64_t begin = 0; begin < count; begin += pieceCount, ++piece)
   {
-    const std::uint64_t end = std::min<std::uint64_t>(count, begin + Piece);
+    const std::uint64_t end = std::min<std::uint64_t>(count, begin + pieceCount);
     const cudaEvent_t done = this->session->pieceDone[piece & 1];
     if (piece >= 2)
     {
       requireCuda(cudaEventSynchronize(done));
     }
-    auto* const packed = static_cast<double*>(this->session->piece[piece & 1]);
+    void* const packed = this->session->piece[piece & 1];
     eachRun(end - begin, std::size_t(1) << 13,
       [&](std::size_t first, std::size_t last, std::size_t)
       {
         for (std::size_t i = first; i < last; ++i)
         {
-          points.load(static_cast<std::uint32_t>(begin + i), packed + 3 * i);
+          const auto id = static_cast<std::uint32_t>(begin + i);
+          if (floats)
+          {
+            points.copyFloats(id, static_cast<float*>(packed) + floats * i);
+          }
+          else
+          {
+            points.load(id, static_cast<double*>(packed) + 3 * i);
+          }
         }
       });
-    requireCuda(cudaMemcpyAsync(residence.memory + 3 * std::size_t(begin), packed,
-      3 * std::size_t(end - begin) * sizeof(double), cudaMemcpyHostToDevice, this->stream));
+    requireCuda(cudaMemcpyAsync(static_cast<char*>(residence.memory) + begin * bytesEach, packed,
+      (end - begin) * bytesEach, cudaMemcpyHostToDevice, this->stream));
     requireCuda(cudaEventRecord(done, this->stream));
   }
   // The pieces are free again for the next copy.
@@ -388,6 +398,10 @@ PointSource CudaExecutor::resident(const PointSource& points, Residence& residen
   }
   this->after(timing, "from the host", nullptr, 1, static_cast<std::int64_t>(residence.bytes));
 
+  if (floats)
+  {
+    return points.withFloats(static_cast<const float*>(residence.memory));
+  }
   PointView view;
   view.data = residence.memory;
   view.count = count;

@@ -93,12 +93,12 @@ public:
     ~Residence();
 
     CudaExecutor& executor;
-    double* memory = nullptr;
+    void* memory = nullptr;
     std::size_t bytes = 0;
   };
 
-  /// In place, where the device has them; else packed as x y z x y z ..., as PointSource reads
-  /// them.
+  /// In place, where the device has them; else packed: floats as they are, all others as x y z x y
+  /// z ..., as PointSource reads them.
   PointSource resident(const PointSource& points, Residence& residence);
 
   void record(const Counters* counters, int slot);

@@ -121,6 +121,39 @@ public:
     return result;
   }
 
+  /// How many floats a point is, if it is nothing else: 3, or 2 without a third coordinate. Else 0.
+  int floatsEach() const
+  {
+    const bool isFloat =
+      this->type == ScalarType::Float32 && (!this->third || this->thirdType == ScalarType::Float32);
+    return !isFloat ? 0 : this->third ? 3 : 2;
+  }
+
+  /// These of point @p id, as they are.
+  void copyFloats(std::uint32_t id, float* to) const
+  {
+    const float* const from =
+      static_cast<const float*>(this->data) + id * static_cast<std::size_t>(this->stride);
+    to[0] = from[0];
+    to[1] = from[1];
+    if (this->third)
+    {
+      to[2] =
+        static_cast<const float*>(this->third)[id * static_cast<std::size_t>(this->thirdStride)];
+    }
+  }
+
+  /// The same points, from copies of their floats one after another.
+  PointSource withFloats(const float* floats) const
+  {
+    PointSource result = *this;
+    result.data = floats;
+    result.stride = result.thirdStride = this->floatsEach();
+    result.third = this->third ? floats + 2 : nullptr;
+    result.deviceData = result.deviceThird = nullptr;
+    return result;
+  }
+
   /// Is the third coordinate a weight?
   bool isWeighted() const { return this->thirdPower == 2; }
 

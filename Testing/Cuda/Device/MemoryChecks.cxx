@@ -12,6 +12,7 @@
 #include <limits>
 #include <set>
 #include <thread>
+#include <type_traits>
 
 namespace flipflop
 {
@@ -196,7 +197,8 @@ void checkAtOnce(const Sides& sides)
   }
 }
 
-/// Points that lie in the executor's memory are read there.
+/// Points are sent as they are, if they are floats, else as doubles; and where they lie in the
+/// executor's memory, they are read there.
 template <class Scalar>
 void checkInPlace(const Sides& sides, const DeviceInput& drawn, std::int64_t stride)
 {
@@ -223,6 +225,19 @@ void checkInPlace(const Sides& sides, const DeviceInput& drawn, std::int64_t str
     input.weights = WeightView(weights.data(), count);
   }
   const RunResult wanted = runOnCpu(input, Options());
+  RunWatch watch;
+  watch.times = true;
+  RunSeen sent;
+  require(difference(sides.subject.run(input, Options(), watch, &sent), wanted).empty(),
+    "another result of points on the host");
+  if (sides.subject.isOnDevice())
+  {
+    const bool floats = std::is_same<Scalar, float>::value;
+    const std::int64_t each = floats && drawn.plane && !drawn.weighted ? 2 : 3;
+    require(sent.launches.at("from the host").bytes ==
+        count * each * static_cast<std::int64_t>(sizeof(Scalar)),
+      "another number of bytes was sent");
+  }
   const Holding placed = sides.subject.place(input);
   require(input.points.deviceData != nullptr, "not placed");
   RunSeen seen;
