@@ -74,6 +74,17 @@ public:
     ++this->waits;
     HostExecutor::toHost(to, from, bytes);
   }
+  int sort(std::uint64_t* const* keys, std::uint32_t* const* values, std::uint32_t n, int bits)
+  {
+    this->launches += 2 + (bits + 7) / 8; // CUB's: histogram, sums, and one a pass
+    return HostExecutor::sort(keys, values, n, bits);
+  }
+  void toHostWidened(std::int64_t* to, const std::uint32_t* from, std::size_t n)
+  {
+    this->bytesFetched += static_cast<std::int64_t>(n * sizeof(std::uint32_t));
+    ++this->waits;
+    HostExecutor::toHostWidened(to, from, n);
+  }
   const Counters& recorded(int slot)
   {
     ++this->waits;

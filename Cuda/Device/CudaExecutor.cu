@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device/CudaExecutor.h"
 
-#include "Device/PrefixSum.h"
+#include "Device/DeviceLists.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -272,7 +272,8 @@ void CudaExecutor::fromHost(void* to, const void* from, std::size_t bytes)
   }
 }
 
-void CudaExecutor::toHost(void* to, const void* from, std::size_t bytes)
+template <class Unpack>
+void CudaExecutor::fetch(const void* from, std::size_t bytes, const Unpack& unpack)
 {
   const Timing timing = this->before();
   const std::size_t pieces = (bytes + PieceBytes - 1) / PieceBytes;
@@ -298,11 +299,27 @@ void CudaExecutor::toHost(void* to, const void* from, std::size_t bytes)
     // By several threads: the pages of a new array are made by those that write to them first.
     const auto* const piece = static_cast<const char*>(this->session->piece[i & 1]);
     eachRun(sizeOf(i), std::size_t(1) << 17,
-      [&](std::size_t begin, std::size_t end, std::size_t) {
-        std::memcpy(static_cast<char*>(to) + i * PieceBytes + begin, piece + begin, end - begin);
-      });
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      { unpack(i * PieceBytes + begin, piece + begin, end - begin); });
   }
   this->after(timing, "to the host", nullptr, 1, static_cast<std::int64_t>(bytes));
+}
+
+void CudaExecutor::toHost(void* to, const void* from, std::size_t bytes)
+{
+  this->fetch(from, bytes,
+    [to](std::size_t at, const char* packed, std::size_t size)
+    { std::memcpy(static_cast<char*>(to) + at, packed, size); });
+}
+
+void CudaExecutor::toHostWidened(std::int64_t* to, const std::uint32_t* from, std::size_t n)
+{
+  this->fetch(from, n * sizeof(std::uint32_t),
+    [to](std::size_t at, const char* packed, std::size_t size)
+    {
+      const auto* const values = reinterpret_cast<const std::uint32_t*>(packed);
+      std::copy(values, values + size / sizeof(std::uint32_t), to + at / sizeof(std::uint32_t));
+    });
 }
 
 void CudaExecutor::finish()
@@ -310,10 +327,12 @@ void CudaExecutor::finish()
   requireCuda(cudaStreamSynchronize(this->stream));
 }
 
-void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
+template <class Work>
+void CudaExecutor::withScratch(
+  const char* name, std::uint32_t items, std::int64_t bytesPerItem, const Work& work)
 {
   std::size_t bytes = 0;
-  requireCuda(exclusivePrefixSum(nullptr, bytes, values, n, this->stream));
+  requireCuda(work(nullptr, bytes));
   if (bytes > this->scratchBytes)
   {
     this->release(this->scratch, this->scratchBytes);
@@ -324,8 +343,28 @@ void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
   }
   const Timing timing = this->before();
   bytes = this->scratchBytes;
-  requireCuda(exclusivePrefixSum(this->scratch, bytes, values, n, this->stream));
-  this->after(timing, "prefix sum", nullptr, n, 2 * sizeof(std::uint32_t));
+  requireCuda(work(this->scratch, bytes));
+  this->after(timing, name, nullptr, items, bytesPerItem);
+}
+
+void CudaExecutor::exclusiveSum(std::uint32_t* values, std::uint32_t n)
+{
+  this->withScratch("prefix sum", n, 2 * sizeof(std::uint32_t),
+    [&](void* memory, std::size_t& bytes)
+    { return exclusivePrefixSum(memory, bytes, values, n, this->stream); });
+}
+
+int CudaExecutor::sort(
+  std::uint64_t* const* keys, std::uint32_t* const* values, std::uint32_t n, int bits)
+{
+  // Eight bits a pass, in which all is read and written once; the keys once more.
+  const int passes = (bits + 7) / 8;
+  const std::int64_t bytesEach = 2 * sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
+  int at = 0;
+  this->withScratch("sort", n, passes * bytesEach + 8,
+    [&](void* memory, std::size_t& bytes)
+    { return sortPairs(memory, bytes, keys, values, n, bits, at, this->stream); });
+  return at;
 }
 
 namespace

@@ -58,6 +58,7 @@ public:
   void fill(void* to, int byte, std::size_t bytes);
   void fromHost(void* to, const void* from, std::size_t bytes);
   void toHost(void* to, const void* from, std::size_t bytes);
+  void toHostWidened(std::int64_t* to, const std::uint32_t* from, std::size_t n);
   void finish();
 
   template <class K>
@@ -80,6 +81,7 @@ public:
   }
 
   void exclusiveSum(std::uint32_t* values, std::uint32_t n);
+  int sort(std::uint64_t* const* keys, std::uint32_t* const* values, std::uint32_t n, int bits);
 
   /// Points on their way to the device, and there.
   struct Residence
@@ -115,6 +117,13 @@ private:
     cudaEvent_t begin = nullptr;
     cudaEvent_t end = nullptr;
   };
+  /// @param unpack void (at, packed, size): bytes from @p at on are there; by any thread
+  template <class Unpack>
+  void fetch(const void* from, std::size_t bytes, const Unpack& unpack);
+  /// @param work cudaError_t (scratch, bytes), as DeviceLists.h has it
+  template <class Work>
+  void withScratch(
+    const char* name, std::uint32_t items, std::int64_t bytesPerItem, const Work& work);
   Timing before();
   void after(const Timing& timing, const char* name, const std::uint32_t* count, std::uint32_t most,
     std::int64_t bytesPerItem);
@@ -122,7 +131,7 @@ private:
   std::unique_ptr<CudaSession> session;
   cudaStream_t stream = nullptr;
   std::uint32_t multiprocessors = 1;
-  void* scratch = nullptr; ///< for prefix sums
+  void* scratch = nullptr; ///< for prefix sums and sorting
   std::size_t scratchBytes = 0;
   bool measuring = false;
   KernelTallies kernels;

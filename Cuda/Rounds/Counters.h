@@ -46,6 +46,13 @@ struct Counters
   std::uint32_t undecided[2] = { 0, 0 }; ///< items left to a round's exact kernel, by turns
   std::uint32_t duplicates = 0;          ///< vertices with something to tell of duplicates
 
+  // The finish.
+  std::uint32_t points = 0;         ///< of the result
+  std::uint32_t cells = 0;          ///< of the result
+  std::uint32_t firstPoint = 0;     ///< the vertex of lowest id
+  std::uint32_t labelledAlive = 0;  ///< 1: a vertex is labelled and still there
+  std::uint32_t duplicatesGone = 0; ///< 1: a vertex that went had duplicates
+
   // Sums over all rounds.
   std::uint64_t exactCalls = 0;
   std::uint64_t ties = 0;

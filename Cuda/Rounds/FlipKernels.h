@@ -19,7 +19,9 @@
 /// one does. A triangle goes to rest when no edge that it looks at is of any concern, and is woken
 /// by a change of its own or by a label at a corner: so no edge is left unlooked at.
 ///
-/// The V-biased variant sets labels only in a round in which no flip is proposed.
+/// The V-biased variant sets no labels while flips are many: in a round that proposes any, after
+/// one that made more than a quarter as many as there are active triangles. To wait for the last
+/// flip would take twice the rounds, for a handful of flips each.
 #ifndef flipflop_FlipKernels_h
 #define flipflop_FlipKernels_h
 
@@ -264,7 +266,7 @@ struct Resolve : Kernel
     }
     if (!flips::isFlip(proposal))
     {
-      if (d.vBiased && d.counters->proposing == this->round)
+      if (d.vBiased && this->flipsAreMany())
       {
         flips::wake(d, this->round + 1, triangleOf(proposal.edge));
       }
@@ -305,6 +307,15 @@ struct Resolve : Kernel
   }
 
 private:
+  /// This round's flips are still being counted, those of the last round are known.
+  FF_HD bool flipsAreMany() const
+  {
+    const Counters& counters = *this->data.counters;
+    const std::uint64_t flipsBefore = counters.flips[(this->round & 1) ^ 1];
+    return counters.proposing == this->round &&
+      (this->round == 1 || 4 * flipsBefore > counters.active[this->round & 1]);
+  }
+
   /// Label the origin of h, and wake its triangles.
   FF_HD void label(std::uint32_t h, Local& labelled) const
   {

@@ -10,10 +10,14 @@
 ///   each(most, count, kernel)    run the kernel for items 0 to *count - 1, at most `most`;
 ///                                just so many where count is null
 ///   exclusiveSum(values, n)      each value becomes the sum of those before it
+///   sort(keys, values, n, bits)  by the keys' lowest bits, which are all that they have; two
+///   buffers
+///                                each, the first ones given: tells which ones hold the result
+///   toHostWidened(to, from, n)   toHost, of numbers that the host has in 64 bits
 ///   resident(points, residence)  the points as kernels can read them, while the residence lives
 ///   record, recorded             a copy of the counters as they are now; wait for it, and read it
 ///   finish                       wait for all
-/// Calls take effect in their order. Only toHost, recorded and finish wait.
+/// Calls take effect in their order. Only toHost, toHostWidened, recorded and finish wait.
 #ifndef flipflop_HostExecutor_h
 #define flipflop_HostExecutor_h
 
@@ -92,6 +96,25 @@ public:
   void exclusiveSum(std::uint32_t* values, std::uint32_t n)
   {
     std::exclusive_scan(values, values + n, values, std::uint32_t(0));
+  }
+
+  int sort(std::uint64_t* const* keys, std::uint32_t* const* values, std::uint32_t n, int /*bits*/)
+  {
+    std::vector<std::uint32_t> order(n);
+    std::iota(order.begin(), order.end(), std::uint32_t(0));
+    std::sort(order.begin(), order.end(),
+      [&](std::uint32_t a, std::uint32_t b) { return keys[0][a] < keys[0][b]; });
+    for (std::uint32_t i = 0; i < n; ++i)
+    {
+      keys[1][i] = keys[0][order[i]];
+      values[1][i] = values[0][order[i]];
+    }
+    return 1;
+  }
+
+  void toHostWidened(std::int64_t* to, const std::uint32_t* from, std::size_t n)
+  {
+    std::copy(from, from + n, to);
   }
 
   /// Here they are already.

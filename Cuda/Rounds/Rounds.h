@@ -6,7 +6,8 @@
 ///
 ///   grow()      GrowthKernels.h, until no point is left
 ///   flip()      FlipKernels.h, until no triangle is active
-///   compact()   CompactKernels.h, and back to the host
+///   finish()    CellWriter.h: the result in canonical form, to the host; or, where there are ties,
+///   compact()   CompactKernels.h: the polyhedron, to the host
 ///
 /// A round costs no wait: kernels take their counts from the executor's memory (Counters.h), and
 /// the host is a round ahead. It hands out round r knowing what round r - 2 left, which bounds how
@@ -16,6 +17,7 @@
 
 #include "FlipFlop/Tally.h"
 #include "Mesh/Polyhedron.h"
+#include "Rounds/CellWriter.h"
 #include "Rounds/CompactKernels.h"
 #include "Rounds/ExecutorArray.h"
 #include "Rounds/FlipKernels.h"
@@ -156,6 +158,26 @@ public:
       this->record(round);
       this->observe(RoundReport::Stage::Flip, round);
     }
+  }
+
+  /// The result in canonical form, where no sign was a tie.
+  /// @return whether it could; else, compact()
+  bool finish(FinishedCells& result, Tally& tally)
+  {
+    const Counters counted = this->now();
+    if (counted.ties != 0)
+    {
+      return false;
+    }
+    this->monitor.stage(0.9, 1.0, 1, "finishing");
+    CellWriter<Executor> writer(this->executor, this->keys, this->lists);
+    if (!writer.write(this->mesh(), this->lowest.data(), this->sameAs.data(), counted,
+          this->counters.data(), this->source.count(), result))
+    {
+      return false;
+    }
+    addTo(tally, counted);
+    return true;
   }
 
   /// The polyhedron without gaps, on the host.

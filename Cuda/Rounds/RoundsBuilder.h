@@ -34,8 +34,16 @@ public:
     tally.statistics.secondsGrow += watch.lap();
     rounds.flip();
     tally.statistics.secondsFlip += watch.lap();
-    Polyhedron result = rounds.compact(tally);
-    statistics.secondsCompact = watch.lap();
+    Polyhedron result;
+    if (task.finished && rounds.finish(*task.finished, tally))
+    {
+      statistics.secondsFinish = watch.lap();
+    }
+    else
+    {
+      result = rounds.compact(tally);
+      statistics.secondsCompact = watch.lap();
+    }
     this->growthRounds = rounds.growthRounds();
     this->flipRounds = rounds.flipRounds();
     return result;

@@ -5,6 +5,7 @@
 #include "Finish/CellSort.h"
 #include "Finish/FacetPolygons.h"
 #include "Finish/Measure.h"
+#include "Support/BitCount.h"
 #include "Support/LowestOf.h"
 #include "Support/Parallel.h"
 
@@ -80,22 +81,13 @@ public:
 
   std::uint32_t rank(std::uint32_t id) const
   {
-    const std::uint64_t lower = this->word(id / 64) & ((std::uint64_t(1) << (id % 64)) - 1);
-    return this->before[id / 64] + bitCount(lower);
+    return this->before[id / 64] + bitCountBelow(this->word(id / 64), id % 64);
   }
 
 private:
   static constexpr std::size_t WordsPerTask = 1 << 12;
 
   std::uint64_t word(std::size_t i) const { return this->bits[i].load(std::memory_order_relaxed); }
-
-  static std::uint32_t bitCount(std::uint64_t word)
-  {
-    word -= (word >> 1) & 0x5555555555555555ull;
-    word = (word & 0x3333333333333333ull) + ((word >> 2) & 0x3333333333333333ull);
-    word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0Full;
-    return static_cast<std::uint32_t>(word * 0x0101010101010101ull >> 56);
-  }
 
   std::vector<std::atomic<std::uint64_t>> bits;
   std::vector<std::uint32_t> before;
@@ -457,16 +449,18 @@ void CanonicalForm::writeHull(
 {
   const Buffer<Vertex>& vertices = this->polyhedron.vertices;
   const auto first = std::find(this->rank.begin(), this->rank.end(), 0u) - this->rank.begin();
-  Measure total(range, exponent, vertices[static_cast<std::size_t>(first)].x);
-  std::vector<Measure> parts(this->polyhedron.pieces.size() + 1, total);
+  const double* const origin = vertices[static_cast<std::size_t>(first)].x;
+  const Measure measure(range, exponent);
+  std::vector<MeasureSums> parts(this->polyhedron.pieces.size() + 1);
   this->write(monitor, hull,
     [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t part)
-    { parts[part].addTriangle(vertices[a].x, vertices[b].x, vertices[c].x); });
-  for (const Measure& part : parts)
+    { measure.addTriangle(origin, vertices[a].x, vertices[b].x, vertices[c].x, parts[part]); });
+  MeasureSums total;
+  for (const MeasureSums& part : parts)
   {
     total.add(part);
   }
-  total.write(hull);
+  measure.write(total, hull);
 }
 
 }

@@ -9,6 +9,7 @@
 #define flipflop_Measure_h
 
 #include "Points/CoordinateRange.h"
+#include "Support/HostDevice.h"
 #include <flipflop/Hull.h>
 
 #include <algorithm>
@@ -20,17 +21,19 @@ namespace flipflop
 
 /// A sum of doubles in fixed point: 81 bits behind the point. The total stays below 2^12 in
 /// magnitude; each part of it below 2^62 for up to 2^31 terms.
-class FixedSum
+struct FixedSum
 {
-public:
-  void add(double value)
+  std::int64_t high = 0;
+  std::int64_t low = 0;
+
+  FF_HD void add(double value)
   {
     const double scaled = value * 0x1p50;
     const auto whole = static_cast<std::int64_t>(scaled);
     this->high += whole;
     this->low += static_cast<std::int64_t>((scaled - static_cast<double>(whole)) * 0x1p31);
   }
-  void add(const FixedSum& other)
+  FF_HD void add(const FixedSum& other)
   {
     this->high += other.high;
     this->low += other.low;
@@ -39,20 +42,28 @@ public:
   {
     return static_cast<double>(this->high) * 0x1p-50 + static_cast<double>(this->low) * 0x1p-81;
   }
-
-private:
-  std::int64_t high = 0;
-  std::int64_t low = 0;
 };
 
 /// Shares of one set of triangles; sets add up.
+struct MeasureSums
+{
+  FixedSum volume;
+  FixedSum area;
+
+  FF_HD void add(const MeasureSums& other)
+  {
+    this->volume.add(other.volume);
+    this->area.add(other.area);
+  }
+};
+
+/// A triangle's share, on host and device.
 class Measure
 {
 public:
   /// @param range    of the scaled coordinates
   /// @param exponent coordinates are scaled by 2^exponent
-  /// @param origin   of the volumes: the hull's first point
-  Measure(const CoordinateRange& range, int exponent, const double* origin)
+  Measure(const CoordinateRange& range, int exponent)
     : exponent(exponent)
   {
     // In units in which the bounding box is about one: nothing overflows on the way.
@@ -63,7 +74,6 @@ public:
       this->shift[i] = extent > 0 ? std::max(-1000, std::min(std::ilogb(extent) + 2, 1020)) : 0;
       this->most = extent > 0 ? std::max(this->most, this->shift[i]) : this->most;
       this->toUnit[i] = std::ldexp(1.0, -this->shift[i]);
-      this->origin[i] = origin[i] * this->toUnit[i];
     }
     for (int i = 0; i < 3; ++i)
     {
@@ -71,14 +81,18 @@ public:
     }
   }
 
-  void addTriangle(const double* first, const double* second, const double* third)
+  /// @param origin of the volumes: the hull's first point
+  /// @param first, second, third corners, of which the first has the lowest id
+  FF_HD void addTriangle(const double* origin, const double* first, const double* second,
+    const double* third, MeasureSums& sums) const
   {
     double a[3], b[3], c[3], n[3];
     for (int i = 0; i < 3; ++i)
     {
-      a[i] = first[i] * this->toUnit[i] - this->origin[i];
-      b[i] = second[i] * this->toUnit[i] - this->origin[i];
-      c[i] = third[i] * this->toUnit[i] - this->origin[i];
+      const double from = origin[i] * this->toUnit[i];
+      a[i] = first[i] * this->toUnit[i] - from;
+      b[i] = second[i] * this->toUnit[i] - from;
+      c[i] = third[i] * this->toUnit[i] - from;
     }
     double square = 0;
     for (int i = 0; i < 3; ++i)
@@ -89,23 +103,17 @@ public:
       const double m = n[i] * this->toArea[p] * this->toArea[q];
       square += m * m;
     }
-    this->volume.add(n[0] * a[0] + n[1] * a[1] + n[2] * a[2]);
-    this->area.add(std::sqrt(square));
+    sums.volume.add(n[0] * a[0] + n[1] * a[1] + n[2] * a[2]);
+    sums.area.add(std::sqrt(square));
   }
 
-  void add(const Measure& other)
+  void write(const MeasureSums& sums, Hull& hull) const
   {
-    this->volume.add(other.volume);
-    this->area.add(other.area);
-  }
-
-  void write(Hull& hull) const
-  {
-    hull.area = std::ldexp(this->area.value() / 2, 2 * (this->most - this->exponent));
+    hull.area = std::ldexp(sums.area.value() / 2, 2 * (this->most - this->exponent));
     if (hull.dimension == 3)
     {
       // The rounded volume of a very thin solid may come out below zero.
-      hull.volume = std::ldexp(std::max(0.0, this->volume.value()) / 6,
+      hull.volume = std::ldexp(std::max(0.0, sums.volume.value()) / 6,
         this->shift[0] + this->shift[1] + this->shift[2] - 3 * this->exponent);
     }
   }
@@ -116,9 +124,6 @@ private:
   int most;     ///< the greatest shift
   double toUnit[3];
   double toArea[3]; ///< from the unit of each axis to the unit of the longest
-  double origin[3]; ///< in units
-  FixedSum volume;
-  FixedSum area;
 };
 
 }

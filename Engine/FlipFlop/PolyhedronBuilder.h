@@ -6,6 +6,7 @@
 #ifndef flipflop_PolyhedronBuilder_h
 #define flipflop_PolyhedronBuilder_h
 
+#include "FlipFlop/FinishedCells.h"
 #include "FlipFlop/Tally.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
@@ -31,6 +32,8 @@ struct BuildTask
   int threads;
   Monitor& monitor;
   const std::vector<std::vector<std::uint32_t>>& samples; ///< as nestedSamples gives them
+  /// For an engine that finishes itself; null: the hull is wanted.
+  FinishedCells* finished;
 };
 
 template <class Model>
@@ -40,7 +43,7 @@ public:
   virtual ~PolyhedronBuilder() = default;
 
   /// @param start a tetrahedron
-  /// @return the hull, perhaps with gaps
+  /// @return the hull, perhaps with gaps; nothing, where *task.finished is written
   virtual Polyhedron build(
     const BuildTask<Model>& task, Polyhedron&& start, Tally& tally, Statistics& statistics) = 0;
 };

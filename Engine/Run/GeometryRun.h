@@ -38,11 +38,15 @@ public:
   /// @param spanOf       Span (ids, count): points that span what a sample (null: all points) does,
   ///                     or what all do where that is more
   /// @param lowerResult  void (const Span&): fill in the result of points that span less
+  /// @param finished     in what units to measure, for an engine that finishes itself
   /// @param write        see finish
+  /// @param writeRest    void (): fill in what the result has beside points and cells, which the
+  ///                     engine has written
   /// @param watch        since the run began
-  template <class SpanOf, class LowerResult, class Write>
+  template <class SpanOf, class LowerResult, class Write, class WriteRest>
   void build(PolyhedronBuilder<Model>& engine, CellComplex& result, int dimension, Stopwatch& watch,
-    SpanOf&& spanOf, LowerResult&& lowerResult, Write&& write)
+    FinishedCells& finished, SpanOf&& spanOf, LowerResult&& lowerResult, Write&& write,
+    WriteRest&& writeRest)
   {
     const std::uint32_t count = this->source.count();
     const auto samples = nestedSamples(count);
@@ -59,11 +63,23 @@ public:
     }
     Tally tally;
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
-    Polyhedron polyhedron = engine.build({ this->geometry, this->source, this->checkFinite,
-                                           this->options, this->threads, this->monitor, samples },
-      std::move(start), tally, result.statistics);
+    Polyhedron polyhedron =
+      engine.build({ this->geometry, this->source, this->checkFinite, this->options, this->threads,
+                     this->monitor, samples, &finished },
+        std::move(start), tally, result.statistics);
     result.dimension = dimension;
-    this->finish(std::move(polyhedron), std::move(tally), result, write);
+    if (!finished.written)
+    {
+      this->finish(std::move(polyhedron), std::move(tally), result, write);
+      return;
+    }
+    watch.lap();
+    result.pointIds = std::move(finished.pointIds);
+    result.connectivity = std::move(finished.connectivity);
+    result.cellSize = 3;
+    writeRest();
+    this->addStatistics(tally, result);
+    result.statistics.secondsFinish += watch.lap();
   }
 
   /// From a hull of perturbed points to the true one, in canonical form.
@@ -80,9 +96,15 @@ public:
       this->options.facets, this->monitor, result.pointIds);
     this->monitor.poll();
     write(form);
+    this->addStatistics(tally, result);
+    result.statistics.secondsFinish = watch.lap();
+  }
+
+private:
+  void addStatistics(const Tally& tally, CellComplex& result) const
+  {
     result.statistics += tally.statistics;
     result.statistics.exactCalls += this->geometry.predicateCounts().exact;
-    result.statistics.secondsFinish = watch.lap();
   }
 };
 

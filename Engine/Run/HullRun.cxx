@@ -57,8 +57,17 @@ void HullRun::hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull)
     lowDimensionalHull(this->geometry, this->source, span, this->checkFinite, this->range,
       this->arithmetic.scaleExponent, this->options.facets, this->monitor, hull);
   };
-  this->build(engine, hull, 3, watch, spanOf, lowerHull,
-    [&](CanonicalForm& form) { this->write(form, hull); });
+  FinishedCells finished;
+  finished.range = &this->range;
+  finished.exponent = this->arithmetic.scaleExponent;
+  this->build(
+    engine, hull, 3, watch, finished, spanOf, lowerHull,
+    [&](CanonicalForm& form) { this->write(form, hull); },
+    [&]
+    {
+      hull.volume = finished.volume;
+      hull.area = finished.area;
+    });
 }
 
 void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)

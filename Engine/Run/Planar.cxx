@@ -172,17 +172,18 @@ std::vector<Vertex> polygon(const HullGeometry& geometry, const PointSource& sou
 void measurePolygon(
   const std::vector<Vertex>& byId, const CoordinateRange& range, int exponent, Hull& hull)
 {
-  Measure total(range, exponent, byId[0].x);
+  const Measure measure(range, exponent);
+  MeasureSums total;
   for (std::int64_t cell = 0; cell < hull.cellCount(); ++cell)
   {
     const std::int64_t first = hull.cellBegin(cell);
     for (std::int64_t i = first + 2; i < hull.cellBegin(cell + 1); ++i)
     {
-      total.addTriangle(byId[hull.connectivity[first]].x, byId[hull.connectivity[i - 1]].x,
-        byId[hull.connectivity[i]].x);
+      measure.addTriangle(byId[0].x, byId[hull.connectivity[first]].x,
+        byId[hull.connectivity[i - 1]].x, byId[hull.connectivity[i]].x, total);
     }
   }
-  total.write(hull);
+  measure.write(total, hull);
 }
 
 void planeHull(

@@ -56,8 +56,9 @@ void TriangulationRun<Weighted>::triangulate(
     chainOfPoints(this->geometry, this->source, this->checkFinite, this->monitor, result);
     this->listHidden(result);
   };
+  FinishedCells finished;
   this->build(
-    engine, result, 2, watch,
+    engine, result, 2, watch, finished,
     [this](const std::uint32_t* ids, std::uint32_t count) { return this->spanOf(ids, count); },
     chain,
     [&](CanonicalForm& form)
@@ -65,7 +66,8 @@ void TriangulationRun<Weighted>::triangulate(
       this->listHidden(result);
       this->monitor.poll();
       form.writeCells(this->monitor, result);
-    });
+    },
+    [&] { this->listHidden(result); });
 }
 
 template <bool Weighted>

@@ -45,6 +45,11 @@ bool same(const CellComplex& a, const CellComplex& b)
 {
   return same(a.pointIds, b.pointIds) && same(a.connectivity, b.connectivity);
 }
+bool same(const Hull& a, const Hull& b)
+{
+  return same(static_cast<const CellComplex&>(a), static_cast<const CellComplex&>(b)) &&
+    a.volume == b.volume && a.area == b.area;
+}
 
 std::string describe(const RoundReport& report)
 {
@@ -171,6 +176,13 @@ int probe()
     {
       Random random(6);
       return repeated(integerGrid(3), 100, random);
+    } });
+  // The same without ties.
+  hulls.push_back({ "many duplicates of points of a sphere", 7,
+    []
+    {
+      Random random(7);
+      return repeated(fromFamily("shell0", 30, 7).make(), 100, random);
     } });
   for (const Input& input : hulls)
   {

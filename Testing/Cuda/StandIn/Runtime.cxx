@@ -11,15 +11,17 @@
 #include "Memory.h"
 #include "Stream.h"
 
-#include "Device/PrefixSum.h"
+#include "Device/DeviceLists.h"
 
 #include <cuda_runtime.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 using standin::Memory;
@@ -406,6 +408,48 @@ cudaError_t exclusivePrefixSum(
         const std::uint32_t value = values[i];
         values[i] = sum;
         sum += value;
+      }
+    });
+  return cudaSuccess;
+}
+
+/// Like CUB's it leaves the result in either buffer, as the number of passes has it, and spoils the
+/// other.
+cudaError_t sortPairs(void* scratch, std::size_t& bytes, std::uint64_t* const* keys,
+  std::uint32_t* const* values, std::uint32_t n, int bits, int& at, cudaStream_t stream)
+{
+  if (!scratch)
+  {
+    bytes = 1;
+    return cudaSuccess;
+  }
+  Memory& memory = Memory::get();
+  for (int i = 0; i < 2; ++i)
+  {
+    require(memory.holds(keys[i], n * sizeof(std::uint64_t)), "keys out of bounds");
+    require(memory.holds(values[i], n * sizeof(std::uint32_t)), "values out of bounds");
+  }
+  require(memory.holds(scratch, bytes), "the scratch memory of a sort");
+  require(bits > 0 && bits <= 64, "the bits of a sort");
+  at = (bits + 7) / 8 & 1;
+  streamOf(stream).give(
+    [=, fromKeys = keys[0], fromValues = values[0], toKeys = keys[at], toValues = values[at],
+      spoiltKeys = keys[at ^ 1], spoiltValues = values[at ^ 1]]
+    {
+      std::vector<std::pair<std::uint64_t, std::uint32_t>> pairs(n);
+      for (std::uint32_t i = 0; i < n; ++i)
+      {
+        require(bits == 64 || fromKeys[i] >> bits == 0, "a key has more bits than it should");
+        pairs[i] = { fromKeys[i], fromValues[i] };
+      }
+      std::stable_sort(
+        pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (std::uint32_t i = 0; i < n; ++i)
+      {
+        spoiltKeys[i] = ~std::uint64_t(0);
+        spoiltValues[i] = ~std::uint32_t(0);
+        toKeys[i] = pairs[i].first;
+        toValues[i] = pairs[i].second;
       }
     });
   return cudaSuccess;

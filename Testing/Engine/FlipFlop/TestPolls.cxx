@@ -108,7 +108,7 @@ struct Built
         Statistics statistics;
         this->polyhedron = compact(CpuBuilder<Geometry>().build(
           { this->run.geometry, this->run.source, false, this->run.options, 1, this->run.monitor,
-            nestedSamples(this->run.source.count()) },
+            nestedSamples(this->run.source.count()), nullptr },
           std::move(start), this->tally, statistics));
       });
   }

@@ -175,8 +175,9 @@ public:
     ASSERT_FALSE(this->arithmetic.wide);
     this->geometry.hull = HullGeometry(this->range, this->arithmetic);
     RationalBuilder engine;
+    FinishedCells finished;
     this->build(
-      engine, hull, 3, watch,
+      engine, hull, 3, watch, finished,
       [this](const std::uint32_t* ids, std::uint32_t count)
       {
         return findSpan(
@@ -184,7 +185,8 @@ public:
       },
       [](const Span&) { ADD_FAILURE() << "the points span space"; },
       [&](CanonicalForm& form)
-      { form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull); });
+      { form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull); },
+      [] { ADD_FAILURE() << "the engine does not finish"; });
   }
 };
 
