@@ -37,9 +37,11 @@ public:
   /// @param counted                the counters, with no ties
   /// @param counters               in the executor's memory
   /// @param ids                    are below this
+  /// @param range                  of the scaled coordinates
   /// @return whether it could: not where a vertex that went had duplicates
   bool write(const Mesh& mesh, const std::uint32_t* lowest, const std::uint32_t* sameAs,
-    const Counters& counted, Counters* counters, std::uint32_t ids, FinishedCells& result)
+    const Counters& counted, Counters* counters, std::uint32_t ids, const CoordinateRange& range,
+    FinishedCells& result)
   {
     const std::uint32_t t = counted.triangles;
     const std::uint32_t v = counted.vertices;
@@ -66,9 +68,9 @@ public:
     this->executor.each(wordCount, nullptr, CountIds{ {}, data });
     this->executor.exclusiveSum(below.data(), wordCount);
     this->executor.each(v, nullptr, RankPoints{ {}, data, wordCount - 1 });
-    if (result.range)
+    const Measure measure(range, result.exponent);
+    if (result.measured)
     {
-      const Measure measure(*result.range, result.exponent);
       this->executor.each(t, nullptr, MakeMeasuredCells{ { {}, data }, measure });
     }
     else
@@ -84,9 +86,9 @@ public:
     }
     this->fetchIds(sorted, finished.points, result);
     this->fetchCells(finished.cells, cornerBits, result);
-    if (result.range)
+    if (result.measured)
     {
-      this->fetchMeasures(sums, result);
+      this->fetchMeasures(sums, measure, result);
     }
     result.written = true;
     return true;
@@ -115,7 +117,7 @@ private:
       result.connectivity.data(), corners.data(), 3 * std::size_t(count));
   }
 
-  void fetchMeasures(Array<MeasureSums>& sums, FinishedCells& result)
+  void fetchMeasures(Array<MeasureSums>& sums, const Measure& measure, FinishedCells& result)
   {
     std::vector<MeasureSums> parts(FinishData::SumCount);
     this->executor.toHost(parts.data(), sums.data(), parts.size() * sizeof(MeasureSums));
@@ -126,7 +128,7 @@ private:
     }
     Hull hull;
     hull.dimension = 3;
-    Measure(*result.range, result.exponent).write(total, hull);
+    measure.write(total, hull);
     result.volume = hull.volume;
     result.area = hull.area;
   }

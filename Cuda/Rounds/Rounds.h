@@ -15,13 +15,14 @@
 #ifndef flipflop_Rounds_h
 #define flipflop_Rounds_h
 
-#include "FlipFlop/Tally.h"
+#include "FlipFlop/PolyhedronBuilder.h"
 #include "Mesh/Polyhedron.h"
 #include "Rounds/CellWriter.h"
 #include "Rounds/CompactKernels.h"
 #include "Rounds/ExecutorArray.h"
 #include "Rounds/FlipKernels.h"
 #include "Rounds/GrowthKernels.h"
+#include "Rounds/OrderKernels.h"
 #include "Rounds/RoundReport.h"
 #include "Support/Monitor.h"
 #include "Support/Stopwatch.h"
@@ -40,16 +41,15 @@ template <class Executor, class Geometry>
 class Rounds
 {
 public:
-  /// @param points  of the input, as the host reads them
   /// @param watcher may be null
-  Rounds(Executor& where, const Geometry& chosen, const PointSource& points, bool skipNonFinite,
-    bool vBiasedVariant, Monitor& watch, const RoundObserver* watcher = nullptr)
+  Rounds(Executor& where, const BuildTask<Geometry>& task, const RoundObserver* watcher = nullptr)
     : executor(where)
-    , geometry(chosen)
-    , source(points)
-    , checkFinite(skipNonFinite)
-    , vBiased(vBiasedVariant)
-    , monitor(watch)
+    , geometry(task.geometry)
+    , source(task.source)
+    , range(task.range)
+    , checkFinite(task.checkFinite)
+    , vBiased(task.options.vBiased)
+    , monitor(task.monitor)
     , observer(watcher)
     , counters(where, 1)
     , triangles(where)
@@ -86,6 +86,7 @@ public:
     this->observe(RoundReport::Stage::Associate, 0);
 
     std::uint32_t aliveBefore = count;
+    bool ordered = false;
     for (std::uint32_t round = 1;; ++round)
     {
       const std::uint32_t known = round > 1 + Ahead ? round - 1 - Ahead : 0;
@@ -101,6 +102,11 @@ public:
       for (std::uint32_t r = known + 1; r < round; ++r)
       {
         before = before.afterRound();
+      }
+      if (!ordered && then.triangles >= OrderedFrom && alive >= count / 4)
+      {
+        this->orderLive(data, (round & 1) ^ 1, alive);
+        ordered = true;
       }
       this->makeRoom(round, before);
       this->share(data);
@@ -172,7 +178,7 @@ public:
     this->monitor.stage(0.9, 1.0, 1, "finishing");
     CellWriter<Executor> writer(this->executor, this->keys, this->lists);
     if (!writer.write(this->mesh(), this->lowest.data(), this->sameAs.data(), counted,
-          this->counters.data(), this->source.count(), result))
+          this->counters.data(), this->source.count(), this->range, result))
     {
       return false;
     }
@@ -244,6 +250,10 @@ private:
   /// How many rounds the host is ahead of what it knows, beside the one it hands out.
   static constexpr std::uint32_t Ahead = 1;
   static_assert(Ahead + 2 <= Executor::Records, "a record is read before it is written anew");
+
+  /// If a quarter of the points is alive when there are so many triangles, most of them will be for
+  /// long: their list is put in order, once. Of a solid's points next to none are alive by then.
+  static constexpr std::uint32_t OrderedFrom = 1 << 6;
 
   /// No more than this is there.
   struct Bounds
@@ -326,6 +336,26 @@ private:
     this->lowest.grow(after.vertices, before.vertices, &c->vertices);
     this->places.reserve(before.candidates + 1);
     this->lists[(round & 1) ^ 1].reserve(after.candidates);
+  }
+
+  /// Bring the points alive into an order in which neighbours are neighbours in space.
+  /// @param turn of the list @param most it has no more points
+  void orderLive(GrowthData<Geometry>& data, std::uint32_t turn, std::uint32_t most)
+  {
+    Array<std::uint64_t> codes[2] = { Array<std::uint64_t>(this->executor, most),
+      Array<std::uint64_t>(this->executor, most) };
+    Array<std::uint32_t> from[2] = { Array<std::uint32_t>(this->executor, most),
+      Array<std::uint32_t>(this->executor, most) };
+    std::uint64_t* const keys[2] = { codes[0].data(), codes[1].data() };
+    std::uint32_t* const values[2] = { from[0].data(), from[1].data() };
+    const std::uint32_t* const count = &data.counters->live[turn];
+    const MortonGrid grid(this->range, this->source.isWeighted() ? 2 : 3);
+    this->executor.each(
+      most, nullptr, KeyLive{ {}, grid, data.live[turn], count, keys[0], values[0] });
+    const int at = this->executor.sort(keys, values, most, KeyLive::KeyBits);
+    this->executor.each(
+      most, count, GatherLive{ {}, data.live[turn], values[at], data.live[turn ^ 1] });
+    std::swap(data.live[0], data.live[1]);
   }
 
   /// Where things are now.
@@ -423,6 +453,7 @@ private:
   Executor& executor;
   const Geometry geometry;
   const PointSource& source;
+  const CoordinateRange& range;
   const bool checkFinite;
   const bool vBiased;
   Monitor& monitor;

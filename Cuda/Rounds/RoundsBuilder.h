@@ -28,8 +28,7 @@ public:
     Statistics& statistics) override
   {
     Stopwatch watch;
-    Rounds<Executor, Geometry> rounds(this->executor, task.geometry, task.source, task.checkFinite,
-      task.options.vBiased, task.monitor, this->observer);
+    Rounds<Executor, Geometry> rounds(this->executor, task, this->observer);
     rounds.grow(start);
     tally.statistics.secondsGrow += watch.lap();
     rounds.flip();

@@ -7,7 +7,6 @@
 #ifndef flipflop_FinishedCells_h
 #define flipflop_FinishedCells_h
 
-#include "Points/CoordinateRange.h"
 #include <flipflop/Hull.h>
 
 #include <cstdint>
@@ -17,9 +16,8 @@ namespace flipflop
 
 struct FinishedCells
 {
-  /// In what units volume and area are measured; null: they are not wanted.
-  const CoordinateRange* range = nullptr; ///< of the scaled coordinates
-  int exponent = 0;                       ///< coordinates are scaled by 2^exponent
+  bool measured = false; ///< volume and area are wanted
+  int exponent = 0;      ///< coordinates are scaled by 2^exponent
 
   bool written = false; ///< what follows is the result
   Buffer<std::int64_t> pointIds;

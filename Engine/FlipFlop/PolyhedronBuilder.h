@@ -27,7 +27,8 @@ struct BuildTask
 {
   Model& geometry; ///< its kernel point is inside the start
   const PointSource& source;
-  bool checkFinite; ///< there are points to ignore
+  const CoordinateRange& range; ///< of the scaled coordinates
+  bool checkFinite;             ///< there are points to ignore
   const Options& options;
   int threads;
   Monitor& monitor;

@@ -64,8 +64,8 @@ public:
     Tally tally;
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
     Polyhedron polyhedron =
-      engine.build({ this->geometry, this->source, this->checkFinite, this->options, this->threads,
-                     this->monitor, samples, &finished },
+      engine.build({ this->geometry, this->source, this->range, this->checkFinite, this->options,
+                     this->threads, this->monitor, samples, &finished },
         std::move(start), tally, result.statistics);
     result.dimension = dimension;
     if (!finished.written)

@@ -58,7 +58,7 @@ void HullRun::hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull)
       this->arithmetic.scaleExponent, this->options.facets, this->monitor, hull);
   };
   FinishedCells finished;
-  finished.range = &this->range;
+  finished.measured = true;
   finished.exponent = this->arithmetic.scaleExponent;
   this->build(
     engine, hull, 3, watch, finished, spanOf, lowerHull,

@@ -144,8 +144,8 @@ public:
   {
     WatchedExecutor executor(HostExecutor::Order::Shuffled, 9);
     RoundsBuilder<WatchedExecutor, Geometry> rounds(executor);
-    const BuildTask<Geometry> unfinished = { task.geometry, task.source, task.checkFinite,
-      task.options, task.threads, task.monitor, task.samples, nullptr };
+    const BuildTask<Geometry> unfinished = { task.geometry, task.source, task.range,
+      task.checkFinite, task.options, task.threads, task.monitor, task.samples, nullptr };
     Polyhedron result = rounds.build(unfinished, std::move(start), tally, statistics);
     const Mesh mesh = result.mesh();
     EXPECT_EQ(result.triangleCount(), 2 * result.vertexCount() - 4);

@@ -107,8 +107,8 @@ struct Built
         Polyhedron start = startingTetrahedron(this->run.geometry, this->run.source, span.ids);
         Statistics statistics;
         this->polyhedron = compact(CpuBuilder<Geometry>().build(
-          { this->run.geometry, this->run.source, false, this->run.options, 1, this->run.monitor,
-            nestedSamples(this->run.source.count()), nullptr },
+          { this->run.geometry, this->run.source, this->run.range, false, this->run.options, 1,
+            this->run.monitor, nestedSamples(this->run.source.count()), nullptr },
           std::move(start), this->tally, statistics));
       });
   }
