@@ -26,6 +26,10 @@ prebuilt=
 if [ -x "$top/bin/flipflop-device-test" ]; then
   prebuilt=yes
   build=$top
+  # The C++ library in the bundle takes a newer C library than the programs do.
+  if ldd "$build/bin/flipflop-device-test" | grep -qE 'lib(stdc\+\+|gcc_s)\.so.*not found'; then
+    export LD_LIBRARY_PATH="$top/lib/standard${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+  fi
 fi
 dependencies=
 parts=()
