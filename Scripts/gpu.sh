@@ -7,7 +7,8 @@
 #
 # Each part is useful alone, and takes less than nine minutes; all of them in one call share these:
 #   tests   the device test, compute-sanitizer, the device's floors
-#   device  the engine's kernels, the most points first
+#   device  the engine alone, the most points first: whole runs, with the device's own times of each stage; kernels; a
+#           pass of Nsight Compute
 #   peers   beside the CPU engine and Qhull, and from how many points on the device is faster
 # In a bundle (gpu-bundle.sh), nothing is built.
 # --dependencies: what gather-dependencies.sh has put there. --output (build/gpu/results): for log.txt,
@@ -115,11 +116,24 @@ sanitize() {
   tail -n 3 "$file"
 }
 
-# measure PARTS [OPTION]...: it ends by itself once its time is up, but for the case in hand
+# One pass of Nsight Compute over launches of the three busiest kernels, where all points are extreme.
+profile() {
+  if ! command -v ncu >/dev/null; then
+    note skipped "ncu: it is not there"
+    return
+  fi
+  step "ncu" 90 "$measuring" ncu --kernel-name-base demangled --kernel-name 'regex:(Relocate|Check|Relink)<' \
+    --launch-skip 30 --launch-count 30 --section SpeedOfLight --section MemoryWorkloadAnalysis --section Occupancy \
+    --section LaunchStats "$build/bin/cuda-benchmark" --output "$output/ncu" --parts kernels --sizes 1e6 --only shell:0 \
+    >"$output/ncu.txt" || true
+  tail -n 3 "$output/ncu.txt"
+}
+
+# measure PARTS SHARE [OPTION]...: for SHARE tenths of the time that is left; it ends by itself once its time is up, but
+# for the case in hand
 measure() {
-  local measured=$1 seconds
-  shift
-  seconds=$(($(left) * 4 / 5))
+  local measured=$1 seconds=$(($(left) * $2 / 10))
+  shift 2
   local options=(--parts "$measured" --max-seconds "$seconds" --max-qhull-seconds $((seconds / 4)) "$@")
   [ -z "$quick" ] || options+=(--sizes "1e4,1e5" --repetitions 3)
   step "Benchmark of $measured" "$(left)" 5 "$build/bin/cuda-benchmark" --output "$output" "${options[@]}" || true
@@ -143,10 +157,14 @@ main() {
   if has tests; then
     sanitize memcheck "" --leak-check full
     sanitize initcheck rounds/
-    measure floors
+    measure floors 8
   fi
-  ! has device || measure kernels
-  ! has peers || measure engines,crossover
+  if has device; then
+    measure engines 4 --device-only
+    measure kernels 5
+    profile
+  fi
+  ! has peers || measure engines,crossover 8
   python3 -B "$top/Benchmarks/Cuda/tables.py" "$output" >"$output/tables.md" || note FAILED tables.py
   [ -z "$failed" ]
 }

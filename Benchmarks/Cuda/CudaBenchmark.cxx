@@ -25,6 +25,8 @@ const char* const usage =
   "  --output FOLDER       where to write floors.csv, crossover.csv, engines.csv, kernels.csv (.)\n"
   "  --parts PART,...      of floors, crossover, engines (and Qhull) and kernels (all)\n"
   "  --sizes N,N,...       ascending numbers of points (1e5,1e6,1e7; with --host 1e4,1e5,1e6)\n"
+  "  --only LABEL          this point set alone\n"
+  "  --device-only         engines without the CPU's and Qhull\n"
   "  --repetitions N       runs a case, where it is quick (5)\n"
   "  --max-seconds S       begin nothing new after this time (240)\n"
   "  --max-qhull-seconds S for all runs of Qhull (60)\n"
@@ -67,6 +69,11 @@ Arguments parse(int argc, char** argv)
       settings.host = true;
       continue;
     }
+    if (word == "--device-only")
+    {
+      settings.deviceOnly = true;
+      continue;
+    }
     if (i + 1 >= argc)
     {
       throw std::invalid_argument(word);
@@ -84,6 +91,10 @@ Arguments parse(int argc, char** argv)
     else if (word == "--parts")
     {
       settings.parts = value;
+    }
+    else if (word == "--only")
+    {
+      settings.only = value;
     }
     else if (word == "--repetitions")
     {
@@ -120,7 +131,7 @@ int countOnHost(const Settings& settings)
   KernelRows rows(settings, *runner);
   for (const std::int64_t count : settings.sizes)
   {
-    for (const Subject& subject : subjects())
+    for (const Subject& subject : subjects(settings))
     {
       rows.measure(subject, Points(subject, count, settings.seed));
     }
@@ -169,7 +180,7 @@ int measureOnDevice(Settings settings, const Allowance& allowance)
   std::reverse(settings.sizes.begin(), settings.sizes.end());
   for (const std::int64_t count : settings.sizes)
   {
-    for (const Subject& subject : subjects())
+    for (const Subject& subject : subjects(settings))
     {
       if (!engines && !kernels)
       {

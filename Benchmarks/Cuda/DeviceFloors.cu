@@ -3,9 +3,13 @@
 #include "DeviceFloors.h"
 
 #include "Device/CudaExecutor.h"
+#include "Rounds/Atomics.h"
 #include "Rounds/ExecutorArray.h"
+#include <flipflop/Error.h>
 
 #include <chrono>
+#include <cstdio>
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -21,6 +25,50 @@ struct Nothing : Kernel
   static constexpr int Bytes = 0;
 
   FF_HD void operator()(std::uint32_t, Local&) const {}
+};
+
+/// An item of 32 bytes from anywhere: what a kernel does that goes from half-edge to half-edge.
+struct GatherAnywhere : Kernel
+{
+  static constexpr const char* Name = "gather anywhere";
+  static constexpr int Bytes = 32;
+  struct alignas(32) Item
+  {
+    std::uint64_t parts[4];
+  };
+  const Item* from;
+  std::uint32_t* to;
+  std::uint32_t last; ///< their number is a power of two, this is one less
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    // An odd factor and the xor make a permutation without any locality.
+    std::uint32_t at = (i * 2654435761u) & this->last;
+    at = ((at ^ at >> 13) * 2246822519u) & this->last;
+    const Item item = this->from[at];
+    if ((item.parts[0] | item.parts[1] | item.parts[2] | item.parts[3]) != 0)
+    {
+      this->to[0] = i; // never: they are zero
+    }
+  }
+};
+
+/// Every thread adds to one of a few addresses.
+struct AddToFew : Kernel
+{
+  static constexpr const char* Name = "add to few";
+  static constexpr int Bytes = 0;
+  std::uint32_t* sums;
+  std::uint32_t last; ///< their number is a power of two, this is one less
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    // Through a result that is used, or the compiler adds up a warp first.
+    if (atomics::add(&this->sums[(i & this->last) * 8], 1u) == NoIndex)
+    {
+      this->sums[0] = 0;
+    }
+  }
 };
 
 double secondsOf(const std::function<void()>& work)
@@ -41,6 +89,74 @@ double leastSeconds(const std::function<void()>& work)
     least = std::min(least, secondsOf(work));
   }
   return least;
+}
+
+#if CUDART_VERSION >= 13000
+
+/// Ends the loop of the graph that it is part of after so many times.
+__global__ void countDown(cudaGraphConditionalHandle handle, std::uint32_t* left)
+{
+  if (--*left == 0)
+  {
+    cudaGraphSetConditional(handle, 0);
+  }
+}
+
+/// A graph that loops on the device, without the host: the seconds of an iteration of five kernels.
+double secondsOfGraphIteration(CudaExecutor& executor)
+{
+  constexpr std::uint32_t Iterations = 2000;
+  ExecutorArray<CudaExecutor, std::uint32_t> left(executor, 1);
+  cudaStream_t stream = nullptr;
+  cudaGraph_t graph = nullptr;
+  cudaGraphExec_t ready = nullptr;
+  cudaGraphConditionalHandle handle{};
+  requireCuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+  requireCuda(cudaGraphCreate(&graph, 0));
+  requireCuda(cudaGraphConditionalHandleCreate(&handle, graph, 1, cudaGraphCondAssignDefault));
+  cudaGraphNodeParams loop{};
+  loop.type = cudaGraphNodeTypeConditional;
+  loop.conditional.handle = handle;
+  loop.conditional.type = cudaGraphCondTypeWhile;
+  loop.conditional.size = 1;
+  cudaGraphNode_t node = nullptr;
+  requireCuda(cudaGraphAddNode(&node, graph, nullptr, nullptr, 0, &loop));
+  requireCuda(cudaStreamBeginCaptureToGraph(stream, loop.conditional.phGraph_out[0], nullptr,
+    nullptr, 0, cudaStreamCaptureModeThreadLocal));
+  for (int i = 0; i < 4; ++i)
+  {
+    runKernel<<<1, 256, 0, stream>>>(Nothing(), nullptr, 256);
+  }
+  countDown<<<1, 1, 0, stream>>>(handle, left.data());
+  requireCuda(cudaStreamEndCapture(stream, nullptr));
+  requireCuda(cudaGraphInstantiate(&ready, graph, 0));
+  const double seconds = leastSeconds(
+    [&]
+    {
+      executor.fromHost(left.data(), &Iterations, sizeof(Iterations));
+      executor.finish();
+      requireCuda(cudaGraphLaunch(ready, stream));
+      requireCuda(cudaStreamSynchronize(stream));
+    });
+  requireCuda(cudaGraphExecDestroy(ready));
+  requireCuda(cudaGraphDestroy(graph));
+  requireCuda(cudaStreamDestroy(stream));
+  return seconds / Iterations;
+}
+
+#endif
+
+/// Gigabytes a second between pinned memory and the device.
+double rateOfPinned(cudaMemcpyKind kind, void* device, std::size_t bytes)
+{
+  void* pinned = nullptr;
+  requireCuda(cudaMallocHost(&pinned, bytes), static_cast<std::int64_t>(bytes));
+  std::memset(pinned, 0, bytes);
+  const bool in = kind == cudaMemcpyHostToDevice;
+  const double seconds = leastSeconds(
+    [&] { requireCuda(cudaMemcpy(in ? device : pinned, in ? pinned : device, bytes, kind)); });
+  requireCuda(cudaFreeHost(pinned));
+  return 1e-9 * static_cast<double>(bytes) / seconds;
 }
 
 std::string version(int number)
@@ -93,6 +209,46 @@ std::vector<Floor> deviceFloors()
       executor.finish();
     });
   floors.push_back({ "copy on the device, read and written", 2e-9 * Bytes / copying, "GB/s" });
+  constexpr std::uint32_t Gathers = 1u << 25; // all of them
+  const double gathering = leastSeconds(
+    [&]
+    {
+      executor.each(Gathers, nullptr,
+        GatherAnywhere{ {}, reinterpret_cast<const GatherAnywhere::Item*>(from.data()),
+          reinterpret_cast<std::uint32_t*>(to.data()), Gathers - 1 });
+      executor.finish();
+    });
+  floors.push_back({ "gather of 32 bytes from anywhere", 32e-9 * Gathers / gathering, "GB/s" });
+  executor.fill(to.data(), 0, Bytes);
+  for (const std::uint32_t addresses : { 1u, 64u })
+  {
+    constexpr std::uint32_t Additions = 1u << 20;
+    const double adding = leastSeconds(
+      [&]
+      {
+        executor.each(Additions, nullptr,
+          AddToFew{ {}, reinterpret_cast<std::uint32_t*>(to.data()), addresses - 1 });
+        executor.finish();
+      });
+    floors.push_back({ "atomic addition to " + std::to_string(addresses) + " addresses",
+      1e9 * adding / Additions, "ns" });
+  }
+  floors.push_back({ "pinned copy to the device",
+    rateOfPinned(cudaMemcpyHostToDevice, to.data(), Bytes / 4), "GB/s" });
+  floors.push_back({ "pinned copy to the host",
+    rateOfPinned(cudaMemcpyDeviceToHost, to.data(), Bytes / 4), "GB/s" });
+#if CUDART_VERSION >= 13000
+  try
+  {
+    floors.push_back({ "iteration of five kernels in a graph that loops",
+      1e6 * secondsOfGraphIteration(executor), "us" });
+  }
+  catch (const Error& error)
+  {
+    // An older driver has no such graphs.
+    std::printf("graph that loops: CUDA error %lld\n", static_cast<long long>(error.index()));
+  }
+#endif
   std::vector<char> host(Bytes / 4);
   const double fetching =
     leastSeconds([&] { executor.toHost(host.data(), from.data(), host.size()); });

@@ -45,7 +45,7 @@ RunInput Points::view() const
   return input;
 }
 
-std::vector<Subject> subjects()
+std::vector<Subject> subjects(const Settings& settings)
 {
   std::vector<Subject> all;
   for (const char* label : { "cube", "ball", "box:0.01", "shell:0.01", "shell:0.0001", "shell:0" })
@@ -55,6 +55,12 @@ std::vector<Subject> subjects()
   for (const char* label : { "uniform:0", "uniform:27", "uniform:0.19" })
   {
     all.push_back({ Distribution::parse(label, Family::Plane), true });
+  }
+  if (!settings.only.empty())
+  {
+    all.erase(std::remove_if(all.begin(), all.end(),
+                [&](const Subject& subject) { return subject.label() != settings.only; }),
+      all.end());
   }
   return all;
 }
@@ -111,7 +117,8 @@ EngineRows::EngineRows(const Settings& chosen, RoundsRunner& device)
   , csv(chosen.folder, "engines", chosen.facts,
       "distribution,parameter,n,contender,threads,runs,seconds_median,seconds_min,seconds_max,"
       "times_cpu,vertices,cells,seconds_scan,seconds_locate,seconds_grow,seconds_flip,"
-      "seconds_compact,seconds_finish,growth_rounds,flip_rounds,peak_device_bytes,"
+      "seconds_compact,seconds_finish,device_copy_in,device_grow,device_flip,device_finish,"
+      "device_copy_out,growth_rounds,flip_rounds,peak_device_bytes,"
       "device_bytes_per_point")
   , qhullLeft(chosen.qhullSeconds)
 {
@@ -121,19 +128,29 @@ void EngineRows::measure(const Subject& subject, const Points& points, const All
 {
   Options options;
   const RunInput input = points.view();
-  const Timed all = timed(this->settings, [&] { return runOnCpu(input, options); });
-  this->add(subject, points, "cpu", all.statistics.threads, all, RunSeen(), all.median);
+  Timed all;
+  all.median = none;
+  if (!this->settings.deviceOnly)
+  {
+    all = timed(this->settings, [&] { return runOnCpu(input, options); });
+    this->add(subject, points, "cpu", all.statistics.threads, all, RunSeen(), all.median);
+  }
 
   RunSeen seen;
   const auto onDevice = [&](const RunInput& from)
   { return timed(this->settings, [&] { return this->runner.run(from, options, {}, &seen); }); };
   const Timed copied = onDevice(input);
-  this->add(subject, points, "cuda", all.statistics.threads, copied, seen, all.median);
+  this->add(subject, points, "cuda", copied.statistics.threads, copied, seen, all.median);
   RunInput placed = input;
   const Holding held = this->runner.place(placed);
   const Timed inPlace = onDevice(placed);
-  this->add(subject, points, "cuda-in-place", all.statistics.threads, inPlace, seen, all.median);
+  this->add(
+    subject, points, "cuda-in-place", inPlace.statistics.threads, inPlace, seen, all.median);
 
+  if (this->settings.deviceOnly)
+  {
+    return;
+  }
   if (allowance.left() > 0)
   {
     options.threads = 1;
@@ -182,12 +199,18 @@ void EngineRows::add(const Subject& subject, const Points& points, const std::st
   const bool ours = contender != "qhull";
   const bool device = ours && !cpu;
   const Statistics& s = result.statistics;
+  const auto stage = [&](const char* name)
+  {
+    const auto found = seen.stageSeconds.find(name);
+    return found == seen.stageSeconds.end() ? none : found->second;
+  };
   std::vector<Cell> row = caseCells(subject.distribution, points.count());
   const Cell rest[] = { contender, threads, result.runs, result.median, result.least,
     result.greatest, cpuSeconds / result.median, result.vertices, result.cells,
     ours ? s.secondsScan : none, cpu ? s.secondsLocate : none, ours ? s.secondsGrow : none,
     ours ? s.secondsFlip : none, device ? s.secondsCompact : none, ours ? s.secondsFinish : none,
-    device ? Cell(std::int64_t(seen.growthRounds)) : Cell(""),
+    stage("copy to the device"), stage("grow"), stage("flip"), stage("finish"),
+    stage("copy to the host"), device ? Cell(std::int64_t(seen.growthRounds)) : Cell(""),
     device ? Cell(std::int64_t(seen.flipRounds)) : Cell(""),
     device ? Cell(seen.mostBytes) : Cell(""),
     device ? Cell(static_cast<double>(seen.mostBytes) / static_cast<double>(points.count()))

@@ -42,6 +42,8 @@ struct Settings
   bool host = false;
   std::string folder = ".";
   std::vector<std::int64_t> sizes = { 100000, 1000000, 10000000 };
+  std::string only;        ///< the label of the one subject to measure; empty: all
+  bool deviceOnly = false; ///< no run of another engine
   int repetitions = 5;
   std::string parts = "floors,crossover,engines,kernels"; ///< what to measure on a device
 
@@ -76,8 +78,8 @@ struct Points
   std::int64_t count() const { return static_cast<std::int64_t>(this->xyz.size() / 3); }
 };
 
-/// What is measured in all parts; crossoverSubjects is a selection.
-std::vector<Subject> subjects();
+/// What is measured in all parts, or settings.only of it; crossoverSubjects is a selection.
+std::vector<Subject> subjects(const Settings& settings);
 std::vector<Subject> crossoverSubjects();
 
 /// One run of several, that of median time.

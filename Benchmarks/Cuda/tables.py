@@ -83,6 +83,52 @@ def stages(rows):
     return table(head, lines)
 
 
+DEVICE_STAGES = ["copy_in", "grow", "flip", "finish", "copy_out"]
+
+
+def device_stages(rows):
+    """By the device's own clock."""
+    head = ["points", "n"] + [f"{name.replace('_', ' ')} ms" for name in DEVICE_STAGES]
+    lines = []
+    for row in rows:
+        if row["contender"] == "cuda":
+            lines.append(case(row) + [number(row[f"device_{name}"], 1000) for name in DEVICE_STAGES])
+    return table(head, lines)
+
+
+# For ten million points: milliseconds on the device from points there to the result there, and how many times as
+# fast as Qhull a whole run is.
+GOAL_POINTS = 10000000
+DEVICE_GOALS = {"cube": 2, "shell:0.0001": 15, "shell:0": 20, "uniform:0": 30}
+QHULL_GOAL = 100
+
+
+def goals(rows):
+    """Which of the goals were met; of what was not measured, neither is said."""
+    head = ["goal", "points", "wanted", "measured", "met"]
+    lines = []
+    times = {}
+    for row in rows:
+        if int(row["n"]) == GOAL_POINTS:
+            times.setdefault((label(row), row["contender"]), row)
+
+    def line(what, points, wanted, measured, good):
+        met = "-" if measured is None else "yes" if good else "no"
+        lines.append([what, points, wanted, "-" if measured is None else number(measured), met])
+
+    for points, goal in DEVICE_GOALS.items():
+        row = times.get((points, "cuda-in-place"))
+        parts = [row[f"device_{name}"] for name in ("grow", "flip", "finish")] if row else [""]
+        measured = None if "" in parts else 1000 * sum(map(float, parts))
+        line("on the device, ms", points, f"at most {goal}", measured, measured is not None and measured <= goal)
+    for points in [name for name in DEVICE_GOALS if not name.startswith("uniform")]:
+        ours, peer = times.get((points, "cuda")), times.get((points, "qhull"))
+        measured = float(peer["seconds_median"]) / float(ours["seconds_median"]) if ours and peer else None
+        line("whole run, times Qhull", points, f"at least {QHULL_GOAL}", measured,
+             measured is not None and measured >= QHULL_GOAL)
+    return table(head, lines)
+
+
 def crossover(rows):
     head = ["points", "the CUDA engine is faster from"]
     return table(head, [[label(group[0]), group[0]["cuda_pays_from"]] for group in by_label(rows)])
@@ -131,7 +177,8 @@ def floors(rows):
 PARTS = [
     ("floors", [("Floors", floors)]),
     ("crossover", [("From how many points on it pays", crossover)]),
-    ("engines", [("Whole runs", engines), ("Stages of the CUDA engine", stages)]),
+    ("engines", [("Whole runs", engines), ("Stages of the CUDA engine", stages),
+                 ("Stages on the device", device_stages), ("Goals", goals)]),
     ("kernels", [("Rounds", rounds), ("Kernels", kernels)]),
     ("rounds", [("Rounds, counted on the host", rounds), ("Kernels, counted on the host", kernels)]),
 ]

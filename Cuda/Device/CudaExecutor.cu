@@ -207,6 +207,10 @@ CudaExecutor::CudaExecutor()
 CudaExecutor::~CudaExecutor()
 {
   this->release(this->scratch, this->scratchBytes);
+  for (const auto& stage : this->stages)
+  {
+    cudaEventDestroy(stage.second);
+  }
   // What a broken stream is good for is not known: it is not kept.
   if (cudaStreamSynchronize(this->stream) == cudaSuccess && this->session->trim())
   {
@@ -465,6 +469,34 @@ const Counters& CudaExecutor::recorded(int slot)
 {
   requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));
   return this->session->records[slot];
+}
+
+void CudaExecutor::stage(const char* name)
+{
+  if (this->measuringStages)
+  {
+    cudaEvent_t event = nullptr;
+    requireCuda(cudaEventCreate(&event));
+    this->stages.emplace_back(name, event);
+    requireCuda(cudaEventRecord(event, this->stream));
+  }
+}
+
+std::map<std::string, double> CudaExecutor::stageSeconds()
+{
+  this->finish();
+  std::map<std::string, double> seconds;
+  for (std::size_t i = 1; i < this->stages.size(); ++i)
+  {
+    float milliseconds = 0;
+    requireCuda(
+      cudaEventElapsedTime(&milliseconds, this->stages[i - 1].second, this->stages[i].second));
+    if (this->stages[i - 1].first)
+    {
+      seconds[this->stages[i - 1].first] += 1e-3 * milliseconds;
+    }
+  }
+  return seconds;
 }
 
 CudaExecutor::Timing CudaExecutor::before()

@@ -20,7 +20,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -60,6 +63,7 @@ public:
   void toHost(void* to, const void* from, std::size_t bytes);
   void toHostWidened(std::int64_t* to, const std::uint32_t* from, std::size_t n);
   void finish();
+  void stage(const char* name);
 
   template <class K>
   void each(std::uint32_t most, const std::uint32_t* count, const K& kernel)
@@ -108,6 +112,11 @@ public:
 
   /// Measure each launch from now on: every one is waited for, so the whole takes longer.
   void measure(bool on) { this->measuring = on; }
+  /// Note when the device begins each stage. Nothing waits for that.
+  void measureStages(bool on) { this->measuringStages = on; }
+  /// What each stage took on the device, in seconds, by name. Waits.
+  std::map<std::string, double> stageSeconds();
+
   const KernelTallies::Map& tallies() const { return this->kernels.map(); }
   std::int64_t mostBytes() const { return this->bytesMost; }
 
@@ -134,6 +143,8 @@ private:
   void* scratch = nullptr; ///< for prefix sums and sorting
   std::size_t scratchBytes = 0;
   bool measuring = false;
+  bool measuringStages = false;
+  std::vector<std::pair<const char*, cudaEvent_t>> stages; ///< and their beginnings
   KernelTallies kernels;
   std::int64_t bytesNow = 0;
   std::int64_t bytesMost = 0;

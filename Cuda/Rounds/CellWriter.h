@@ -84,8 +84,15 @@ public:
     {
       return false;
     }
-    this->fetchIds(sorted, finished.points, result);
-    this->fetchCells(finished.cells, cornerBits, result);
+    Array<std::uint32_t> corners(this->executor, 3 * std::size_t(finished.cells));
+    this->sortCells(finished.cells, cornerBits, corners);
+
+    this->executor.stage("copy to the host");
+    result.pointIds.allocate(finished.points);
+    result.connectivity.allocate(3 * std::size_t(finished.cells));
+    this->executor.toHostWidened(result.pointIds.data(), sorted.data(), result.pointIds.size());
+    this->executor.toHostWidened(
+      result.connectivity.data(), corners.data(), result.connectivity.size());
     if (result.measured)
     {
       this->fetchMeasures(sums, measure, result);
@@ -95,26 +102,14 @@ public:
   }
 
 private:
-  void fetchIds(Array<std::uint32_t>& sorted, std::uint32_t count, FinishedCells& result)
+  void sortCells(std::uint32_t count, int cornerBits, Array<std::uint32_t>& corners)
   {
-    result.pointIds.allocate(count);
-    this->executor.toHostWidened(result.pointIds.data(), sorted.data(), count);
-  }
-
-  void fetchCells(std::uint32_t count, int cornerBits, FinishedCells& result)
-  {
-    Array<std::uint32_t> corners(this->executor, 3 * std::size_t(count));
-    {
-      Array<std::uint64_t> other(this->executor, count);
-      std::uint64_t* const keyBuffers[2] = { this->keys.data(), other.data() };
-      std::uint32_t* const thirdBuffers[2] = { this->thirds[0].data(), this->thirds[1].data() };
-      const int at = this->executor.sort(keyBuffers, thirdBuffers, count, 2 * cornerBits);
-      this->executor.each(count, nullptr,
-        WriteCells{ {}, keyBuffers[at], thirdBuffers[at], cornerBits, corners.data() });
-    }
-    result.connectivity.allocate(3 * std::size_t(count));
-    this->executor.toHostWidened(
-      result.connectivity.data(), corners.data(), 3 * std::size_t(count));
+    Array<std::uint64_t> other(this->executor, count);
+    std::uint64_t* const keyBuffers[2] = { this->keys.data(), other.data() };
+    std::uint32_t* const thirdBuffers[2] = { this->thirds[0].data(), this->thirds[1].data() };
+    const int at = this->executor.sort(keyBuffers, thirdBuffers, count, 2 * cornerBits);
+    this->executor.each(count, nullptr,
+      WriteCells{ {}, keyBuffers[at], thirdBuffers[at], cornerBits, corners.data() });
   }
 
   void fetchMeasures(Array<MeasureSums>& sums, const Measure& measure, FinishedCells& result)

@@ -17,6 +17,9 @@
 ///   resident(points, residence)  the points as kernels can read them, while the residence lives
 ///   record, recorded             a copy of the counters as they are now; wait for it, and read it
 ///   finish                       wait for all
+///   stage(name)                  what follows is part of this stage of the run: for reports; null:
+///   of
+///                                none
 /// Calls take effect in their order. Only toHost, toHostWidened, recorded and finish wait.
 #ifndef flipflop_HostExecutor_h
 #define flipflop_HostExecutor_h
@@ -86,6 +89,7 @@ public:
   void fromHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void toHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void finish() {}
+  void stage(const char*) {}
 
   template <class K>
   void each(std::uint32_t most, const std::uint32_t* count, const K& kernel)

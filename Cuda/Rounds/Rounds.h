@@ -70,7 +70,9 @@ public:
     const std::uint32_t count = this->source.count();
     this->monitor.stage(0.1, 0.5, count, "growing");
     typename Executor::Residence residence(this->executor);
+    this->executor.stage("copy to the device");
     const PointSource points = this->executor.resident(this->source, residence);
+    this->executor.stage("grow");
     Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
       Array<Vertex>(this->executor, count) };
     this->undecided.reserve(count);
@@ -126,6 +128,7 @@ public:
     const std::uint32_t t = counted.triangles;
     const std::uint32_t v = counted.vertices;
     this->monitor.stage(0.5, 0.85, t, "flipping");
+    this->executor.stage("flip");
     Array<std::uint32_t> moved(this->executor, 4 * std::size_t(t));
     Array<std::uint32_t> flipped(this->executor, t);
     Array<std::uint32_t> queued(this->executor, t);
@@ -176,6 +179,7 @@ public:
       return false;
     }
     this->monitor.stage(0.9, 1.0, 1, "finishing");
+    this->executor.stage("finish");
     CellWriter<Executor> writer(this->executor, this->keys, this->lists);
     if (!writer.write(this->mesh(), this->lowest.data(), this->sameAs.data(), counted,
           this->counters.data(), this->source.count(), this->range, result))
@@ -189,6 +193,7 @@ public:
   /// The polyhedron without gaps, on the host.
   Polyhedron compact(Tally& tally)
   {
+    this->executor.stage("compact");
     Counters counted = this->now();
     const std::uint32_t t = counted.triangles;
     const std::uint32_t v = counted.vertices;
