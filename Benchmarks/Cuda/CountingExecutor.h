@@ -144,8 +144,8 @@ private:
   template <class Geometry>
   void look(const Check<Geometry>& kernel, std::uint32_t items)
   {
-    const Mesh& mesh = kernel.data.mesh;
-    const std::uint32_t* const active = kernel.data.active[kernel.round & 1];
+    const Mesh& mesh = kernel.data().mesh;
+    const std::uint32_t* const active = kernel.data().active[kernel.round & 1];
     this->gather(this->check, items,
       [&](std::uint32_t i)
       {

@@ -201,8 +201,8 @@ void EngineRows::add(const Subject& subject, const Points& points, const std::st
   const Statistics& s = result.statistics;
   const auto stage = [&](const char* name)
   {
-    const auto found = seen.stageSeconds.find(name);
-    return found == seen.stageSeconds.end() ? none : found->second;
+    const auto found = seen.partSeconds.find(name);
+    return found == seen.partSeconds.end() ? none : found->second;
   };
   std::vector<Cell> row = caseCells(subject.distribution, points.count());
   const Cell rest[] = { contender, threads, result.runs, result.median, result.least,

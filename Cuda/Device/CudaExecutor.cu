@@ -207,9 +207,9 @@ CudaExecutor::CudaExecutor()
 CudaExecutor::~CudaExecutor()
 {
   this->release(this->scratch, this->scratchBytes);
-  for (const auto& stage : this->stages)
+  for (const auto& part : this->parts)
   {
-    cudaEventDestroy(stage.second);
+    cudaEventDestroy(part.second);
   }
   // What a broken stream is good for is not known: it is not kept.
   if (cudaStreamSynchronize(this->stream) == cudaSuccess && this->session->trim())
@@ -471,29 +471,29 @@ const Counters& CudaExecutor::recorded(int slot)
   return this->session->records[slot];
 }
 
-void CudaExecutor::stage(const char* name)
+void CudaExecutor::beginPart(const char* name)
 {
-  if (this->measuringStages)
+  if (this->measuringParts)
   {
     cudaEvent_t event = nullptr;
     requireCuda(cudaEventCreate(&event));
-    this->stages.emplace_back(name, event);
+    this->parts.emplace_back(name, event);
     requireCuda(cudaEventRecord(event, this->stream));
   }
 }
 
-std::map<std::string, double> CudaExecutor::stageSeconds()
+std::map<std::string, double> CudaExecutor::partSeconds()
 {
   this->finish();
   std::map<std::string, double> seconds;
-  for (std::size_t i = 1; i < this->stages.size(); ++i)
+  for (std::size_t i = 1; i < this->parts.size(); ++i)
   {
     float milliseconds = 0;
     requireCuda(
-      cudaEventElapsedTime(&milliseconds, this->stages[i - 1].second, this->stages[i].second));
-    if (this->stages[i - 1].first)
+      cudaEventElapsedTime(&milliseconds, this->parts[i - 1].second, this->parts[i].second));
+    if (this->parts[i - 1].first)
     {
-      seconds[this->stages[i - 1].first] += 1e-3 * milliseconds;
+      seconds[this->parts[i - 1].first] += 1e-3 * milliseconds;
     }
   }
   return seconds;

@@ -11,6 +11,7 @@
 #define flipflop_CudaExecutor_h
 
 #include "Points/PointSource.h"
+#include "Rounds/Atomics.h"
 #include "Rounds/Counters.h"
 #include "Rounds/Kernel.h"
 #include "Rounds/KernelTally.h"
@@ -39,6 +40,30 @@ __global__ void runKernel(const K kernel, const std::uint32_t* count, std::uint3
   runItems(kernel, blockIdx.x * blockDim.x + threadIdx.x, gridDim.x * blockDim.x, items);
 }
 
+constexpr std::uint32_t TailThreads = 512;
+
+/// A barrier between kernels, for one block of threads.
+struct OneBlock
+{
+  template <class K>
+  FF_HD void operator()(const K& kernel, const std::uint32_t* count) const
+  {
+#if defined(__CUDA_ARCH__)
+    runItems(kernel, threadIdx.x, blockDim.x, atomics::load(count));
+    __syncthreads();
+#else
+    (void)kernel;
+    (void)count;
+#endif
+  }
+};
+
+template <class Tail>
+__global__ void __launch_bounds__(TailThreads, 1) runTail(const Tail tail)
+{
+  tail(OneBlock(), threadIdx.x == 0);
+}
+
 /// What is kept from run to run: a stream, memory, pinned buffers, events.
 struct CudaSession;
 
@@ -63,7 +88,7 @@ public:
   void toHost(void* to, const void* from, std::size_t bytes);
   void toHostWidened(std::int64_t* to, const std::uint32_t* from, std::size_t n);
   void finish();
-  void stage(const char* name);
+  void beginPart(const char* name);
 
   template <class K>
   void each(std::uint32_t most, const std::uint32_t* count, const K& kernel)
@@ -82,6 +107,15 @@ public:
     runKernel<K><<<grid, block, 0, this->stream>>>(kernel, count, most);
     requireCuda(cudaGetLastError());
     this->after(timing, K::Name, count, most, K::Bytes);
+  }
+
+  template <class Tail>
+  void together(const Tail& tail)
+  {
+    const Timing timing = this->before();
+    runTail<<<1, TailThreads, 0, this->stream>>>(tail);
+    requireCuda(cudaGetLastError());
+    this->after(timing, Tail::Name, nullptr, 1, 0);
   }
 
   void exclusiveSum(std::uint32_t* values, std::uint32_t n);
@@ -112,10 +146,10 @@ public:
 
   /// Measure each launch from now on: every one is waited for, so the whole takes longer.
   void measure(bool on) { this->measuring = on; }
-  /// Note when the device begins each stage. Nothing waits for that.
-  void measureStages(bool on) { this->measuringStages = on; }
-  /// What each stage took on the device, in seconds, by name. Waits.
-  std::map<std::string, double> stageSeconds();
+  /// Note when the device begins each part. Nothing waits for that.
+  void measureParts(bool on) { this->measuringParts = on; }
+  /// What each part took on the device, in seconds, by name. Waits.
+  std::map<std::string, double> partSeconds();
 
   const KernelTallies::Map& tallies() const { return this->kernels.map(); }
   std::int64_t mostBytes() const { return this->bytesMost; }
@@ -143,8 +177,8 @@ private:
   void* scratch = nullptr; ///< for prefix sums and sorting
   std::size_t scratchBytes = 0;
   bool measuring = false;
-  bool measuringStages = false;
-  std::vector<std::pair<const char*, cudaEvent_t>> stages; ///< and their beginnings
+  bool measuringParts = false;
+  std::vector<std::pair<const char*, cudaEvent_t>> parts; ///< and their beginnings
   KernelTallies kernels;
   std::int64_t bytesNow = 0;
   std::int64_t bytesMost = 0;

@@ -87,7 +87,7 @@ public:
     Array<std::uint32_t> corners(this->executor, 3 * std::size_t(finished.cells));
     this->sortCells(finished.cells, cornerBits, corners);
 
-    this->executor.stage("copy to the host");
+    this->executor.beginPart("copy to the host");
     result.pointIds.allocate(finished.points);
     result.connectivity.allocate(3 * std::size_t(finished.cells));
     this->executor.toHostWidened(result.pointIds.data(), sorted.data(), result.pointIds.size());

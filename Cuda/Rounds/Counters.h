@@ -40,6 +40,8 @@ struct Counters
   std::uint32_t active[2] = { 0, 0 }; ///< triangles to check, by turns
   std::uint32_t flips[2] = { 0, 0 };  ///< flips of a round, by turns
   std::uint32_t proposing = 0;        ///< the last round in which any triangle proposed a flip
+  std::uint32_t tailRound = 0;        ///< the round that FlipTail has ended in
+  std::uint32_t tailChecked = 0;      ///< 1: between that round's Check and Resolve
   RoundCounts round;                  ///< of the round under way
 
   // Both.

@@ -192,29 +192,37 @@ struct WakeAll : Kernel
   }
 };
 
+/// What the kernels of a round have in common.
+/// @tparam Data the data, or a reference to them where a larger kernel has them (FlipTail)
+template <class Geometry, class Data>
+struct FlipKernel : Kernel
+{
+  Data held;
+  std::uint32_t round;
+
+  FF_HD const FlipData<Geometry>& data() const { return this->held; }
+};
+
 /// Over the active triangles.
-template <class Geometry>
-struct Check : Kernel
+template <class Geometry, class Data = FlipData<Geometry>>
+struct Check : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "check";
   static constexpr int Bytes = 4 + 4 * 32 + 6 * 32 + 8 + 2 * 8;
   using Local = std::uint32_t; ///< edges looked at
-  FlipData<Geometry> data;
-  std::uint32_t round;
-
   FF_HD Local begin() const { return 0; }
   FF_HD void operator()(std::uint32_t i, Local& checks) const
   {
     flips::check(
-      this->data, FilteredGeometry<Geometry>(this->data.geometry), this->round, i, checks);
+      this->data(), FilteredGeometry<Geometry>(this->data().geometry), this->round, i, checks);
   }
   FF_HD void end(Local checks) const
   {
-    atomics::add(&this->data.counters->round.edgeChecks, checks);
+    atomics::add(&this->data().counters->round.edgeChecks, checks);
   }
   FF_HD void once() const
   {
-    Counters& counters = *this->data.counters;
+    Counters& counters = *this->data().counters;
     counters.active[(this->round & 1) ^ 1] = 0;
     counters.flips[this->round & 1] = 0;
     // The round before is over. One without work comes after the last, so nothing is lost.
@@ -246,19 +254,16 @@ struct CheckExact : ExactKernel<Geometry, FlipData<Geometry>>
 };
 
 /// Over the active triangles.
-template <class Geometry>
-struct Resolve : Kernel
+template <class Geometry, class Data = FlipData<Geometry>>
+struct Resolve : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "resolve";
   static constexpr int Bytes = 4 + 8 + 2 * 8 + 8 + 8;
   using Local = std::uint32_t; ///< vertices labelled
-  FlipData<Geometry> data;
-  std::uint32_t round;
-
   FF_HD Local begin() const { return 0; }
   FF_HD void operator()(std::uint32_t i, Local& labelled) const
   {
-    const FlipData<Geometry>& d = this->data;
+    const FlipData<Geometry>& d = this->data();
     const Proposal proposal = d.proposals[i];
     if (proposal.action == FlipAction::None)
     {
@@ -295,12 +300,12 @@ struct Resolve : Kernel
   }
   FF_HD void end(Local labelled) const
   {
-    atomics::add(&this->data.counters->round.labelled, labelled);
+    atomics::add(&this->data().counters->round.labelled, labelled);
   }
   /// Check has counted.
   FF_HD void once() const
   {
-    Counters& counters = *this->data.counters;
+    Counters& counters = *this->data().counters;
     counters.undecided[(this->round & 1) ^ 1] = 0;
     counters.edgeChecks += counters.round.edgeChecks;
     counters.round.edgeChecks = 0;
@@ -310,7 +315,7 @@ private:
   /// This round's flips are still being counted, those of the last round are known.
   FF_HD bool flipsAreMany() const
   {
-    const Counters& counters = *this->data.counters;
+    const Counters& counters = *this->data().counters;
     const std::uint64_t flipsBefore = counters.flips[(this->round & 1) ^ 1];
     return counters.proposing == this->round &&
       (this->round == 1 || 4 * flipsBefore > counters.active[this->round & 1]);
@@ -319,7 +324,7 @@ private:
   /// Label the origin of h, and wake its triangles.
   FF_HD void label(std::uint32_t h, Local& labelled) const
   {
-    const FlipData<Geometry>& d = this->data;
+    const FlipData<Geometry>& d = this->data();
     std::uint32_t* const flags = &d.mesh.vertices[d.mesh.origin(h)].flags;
     if (atomics::setBits(flags, std::uint32_t(VertexLabelled)) & VertexLabelled)
     {
@@ -337,17 +342,14 @@ private:
 };
 
 /// Over the round's flips.
-template <class Geometry>
-struct Publish : Kernel
+template <class Geometry, class Data = FlipData<Geometry>>
+struct Publish : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "publish";
   static constexpr int Bytes = 8 + 2 * 32 + 4 * 4 + 2 * 4;
-  FlipData<Geometry> data;
-  std::uint32_t round;
-
-  FF_HD void operator()(std::uint32_t i, Local&) const
+  FF_HD void operator()(std::uint32_t i, Kernel::Local&) const
   {
-    const FlipData<Geometry>& d = this->data;
+    const FlipData<Geometry>& d = this->data();
     const FlipPlan plan = flips::planOf(d.mesh, d.flips[i]);
     for (int k = 0; k < 4; ++k)
     {
@@ -368,8 +370,8 @@ struct Publish : Kernel
 
 /// Over the round's flips. Each writes to its own triangles, and to half-edges opposite to them in
 /// triangles that do not flip.
-template <class Geometry>
-struct Relink : Kernel
+template <class Geometry, class Data = FlipData<Geometry>>
+struct Relink : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "relink";
   static constexpr int Bytes = 8 + 2 * 32 + 4 * (4 + 4 + 4) + 2 * 32 + 2 * 8;
@@ -379,13 +381,10 @@ struct Relink : Kernel
     std::uint32_t flips31 = 0;
     std::uint32_t byDegree = 0;
   };
-  FlipData<Geometry> data;
-  std::uint32_t round;
-
   FF_HD Local begin() const { return Local(); }
   FF_HD void operator()(std::uint32_t i, Local& local) const
   {
-    const FlipData<Geometry>& d = this->data;
+    const FlipData<Geometry>& d = this->data();
     const Proposal proposal = d.flips[i];
     const FlipPlan plan = flips::planOf(d.mesh, proposal);
     if (proposal.action == FlipAction::Flip22)
@@ -432,10 +431,59 @@ struct Relink : Kernel
   }
   FF_HD void end(const Local& local) const
   {
-    RoundCounts& counts = this->data.counters->round;
+    RoundCounts& counts = this->data().counters->round;
     atomics::add(&counts.flips22, local.flips22);
     atomics::add(&counts.flips31, local.flips31);
     atomics::add(&counts.flipsD, local.byDegree);
+  }
+};
+
+/// Rounds of few active triangles, one after another and without the host. It ends after a round
+/// that had nothing to do; before one that has too much; or, if the filter leaves anything open,
+/// between Check and Resolve, for the exact kernel's stack is too much for so many threads.
+template <class Geometry>
+struct FlipTail
+{
+  static constexpr const char* Name = "tail of flips";
+  FlipData<Geometry> data;
+  std::uint32_t round; ///< the first
+  std::uint32_t most;  ///< active triangles
+
+  /// See HostExecutor's together().
+  template <class Run>
+  FF_HD void operator()(const Run& run, bool isFirst) const
+  {
+    using Data = const FlipData<Geometry>&;
+    Counters& counters = *this->data.counters;
+    std::uint32_t now = this->round;
+    bool isChecked = false;
+    for (;; ++now)
+    {
+      const int turn = static_cast<int>(now & 1);
+      const std::uint32_t active = atomics::load(&counters.active[turn]);
+      if (active > this->most)
+      {
+        break;
+      }
+      run(Check<Geometry, Data>{ { {}, this->data, now } }, &counters.active[turn]);
+      if (atomics::load(&counters.undecided[turn]) != 0)
+      {
+        isChecked = true;
+        break;
+      }
+      run(Resolve<Geometry, Data>{ { {}, this->data, now } }, &counters.active[turn]);
+      run(Publish<Geometry, Data>{ { {}, this->data, now } }, &counters.flips[turn]);
+      run(Relink<Geometry, Data>{ { {}, this->data, now } }, &counters.flips[turn]);
+      if (active == 0)
+      {
+        break;
+      }
+    }
+    if (isFirst)
+    {
+      counters.tailRound = now;
+      counters.tailChecked = isChecked ? 1 : 0;
+    }
   }
 };
 

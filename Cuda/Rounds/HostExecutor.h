@@ -17,9 +17,12 @@
 ///   resident(points, residence)  the points as kernels can read them, while the residence lives
 ///   record, recorded             a copy of the counters as they are now; wait for it, and read it
 ///   finish                       wait for all
-///   stage(name)                  what follows is part of this stage of the run: for reports; null:
-///   of
-///                                none
+///   beginPart(name)              what follows is this part of the run, for reports; null: none
+///   together(tail)               tail(run, isFirst), where run(kernel, count) runs a kernel for
+///   all
+///                                items and waits for it: rounds of few items, without the host.
+///                                Where several threads call it, each does so in the same way;
+///                                isFirst is true for one
 /// Calls take effect in their order. Only toHost, toHostWidened, recorded and finish wait.
 #ifndef flipflop_HostExecutor_h
 #define flipflop_HostExecutor_h
@@ -38,6 +41,7 @@
 #include <numeric>
 #include <random>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace flipflop
@@ -89,12 +93,25 @@ public:
   void fromHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void toHost(void* to, const void* from, std::size_t bytes) { std::memcpy(to, from, bytes); }
   void finish() {}
-  void stage(const char*) {}
+  void beginPart(const char*) {}
 
   template <class K>
   void each(std::uint32_t most, const std::uint32_t* count, const K& kernel)
   {
     this->run(this->log(most, count, kernel), kernel);
+  }
+
+  template <class Tail>
+  void together(const Tail& tail)
+  {
+    ++this->kernels.of(Tail::Name).launches;
+    tail(
+      [this](const auto& kernel, const std::uint32_t* count)
+      {
+        using K = std::decay_t<decltype(kernel)>;
+        this->run(this->logItems<K>(*count), kernel);
+      },
+      true);
   }
 
   void exclusiveSum(std::uint32_t* values, std::uint32_t n)
@@ -140,15 +157,20 @@ protected:
   template <class K>
   std::uint32_t log(std::uint32_t most, const std::uint32_t* count, const K&)
   {
-    const std::uint32_t items = count ? std::min(most, *count) : most;
+    ++this->kernels.of(K::Name).launches;
+    return this->logItems<K>(count ? std::min(most, *count) : most);
+  }
+
+private:
+  template <class K>
+  std::uint32_t logItems(std::uint32_t items)
+  {
     KernelTally& tally = this->kernels.of(K::Name);
-    ++tally.launches;
     tally.items += items;
     tally.bytes += static_cast<std::int64_t>(items) * K::Bytes;
     return items;
   }
 
-private:
   template <class K>
   void run(std::uint32_t count, const K& kernel)
   {

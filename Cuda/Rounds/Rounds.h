@@ -70,9 +70,9 @@ public:
     const std::uint32_t count = this->source.count();
     this->monitor.stage(0.1, 0.5, count, "growing");
     typename Executor::Residence residence(this->executor);
-    this->executor.stage("copy to the device");
+    this->executor.beginPart("copy to the device");
     const PointSource points = this->executor.resident(this->source, residence);
-    this->executor.stage("grow");
+    this->executor.beginPart("grow");
     Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
       Array<Vertex>(this->executor, count) };
     this->undecided.reserve(count);
@@ -128,7 +128,7 @@ public:
     const std::uint32_t t = counted.triangles;
     const std::uint32_t v = counted.vertices;
     this->monitor.stage(0.5, 0.85, t, "flipping");
-    this->executor.stage("flip");
+    this->executor.beginPart("flip");
     Array<std::uint32_t> moved(this->executor, 4 * std::size_t(t));
     Array<std::uint32_t> flipped(this->executor, t);
     Array<std::uint32_t> queued(this->executor, t);
@@ -148,10 +148,13 @@ public:
       this->undecided.data(), this->counters.data(), this->vBiased };
     this->executor.each(t, nullptr, WakeAll<Geometry>{ {}, data, t });
 
+    // Its digests are of each round: who watches gets them all.
+    bool tailIsLeft = !this->observer;
+    std::uint32_t first = 1; ///< the round that records begin with
     std::uint32_t activeBefore = t;
     for (std::uint32_t round = 1;; ++round)
     {
-      if (round > 1 + Ahead)
+      if (round > first + Ahead)
       {
         const std::uint32_t known = round - 1 - Ahead;
         const std::uint32_t active = this->recorded(known).active[(known + 1) & 1];
@@ -160,6 +163,24 @@ public:
         if (active == 0)
         {
           break;
+        }
+        if (tailIsLeft && active <= TailMost)
+        {
+          tailIsLeft = false;
+          this->executor.together(FlipTail<Geometry>{ data, round, 2 * TailMost });
+          const Counters& after = this->now();
+          round = first = after.tailRound;
+          this->flipRoundCount = round;
+          if (after.active[round & 1] == 0)
+          {
+            break;
+          }
+          if (after.tailChecked)
+          {
+            this->endFlipRound(data, round, t);
+            this->record(round);
+            continue;
+          }
         }
       }
       this->flipRound(data, round, t);
@@ -179,7 +200,7 @@ public:
       return false;
     }
     this->monitor.stage(0.9, 1.0, 1, "finishing");
-    this->executor.stage("finish");
+    this->executor.beginPart("finish");
     CellWriter<Executor> writer(this->executor, this->keys, this->lists);
     if (!writer.write(this->mesh(), this->lowest.data(), this->sameAs.data(), counted,
           this->counters.data(), this->source.count(), this->range, result))
@@ -193,7 +214,7 @@ public:
   /// The polyhedron without gaps, on the host.
   Polyhedron compact(Tally& tally)
   {
-    this->executor.stage("compact");
+    this->executor.beginPart("compact");
     Counters counted = this->now();
     const std::uint32_t t = counted.triangles;
     const std::uint32_t v = counted.vertices;
@@ -255,6 +276,9 @@ private:
   /// How many rounds the host is ahead of what it knows, beside the one it hands out.
   static constexpr std::uint32_t Ahead = 1;
   static_assert(Ahead + 2 <= Executor::Records, "a record is read before it is written anew");
+
+  /// Rounds of so few active triangles are left to one block of threads.
+  static constexpr std::uint32_t TailMost = 1 << 10;
 
   /// If a quarter of the points is alive when there are so many triangles, most of them will be for
   /// long: their list is put in order, once. Of a solid's points next to none are alive by then.
@@ -394,11 +418,19 @@ private:
   {
     Counters* const c = data.counters;
     const std::uint32_t turn = round & 1;
-    this->executor.each(most, &c->active[turn], Check<Geometry>{ {}, data, round });
+    this->executor.each(most, &c->active[turn], Check<Geometry>{ { {}, data, round } });
+    this->endFlipRound(data, round, most);
+  }
+
+  /// All of a round but for Check.
+  void endFlipRound(const FlipData<Geometry>& data, std::uint32_t round, std::uint32_t most)
+  {
+    Counters* const c = data.counters;
+    const std::uint32_t turn = round & 1;
     this->executor.each(most, &c->undecided[turn], CheckExact<Geometry>{ { {}, data }, round });
-    this->executor.each(most, &c->active[turn], Resolve<Geometry>{ {}, data, round });
-    this->executor.each(most, &c->flips[turn], Publish<Geometry>{ {}, data, round });
-    this->executor.each(most, &c->flips[turn], Relink<Geometry>{ {}, data, round });
+    this->executor.each(most, &c->active[turn], Resolve<Geometry>{ { {}, data, round } });
+    this->executor.each(most, &c->flips[turn], Publish<Geometry>{ { {}, data, round } });
+    this->executor.each(most, &c->flips[turn], Relink<Geometry>{ { {}, data, round } });
   }
 
   void record(std::uint32_t round)

@@ -43,7 +43,7 @@ public:
       result = rounds.compact(tally);
       statistics.secondsCompact = watch.lap();
     }
-    this->executor.stage(nullptr);
+    this->executor.beginPart(nullptr);
     this->growthRounds = rounds.growthRounds();
     this->flipRounds = rounds.flipRounds();
     return result;

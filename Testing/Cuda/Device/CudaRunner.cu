@@ -56,7 +56,7 @@ public:
   {
     CudaExecutor executor;
     executor.measure(watch.times);
-    executor.measureStages(true);
+    executor.measureParts(true);
     RunSeen own;
     RunResult result = runRounds(executor, input, options, watch.reports, own);
     for (const auto& kernel : executor.tallies())
@@ -64,7 +64,7 @@ public:
       own.launches[kernel.first] = { kernel.second.launches, kernel.second.items,
         kernel.second.bytes, kernel.second.seconds };
     }
-    own.stageSeconds = executor.stageSeconds();
+    own.partSeconds = executor.partSeconds();
     if (seen)
     {
       *seen = std::move(own);

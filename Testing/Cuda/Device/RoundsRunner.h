@@ -60,7 +60,7 @@ struct RunSeen
   std::uint32_t flipRounds = 0;
   std::int64_t mostBytes = 0; ///< of the executor's memory, at its peak
   std::map<std::string, LaunchTally> launches;
-  std::map<std::string, double> stageSeconds; ///< on a device, by its own clock
+  std::map<std::string, double> partSeconds; ///< on a device, by its own clock
 };
 
 struct RunWatch

@@ -14,6 +14,7 @@ namespace ptx
 struct Launch
 {
   unsigned blockIndex, blockCount, threadIndex, threadCount;
+  void (*wait)() = nullptr; ///< until all threads of the block do; for kernels that wait
 };
 
 /// parameters[i] points at argument i.
@@ -24,6 +25,7 @@ struct Entry
   const char* mangled;
   Kernel kernel;
   std::vector<unsigned> sizes; ///< of the parameters, in bytes
+  bool waits;                  ///< for the other threads of its block
 };
 
 /// By the name that abi::__cxa_demangle gives; null if there is none.

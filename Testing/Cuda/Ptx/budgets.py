@@ -16,6 +16,7 @@ import sys
 import tempfile
 
 FAST_REGISTERS = 80
+TAIL_REGISTERS = 128  # of a block of 512 threads
 EXACT_STACK = 4096  # bytes a thread, calls included
 EXACT = re.compile(r"(Associate|Relocate|Check)Exact")
 
@@ -58,9 +59,10 @@ def main():
     faults = 0
     print(f"{options.architecture}: registers, stack, spilled")
     for (_, registers, stack, spilled), name in zip(found, names):
-        short = name.partition("runKernel<")[2].partition(">(")[0].replace("flipflop::", "")
+        short = re.split(r"run(?:Kernel|Tail)<", name)[1].partition(">(")[0].replace("flipflop::", "")
         exact = EXACT.search(name) is not None
-        over = stack > EXACT_STACK if exact else registers > FAST_REGISTERS or stack or spilled
+        most = TAIL_REGISTERS if "runTail<" in name else FAST_REGISTERS
+        over = stack > EXACT_STACK if exact else registers > most or stack or spilled
         faults += 1 if over else 0
         print(f"{registers:5d} {stack:6d} {spilled:6d}  {short}{'   OVER BUDGET' if over else ''}")
     exact_count = sum(1 for row in found if EXACT.search(row[0]))

@@ -16,6 +16,7 @@ class Function:
 
     def __init__(self, module, name, is_entry, results, parameters):
         self.module, self.name, self.is_entry = module, name, is_entry
+        self.waits = False  # at a barrier
         self.addresses = [{}]  # by scope: names of .param and .local variables
         self.registers = [{}]
         self.ranges = [{}]
@@ -373,9 +374,15 @@ class Function:
         return "__atomic_thread_fence(__ATOMIC_SEQ_CST);"
 
     def nothing(self, op, a):
-        if op.base == "bar" and op.flags != ["warp", "sync"]:
-            raise Refused("a barrier")
         return ";"
+
+    def barrier(self, op, a):
+        if op.flags == ["warp", "sync"]:
+            return ";"
+        if op.flags != ["sync"] or a != ["0"] or not self.is_entry:
+            raise Refused("a barrier")
+        self.waits = True
+        return "if (!launch.wait) { std::abort(); } launch.wait();"
 
     def active_mask(self, op, a):
         return self.write(a[0], "u32", "1u")

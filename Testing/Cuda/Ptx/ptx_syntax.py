@@ -81,7 +81,7 @@ RULES = {
     "membar": ("fence", "cta gl sys", 0), "fence": ("fence", "sc acq_rel " + SCOPES, 0),
     "bra": ("branch", "uni", 1), "brx": ("branch_by_table", "idx uni", 2),
     "call": ("call", "uni", None), "ret": ("leave", "uni", 0), "trap": ("trap", "", 0),
-    "bar": ("nothing", "warp sync", 1), "nanosleep": ("nothing", "", 1),
+    "bar": ("barrier", "warp sync", 1), "nanosleep": ("nothing", "", 1),
     "activemask": ("active_mask", "", 1), "vote": ("vote", "sync all any uni ballot", 3),
     "shfl": ("shuffle", "sync idx up down bfly", 5),
 }

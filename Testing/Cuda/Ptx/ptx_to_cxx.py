@@ -7,9 +7,10 @@
 
 Every .entry and .func becomes a C++ function, every register a local variable, every branch a goto.
 Generic addresses are the CPU's: memory of all spaces is memory, and parameters are passed by
-address. A thread is a warp of its own, of which lane 0 alone is active. What has no exact
-translation (approximations, roundings but to nearest, shared memory, barriers), and what is not
-known here, is refused by name and line; nothing is guessed. NaNs are NaNs, but their bits are the
+address. A thread is a warp of its own, of which lane 0 alone is active. At a barrier of its block
+it calls launch.wait. What has no exact translation (approximations, roundings but to nearest,
+shared memory, other barriers), and what is not known here, is refused by name and line; nothing is
+guessed. NaNs are NaNs, but their bits are the
 CPU's. The head and the end of the result are ptx_preamble.cxx.in and ptx_interface.cxx.in; it must be
 compiled with -ffp-contract=off.
 """
@@ -165,7 +166,8 @@ def dispatch_table(modules):
                 raise Refused(f"{module.path}: a second and different {mangled}")
             if len(seen) > len(lines):
                 sizes = ", ".join(str(size) for size in function.parameter_sizes)
-                lines.append(f'  {{ "{mangled}", {function.name}, {{ {sizes} }} }},\n')
+                lines.append(f'  {{ "{mangled}", {function.name}, {{ {sizes} }}, '
+                             f'{str(function.waits).lower()} }},\n')
     return INTERFACE.replace("@ENTRIES@", "".join(lines))
 
 

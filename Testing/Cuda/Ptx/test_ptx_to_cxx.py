@@ -26,7 +26,7 @@ MAIN = r"""
 
 namespace ptx
 {
-struct Launch { unsigned blockIndex, blockCount, threadIndex, threadCount; };
+struct Launch { unsigned blockIndex, blockCount, threadIndex, threadCount; void (*wait)(); };
 using Kernel = void (*)(const void* const* parameters, const Launch& launch);
 Kernel find(const char* demangledName);
 const char* const* names();
@@ -141,7 +141,7 @@ class TestRefusal(unittest.TestCase):
     def test_refused(self):
         for instruction in ("sin.approx.f32 %r1, %r2;", "add.rz.f64 %fd1, %fd1, %fd2;",
                             "add.f64 %fd1, %fd1, %fd2;", "rcp.approx.ftz.f64 %fd1, %fd2;",
-                            "bar.sync 0;", "mov.u32 %r1, %clock;", "ld.shared.u32 %r1, [%r2];",
+                            "bar.sync 1;", "bar.arrive 0;", "mov.u32 %r1, %clock;", "ld.shared.u32 %r1, [%r2];",
                             "add.s32 %r1, %r2;", "mov.u32 %r1, %fd1;", "mov.u32 %r1, %r9x;",
                             "cvt.rz.f32.f64 %r1, %fd1;", "setp.lt.b32 %p1, %r1, %fd2;",
                             "call.uni nowhere;", ".shared .b8 memory[4];"):

@@ -256,6 +256,45 @@ TEST(RoundsProperties, FiltersDecideNearlyAll)
   }
 }
 
+TEST(RoundsProperties, TheTailDoesWhatRoundsDo)
+{
+  // Who watches gets every round by itself. The counts are the same, so is what was done.
+  const auto compare = [](const auto& byRounds)
+  {
+    for (bool vBiased : { false, true })
+    {
+      const Options options = optionsOf(vBiased);
+      WatchedExecutor watched;
+      RoundsSeen seen;
+      const auto wanted = byRounds(watched, options, &seen);
+      for (const HostOrder& how :
+        { HostOrder{ HostExecutor::Order::Shuffled, 3 }, { HostExecutor::Order::Threads, 1, 2 } })
+      {
+        WatchedExecutor alone(how.order, how.seed, how.threads);
+        const auto found = byRounds(alone, options, nullptr);
+        EXPECT_EQ(bitDifference(found, wanted), "");
+        EXPECT_EQ(countDifference(found.statistics, wanted.statistics), "") << how.toString();
+        EXPECT_EQ(watched.tallies().count("tail of flips"), 0u);
+        EXPECT_EQ(alone.tallies().at("tail of flips").launches, 1);
+      }
+    }
+  };
+  for (const Sized& sized : hullInputs)
+  {
+    SCOPED_TRACE(sized.family);
+    const Cloud cloud = fromFamily(sized.family, sized.count, 83).make();
+    compare([&](WatchedExecutor& executor, const Options& options, RoundsSeen* seen)
+      { return hullByRounds(executor, viewOf(cloud), options, seen); });
+  }
+  for (const Sized& sized : weightedInputs)
+  {
+    SCOPED_TRACE(sized.family);
+    const Cloud cloud = fromWeightedFamily(sized.family, sized.count, 84).make();
+    compare([&](WatchedExecutor& executor, const Options& options, RoundsSeen* seen)
+      { return triangulationByRounds(executor, viewOf(cloud), weightsOf(cloud), options, seen); });
+  }
+}
+
 TEST(RoundsProperties, NoRoundWaitsForItself)
 {
   // In the course of the rounds the host reads nothing but records, one a round, and always of a

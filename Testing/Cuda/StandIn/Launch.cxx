@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Launch.h"
 
+#include "Block.h"
 #include "Memory.h"
 #include "Stream.h"
 #include "Testing/Cuda/Ptx/DeviceCode.h"
@@ -60,7 +61,7 @@ private:
 constexpr unsigned WarpSize = 32;
 
 /// Every @p step-th warp of a launch from @p first on, in a random order, thread by thread. Warps
-/// of one block run side by side, too: no kernel of ours waits for its block.
+/// of one block run side by side, too: kernels whose threads wait for their block are runBlock's.
 void runWarps(ptx::Kernel kernel, const Arguments& arguments, unsigned blocks, unsigned threads,
   unsigned first, unsigned step, unsigned seed)
 {
@@ -100,8 +101,16 @@ void launch(
   const long number = launchCount++;
   const auto copies = std::make_shared<Arguments>(entry->sizes, arguments);
   stream.give(
-    [=, kernel = entry->kernel]
+    [=, kernel = entry->kernel, waits = entry->waits]
     {
+      if (waits)
+      {
+        for (unsigned block = 0; block < blocks; ++block)
+        {
+          runBlock(kernel, copies->get(), block, blocks, threads, static_cast<unsigned>(number));
+        }
+        return;
+      }
       static const auto most = static_cast<unsigned>(setting("STANDIN_THREADS", 3));
       const unsigned workers = std::min(blocks * threads / WarpSize, most);
       const auto seed = static_cast<unsigned>(number) * 7919u;
