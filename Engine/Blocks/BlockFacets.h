@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The facets of a block that are still to be settled, and the edges of a border.
+#ifndef flipflop_BlockFacets_h
+#define flipflop_BlockFacets_h
+
+#include "Surface/Sides.h"
+#include <flipflop/Buffer.h>
+#include <flipflop/CellComplex.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// A facet around a point of the block.
+struct BlockFacet
+{
+  std::vector<std::uint32_t> corners; ///< from the lowest id on; of a border's edge, its two ends
+  bool isBorder = false;              ///< an edge without a cell on its right
+  bool isSettled = false;             ///< no block has a point in conflict with it
+  std::vector<int> reach;             ///< blocks that might
+  std::size_t asked = 0;              ///< so many of these have been
+};
+
+/// Edges that have a cell on their left alone: use (from, to), as indices of the complex' points.
+///
+/// Of a corner whose cells go all around, each neighbour is the next in one cell and the one before
+/// in another. So the sums of both are equal there, and differ at the border, where one neighbour
+/// of each kind is left over. Only edges between such corners are looked at.
+template <class Use>
+void eachBorderEdge(const CellComplex& complex, const Use& use)
+{
+  std::vector<std::int64_t> balance(complex.pointIds.size(), 0);
+  const auto eachSide = [&](const auto& visit)
+  {
+    for (std::int64_t cell = 0; cell < complex.cellCount(); ++cell)
+    {
+      const std::int64_t begin = complex.cellBegin(cell);
+      const std::int64_t end = complex.cellBegin(cell + 1);
+      for (std::int64_t k = begin; k < end; ++k)
+      {
+        const std::int64_t next = k + 1 < end ? k + 1 : begin;
+        visit(static_cast<std::size_t>(complex.connectivity[static_cast<std::size_t>(k)]),
+          static_cast<std::size_t>(complex.connectivity[static_cast<std::size_t>(next)]));
+      }
+    }
+  };
+  eachSide(
+    [&](std::size_t from, std::size_t to)
+    {
+      balance[from] += static_cast<std::int64_t>(to);
+      balance[to] -= static_cast<std::int64_t>(from);
+    });
+  std::vector<std::array<std::uint32_t, 2>> left; // sides, each with its way
+  eachSide(
+    [&](std::size_t from, std::size_t to)
+    {
+      if (balance[from] != 0 && balance[to] != 0)
+      {
+        left.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to) });
+      }
+    });
+  Buffer<CellSide> sides(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i)
+  {
+    sides[i] = CellSide(left[i][0], left[i][1], static_cast<std::uint32_t>(i));
+  }
+  eachEdge(sides,
+    [&](const CellSide* begin, const CellSide* end)
+    {
+      if (end - begin == 1)
+      {
+        use(left[begin->place][0], left[begin->place][1]);
+      }
+    });
+}
+
+}
+
+#endif

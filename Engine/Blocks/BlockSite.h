@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A point as blocks tell it each other, and messages of such plain values.
+#ifndef flipflop_BlockSite_h
+#define flipflop_BlockSite_h
+
+#include "Points/Vertex.h"
+#include <flipflop/BlockRun.h>
+#include <flipflop/Error.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace flipflop
+{
+
+/// A point of some block.
+struct BlockSite
+{
+  double x[3];        ///< x, y, and z or the weight
+  std::int64_t id;    ///< over all blocks
+  std::int64_t block; ///< that has it
+};
+
+/// BlockSite::block of a point that no block has.
+constexpr std::int64_t NoBlock = -1;
+
+/// BlockSite::id of a point that is no input: behind all.
+constexpr std::int64_t NoBlockId = std::numeric_limits<std::int64_t>::max();
+
+/// By x, then y, then z or the weight.
+inline bool isPlacedBefore(const BlockSite& a, const BlockSite& b)
+{
+  return std::lexicographical_compare(a.x, a.x + 3, b.x, b.x + 3);
+}
+
+/// As predicates without perturbation take it: they read no id.
+inline Vertex asVertex(const double* x)
+{
+  return { { x[0], x[1], x[2] }, 0, 0 };
+}
+
+class MessageWriter
+{
+public:
+  template <class Value>
+  void add(const Value& value)
+  {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    const auto* const bytes = reinterpret_cast<const char*>(&value);
+    this->message.insert(this->message.end(), bytes, bytes + sizeof(Value));
+  }
+
+  template <class Value>
+  void addAll(const std::vector<Value>& values)
+  {
+    this->add(values.size());
+    for (const Value& value : values)
+    {
+      this->add(value);
+    }
+  }
+
+  BlockMessage message;
+};
+
+/// Takes nothing for granted: a message may be damaged.
+class MessageReader
+{
+public:
+  explicit MessageReader(const BlockMessage& message)
+    : next(message.data())
+    , left(message.size())
+  {
+  }
+
+  /// @throw Error Internal if the message ends before
+  template <class Value>
+  Value take()
+  {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    ensure(this->left >= sizeof(Value));
+    Value value;
+    std::memcpy(&value, this->next, sizeof(Value));
+    this->next += sizeof(Value);
+    this->left -= sizeof(Value);
+    return value;
+  }
+
+  template <class Value>
+  std::vector<Value> takeAll()
+  {
+    const auto count = this->take<std::size_t>();
+    ensure(count <= this->left / sizeof(Value));
+    std::vector<Value> values(count);
+    for (Value& value : values)
+    {
+      value = this->take<Value>();
+    }
+    return values;
+  }
+
+  bool atEnd() const { return this->left == 0; }
+
+private:
+  const char* next;
+  std::size_t left;
+};
+
+}
+
+#endif

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blocks/Introduction.h"
+
+#include "Blocks/BlockViews.h"
+#include "Geometry/HullGeometry.h"
+#include "Run/HullRun.h"
+#include "Run/Scan.h"
+#include "Run/TriangulationRun.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// Points that span what all do. Exact: what all blocks span must be known before any is built.
+Span spanOf(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options)
+{
+  const PointView points = viewOf(sites);
+  if (shape == BlockShape::Hull)
+  {
+    Span span;
+    HullRun run(points, options);
+    run.execute<Hull>(
+      [&](Hull& hull)
+      {
+        run.inspect(hull);
+        span = findSpan(
+          run.geometry, run.source, nullptr, run.source.count(), 3, run.checkFinite, run.monitor);
+      });
+    return span;
+  }
+  return withOrWithoutWeights(weightsOf(shape, sites),
+    [&](auto weighted)
+    {
+      Span span;
+      TriangulationRun<weighted> run(points, weightsOf(shape, sites), options);
+      run.template execute<Triangulation>(
+        [&](Triangulation& triangulation)
+        {
+          run.inspect(triangulation.statistics);
+          span = run.spanOf(nullptr, run.source.count());
+        });
+      return span;
+    });
+}
+
+/// The furthest points in directions all around.
+void addExtremes(
+  BlockShape shape, const std::vector<BlockSite>& sites, std::set<std::size_t>& sample)
+{
+  std::vector<std::array<double, 3>> directions;
+  for (int k = 0; shape == BlockShape::Hull && k < sampleSizes().spaceDirections; ++k)
+  {
+    const int cube = k + (k >= 13); // around its middle
+    directions.push_back({ cube % 3 - 1.0, cube / 3 % 3 - 1.0, cube / 9 - 1.0 });
+  }
+  for (int k = 0; shape != BlockShape::Hull && k < sampleSizes().planeDirections; ++k)
+  {
+    const double angle = 2 * 3.14159265358979323846 * k / sampleSizes().planeDirections;
+    directions.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+  }
+  for (const std::array<double, 3>& direction : directions)
+  {
+    std::size_t furthest = 0;
+    double most = -HUGE_VAL;
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      const double* const x = sites[i].x;
+      const double along = direction[0] * x[0] + direction[1] * x[1] + direction[2] * x[2];
+      furthest = along > most ? i : furthest;
+      most = std::max(most, along);
+    }
+    sample.insert(furthest);
+  }
+}
+
+/// The heaviest points: the others' weights bound how far any of them reaches.
+void addHeaviest(const std::vector<BlockSite>& sites, std::set<std::size_t>& sample)
+{
+  const std::size_t count = sampleSizes().heaviest;
+  std::vector<std::size_t> heaviest;
+  const auto heavier = [&](std::size_t a, std::size_t b) { return sites[a].x[2] > sites[b].x[2]; };
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if (heaviest.size() < count || (count > 0 && heavier(i, heaviest.back())))
+    {
+      heaviest.insert(std::upper_bound(heaviest.begin(), heaviest.end(), i, heavier), i);
+      heaviest.resize(std::min(heaviest.size(), count));
+    }
+  }
+  sample.insert(heaviest.begin(), heaviest.end());
+}
+
+/// The boxes of points in the cells of a grid over all.
+std::vector<Box> boxesOf(BlockShape shape, const std::vector<BlockSite>& sites,
+  const std::set<std::size_t>& without, const CoordinateRange& range)
+{
+  const int axes = shape == BlockShape::Hull ? 3 : 2;
+  constexpr int cells[4] = { 0, 0, 4, 3 }; // along each axis
+  std::vector<Box> boxes(64);
+  auto next = without.begin();
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if (next != without.end() && *next == i)
+    {
+      ++next;
+      continue;
+    }
+    std::size_t cell = 0;
+    for (int axis = 0; axis < axes; ++axis)
+    {
+      // Half as large, so that no extent overflows. What is not a number is in the first.
+      const double low = 0.5 * range.low[axis];
+      const double share = (0.5 * sites[i].x[axis] - low) / (0.5 * range.high[axis] - low);
+      const int most = cells[axes] - 1;
+      const int along = share > 0 ? std::min(most, static_cast<int>(share * cells[axes])) : 0;
+      cell = 4 * cell + static_cast<std::size_t>(along);
+    }
+    boxes[cell].add(sites[i].x);
+  }
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(),
+                [](const Box& box) { return box.low[0] > box.high[0]; }),
+    boxes.end());
+  return boxes;
+}
+
+}
+
+Introduction::Introduction(
+  BlockShape shape, const std::vector<BlockSite>& sites, const Options& options)
+{
+  if (sites.empty())
+  {
+    return;
+  }
+  const Span span = spanOf(shape, sites, options);
+  std::set<std::size_t> chosen(span.ids, span.ids + span.dimension + 1);
+  chosen.insert(0);
+  chosen.insert(static_cast<std::size_t>(
+    std::min_element(sites.begin(), sites.end(), isPlacedBefore) - sites.begin()));
+  addExtremes(shape, sites, chosen);
+  if (shape == BlockShape::RegularTriangulation)
+  {
+    addHeaviest(sites, chosen);
+  }
+  const std::size_t between = sampleSizes().between;
+  for (std::size_t k = 1; k <= between; ++k)
+  {
+    chosen.insert(sites.size() * k / (between + 1));
+  }
+  for (const std::size_t i : chosen)
+  {
+    this->sample.push_back(sites[i]);
+  }
+  for (const BlockSite& site : sites)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const double magnitude = std::fabs(site.x[i]);
+      this->range.low[i] = std::min(this->range.low[i], site.x[i]);
+      this->range.high[i] = std::max(this->range.high[i], site.x[i]);
+      this->range.smallest[i] =
+        magnitude > 0 ? std::min(this->range.smallest[i], magnitude) : this->range.smallest[i];
+    }
+  }
+  this->boxes = boxesOf(shape, sites, chosen, this->range);
+}
+
+Introduction::Introduction(const BlockMessage& message)
+{
+  MessageReader reader(message);
+  this->range = reader.take<CoordinateRange>();
+  this->sample = reader.takeAll<BlockSite>();
+  this->boxes = reader.takeAll<Box>();
+  ensure(reader.atEnd());
+}
+
+BlockMessage Introduction::message() const
+{
+  MessageWriter writer;
+  writer.add(this->range);
+  writer.addAll(this->sample);
+  writer.addAll(this->boxes);
+  return std::move(writer.message);
+}
+
+}

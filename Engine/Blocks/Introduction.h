@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What all blocks know of one: a sample of its points, and boxes of the others.
+///
+/// The sample makes the cells that a block finds first about as large as those of all points at
+/// that place, so few reach far: extreme points in some directions, the heaviest ones, some
+/// between. It spans what the block's points span, and has the first of them, by id and by place.
+#ifndef flipflop_Introduction_h
+#define flipflop_Introduction_h
+
+#include "Blocks/BlockSite.h"
+#include "Points/CoordinateRange.h"
+#include "Query/BoxTree.h"
+#include <flipflop/BlockRun.h>
+#include <flipflop/Options.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Over no point.
+inline CoordinateRange emptyRange()
+{
+  return { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
+    { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+}
+
+/// How large a sample is. Tests take small ones, so that small blocks have something to ask.
+struct SampleSizes
+{
+  int planeDirections = 16; ///< of extreme points
+  int spaceDirections = 26;
+  std::size_t heaviest = 8;
+  std::size_t between = 16;
+};
+inline SampleSizes& sampleSizes()
+{
+  static SampleSizes sizes;
+  return sizes;
+}
+
+struct Introduction
+{
+  std::vector<BlockSite> sample; ///< ascending by id
+  std::vector<Box> boxes;        ///< of all points but those; the third axis has z, or weights
+  CoordinateRange range = emptyRange();
+
+  Introduction() = default;
+
+  /// @param sites of the block, ascending by id
+  Introduction(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options);
+
+  explicit Introduction(const BlockMessage& message);
+  BlockMessage message() const;
+};
+
+}
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The points of a block that others may ask for: which of them are in conflict with a facet?
+///
+/// A tree of boxes, best first: a node waits with the furthest that a point of its box could be
+/// above the facet. What is certainly beneath is never looked at; for the rest, exact signs decide.
+#ifndef flipflop_SiteTree_h
+#define flipflop_SiteTree_h
+
+#include "Blocks/BlockSite.h"
+#include "Blocks/ConflictBound.h"
+#include "Query/BoxTree.h"
+#include "Support/Monitor.h"
+#include <flipflop/Buffer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// @tparam Model of the geometry
+template <class Model>
+class SiteTree
+{
+public:
+  /// @param sites    1 or more, which live longer than the tree
+  /// @param isLifted the third coordinate is a weight
+  SiteTree(std::vector<BlockSite> sites, bool isLifted, Monitor& monitor)
+    : sites(std::move(sites))
+    , tree(
+        static_cast<std::uint32_t>(this->sites.size()),
+        [&](std::uint32_t i)
+        {
+          // Weights say nothing of where a point lies.
+          const double* const x = this->sites[i].x;
+          const double place[3] = { x[0], x[1], isLifted ? 0.0 : x[2] };
+          Box box;
+          box.add(place);
+          return box;
+        },
+        monitor)
+  {
+    if (!isLifted)
+    {
+      return;
+    }
+    this->heaviest.allocate(this->tree.size());
+    this->tree.eachNode(
+      [&](std::size_t node, std::uint32_t begin, std::uint32_t end)
+      {
+        double most = -std::numeric_limits<double>::infinity();
+        for (std::uint32_t place = begin; place < end; ++place)
+        {
+          most = std::max(most, this->at(place).x[2]);
+        }
+        this->heaviest[node] = most;
+      });
+  }
+
+  const BlockSite& operator[](std::uint32_t item) const { return this->sites[item]; }
+  std::size_t size() const { return this->sites.size(); }
+
+  /// Tell points above the facet abc: all about the furthest, up to @p limit, one if there is any.
+  /// If there is none, and if asked, all points on it.
+  /// @param tell void (std::uint32_t item)
+  template <class Tell>
+  void conflicts(const Model& geometry, const ConflictBound& bound, const Vertex& a,
+    const Vertex& b, const Vertex& c, bool wantsTies, std::size_t limit, const Tell& tell) const
+  {
+    using Node = std::pair<double, std::size_t>; // what is furthest first
+    std::priority_queue<Node> waiting;
+    const auto push = [&](std::size_t node)
+    {
+      const double most = bound.most(this->boxOf(node));
+      if (!(most < 0))
+      {
+        waiting.emplace(most == most ? most : std::numeric_limits<double>::infinity(), node);
+      }
+    };
+    using Item = std::pair<double, std::uint32_t>;
+    std::vector<Item> above; // the least first: a heap of the furthest
+    std::vector<std::uint32_t> on;
+    push(0);
+    while (!waiting.empty())
+    {
+      const auto [most, node] = waiting.top();
+      waiting.pop();
+      if (above.size() == limit && most <= above.front().first)
+      {
+        break;
+      }
+      if (!this->tree.isLeaf(node))
+      {
+        push(2 * node + 1);
+        push(2 * node + 2);
+        continue;
+      }
+      for (std::uint32_t place = this->tree.begin(node); place < this->tree.end(node); ++place)
+      {
+        const BlockSite& site = this->at(place);
+        Box box;
+        box.add(site.x);
+        const double height = bound.most(box);
+        if (height < 0)
+        {
+          continue;
+        }
+        const int sign = geometry.above(a, b, c, asVertex(site.x));
+        if (sign > 0)
+        {
+          keepFurthest(above, { height == height ? height : 0.0, this->tree.item(place) }, limit);
+        }
+        else if (sign == 0 && wantsTies && above.empty())
+        {
+          on.push_back(this->tree.item(place));
+        }
+      }
+    }
+    for (const Item& item : above)
+    {
+      tell(item.second);
+    }
+    for (std::size_t i = 0; above.empty() && i < on.size(); ++i)
+    {
+      tell(on[i]);
+    }
+  }
+
+private:
+  template <class Item>
+  static void keepFurthest(std::vector<Item>& heap, const Item& item, std::size_t limit)
+  {
+    const auto later = [](const Item& p, const Item& q) { return p > q; };
+    if (heap.size() == limit)
+    {
+      if (item <= heap.front())
+      {
+        return;
+      }
+      std::pop_heap(heap.begin(), heap.end(), later);
+      heap.pop_back();
+    }
+    heap.push_back(item);
+    std::push_heap(heap.begin(), heap.end(), later);
+  }
+
+  const BlockSite& at(std::uint32_t place) const { return this->sites[this->tree.item(place)]; }
+
+  Box boxOf(std::size_t node) const
+  {
+    Box box = this->tree.box(node);
+    if (!this->heaviest.empty())
+    {
+      box.low[2] = box.high[2] = this->heaviest[node];
+    }
+    return box;
+  }
+
+  std::vector<BlockSite> sites;
+  BoxTree tree;
+  Buffer<double> heaviest; ///< by node
+};
+
+}
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One block's part of a hull or a triangulation of points that are dealt to many blocks.
+#ifndef flipflop_BlockRun_h
+#define flipflop_BlockRun_h
+
+#include <flipflop/Buffer.h>
+#include <flipflop/CellComplex.h>
+#include <flipflop/Options.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace flipflop
+{
+
+/// What is built of the points of all blocks.
+enum class BlockShape
+{
+  Hull,     ///< the convex hull in space; a point has x, y, z
+  Delaunay, ///< the Delaunay triangulation in the plane; a point has x, y; its third number is not
+            ///< read
+  RegularTriangulation, ///< the regular triangulation in the plane; a point has x, y, and its
+                        ///< weight
+};
+
+/// The points of a block.
+struct BlockPoints
+{
+  Buffer<double> places;    ///< three for each point, as the shape has them; all finite
+  Buffer<std::int64_t> ids; ///< of each point; ascending, and distinct over all blocks
+};
+
+/// What blocks tell each other: plain bytes, for machines of one kind.
+using BlockMessage = std::vector<char>;
+
+/// What a block has in the end: the cells of the facets whose first corner (by x, then y, then z)
+/// is a point of the block. A hull that spans less than space is one facet; the block that has the
+/// lowest id of all points has it.
+struct BlockResult
+{
+  /// The cells in canonical form. Its pointIds are ids over all blocks, also of corners that other
+  /// blocks have. Its dimension is that of all blocks' points together.
+  CellComplex cells;
+
+  /// x, y and z or weight of each of the cells' points.
+  Buffer<double> places;
+
+  /// For each of the cells' points: the block that has it.
+  Buffer<std::int32_t> blocks;
+
+  /// The block's points that do not appear (in a hull: that are not strictly extreme), ascending.
+  Buffer<std::int64_t> hiddenIds;
+};
+
+/// A block finds the cells around each of its points. The points of a block are triangulated
+/// together with a sample of all others. A cell is certain when no block has a point that is in
+/// conflict with it (inside its orthocircle; for a hull, above its plane). A block whose bounds say
+/// that it might have one is asked; it answers with points in conflict, which join the points that
+/// the asking block knows. What decides is the exact triangulation of these. So the cells of all
+/// blocks are those of one run on all points, bit for bit, however points were dealt to blocks.
+///
+/// Use: one object for each block, on one process or many; messages go between them.
+///
+///     everybody gets all introductions();     begin(introductions, self);
+///     repeat
+///       questions = ask();                    // to other blocks, by number
+///       answers = answer(questions);          // of every block that asks
+///       take(from, answers);                  // of every block that was asked
+///     until no block has asked anything;      finish();
+///
+/// A block that has nothing to ask may be asked again later, and may ask again only after take().
+/// Points at the same place must be in the same block. The work ends: each round in which a block
+/// asks gives it a point that it did not know, or makes a cell certain.
+class BlockRun
+{
+public:
+  /// @throw Error BadArgument, TooManyPoints (in this block), OutOfMemory, Aborted; all functions
+  ///        may, and Internal for a message that is damaged. The object is of no use after that.
+  BlockRun(BlockShape shape, const BlockPoints& points, const Options& options);
+  ~BlockRun();
+  BlockRun(const BlockRun&) = delete;
+  BlockRun& operator=(const BlockRun&) = delete;
+
+  /// What all blocks must know of this one: bounds, and a sample of its points.
+  BlockMessage introduction() const;
+
+  /// Triangulate the block's points.
+  /// @param introductions of all blocks, by number, of this block, too
+  /// @param self          the number of this block
+  void begin(const std::vector<BlockMessage>& introductions, int self);
+
+  /// The questions of a round, by the number of the block that is asked. Empty: none is left.
+  std::map<int, BlockMessage> ask();
+
+  /// Answers to the questions of another block.
+  BlockMessage answer(const BlockMessage& questions);
+
+  /// Take answers in.
+  /// @param from the block that was asked
+  void take(int from, const BlockMessage& answers);
+
+  /// The block's cells. With FacetMode::Polygons, one cell a facet.
+  BlockResult finish();
+
+  /// Points of other blocks that this one was told: those of the sample, and those of answers.
+  std::int64_t pointsTold() const;
+
+private:
+  class Work;
+  template <class Model>
+  class WorkOf;
+  std::unique_ptr<Work> work;
+};
+
+}
+
+#endif

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Testing/Engine/Blocks/BlocksInProcess.h"
+
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+void split(const Cloud& cloud, std::vector<std::size_t>& items, int first, int last, int axes,
+  Dealing& dealing)
+{
+  if (last - first < 2)
+  {
+    for (const std::size_t i : items)
+    {
+      dealing[i] = first;
+    }
+    return;
+  }
+  int longest = 0;
+  double most = -1;
+  for (int axis = 0; axis < axes; ++axis)
+  {
+    const auto less = [&](std::size_t a, std::size_t b)
+    { return cloud[a][static_cast<std::size_t>(axis)] < cloud[b][static_cast<std::size_t>(axis)]; };
+    const auto ends = std::minmax_element(items.begin(), items.end(), less);
+    const double extent = items.empty()
+      ? 0
+      : 0.5 * cloud[*ends.second][static_cast<std::size_t>(axis)] -
+        0.5 * cloud[*ends.first][static_cast<std::size_t>(axis)];
+    longest = extent > most ? axis : longest;
+    most = std::max(most, extent);
+  }
+  const auto along = [&](std::size_t i) { return cloud[i][static_cast<std::size_t>(longest)]; };
+  std::sort(
+    items.begin(), items.end(), [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
+  const int middle = first + (last - first) / 2;
+  const std::size_t cut = items.size() * static_cast<std::size_t>(middle - first) /
+    static_cast<std::size_t>(last - first);
+  std::vector<std::size_t> low, high;
+  for (const std::size_t i : items)
+  {
+    // Equal coordinates stay together.
+    (cut < items.size() && along(i) < along(items[cut]) ? low : high).push_back(i);
+  }
+  split(cloud, low, first, middle, axes, dealing);
+  split(cloud, high, middle, last, axes, dealing);
+}
+
+template <class T>
+std::vector<T> listOf(const Buffer<T>& values)
+{
+  return { values.begin(), values.end() };
+}
+
+}
+
+Dealing dealInHalves(const Cloud& cloud, int blocks, int axes)
+{
+  Dealing dealing(cloud.size());
+  std::vector<std::size_t> items(cloud.size());
+  std::iota(items.begin(), items.end(), std::size_t(0));
+  split(cloud, items, 0, blocks, axes, dealing);
+  return dealing;
+}
+
+Dealing dealAtRandom(const Cloud& cloud, int blocks, int axes, std::uint64_t seed)
+{
+  Dealing dealing;
+  for (const Point& p : cloud)
+  {
+    std::uint64_t hash = seed * 0x9E3779B97F4A7C15ull + 1;
+    for (int axis = 0; axis < axes; ++axis)
+    {
+      const double x = p[static_cast<std::size_t>(axis)] + 0.0; // 0 and -0 are one place
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof(bits));
+      hash = (hash ^ bits) * 0xBF58476D1CE4E5B9ull;
+      hash ^= hash >> 29;
+    }
+    dealing.push_back(static_cast<int>((hash >> 32) % static_cast<std::uint64_t>(blocks)));
+  }
+  return dealing;
+}
+
+BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks,
+  const Options& options, const std::function<void(const char*, int)>& watch)
+{
+  std::vector<std::unique_ptr<BlockRun>> runs;
+  std::vector<BlockMessage> introductions;
+  for (int block = 0; block < blocks; ++block)
+  {
+    watch("introduction", block);
+    std::vector<std::int64_t> ids;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      if (dealing[i] == block)
+      {
+        ids.push_back(static_cast<std::int64_t>(i));
+      }
+    }
+    BlockPoints points;
+    points.ids.allocate(ids.size());
+    points.places.allocate(3 * ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      points.ids[i] = ids[i];
+      std::copy_n(
+        cloud[static_cast<std::size_t>(ids[i])].begin(), 3, points.places.begin() + 3 * i);
+    }
+    runs.push_back(std::make_unique<BlockRun>(shape, points, options));
+    introductions.push_back(runs.back()->introduction());
+  }
+  for (int block = 0; block < blocks; ++block)
+  {
+    watch("begin", block);
+    runs[static_cast<std::size_t>(block)]->begin(introductions, block);
+  }
+
+  BlocksReport report;
+  for (bool anyAsked = true; anyAsked;)
+  {
+    anyAsked = false;
+    std::vector<std::map<int, BlockMessage>> questions;
+    for (int block = 0; block < blocks; ++block)
+    {
+      watch("ask", block);
+      questions.push_back(runs[static_cast<std::size_t>(block)]->ask());
+      anyAsked = anyAsked || !questions.back().empty();
+    }
+    report.rounds += anyAsked;
+    for (int block = 0; block < blocks; ++block)
+    {
+      for (const auto& [to, message] : questions[static_cast<std::size_t>(block)])
+      {
+        watch("answer", to);
+        const BlockMessage answer = runs[static_cast<std::size_t>(to)]->answer(message);
+        report.bytes += static_cast<std::int64_t>(message.size() + answer.size());
+        watch("take", block);
+        runs[static_cast<std::size_t>(block)]->take(to, answer);
+      }
+    }
+  }
+
+  std::set<std::int64_t> ids;
+  for (int block = 0; block < blocks; ++block)
+  {
+    watch("finish", block);
+    const BlockResult result = runs[static_cast<std::size_t>(block)]->finish();
+    report.told.push_back(runs[static_cast<std::size_t>(block)]->pointsTold());
+    report.dimension = result.cells.dimension;
+    const std::vector<Cell> cells = cellsOf(result.cells);
+    if (!std::is_sorted(cells.begin(), cells.end()))
+    {
+      report.fault = "a block's cells are not in order";
+    }
+    report.cells.insert(report.cells.end(), cells.begin(), cells.end());
+    const std::vector<std::int64_t> mine = listOf(result.cells.pointIds);
+    for (std::size_t i = 0; i < mine.size(); ++i)
+    {
+      const auto id = static_cast<std::size_t>(mine[i]);
+      if (std::memcmp(cloud[id].data(), result.places.begin() + 3 * i, 3 * sizeof(double)) != 0)
+      {
+        report.fault = "a point is not at its place";
+      }
+      if (result.blocks[i] != dealing[id])
+      {
+        report.fault = "a point is not its block's";
+      }
+    }
+    const bool isGathered = shape == BlockShape::Hull && report.dimension < 3;
+    for (std::size_t i = 0; i < cells.size() && options.facets == FacetMode::Polygons; ++i)
+    {
+      const auto first = std::min_element(cells[i].begin(), cells[i].end(),
+        [&](std::int64_t a, std::int64_t b)
+        { return cloud[static_cast<std::size_t>(a)] < cloud[static_cast<std::size_t>(b)]; });
+      if (dealing[isGathered ? 0 : static_cast<std::size_t>(*first)] != block)
+      {
+        report.fault = "a cell is not its block's";
+      }
+    }
+    ids.insert(mine.begin(), mine.end());
+    const std::vector<std::int64_t> hidden = listOf(result.hiddenIds);
+    if (!std::is_sorted(hidden.begin(), hidden.end()))
+    {
+      report.fault = "a block's hidden points are not in order";
+    }
+    report.hidden.insert(report.hidden.end(), hidden.begin(), hidden.end());
+  }
+  report.ids.assign(ids.begin(), ids.end());
+  std::sort(report.cells.begin(), report.cells.end());
+  std::sort(report.hidden.begin(), report.hidden.end());
+  return report;
+}
+
+std::string differenceFromOneRun(
+  BlockShape shape, const Cloud& cloud, const BlocksReport& report, const Options& options)
+{
+  if (!report.fault.empty())
+  {
+    return report.fault;
+  }
+  CellComplex one;
+  std::vector<std::int64_t> hidden;
+  if (shape == BlockShape::Hull)
+  {
+    const Hull hull = convexHull(viewOf(cloud), options);
+    copyCells(hull, one);
+    hidden = report.hidden;
+  }
+  else
+  {
+    const Triangulation whole = regularTriangulation(
+      viewOf(cloud), shape == BlockShape::Delaunay ? WeightView() : weightsOf(cloud), options);
+    copyCells(whole, one);
+    hidden = listOf(whole.hiddenIds);
+  }
+  std::ostringstream words;
+  const std::vector<Cell> cells = cellsOf(one);
+  if (one.dimension != report.dimension)
+  {
+    words << "dimension " << report.dimension << ", not " << one.dimension << "; ";
+  }
+  if (cells != report.cells)
+  {
+    words << "other cells: " << report.cells.size() << ", not " << cells.size() << "; ";
+  }
+  if (listOf(one.pointIds) != report.ids)
+  {
+    words << "other points: " << report.ids.size() << ", not " << one.pointIds.size() << "; ";
+  }
+  if (hidden != report.hidden)
+  {
+    words << "other hidden points: " << report.hidden.size() << ", not " << hidden.size() << "; ";
+  }
+  return words.str();
+}
+
+}
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// All blocks of a cloud in one process, and what they have together.
+#ifndef flipflop_test_BlocksInProcess_h
+#define flipflop_test_BlocksInProcess_h
+
+#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Inputs/Inputs.h"
+#include <flipflop/BlockRun.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flipflop
+{
+namespace test
+{
+
+/// The block of each point. Points at the same place have the same.
+using Dealing = std::vector<int>;
+
+/// By halves of halves, across the longer side in the first @p axes axes.
+Dealing dealInHalves(const Cloud& cloud, int blocks, int axes);
+
+/// By a hash of the place in the first @p axes axes.
+Dealing dealAtRandom(const Cloud& cloud, int blocks, int axes, std::uint64_t seed);
+
+/// What came of it, and what it took.
+struct BlocksReport
+{
+  std::vector<Cell> cells;       ///< of all blocks, by id, sorted
+  std::vector<std::int64_t> ids; ///< of all cells' points, sorted
+  std::vector<std::int64_t> hidden;
+  int dimension = -1;
+  int rounds = 0;
+  std::vector<std::int64_t> told; ///< points that each block was told
+  std::int64_t bytes = 0;         ///< of all messages but introductions
+  std::string fault;              ///< what is wrong with a single block's result
+};
+
+/// @param watch called before each step with its name and the block: it may throw
+BlocksReport runBlocks(
+  BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks, const Options& options,
+  const std::function<void(const char*, int)>& watch = [](const char*, int) {});
+
+/// What differs from one run on all points; empty when nothing does.
+std::string differenceFromOneRun(
+  BlockShape shape, const Cloud& cloud, const BlocksReport& report, const Options& options);
+
+}
+}
+
+#endif
