@@ -31,13 +31,23 @@ struct BlockBox
 class BlockReach
 {
 public:
-  /// @param others   boxes of all blocks but one
-  /// @param own      boxes of that one
+  /// @param all      boxes of all blocks
+  /// @param self     the block whose facets are asked for
   /// @param isLifted the third coordinate is a weight
-  BlockReach(
-    std::vector<BlockBox> others, const std::vector<BlockBox>& own, bool isLifted, Monitor& monitor)
-    : boxes(std::move(others))
+  BlockReach(const std::vector<BlockBox>& all, int self, bool isLifted, Monitor& monitor)
   {
+    for (const BlockBox& box : all)
+    {
+      if (box.block == self)
+      {
+        this->rectangle.add(box.box);
+      }
+      else
+      {
+        this->boxes.push_back(box);
+        this->heaviest = std::max(this->heaviest, box.box.high[2]);
+      }
+    }
     if (this->boxes.empty())
     {
       return;
@@ -46,19 +56,9 @@ public:
       static_cast<std::uint32_t>(this->boxes.size()),
       [this](std::uint32_t i) { return this->boxes[i].box; }, monitor);
     // Blocks of a k-d tree lie side by side: what stays within its own rectangle needs no search.
-    for (const BlockBox& mine : own)
-    {
-      this->rectangle.add(mine.box);
-    }
-    this->liesApart = isLifted && !own.empty();
-    for (const BlockBox& other : this->boxes)
-    {
-      const Box& box = other.box;
-      this->heaviest = std::max(this->heaviest, box.high[2]);
-      this->liesApart = this->liesApart &&
-        (box.high[0] <= this->rectangle.low[0] || box.low[0] >= this->rectangle.high[0] ||
-          box.high[1] <= this->rectangle.low[1] || box.low[1] >= this->rectangle.high[1]);
-    }
+    this->liesApart = isLifted && this->boxes.size() < all.size() &&
+      std::none_of(this->boxes.begin(), this->boxes.end(),
+        [this](const BlockBox& other) { return this->entersRectangle(other.box); });
   }
 
   /// Is there none?
@@ -98,6 +98,17 @@ public:
   }
 
 private:
+  bool entersRectangle(const Box& box) const
+  {
+    bool enters = true;
+    for (int i = 0; i < 2; ++i)
+    {
+      enters =
+        enters && box.low[i] < this->rectangle.high[i] && box.high[i] > this->rectangle.low[i];
+    }
+    return enters;
+  }
+
   /// use (block, most) for each box that is reached, until it says that this is enough.
   template <class Use>
   bool search(const ConflictBound& bound, const Use& use) const

@@ -1,31 +1,348 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The rounds of one block: what it asks, answers and learns.
+///
+/// A question about a facet goes to the blocks that might have the furthest point in conflict, then
+/// to as many again. Points on a facet (of one circle, of one plane) matter only for the block that
+/// owns the facet: it alone asks for them.
+///
+/// Points that all lie on one line have no triangles. A point beside the line, which all blocks
+/// add, makes one of each edge of the chain, and no other. A hull that spans less than space is one
+/// facet: one block gathers all corners.
 #include <flipflop/BlockRun.h>
 
-#include "Blocks/BlockWork.h"
+#include "Blocks/BlockAnswers.h"
+#include "Blocks/BlockCells.h"
+#include "Blocks/BlockFrame.h"
+#include "Blocks/BlockReach.h"
+#include "Blocks/BlockSite.h"
+#include "Blocks/Introduction.h"
+#include "Blocks/KnownSites.h"
+#include "Blocks/OpenFacets.h"
+#include "Query/QueryRun.h"
 #include "Support/TypedErrors.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace flipflop
 {
 
-BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& options)
+namespace
 {
-  withTypedErrors(
-    [&]
+
+/// Blocks that a facet asks first.
+constexpr std::size_t FirstAsked = 4;
+
+/// What a message asks for.
+enum class Request : std::int64_t
+{
+  Conflicts,
+  All
+};
+
+}
+
+class BlockRun::Work
+{
+public:
+  Work(BlockShape ofShape, const BlockPoints& points, const Options& chosen);
+
+  BlockMessage introduction() const { return this->own.message(); }
+  void begin(const std::vector<BlockMessage>& introductions, int number);
+  std::map<int, BlockMessage> ask();
+  BlockMessage answer(const BlockMessage& questions) const;
+  void take(int from, const BlockMessage& answers);
+  BlockResult finish() const;
+  std::int64_t pointsTold() const { return this->known.foreignCount(); }
+
+private:
+  CellComplex run(const std::vector<BlockSite>& sites, const Options& choices);
+  CellComplex runOn(std::vector<SiteHandle>& members);
+  std::map<int, BlockMessage> gather();
+
+  const BlockShape shape;
+  const Options options;
+  std::vector<BlockSite> ownSites; ///< until the run begins
+  const std::int64_t ownCount;
+  const Introduction own;
+  int self = -1;
+  BlockFrame frame;
+  KnownSites known;
+  BlockCells cells;
+  std::unique_ptr<BlockReach> reach;
+  std::unique_ptr<OpenFacets> facets; ///< null: nothing is to be asked
+  std::unique_ptr<BlockAnswers> answers;
+  std::vector<SiteHandle> arrived; ///< since the last run
+  Statistics statistics;
+
+  enum class Gathering
+  {
+    None,
+    ToAsk,
+    Asked
+  };
+  Gathering gathering = Gathering::None;
+};
+
+namespace
+{
+
+std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points)
+{
+  if (points.places.size() != 3 * points.ids.size())
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  std::vector<BlockSite> sites(points.ids.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    const double* const x = points.places.data() + 3 * i;
+    if (i > 0 && points.ids[i - 1] >= points.ids[i])
     {
-      switch (shape)
+      throw Error(ErrorCode::BadArgument, static_cast<std::int64_t>(i));
+    }
+    const double third = shape == BlockShape::Delaunay ? 0.0 : x[2];
+    sites[i] = { { x[0], x[1], third }, points.ids[i], NoBlock };
+  }
+  return sites;
+}
+
+}
+
+BlockRun::Work::Work(BlockShape ofShape, const BlockPoints& points, const Options& chosen)
+  : shape(ofShape)
+  , options(chosen)
+  , ownSites(sitesOf(ofShape, points))
+  , ownCount(static_cast<std::int64_t>(points.ids.size()))
+  , own(ofShape, this->ownSites, this->options)
+{
+}
+
+void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int number)
+{
+  ensure(number >= 0 && static_cast<std::size_t>(number) < introductions.size());
+  this->self = number;
+  this->frame = BlockFrame(this->shape, introductions, this->options);
+  if (this->ownCount == 0)
+  {
+    return;
+  }
+  for (BlockSite& site : this->ownSites)
+  {
+    site.block = this->self;
+    this->frame.scale(site.x);
+  }
+  std::vector<BlockSite> ofOthers;
+  std::copy_if(this->frame.sample.begin(), this->frame.sample.end(), std::back_inserter(ofOthers),
+    [this](const BlockSite& site) { return site.block != this->self; });
+  std::vector<BlockSite> all;
+  all.reserve(this->ownSites.size() + ofOthers.size() + 1);
+  std::merge(this->ownSites.begin(), this->ownSites.end(), ofOthers.begin(), ofOthers.end(),
+    std::back_inserter(all), hasLowerId);
+  this->ownSites = std::vector<BlockSite>();
+  if (this->frame.isLifted() && this->frame.dimension == 1)
+  {
+    all.push_back(this->frame.besideLine());
+  }
+  this->known = KnownSites(std::move(all), this->self);
+  const CellComplex complex = this->run(this->known.all(), this->options);
+
+  // Others may ask for the points that appear, and that not all know.
+  std::vector<BlockSite> visible;
+  for (const std::int64_t i : complex.pointIds)
+  {
+    const auto handle = static_cast<SiteHandle>(i);
+    const std::vector<BlockSite>& sample = this->own.sample;
+    if (this->known.isOwn(handle) &&
+      !std::binary_search(sample.begin(), sample.end(), this->known[handle], hasLowerId))
+    {
+      visible.push_back(this->known[handle]);
+    }
+  }
+  this->answers = BlockAnswers::make(std::move(visible), this->frame, this->options);
+  if (this->frame.isOneFacet())
+  {
+    const bool hasLowest = this->frame.sample.front().block == this->self;
+    this->gathering = hasLowest ? Gathering::ToAsk : Gathering::None;
+    return;
+  }
+  runOver(1, quiet(this->options),
+    [&](Monitor& monitor)
+    {
+      this->reach = std::make_unique<BlockReach>(
+        this->frame.boxes, this->self, this->frame.isLifted(), monitor);
+    });
+  this->facets = std::make_unique<OpenFacets>(
+    this->frame, *this->reach, this->options, this->known, this->cells);
+  this->facets->begin(complex);
+}
+
+CellComplex BlockRun::Work::run(const std::vector<BlockSite>& sites, const Options& choices)
+{
+  CellComplex complex = cellsOf(this->shape, sites, choices);
+  this->statistics += complex.statistics;
+  return complex;
+}
+
+/// On some of the points, which are put in the order of their ids.
+CellComplex BlockRun::Work::runOn(std::vector<SiteHandle>& members)
+{
+  std::sort(members.begin(), members.end(),
+    [this](SiteHandle a, SiteHandle b) { return this->known.hasLowerId(a, b); });
+  members.erase(std::unique(members.begin(), members.end()), members.end());
+  std::vector<BlockSite> sites;
+  sites.reserve(members.size());
+  for (const SiteHandle handle : members)
+  {
+    sites.push_back(this->known[handle]);
+  }
+  return this->run(sites, quiet(this->options));
+}
+
+std::map<int, BlockMessage> BlockRun::Work::ask()
+{
+  std::map<int, BlockMessage> messages;
+  if (this->gathering != Gathering::None)
+  {
+    return this->gather();
+  }
+  if (!this->facets)
+  {
+    return messages;
+  }
+  if (!this->arrived.empty())
+  {
+    std::vector<SiteHandle> members = this->facets->members();
+    members.insert(members.end(), this->arrived.begin(), this->arrived.end());
+    this->arrived.clear();
+    const CellComplex complex = this->runOn(members);
+    this->facets->replace(complex, members);
+  }
+  this->facets->update();
+  std::map<int, std::vector<ConflictQuestion>> questions;
+  this->facets->eachOpen(
+    [&](OpenFacet& facet)
+    {
+      ConflictQuestion question{};
+      question.isBorder = facet.isBorder();
+      question.wantsTies = !question.isBorder && this->known.ownsFacet(facet.corners);
+      for (std::size_t i = 0; i < (question.isBorder ? 2 : 3); ++i)
       {
-        case BlockShape::Hull:
-          this->work = std::make_unique<WorkOf<HullGeometry>>(shape, points, options);
-          break;
-        case BlockShape::Delaunay:
-          this->work = std::make_unique<WorkOf<LiftedGeometry<false>>>(shape, points, options);
-          break;
-        case BlockShape::RegularTriangulation:
-          this->work = std::make_unique<WorkOf<LiftedGeometry<true>>>(shape, points, options);
-          break;
+        std::copy_n(this->known[facet.corners[i]].x, 3, question.corner[i]);
+      }
+      const std::size_t end =
+        std::min(facet.reach.size(), facet.asked + std::max(FirstAsked, facet.asked));
+      for (; facet.asked < end; ++facet.asked)
+      {
+        questions[facet.reach[facet.asked]].push_back(question);
       }
     });
+  for (const auto& [block, list] : questions)
+  {
+    MessageWriter writer;
+    writer.add(Request::Conflicts);
+    writer.addAll(list);
+    messages.emplace(block, std::move(writer.message));
+  }
+  return messages;
+}
+
+/// First ask for all corners; then make the one facet of them.
+std::map<int, BlockMessage> BlockRun::Work::gather()
+{
+  std::map<int, BlockMessage> messages;
+  if (this->gathering == Gathering::ToAsk)
+  {
+    this->gathering = Gathering::Asked;
+    std::set<int> others;
+    for (const BlockSite& site : this->frame.sample)
+    {
+      others.insert(static_cast<int>(site.block));
+    }
+    others.erase(this->self);
+    MessageWriter writer;
+    writer.add(Request::All);
+    for (const int block : others)
+    {
+      messages.emplace(block, writer.message);
+    }
+    if (!messages.empty())
+    {
+      return messages;
+    }
+  }
+  this->gathering = Gathering::None;
+  std::vector<SiteHandle> members(this->known.size());
+  std::iota(members.begin(), members.end(), SiteHandle(0));
+  const CellComplex complex = this->runOn(members);
+  std::vector<SiteHandle> corners;
+  for (std::int64_t cell = 0; cell < complex.cellCount(); ++cell)
+  {
+    cornersOf(complex, cell, members, corners);
+    this->cells.add(this->known, corners);
+  }
+  return messages;
+}
+
+BlockMessage BlockRun::Work::answer(const BlockMessage& message) const
+{
+  MessageReader reader(message);
+  const auto request = reader.take<Request>();
+  ensure(this->answers && (request == Request::All || request == Request::Conflicts));
+  MessageWriter writer;
+  if (request == Request::All)
+  {
+    writer.addAll(this->answers->all());
+  }
+  else
+  {
+    writer.addAll(this->answers->conflicts(reader.takeAll<ConflictQuestion>()));
+  }
+  ensure(reader.atEnd());
+  return std::move(writer.message);
+}
+
+void BlockRun::Work::take(int from, const BlockMessage& message)
+{
+  MessageReader reader(message);
+  for (BlockSite& site : reader.takeAll<BlockSite>())
+  {
+    ensure(isFinite(site.x) && from != this->self);
+    site.block = from;
+    if (this->known.add(site))
+    {
+      this->arrived.push_back(this->known.size() - 1);
+    }
+  }
+  ensure(reader.atEnd());
+}
+
+BlockResult BlockRun::Work::finish() const
+{
+  BlockResult result;
+  this->cells.write(this->known, this->frame, this->options.facets, result);
+  result.cells.statistics = this->statistics;
+  result.cells.statistics.points = this->ownCount;
+  if (this->facets)
+  {
+    std::vector<std::int64_t> hidden = this->facets->hiddenIds();
+    std::sort(hidden.begin(), hidden.end());
+    result.hiddenIds.allocate(hidden.size());
+    std::copy(hidden.begin(), hidden.end(), result.hiddenIds.begin());
+  }
+  return result;
+}
+
+BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& options)
+  : work(withTypedErrors([&] { return std::make_unique<Work>(shape, points, options); }))
+{
 }
 
 BlockRun::~BlockRun() = default;

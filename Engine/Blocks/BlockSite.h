@@ -8,6 +8,7 @@
 #include "Points/Vertex.h"
 #include <flipflop/BlockRun.h>
 #include <flipflop/Error.h>
+#include <flipflop/PointView.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -34,6 +35,11 @@ constexpr std::int64_t NoBlock = -1;
 /// BlockSite::id of a point that is no input: behind all.
 constexpr std::int64_t NoBlockId = std::numeric_limits<std::int64_t>::max();
 
+inline bool hasLowerId(const BlockSite& a, const BlockSite& b)
+{
+  return a.id < b.id;
+}
+
 /// By x, then y, then z or the weight.
 inline bool isPlacedBefore(const BlockSite& a, const BlockSite& b)
 {
@@ -44,6 +50,23 @@ inline bool isPlacedBefore(const BlockSite& a, const BlockSite& b)
 inline Vertex asVertex(const double* x)
 {
   return { { x[0], x[1], x[2] }, 0, 0 };
+}
+
+constexpr std::int64_t BlockSiteStride = sizeof(BlockSite) / sizeof(double);
+static_assert(sizeof(BlockSite) % sizeof(double) == 0, "places are doubles, equally far apart");
+
+inline PointView viewOf(const std::vector<BlockSite>& sites)
+{
+  return { sites.empty() ? nullptr : sites.front().x, static_cast<std::int64_t>(sites.size()),
+    BlockSiteStride };
+}
+
+/// No weights, unless the shape has some.
+inline WeightView weightsOf(BlockShape shape, const std::vector<BlockSite>& sites)
+{
+  return shape != BlockShape::RegularTriangulation || sites.empty()
+    ? WeightView()
+    : WeightView(sites.front().x + 2, static_cast<std::int64_t>(sites.size()), BlockSiteStride);
 }
 
 class MessageWriter

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/Introduction.h"
 
-#include "Blocks/BlockViews.h"
 #include "Geometry/HullGeometry.h"
 #include "Run/HullRun.h"
 #include "Run/Scan.h"

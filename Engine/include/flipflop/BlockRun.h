@@ -111,8 +111,6 @@ public:
 
 private:
   class Work;
-  template <class Model>
-  class WorkOf;
   std::unique_ptr<Work> work;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The facets of a block that are still to be settled, and the edges of a border.
-#ifndef flipflop_BlockFacets_h
-#define flipflop_BlockFacets_h
+/// The edges of the border of a triangulation.
+#ifndef flipflop_BorderEdges_h
+#define flipflop_BorderEdges_h
 
 #include "Surface/Sides.h"
 #include <flipflop/Buffer.h>
@@ -16,16 +16,6 @@
 
 namespace flipflop
 {
-
-/// A facet around a point of the block.
-struct BlockFacet
-{
-  std::vector<std::uint32_t> corners; ///< from the lowest id on; of a border's edge, its two ends
-  bool isBorder = false;              ///< an edge without a cell on its right
-  bool isSettled = false;             ///< no block has a point in conflict with it
-  std::vector<int> reach;             ///< blocks that might
-  std::size_t asked = 0;              ///< so many of these have been
-};
 
 /// Edges that have a cell on their left alone: use (from, to), as indices of the complex' points.
 ///
@@ -56,7 +46,7 @@ void eachBorderEdge(const CellComplex& complex, const Use& use)
       balance[from] += static_cast<std::int64_t>(to);
       balance[to] -= static_cast<std::int64_t>(from);
     });
-  std::vector<std::array<std::uint32_t, 2>> left; // sides, each with its way
+  std::vector<std::array<std::uint32_t, 2>> left; // sides, each in its direction
   eachSide(
     [&](std::size_t from, std::size_t to)
     {

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blocks/BlockAnswers.h"
+
+#include "Blocks/SiteTree.h"
+#include "Geometry/HullGeometry.h"
+#include "Geometry/LiftedGeometry.h"
+#include "Query/QueryRun.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// Points in conflict that an answer has for each question.
+constexpr std::size_t PointsPerAnswer = 2;
+
+template <class Model>
+class AnswersOf : public BlockAnswers
+{
+public:
+  AnswersOf(std::vector<BlockSite> ofBlock, const BlockFrame& inFrame, const Options& chosen)
+    : frame(inFrame)
+    , options(chosen)
+    , sites(std::move(ofBlock))
+    , geometry(inFrame.range, inFrame.arithmetic)
+  {
+    if (!this->sites.empty())
+    {
+      runOver(this->sites.size(), quiet(this->options),
+        [this](Monitor& monitor)
+        { this->tree.emplace(this->sites, this->frame.isLifted(), monitor); });
+    }
+  }
+
+  const std::vector<BlockSite>& all() const override { return this->sites; }
+
+  std::vector<BlockSite> conflicts(const std::vector<ConflictQuestion>& questions) const override
+  {
+    std::vector<BlockSite> told;
+    if (!this->tree)
+    {
+      return told;
+    }
+    constexpr std::size_t QuestionsPerTask = 64;
+    std::vector<std::vector<std::uint32_t>> found(runCount(questions.size(), QuestionsPerTask));
+    runOver(QuestionsPerTask * questions.size(), quiet(this->options),
+      [&](Monitor& monitor)
+      {
+        eachRun(questions.size(), QuestionsPerTask,
+          [&](std::size_t begin, std::size_t end, std::size_t number)
+          {
+            const Model signs = this->geometry; // each task counts in its own
+            for (std::size_t i = begin; i < end; ++i)
+            {
+              monitor.poll();
+              this->answer(signs, questions[i], found[number]);
+            }
+          });
+      });
+    std::vector<std::uint32_t> items;
+    for (const std::vector<std::uint32_t>& some : found)
+    {
+      items.insert(items.end(), some.begin(), some.end());
+    }
+    std::sort(items.begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
+    for (const std::uint32_t item : items)
+    {
+      told.push_back(this->sites[item]);
+    }
+    return told;
+  }
+
+private:
+  void answer(
+    const Model& signs, const ConflictQuestion& question, std::vector<std::uint32_t>& items) const
+  {
+    const auto& x = question.corner;
+    const ConflictBound bound = this->frame.boundOf(x[0], x[1], question.isBorder ? nullptr : x[2]);
+    // A border's edge is a triangle with the virtual vertex, turned around.
+    const Vertex a = asVertex(x[question.isBorder ? 1 : 0]);
+    const Vertex b = asVertex(x[question.isBorder ? 0 : 1]);
+    const Vertex c = question.isBorder ? virtualVertex() : asVertex(x[2]);
+    this->tree->conflicts(signs, bound, a, b, c, question.wantsTies, PointsPerAnswer,
+      [&](std::uint32_t item) { items.push_back(item); });
+  }
+
+  const BlockFrame& frame;
+  const Options& options;
+  std::vector<BlockSite> sites;
+  Model geometry;
+  std::optional<SiteTree<Model>> tree;
+};
+
+}
+
+std::unique_ptr<BlockAnswers> BlockAnswers::make(
+  std::vector<BlockSite> sites, const BlockFrame& frame, const Options& options)
+{
+  switch (frame.shape)
+  {
+    case BlockShape::Hull:
+      return std::make_unique<AnswersOf<HullGeometry>>(std::move(sites), frame, options);
+    case BlockShape::Delaunay:
+      return std::make_unique<AnswersOf<LiftedGeometry<false>>>(std::move(sites), frame, options);
+    case BlockShape::RegularTriangulation:
+      return std::make_unique<AnswersOf<LiftedGeometry<true>>>(std::move(sites), frame, options);
+  }
+  throw Error(ErrorCode::BadArgument);
+}
+
+}

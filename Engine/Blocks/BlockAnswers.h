@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a block answers: which of its points are in conflict with the facets of others?
+#ifndef flipflop_BlockAnswers_h
+#define flipflop_BlockAnswers_h
+
+#include "Blocks/BlockFrame.h"
+#include "Blocks/BlockSite.h"
+#include <flipflop/Options.h>
+
+#include <memory>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Is there a point above a facet?
+struct ConflictQuestion
+{
+  double corner[3][3]; ///< of a border's edge only two
+  bool isBorder;
+  bool wantsTies; ///< or, if there is none, on it
+};
+
+/// Over one geometry.
+class BlockAnswers
+{
+public:
+  virtual ~BlockAnswers() = default;
+
+  /// For each question some of the furthest points above the facet, one at least if there is any;
+  /// or all points on it. Each point once.
+  virtual std::vector<BlockSite> conflicts(
+    const std::vector<ConflictQuestion>& questions) const = 0;
+
+  virtual const std::vector<BlockSite>& all() const = 0;
+
+  /// @param sites   that others may ask for
+  /// @param frame, options live as long as the answers
+  static std::unique_ptr<BlockAnswers> make(
+    std::vector<BlockSite> sites, const BlockFrame& frame, const Options& options);
+};
+
+}
+
+#endif

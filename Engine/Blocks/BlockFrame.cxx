@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blocks/BlockFrame.h"
+
+#include "Blocks/Introduction.h"
+#include <flipflop/ConvexHull.h>
+#include <flipflop/RegularTriangulation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipflop
+{
+
+CellComplex cellsOf(BlockShape shape, const std::vector<BlockSite>& sites, const Options& chosen)
+{
+  Options options = chosen;
+  options.facets = FacetMode::Polygons;
+  if (shape == BlockShape::Hull)
+  {
+    return convexHull(viewOf(sites), options);
+  }
+  return regularTriangulation(viewOf(sites), weightsOf(shape, sites), options);
+}
+
+Options quiet(const Options& chosen)
+{
+  Options result = chosen;
+  result.step = nullptr;
+  if (chosen.progress)
+  {
+    result.progress = [](double, void* context)
+    {
+      const auto& options = *static_cast<const Options*>(context);
+      return options.progress(1.0, options.progressContext);
+    };
+    result.progressContext = const_cast<Options*>(&chosen);
+  }
+  return result;
+}
+
+BlockFrame::BlockFrame(
+  BlockShape ofShape, const std::vector<BlockMessage>& introductions, const Options& options)
+  : shape(ofShape)
+  , range(emptyRange())
+{
+  for (std::size_t block = 0; block < introductions.size(); ++block)
+  {
+    const Introduction introduction(introductions[block]);
+    for (BlockSite site : introduction.sample)
+    {
+      site.block = static_cast<std::int64_t>(block);
+      this->sample.push_back(site);
+    }
+    for (const Box& box : introduction.boxes)
+    {
+      this->boxes.push_back({ box, static_cast<int>(block) });
+    }
+    include(introduction.range, this->range);
+  }
+  if (this->sample.empty())
+  {
+    return;
+  }
+  std::sort(this->sample.begin(), this->sample.end(), hasLowerId);
+  this->dimension = cellsOf(this->shape, this->sample, quiet(options)).dimension;
+
+  this->arithmetic =
+    this->isLifted() ? chooseLiftedArithmetic(this->range) : chooseArithmetic(this->range);
+  for (double* const ends : { this->range.low, this->range.high, this->range.smallest })
+  {
+    this->scale(ends);
+  }
+  for (BlockSite& site : this->sample)
+  {
+    this->scale(site.x);
+  }
+  for (BlockBox& box : this->boxes)
+  {
+    this->scale(box.box.low);
+    this->scale(box.box.high);
+  }
+}
+
+void BlockFrame::scale(double* x, int sign) const
+{
+  const int exponent = sign * this->arithmetic.scaleExponent;
+  for (int i = 0; exponent != 0 && i < 3; ++i)
+  {
+    x[i] = std::ldexp(x[i], this->isLifted() && i == 2 ? 2 * exponent : exponent);
+  }
+}
+
+ConflictBound BlockFrame::boundOf(const double* a, const double* b, const double* c) const
+{
+  if (this->arithmetic.wide)
+  {
+    return ConflictBound(); // its arithmetic would overflow
+  }
+  return !c            ? ConflictBound::ofEdge(a, b)
+    : this->isLifted() ? ConflictBound::ofCircle(a, b, c)
+                       : ConflictBound::ofPlane(a, b, c);
+}
+
+BlockSite BlockFrame::besideLine() const
+{
+  const double* const u = this->sample.front().x;
+  const auto other = std::find_if(this->sample.begin(), this->sample.end(),
+    [u](const BlockSite& site) { return site.x[0] != u[0] || site.x[1] != u[1]; });
+  ensure(other != this->sample.end());
+  const double* const v = other->x;
+  BlockSite beside{ { u[0], u[1], u[2] }, NoBlockId, NoBlock };
+  // The line has no other point with the x of u; or, if it is upright, none with the y of u. Its
+  // new coordinate is one that a point has, so the arithmetic stays what it is.
+  const int axis = u[0] != v[0] ? 1 : 0;
+  const double values[3] = { v[axis], u[1 - axis], v[1 - axis] };
+  beside.x[axis] = *std::find_if(values, values + 3, [&](double x) { return x != u[axis]; });
+  return beside;
+}
+
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// All points that a block knows: its own, the sample of others, and what it was told.
+#ifndef flipflop_KnownSites_h
+#define flipflop_KnownSites_h
+
+#include "Blocks/BlockSite.h"
+#include "Points/Vertex.h"
+#include <flipflop/Error.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// A point's name within the block: its place among the known ones.
+using SiteHandle = std::uint32_t;
+
+class KnownSites
+{
+public:
+  KnownSites() = default;
+
+  /// @param sites by id: what is known in the beginning
+  KnownSites(std::vector<BlockSite> sites, int block)
+    : self(block)
+    , sites(std::move(sites))
+  {
+    for (SiteHandle handle = 0; handle < this->size(); ++handle)
+    {
+      if (!this->isOwn(handle))
+      {
+        this->foreign.emplace((*this)[handle].id, handle);
+      }
+    }
+  }
+
+  /// Learn a point of another block. False: it is known.
+  /// @throw Error TooManyPoints
+  bool add(const BlockSite& site)
+  {
+    if (this->sites.size() >= NoIndex - 1)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(this->sites.size()) + 1);
+    }
+    if (!this->foreign.emplace(site.id, this->size()).second)
+    {
+      return false;
+    }
+    this->sites.push_back(site);
+    return true;
+  }
+
+  const BlockSite& operator[](SiteHandle handle) const { return this->sites[handle]; }
+  SiteHandle size() const { return static_cast<SiteHandle>(this->sites.size()); }
+  const std::vector<BlockSite>& all() const { return this->sites; }
+  bool isOwn(SiteHandle handle) const { return (*this)[handle].block == this->self; }
+
+  /// Points of other blocks.
+  std::int64_t foreignCount() const { return static_cast<std::int64_t>(this->foreign.size()); }
+
+  bool hasLowerId(SiteHandle a, SiteHandle b) const
+  {
+    return flipflop::hasLowerId((*this)[a], (*this)[b]);
+  }
+
+  /// Does the block have the first corner by place? Of all points on a facet, that is a corner for
+  /// certain, which the one of lowest id need not be.
+  bool ownsFacet(const std::vector<SiteHandle>& corners) const
+  {
+    const SiteHandle first = *std::min_element(corners.begin(), corners.end(),
+      [this](SiteHandle a, SiteHandle b)
+      {
+        // A point beside the line is no corner of a chain's edge.
+        const bool isNone[2] = { (*this)[a].id == NoBlockId, (*this)[b].id == NoBlockId };
+        return isNone[0] != isNone[1] ? isNone[1] : isPlacedBefore((*this)[a], (*this)[b]);
+      });
+    return this->isOwn(first);
+  }
+
+private:
+  int self = -1;
+  std::vector<BlockSite> sites; ///< those of the beginning by id, then as they came
+  std::unordered_map<std::int64_t, SiteHandle> foreign; ///< by id
+};
+
+}
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The facets around a block's points, until no block has a point in conflict with them.
+///
+/// A facet is settled when all blocks that might have a point in conflict with it have been asked,
+/// and it is still there. A point of the block is active while a facet around it is not settled.
+/// After the first run, on all points of the block, only active points are triangulated again:
+/// together with the corners of the facets around them, and with what other blocks have told. That
+/// is enough: a facet of all known points, around an active point, has its corners among the
+/// corners of the facets that were there before, and the points that are new.
+///
+/// A point that is settled stays so. A facet of it may still grow, by points on it that the cell of
+/// another block needs; but what is around the point is no longer among what is triangulated.
+#ifndef flipflop_OpenFacets_h
+#define flipflop_OpenFacets_h
+
+#include "Blocks/BlockCells.h"
+#include "Blocks/BlockFrame.h"
+#include "Blocks/BlockReach.h"
+#include "Blocks/KnownSites.h"
+#include <flipflop/CellComplex.h>
+#include <flipflop/Options.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// A facet around an active point.
+struct OpenFacet
+{
+  std::vector<SiteHandle> corners; ///< from the lowest id on; of a border's edge, its two ends
+  bool isSettled = false;
+  std::vector<int> reach = {}; ///< blocks that might have a point in conflict
+  std::size_t asked = 0;       ///< so many of these have been
+
+  bool isBorder() const { return this->corners.size() == 2; }
+};
+
+class OpenFacets
+{
+public:
+  /// @param frame, reach, options, known, cells live as long as this; settled cells that the block
+  ///                              owns go to cells
+  OpenFacets(const BlockFrame& frame, const BlockReach& reach, const Options& options,
+    const KnownSites& known, BlockCells& cells);
+
+  /// Take the cells of the first run, on all that is known.
+  void begin(const CellComplex& complex);
+
+  /// Take the cells of a later run in place of those before; what is known of them stays known.
+  /// @param members the points of the complex
+  void replace(const CellComplex& complex, const std::vector<SiteHandle>& members);
+
+  /// Settle facets that have no more blocks to ask.
+  void update();
+
+  /// use (OpenFacet&) for each that is not settled.
+  template <class Use>
+  void eachOpen(const Use& use)
+  {
+    for (OpenFacet& facet : this->facets)
+    {
+      if (!facet.isSettled)
+      {
+        use(facet);
+      }
+    }
+  }
+
+  /// The active points, and the corners of the facets around them.
+  const std::vector<SiteHandle>& members() const { return this->core; }
+
+  /// Ids of the block's points that do not appear.
+  const std::vector<std::int64_t>& hiddenIds() const { return this->hidden; }
+
+private:
+  void hideMissing(const CellComplex& complex, const std::vector<SiteHandle>& members);
+  std::vector<std::uint8_t> freeCells(
+    const CellComplex& complex, const std::vector<SiteHandle>& members) const;
+  ConflictBound boundOf(const std::vector<SiteHandle>& corners) const;
+  void settle(const std::vector<SiteHandle>& corners);
+  void findActive();
+
+  /// Is there an active point among the corners?
+  bool isAround(const std::vector<SiteHandle>& corners) const
+  {
+    return std::any_of(
+      corners.begin(), corners.end(), [this](SiteHandle handle) { return this->isActive(handle); });
+  }
+  bool isActive(SiteHandle handle) const
+  {
+    return handle < this->activity.size() && this->activity[handle] != Idle;
+  }
+
+  enum : std::uint8_t
+  {
+    Idle,
+    Active,
+    Open ///< while activity is found out: a facet is not settled
+  };
+
+  const BlockFrame& frame;
+  const BlockReach& reach;
+  const Options& options;
+  const KnownSites& known;
+  BlockCells& cells;
+  std::vector<std::uint8_t> activity; ///< of the points that were known in the beginning
+  std::vector<OpenFacet> facets;
+  std::vector<SiteHandle> core;
+  std::vector<std::int64_t> hidden;
+};
+
+}
+
+#endif
