@@ -23,17 +23,9 @@ void sortRest(std::vector<Value>& values, const Less& less)
 
 }
 
-void BlockCells::add(const KnownSites& known, const std::vector<SiteHandle>& cell)
+void BlockCells::add(const std::vector<SiteHandle>& cell)
 {
-  const auto begin = static_cast<std::ptrdiff_t>(this->corners.size());
-  // With a point beside the line, a triangle is an edge of the chain: its lower end first.
-  std::copy_if(cell.begin(), cell.end(), std::back_inserter(this->corners),
-    [&](SiteHandle handle) { return known[handle].id != NoBlockId; });
-  if (this->corners.size() - static_cast<std::size_t>(begin) == 2)
-  {
-    std::sort(this->corners.begin() + begin, this->corners.end(),
-      [&](SiteHandle a, SiteHandle b) { return known.hasLowerId(a, b); });
-  }
+  this->corners.insert(this->corners.end(), cell.begin(), cell.end());
   this->ends.push_back(this->corners.size());
 }
 

@@ -32,8 +32,8 @@ inline void cornersOf(const CellComplex& complex, std::int64_t cell,
 class BlockCells
 {
 public:
-  /// @param corners of a facet, in their order
-  void add(const KnownSites& known, const std::vector<SiteHandle>& corners);
+  /// @param corners from the lowest id on
+  void add(const std::vector<SiteHandle>& corners);
 
   /// Fill in the cells, and what is said of their points.
   void write(

@@ -286,7 +286,7 @@ std::map<int, BlockMessage> BlockRun::Work::gather()
   for (std::int64_t cell = 0; cell < complex.cellCount(); ++cell)
   {
     cornersOf(complex, cell, members, corners);
-    this->cells.add(this->known, corners);
+    this->cells.add(corners);
   }
   return messages;
 }

@@ -60,21 +60,23 @@ void OpenFacets::begin(const CellComplex& complex)
   {
     // One position: one cell is all there is.
     cornersOf(complex, 0, members, corners);
-    this->settle(corners);
+    this->keep(corners);
     this->findActive();
     return;
   }
   // Nearly all cells are settled at once, and most points with them.
-  const std::vector<std::uint8_t> isFree = this->freeCells(complex, members);
+  const std::vector<CellState> states = this->statesOf(complex, members);
   for (std::int64_t cell = 0; cell < complex.cellCount(); ++cell)
   {
-    cornersOf(complex, cell, members, corners);
-    if (isFree[static_cast<std::size_t>(cell)])
+    const CellState state = states[static_cast<std::size_t>(cell)];
+    if (state == CellState::Owned)
     {
-      this->settle(corners);
+      cornersOf(complex, cell, members, corners);
+      this->keep(corners);
     }
-    else if (this->isAround(corners))
+    else if (state == CellState::Open)
     {
+      cornersOf(complex, cell, members, corners);
       this->facets.push_back({ corners });
     }
   }
@@ -89,25 +91,29 @@ void OpenFacets::begin(const CellComplex& complex)
   this->findActive();
   for (std::int64_t cell = 0; cell < complex.cellCount(); ++cell)
   {
-    cornersOf(complex, cell, members, corners);
-    if (isFree[static_cast<std::size_t>(cell)] && this->isAround(corners))
+    const CellState state = states[static_cast<std::size_t>(cell)];
+    if (state == CellState::Settled || state == CellState::Owned)
     {
-      this->facets.push_back({ corners, true });
+      cornersOf(complex, cell, members, corners);
+      if (this->isAround(corners))
+      {
+        this->facets.push_back({ corners, true });
+      }
     }
   }
   this->findActive();
 }
 
-/// By cell: is it around an active point, and can no other block have a point in conflict with it?
-std::vector<std::uint8_t> OpenFacets::freeCells(
+/// Of the cells of a first run.
+std::vector<OpenFacets::CellState> OpenFacets::statesOf(
   const CellComplex& complex, const std::vector<SiteHandle>& members) const
 {
   constexpr std::size_t CellsPerTask = 1 << 12;
-  std::vector<std::uint8_t> isFree(static_cast<std::size_t>(complex.cellCount()));
-  runOver(isFree.size(), quiet(this->options),
+  std::vector<CellState> states(static_cast<std::size_t>(complex.cellCount()));
+  runOver(states.size(), quiet(this->options),
     [&](Monitor& monitor)
     {
-      eachRun(isFree.size(), CellsPerTask,
+      eachRun(states.size(), CellsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
           monitor.poll();
@@ -115,11 +121,14 @@ std::vector<std::uint8_t> OpenFacets::freeCells(
           for (std::size_t cell = begin; cell < end; ++cell)
           {
             cornersOf(complex, static_cast<std::int64_t>(cell), members, corners);
-            isFree[cell] = this->isAround(corners) && this->reach.isFree(this->boundOf(corners));
+            states[cell] = !this->isAround(corners)         ? CellState::Elsewhere
+              : !this->reach.isFree(this->boundOf(corners)) ? CellState::Open
+              : this->known.ownsFacet(corners)              ? CellState::Owned
+                                                            : CellState::Settled;
           }
         });
     });
-  return isFree;
+  return states;
 }
 
 void OpenFacets::replace(const CellComplex& complex, const std::vector<SiteHandle>& members)
@@ -178,19 +187,28 @@ void OpenFacets::update()
     if (!facet.isSettled && facet.asked == facet.reach.size())
     {
       facet.isSettled = true;
-      this->settle(facet.corners);
+      if (!facet.isBorder() && this->known.ownsFacet(facet.corners))
+      {
+        this->keep(facet.corners);
+      }
     }
   }
   this->findActive();
 }
 
-/// Own cells stay, as they are.
-void OpenFacets::settle(const std::vector<SiteHandle>& corners)
+/// A cell of the block stays as it is.
+void OpenFacets::keep(std::vector<SiteHandle> corners)
 {
-  if (corners.size() != 2 && this->known.ownsFacet(corners))
+  if (this->frame.dimension == 1)
   {
-    this->cells.add(this->known, corners);
+    // With a point beside the line, a triangle is an edge of the chain: its lower end first.
+    corners.erase(std::remove_if(corners.begin(), corners.end(),
+                    [this](SiteHandle handle) { return this->known[handle].id == NoBlockId; }),
+      corners.end());
+    std::sort(corners.begin(), corners.end(),
+      [this](SiteHandle a, SiteHandle b) { return this->known.hasLowerId(a, b); });
   }
+  this->cells.add(corners);
 }
 
 /// Points stay active while a facet around them is not settled; other facets are let go.

@@ -80,10 +80,19 @@ public:
 
 private:
   void hideMissing(const CellComplex& complex, const std::vector<SiteHandle>& members);
-  std::vector<std::uint8_t> freeCells(
+
+  enum class CellState : std::uint8_t
+  {
+    Elsewhere, ///< around no point of the block
+    Open,
+    Settled, ///< no other block can have a point in conflict with it
+    Owned    ///< likewise, and the block's
+  };
+  std::vector<CellState> statesOf(
     const CellComplex& complex, const std::vector<SiteHandle>& members) const;
+
   ConflictBound boundOf(const std::vector<SiteHandle>& corners) const;
-  void settle(const std::vector<SiteHandle>& corners);
+  void keep(std::vector<SiteHandle> corners);
   void findActive();
 
   /// Is there an active point among the corners?
