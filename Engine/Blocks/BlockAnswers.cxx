@@ -90,7 +90,7 @@ private:
     const Vertex a = asVertex(x[question.isBorder ? 1 : 0]);
     const Vertex b = asVertex(x[question.isBorder ? 0 : 1]);
     const Vertex c = question.isBorder ? virtualVertex() : asVertex(x[2]);
-    this->tree->conflicts(signs, bound, a, b, c, question.wantsTies, PointsPerAnswer,
+    this->tree->conflicts(signs, bound, a, b, c, question.wantsTies != 0, PointsPerAnswer,
       [&](std::uint32_t item) { items.push_back(item); });
   }
 

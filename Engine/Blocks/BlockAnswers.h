@@ -19,8 +19,8 @@ namespace flipflop
 struct ConflictQuestion
 {
   double corner[3][3]; ///< of a border's edge only two
-  bool isBorder;
-  bool wantsTies; ///< or, if there is none, on it
+  int isBorder;        ///< no bool: a damaged message may have any bits here
+  int wantsTies;       ///< or, if there is none, on it
 };
 
 /// Over one geometry.
@@ -36,7 +36,8 @@ public:
 
   virtual const std::vector<BlockSite>& all() const = 0;
 
-  /// @param sites   that others may ask for
+  /// @param sites   that others may ask for; near each other in their order are those near each
+  /// other
   /// @param frame, options live as long as the answers
   static std::unique_ptr<BlockAnswers> make(
     std::vector<BlockSite> sites, const BlockFrame& frame, const Options& options);

@@ -2,26 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/BlockCells.h"
 
+#include "Finish/CellSort.h"
+#include "Support/Parallel.h"
+
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 namespace flipflop
 {
-
-namespace
-{
-
-/// Sort what is in order but for its end.
-template <class Value, class Less>
-void sortRest(std::vector<Value>& values, const Less& less)
-{
-  const auto rest = std::is_sorted_until(values.begin(), values.end(), less);
-  std::sort(rest, values.end(), less);
-  std::inplace_merge(values.begin(), rest, values.end(), less);
-}
-
-}
 
 void BlockCells::add(const std::vector<SiteHandle>& cell)
 {
@@ -45,7 +33,8 @@ void BlockCells::write(
       used.push_back(handle);
     }
   }
-  sortRest(used, [&](SiteHandle a, SiteHandle b) { return known.hasLowerId(a, b); });
+  threads::sort(
+    used.begin(), used.end(), [&](SiteHandle a, SiteHandle b) { return known.hasLowerId(a, b); });
 
   result.cells.pointIds.allocate(used.size());
   result.places.allocate(3 * used.size());
@@ -61,7 +50,7 @@ void BlockCells::write(
     indexOf[used[i]] = static_cast<std::uint32_t>(i);
   }
   result.cells.dimension = frame.dimension;
-  this->writeConnectivity(indexOf, frame.dimension, result.cells);
+  this->writeConnectivity(indexOf, used.size(), result.cells);
   if (facets == FacetMode::Triangles)
   {
     fanPolygons(result.cells);
@@ -69,26 +58,42 @@ void BlockCells::write(
 }
 
 void BlockCells::writeConnectivity(
-  const std::vector<std::uint32_t>& indexOf, int dimension, CellComplex& cells) const
+  const std::vector<std::uint32_t>& indexOf, std::size_t points, CellComplex& cells) const
 {
-  std::vector<std::size_t> order(this->ends.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto beginOf = [this](std::size_t cell)
-  { return this->corners.begin() + static_cast<std::ptrdiff_t>(cell ? this->ends[cell - 1] : 0); };
-  const auto endOf = [this](std::size_t cell)
-  { return this->corners.begin() + static_cast<std::ptrdiff_t>(this->ends[cell]); };
-  sortRest(order,
-    [&](std::size_t a, std::size_t b)
+  // Each cell from its lowest corner on, in the order of the first two corners.
+  std::vector<std::uint32_t> indices;
+  indices.reserve(this->corners.size());
+  CellSort sort(points, 1);
+  const auto eachCell = [this](const auto& use)
+  {
+    for (std::size_t cell = 0; cell < this->ends.size(); ++cell)
     {
-      return std::lexicographical_compare(beginOf(a), endOf(a), beginOf(b), endOf(b),
-        [&](SiteHandle p, SiteHandle q) { return indexOf[p] < indexOf[q]; });
+      use(static_cast<std::uint32_t>(cell), cell ? this->ends[cell - 1] : 0, this->ends[cell]);
+    }
+  };
+  eachCell(
+    [&](std::uint32_t, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        indices.push_back(indexOf[this->corners[k]]);
+      }
+      const auto first = indices.begin() + static_cast<std::ptrdiff_t>(begin);
+      std::rotate(first, std::min_element(first, indices.end()), indices.end());
+      sort.count(0, *first);
     });
+  sort.endCounting(Buffer<Cell>());
+  eachCell(
+    [&](std::uint32_t cell, std::size_t begin, std::size_t end) {
+      sort.put(0, { { indices[begin], indices[begin + 1 < end ? begin + 1 : begin], cell } });
+    });
+  const Buffer<Cell> order = sort.sort();
 
   // Fewest corners that a cell can have: if all have no more, no offsets tell where they begin.
-  const auto fewest = static_cast<std::size_t>(std::min(dimension, 2) + 1);
-  const bool isUniform = this->corners.size() == fewest * this->ends.size();
+  const auto fewest = static_cast<std::size_t>(std::min(cells.dimension, 2) + 1);
+  const bool isUniform = indices.size() == fewest * order.size();
   cells.cellSize = isUniform ? static_cast<std::int64_t>(fewest) : 0;
-  cells.connectivity.allocate(this->corners.size());
+  cells.connectivity.allocate(indices.size());
   cells.offsets.allocate(isUniform ? 0 : order.size() + 1);
   std::size_t to = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -97,9 +102,10 @@ void BlockCells::writeConnectivity(
     {
       cells.offsets[i] = static_cast<std::int64_t>(to);
     }
-    for (auto corner = beginOf(order[i]); corner != endOf(order[i]); ++corner)
+    const std::uint32_t cell = order[i].corner[2];
+    for (std::size_t k = cell ? this->ends[cell - 1] : 0; k < this->ends[cell]; ++k)
     {
-      cells.connectivity[to++] = indexOf[*corner];
+      cells.connectivity[to++] = indices[k];
     }
   }
   if (!isUniform)

@@ -32,7 +32,7 @@ inline void cornersOf(const CellComplex& complex, std::int64_t cell,
 class BlockCells
 {
 public:
-  /// @param corners from the lowest id on
+  /// @param corners in their order
   void add(const std::vector<SiteHandle>& corners);
 
   /// Fill in the cells, and what is said of their points.
@@ -41,7 +41,7 @@ public:
 
 private:
   void writeConnectivity(
-    const std::vector<std::uint32_t>& indexOf, int dimension, CellComplex& cells) const;
+    const std::vector<std::uint32_t>& indexOf, std::size_t points, CellComplex& cells) const;
 
   std::vector<SiteHandle> corners; ///< of one cell after another
   std::vector<std::size_t> ends;   ///< of each cell there

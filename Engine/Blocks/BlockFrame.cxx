@@ -3,6 +3,7 @@
 #include "Blocks/BlockFrame.h"
 
 #include "Blocks/Introduction.h"
+#include "Points/PointSource.h"
 #include <flipflop/ConvexHull.h>
 #include <flipflop/RegularTriangulation.h>
 
@@ -63,8 +64,6 @@ BlockFrame::BlockFrame(
     return;
   }
   std::sort(this->sample.begin(), this->sample.end(), hasLowerId);
-  this->dimension = cellsOf(this->shape, this->sample, quiet(options)).dimension;
-
   this->arithmetic =
     this->isLifted() ? chooseLiftedArithmetic(this->range) : chooseArithmetic(this->range);
   for (double* const ends : { this->range.low, this->range.high, this->range.smallest })
@@ -74,12 +73,15 @@ BlockFrame::BlockFrame(
   for (BlockSite& site : this->sample)
   {
     this->scale(site.x);
+    ensure(this->holds(site.x));
   }
   for (BlockBox& box : this->boxes)
   {
     this->scale(box.box.low);
     this->scale(box.box.high);
+    ensure(isFinite(box.box.low) && isFinite(box.box.high));
   }
+  this->dimension = cellsOf(this->shape, this->sample, quiet(options)).dimension;
 }
 
 void BlockFrame::scale(double* x, int sign) const
@@ -89,6 +91,21 @@ void BlockFrame::scale(double* x, int sign) const
   {
     x[i] = std::ldexp(x[i], this->isLifted() && i == 2 ? 2 * exponent : exponent);
   }
+}
+
+bool BlockFrame::holds(const double* x) const
+{
+  bool isHeld = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    // The two axes of the plane have one scale, and a point beside a line has the other's numbers.
+    const int other = this->isLifted() && i < 2 ? 1 - i : i;
+    const double low = std::min(this->range.low[i], this->range.low[other]);
+    const double high = std::max(this->range.high[i], this->range.high[other]);
+    const double smallest = std::min(this->range.smallest[i], this->range.smallest[other]);
+    isHeld = isHeld && x[i] >= low && x[i] <= high && (x[i] == 0 || std::fabs(x[i]) >= smallest);
+  }
+  return isHeld;
 }
 
 ConflictBound BlockFrame::boundOf(const double* a, const double* b, const double* c) const

@@ -44,6 +44,10 @@ public:
   /// Into the units of the frame, or, with @p sign -1, back. Exact.
   void scale(double* x, int sign = 1) const;
 
+  /// Does the arithmetic carry a scaled point? Not if a message was damaged: its signs would be
+  /// none.
+  bool holds(const double* x) const;
+
   /// Of a triangle, or of a border's edge, without @p c.
   ConflictBound boundOf(const double* a, const double* b, const double* c) const;
 

@@ -20,6 +20,9 @@
 #include "Blocks/Introduction.h"
 #include "Blocks/KnownSites.h"
 #include "Blocks/OpenFacets.h"
+#include "Points/InsertionOrder.h"
+#include "Points/PointSource.h"
+#include "Points/PointSubset.h"
 #include "Query/QueryRun.h"
 #include "Support/TypedErrors.h"
 
@@ -63,6 +66,7 @@ public:
   std::int64_t pointsTold() const { return this->known.foreignCount(); }
 
 private:
+  std::vector<BlockSite> ownAlongCurve();
   CellComplex run(const std::vector<BlockSite>& sites, const Options& choices);
   CellComplex runOn(std::vector<SiteHandle>& members);
   std::map<int, BlockMessage> gather();
@@ -134,19 +138,9 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int n
   {
     return;
   }
-  for (BlockSite& site : this->ownSites)
-  {
-    site.block = this->self;
-    this->frame.scale(site.x);
-  }
-  std::vector<BlockSite> ofOthers;
-  std::copy_if(this->frame.sample.begin(), this->frame.sample.end(), std::back_inserter(ofOthers),
+  std::vector<BlockSite> all = this->ownAlongCurve();
+  std::copy_if(this->frame.sample.begin(), this->frame.sample.end(), std::back_inserter(all),
     [this](const BlockSite& site) { return site.block != this->self; });
-  std::vector<BlockSite> all;
-  all.reserve(this->ownSites.size() + ofOthers.size() + 1);
-  std::merge(this->ownSites.begin(), this->ownSites.end(), ofOthers.begin(), ofOthers.end(),
-    std::back_inserter(all), hasLowerId);
-  this->ownSites = std::vector<BlockSite>();
   if (this->frame.isLifted() && this->frame.dimension == 1)
   {
     all.push_back(this->frame.besideLine());
@@ -184,6 +178,41 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int n
   this->facets->begin(complex);
 }
 
+/// The block's points, scaled, those near each other near each other in memory; points of one place
+/// stay in the order of their ids.
+std::vector<BlockSite> BlockRun::Work::ownAlongCurve()
+{
+  for (BlockSite& site : this->ownSites)
+  {
+    site.block = this->self;
+    this->frame.scale(site.x);
+    ensure(this->frame.holds(site.x));
+  }
+  const PointView view = viewOf(this->ownSites);
+  const CoordinateRange& range = this->frame.range;
+  double middle[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    middle[i] = 0.5 * range.low[i] + 0.5 * range.high[i];
+  }
+  constexpr double Identity[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  std::vector<BlockSite> sorted(this->ownSites.size());
+  runOver(sorted.size(), quiet(this->options),
+    [&](Monitor& monitor)
+    {
+      PointSubset allOfThem;
+      allOfThem.count = static_cast<std::uint32_t>(sorted.size());
+      const Buffer<std::uint32_t> order = curveOrder(PointSource(view), allOfThem,
+        this->frame.isLifted() ? Unfolding() : Unfolding(middle, Identity), monitor);
+      for (std::size_t i = 0; i < sorted.size(); ++i)
+      {
+        sorted[i] = this->ownSites[order[i]];
+      }
+    });
+  this->ownSites = std::vector<BlockSite>();
+  return sorted;
+}
+
 CellComplex BlockRun::Work::run(const std::vector<BlockSite>& sites, const Options& choices)
 {
   CellComplex complex = cellsOf(this->shape, sites, choices);
@@ -191,11 +220,10 @@ CellComplex BlockRun::Work::run(const std::vector<BlockSite>& sites, const Optio
   return complex;
 }
 
-/// On some of the points, which are put in the order of their ids.
+/// On some of the points, which are put in order.
 CellComplex BlockRun::Work::runOn(std::vector<SiteHandle>& members)
 {
-  std::sort(members.begin(), members.end(),
-    [this](SiteHandle a, SiteHandle b) { return this->known.hasLowerId(a, b); });
+  std::sort(members.begin(), members.end());
   members.erase(std::unique(members.begin(), members.end()), members.end());
   std::vector<BlockSite> sites;
   sites.reserve(members.size());
@@ -232,8 +260,8 @@ std::map<int, BlockMessage> BlockRun::Work::ask()
     {
       ConflictQuestion question{};
       question.isBorder = facet.isBorder();
-      question.wantsTies = !question.isBorder && this->known.ownsFacet(facet.corners);
-      for (std::size_t i = 0; i < (question.isBorder ? 2 : 3); ++i)
+      question.wantsTies = !facet.isBorder() && this->known.ownsFacet(facet.corners);
+      for (std::size_t i = 0; i < (facet.isBorder() ? 2 : 3); ++i)
       {
         std::copy_n(this->known[facet.corners[i]].x, 3, question.corner[i]);
       }
@@ -303,7 +331,16 @@ BlockMessage BlockRun::Work::answer(const BlockMessage& message) const
   }
   else
   {
-    writer.addAll(this->answers->conflicts(reader.takeAll<ConflictQuestion>()));
+    const auto questions = reader.takeAll<ConflictQuestion>();
+    for (const ConflictQuestion& question : questions)
+    {
+      ensure(!question.isBorder || this->frame.isLifted());
+      for (int i = 0; i < (question.isBorder ? 2 : 3); ++i)
+      {
+        ensure(this->frame.holds(question.corner[i]));
+      }
+    }
+    writer.addAll(this->answers->conflicts(questions));
   }
   ensure(reader.atEnd());
   return std::move(writer.message);
@@ -314,7 +351,7 @@ void BlockRun::Work::take(int from, const BlockMessage& message)
   MessageReader reader(message);
   for (BlockSite& site : reader.takeAll<BlockSite>())
   {
-    ensure(isFinite(site.x) && from != this->self);
+    ensure(this->frame.holds(site.x) && from != this->self);
     site.block = from;
     if (this->known.add(site))
     {

@@ -97,6 +97,29 @@ void addHeaviest(const std::vector<BlockSite>& sites, std::set<std::size_t>& sam
   sample.insert(heaviest.begin(), heaviest.end());
 }
 
+/// The lowest ids that stand for the sample's points: others of their places do not appear.
+std::set<std::size_t> representatives(
+  const std::vector<BlockSite>& sites, const std::set<std::size_t>& sample)
+{
+  const auto isLess = [](const BlockSite* a, const BlockSite* b) { return isPlacedBefore(*a, *b); };
+  std::set<const BlockSite*, decltype(isLess)> places(isLess);
+  for (const std::size_t i : sample)
+  {
+    places.insert(&sites[i]);
+  }
+  std::set<std::size_t> first;
+  for (std::size_t i = 0; i < sites.size() && !places.empty(); ++i)
+  {
+    const auto found = places.find(&sites[i]);
+    if (found != places.end())
+    {
+      first.insert(i);
+      places.erase(found);
+    }
+  }
+  return first;
+}
+
 /// The boxes of points in the cells of a grid over all.
 std::vector<Box> boxesOf(BlockShape shape, const std::vector<BlockSite>& sites,
   const std::set<std::size_t>& without, const CoordinateRange& range)
@@ -154,6 +177,7 @@ Introduction::Introduction(
   {
     chosen.insert(sites.size() * k / (between + 1));
   }
+  chosen = representatives(sites, chosen);
   for (const std::size_t i : chosen)
   {
     this->sample.push_back(sites[i]);
@@ -178,7 +202,21 @@ Introduction::Introduction(const BlockMessage& message)
   this->range = reader.take<CoordinateRange>();
   this->sample = reader.takeAll<BlockSite>();
   this->boxes = reader.takeAll<Box>();
-  ensure(reader.atEnd());
+  ensure(reader.atEnd() && (!this->sample.empty() || this->boxes.empty()));
+  if (this->sample.empty())
+  {
+    this->range = emptyRange();
+  }
+  for (int i = 0; i < 3 && !this->sample.empty(); ++i)
+  {
+    // A message may be damaged: what follows from a range must be arithmetic that carries it.
+    const double low = this->range.low[i];
+    const double high = this->range.high[i];
+    const double largest = this->range.largest(i);
+    ensure(std::isfinite(low) && std::isfinite(high) && low <= high &&
+      (largest == 0 ? this->range.smallest[i] == HUGE_VAL
+                    : this->range.smallest[i] > 0 && this->range.smallest[i] <= largest));
+  }
 }
 
 BlockMessage Introduction::message() const

@@ -26,7 +26,7 @@ class KnownSites
 public:
   KnownSites() = default;
 
-  /// @param sites by id: what is known in the beginning
+  /// @param sites what is known in the beginning
   KnownSites(std::vector<BlockSite> sites, int block)
     : self(block)
     , sites(std::move(sites))
@@ -85,7 +85,7 @@ public:
 
 private:
   int self = -1;
-  std::vector<BlockSite> sites; ///< those of the beginning by id, then as they came
+  std::vector<BlockSite> sites; ///< those of the beginning, then as they came
   std::unordered_map<std::int64_t, SiteHandle> foreign; ///< by id
 };
 

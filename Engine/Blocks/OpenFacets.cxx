@@ -201,12 +201,10 @@ void OpenFacets::keep(std::vector<SiteHandle> corners)
 {
   if (this->frame.dimension == 1)
   {
-    // With a point beside the line, a triangle is an edge of the chain: its lower end first.
+    // With a point beside the line, a triangle is an edge of the chain.
     corners.erase(std::remove_if(corners.begin(), corners.end(),
                     [this](SiteHandle handle) { return this->known[handle].id == NoBlockId; }),
       corners.end());
-    std::sort(corners.begin(), corners.end(),
-      [this](SiteHandle a, SiteHandle b) { return this->known.hasLowerId(a, b); });
   }
   this->cells.add(corners);
 }

@@ -33,7 +33,7 @@ namespace flipflop
 /// A facet around an active point.
 struct OpenFacet
 {
-  std::vector<SiteHandle> corners; ///< from the lowest id on; of a border's edge, its two ends
+  std::vector<SiteHandle> corners; ///< from the lowest handle on; of a border's edge, its two ends
   bool isSettled = false;
   std::vector<int> reach = {}; ///< blocks that might have a point in conflict
   std::size_t asked = 0;       ///< so many of these have been
@@ -53,7 +53,7 @@ public:
   void begin(const CellComplex& complex);
 
   /// Take the cells of a later run in place of those before; what is known of them stays known.
-  /// @param members the points of the complex
+  /// @param members the points of the complex, ascending
   void replace(const CellComplex& complex, const std::vector<SiteHandle>& members);
 
   /// Settle facets that have no more blocks to ask.

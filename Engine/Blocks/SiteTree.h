@@ -30,10 +30,11 @@ template <class Model>
 class SiteTree
 {
 public:
-  /// @param sites    1 or more, which live longer than the tree
+  /// @param sites    1 or more, which live longer than the tree; near each other in their order
+  ///                 are those near each other
   /// @param isLifted the third coordinate is a weight
-  SiteTree(std::vector<BlockSite> sites, bool isLifted, Monitor& monitor)
-    : sites(std::move(sites))
+  SiteTree(const std::vector<BlockSite>& sites, bool isLifted, Monitor& monitor)
+    : sites(sites)
     , tree(
         static_cast<std::uint32_t>(this->sites.size()),
         [&](std::uint32_t i)
@@ -45,7 +46,7 @@ public:
           box.add(place);
           return box;
         },
-        monitor)
+        monitor, BoxTree::InOrder())
   {
     if (!isLifted)
     {
@@ -63,9 +64,6 @@ public:
         this->heaviest[node] = most;
       });
   }
-
-  const BlockSite& operator[](std::uint32_t item) const { return this->sites[item]; }
-  std::size_t size() const { return this->sites.size(); }
 
   /// Tell points above the facet abc: all about the furthest, up to @p limit, one if there is any.
   /// If there is none, and if asked, all points on it.
@@ -163,7 +161,7 @@ private:
     return box;
   }
 
-  std::vector<BlockSite> sites;
+  const std::vector<BlockSite>& sites;
   BoxTree tree;
   Buffer<double> heaviest; ///< by node
 };

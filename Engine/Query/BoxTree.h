@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace flipflop
 {
@@ -59,6 +60,24 @@ struct Box
 class BoxTree
 {
 public:
+  /// Items near each other are near each other in their order, so halves of that serve: nothing has
+  /// to be sorted.
+  struct InOrder
+  {
+  };
+
+  /// @param count 1 or more
+  /// @param boxOf Box (std::uint32_t): of an item
+  template <class BoxOf>
+  BoxTree(std::uint32_t count, const BoxOf& boxOf, Monitor& monitor, InOrder)
+    : count(count)
+    , order(count)
+  {
+    this->allocateBoxes();
+    std::iota(this->order.begin(), this->order.end(), 0u);
+    this->addBoxes(0, 0, boxOf, monitor, [](std::size_t, int) {});
+  }
+
   /// @param count 1 or more
   /// @param boxOf Box (std::uint32_t): of an item
   template <class BoxOf>
@@ -66,11 +85,7 @@ public:
     : count(count)
     , order(count)
   {
-    while ((count >> this->levels) > LeafSize)
-    {
-      ++this->levels;
-    }
-    this->boxes.allocate((std::size_t(2) << this->levels) - 1);
+    this->allocateBoxes();
     Buffer<double> middle(std::size_t(3) * count);
     for (std::uint32_t item = 0; item < count; ++item)
     {
@@ -81,7 +96,8 @@ public:
       }
       this->order[item] = item;
     }
-    this->split(0, 0, boxOf, middle, monitor);
+    this->addBoxes(
+      0, 0, boxOf, monitor, [&](std::size_t node, int level) { this->split(node, level, middle); });
   }
 
   /// Nodes.
@@ -164,21 +180,55 @@ private:
     return static_cast<std::uint32_t>(std::uint64_t(this->count) * place >> level);
   }
 
-  template <class BoxOf>
-  void split(
-    std::size_t node, int level, const BoxOf& boxOf, const Buffer<double>& middle, Monitor& monitor)
+  void allocateBoxes()
+  {
+    while ((this->count >> this->levels) > LeafSize)
+    {
+      ++this->levels;
+    }
+    this->boxes.allocate((std::size_t(2) << this->levels) - 1);
+  }
+
+  /// The boxes of a node and of all below.
+  /// @param arrange void (std::size_t node, int level): before its halves are looked at
+  template <class BoxOf, class Arrange>
+  void addBoxes(
+    std::size_t node, int level, const BoxOf& boxOf, Monitor& monitor, const Arrange& arrange)
   {
     constexpr std::uint32_t WorthATask = 1 << 13;
     Box& box = this->boxes[node];
     box = Box();
-    std::uint32_t* const first = this->order.data() + this->beginOf(node, level);
-    std::uint32_t* const last = this->order.data() + this->beginOf(node + 1, level);
+    const std::uint32_t first = this->beginOf(node, level);
+    const std::uint32_t last = this->beginOf(node + 1, level);
     if (level == this->levels)
     {
-      std::for_each(first, last, [&](std::uint32_t item) { box.add(boxOf(item)); });
+      std::for_each(this->order.data() + first, this->order.data() + last,
+        [&](std::uint32_t item) { box.add(boxOf(item)); });
       return;
     }
     monitor.poll();
+    arrange(node, level);
+    const std::size_t children[2] = { 2 * node + 1, 2 * node + 2 };
+    const auto addChild = [&](int i)
+    { this->addBoxes(children[i], level + 1, boxOf, monitor, arrange); };
+    if (last - first > WorthATask)
+    {
+      threads::invoke([&] { addChild(0); }, [&] { addChild(1); });
+    }
+    else
+    {
+      addChild(0);
+      addChild(1);
+    }
+    box.add(this->boxes[children[0]]);
+    box.add(this->boxes[children[1]]);
+  }
+
+  /// Cut the items across their longest side.
+  void split(std::size_t node, int level, const Buffer<double>& middle)
+  {
+    std::uint32_t* const first = this->order.data() + this->beginOf(node, level);
+    std::uint32_t* const last = this->order.data() + this->beginOf(node + 1, level);
     const auto middleOf = [&](std::uint32_t item) { return middle.data() + 3 * std::size_t(item); };
     Box spread;
     std::for_each(first, last, [&](std::uint32_t item) { spread.add(middleOf(item)); });
@@ -187,27 +237,13 @@ private:
     {
       axis = spread.high[i] - spread.low[i] > spread.high[axis] - spread.low[axis] ? i : axis;
     }
-    const std::size_t children[2] = { 2 * node + 1, 2 * node + 2 };
-    std::nth_element(first, this->order.data() + this->beginOf(children[1], level + 1), last,
+    std::nth_element(first, this->order.data() + this->beginOf(2 * node + 2, level + 1), last,
       [&](std::uint32_t a, std::uint32_t b)
       {
         const double x = middleOf(a)[axis];
         const double y = middleOf(b)[axis];
         return x != y ? x < y : a < b;
       });
-    const auto splitChild = [&](int i)
-    { this->split(children[i], level + 1, boxOf, middle, monitor); };
-    if (last - first > WorthATask)
-    {
-      threads::invoke([&] { splitChild(0); }, [&] { splitChild(1); });
-    }
-    else
-    {
-      splitChild(0);
-      splitChild(1);
-    }
-    box.add(this->boxes[children[0]]);
-    box.add(this->boxes[children[1]]);
   }
 
   std::uint32_t count;

@@ -99,13 +99,12 @@ Dealing dealAtRandom(const Cloud& cloud, int blocks, int axes, std::uint64_t see
 }
 
 BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks,
-  const Options& options, const std::function<void(const char*, int)>& watch)
+  const Options& options, const std::function<BlockMessage(BlockMessage)>& carry)
 {
   std::vector<std::unique_ptr<BlockRun>> runs;
   std::vector<BlockMessage> introductions;
   for (int block = 0; block < blocks; ++block)
   {
-    watch("introduction", block);
     std::vector<std::int64_t> ids;
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
@@ -124,11 +123,10 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
         cloud[static_cast<std::size_t>(ids[i])].begin(), 3, points.places.begin() + 3 * i);
     }
     runs.push_back(std::make_unique<BlockRun>(shape, points, options));
-    introductions.push_back(runs.back()->introduction());
+    introductions.push_back(carry(runs.back()->introduction()));
   }
   for (int block = 0; block < blocks; ++block)
   {
-    watch("begin", block);
     runs[static_cast<std::size_t>(block)]->begin(introductions, block);
   }
 
@@ -139,7 +137,6 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     std::vector<std::map<int, BlockMessage>> questions;
     for (int block = 0; block < blocks; ++block)
     {
-      watch("ask", block);
       questions.push_back(runs[static_cast<std::size_t>(block)]->ask());
       anyAsked = anyAsked || !questions.back().empty();
     }
@@ -148,10 +145,9 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     {
       for (const auto& [to, message] : questions[static_cast<std::size_t>(block)])
       {
-        watch("answer", to);
-        const BlockMessage answer = runs[static_cast<std::size_t>(to)]->answer(message);
+        const BlockMessage answer =
+          carry(runs[static_cast<std::size_t>(to)]->answer(carry(message)));
         report.bytes += static_cast<std::int64_t>(message.size() + answer.size());
-        watch("take", block);
         runs[static_cast<std::size_t>(block)]->take(to, answer);
       }
     }
@@ -160,7 +156,6 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
   std::set<std::int64_t> ids;
   for (int block = 0; block < blocks; ++block)
   {
-    watch("finish", block);
     const BlockResult result = runs[static_cast<std::size_t>(block)]->finish();
     report.told.push_back(runs[static_cast<std::size_t>(block)]->pointsTold());
     report.dimension = result.cells.dimension;
@@ -171,6 +166,12 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     }
     report.cells.insert(report.cells.end(), cells.begin(), cells.end());
     const std::vector<std::int64_t> mine = listOf(result.cells.pointIds);
+    if (std::any_of(mine.begin(), mine.end(),
+          [&](std::int64_t id) { return id < 0 || id >= static_cast<std::int64_t>(cloud.size()); }))
+    {
+      report.fault = "a point is none of the cloud's"; // its id came in a message
+      return report;
+    }
     for (std::size_t i = 0; i < mine.size(); ++i)
     {
       const auto id = static_cast<std::size_t>(mine[i]);

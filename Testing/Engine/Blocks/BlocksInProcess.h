@@ -42,10 +42,10 @@ struct BlocksReport
   std::string fault;              ///< what is wrong with a single block's result
 };
 
-/// @param watch called before each step with its name and the block: it may throw
+/// @param carry what becomes of each message on its way
 BlocksReport runBlocks(
   BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks, const Options& options,
-  const std::function<void(const char*, int)>& watch = [](const char*, int) {});
+  const std::function<BlockMessage(BlockMessage)>& carry = [](BlockMessage m) { return m; });
 
 /// What differs from one run on all points; empty when nothing does.
 std::string differenceFromOneRun(

@@ -33,63 +33,10 @@ std::string fault(BlockShape shape, const Cloud& cloud, const Dealing& dealing, 
 {
   Options options;
   options.facets = facets;
+  options.threads = blocks % 2 + 1;
   return differenceFromOneRun(
     shape, cloud, runBlocks(shape, cloud, dealing, blocks, options), options);
 }
-
-/// Every shape that a kind's cloud has, each dealt in several ways.
-void expectSame(const Kind& kind, const Cloud& cloud)
-{
-  const bool isHull = kind.dimension == 3;
-  for (const BlockShape shape : { isHull ? BlockShape::Hull : BlockShape::RegularTriangulation,
-         isHull ? BlockShape::Hull : BlockShape::Delaunay })
-  {
-    const Cloud sites = shape == BlockShape::Delaunay ? withoutWeights(cloud) : cloud;
-    const int axes = isHull ? 3 : 2;
-    for (const int blocks : { 1, 2, 3, 5, 8 })
-    {
-      const FacetMode facets = blocks % 2 ? FacetMode::Polygons : FacetMode::Triangles;
-      EXPECT_EQ(fault(shape, sites, dealInHalves(sites, blocks, axes), blocks, facets), "")
-        << blocks << " blocks in halves";
-    }
-    EXPECT_EQ(fault(shape, sites, dealAtRandom(sites, 3, axes, 1), 3), "") << "at random";
-    EXPECT_EQ(fault(shape, sites, Dealing(sites.size(), 2), 4), "") << "all in one";
-    if (isHull)
-    {
-      break;
-    }
-  }
-}
-
-class BlocksOfFamilies : public ::testing::TestWithParam<FamilyOf>
-{
-};
-
-TEST_P(BlocksOfFamilies, AreOneRun)
-{
-  const FamilyOf& of = this->GetParam();
-  expectSame(*of.kind, of.kind->family(of.name, of.count, 1).make());
-}
-
-INSTANTIATE_TEST_SUITE_P(
-  Hulls, BlocksOfFamilies, ::testing::ValuesIn(familiesOf(convexHulls, { 700 })), Named());
-INSTANTIATE_TEST_SUITE_P(Triangulations, BlocksOfFamilies,
-  ::testing::ValuesIn(familiesOf(regularTriangulations, { 700 })), Named());
-
-class BlocksOfInputs : public ::testing::TestWithParam<InputOf>
-{
-};
-
-TEST_P(BlocksOfInputs, AreOneRun)
-{
-  const InputOf& of = this->GetParam();
-  expectSame(*of.kind, of.input.make());
-}
-
-INSTANTIATE_TEST_SUITE_P(
-  Hulls, BlocksOfInputs, ::testing::ValuesIn(inputsOf(convexHulls, smallSpecialInputs())), Named());
-INSTANTIATE_TEST_SUITE_P(Triangulations, BlocksOfInputs,
-  ::testing::ValuesIn(inputsOf(regularTriangulations, smallWeightedInputs())), Named());
 
 /// While it lives, samples are small: blocks know little of each other, and have to ask.
 class SmallSamples
@@ -107,6 +54,62 @@ public:
 private:
   const SampleSizes usual;
 };
+
+/// Every shape that a kind's cloud has, each dealt in several ways.
+void expectSame(const Kind& kind, const Cloud& cloud)
+{
+  const bool isHull = kind.dimension == 3;
+  const int axes = isHull ? 3 : 2;
+  std::vector<BlockShape> shapes = { BlockShape::RegularTriangulation, BlockShape::Delaunay };
+  if (isHull)
+  {
+    shapes = { BlockShape::Hull };
+  }
+  for (const BlockShape shape : shapes)
+  {
+    const Cloud sites = shape == BlockShape::Delaunay ? withoutWeights(cloud) : cloud;
+    for (const int blocks : { 1, 2, 5 })
+    {
+      const FacetMode facets = blocks == 2 ? FacetMode::Polygons : FacetMode::Triangles;
+      EXPECT_EQ(fault(shape, sites, dealInHalves(sites, blocks, axes), blocks, facets), "")
+        << blocks << " blocks in halves";
+    }
+    const SmallSamples small;
+    EXPECT_EQ(fault(shape, sites, dealInHalves(sites, 8, axes), 8), "") << "8 blocks in halves";
+    EXPECT_EQ(fault(shape, sites, dealAtRandom(sites, 3, axes, 1), 3), "") << "at random";
+    EXPECT_EQ(fault(shape, sites, Dealing(sites.size(), 2), 4), "") << "all in one";
+  }
+}
+
+class BlocksOfFamilies : public ::testing::TestWithParam<FamilyOf>
+{
+};
+
+TEST_P(BlocksOfFamilies, AreOneRun)
+{
+  const FamilyOf& of = this->GetParam();
+  expectSame(*of.kind, of.kind->family(of.name, of.count, 1).make());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Hulls, BlocksOfFamilies, ::testing::ValuesIn(familiesOf(convexHulls, { 400 })), Named());
+INSTANTIATE_TEST_SUITE_P(Triangulations, BlocksOfFamilies,
+  ::testing::ValuesIn(familiesOf(regularTriangulations, { 400 })), Named());
+
+class BlocksOfInputs : public ::testing::TestWithParam<InputOf>
+{
+};
+
+TEST_P(BlocksOfInputs, AreOneRun)
+{
+  const InputOf& of = this->GetParam();
+  expectSame(*of.kind, of.input.make());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Hulls, BlocksOfInputs, ::testing::ValuesIn(inputsOf(convexHulls, smallSpecialInputs())), Named());
+INSTANTIATE_TEST_SUITE_P(Triangulations, BlocksOfInputs,
+  ::testing::ValuesIn(inputsOf(regularTriangulations, smallWeightedInputs())), Named());
 
 /// Stops at the third failure.
 template <class Make>
