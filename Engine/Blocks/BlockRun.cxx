@@ -20,6 +20,7 @@
 #include "Blocks/Introduction.h"
 #include "Blocks/KnownSites.h"
 #include "Blocks/OpenFacets.h"
+#include "Finish/Measure.h"
 #include "Points/InsertionOrder.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
@@ -63,6 +64,8 @@ public:
   BlockMessage answer(const BlockMessage& questions) const;
   void take(int from, const BlockMessage& answers);
   BlockResult finish() const;
+  BlockMeasure measure(const BlockResult& result, const double* origin) const;
+  void sizeOf(const BlockMeasure& sum, double& volume, double& area) const;
   std::int64_t pointsTold() const { return this->known.foreignCount(); }
 
 private:
@@ -377,6 +380,50 @@ BlockResult BlockRun::Work::finish() const
   return result;
 }
 
+BlockMeasure BlockRun::Work::measure(const BlockResult& result, const double* origin) const
+{
+  const auto scaled = [this](const double* x)
+  {
+    BlockSite site{ { x[0], x[1], x[2] }, 0, 0 };
+    this->frame.scale(site.x);
+    return site;
+  };
+  const BlockSite from = scaled(origin);
+  const Measure shares(this->frame.range, this->frame.arithmetic.scaleExponent);
+  MeasureSums sums;
+  const CellComplex& complex = result.cells;
+  for (std::int64_t cell = 0; complex.dimension >= 2 && cell < complex.cellCount(); ++cell)
+  {
+    const auto corner = [&](std::int64_t k)
+    {
+      const auto point =
+        static_cast<std::size_t>(complex.connectivity[static_cast<std::size_t>(k)]);
+      return scaled(result.places.data() + 3 * point);
+    };
+    const std::int64_t begin = complex.cellBegin(cell);
+    for (std::int64_t k = begin + 2; k < complex.cellBegin(cell + 1); ++k)
+    {
+      shares.addTriangle(from.x, corner(begin).x, corner(k - 1).x, corner(k).x, sums);
+    }
+  }
+  return { { sums.volume.high, sums.volume.low, sums.area.high, sums.area.low } };
+}
+
+void BlockRun::Work::sizeOf(const BlockMeasure& sum, double& volume, double& area) const
+{
+  Hull hull;
+  hull.dimension = this->frame.dimension;
+  MeasureSums sums;
+  sums.volume = { sum.parts[0], sum.parts[1] };
+  sums.area = { sum.parts[2], sum.parts[3] };
+  if (hull.dimension >= 2)
+  {
+    Measure(this->frame.range, this->frame.arithmetic.scaleExponent).write(sums, hull);
+  }
+  volume = hull.volume;
+  area = hull.area;
+}
+
 BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& options)
   : work(withTypedErrors([&] { return std::make_unique<Work>(shape, points, options); }))
 {
@@ -412,6 +459,16 @@ void BlockRun::take(int from, const BlockMessage& answers)
 BlockResult BlockRun::finish()
 {
   return withTypedErrors([&] { return this->work->finish(); });
+}
+
+BlockMeasure BlockRun::measure(const BlockResult& result, const double* origin) const
+{
+  return withTypedErrors([&] { return this->work->measure(result, origin); });
+}
+
+void BlockRun::sizeOf(const BlockMeasure& sum, double& volume, double& area) const
+{
+  this->work->sizeOf(sum, volume, area);
 }
 
 std::int64_t BlockRun::pointsTold() const

@@ -56,6 +56,22 @@ struct BlockResult
   Buffer<std::int64_t> hiddenIds;
 };
 
+/// A block's share of a hull's volume and area, in integers: shares add up, in any order.
+struct BlockMeasure
+{
+  std::int64_t parts[4] = { 0, 0, 0, 0 };
+
+  /// Adds another block's.
+  BlockMeasure& operator+=(const BlockMeasure& other)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      this->parts[i] += other.parts[i];
+    }
+    return *this;
+  }
+};
+
 /// A block finds the cells around each of its points. The points of a block are triangulated
 /// together with a sample of all others. A cell is certain when no block has a point that is in
 /// conflict with it (inside its orthocircle; for a hull, above its plane). A block whose bounds say
@@ -105,6 +121,16 @@ public:
 
   /// The block's cells. With FacetMode::Polygons, one cell a facet.
   BlockResult finish();
+
+  /// The share of the block's cells in a hull's volume and area.
+  /// @param result of finish()
+  /// @param origin x, y, z of the point of lowest id in the results of all blocks
+  BlockMeasure measure(const BlockResult& result, const double* origin) const;
+
+  /// The volume and the area of the hull, with the bits that one run on all points gives. Every
+  /// block has the same answer, after begin().
+  /// @param sum of all blocks' measures
+  void sizeOf(const BlockMeasure& sum, double& volume, double& area) const;
 
   /// Points of other blocks that this one was told: those of the sample, and those of answers.
   std::int64_t pointsTold() const;

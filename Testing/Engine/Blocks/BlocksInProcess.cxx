@@ -154,9 +154,11 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
   }
 
   std::set<std::int64_t> ids;
+  std::vector<BlockResult> results;
   for (int block = 0; block < blocks; ++block)
   {
-    const BlockResult result = runs[static_cast<std::size_t>(block)]->finish();
+    results.push_back(runs[static_cast<std::size_t>(block)]->finish());
+    const BlockResult& result = results.back();
     report.told.push_back(runs[static_cast<std::size_t>(block)]->pointsTold());
     report.dimension = result.cells.dimension;
     const std::vector<Cell> cells = cellsOf(result.cells);
@@ -204,6 +206,16 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     report.hidden.insert(report.hidden.end(), hidden.begin(), hidden.end());
   }
   report.ids.assign(ids.begin(), ids.end());
+  if (shape == BlockShape::Hull && !ids.empty())
+  {
+    BlockMeasure sum;
+    for (std::size_t block = 0; block < results.size(); ++block)
+    {
+      sum +=
+        runs[block]->measure(results[block], cloud[static_cast<std::size_t>(*ids.begin())].data());
+    }
+    runs.back()->sizeOf(sum, report.volume, report.area);
+  }
   std::sort(report.cells.begin(), report.cells.end());
   std::sort(report.hidden.begin(), report.hidden.end());
   return report;
@@ -218,11 +230,16 @@ std::string differenceFromOneRun(
   }
   CellComplex one;
   std::vector<std::int64_t> hidden;
+  std::ostringstream words;
   if (shape == BlockShape::Hull)
   {
     const Hull hull = convexHull(viewOf(cloud), options);
     copyCells(hull, one);
     hidden = report.hidden;
+    if (hull.volume != report.volume || hull.area != report.area)
+    {
+      words << "another volume or area; ";
+    }
   }
   else
   {
@@ -231,7 +248,6 @@ std::string differenceFromOneRun(
     copyCells(whole, one);
     hidden = listOf(whole.hiddenIds);
   }
-  std::ostringstream words;
   const std::vector<Cell> cells = cellsOf(one);
   if (one.dimension != report.dimension)
   {

@@ -36,6 +36,7 @@ struct BlocksReport
   std::vector<std::int64_t> ids; ///< of all cells' points, sorted
   std::vector<std::int64_t> hidden;
   int dimension = -1;
+  double volume = 0, area = 0; ///< of a hull
   int rounds = 0;
   std::vector<std::int64_t> told; ///< points that each block was told
   std::int64_t bytes = 0;         ///< of all messages but introductions
