@@ -53,9 +53,10 @@ BlockFrame::BlockFrame(
       site.block = static_cast<std::int64_t>(block);
       this->sample.push_back(site);
     }
-    for (const Box& box : introduction.boxes)
+    for (BlockPatch patch : introduction.patches)
     {
-      this->boxes.push_back({ box, static_cast<int>(block) });
+      patch.block = static_cast<std::int64_t>(block);
+      this->patches.push_back(patch);
     }
     include(introduction.range, this->range);
   }
@@ -75,11 +76,17 @@ BlockFrame::BlockFrame(
     this->scale(site.x);
     ensure(this->holds(site.x));
   }
-  for (BlockBox& box : this->boxes)
+  for (BlockPatch& patch : this->patches)
   {
-    this->scale(box.box.low);
-    this->scale(box.box.high);
-    ensure(isFinite(box.box.low) && isFinite(box.box.high));
+    for (double* const x : { patch.box.low, patch.box.high, patch.origin })
+    {
+      this->scale(x);
+      ensure(isFinite(x));
+    }
+    for (double* const x : { &patch.low, &patch.high, &patch.radius })
+    {
+      *x = std::ldexp(*x, this->arithmetic.scaleExponent);
+    }
   }
   this->dimension = cellsOf(this->shape, this->sample, quiet(options)).dimension;
 }

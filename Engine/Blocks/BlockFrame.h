@@ -6,7 +6,7 @@
 #ifndef flipflop_BlockFrame_h
 #define flipflop_BlockFrame_h
 
-#include "Blocks/BlockReach.h"
+#include "Blocks/BlockPatch.h"
 #include "Blocks/BlockSite.h"
 #include "Blocks/ConflictBound.h"
 #include "Points/CoordinateRange.h"
@@ -57,9 +57,9 @@ public:
   BlockShape shape = BlockShape::Hull;
   int dimension = -1; ///< of what all points span
   Arithmetic arithmetic;
-  CoordinateRange range{};       ///< of all points, scaled
-  std::vector<BlockSite> sample; ///< of all blocks, scaled, ascending by id
-  std::vector<BlockBox> boxes;   ///< of all blocks' other points, scaled
+  CoordinateRange range{};         ///< of all points, scaled
+  std::vector<BlockSite> sample;   ///< of all blocks, scaled, ascending by id
+  std::vector<BlockPatch> patches; ///< of all blocks' other points, scaled
 };
 
 }

@@ -5,6 +5,7 @@
 #ifndef flipflop_BlockReach_h
 #define flipflop_BlockReach_h
 
+#include "Blocks/BlockPatch.h"
 #include "Blocks/ConflictBound.h"
 #include "Query/BoxTree.h"
 #include "Support/Monitor.h"
@@ -21,44 +22,37 @@
 namespace flipflop
 {
 
-/// A box of points that a block has; in the plane, the third axis has the heaviest weight.
-struct BlockBox
-{
-  Box box;
-  int block;
-};
-
 class BlockReach
 {
 public:
-  /// @param all      boxes of all blocks
+  /// @param all      patches of all blocks' points
   /// @param self     the block whose facets are asked for
   /// @param isLifted the third coordinate is a weight
-  BlockReach(const std::vector<BlockBox>& all, int self, bool isLifted, Monitor& monitor)
+  BlockReach(const std::vector<BlockPatch>& all, int self, bool isLifted, Monitor& monitor)
   {
-    for (const BlockBox& box : all)
+    for (const BlockPatch& patch : all)
     {
-      if (box.block == self)
+      if (patch.block == self)
       {
-        this->rectangle.add(box.box);
+        this->rectangle.add(patch.box);
       }
       else
       {
-        this->boxes.push_back(box);
-        this->heaviest = std::max(this->heaviest, box.box.high[2]);
+        this->patches.push_back(patch);
+        this->heaviest = std::max(this->heaviest, patch.box.high[2]);
       }
     }
-    if (this->boxes.empty())
+    if (this->patches.empty())
     {
       return;
     }
     this->tree.emplace(
-      static_cast<std::uint32_t>(this->boxes.size()),
-      [this](std::uint32_t i) { return this->boxes[i].box; }, monitor);
+      static_cast<std::uint32_t>(this->patches.size()),
+      [this](std::uint32_t i) { return this->patches[i].box; }, monitor);
     // Blocks of a k-d tree lie side by side: what stays within its own rectangle needs no search.
-    this->liesApart = isLifted && this->boxes.size() < all.size() &&
-      std::none_of(this->boxes.begin(), this->boxes.end(),
-        [this](const BlockBox& other) { return this->entersRectangle(other.box); });
+    this->liesApart = isLifted && this->patches.size() < all.size() &&
+      std::none_of(this->patches.begin(), this->patches.end(),
+        [this](const BlockPatch& other) { return this->entersRectangle(other.box); });
   }
 
   /// Is there none?
@@ -131,10 +125,10 @@ private:
       }
       for (std::uint32_t i = this->tree->begin(node); i < this->tree->end(node); ++i)
       {
-        const BlockBox& box = this->boxes[this->tree->item(i)];
-        const double most = bound.most(box.box);
+        const BlockPatch& patch = this->patches[this->tree->item(i)];
+        const double most = bound.most(patch);
         constexpr double unknown = std::numeric_limits<double>::infinity();
-        if (!(most < 0) && use(box.block, most == most ? most : unknown))
+        if (!(most < 0) && use(static_cast<int>(patch.block), most == most ? most : unknown))
         {
           return true;
         }
@@ -143,7 +137,7 @@ private:
     return false;
   }
 
-  std::vector<BlockBox> boxes;
+  std::vector<BlockPatch> patches;
   std::optional<BoxTree> tree;
   Box rectangle;
   double heaviest = -std::numeric_limits<double>::infinity();

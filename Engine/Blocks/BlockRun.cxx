@@ -69,7 +69,6 @@ public:
   std::int64_t pointsTold() const { return this->known.foreignCount(); }
 
 private:
-  std::vector<BlockSite> ownAlongCurve();
   CellComplex run(const std::vector<BlockSite>& sites, const Options& choices);
   CellComplex runOn(std::vector<SiteHandle>& members);
   std::map<int, BlockMessage> gather();
@@ -101,7 +100,49 @@ private:
 namespace
 {
 
-std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points)
+/// Points near each other come near each other, those of one place by id.
+std::vector<BlockSite> alongCurve(
+  BlockShape shape, const std::vector<BlockSite>& sites, const Options& options)
+{
+  std::vector<BlockSite> sorted(sites.size());
+  if (sites.empty())
+  {
+    return sorted;
+  }
+  Box box;
+  for (const BlockSite& site : sites)
+  {
+    box.add(site.x);
+  }
+  double middle[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    middle[i] = 0.5 * box.low[i] + 0.5 * box.high[i];
+  }
+  constexpr double Identity[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  Buffer<double> places(3 * sites.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    places[i] = sites[i / 3].x[i % 3] + 0.0; // a curve around the origin tells -0 from 0
+  }
+  const PointView view(places.data(), static_cast<std::int64_t>(sites.size()));
+  requireValid(view, 3);
+  runOver(sites.size(), quiet(options),
+    [&](Monitor& monitor)
+    {
+      PointSubset all;
+      all.count = static_cast<std::uint32_t>(sites.size());
+      const Buffer<std::uint32_t> order = curveOrder(PointSource(view), all,
+        shape == BlockShape::Hull ? Unfolding(middle, Identity) : Unfolding(), monitor);
+      for (std::size_t i = 0; i < sorted.size(); ++i)
+      {
+        sorted[i] = sites[order[i]];
+      }
+    });
+  return sorted;
+}
+
+std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points, const Options& options)
 {
   if (points.places.size() != 3 * points.ids.size())
   {
@@ -117,8 +158,12 @@ std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points)
     }
     const double third = shape == BlockShape::Delaunay ? 0.0 : x[2];
     sites[i] = { { x[0], x[1], third }, points.ids[i], NoBlock };
+    if (!isFinite(sites[i].x))
+    {
+      throw Error(ErrorCode::NonFinite, static_cast<std::int64_t>(i), 1);
+    }
   }
-  return sites;
+  return alongCurve(shape, sites, options);
 }
 
 }
@@ -126,7 +171,7 @@ std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points)
 BlockRun::Work::Work(BlockShape ofShape, const BlockPoints& points, const Options& chosen)
   : shape(ofShape)
   , options(chosen)
-  , ownSites(sitesOf(ofShape, points))
+  , ownSites(sitesOf(ofShape, points, this->options))
   , ownCount(static_cast<std::int64_t>(points.ids.size()))
   , own(ofShape, this->ownSites, this->options)
 {
@@ -141,7 +186,13 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int n
   {
     return;
   }
-  std::vector<BlockSite> all = this->ownAlongCurve();
+  std::vector<BlockSite> all = std::move(this->ownSites);
+  for (BlockSite& site : all)
+  {
+    site.block = this->self;
+    this->frame.scale(site.x);
+    ensure(this->frame.holds(site.x));
+  }
   std::copy_if(this->frame.sample.begin(), this->frame.sample.end(), std::back_inserter(all),
     [this](const BlockSite& site) { return site.block != this->self; });
   if (this->frame.isLifted() && this->frame.dimension == 1)
@@ -174,46 +225,11 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int n
     [&](Monitor& monitor)
     {
       this->reach = std::make_unique<BlockReach>(
-        this->frame.boxes, this->self, this->frame.isLifted(), monitor);
+        this->frame.patches, this->self, this->frame.isLifted(), monitor);
     });
   this->facets = std::make_unique<OpenFacets>(
     this->frame, *this->reach, this->options, this->known, this->cells);
   this->facets->begin(complex);
-}
-
-/// The block's points, scaled, those near each other near each other in memory; points of one place
-/// stay in the order of their ids.
-std::vector<BlockSite> BlockRun::Work::ownAlongCurve()
-{
-  for (BlockSite& site : this->ownSites)
-  {
-    site.block = this->self;
-    this->frame.scale(site.x);
-    ensure(this->frame.holds(site.x));
-  }
-  const PointView view = viewOf(this->ownSites);
-  const CoordinateRange& range = this->frame.range;
-  double middle[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    middle[i] = 0.5 * range.low[i] + 0.5 * range.high[i];
-  }
-  constexpr double Identity[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  std::vector<BlockSite> sorted(this->ownSites.size());
-  runOver(sorted.size(), quiet(this->options),
-    [&](Monitor& monitor)
-    {
-      PointSubset allOfThem;
-      allOfThem.count = static_cast<std::uint32_t>(sorted.size());
-      const Buffer<std::uint32_t> order = curveOrder(PointSource(view), allOfThem,
-        this->frame.isLifted() ? Unfolding() : Unfolding(middle, Identity), monitor);
-      for (std::size_t i = 0; i < sorted.size(); ++i)
-      {
-        sorted[i] = this->ownSites[order[i]];
-      }
-    });
-  this->ownSites = std::vector<BlockSite>();
-  return sorted;
 }
 
 CellComplex BlockRun::Work::run(const std::vector<BlockSite>& sites, const Options& choices)

@@ -15,6 +15,7 @@
 #ifndef flipflop_ConflictBound_h
 #define flipflop_ConflictBound_h
 
+#include "Blocks/BlockPatch.h"
 #include "Query/BoxTree.h"
 
 #include <algorithm>
@@ -84,6 +85,35 @@ public:
       this->addAxis(i, box.low[i] - this->origin[i], box.high[i] - this->origin[i], sum, size);
     }
     return sum + SumError * size + this->underflow;
+  }
+
+  /// The same for a patch.
+  double most(const BlockPatch& patch) const
+  {
+    const double inBox = this->most(patch.box);
+    if (inBox < 0 || (patch.normal[0] == 0 && patch.normal[1] == 0 && patch.normal[2] == 0))
+    {
+      return inBox;
+    }
+    // n . (p - a) = n . (o - a) + b m . (p - o) + (n - b m) . (p - o), where m is the slab's
+    // normal.
+    const double along = this->slope[0] * patch.normal[0] + this->slope[1] * patch.normal[1] +
+      this->slope[2] * patch.normal[2];
+    double sum = 0, size = 0, rest = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double d = patch.origin[i] - this->origin[i];
+      const double across = this->slope[i] - along * patch.normal[i];
+      sum += this->slope[i] * d;
+      size += (this->error[i] + TermError * std::fabs(this->slope[i])) *
+        (std::fabs(d) + 4 * patch.radius);
+      rest += across * across;
+    }
+    const double low = along * patch.low;
+    const double high = along * patch.high;
+    // Where a term is no number, so is the sum.
+    return sum + (low > high ? low : high) + 0 * (low + high) +
+      std::sqrt(rest) * patch.radius * (1 + TermError) + 2 * size + this->underflow;
   }
 
   /// Can the plane outside of a rectangle have a point in conflict, if no weight is above a bound?

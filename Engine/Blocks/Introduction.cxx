@@ -120,13 +120,16 @@ std::set<std::size_t> representatives(
   return first;
 }
 
-/// The boxes of points in the cells of a grid over all.
-std::vector<Box> boxesOf(BlockShape shape, const std::vector<BlockSite>& sites,
-  const std::set<std::size_t>& without, const CoordinateRange& range)
+/// Of all points but the sample: stretches of their order.
+std::vector<BlockPatch> patchesOf(
+  BlockShape shape, const std::vector<BlockSite>& sites, const std::set<std::size_t>& without)
 {
-  const int axes = shape == BlockShape::Hull ? 3 : 2;
-  constexpr int cells[4] = { 0, 0, 4, 3 }; // along each axis
-  std::vector<Box> boxes(64);
+  // More on surfaces, where what is near a patch cannot be told from what is above it.
+  constexpr std::size_t PointsEach = 8;
+  const bool isLifted = shape != BlockShape::Hull;
+  const std::size_t most = isLifted ? 64 : 512;
+  std::vector<BlockSite> others;
+  others.reserve(sites.size());
   auto next = without.begin();
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
@@ -135,22 +138,16 @@ std::vector<Box> boxesOf(BlockShape shape, const std::vector<BlockSite>& sites,
       ++next;
       continue;
     }
-    std::size_t cell = 0;
-    for (int axis = 0; axis < axes; ++axis)
-    {
-      // Half as large, so that no extent overflows. What is not a number is in the first.
-      const double low = 0.5 * range.low[axis];
-      const double share = (0.5 * sites[i].x[axis] - low) / (0.5 * range.high[axis] - low);
-      const int most = cells[axes] - 1;
-      const int along = share > 0 ? std::min(most, static_cast<int>(share * cells[axes])) : 0;
-      cell = 4 * cell + static_cast<std::size_t>(along);
-    }
-    boxes[cell].add(sites[i].x);
+    others.push_back(sites[i]);
   }
-  boxes.erase(std::remove_if(boxes.begin(), boxes.end(),
-                [](const Box& box) { return box.low[0] > box.high[0]; }),
-    boxes.end());
-  return boxes;
+  const std::size_t count = std::min(most, (others.size() + PointsEach - 1) / PointsEach);
+  std::vector<BlockPatch> patches;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    patches.emplace_back(others.data() + others.size() * k / count,
+      others.data() + others.size() * (k + 1) / count, isLifted);
+  }
+  return patches;
 }
 
 }
@@ -164,7 +161,8 @@ Introduction::Introduction(
   }
   const Span span = spanOf(shape, sites, options);
   std::set<std::size_t> chosen(span.ids, span.ids + span.dimension + 1);
-  chosen.insert(0);
+  chosen.insert(static_cast<std::size_t>(
+    std::min_element(sites.begin(), sites.end(), hasLowerId) - sites.begin()));
   chosen.insert(static_cast<std::size_t>(
     std::min_element(sites.begin(), sites.end(), isPlacedBefore) - sites.begin()));
   addExtremes(shape, sites, chosen);
@@ -182,6 +180,7 @@ Introduction::Introduction(
   {
     this->sample.push_back(sites[i]);
   }
+  std::sort(this->sample.begin(), this->sample.end(), hasLowerId);
   for (const BlockSite& site : sites)
   {
     for (int i = 0; i < 3; ++i)
@@ -193,7 +192,7 @@ Introduction::Introduction(
         magnitude > 0 ? std::min(this->range.smallest[i], magnitude) : this->range.smallest[i];
     }
   }
-  this->boxes = boxesOf(shape, sites, chosen, this->range);
+  this->patches = patchesOf(shape, sites, chosen);
 }
 
 Introduction::Introduction(const BlockMessage& message)
@@ -201,8 +200,8 @@ Introduction::Introduction(const BlockMessage& message)
   MessageReader reader(message);
   this->range = reader.take<CoordinateRange>();
   this->sample = reader.takeAll<BlockSite>();
-  this->boxes = reader.takeAll<Box>();
-  ensure(reader.atEnd() && (!this->sample.empty() || this->boxes.empty()));
+  this->patches = reader.takeAll<BlockPatch>();
+  ensure(reader.atEnd() && (!this->sample.empty() || this->patches.empty()));
   if (this->sample.empty())
   {
     this->range = emptyRange();
@@ -224,7 +223,7 @@ BlockMessage Introduction::message() const
   MessageWriter writer;
   writer.add(this->range);
   writer.addAll(this->sample);
-  writer.addAll(this->boxes);
+  writer.addAll(this->patches);
   return std::move(writer.message);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all blocks know of one: a sample of its points, and boxes of the others.
+/// What all blocks know of one: a sample of its points, and where the others are.
 ///
 /// The sample makes the cells that a block finds first about as large as those of all points at
 /// that place, so few reach far: extreme points in some directions, the heaviest ones, some
@@ -9,9 +9,9 @@
 #ifndef flipflop_Introduction_h
 #define flipflop_Introduction_h
 
+#include "Blocks/BlockPatch.h"
 #include "Blocks/BlockSite.h"
 #include "Points/CoordinateRange.h"
-#include "Query/BoxTree.h"
 #include <flipflop/BlockRun.h>
 #include <flipflop/Options.h>
 
@@ -57,13 +57,15 @@ inline SampleSizes& sampleSizes()
 
 struct Introduction
 {
-  std::vector<BlockSite> sample; ///< ascending by id
-  std::vector<Box> boxes;        ///< of all points but those; the third axis has z, or weights
+  std::vector<BlockSite> sample;   ///< ascending by id
+  std::vector<BlockPatch> patches; ///< of all points but those
   CoordinateRange range = emptyRange();
 
   Introduction() = default;
 
-  /// @param sites of the block, ascending by id
+  /// @param sites of the block, those near each other near each other in their order, those of one
+  /// place
+  ///              by id
   Introduction(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options);
 
   explicit Introduction(const BlockMessage& message);

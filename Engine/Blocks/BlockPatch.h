@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where some points of a block are: a box, and, on a surface in space, a slab along the surface.
+///
+/// A tangent plane of a surface passes well above a patch of it some way off, but it cuts the
+/// patch's box. The slab is as thin as the patch is flat.
+#ifndef flipflop_BlockPatch_h
+#define flipflop_BlockPatch_h
+
+#include "Blocks/BlockSite.h"
+#include "Query/BoxTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace flipflop
+{
+
+struct BlockPatch
+{
+  Box box;                        ///< in the plane, the third axis has the weights
+  double origin[3] = { 0, 0, 0 }; ///< of the slab
+  double normal[3] = { 0, 0, 0 }; ///< about a unit long; zero: there is no slab
+  double low = 0, high = 0;       ///< normal * (p - origin) is between these for each point p
+  double radius = 0;              ///< no point is further from the origin
+  std::int64_t block = 0;
+
+  BlockPatch() = default;
+
+  /// @param sites of the patch, one at least
+  BlockPatch(const BlockSite* begin, const BlockSite* end, bool isLifted)
+  {
+    for (const BlockSite* site = begin; site != end; ++site)
+    {
+      this->box.add(site->x);
+    }
+    if (!isLifted)
+    {
+      this->addSlab(begin, end);
+    }
+  }
+
+private:
+  struct Vector
+  {
+    double x[3];
+  };
+
+  static Vector between(const double* from, const double* to)
+  {
+    return { { to[0] - from[0], to[1] - from[1], to[2] - from[2] } };
+  }
+
+  static double length(const Vector& v)
+  {
+    return std::sqrt(v.x[0] * v.x[0] + v.x[1] * v.x[1] + v.x[2] * v.x[2]);
+  }
+
+  static Vector cross(const Vector& u, const Vector& v)
+  {
+    return { { u.x[1] * v.x[2] - u.x[2] * v.x[1], u.x[2] * v.x[0] - u.x[0] * v.x[2],
+      u.x[0] * v.x[1] - u.x[1] * v.x[0] } };
+  }
+
+  /// Along three points that are far apart. Any normal is right; a good one makes the slab thin.
+  void addSlab(const BlockSite* begin, const BlockSite* end)
+  {
+    const auto furthest = [&](const auto& distance)
+    {
+      return std::max_element(begin, end,
+        [&](const BlockSite& a, const BlockSite& b) { return distance(a) < distance(b); });
+    };
+    const BlockSite* const second =
+      furthest([&](const BlockSite& site) { return length(between(begin->x, site.x)); });
+    Vector along = between(begin->x, second->x);
+    const double extent = length(along);
+    for (double& x : along.x)
+    {
+      x /= extent;
+    }
+    const BlockSite* const third = furthest(
+      [&](const BlockSite& site) { return length(cross(along, between(begin->x, site.x))); });
+    const Vector n = cross(along, between(begin->x, third->x));
+    const double size = length(n);
+    if (!(size > 0) || !std::isfinite(extent))
+    {
+      return; // a point, a line, or numbers that overflow
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      this->origin[i] = 0.5 * this->box.low[i] + 0.5 * this->box.high[i];
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      this->normal[i] = n.x[i] / size;
+    }
+    for (const BlockSite* site = begin; site != end; ++site)
+    {
+      const Vector d = between(this->origin, site->x);
+      const double t =
+        this->normal[0] * d.x[0] + this->normal[1] * d.x[1] + this->normal[2] * d.x[2];
+      this->low = std::min(this->low, t);
+      this->high = std::max(this->high, t);
+      this->radius = std::max(this->radius, length(d));
+    }
+    // Each sum passes fewer than eight roundings.
+    constexpr double Unit = 1.1102230246251565e-16;
+    this->radius *= 1 + 16 * Unit;
+    this->low -= 16 * Unit * this->radius;
+    this->high += 16 * Unit * this->radius;
+  }
+};
+
+}
+
+#endif
