@@ -17,25 +17,40 @@ void BlockCells::add(const std::vector<SiteHandle>& cell)
   this->ends.push_back(this->corners.size());
 }
 
-void BlockCells::write(
-  const KnownSites& known, const BlockFrame& frame, FacetMode facets, BlockResult& result) const
+/// The block's own points are in order by their ranks; the others are few.
+std::vector<SiteHandle> BlockCells::usedById(const KnownSites& known) const
 {
   std::vector<std::uint8_t> isUsed(known.size(), 0);
   for (const SiteHandle handle : this->corners)
   {
     isUsed[handle] = 1;
   }
-  std::vector<SiteHandle> used;
+  std::vector<SiteHandle> byRank(known.ownCount(), NoIndex);
+  std::vector<SiteHandle> foreign;
   for (SiteHandle handle = 0; handle < known.size(); ++handle)
   {
-    if (isUsed[handle])
+    if (isUsed[handle] && known.isOwn(handle))
     {
-      used.push_back(handle);
+      byRank[known[handle].rank] = handle;
+    }
+    else if (isUsed[handle])
+    {
+      foreign.push_back(handle);
     }
   }
-  threads::sort(
-    used.begin(), used.end(), [&](SiteHandle a, SiteHandle b) { return known.hasLowerId(a, b); });
+  byRank.erase(std::remove(byRank.begin(), byRank.end(), NoIndex), byRank.end());
+  const auto hasLowerId = [&](SiteHandle a, SiteHandle b) { return known.hasLowerId(a, b); };
+  std::sort(foreign.begin(), foreign.end(), hasLowerId);
+  std::vector<SiteHandle> used(byRank.size() + foreign.size());
+  std::merge(
+    byRank.begin(), byRank.end(), foreign.begin(), foreign.end(), used.begin(), hasLowerId);
+  return used;
+}
 
+void BlockCells::write(
+  const KnownSites& known, const BlockFrame& frame, FacetMode facets, BlockResult& result) const
+{
+  const std::vector<SiteHandle> used = this->usedById(known);
   result.cells.pointIds.allocate(used.size());
   result.places.allocate(3 * used.size());
   result.blocks.allocate(used.size());

@@ -40,6 +40,7 @@ public:
     const KnownSites& known, const BlockFrame& frame, FacetMode facets, BlockResult& result) const;
 
 private:
+  std::vector<SiteHandle> usedById(const KnownSites& known) const;
   void writeConnectivity(
     const std::vector<std::uint32_t>& indexOf, std::size_t points, CellComplex& cells) const;
 

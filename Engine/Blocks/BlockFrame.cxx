@@ -50,7 +50,7 @@ BlockFrame::BlockFrame(
     const Introduction introduction(introductions[block]);
     for (BlockSite site : introduction.sample)
     {
-      site.block = static_cast<std::int64_t>(block);
+      site.block = static_cast<std::int32_t>(block);
       this->sample.push_back(site);
     }
     for (BlockPatch patch : introduction.patches)
@@ -133,7 +133,7 @@ BlockSite BlockFrame::besideLine() const
     [u](const BlockSite& site) { return site.x[0] != u[0] || site.x[1] != u[1]; });
   ensure(other != this->sample.end());
   const double* const v = other->x;
-  BlockSite beside{ { u[0], u[1], u[2] }, NoBlockId, NoBlock };
+  BlockSite beside{ { u[0], u[1], u[2] }, NoBlockId, NoBlock, 0 };
   // The line has no other point with the x of u; or, if it is upright, none with the y of u. Its
   // new coordinate is one that a point has, so the arithmetic stays what it is.
   const int axis = u[0] != v[0] ? 1 : 0;

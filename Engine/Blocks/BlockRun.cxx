@@ -157,7 +157,7 @@ std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points, cons
       throw Error(ErrorCode::BadArgument, static_cast<std::int64_t>(i));
     }
     const double third = shape == BlockShape::Delaunay ? 0.0 : x[2];
-    sites[i] = { { x[0], x[1], third }, points.ids[i], NoBlock };
+    sites[i] = { { x[0], x[1], third }, points.ids[i], NoBlock, static_cast<std::uint32_t>(i) };
     if (!isFinite(sites[i].x))
     {
       throw Error(ErrorCode::NonFinite, static_cast<std::int64_t>(i), 1);
@@ -400,7 +400,7 @@ BlockMeasure BlockRun::Work::measure(const BlockResult& result, const double* or
 {
   const auto scaled = [this](const double* x)
   {
-    BlockSite site{ { x[0], x[1], x[2] }, 0, 0 };
+    BlockSite site{ { x[0], x[1], x[2] }, 0, NoBlock, 0 };
     this->frame.scale(site.x);
     return site;
   };

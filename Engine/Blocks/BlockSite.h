@@ -26,11 +26,12 @@ struct BlockSite
 {
   double x[3];        ///< x, y, and z or the weight
   std::int64_t id;    ///< over all blocks
-  std::int64_t block; ///< that has it
+  std::int32_t block; ///< that has it
+  std::uint32_t rank; ///< among the ids of its block
 };
 
 /// BlockSite::block of a point that no block has.
-constexpr std::int64_t NoBlock = -1;
+constexpr std::int32_t NoBlock = -1;
 
 /// BlockSite::id of a point that is no input: behind all.
 constexpr std::int64_t NoBlockId = std::numeric_limits<std::int64_t>::max();

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <set>
+#include <utility>
 
 namespace flipflop
 {
@@ -65,18 +66,28 @@ void addExtremes(
     const double angle = 2 * 3.14159265358979323846 * k / sampleSizes().planeDirections;
     directions.push_back({ std::cos(angle), std::sin(angle), 0.0 });
   }
-  for (const std::array<double, 3>& direction : directions)
+  std::vector<std::pair<double, std::size_t>> furthest(directions.size(), { -HUGE_VAL, 0 });
+  constexpr std::size_t InCache = 512;
+  for (std::size_t begin = 0; begin < sites.size(); begin += InCache)
   {
-    std::size_t furthest = 0;
-    double most = -HUGE_VAL;
-    for (std::size_t i = 0; i < sites.size(); ++i)
+    const std::size_t end = std::min(sites.size(), begin + InCache);
+    for (std::size_t k = 0; k < directions.size(); ++k)
     {
-      const double* const x = sites[i].x;
-      const double along = direction[0] * x[0] + direction[1] * x[1] + direction[2] * x[2];
-      furthest = along > most ? i : furthest;
-      most = std::max(most, along);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const double* const x = sites[i].x;
+        const double along =
+          directions[k][0] * x[0] + directions[k][1] * x[1] + directions[k][2] * x[2];
+        if (along > furthest[k].first)
+        {
+          furthest[k] = { along, i };
+        }
+      }
     }
-    sample.insert(furthest);
+  }
+  for (const auto& [along, i] : furthest)
+  {
+    sample.insert(i);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <flipflop/Error.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
@@ -60,6 +61,8 @@ public:
   SiteHandle size() const { return static_cast<SiteHandle>(this->sites.size()); }
   const std::vector<BlockSite>& all() const { return this->sites; }
   bool isOwn(SiteHandle handle) const { return (*this)[handle].block == this->self; }
+
+  std::size_t ownCount() const { return this->sites.size() - this->foreign.size(); }
 
   /// Points of other blocks.
   std::int64_t foreignCount() const { return static_cast<std::int64_t>(this->foreign.size()); }
