@@ -514,9 +514,9 @@ private:
   std::set<Ring> given; ///< sorted pieces, lest one go round and round
 };
 
-}
-
-void repairCells(RoundedCells& cells, const double* box, Monitor& monitor)
+/// Those that are not convex.
+/// @throw Error BadArgument for one that turns over by more than rounding explains
+std::vector<Index> brokenCells(const RoundedCells& cells, const double* box, Monitor& monitor)
 {
   const PlanarRings plane(cells.positions);
   const BoxScale scale(box);
@@ -550,6 +550,19 @@ void repairCells(RoundedCells& cells, const double* box, Monitor& monitor)
   {
     broken.insert(broken.end(), list.begin(), list.end());
   }
+  return broken;
+}
+
+}
+
+bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor)
+{
+  return brokenCells(cells, box, monitor).empty();
+}
+
+void repairCells(RoundedCells& cells, const double* box, Monitor& monitor)
+{
+  const std::vector<Index> broken = brokenCells(cells, box, monitor);
   if (!broken.empty())
   {
     CellRepair(cells, box, monitor).run(broken);

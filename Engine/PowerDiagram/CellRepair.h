@@ -23,6 +23,11 @@ struct RoundedCells
   std::vector<std::int64_t> ids;      ///< of the cells' sites
 };
 
+/// Is every cell convex, so that nothing is to be mended?
+/// @param cells    as rounded; those around them may be missing
+/// @param box      as for repairCells
+bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor);
+
 /// Make every cell a simple polygon, counter-clockwise, so that the cells fill the box exactly; for
 /// the means see PowerDiagram. Where every cell is convex already, nothing changes; else corners
 /// are numbered anew, in order of first use.

@@ -8,7 +8,7 @@
 #include "Points/Vertex.h"
 #include "Support/BucketSort.h"
 #include "Support/Parallel.h"
-#include <flipflop/Triangulation.h>
+#include <flipflop/CellComplex.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace flipflop
 class FacetRings
 {
 public:
-  explicit FacetRings(const Triangulation& triangulation)
+  explicit FacetRings(const CellComplex& triangulation)
     : t(triangulation)
     , facets(t.cellSize > 0 ? 0 : t.connectivity.size())
     , ofSite(t.pointIds.size())
@@ -181,7 +181,7 @@ private:
     return static_cast<std::uint32_t>(this->t.connectivity[static_cast<std::size_t>(h)]);
   }
 
-  const Triangulation& t;
+  const CellComplex& t;
   Buffer<std::uint32_t> facets; ///< of each half-edge, where sizes differ
   Buffer<Around> ofSite;        ///< in leaving: ascending half-edges
   Buffer<Leaving> leaving;      ///< site by site

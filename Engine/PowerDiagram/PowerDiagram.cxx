@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -33,7 +34,7 @@ using Index = std::uint32_t;
 
 /// The power center of a facet: from the widest triangle of its fan, though any would give the
 /// same.
-Position facetCenter(const Triangulation& t, const Buffer<PowerSite>& sites, std::int64_t facet)
+Position facetCenter(const CellComplex& t, const Buffer<PowerSite>& sites, std::int64_t facet)
 {
   const std::int64_t begin = t.cellBegin(facet);
   const std::int64_t end = t.cellBegin(facet + 1);
@@ -71,8 +72,8 @@ void addBox(CellRun& run, std::int64_t id, const double* box)
 }
 
 /// Sites on a line: strips. A strip's two lines are given by a point each, which is no corner.
-void addStrips(CellRun& run, const Triangulation& t, const Buffer<PowerSite>& sites,
-  const double* box, Monitor& monitor)
+void addStrips(CellRun& run, const CellComplex& t, const std::uint8_t* wanted,
+  const Buffer<PowerSite>& sites, const double* box, Monitor& monitor)
 {
   Buffer<std::array<Index, 2>> neighbours(sites.size());
   std::fill(neighbours.begin(), neighbours.end(), std::array<Index, 2>{ NoIndex, NoIndex });
@@ -93,6 +94,10 @@ void addStrips(CellRun& run, const Triangulation& t, const Buffer<PowerSite>& si
     if ((i + 1) % StepPoll::Every == 0)
     {
       monitor.advance(StepPoll::Every);
+    }
+    if (wanted && !wanted[i])
+    {
+      continue;
     }
     if (neighbours[i][0] == NoIndex)
     {
@@ -167,14 +172,19 @@ bool cellOf(Index site, const FacetRings& rings, const FacetRings::Ring& ring,
 }
 
 /// The cells of a run of sites.
-void addCells(CellRun& run, Index begin, Index end, const Triangulation& t, const FacetRings& rings,
-  const Buffer<Position>& centers, const Buffer<PowerSite>& sites, const double* box)
+void addCells(CellRun& run, Index begin, Index end, const CellComplex& t,
+  const std::uint8_t* wanted, const FacetRings& rings, const Buffer<Position>& centers,
+  const Buffer<PowerSite>& sites, const double* box)
 {
   CellClipper clipper(sites, box);
   FacetRings::Ring ring;
   CellPolygon cell;
   for (Index i = begin; i < end; ++i)
   {
+    if (wanted && !wanted[i])
+    {
+      continue;
+    }
     rings.walk(i, ring);
     if (!cellOf(i, rings, ring, centers, sites, clipper, cell))
     {
@@ -185,7 +195,7 @@ void addCells(CellRun& run, Index begin, Index end, const Triangulation& t, cons
 }
 
 Buffer<Position> facetCenters(
-  const Triangulation& t, const Buffer<PowerSite>& sites, Monitor& monitor)
+  const CellComplex& t, const Buffer<PowerSite>& sites, Monitor& monitor)
 {
   Buffer<Position> centers(static_cast<std::size_t>(t.cellCount()));
   eachCheckedRun(centers.size(), FacetsPerTask,
@@ -201,19 +211,20 @@ Buffer<Position> facetCenters(
 }
 
 /// Corners and cells as rounded.
-RoundedCells roundedCells(
-  const Triangulation& t, const Buffer<PowerSite>& sites, const double* box, Monitor& monitor)
+/// @param wanted by site: is its cell wanted? null: all are
+RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
+  const Buffer<PowerSite>& sites, const double* box, Monitor& monitor)
 {
   if (t.dimension < 2)
   {
     std::vector<CellRun> runs(1, CellRun(0));
-    if (t.dimension == 0)
+    if (t.dimension == 0 && (!wanted || wanted[0]))
     {
       addBox(runs[0], t.pointIds[0], box);
     }
     else if (t.dimension == 1)
     {
-      addStrips(runs[0], t, sites, box, monitor);
+      addStrips(runs[0], t, wanted, sites, box, monitor);
     }
     monitor.stage(0.8, 0.9, 1);
     return numberCorners(runs, Buffer<Position>(), monitor);
@@ -225,8 +236,8 @@ RoundedCells roundedCells(
   eachCheckedRun(sites.size(), SitesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
-      addCells(runs[number], static_cast<Index>(begin), static_cast<Index>(end), t, rings, centers,
-        sites, box);
+      addCells(runs[number], static_cast<Index>(begin), static_cast<Index>(end), t, wanted, rings,
+        centers, sites, box);
       monitor.advance(static_cast<std::int64_t>(end - begin));
     });
   monitor.stage(0.8, 0.9, 1);
@@ -242,12 +253,13 @@ void copy(const std::vector<From>& from, Buffer<To>& to)
     { std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin); });
 }
 
-PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
-  const Triangulation& triangulation, const double* box, const Options& options)
+/// @param wanted by site: is its cell wanted? null: all are
+/// @return false: some are wanted, and one of these is not convex
+bool diagramInBox(const PointView& points, const WeightView& weights, const CellComplex& complex,
+  const std::uint8_t* wanted, const double* box, const Options& options, PowerDiagram& result)
 {
   Monitor monitor(options);
-  monitor.stage(0.0, 0.8,
-    triangulation.cellCount() + static_cast<std::int64_t>(triangulation.pointIds.size()),
+  monitor.stage(0.0, 0.8, complex.cellCount() + static_cast<std::int64_t>(complex.pointIds.size()),
     "making cells");
   if (!box || !(box[0] < box[1] && box[2] < box[3]))
   {
@@ -260,24 +272,31 @@ PowerDiagram diagramInBox(const PointView& points, const WeightView& weights,
       refuse();
     }
   }
-  PowerDiagram result;
-  ArenaLoan arena(
-    threadCount(options.threads, static_cast<std::int64_t>(triangulation.pointIds.size())));
+  bool isWhole = true;
+  ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(complex.pointIds.size())));
   arena.execute(
     [&]
     {
-      const Buffer<PowerSite> sites = loadSites(points, weights, triangulation);
-      checkCells(triangulation);
-      RoundedCells cells = roundedCells(triangulation, sites, box, monitor);
+      const Buffer<PowerSite> sites = loadSites(points, weights, complex);
+      checkCells(complex);
+      RoundedCells cells = roundedCells(complex, wanted, sites, box, monitor);
       monitor.stage(0.9, 1.0, 1, "finishing");
-      repairCells(cells, box, monitor);
+      isWhole = !wanted || areConvex(cells, box, monitor);
+      if (!isWhole)
+      {
+        return;
+      }
+      if (!wanted)
+      {
+        repairCells(cells, box, monitor);
+      }
       copy(cells.positions, result.corners);
       copy(cells.corners, result.connectivity);
       copy(cells.ends, result.offsets);
       copy(cells.ids, result.siteIds);
       monitor.stage(1.0, 1.0, 1);
     });
-  return result;
+  return isWhole;
 }
 
 }
@@ -286,7 +305,31 @@ PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options)
 {
   return withTypedErrors(
-    [&] { return diagramInBox(points, weights, triangulation, box, options); });
+    [&]
+    {
+      PowerDiagram result;
+      diagramInBox(points, weights, triangulation, nullptr, box, options, result);
+      return result;
+    });
+}
+
+bool powerCells(const PointView& points, const WeightView& weights, const CellComplex& facets,
+  const std::uint8_t* wanted, const double* box, PowerDiagram& diagram, const Options& options)
+{
+  return withTypedErrors(
+    [&]
+    {
+      diagram = PowerDiagram();
+      if (facets.pointIds.empty())
+      {
+        return true;
+      }
+      if (!wanted)
+      {
+        refuse();
+      }
+      return diagramInBox(points, weights, facets, wanted, box, options, diagram);
+    });
 }
 
 }

@@ -75,6 +75,21 @@ struct PowerDiagram
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options = Options());
 
+/// The power cells of some of the sites, of facets that are whole around those: a block's share of
+/// a diagram (BlockRun). These are the cells of the diagram of all, bit for bit, unless rounding
+/// has broken one of them somewhere.
+///
+/// @param points, weights, box, options as for powerDiagram()
+/// @param facets  the facets around the sites that are wanted, and any others, in canonical form
+///                (FacetMode::Polygons); its dimension is that of all points together
+/// @param wanted  for each of the facets' points: 1 if its cell is wanted, else 0
+/// @param diagram becomes the cells; empty where they are none
+/// @return false: a rounded cell is not convex. To mend it takes the diagram of all.
+/// @throw Error   as powerDiagram()
+bool powerCells(const PointView& points, const WeightView& weights, const CellComplex& facets,
+  const std::uint8_t* wanted, const double* box, PowerDiagram& diagram,
+  const Options& options = Options());
+
 /// A box for powerDiagram(): that of the points that appear, which is that of all finite ones, for
 /// a corner of their hull is never hidden. A range of one value becomes as wide as the other (1, if
 /// that has one value, too), or wider, where that would round to nothing.
