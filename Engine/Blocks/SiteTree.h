@@ -8,6 +8,7 @@
 #ifndef flipflop_SiteTree_h
 #define flipflop_SiteTree_h
 
+#include "Blocks/BlockPatch.h"
 #include "Blocks/BlockSite.h"
 #include "Blocks/ConflictBound.h"
 #include "Query/BoxTree.h"
@@ -50,6 +51,7 @@ public:
   {
     if (!isLifted)
     {
+      this->addSlabs();
       return;
     }
     this->heaviest.allocate(this->tree.size());
@@ -76,7 +78,7 @@ public:
     std::priority_queue<Node> waiting;
     const auto push = [&](std::size_t node)
     {
-      const double most = bound.most(this->boxOf(node));
+      const double most = this->most(bound, node);
       if (!(most < 0))
       {
         waiting.emplace(most == most ? most : std::numeric_limits<double>::infinity(), node);
@@ -151,19 +153,42 @@ private:
 
   const BlockSite& at(std::uint32_t place) const { return this->sites[this->tree.item(place)]; }
 
-  Box boxOf(std::size_t node) const
+  /// For nodes small enough to be about flat, and large enough to be worth it.
+  void addSlabs()
   {
-    Box box = this->tree.box(node);
-    if (!this->heaviest.empty())
+    constexpr std::uint32_t Fewest = 12, Most = 1 << 14;
+    this->slabs.resize(this->tree.size());
+    this->tree.eachNode(
+      [&](std::size_t node, std::uint32_t begin, std::uint32_t end)
+      {
+        if (end - begin >= Fewest && end - begin <= Most)
+        {
+          // Items are in order.
+          this->slabs[node] =
+            BlockPatch(this->sites.data() + begin, this->sites.data() + end, false);
+        }
+        else
+        {
+          this->slabs[node].box = this->tree.box(node);
+        }
+      });
+  }
+
+  double most(const ConflictBound& bound, std::size_t node) const
+  {
+    if (!this->slabs.empty())
     {
-      box.low[2] = box.high[2] = this->heaviest[node];
+      return bound.most(this->slabs[node]);
     }
-    return box;
+    Box box = this->tree.box(node);
+    box.low[2] = box.high[2] = this->heaviest[node];
+    return bound.most(box);
   }
 
   const std::vector<BlockSite>& sites;
   BoxTree tree;
-  Buffer<double> heaviest; ///< by node
+  Buffer<double> heaviest;       ///< weight, by node
+  std::vector<BlockPatch> slabs; ///< in space, by node
 };
 
 }
