@@ -20,9 +20,6 @@ namespace flipflop
 namespace
 {
 
-/// Points in conflict that an answer has for each question.
-constexpr std::size_t PointsPerAnswer = 2;
-
 template <class Model>
 class AnswersOf : public BlockAnswers
 {
@@ -90,7 +87,7 @@ private:
     const Vertex a = asVertex(x[question.isBorder ? 1 : 0]);
     const Vertex b = asVertex(x[question.isBorder ? 0 : 1]);
     const Vertex c = question.isBorder ? virtualVertex() : asVertex(x[2]);
-    this->tree->conflicts(signs, bound, a, b, c, question.wantsTies != 0, PointsPerAnswer,
+    this->tree->conflicts(signs, bound, a, b, c, question.wantsTies != 0, question.limit,
       [&](std::uint32_t item) { items.push_back(item); });
   }
 

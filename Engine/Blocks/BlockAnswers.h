@@ -9,6 +9,7 @@
 #include "Blocks/BlockSite.h"
 #include <flipflop/Options.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct ConflictQuestion
   double corner[3][3]; ///< of a border's edge only two
   int isBorder;        ///< no bool: a damaged message may have any bits here
   int wantsTies;       ///< or, if there is none, on it
+  std::uint32_t limit; ///< so many of the furthest are enough; 1 or more
 };
 
 /// Over one geometry.

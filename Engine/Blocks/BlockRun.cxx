@@ -4,8 +4,13 @@
 /// The rounds of one block: what it asks, answers and learns.
 ///
 /// A question about a facet goes to the blocks that might have the furthest point in conflict, then
-/// to as many again. Points on a facet (of one circle, of one plane) matter only for the block that
-/// owns the facet: it alone asks for them.
+/// to others. An answer has some of the furthest points. Both numbers double in each round. So
+/// rounds are few: when they reach the numbers of all blocks and of all points in conflict, one
+/// round is the last. For a point in conflict with a facet that is made around an active point, by
+/// points that were told, was in conflict with one of the two facets that shared an edge there
+/// before; and both were around that point, so all their points in conflict have been told. Points
+/// on a facet (of one circle, of one plane) matter only for the block that owns the facet: it alone
+/// asks for them.
 ///
 /// Points that all lie on one line have no triangles. A point beside the line, which all blocks
 /// add, makes one of each edge of the chain, and no other. A hull that spans less than space is one
@@ -41,8 +46,9 @@ namespace flipflop
 namespace
 {
 
-/// Blocks that a facet asks first.
-constexpr std::size_t FirstAsked = 4;
+/// In the first round: blocks that a facet asks, and points that are enough for an answer.
+constexpr std::uint32_t FirstAsked = 4;
+constexpr std::uint32_t FirstTold = 2;
 
 /// What a message asks for.
 enum class Request : std::int64_t
@@ -86,6 +92,7 @@ private:
   std::unique_ptr<OpenFacets> facets; ///< null: nothing is to be asked
   std::unique_ptr<BlockAnswers> answers;
   std::vector<SiteHandle> arrived; ///< since the last run
+  int round = 0;
   Statistics statistics;
 
   enum class Gathering
@@ -273,6 +280,7 @@ std::map<int, BlockMessage> BlockRun::Work::ask()
     this->facets->replace(complex, members);
   }
   this->facets->update();
+  const int doubled = std::min(this->round++, 28);
   std::map<int, std::vector<ConflictQuestion>> questions;
   this->facets->eachOpen(
     [&](OpenFacet& facet)
@@ -284,8 +292,8 @@ std::map<int, BlockMessage> BlockRun::Work::ask()
       {
         std::copy_n(this->known[facet.corners[i]].x, 3, question.corner[i]);
       }
-      const std::size_t end =
-        std::min(facet.reach.size(), facet.asked + std::max(FirstAsked, facet.asked));
+      question.limit = FirstTold << doubled;
+      const std::size_t end = std::min(facet.reach.size(), facet.asked + (FirstAsked << doubled));
       for (; facet.asked < end; ++facet.asked)
       {
         questions[facet.reach[facet.asked]].push_back(question);
@@ -353,7 +361,7 @@ BlockMessage BlockRun::Work::answer(const BlockMessage& message) const
     const auto questions = reader.takeAll<ConflictQuestion>();
     for (const ConflictQuestion& question : questions)
     {
-      ensure(!question.isBorder || this->frame.isLifted());
+      ensure(question.limit > 0 && (!question.isBorder || this->frame.isLifted()));
       for (int i = 0; i < (question.isBorder ? 2 : 3); ++i)
       {
         ensure(this->frame.holds(question.corner[i]));
