@@ -170,57 +170,35 @@ Vector leastAxis(Matrix matrix)
   return axes[least];
 }
 
-FittedPlane fitted(const PointView& points, const Options& options)
+/// Measured from one of the points, in a unit near the largest coordinate: nothing overflows, and a
+/// flat set far from the origin stays flat.
+Vector fromStart(const PlaneSums& sums, double unit, const Vector& p)
 {
-  FittedPlane plane;
-  // Measured from one of the points, in a unit near the largest coordinate: nothing overflows, and
-  // a flat set far from the origin stays flat.
-  double count = 0.0;
-  double largest = 0.0;
-  visitFinite(points, options,
-    [&](const Vector& p)
-    {
-      if (count == 0.0)
-      {
-        plane.start = p;
-      }
-      count += 1.0;
-      largest = std::max({ largest, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) });
-    });
-  const double unit = toUnit(largest);
-  const Vector& start = plane.start;
-  Vector mean{};
-  visitFinite(points, options,
-    [&](const Vector& p)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        mean[k] += p[k] * unit - start[k] * unit;
-      }
-    });
+  Vector d;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    d[k] = p[k] * unit - sums.start[k] * unit;
+  }
+  return d;
+}
+
+Vector meanOf(const PlaneSums& sums)
+{
+  Vector mean = sums.sum;
   for (double& m : mean)
   {
-    m = count > 0.0 ? m / count : 0.0;
+    m = sums.count > 0.0 ? m / sums.count : 0.0;
   }
-  Matrix spread{};
-  visitFinite(points, options,
-    [&](const Vector& p)
-    {
-      Vector d;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        d[k] = (p[k] * unit - start[k] * unit) - mean[k];
-      }
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          spread[i][k] += d[i] * d[k];
-        }
-      }
-    });
+  return mean;
+}
 
-  Vector normal = leastAxis(spread);
+FittedPlane fitted(const PlaneSums& sums)
+{
+  FittedPlane plane;
+  plane.start = sums.start;
+  const Vector mean = meanOf(sums);
+
+  Vector normal = leastAxis(sums.spread);
   std::size_t main = 2;
   for (std::size_t k : { std::size_t(1), std::size_t(0) })
   {
@@ -252,21 +230,104 @@ FittedPlane fitted(const PointView& points, const Options& options)
   const double height = dot(mean, normal);
   for (std::size_t k = 0; k < 3; ++k)
   {
-    plane.origin[k] = count > 0.0 ? start[k] + height * normal[k] / unit : 0.0;
+    plane.origin[k] =
+      sums.count > 0.0 ? sums.start[k] + height * normal[k] / toUnit(sums.largest) : 0.0;
   }
   return plane;
 }
 
 }
 
-FittedPlane fitPlane(const PointView& points, const Options& options)
+void addExtent(PlaneSums& sums, const PointView& points, const Options& options)
 {
-  return withTypedErrors(
+  withTypedErrors(
     [&]
     {
       requireArray(points, 3);
-      return fitted(points, options);
+      visitFinite(points, options,
+        [&](const Vector& p)
+        {
+          PlaneSums one;
+          one.start = p;
+          one.count = 1.0;
+          one.largest = std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) });
+          joinExtent(sums, one);
+        });
     });
+}
+
+void joinExtent(PlaneSums& sums, const PlaneSums& next)
+{
+  if (sums.count == 0.0)
+  {
+    sums.start = next.start;
+  }
+  sums.count += next.count;
+  sums.largest = std::max(sums.largest, next.largest);
+}
+
+void addToSum(PlaneSums& sums, const PointView& points, const Options& options)
+{
+  withTypedErrors(
+    [&]
+    {
+      requireArray(points, 3);
+      const double unit = toUnit(sums.largest);
+      Vector sum = sums.sum;
+      visitFinite(points, options,
+        [&](const Vector& p)
+        {
+          const Vector d = fromStart(sums, unit, p);
+          for (std::size_t k = 0; k < 3; ++k)
+          {
+            sum[k] += d[k];
+          }
+        });
+      sums.sum = sum;
+    });
+}
+
+void addToSpread(PlaneSums& sums, const PointView& points, const Options& options)
+{
+  withTypedErrors(
+    [&]
+    {
+      requireArray(points, 3);
+      const double unit = toUnit(sums.largest);
+      const Vector mean = meanOf(sums);
+      Matrix spread = sums.spread;
+      visitFinite(points, options,
+        [&](const Vector& p)
+        {
+          Vector d = fromStart(sums, unit, p);
+          for (std::size_t k = 0; k < 3; ++k)
+          {
+            d[k] -= mean[k];
+          }
+          for (std::size_t i = 0; i < 3; ++i)
+          {
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+              spread[i][k] += d[i] * d[k];
+            }
+          }
+        });
+      sums.spread = spread;
+    });
+}
+
+FittedPlane planeOf(const PlaneSums& sums)
+{
+  return withTypedErrors([&] { return fitted(sums); });
+}
+
+FittedPlane fitPlane(const PointView& points, const Options& options)
+{
+  PlaneSums sums;
+  addExtent(sums, points, options);
+  addToSum(sums, points, options);
+  addToSpread(sums, points, options);
+  return planeOf(sums);
 }
 
 Buffer<double> placesInPlane(

@@ -39,6 +39,42 @@ struct FittedPlane
 /// @throw Error   BadArgument, Aborted
 FittedPlane fitPlane(const PointView& points, const Options& options = Options());
 
+/// What fitPlane() sums, for points that come in parts, such as those of several processes. The
+/// sums depend on the order of the points, so parts are added in this order, each to what the one
+/// before it left:
+///
+///     for each part: addExtent(sums, part);   // or of each part alone, then joinExtent() in order
+///     for each part: addToSum(sums, part);
+///     for each part: addToSpread(sums, part);
+///     planeOf(sums)                           // fitPlane() of all, bit for bit
+///
+/// It is plain doubles, which can be sent.
+struct PlaneSums
+{
+  std::array<double, 3> start{};                 ///< the first finite point
+  double count = 0.0;                            ///< finite points
+  double largest = 0.0;                          ///< magnitude of a coordinate
+  std::array<double, 3> sum{};                   ///< of the points, from start
+  std::array<std::array<double, 3>, 3> spread{}; ///< of products of coordinates, from the mean
+};
+
+///@{
+/// The three passes over the points of a part.
+/// @param sums    of all parts before it
+/// @param points  in space
+/// @param options only the progress function is used; it is called with 0 from time to time
+/// @throw Error   BadArgument, Aborted
+void addExtent(PlaneSums& sums, const PointView& points, const Options& options = Options());
+void addToSum(PlaneSums& sums, const PointView& points, const Options& options = Options());
+void addToSpread(PlaneSums& sums, const PointView& points, const Options& options = Options());
+///@}
+
+/// Add to the extent of parts that of the parts that follow.
+void joinExtent(PlaneSums& sums, const PlaneSums& next);
+
+/// The plane of all parts.
+FittedPlane planeOf(const PlaneSums& sums);
+
 /// The places of points in the plane: x and y of each, measured from start; rounded. NaN, if a
 /// coordinate of the point is not finite.
 /// @param points  in space

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -217,6 +218,43 @@ TEST(PlaneFit, LeavesOutWhatIsNotFinite)
   EXPECT_TRUE(std::isnan(places[0]) && std::isnan(places[1]));
   EXPECT_EQ(places[2], 0.0);
   EXPECT_TRUE(std::isnan(places[places.size() - 1]));
+}
+
+TEST(PlaneFit, IsTheSameOfPointsInParts)
+{
+  Cloud cloud = tilted({ 1, 2, 3 }, { 10, 20, 0.1 }, 1e-3);
+  cloud.insert(cloud.begin(), 3, { 1, std::numeric_limits<double>::quiet_NaN(), 3 });
+  const PointView whole = viewOf(cloud);
+  const FittedPlane expected = fitPlane(whole);
+  for (const std::int64_t length : { 1, 2, 100, 1000 })
+  {
+    std::vector<PointView> parts{ PointView() };
+    for (std::int64_t begin = 0; begin < whole.count; begin += length)
+    {
+      parts.emplace_back(static_cast<const double*>(whole.data) + begin * whole.stride,
+        std::min(length, whole.count - begin), whole.stride);
+    }
+    PlaneSums sums;
+    for (const PointView& part : parts)
+    {
+      PlaneSums own;
+      addExtent(own, part);
+      joinExtent(sums, own);
+    }
+    for (const PointView& part : parts)
+    {
+      addToSum(sums, part);
+    }
+    for (const PointView& part : parts)
+    {
+      addToSpread(sums, part);
+    }
+    const FittedPlane plane = planeOf(sums);
+    EXPECT_EQ(plane.start, expected.start);
+    EXPECT_EQ(plane.origin, expected.origin);
+    EXPECT_EQ(plane.first, expected.first);
+    EXPECT_EQ(plane.second, expected.second);
+  }
 }
 
 TEST(PlaneFit, OfVerySmallAndVeryLargeCoordinates)
