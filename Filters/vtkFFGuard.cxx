@@ -186,6 +186,15 @@ bool vtkFFGuard::ForwardProgress(double fraction, void* self)
 }
 
 //------------------------------------------------------------------------------
+void vtkFFGuard::Look(const flipflop::Options& options, double share)
+{
+  if (options.progress && !options.progress(share, options.progressContext))
+  {
+    throw flipflop::Error(flipflop::ErrorCode::Aborted);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkFFGuard::IsAbortRequested()
 {
 #if VTK_FF_HAS_CHECK_ABORT

@@ -91,6 +91,14 @@ public:
   void SetProgressTitle(const char* title);
 
   /**
+   * For work outside of the engine that has these options: tell that this share of the part is
+   * done, and stop if somebody asked for that.
+   *
+   * @throw flipflop::Error Aborted
+   */
+  static void Look(const flipflop::Options& options, double share = 0.0);
+
+  /**
    * Whether somebody asked the filter to stop.
    */
   bool IsAbortRequested();

@@ -55,8 +55,41 @@ vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
   return ids->GetNumberOfValues() < count ? ids : nullptr;
 }
 
-/// Some points of a piece, with their point data.
-vtkSmartPointer<vtkPointSet> pointsOf(vtkPointSet* piece, vtkIdTypeArray* which)
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPointSet> vtkFFPieces::Append(
+  const std::vector<vtkPointSet*>& pieces, vtkIdType leftOut)
+{
+  const auto hasPoints = [](vtkPointSet* piece) { return piece->GetNumberOfPoints() > 0; };
+  const auto first = std::find_if(pieces.begin(), pieces.end(), hasPoints);
+  if (leftOut == 0 &&
+    (pieces.size() == 1 ||
+      (first != pieces.end() && std::none_of(first + 1, pieces.end(), hasPoints))))
+  {
+    return pieces.size() == 1 ? pieces[0] : *first;
+  }
+  std::vector<vtkDataArray*> arrays;
+  std::vector<vtkFFOutput::Source> data;
+  vtkIdType count = 0;
+  for (vtkPointSet* piece : pieces)
+  {
+    arrays.push_back(piece->GetPoints() ? piece->GetPoints()->GetData() : nullptr);
+    data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
+    count += piece->GetNumberOfPoints();
+  }
+  count -= leftOut;
+  flipflop::Buffer<std::int64_t> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), static_cast<std::int64_t>(leftOut));
+
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  whole->SetPoints(vtkFFPointSource(arrays).Gather(all.data(), count));
+  vtkFFOutput::CopyPointData(data, vtkFFOutput::AdoptIds(all), whole->GetPointData());
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPointSet> vtkFFPieces::Select(vtkPointSet* piece, vtkIdTypeArray* which)
 {
   const vtkIdType count = piece->GetNumberOfPoints();
   vtkNew<vtkPointData> from;
@@ -71,36 +104,6 @@ vtkSmartPointer<vtkPointSet> pointsOf(vtkPointSet* piece, vtkIdTypeArray* which)
   return points;
 }
 
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPointSet> vtkFFPieces::Append(const std::vector<vtkPointSet*>& pieces)
-{
-  const auto hasPoints = [](vtkPointSet* piece) { return piece->GetNumberOfPoints() > 0; };
-  const auto first = std::find_if(pieces.begin(), pieces.end(), hasPoints);
-  if (pieces.size() == 1 ||
-    (first != pieces.end() && std::none_of(first + 1, pieces.end(), hasPoints)))
-  {
-    return pieces.size() == 1 ? pieces[0] : *first;
-  }
-  std::vector<vtkDataArray*> arrays;
-  std::vector<vtkFFOutput::Source> data;
-  vtkIdType count = 0;
-  for (vtkPointSet* piece : pieces)
-  {
-    arrays.push_back(piece->GetPoints() ? piece->GetPoints()->GetData() : nullptr);
-    data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
-    count += piece->GetNumberOfPoints();
-  }
-  flipflop::Buffer<std::int64_t> all(static_cast<std::size_t>(count));
-  std::iota(all.begin(), all.end(), std::int64_t(0));
-
-  auto whole = vtkSmartPointer<vtkPolyData>::New();
-  whole->SetPoints(vtkFFPointSource(arrays).Gather(all.data(), count));
-  vtkFFOutput::CopyPointData(data, vtkFFOutput::AdoptIds(all), whole->GetPointData());
-  return whole;
-}
-
 //------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkPointSet>> vtkFFPieces::SkipGhosts(
   const std::vector<vtkPointSet*>& pieces, std::vector<vtkIdType>& places)
@@ -111,7 +114,7 @@ std::vector<vtkSmartPointer<vtkPointSet>> vtkFFPieces::SkipGhosts(
   for (vtkPointSet* piece : pieces)
   {
     ids.push_back(idsWithoutGhosts(piece));
-    left.emplace_back(ids.back() ? pointsOf(piece, ids.back()).Get() : piece);
+    left.emplace_back(ids.back() ? Select(piece, ids.back()).Get() : piece);
     allLeft = allLeft && !ids.back();
   }
   places.clear();

@@ -20,6 +20,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkIdTypeArray;
 class vtkPointSet;
 
 class vtkFFPieces
@@ -27,12 +28,19 @@ class vtkFFPieces
 public:
   /**
    * The points of all @p pieces, one piece after another, with the point arrays that all of them
-   * have. A piece that has all points is returned unchanged.
+   * have. A piece that has all points is returned unchanged. The first points can be left out: so
+   * many have a say in the type and the data of the others, and are not among them.
    *
    * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */
   VTKFILTERSFLIPFLOP_EXPORT static vtkSmartPointer<vtkPointSet> Append(
-    const std::vector<vtkPointSet*>& pieces);
+    const std::vector<vtkPointSet*>& pieces, vtkIdType leftOut = 0);
+
+  /**
+   * Some points of a piece, by ascending ids, with their point data.
+   */
+  VTKFILTERSFLIPFLOP_EXPORT static vtkSmartPointer<vtkPointSet> Select(
+    vtkPointSet* piece, vtkIdTypeArray* which);
 
   /**
    * The pieces without their ghost points, which are marked as duplicates of another piece's or as

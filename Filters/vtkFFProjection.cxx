@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFProjection.h"
 
-#include <flipflop/Error.h>
+#include "vtkFFGuard.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkHomogeneousTransform.h"
@@ -13,7 +13,9 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -65,10 +67,7 @@ void vtkFFProjection::InStretches(vtkIdType count, vtkIdType length, const Work&
 {
   for (vtkIdType begin = 0; begin < count; begin += length)
   {
-    if (this->Options.progress && !this->Options.progress(0.0, this->Options.progressContext))
-    {
-      throw flipflop::Error(flipflop::ErrorCode::Aborted);
-    }
+    vtkFFGuard::Look(this->Options);
     work(begin, std::min(count, begin + length));
   }
 }
@@ -130,10 +129,52 @@ void vtkFFProjection::ToXY(const flipflop::PointView& points)
 //------------------------------------------------------------------------------
 void vtkFFProjection::ToBestFittingPlane(const flipflop::PointView& points)
 {
+  flipflop::PlaneSums sums;
+  this->AddExtent(points, sums);
+  this->AddToSum(points, sums);
+  this->AddToSpread(points, sums);
+  this->ToPlane(points, sums);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProjection::AddExtent(const flipflop::PointView& points, flipflop::PlaneSums& sums) const
+{
+  flipflop::addExtent(sums, points, this->Options);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProjection::AddToSum(const flipflop::PointView& points, flipflop::PlaneSums& sums) const
+{
+  flipflop::addToSum(sums, points, this->Options);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProjection::AddToSpread(
+  const flipflop::PointView& points, flipflop::PlaneSums& sums) const
+{
+  flipflop::addToSpread(sums, points, this->Options);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProjection::JoinExtent(flipflop::PlaneSums& sums, const flipflop::PlaneSums& next)
+{
+  flipflop::joinExtent(sums, next);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProjection::ToPlane(const flipflop::PointView& points, const flipflop::PlaneSums& sums)
+{
   this->Fitted = true;
-  this->BestPlane = flipflop::fitPlane(points, this->Options);
-  this->Copy = flipflop::placesInPlane(points, this->BestPlane, this->Options);
-  this->View = flipflop::PointView(this->Copy.data(), points.count, 2);
+  this->BestPlane = flipflop::planeOf(sums);
+  this->SetPlaces(flipflop::placesInPlane(points, this->BestPlane, this->Options));
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProjection::SetPlaces(flipflop::Buffer<double>&& places)
+{
+  this->Copy = std::move(places);
+  this->View =
+    flipflop::PointView(this->Copy.data(), static_cast<std::int64_t>(this->Copy.size() / 2), 2);
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,8 @@
  *
  * A projection can be stopped, as the engine can: by the progress function, which is called with 0
  * from time to time.
+ *
+ * The filters for distributed data are another library: the functions that they need are exported.
  */
 
 #ifndef vtkFFProjection_h
@@ -21,6 +23,7 @@
 #include <flipflop/PointView.h>
 
 #include "vtkFFMarks.h"
+#include "vtkFiltersFlipFlopModule.h"
 #include "vtkType.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -42,7 +45,7 @@ public:
   /**
    * Leave z out. The points are not copied, unless a z is not finite.
    *
-   * @throw flipflop::Error Aborted, OutOfMemory; also in the next two functions.
+   * @throw flipflop::Error Aborted, OutOfMemory; also in the next functions.
    */
   void ToXY(const flipflop::PointView& points);
 
@@ -52,10 +55,32 @@ public:
    */
   void ToBestFittingPlane(const flipflop::PointView& points);
 
+  //@{
+  /**
+   * The same for points that come in parts, one on each process: what flipflop::PlaneSums takes of
+   * this part; and measure it in the plane of all parts.
+   */
+  VTKFILTERSFLIPFLOP_EXPORT void AddExtent(
+    const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
+  VTKFILTERSFLIPFLOP_EXPORT void AddToSum(
+    const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
+  VTKFILTERSFLIPFLOP_EXPORT void AddToSpread(
+    const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
+  VTKFILTERSFLIPFLOP_EXPORT static void JoinExtent(
+    flipflop::PlaneSums& sums, const flipflop::PlaneSums& next);
+  VTKFILTERSFLIPFLOP_EXPORT void ToPlane(
+    const flipflop::PointView& points, const flipflop::PlaneSums& sums);
+  //@}
+
   /**
    * Take x and y of the transformed points.
    */
   void ByTransform(const flipflop::PointView& points, vtkAbstractTransform* transform);
+
+  /**
+   * Have other points, which are given as x and y in the plane.
+   */
+  VTKFILTERSFLIPFLOP_EXPORT void SetPlaces(flipflop::Buffer<double>&& places);
 
   /**
    * The projected points; valid as long as this object and the points exist.

@@ -42,7 +42,6 @@ public:
 protected:
   const char* GetProgressTitle() override;
 
-private:
   class Work;
 
   /**
@@ -58,6 +57,8 @@ private:
   vtkDataArray* FindWeights(vtkPointSet* input);
 
   void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
+
+private:
   void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
     const flipflop::Triangulation& triangulation, const flipflop::Options& options,
     vtkPointSet* input, vtkPolyData* output);

@@ -3,18 +3,15 @@
 /// @file
 /// What vtkFFRegularTriangulationFilter makes of one block: the triangulation, the hidden points
 /// and the power diagram.
-#include "vtkFFRegularTriangulationInternals.h"
+#include "vtkFFRegularTriangulationWork.h"
 
-#include "vtkFFBlockWork.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
-#include "vtkFFPointSource.h"
-#include "vtkFFProjection.h"
-#include "vtkFFWeightSource.h"
 
 #include <flipflop/ConvexHull.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Engines.h>
+#include <flipflop/Error.h>
 #include <flipflop/Measures.h>
 #include <flipflop/PowerDiagram.h>
 
@@ -82,41 +79,27 @@ double lowestOf(vtkDataArray* points, const flipflop::Triangulation& triangulati
   return std::isinf(lowest) ? 0.0 : lowest + 0.0;
 }
 
-/// The dimension of what the points that were triangulated, also the hidden ones, span in space.
-int dimensionInSpace(vtkDataArray* points, const flipflop::Triangulation& triangulation,
-  const flipflop::Options& chosen)
+/// The points in space that were triangulated, also the hidden ones.
+std::vector<std::array<double, 3>> triangulatedPoints(
+  vtkDataArray* points, const flipflop::Triangulation& triangulation)
 {
-  flipflop::Buffer<double> xyz(
-    3 * (triangulation.pointIds.size() + triangulation.hiddenIds.size()));
-  double* to = xyz.data();
+  std::vector<std::array<double, 3>> all;
   for (const auto* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
   {
     for (const std::int64_t id : *ids)
     {
-      points->GetTuple(static_cast<vtkIdType>(id), to);
-      to += 3;
+      all.emplace_back();
+      points->GetTuple(static_cast<vtkIdType>(id), all.back().data());
     }
   }
-  flipflop::Options options = chosen;
-  options.progress = nullptr; // the filter's own run is over
-  options.step = nullptr;
-  return flipflop::convexHull({ xyz.data(), static_cast<std::int64_t>(xyz.size() / 3) }, options)
-    .dimension;
+  return all;
 }
 
-/// Leaves out the cells with a longer edge. Returns how many these are.
-std::int64_t dropLongCells(const flipflop::PointView& points, double maximumEdgeLength,
-  const flipflop::Options& options, flipflop::Triangulation& triangulation)
+/// A number of a view.
+double numberAt(const void* data, flipflop::ScalarType type, std::int64_t i)
 {
-  const std::int64_t cells = triangulation.cellCount();
-  flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(cells));
-  const std::int64_t kept = flipflop::cellsWithinEdgeLength(
-    points, triangulation, maximumEdgeLength, within.data(), options);
-  if (kept < cells)
-  {
-    flipflop::keepCells(triangulation, within.data());
-  }
-  return cells - kept;
+  return type == flipflop::ScalarType::Float32 ? static_cast<const float*>(data)[i]
+                                               : static_cast<const double*>(data)[i];
 }
 
 /// The areas and centroids of so many cells: measure(areas, centroids).
@@ -148,63 +131,80 @@ private:
 }
 
 //------------------------------------------------------------------------------
-class vtkFFRegularTriangulationFilter::vtkInternals::Work : public vtkFFBlockWork
+vtkFFRegularTriangulationFilter::vtkInternals::Work::Work(
+  vtkInternals* internals, const Block& block)
+  : Internals(internals)
+  , Filter(internals->GetTriangulationFilter())
+  , Pieces(block.Pieces)
 {
-public:
-  Work(vtkInternals* internals, const Block& block)
-    : Internals(internals)
-    , Filter(internals->GetTriangulationFilter())
-    , Pieces(block.Pieces)
+}
+
+//------------------------------------------------------------------------------
+vtkFFRegularTriangulationFilter::vtkInternals::Work::~Work() = default;
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::Gather(const flipflop::Options& options)
+{
+  this->TakePoints();
+  this->JoinPoints();
+  this->TakeWeights(this->Internals->FindWeights(this->Input));
+  this->Projection.emplace(options);
+  this->Internals->Project(*this->Points, *this->Projection);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFRegularTriangulationFilter::vtkInternals::Work::TakePoints()
+{
+  // Weights are judged as they came: an array that does not fit does not go along with its points.
+  if (this->Pieces.size() == 1)
   {
+    this->Internals->FindWeights(this->Pieces[0]);
   }
-
-  void Gather(const flipflop::Options& options) override
+  this->Counted = this->Internals->TakePoints(this->Pieces, this->Internals->PlacesOfPoints);
+  vtkIdType count = 0;
+  for (const auto& piece : this->Counted)
   {
-    // Weights are judged as they came: an array that does not fit does not go along with its
-    // points.
-    if (this->Pieces.size() == 1)
-    {
-      this->Internals->FindWeights(this->Pieces[0]);
-    }
-    this->Counted = this->Internals->TakePoints(this->Pieces, this->Internals->PlacesOfPoints);
-    this->Input = vtkFFPieces::Append({ this->Counted.begin(), this->Counted.end() });
-    vtkPoints* points = this->Input->GetPoints();
-    this->Points.emplace(points ? points->GetData() : nullptr);
-    this->Weights.emplace(this->Internals->FindWeights(this->Input),
-      vtkFFWeightSource::Rule{ this->Filter->WeightMode == RADII, this->Filter->WeightFactor });
-    this->Projection.emplace(options);
-    this->Internals->Project(*this->Points, *this->Projection);
+    count += piece->GetNumberOfPoints();
   }
+  return count;
+}
 
-  void Run(const flipflop::Options& chosen, const flipflop::EngineOptions& engine,
-    flipflop::EngineReport& report) override
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::JoinPoints()
+{
+  this->SetInput(vtkFFPieces::Append({ this->Counted.begin(), this->Counted.end() }));
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::TakeWeights(vtkDataArray* array)
+{
+  this->Weights.emplace(array,
+    vtkFFWeightSource::Rule{ this->Filter->WeightMode == RADII, this->Filter->WeightFactor });
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::SetInput(vtkPointSet* input)
+{
+  this->Input = input;
+  vtkPoints* points = this->Input->GetPoints();
+  this->Points.emplace(points ? points->GetData() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::Run(const flipflop::Options& chosen,
+  const flipflop::EngineOptions& engine, flipflop::EngineReport& report)
+{
+  // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
+  // triangles that the engine would give.
+  flipflop::Options options = chosen;
+  if (this->Filter->GeneratePowerDiagram)
   {
-    // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
-    // triangles that the engine would give.
-    flipflop::Options options = chosen;
-    if (this->Filter->GeneratePowerDiagram)
-    {
-      options.facets = flipflop::FacetMode::Polygons;
-      this->Internals->SetProgressPart(0.0, shareOfTriangulation);
-    }
-    this->Triangulation = flipflop::regularTriangulation(
-      this->Projection->GetView(), this->Weights->GetView(), options, engine, report);
+    options.facets = flipflop::FacetMode::Polygons;
+    this->Internals->SetProgressPart(0.0, shareOfTriangulation);
   }
-
-  void Write(const flipflop::Options& options, const flipflop::EngineReport& report,
-    const std::vector<vtkPolyData*>& outputs) override;
-
-private:
-  vtkInternals* Internals;
-  vtkFFRegularTriangulationFilter* Filter;
-  std::vector<vtkPointSet*> Pieces;
-  std::vector<vtkSmartPointer<vtkPointSet>> Counted;
-  vtkSmartPointer<vtkPointSet> Input;
-  std::optional<vtkFFPointSource> Points;
-  std::optional<vtkFFWeightSource> Weights;
-  std::optional<vtkFFProjection> Projection;
-  flipflop::Triangulation Triangulation;
-};
+  this->Triangulation = flipflop::regularTriangulation(
+    this->Projection->GetView(), this->Weights->GetView(), options, engine, report);
+}
 
 //------------------------------------------------------------------------------
 bool vtkFFRegularTriangulationFilter::vtkInternals::Execute(
@@ -269,13 +269,13 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   vtkFFRegularTriangulationFilter* const filter = this->Filter;
   vtkInternals* const internals = this->Internals;
   flipflop::Triangulation& triangulation = this->Triangulation;
-  if (this->Projection->IsXYPlane() &&
-    (filter->GeneratePowerDiagram || filter->GenerateCellMeasures) && triangulation.dimension >= 0)
+  if (this->NeedsHeight() && triangulation.dimension >= 0)
   {
     this->Projection->SetHeight(lowestOf(this->Input->GetPoints()->GetData(), triangulation));
   }
   if (this->Projection->IsXYPlane() && triangulation.dimension == 1 &&
-    dimensionInSpace(this->Input->GetPoints()->GetData(), triangulation, options) == 2)
+    HullInSpace(triangulatedPoints(this->Input->GetPoints()->GetData(), triangulation), options)
+        .dimension == 2)
   {
     internals->WarnOfVerticalPlane();
   }
@@ -290,27 +290,115 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
       flipflop::fanPolygons(triangulation);
     }
   }
-  std::int64_t droppedCells = 0;
-  if (filter->MaximumEdgeLength > 0.0)
+  const std::int64_t dropped =
+    this->DropLongCells(this->Projection->GetView(), options, triangulation);
+  const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
+  this->Report(report, hidden, dropped, outputs[0]);
+  this->WriteCells(options, outputs);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkFFRegularTriangulationFilter::vtkInternals::Work::VisitPoints(
+  const flipflop::Options& options, const PointVisitor& visit) const
+{
+  constexpr std::int64_t stretch = 1 << 16; // between two looks whether to go on
+  const flipflop::PointView& view = this->Projection->GetView();
+  const flipflop::WeightView& weights = this->Weights->GetView();
+  std::int64_t first = -1;
+  std::int64_t count = 0;
+  for (std::int64_t i = 0; i < view.count; ++i)
   {
-    droppedCells =
-      dropLongCells(this->Projection->GetView(), filter->MaximumEdgeLength, options, triangulation);
-    filter->NumberOfDroppedCells += static_cast<vtkIdType>(droppedCells);
+    if (i % stretch == 0)
+    {
+      vtkFFGuard::Look(options);
+    }
+    const double x = numberAt(view.data, view.type, i * view.stride);
+    const double y = numberAt(view.data, view.type, i * view.stride + 1);
+    const double weight =
+      weights.data ? numberAt(weights.data, weights.type, i * weights.stride) : 0.0;
+    if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
+    {
+      visit(i, x, y, weight);
+    }
+    else if (count++ == 0)
+    {
+      first = i;
+    }
   }
+  if (count > 0 && options.nonFinite == flipflop::NonFinitePolicy::Error)
+  {
+    throw flipflop::Error(flipflop::ErrorCode::NonFinite, first, count);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+flipflop::Hull vtkFFRegularTriangulationFilter::vtkInternals::Work::HullInSpace(
+  const std::vector<std::array<double, 3>>& points, const flipflop::Options& chosen)
+{
+  flipflop::Options options = chosen;
+  options.progress = nullptr;
+  options.step = nullptr;
+  return flipflop::convexHull(
+    { points.data()->data(), static_cast<std::int64_t>(points.size()) }, options);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFRegularTriangulationFilter::vtkInternals::Work::NeedsHeight() const
+{
+  return this->Projection->IsXYPlane() &&
+    (this->Filter->GeneratePowerDiagram || this->Filter->GenerateCellMeasures);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkFFRegularTriangulationFilter::vtkInternals::Work::DropLongCells(
+  const flipflop::PointView& points, const flipflop::Options& options,
+  flipflop::CellComplex& cells) const
+{
+  const double longest = this->Filter->MaximumEdgeLength;
+  const std::int64_t count = cells.cellCount();
+  if (!(longest > 0.0))
+  {
+    return 0;
+  }
+  flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(count));
+  const std::int64_t kept =
+    flipflop::cellsWithinEdgeLength(points, cells, longest, within.data(), options);
+  if (kept < count)
+  {
+    flipflop::keepCells(cells, within.data());
+  }
+  return count - kept;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::Report(
+  const flipflop::EngineReport& report, std::int64_t hidden, std::int64_t dropped,
+  vtkPolyData* output)
+{
+  this->Internals->AddToReport(this->Triangulation, report, output);
+  this->Filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hidden);
+  this->Filter->NumberOfDroppedCells += static_cast<vtkIdType>(dropped);
+  if (this->Filter->ReportAsFieldData)
+  {
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", hidden);
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", dropped);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::WriteCells(
+  const flipflop::Options& options, const std::vector<vtkPolyData*>& outputs)
+{
+  vtkFFRegularTriangulationFilter* const filter = this->Filter;
+  vtkInternals* const internals = this->Internals;
+  flipflop::Triangulation& triangulation = this->Triangulation;
   if (filter->GenerateCellMeasures)
   {
     const auto measure = [&](double* areas, double* centroids) {
       flipflop::cellMeasures(this->Projection->GetView(), triangulation, areas, centroids, options);
     };
     CellMeasures(triangulation.cellCount(), *this->Projection, measure).AddTo(outputs[0]);
-  }
-  internals->AddToReport(triangulation, report, outputs[0]);
-  const auto hiddenPoints = static_cast<std::int64_t>(triangulation.hiddenIds.size());
-  filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hiddenPoints);
-  if (filter->ReportAsFieldData)
-  {
-    vtkFFOutput::AddValue(outputs[0]->GetFieldData(), "FlipFlopHiddenPoints", hiddenPoints);
-    vtkFFOutput::AddValue(outputs[0]->GetFieldData(), "FlipFlopDroppedCells", droppedCells);
   }
 
   std::vector<vtkFFOutput::Source> data;

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFRegularTriangulationFilter::vtkInternals::Work
+ * @brief   one triangulation, from its points to the outputs
+ *
+ * The filter for distributed data goes through the same parts in another order, with other
+ * processes between them.
+ */
+
+#ifndef vtkFFRegularTriangulationWork_h
+#define vtkFFRegularTriangulationWork_h
+
+#include "vtkFFBlockWork.h"
+#include "vtkFFMarks.h"
+#include "vtkFFPointSource.h"
+#include "vtkFFProjection.h"
+#include "vtkFFRegularTriangulationInternals.h"
+#include "vtkFFWeightSource.h"
+
+#include <flipflop/Hull.h>
+#include <flipflop/Triangulation.h>
+
+#include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class VTKFILTERSFLIPFLOP_EXPORT vtkFFRegularTriangulationFilter::vtkInternals::Work
+  : public vtkFFBlockWork
+{
+public:
+  Work(vtkInternals* internals, const Block& block);
+  ~Work() override;
+
+  void Gather(const flipflop::Options& options) override;
+  void Run(const flipflop::Options& chosen, const flipflop::EngineOptions& engine,
+    flipflop::EngineReport& report) override;
+  void Write(const flipflop::Options& options, const flipflop::EngineReport& report,
+    const std::vector<vtkPolyData*>& outputs) override;
+
+protected:
+  //@{
+  /**
+   * The parts of Gather(): the points that count, and how many these are; have them as one piece;
+   * have these, and their data; weights by that array, or none.
+   */
+  vtkIdType TakePoints();
+  void JoinPoints();
+  void SetInput(vtkPointSet* input);
+  void TakeWeights(vtkDataArray* array);
+  //@}
+
+  /**
+   * Calls @p visit for each point that is finite, as is its weight: the points that are
+   * triangulated. Returns how many are not.
+   *
+   * @throw flipflop::Error NonFinite, unless the options ignore such points; Aborted
+   */
+  using PointVisitor = std::function<void(std::int64_t index, double x, double y, double weight)>;
+  std::int64_t VisitPoints(const flipflop::Options& options, const PointVisitor& visit) const;
+
+  /**
+   * The hull of points in space, beside the work that progress is told of.
+   */
+  static flipflop::Hull HullInSpace(
+    const std::vector<std::array<double, 3>>& points, const flipflop::Options& options);
+
+  //@{
+  /**
+   * The parts of Write(): whether the plane's height matters; leave out cells, and tell how many;
+   * the report, with so many hidden points and cells left out; the ports 0 and 1.
+   */
+  bool NeedsHeight() const;
+  std::int64_t DropLongCells(const flipflop::PointView& points, const flipflop::Options& options,
+    flipflop::CellComplex& cells) const;
+  void Report(const flipflop::EngineReport& report, std::int64_t hidden, std::int64_t dropped,
+    vtkPolyData* output);
+  void WriteCells(const flipflop::Options& options, const std::vector<vtkPolyData*>& outputs);
+  //@}
+
+  vtkInternals* Internals;
+  vtkFFRegularTriangulationFilter* Filter;
+  vtkSmartPointer<vtkPointSet> Input;
+  std::optional<vtkFFPointSource> Points;
+  std::optional<vtkFFWeightSource> Weights;
+  std::optional<vtkFFProjection> Projection;
+  flipflop::Triangulation Triangulation;
+
+private:
+  std::vector<vtkPointSet*> Pieces;
+  std::vector<vtkSmartPointer<vtkPointSet>> Counted;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
