@@ -5,6 +5,7 @@
 #include "vtkFFFailure.h"
 #include "vtkFFParcel.h"
 
+#include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
@@ -21,6 +22,7 @@ namespace
 
 constexpr int tagOfSize = 7701;
 constexpr int tagOfData = 7702;
+constexpr int tagOfValues = 7703;
 
 /// Runs work; what it throws becomes a failure.
 template <class Work>
@@ -78,6 +80,54 @@ std::vector<std::vector<vtkIdType>> vtkFFProcesses::GatherLists(
     lists.emplace_back(begin, begin + sizes[k]);
   }
   return lists;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFProcesses::Sum(vtkIdType value)
+{
+  return this->Sum(std::vector<vtkIdType>{ value })[0];
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkFFProcesses::Sum(const std::vector<vtkIdType>& values)
+{
+  std::vector<vtkIdType> sums = values;
+  if (this->Count > 1)
+  {
+    this->Controller->AllReduce(
+      values.data(), sums.data(), static_cast<vtkIdType>(values.size()), vtkCommunicator::SUM_OP);
+  }
+  return sums;
+}
+
+//------------------------------------------------------------------------------
+double vtkFFProcesses::Least(double value)
+{
+  double least = value;
+  if (this->Count > 1)
+  {
+    this->Controller->AllReduce(&value, &least, 1, vtkCommunicator::MIN_OP);
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProcesses::PassOn(std::vector<double>& values, const std::function<void()>& work)
+{
+  const auto size = static_cast<vtkIdType>(values.size());
+  if (this->Rank > 0)
+  {
+    this->Controller->Receive(values.data(), size, this->Rank - 1, tagOfValues);
+  }
+  work();
+  if (this->Rank + 1 < this->Count)
+  {
+    this->Controller->Send(values.data(), size, this->Rank + 1, tagOfValues);
+  }
+  if (this->Count > 1)
+  {
+    this->Controller->Broadcast(values.data(), size, this->Count - 1);
+  }
 }
 
 //------------------------------------------------------------------------------

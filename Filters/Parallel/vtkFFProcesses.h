@@ -19,6 +19,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -53,6 +54,25 @@ public:
    * Every process's values. Each process may give a different number of values.
    */
   std::vector<std::vector<vtkIdType>> GatherLists(const std::vector<vtkIdType>& values);
+
+  //@{
+  /**
+   * The sum of all processes' numbers, and the least of them.
+   */
+  vtkIdType Sum(vtkIdType value);
+  double Least(double value);
+  //@}
+
+  /**
+   * The sums over all processes of each of the values. Each process gives as many.
+   */
+  std::vector<vtkIdType> Sum(const std::vector<vtkIdType>& values);
+
+  /**
+   * One process after another works on values that the one before it leaves. All get what the last
+   * one leaves. The work may not throw.
+   */
+  void PassOn(std::vector<double>& values, const std::function<void()>& work);
 
   /**
    * Combine the failures of all processes; each process gets the same. False if there is any.

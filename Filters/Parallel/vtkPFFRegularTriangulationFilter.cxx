@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFRegularTriangulationFilter.h"
 
+#include "vtkFFBlockExchange.h"
 #include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
 #include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
-#include "vtkFFRegularTriangulationInternals.h"
+#include "vtkPFFRegularTriangulationWork.h"
 
 #include <flipflop/Engines.h>
 
@@ -26,30 +27,6 @@ vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
 vtkCxxSetObjectMacro(vtkPFFRegularTriangulationFilter, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
-class vtkPFFRegularTriangulationFilter::vtkInternals
-  : public vtkFFRegularTriangulationFilter::vtkInternals
-{
-public:
-  using vtkFFRegularTriangulationFilter::vtkInternals::vtkInternals;
-
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
-
-protected:
-  int GetDefaultNumberOfThreads() override;
-
-private:
-  vtkMultiProcessController* GetController()
-  {
-    return static_cast<vtkPFFRegularTriangulationFilter*>(this->GetFilter())->Controller;
-  }
-
-  vtkIdType PlaceOfPiece = 0; // of this process's first point of the block that is worked on
-};
-
-//------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::vtkInternals::GetDefaultNumberOfThreads()
 {
   // Processes on one machine would get into each other's way.
@@ -61,6 +38,7 @@ int vtkPFFRegularTriangulationFilter::vtkInternals::GetDefaultNumberOfThreads()
 //------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()
   : Controller(nullptr)
+  , GenerateGhostCells(false)
 {
   this->SetInternals(std::make_unique<vtkInternals>(this));
   this->SetController(vtkMultiProcessController::GetGlobalController());
@@ -90,12 +68,30 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
 bool vtkPFFRegularTriangulationFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
-  vtkFFProcesses processes(this->GetController());
   this->PlaceOfPiece = 0;
-  if (processes.GetCount() == 1)
+  if (vtkFFProcesses(this->GetController()).GetCount() == 1)
   {
     return this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(blocks, outputs);
   }
+  const std::string reason = this->FindReasonToGather();
+  return reason.empty() ? DistributedWork(this, blocks[0]).Execute(outputs)
+                        : this->ExecuteGathered(blocks, outputs, reason);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPFFRegularTriangulationFilter::vtkInternals::FindReasonToGather()
+{
+  return this->GetDistributedFilter()->GeneratePowerDiagram
+    ? std::string("power diagrams are made of all points together")
+    : vtkFFBlockExchange::FindObstacle(this->GetController());
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFRegularTriangulationFilter::vtkInternals::ExecuteGathered(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+  const std::string& reason)
+{
+  vtkFFProcesses processes(this->GetController());
   const bool isFirst = processes.GetRank() == 0;
 
   // What each process has of the points.
@@ -171,7 +167,7 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::Execute(
     {
       vtkWarningWithObjectMacro(this->GetFilter(), << "The points of " << senders
                                                    << " processes are gathered on one, which "
-                                                   << "triangulates them alone.");
+                                                   << "triangulates them alone: " << reason << ".");
     }
     this->PlaceOfPiece = 0;
     const Block whole{ pieces, blocks[0].FlatIndex,
@@ -181,7 +177,7 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::Execute(
       this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(this->CurrentBlocks, outputs);
   }
   // The others learn how it ended.
-  auto* filter = static_cast<vtkPFFRegularTriangulationFilter*>(this->GetFilter());
+  auto* filter = this->GetDistributedFilter();
   const std::vector<vtkIdType> end =
     processes.Gather({ done, static_cast<vtkIdType>(filter->GetErrorCode()) });
   filter->SetErrorCode(static_cast<unsigned long>(end[1]));
@@ -217,5 +213,6 @@ void vtkPFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "GenerateGhostCells: " << (this->GenerateGhostCells ? "On" : "Off") << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -71,6 +71,18 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   //@}
 
+  //@{
+  /**
+   * Set/Get whether each process also gets the cells of other processes that touch points of its
+   * own region, so that it has all cells around these. Off by default. In vtkGhostType, such cells
+   * have the mark vtkDataSetAttributes::DUPLICATECELL, and points of other regions the mark
+   * DUPLICATEPOINT. A single process has no such cells, and no marks are added.
+   */
+  vtkSetMacro(GenerateGhostCells, bool);
+  vtkGetMacro(GenerateGhostCells, bool);
+  vtkBooleanMacro(GenerateGhostCells, bool);
+  //@}
+
 protected:
   vtkPFFRegularTriangulationFilter();
   ~vtkPFFRegularTriangulationFilter() override;
@@ -78,6 +90,7 @@ protected:
   class vtkInternals;
 
   vtkMultiProcessController* Controller;
+  bool GenerateGhostCells;
 
 private:
   vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;

@@ -2,19 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Twins.h"
 
+#include "Shares.h"
+
 #include "vtkBitArray.h"
 #include "vtkCharArray.h"
 #include "vtkCommunicator.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkFFHullAlgorithm.h"
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLongLongArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
+#include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
@@ -280,6 +286,25 @@ bool isNothing(vtkDataObject* output)
       output->GetNumberOfElements(vtkDataObject::CELL) == 0;
 }
 
+/// Which engine ran is another matter where there are several processes.
+void removeReasons(vtkDataObject* data)
+{
+  data->GetFieldData()->RemoveArray("FlipFlopEngineReason");
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> leaves;
+    leaves.TakeReference(tree->NewTreeIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      vtkSmartPointer<vtkDataObject> copy;
+      copy.TakeReference(leaves->GetCurrentDataObject()->NewInstance());
+      copy->ShallowCopy(leaves->GetCurrentDataObject());
+      copy->GetFieldData()->RemoveArray("FlipFlopEngineReason");
+      tree->SetDataSet(leaves, copy);
+    }
+  }
+}
+
 /// What a filter found, of all that does not depend on who did the work.
 std::vector<double> reportOf(vtkFFAlgorithm* filter)
 {
@@ -393,9 +418,41 @@ bool Twins::Fails(const std::string& what, vtkDataObject* piece, const std::stri
 }
 
 //------------------------------------------------------------------------------
+bool Twins::HasShares() const
+{
+  auto* filter = vtkPFFRegularTriangulationFilter::SafeDownCast(this->Distributed);
+  return filter && !filter->GetGeneratePowerDiagram() && processes() > 1;
+}
+
+//------------------------------------------------------------------------------
+bool Twins::CheckShares(const std::string& what)
+{
+  bool good = true;
+  for (int port = 0; port < 2; ++port)
+  {
+    const auto joined = joinShares(this->Distributed->GetOutputDataObject(port));
+    if (rank() == 0)
+    {
+      vtkDataObject* plain = this->Plain->GetOutputDataObject(port);
+      vtkSmartPointer<vtkDataObject> expected;
+      expected.TakeReference(plain->NewInstance());
+      expected->ShallowCopy(plain);
+      removeReasons(joined);
+      removeReasons(expected);
+      good = isIdentical(joined, expected, what + ", port " + std::to_string(port)) && good;
+    }
+  }
+  return isNothing(this->Distributed->GetOutputDataObject(2)) && good;
+}
+
+//------------------------------------------------------------------------------
 bool Twins::CheckOutputs(const std::string& what)
 {
   bool good = true;
+  if (this->HasShares() && this->Distributed->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    return this->CheckShares(what);
+  }
   for (int port = 0; port < this->Distributed->GetNumberOfOutputPorts(); ++port)
   {
     const std::string where = what + ", port " + std::to_string(port);
@@ -427,7 +484,8 @@ bool Twins::CheckReports(const std::string& what)
     {
       expected.push_back(sentence(message));
     }
-    if (std::string(this->Distributed->GetEngineReason()) != this->Plain->GetEngineReason())
+    if (!this->HasShares() &&
+      std::string(this->Distributed->GetEngineReason()) != this->Plain->GetEngineReason())
     {
       std::cerr << what
                 << ": another reason for the engine: " << this->Distributed->GetEngineReason()
@@ -447,9 +505,21 @@ bool Twins::CheckReports(const std::string& what)
               << "\n";
     good = false;
   }
-  // On the other processes, the plain filter has not run and has nothing to report.
+  // On the other processes, the plain filter has not run and has nothing to report. Those that have
+  // a share report it.
   const auto report = reportOf(this->Distributed);
-  const auto expectedReport = reportOf(this->Plain);
+  auto expectedReport = reportOf(this->Plain);
+  if (this->HasShares() && this->Distributed->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    int dimension = this->Plain->GetDimension();
+    vtkMultiProcessController::GetGlobalController()->Broadcast(&dimension, 1, 0);
+    if (this->Distributed->GetDimension() != dimension)
+    {
+      std::cerr << what << ": the dimension is " << this->Distributed->GetDimension() << "\n";
+      good = false;
+    }
+    expectedReport = rank() > 0 ? report : expectedReport;
+  }
   for (std::size_t i = 0; i < report.size(); ++i)
   {
     if (report[i] != expectedReport[i])

@@ -52,7 +52,8 @@ vtkSmartPointer<vtkMultiBlockDataSet> appendBlocks(const std::vector<Pieces>& le
 /// What a process has of it.
 vtkSmartPointer<vtkMultiBlockDataSet> pieceOfBlocks(const std::vector<Pieces>& leaves);
 
-/// A distributed filter on each process, and on process 0 the plain one.
+/// A distributed filter on each process, and on process 0 the plain one. Where each process has a
+/// share of the output, their union is compared.
 class Twins
 {
 public:
@@ -89,6 +90,9 @@ public:
   ///@}
 
 private:
+  /// Whether each process has a share of the output. Otherwise process 0 has it whole.
+  bool HasShares() const;
+  bool CheckShares(const std::string& what);
   bool CheckOutputs(const std::string& what);
   bool CheckReports(const std::string& what);
   vtkNew<ErrorObserver> PlainErrors;

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFBlockExchange.h"
+
+#include "vtkFFGuard.h"
+
+#include <flipflop/Buffer.h>
+
+#include "vtkDIYUtilities.h"
+#include "vtkMultiProcessController.h"
+
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+class vtkFFBlockExchange::Blocks
+{
+public:
+  explicit Blocks(vtkMultiProcessController* controller)
+    : Master(vtkDIYUtilities::GetCommunicator(controller))
+  {
+    // A block for each process. Messages go to any of them, so none has neighbours.
+    this->Master.add(this->Master.communicator().rank(), this, new diy::Link);
+  }
+
+  void Exchange(Messages& messages)
+  {
+    const auto sender = this->Master.proxy(0);
+    for (auto& message : messages)
+    {
+      const diy::BlockID to{ message.first, message.first };
+      sender.outgoing(to); // also what is empty is sent
+      if (!message.second.empty())
+      {
+        sender.enqueue(to, message.second.data(), message.second.size());
+      }
+      std::vector<char>().swap(message.second); // the queue has it now
+    }
+    messages.clear();
+    this->Master.exchange(true);
+    const auto receiver = this->Master.proxy(0);
+    std::vector<int> senders;
+    receiver.incoming(senders);
+    for (const int from : senders)
+    {
+      std::vector<char>& message = messages[from];
+      message.resize(receiver.incoming(from).size());
+      if (!message.empty())
+      {
+        receiver.dequeue(from, message.data(), message.size());
+      }
+      receiver.incoming(from).wipe();
+    }
+  }
+
+private:
+  diy::Master Master;
+};
+
+//------------------------------------------------------------------------------
+std::string vtkFFBlockExchange::FindObstacle(vtkMultiProcessController* controller)
+{
+  // Others know how to send, but DIY does not know them.
+  return controller->IsA("vtkMPIController")
+    ? std::string()
+    : std::string("DIY knows the processes of MPI alone, and the controller is a ") +
+      controller->GetClassName();
+}
+
+//------------------------------------------------------------------------------
+vtkFFBlockExchange::vtkFFBlockExchange(vtkMultiProcessController* controller, vtkFFGuard& guard)
+  : Guard(guard)
+  , Processes(controller)
+  , Own(std::make_unique<Blocks>(controller))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFFBlockExchange::~vtkFFBlockExchange() = default;
+
+//------------------------------------------------------------------------------
+void vtkFFBlockExchange::Do(const std::function<void()>& work)
+{
+  if (this->Failure.Kind == vtkFFFailure::None)
+  {
+    this->Guard.Try(work, this->Failure);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFBlockExchange::IsWell()
+{
+  this->Guard.NoteAbort(this->Failure);
+  return this->Processes.Share(this->Failure);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFBlockExchange::Exchange(Messages& messages)
+{
+  // All know what is to come, and have the memory for it: DIY would not tell the others.
+  std::vector<vtkIdType> sizes(static_cast<std::size_t>(this->Processes.GetCount()) + 1);
+  if (this->Failure.Kind == vtkFFFailure::None)
+  {
+    for (const auto& message : messages)
+    {
+      sizes[static_cast<std::size_t>(message.first)] +=
+        static_cast<vtkIdType>(message.second.size());
+      ++sizes.back();
+    }
+  }
+  sizes = this->Processes.Sum(sizes);
+  this->NumberOfMessages = sizes.back();
+  this->Do(
+    [&]
+    {
+      const auto own = static_cast<std::size_t>(this->Processes.GetRank());
+      const flipflop::Buffer<char> room(static_cast<std::size_t>(sizes[own]));
+    });
+  if (!this->IsWell())
+  {
+    return false;
+  }
+  if (this->NumberOfMessages > 0)
+  {
+    this->Own->Exchange(messages);
+  }
+  return true;
+}
+VTK_ABI_NAMESPACE_END

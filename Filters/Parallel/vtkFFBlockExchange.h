@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFBlockExchange
+ * @brief   messages between the blocks of distributed data, by DIY
+ *
+ * vtkFFBlockExchange is the way by which the processes of a filter exchange bytes: each has one
+ * block of DIY's, and any block may write to any other. An exchange is the same for all processes:
+ * they come to it together, and leave it together. What they do between two exchanges is guarded.
+ * The failure of one process is the failure of all before the next exchange begins: then there is
+ * none, and nobody waits.
+ */
+
+#ifndef vtkFFBlockExchange_h
+#define vtkFFBlockExchange_h
+
+#include "vtkFFFailure.h"
+#include "vtkFFMarks.h"
+#include "vtkFFProcesses.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkFFGuard;
+class vtkMultiProcessController;
+
+class vtkFFBlockExchange
+{
+public:
+  /**
+   * Messages to or from others (or to the own process), by the number of the process.
+   */
+  using Messages = std::map<int, std::vector<char>>;
+
+  /**
+   * Why DIY cannot exchange messages between the processes of a controller: a clause. Empty if it
+   * can. It is the same on all processes.
+   */
+  static std::string FindObstacle(vtkMultiProcessController* controller);
+
+  /**
+   * The processes of a controller to which there is no obstacle. The guard turns what is thrown
+   * into failures, and knows when to stop.
+   */
+  vtkFFBlockExchange(vtkMultiProcessController* controller, vtkFFGuard& guard);
+  ~vtkFFBlockExchange();
+  vtkFFBlockExchange(const vtkFFBlockExchange&) = delete;
+  void operator=(const vtkFFBlockExchange&) = delete;
+
+  vtkFFProcesses& GetProcesses() { return this->Processes; }
+
+  /**
+   * Work that needs no other process. What it throws is this process's failure; after one, nothing
+   * more is done.
+   */
+  void Do(const std::function<void()>& work);
+
+  /**
+   * Whether there is no failure. Collective.
+   */
+  bool IsWell();
+
+  /**
+   * Send all messages, and have those that others sent to this process instead. False if there is a
+   * failure, on any process: then nothing was sent. Collective.
+   */
+  bool Exchange(Messages& messages);
+
+  /**
+   * How many messages all processes sent in the last exchange.
+   */
+  vtkIdType GetNumberOfMessages() const { return this->NumberOfMessages; }
+
+  /**
+   * The failure of this process; after IsWell() and Exchange(), that of all.
+   */
+  const vtkFFFailure& GetFailure() const { return this->Failure; }
+
+private:
+  class Blocks;
+
+  vtkFFGuard& Guard;
+  vtkFFProcesses Processes;
+  std::unique_ptr<Blocks> Own;
+  vtkFFFailure Failure;
+  vtkIdType NumberOfMessages = 0;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFBlockRounds
+ * @brief   the blocks of all processes, from their introductions to their cells
+ *
+ * vtkFFBlockRounds carries the messages of flipflop::BlockRun, one on each process, until no block
+ * has a question left.
+ */
+
+#ifndef vtkFFBlockRounds_h
+#define vtkFFBlockRounds_h
+
+#include "vtkFFMarks.h"
+
+#include <flipflop/BlockRun.h>
+
+#include <functional>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkFFBlockExchange;
+
+class vtkFFBlockRounds
+{
+public:
+  /**
+   * The cells of this process's block, as @p result. False if there is a failure, on any process.
+   * Collective.
+   *
+   * @param look is called before each step of the work; it may throw.
+   */
+  static bool Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
+    const flipflop::Options& options, const std::function<void()>& look,
+    vtkFFBlockExchange& exchange, flipflop::BlockResult& result);
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// An output of which each process has a share, joined to what one process would have.
+#ifndef Shares_h
+#define Shares_h
+
+#include "vtkSmartPointer.h"
+
+class vtkDataObject;
+
+namespace fftest
+{
+
+/// What all processes have of an output, on process 0: points by ascending id, each once; cells in
+/// canonical form, as often as they are there; their data. Null on the others. A point that several
+/// have must be the same, and all must have the same arrays: otherwise it is a failure. Leaves of
+/// composites are joined with those in the same place. Collective.
+vtkSmartPointer<vtkDataObject> joinShares(vtkDataObject* own);
+
+}
+
+#endif
