@@ -6,8 +6,11 @@
 
 #include <flipflop/Buffer.h>
 
-#include "vtkDIYUtilities.h"
 #include "vtkMultiProcessController.h"
+
+#if FLIPFLOP_USE_DIY
+#include "vtkDIYUtilities.h"
+#endif
 
 #include <cstddef>
 #include <numeric>
@@ -15,6 +18,8 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+#if FLIPFLOP_USE_DIY
+
 //------------------------------------------------------------------------------
 class vtkFFBlockExchange::Blocks
 {
@@ -63,12 +68,30 @@ private:
 //------------------------------------------------------------------------------
 std::string vtkFFBlockExchange::FindObstacle(vtkMultiProcessController* controller)
 {
-  // Others know how to send, but DIY does not know them.
+  // Others can send as well, but DIY does not know them.
   return controller->IsA("vtkMPIController")
     ? std::string()
-    : std::string("DIY knows the processes of MPI alone, and the controller is a ") +
+    : std::string("only processes of MPI work together, and the controller is a ") +
       controller->GetClassName();
 }
+
+#else
+
+//------------------------------------------------------------------------------
+class vtkFFBlockExchange::Blocks // is never made, for the reason given below
+{
+public:
+  explicit Blocks(vtkMultiProcessController*) {}
+  void Exchange(Messages&) {}
+};
+
+//------------------------------------------------------------------------------
+std::string vtkFFBlockExchange::FindObstacle(vtkMultiProcessController*)
+{
+  return "only processes of MPI work together, and this build has none";
+}
+
+#endif
 
 //------------------------------------------------------------------------------
 vtkFFBlockExchange::vtkFFBlockExchange(vtkMultiProcessController* controller, vtkFFGuard& guard)
