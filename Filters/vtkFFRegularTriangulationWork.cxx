@@ -357,7 +357,7 @@ std::int64_t vtkFFRegularTriangulationFilter::vtkInternals::Work::DropLongCells(
 {
   const double longest = this->Filter->MaximumEdgeLength;
   const std::int64_t count = cells.cellCount();
-  if (!(longest > 0.0))
+  if (!(longest > 0.0) || count == 0)
   {
     return 0;
   }
@@ -395,8 +395,14 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::WriteCells(
   flipflop::Triangulation& triangulation = this->Triangulation;
   if (filter->GenerateCellMeasures)
   {
-    const auto measure = [&](double* areas, double* centroids) {
-      flipflop::cellMeasures(this->Projection->GetView(), triangulation, areas, centroids, options);
+    const auto measure = [&](double* areas, double* centroids)
+    {
+      // A share of a triangulation may have no cell, which the engine takes for none of its own.
+      if (triangulation.cellCount() > 0)
+      {
+        flipflop::cellMeasures(
+          this->Projection->GetView(), triangulation, areas, centroids, options);
+      }
     };
     CellMeasures(triangulation.cellCount(), *this->Projection, measure).AddTo(outputs[0]);
   }

@@ -13,11 +13,13 @@
 int main(int argc, char* argv[])
 {
   const std::map<std::string, void (*)()> tests{
+    { "Faults", testFaults },
     { "Hull", testHull },
     { "HullComposite", testHullComposite },
     { "HullErrors", testHullErrors },
     { "OneOutput", testOneOutput },
     { "RandomPartitions", testRandomPartitions },
+    { "Shares", testShares },
     { "Triangulation", testTriangulation },
     { "TriangulationErrors", testTriangulationErrors },
   };

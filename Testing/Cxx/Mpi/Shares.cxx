@@ -24,16 +24,6 @@ namespace fftest
 namespace
 {
 
-using Cells = std::vector<std::vector<vtkIdType>>;
-
-/// What a process has.
-struct Share
-{
-  vtkSmartPointer<vtkPolyData> Points;
-  vtkSmartPointer<vtkPolyData> CellData; // as point data
-  Cells ByIds;
-};
-
 /// All processes' texts, on process 0.
 std::vector<std::string> gather(const std::string& own)
 {
@@ -69,43 +59,6 @@ int kindOf(vtkPolyData* data)
     kind = cellsOf(data, k)->GetNumberOfCells() > 0 ? k : kind;
   }
   return kind;
-}
-
-std::vector<Share> gatherShares(vtkPolyData* own)
-{
-  const int kind = kindOf(own);
-  const Cells cells = kind < 0 ? Cells() : cellsByOriginalIds(own, cellsOf(own, kind));
-  std::string packed;
-  for (const auto& cell : cells)
-  {
-    const auto size = static_cast<vtkIdType>(cell.size());
-    packed.append(reinterpret_cast<const char*>(&size), sizeof(size));
-    packed.append(reinterpret_cast<const char*>(cell.data()), cell.size() * sizeof(vtkIdType));
-  }
-  vtkNew<vtkPolyData> cellData;
-  for (int i = 0; i < own->GetCellData()->GetNumberOfArrays(); ++i)
-  {
-    cellData->GetPointData()->AddArray(own->GetCellData()->GetAbstractArray(i));
-  }
-  const auto points = gather(vtkFFParcel::Pack(own));
-  const auto data = gather(vtkFFParcel::Pack(cellData));
-  const auto lists = gather(packed);
-  std::vector<Share> shares;
-  for (std::size_t process = 0; process < points.size(); ++process)
-  {
-    Share share{ vtkFFParcel::Unpack(points[process]), vtkFFParcel::Unpack(data[process]), {} };
-    std::vector<vtkIdType> numbers(lists[process].size() / sizeof(vtkIdType));
-    std::copy_n(
-      lists[process].data(), lists[process].size(), reinterpret_cast<char*>(numbers.data()));
-    for (auto number = numbers.begin(); number != numbers.end();)
-    {
-      const auto end = number + 1 + *number;
-      share.ByIds.emplace_back(number + 1, end);
-      number = end;
-    }
-    shares.push_back(share);
-  }
-  return shares;
 }
 
 /// Where values are: in whose share, and at which place there.
@@ -232,9 +185,9 @@ vtkSmartPointer<vtkPolyData> join(vtkPolyData* own)
   for (std::size_t process = 0; process < shares.size(); ++process)
   {
     data.push_back(shares[process].CellData->GetPointData());
-    for (std::size_t i = 0; i < shares[process].ByIds.size(); ++i)
+    for (std::size_t i = 0; i < shares[process].Cells.size(); ++i)
     {
-      cells.push_back({ shares[process].ByIds[i], { process, static_cast<vtkIdType>(i) } });
+      cells.push_back({ shares[process].Cells[i], { process, static_cast<vtkIdType>(i) } });
     }
   }
   std::sort(cells.begin(), cells.end());
@@ -266,6 +219,45 @@ vtkSmartPointer<vtkPolyData> join(vtkPolyData* own)
   return joined;
 }
 
+}
+
+//------------------------------------------------------------------------------
+std::vector<Share> gatherShares(vtkPolyData* own)
+{
+  const int kind = kindOf(own);
+  const std::vector<std::vector<vtkIdType>> cells =
+    kind < 0 ? std::vector<std::vector<vtkIdType>>() : cellsByOriginalIds(own, cellsOf(own, kind));
+  std::string packed;
+  for (const auto& cell : cells)
+  {
+    const auto size = static_cast<vtkIdType>(cell.size());
+    packed.append(reinterpret_cast<const char*>(&size), sizeof(size));
+    packed.append(reinterpret_cast<const char*>(cell.data()), cell.size() * sizeof(vtkIdType));
+  }
+  vtkNew<vtkPolyData> cellData;
+  for (int i = 0; i < own->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    cellData->GetPointData()->AddArray(own->GetCellData()->GetAbstractArray(i));
+  }
+  const auto points = gather(vtkFFParcel::Pack(own));
+  const auto data = gather(vtkFFParcel::Pack(cellData));
+  const auto lists = gather(packed);
+  std::vector<Share> shares;
+  for (std::size_t process = 0; process < points.size(); ++process)
+  {
+    Share share{ vtkFFParcel::Unpack(points[process]), vtkFFParcel::Unpack(data[process]), {} };
+    std::vector<vtkIdType> numbers(lists[process].size() / sizeof(vtkIdType));
+    std::copy_n(
+      lists[process].data(), lists[process].size(), reinterpret_cast<char*>(numbers.data()));
+    for (auto number = numbers.begin(); number != numbers.end();)
+    {
+      const auto end = number + 1 + *number;
+      share.Cells.emplace_back(number + 1, end);
+      number = end;
+    }
+    shares.push_back(share);
+  }
+  return shares;
 }
 
 //------------------------------------------------------------------------------

@@ -5,12 +5,26 @@
 #ifndef Shares_h
 #define Shares_h
 
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+
+#include <vector>
 
 class vtkDataObject;
 
 namespace fftest
 {
+
+/// What a process has of an output.
+struct Share
+{
+  vtkSmartPointer<vtkPolyData> Points;
+  vtkSmartPointer<vtkPolyData> CellData;     // as point data
+  std::vector<std::vector<vtkIdType>> Cells; // by their corners' ids
+};
+
+/// All processes' shares, on process 0; none on the others. Collective.
+std::vector<Share> gatherShares(vtkPolyData* own);
 
 /// What all processes have of an output, on process 0: points by ascending id, each once; cells in
 /// canonical form, as often as they are there; their data. Null on the others. A point that several

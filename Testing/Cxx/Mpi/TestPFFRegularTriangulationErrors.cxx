@@ -7,6 +7,8 @@
 #include "vtkErrorCode.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPFFDelaunayFilter.h"
+#include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -128,7 +130,7 @@ void testSettings()
   FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
 }
 
-/// Process 0 at any time, the others before it begins.
+/// Whoever asks to abort, at whatever time.
 void testAbort()
 {
   Twins both = triangulations();
@@ -136,12 +138,8 @@ void testAbort()
   const auto own = static_cast<std::size_t>(rank());
   for (const int process : { 0, 1, 4 })
   {
-    for (const double mark : { 0.0, 0.5 })
+    for (const double mark : { 0.0, 0.5, 0.9 })
     {
-      if (process > 0 && mark > 0.0)
-      {
-        continue;
-      }
       vtkNew<ProgressObserver> progress;
       progress->AbortAt = mark;
       const unsigned long tag = rank() == std::min(process, processes() - 1)
@@ -151,6 +149,58 @@ void testAbort()
       both.Distributed->RemoveObserver(tag);
       both.Distributed->SetAbortExecute(0); // older VTKs do so at the start of a run
       both.Run("after an abort", pieces);
+    }
+  }
+}
+
+/// Progress goes from 0 to 1 on every process, and never back.
+void testProgress()
+{
+  Twins both = triangulations();
+  vtkNew<ProgressObserver> progress;
+  both.Distributed->AddObserver(vtkCommand::ProgressEvent, progress);
+  both.Run("progress", makePieces());
+  checkProgress(progress->Values);
+  progress->Values.clear();
+  both.Run("progress of blocks", std::vector<Pieces>(4, makePieces()));
+  checkProgress(progress->Values);
+}
+
+/// On one process no data set, no input at all, or another number of blocks: the others do not
+/// wait.
+void testWrongInput()
+{
+  const Pieces pieces = makePieces();
+  vtkNew<vtkTable> table;
+  const auto blocks = pieceOfBlocks(std::vector<Pieces>(4, pieces));
+  for (const bool composite : { false, true })
+  {
+    vtkDataObject* piece = pieces[static_cast<std::size_t>(rank())];
+    piece = composite ? blocks.Get() : piece;
+    for (int process = 0; process < processes(); ++process)
+    {
+      for (const auto& filter :
+        { vtkSmartPointer<Filter>(vtkNew<vtkPFFRegularTriangulationFilter>()),
+          vtkSmartPointer<Filter>(vtkNew<vtkPFFDelaunayFilter>()),
+          vtkSmartPointer<Filter>(vtkNew<vtkPFFPowerDiagramFilter>()) })
+      {
+        Twins both(filter, vtkNew<Filter>());
+        const bool wrong = rank() == process;
+        both.Fails("a wrong input", wrong ? table.Get() : piece, "The input is a vtkTable");
+        both.Fails("no input", wrong ? nullptr : piece, "There is no input");
+        if (processes() > 1)
+        {
+          vtkDataObject* other = pieces[0];
+          other = composite ? other : blocks.Get();
+          both.Fails("other blocks", wrong ? other : piece, "different numbers of blocks");
+        }
+        vtkNew<ErrorObserver> warnings; // of a diagram
+        filter->AddObserver(vtkCommand::WarningEvent, warnings);
+        filter->SetInputDataObject(piece);
+        filter->Modified();
+        filter->Update();
+        FF_CHECK_EQUAL(filter->GetErrorCode(), vtkErrorCode::NoError);
+      }
     }
   }
 }
@@ -186,5 +236,7 @@ void testTriangulationErrors()
   testWeights();
   testSettings();
   testAbort();
+  testProgress();
   testWrongBlock();
+  testWrongInput();
 }

@@ -113,11 +113,13 @@ bool allWell();
 
 /// The tests, one a file. Collective.
 ///@{
+void testFaults();
 void testHull();
 void testHullComposite();
 void testHullErrors();
 void testOneOutput();
 void testRandomPartitions();
+void testShares();
 void testTriangulation();
 void testTriangulationErrors();
 ///@}

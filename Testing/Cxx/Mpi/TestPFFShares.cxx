@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What all processes have of a triangulation is what one would have, for the families of the
+// engine's tests and however the points are dealt out. Each process has about as much, and on
+// request what surrounds it.
+#include "Shares.h"
+#include "Twins.h"
+
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkPFFRegularTriangulationFilter.h"
+#include "vtkPointData.h"
+#include "vtkTransform.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <set>
+
+using namespace fftest;
+using flipflop::test::Cloud;
+using flipflop::test::Random;
+
+namespace
+{
+
+using Filter = vtkFFRegularTriangulationFilter;
+
+Twins triangulations()
+{
+  Twins both = twins<vtkPFFRegularTriangulationFilter, Filter>();
+  both.Set<Filter>([](Filter* filter) { filter->SetNumberOfThreads(1); });
+  return both;
+}
+
+/// Points with weights: x, y and the weight of each, at some height.
+Pieces makeWeightedPieces(const Cloud& cloud, const std::function<int(int)>& owner)
+{
+  std::vector<std::vector<Point>> points(static_cast<std::size_t>(processes()));
+  std::vector<std::vector<double>> weights(points.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const auto own = static_cast<std::size_t>(owner(static_cast<int>(i)));
+    points[own].push_back({ cloud[i][0], cloud[i][1], static_cast<double>(i % 5) });
+    weights[own].push_back(cloud[i][2]);
+  }
+  Pieces pieces;
+  for (std::size_t own = 0; own < points.size(); ++own)
+  {
+    pieces.push_back(makeWeighted(points[own], weights[own]));
+  }
+  return pieces;
+}
+
+/// How points are dealt, by a number: by turns, in runs, at random, to some processes only.
+std::function<int(int)> dealing(std::uint64_t which, std::size_t count)
+{
+  const int all = processes();
+  switch (which % 5)
+  {
+    case 0:
+      return [=](int i) { return i % all; };
+    case 1:
+      return [=](int i) {
+        return static_cast<int>(
+          static_cast<std::size_t>(i) * all / std::max<std::size_t>(count, 1));
+      };
+    case 2:
+      return [=](int) { return static_cast<int>(which / 5 % static_cast<std::uint64_t>(all)); };
+    case 3:
+      return [=](int i) { return i % 7 == 3 ? all - 1 : 0; };
+    default:
+    {
+      const auto random = std::make_shared<Random>(which);
+      return [=](int) { return random->integer(0, all - 1); };
+    }
+  }
+}
+
+void useAll(Twins& both, std::uint64_t which)
+{
+  both.Set<Filter>(
+    [=](Filter* filter)
+    {
+      useWeights(filter, which % 4 == 3 ? "" : "weights");
+      filter->SetFacetMode(static_cast<int>(which % 2));
+    });
+}
+
+void testFamilies()
+{
+  Twins both = triangulations();
+  std::uint64_t which = 0;
+  for (const auto& family : flipflop::test::weightedFamilies())
+  {
+    Random random(7);
+    const Cloud cloud = family.make(200, random);
+    useAll(both, ++which);
+    both.Run(family.name, makeWeightedPieces(cloud, dealing(which, cloud.size())));
+  }
+  for (const auto& input : flipflop::test::smallWeightedInputs())
+  {
+    const Cloud cloud = input.make();
+    useAll(both, ++which);
+    both.Run(input.name, makeWeightedPieces(cloud, dealing(which, cloud.size())));
+  }
+}
+
+/// A scan and a digital elevation model, as they lie in the file and shuffled.
+void testRealData()
+{
+  Twins both = triangulations();
+  for (const std::string name : { "autzen", "sainthelens" })
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName((FLIPFLOP_TEST_DATA "/../../Data/" + name + ".vtp").c_str());
+    reader->Update();
+    vtkPolyData* read = reader->GetOutput();
+    std::vector<Point> points(static_cast<std::size_t>(read->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      read->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    }
+    for (const std::uint64_t which : { 1, 4 })
+    {
+      both.Set<Filter>([&](Filter* filter) { filter->SetFacetMode(which == 4); });
+      both.Run(
+        name, split(points, dealing(which, points.size()), read->GetPoints()->GetDataType()));
+    }
+  }
+}
+
+/// Small integers, so that there are ties of all kinds, and weights of several ranges.
+void testRandomDealings()
+{
+  Twins both = triangulations();
+  const char* wanted = std::getenv("FLIPFLOP_TEST_CASES");
+  const int cases = wanted ? std::atoi(wanted) : 30;
+  for (int seed = 0; seed < cases; ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed) + 1);
+    const int reach = random.integer(1, 12);
+    const int heaviest = seed % 3 ? random.integer(0, 3) : 1000;
+    const Cloud cloud =
+      flipflop::test::smallIntegerSites(random.integer(0, 150), 0, reach, 0, heaviest, random);
+    const auto which = static_cast<std::uint64_t>(random.integer(0, 1000));
+    useAll(both, which);
+    both.Run("seed " + std::to_string(seed),
+      makeWeightedPieces(cloud, dealing(4 + 5 * which, cloud.size())));
+  }
+}
+
+/// A weight that hides all but the border, and one that hides nothing but reaches everything.
+void testGiantWeight()
+{
+  Twins both = triangulations();
+  both.Set<Filter>([](Filter* filter) { useWeights(filter); });
+  for (const double weight : { 0.3, 10.0, 1e6 })
+  {
+    Cloud cloud = flipflop::test::randomSites(400, 1e-4, 5);
+    cloud[123][2] = weight;
+    both.Run("one giant weight", makeWeightedPieces(cloud, dealing(0, cloud.size())));
+  }
+}
+
+/// Each of the settings that decide about the cells or are computed from them.
+void testSettings()
+{
+  Twins both = triangulations();
+  const Cloud cloud = flipflop::test::randomSites(400, 1e-3, 6);
+  const Pieces pieces = makeWeightedPieces(cloud, dealing(4, cloud.size()));
+  vtkNew<vtkTransform> transform;
+  transform->RotateX(30);
+  transform->Scale(1, 2, 3);
+  for (const int mode : { 0, 1, 2 })
+  {
+    for (const double longest : { 0.0, 0.08, 1e-9 })
+    {
+      both.Set<Filter>(
+        [&](Filter* filter)
+        {
+          useWeights(filter);
+          filter->StoreTransform(transform);
+          filter->SetProjectionPlaneMode(mode);
+          filter->SetMaximumEdgeLength(longest);
+          filter->SetGenerateCellMeasures(longest < 0.5);
+          filter->SetReportAsFieldData(mode == 1);
+          filter->SetWeightMode(mode == 2);
+          filter->SetFacetMode(mode == 1);
+        });
+      both.Run("mode " + std::to_string(mode) + ", edges to " + std::to_string(longest), pieces);
+      FF_CHECK(rank() > 0 || longest == 0.0 ||
+        Filter::SafeDownCast(both.Distributed)->GetNumberOfDroppedCells() > 0);
+    }
+  }
+  // In one vertical plane: a warning, once.
+  Twins upright = triangulations();
+  std::vector<Point> wall;
+  for (int i = 0; i < 60; ++i)
+  {
+    wall.push_back({ double(i % 12), double(i % 12), double(i / 12) });
+  }
+  upright.Run("upright", split(wall, dealing(4, wall.size())));
+  FF_CHECK_EQUAL(upright.Warnings->Messages.size(), std::size_t(rank() == 0));
+}
+
+using Marks = std::vector<bool>;
+
+/// What is marked in the array of ghosts.
+Marks marksOf(vtkPolyData* data, int mark)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  Marks marks;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    marks.push_back((static_cast<int>(array->GetTuple1(i)) & mark) != 0);
+  }
+  return marks;
+}
+
+using Cell = std::vector<vtkIdType>;
+
+/// Which process has each point in its region: one alone.
+std::map<vtkIdType, std::size_t> ownersOf(const std::vector<Share>& shares)
+{
+  std::map<vtkIdType, std::size_t> owners;
+  for (std::size_t process = 0; process < shares.size(); ++process)
+  {
+    const auto ids = originalIds(shares[process].Points);
+    const Marks marks = marksOf(shares[process].Points, vtkDataSetAttributes::DUPLICATEPOINT);
+    FF_CHECK_EQUAL(marks.size(), ids.size());
+    for (std::size_t i = 0; i < ids.size() && i < marks.size(); ++i)
+    {
+      FF_CHECK(marks[i] || owners.emplace(ids[i], process).second);
+    }
+  }
+  return owners;
+}
+
+/// The cells that are a process's own are all cells, and the marked ones surround its points.
+void checkGhosts(const std::vector<Share>& shares, vtkPolyData* plain, vtkCellArray* cells)
+{
+  std::map<Cell, std::vector<std::size_t>> havers;
+  std::map<Cell, double> areas;
+  std::set<Cell> all;
+  const auto owners = ownersOf(shares);
+  FF_CHECK_EQUAL(owners.size(), originalIds(plain).size());
+  for (std::size_t process = 0; process < shares.size(); ++process)
+  {
+    const Share& share = shares[process];
+    FF_CHECK(std::is_sorted(share.Cells.begin(), share.Cells.end()));
+    const Marks marks = marksOf(share.CellData, vtkDataSetAttributes::DUPLICATECELL);
+    vtkDataArray* area = share.CellData->GetPointData()->GetArray("Area");
+    FF_CHECK_EQUAL(marks.size(), share.Cells.size());
+    for (std::size_t i = 0; i < marks.size(); ++i)
+    {
+      const Cell& cell = share.Cells[i];
+      FF_CHECK(marks[i] || all.insert(cell).second);
+      const bool touches = std::any_of(cell.begin(), cell.end(),
+        [&](vtkIdType id) { return owners.count(id) > 0 && owners.at(id) == process; });
+      FF_CHECK(!marks[i] || touches);
+      havers[cell].push_back(process);
+      const double own = area->GetTuple1(static_cast<vtkIdType>(i));
+      FF_CHECK_EQUAL(areas.emplace(cell, own).first->second, own);
+    }
+  }
+  const auto expected = cellsByOriginalIds(plain, cells);
+  FF_CHECK(std::equal(all.begin(), all.end(), expected.begin(), expected.end()));
+  for (const auto& cell : havers)
+  {
+    for (const vtkIdType id : cell.first)
+    {
+      FF_CHECK(owners.count(id) > 0 &&
+        std::count(cell.second.begin(), cell.second.end(), owners.at(id)) == 1);
+    }
+  }
+}
+
+void testGhosts()
+{
+  if (processes() == 1)
+  {
+    return;
+  }
+  vtkNew<vtkPFFRegularTriangulationFilter> filter;
+  vtkNew<Filter> plain;
+  filter->GenerateGhostCellsOn();
+  FF_CHECK(filter->GetGenerateGhostCells());
+  // The line is in a vertical plane.
+  vtkNew<ErrorObserver> warnings;
+  filter->AddObserver(vtkCommand::WarningEvent, warnings);
+  plain->AddObserver(vtkCommand::WarningEvent, warnings);
+  std::vector<Cloud> clouds{ flipflop::test::randomSites(500, 1e-3, 8),
+    flipflop::test::squareGrid(15), flipflop::test::cocircularIntegers(5525) };
+  Cloud line;
+  for (int i = 0; i < 30; ++i)
+  {
+    line.push_back({ double(i), 2.0 * i, 0.0 });
+  }
+  clouds.push_back(line);
+  clouds.push_back({ { 1, 2, 0 }, { 1, 2, 3 } });
+  for (std::size_t i = 0; i < clouds.size(); ++i)
+  {
+    for (const int facets : { 0, 1 })
+    {
+      const Pieces pieces = makeWeightedPieces(clouds[i], dealing(4, clouds[i].size()));
+      for (Filter* either : { static_cast<Filter*>(filter.Get()), plain.Get() })
+      {
+        useWeights(either);
+        either->SetFacetMode(facets);
+        either->GenerateCellMeasuresOn();
+      }
+      filter->SetInputDataObject(pieces[static_cast<std::size_t>(rank())]);
+      filter->Update();
+      const auto shares = gatherShares(filter->GetOutput());
+      if (rank() == 0)
+      {
+        plain->SetInputDataObject(append(pieces));
+        plain->Update();
+        const int dimension = plain->GetDimension();
+        vtkPolyData* output = plain->GetOutput();
+        checkGhosts(shares, output,
+          dimension == 0     ? output->GetVerts()
+            : dimension == 1 ? output->GetLines()
+                             : output->GetPolys());
+      }
+    }
+  }
+}
+
+/// Clusters, one of them too small for floats, a line, a grid: each process has its part.
+void testBalance()
+{
+  vtkNew<vtkPFFRegularTriangulationFilter> filter;
+  filter->GenerateGhostCellsOn();
+  Random random(9);
+  std::vector<Cloud> clouds(4);
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double scale = i % 4 == 0 ? 1.0 : i % 4 == 1 ? 1e-3 : 1e-11;
+    clouds[0].push_back(
+      { 0.7 + scale * random.uniform(-1, 1), 0.3 + scale * random.uniform(-1, 1), 0 });
+    clouds[1].push_back({ 3.0, random.uniform(), 0 });
+    clouds[2].push_back({ double(i % 2), double(i / 2), 0 });
+    const double graded = std::exp(random.uniform(-20, 20));
+    clouds[3].push_back({ graded, graded * random.uniform(), 0 });
+  }
+  for (const Cloud& cloud : clouds)
+  {
+    const Pieces pieces = makeWeightedPieces(cloud, dealing(1, cloud.size()));
+    vtkNew<ErrorObserver> warnings; // the line is in a vertical plane
+    const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, warnings);
+    filter->SetInputDataObject(pieces[static_cast<std::size_t>(rank())]);
+    filter->Update();
+    const Marks marks = marksOf(filter->GetOutput(), vtkDataSetAttributes::DUPLICATEPOINT);
+    filter->RemoveObserver(tag);
+    const auto own = std::count(marks.begin(), marks.end(), false);
+    FF_CHECK(processes() == 1 || std::abs(own * processes() - 4000) <= 8 * processes());
+  }
+}
+
+}
+
+void testShares()
+{
+  testFamilies();
+  testRealData();
+  testRandomDealings();
+  testGiantWeight();
+  testSettings();
+  testGhosts();
+  testBalance();
+}
