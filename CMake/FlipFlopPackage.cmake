@@ -26,6 +26,7 @@ foreach(engine IN ITEMS Engine Cuda)
     FILE "${config_dir}/FlipFlop${engine}-targets.cmake")
 endforeach()
 
+get_property(FLIPFLOP_USE_DIY GLOBAL PROPERTY FLIPFLOP_USE_DIY)
 configure_package_config_file(CMake/FlipFlopConfig.cmake.in "${config_dir}/FlipFlopConfig.cmake"
   INSTALL_DESTINATION "${FlipFlop_CMAKE_DESTINATION}")
 write_basic_package_version_file("${config_dir}/FlipFlopConfigVersion.cmake"

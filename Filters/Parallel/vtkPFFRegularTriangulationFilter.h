@@ -5,13 +5,33 @@
  * @brief   the exact regular triangulation of points that are distributed over processes
  *
  * vtkPFFRegularTriangulationFilter is vtkFFRegularTriangulationFilter for data in pieces, one on
- * each process of a vtkMultiProcessController. It gives one triangulation of all pieces, on process
- * 0. That triangulation is the one that vtkFFRegularTriangulationFilter gives for the pieces of
- * process 0, 1, 2... appended in this order, bit for bit, with ids that count the points of all
- * pieces. On the other processes, the outputs have no points.
+ * each process of a vtkMultiProcessController. It gives one triangulation of all pieces, of which
+ * each process has a share. Together, the shares are the triangulation that
+ * vtkFFRegularTriangulationFilter gives for the pieces of process 0, 1, 2... appended in this
+ * order, bit for bit: the same cells, points, point data, hidden points, and ids that count the
+ * points of all pieces. That holds for any number of processes, however the points are distributed.
  *
- * Process 0 gathers all points and does all the work, so its memory must hold them all. If several
- * processes have points, a warning says so.
+ * - Each process has the cells of a region of the plane: about as many
+ *   as each other process. Every cell is on one process. The regions
+ *   are the filter's choice, and have nothing to do with the pieces.
+ * - Port 0 has all points of the process's cells, so a point may be on
+ *   several processes. See SetGenerateGhostCells().
+ * - Port 1 has the hidden points of the process's region: each is on
+ *   one process.
+ * - On each process, points, cells and ids are in the order in which
+ *   the whole triangulation has them. All processes have the same
+ *   arrays and types.
+ *
+ * The points are dealt out to regions by place. Each process triangulates the points of its region,
+ * and asks others for points that might change its cells, until no process has a question left.
+ * Points are sent without their data; in the end, each process fetches the points of its cells with
+ * their data from where they came. This needs MPI, and VTK's module ParallelDIY.
+ *
+ * @warning
+ * Process 0 gathers all points and does all the work, so that its memory must hold them all, for
+ * power diagrams (see SetGeneratePowerDiagram()), and with controllers that are not of MPI. If
+ * several processes have points, a warning says so. On the other processes, the outputs have no
+ * points then.
  *
  * - Ghost points (see SetSkipGhostPoints()) are left out on their
  *   process and not counted: ids count the remaining points. With a
@@ -24,11 +44,18 @@
  *   on each process. All processes must have the same number of blocks,
  *   with or without data in them; otherwise that is an error.
  * - An error on any process is an error of all processes. Process 0
- *   reports it. The others only set their error code; they report no
- *   figures either. Until process 0 begins its work, any process can
- *   abort all of them; later, only process 0 can.
+ *   reports it. The others only set their error code. An abort on one
+ *   process is an abort on all. (Points that are gathered are an
+ *   exception: once process 0 has them, only it can abort, and the
+ *   others report no figures.)
+ * - Process 0 reports the numbers of input points, of points that are
+ *   not finite, of hidden points and of cells left out for all pieces.
+ *   The other processes report these for their own pieces and shares.
+ *   The dimension is that of all points; all other statistics are of
+ *   the process's own work. The CPU does all work; SetEngineToCUDA() is
+ *   an error.
  *
- * - Field data of a block is the field data of process 0's piece.
+ * - Field data of a block is the field data of the process's own piece.
  *
  * All processes must update the filter, with the same settings: make a change, also of the flag
  * that aborts, on all of them.

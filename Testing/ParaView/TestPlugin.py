@@ -52,7 +52,14 @@ BOX = {
 }
 DEFAULTS = {
     "FlipFlopConvexHull": {**COMMON, **FACETS, **ENGINES, "CompositeMode": "Hull of Each Block"},
-    "FlipFlopDelaunay": {**COMMON, **FACETS, **ENGINES, **PLANE, "MaximumEdgeLength": 0.0},
+    "FlipFlopDelaunay": {
+        **COMMON,
+        **FACETS,
+        **ENGINES,
+        **PLANE,
+        "MaximumEdgeLength": 0.0,
+        "GenerateGhostCells": 0,
+    },
     "FlipFlopPowerDiagram": {**COMMON, **ENGINES, **WEIGHTS, **PLANE, **BOX, "VisiblePointIds": 1},
     "FlipFlopConvexify": {**COMMON, **FACETS, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
     "FlipFlopRegularTriangulation": {
@@ -63,6 +70,7 @@ DEFAULTS = {
         **PLANE,
         **BOX,
         "MaximumEdgeLength": 0.0,
+        "GenerateGhostCells": 0,
         "GeneratePowerDiagram": 0,
     },
     "FlipFlopSelectEnclosedPoints": {

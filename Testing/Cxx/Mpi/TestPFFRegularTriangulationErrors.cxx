@@ -128,6 +128,16 @@ void testSettings()
   both.Set<Filter>([](Filter* filter) { filter->SetPowerDiagramBounds(0, 1, 0, 1); });
   both.Run("a box", makePieces());
   FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
+
+  // Several processes have no CUDA engine, whatever the machine has.
+  Twins cuda = triangulations();
+  cuda.Distributed->SetEngineToCUDA();
+  if (processes() > 1)
+  {
+    cuda.Fails("CUDA", makePieces()[static_cast<std::size_t>(rank())],
+      "The CUDA engine was asked for, but several processes triangulate together on their CPUs. "
+      "Set Engine to Automatic or CPU.");
+  }
 }
 
 /// Whoever asks to abort, at whatever time.

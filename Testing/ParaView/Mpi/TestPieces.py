@@ -33,11 +33,14 @@ import pieces
 import pipelines
 import ranks
 
-GATHERED = "The points of {} processes are gathered on one, which triangulates them alone."
+GATHERED = (
+    "The points of {} processes are gathered on one, which triangulates them alone: power diagrams are made of "
+    "all points together."
+)
 
 
 def warnings(datas):
-    """What a triangulation says of each block that several ranks have points of."""
+    """What a triangulation with a diagram says of each block that several ranks have points of."""
     told = []
     for block in zip(*(pieces.blocks_of(data) for data in datas)):
         ranks_with_points = sum(any(piece.GetNumberOfPoints() for piece in own) for own in block)
@@ -120,6 +123,24 @@ class TestPieces(unittest.TestCase):
             self.assertEqual(value, getattr(plain, f"Get{name}")(), name)
         return plain, [list(told) for told in self.messages.take()]
 
+    def check_shares(self, name, case, datas, results):
+        """Together, the ranks have the cells, the points and their data of the plain class."""
+        self.messages.take()
+        plain = pieces.serial(cases.plain_class(case), pieces.append(datas), case.settings)
+        for port in (0, 1):
+            shares = [self.kept(f"{name}-{port}", rank) for rank in range(ranks.RANKS)]
+            whole = pieces.blocks_of(plain.GetOutputDataObject(port))
+            for place, expected in enumerate(whole):
+                parts = [part for share in shares for part in pieces.blocks_of(share)[place]]
+                self.assertEqual(pieces.union(parts), pieces.union(expected), (port, place))
+        for rank, result in enumerate(results):
+            self.assertEqual(result["error"], 0)
+            self.assertEqual(result["points"][2], 0)
+            self.assertEqual(result["found"]["Dimension"], plain.GetDimension())
+            self.assertEqual(result["messages"], [] if rank else [list(told) for told in self.messages.take()])
+        for key, value in results[0]["found"].items():
+            self.assertEqual(value, getattr(plain, f"Get{key}")(), key)
+
     def check_case(self, name):
         case = cases.CASES[name]
         datas = [self.kept(name, rank) for rank in range(ranks.RANKS)]
@@ -134,6 +155,9 @@ class TestPieces(unittest.TestCase):
                 plain, told = self.check_equal(result, data, case)
                 self.assertEqual(result["messages"], told)
                 self.assertGreater(plain.GetNumberOfInputPoints(), 0)
+            return
+        if cases.has_shares(case) and not case.fails:
+            self.check_shares(name, case, datas, results)
             return
         if case.says:
             expected = [["Error", case.says.format(last=ranks.RANKS - 1)]]

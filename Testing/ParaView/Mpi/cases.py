@@ -26,6 +26,11 @@ class Case(NamedTuple):
     says: str = ""  # the error where only ranks can have it, not one process
 
 
+def has_shares(case):
+    """Whether each rank has a share of the result; otherwise the first one has it."""
+    return case.filter == TRIANGULATION and not case.settings.get("GeneratePowerDiagram")
+
+
 def made(kind, data_type="vtkPolyData"):
     def source(folder=None):
         proxy = simple.ProgrammableSource(OutputDataSetType=data_type)
@@ -116,6 +121,9 @@ CASES = {
     # In the plane.
     "Disks": Case(made("disks"), {**WEIGHTS, "GeneratePowerDiagram": 1}, TRIANGULATION),
     "Delaunay": Case(made("disks"), {"GeneratePowerDiagram": 1, **POLYGONS}, TRIANGULATION),
+    "DisksShared": Case(made("disks"), WEIGHTS, TRIANGULATION),
+    "DelaunayShared": Case(made("disks"), POLYGONS, TRIANGULATION),
+    "TerrainShared": Case(made("sainthelens"), {"Weights": ["POINTS", "Elevation"]}, TRIANGULATION),
     "Terrain": Case(
         made("sainthelens"), {"Weights": ["POINTS", "Elevation"], "GeneratePowerDiagram": 1}, TRIANGULATION
     ),

@@ -38,6 +38,9 @@ def run(name, folder, rank, messages):
     proxy.UpdatePipeline()
     algorithm = proxy.GetClientSideObject()
     outputs = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+    if cases.has_shares(cases.CASES[name]):
+        for port, output in enumerate(outputs):
+            keep(output, os.path.join(folder, f"{name}-{port}.{rank}"))
     found = FOUND if cases.CASES[name].filter == cases.TRIANGULATION else FOUND + FOUND_OF_HULL
     return {
         "messages": messages.take(),

@@ -328,6 +328,43 @@ def serial(filter_class, data, settings):
     return plain
 
 
+def rows(fields):
+    """Each tuple of a data set's arrays, as bytes, beside their names and types."""
+    columns = {}
+    for array in arrays(fields):
+        if array.IsA("vtkStringArray"):
+            column = [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+        else:
+            values = vtk_to_numpy(array)
+            column = [row.tobytes() for row in values]
+            columns[f"type of {array.GetName()}"] = [values.dtype.str] * len(values)
+        columns[array.GetName()] = column
+    return list(columns), list(zip(*columns.values()))
+
+
+def union(shares):
+    """
+    What polygonal data in shares has: each point of an id with its place and data, and the cells by the ids of
+    their corners, with their data. A point that several shares have is there once if it is the same.
+    """
+    points, cells, names = set(), [], set()
+    for poly in shares:
+        if not poly.GetNumberOfPoints():
+            continue
+        ids = vtk_to_numpy(poly.GetPointData().GetArray("vtkOriginalPointIds"))
+        places = vtk_to_numpy(poly.GetPoints().GetData())
+        point_names, point_rows = rows(poly.GetPointData())
+        names.add((places.dtype.str, *point_names))
+        points.update((int(i), place.tobytes(), row) for i, place, row in zip(ids, places, point_rows))
+        cell_rows = rows(poly.GetCellData())[1] or [()] * poly.GetNumberOfCells()
+        corners = vtkIdList()
+        for cell in range(poly.GetNumberOfCells()):
+            poly.GetCellPoints(cell, corners)
+            by_ids = tuple(int(ids[corners.GetId(k)]) for k in range(corners.GetNumberOfIds()))
+            cells.append((poly.GetCellType(cell), by_ids, cell_rows[cell]))
+    return names, sorted(points), sorted(cells)
+
+
 def as_sent(found):
     """The digest of data that VTK has sent to another process: VTK 9.6 makes char of signed char there."""
     if vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 906:
