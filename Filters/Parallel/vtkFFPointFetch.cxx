@@ -7,6 +7,8 @@
 #include "vtkFFParcel.h"
 #include "vtkFFPieces.h"
 
+#include <flipflop/Error.h>
+
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
@@ -14,7 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
+#include <cstdint>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -55,10 +57,20 @@ vtkSmartPointer<vtkPointSet> unpack(const std::vector<char>& message)
 void vtkFFPointFetch::Count(vtkIdType points)
 {
   this->Begins = { 0 };
+  std::int64_t end = 0;
   for (const vtkIdType count : this->Exchange.GetProcesses().Gather({ points }))
   {
-    this->Begins.push_back(this->Begins.back() + count);
+    end += count;
+    this->Begins.push_back(static_cast<vtkIdType>(end));
   }
+  this->Exchange.Do(
+    [&]
+    {
+      if (end > VTK_ID_MAX) // of a VTK whose ids have 32 bits
+      {
+        throw flipflop::Error(flipflop::ErrorCode::TooManyPoints, -1, end);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,8 @@ public:
   }
 
   /**
-   * Count this process's points, and know how many the others have. Collective.
+   * Count this process's points, and know how many the others have. More than ids can count are a
+   * failure. Collective.
    */
   void Count(vtkIdType points);
 
