@@ -31,7 +31,8 @@ public:
     this->Master.add(this->Master.communicator().rank(), this, new diy::Link);
   }
 
-  void Exchange(Messages& messages)
+  /// Hand messages over.
+  void Put(Messages& messages)
   {
     const auto sender = this->Master.proxy(0);
     for (auto& message : messages)
@@ -42,10 +43,16 @@ public:
       {
         sender.enqueue(to, message.second.data(), message.second.size());
       }
-      std::vector<char>().swap(message.second); // the queue has it now
+      std::vector<char>().swap(message.second);
     }
-    messages.clear();
-    this->Master.exchange(true);
+  }
+
+  /// Send what was put, and receive. Collective.
+  void Exchange() { this->Master.exchange(true); }
+
+  /// What was received.
+  void Take(Messages& messages)
+  {
     const auto receiver = this->Master.proxy(0);
     std::vector<int> senders;
     receiver.incoming(senders);
@@ -82,7 +89,9 @@ class vtkFFBlockExchange::Blocks // is never made, for the reason given below
 {
 public:
   explicit Blocks(vtkMultiProcessController*) {}
-  void Exchange(Messages&) {}
+  void Put(Messages&) {}
+  void Exchange() {}
+  void Take(Messages&) {}
 };
 
 //------------------------------------------------------------------------------
@@ -123,7 +132,8 @@ bool vtkFFBlockExchange::IsWell()
 //------------------------------------------------------------------------------
 bool vtkFFBlockExchange::Exchange(Messages& messages)
 {
-  // All know what is to come, and have the memory for it: DIY would not tell the others.
+  // All know what is to come, and have the memory for it: if DIY had not, it would not tell the
+  // others.
   std::vector<vtkIdType> sizes(static_cast<std::size_t>(this->Processes.GetCount()) + 1);
   if (this->Failure.Kind == vtkFFFailure::None)
   {
@@ -141,14 +151,17 @@ bool vtkFFBlockExchange::Exchange(Messages& messages)
     {
       const auto own = static_cast<std::size_t>(this->Processes.GetRank());
       const flipflop::Buffer<char> room(static_cast<std::size_t>(sizes[own]));
+      this->Own->Put(messages);
     });
   if (!this->IsWell())
   {
     return false;
   }
+  messages.clear();
   if (this->NumberOfMessages > 0)
   {
-    this->Own->Exchange(messages);
+    this->Own->Exchange();
+    this->Do([&] { this->Own->Take(messages); });
   }
   return true;
 }
