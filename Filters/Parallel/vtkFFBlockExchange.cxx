@@ -37,12 +37,7 @@ public:
     const auto sender = this->Master.proxy(0);
     for (auto& message : messages)
     {
-      const diy::BlockID to{ message.first, message.first };
-      sender.outgoing(to); // also what is empty is sent
-      if (!message.second.empty())
-      {
-        sender.enqueue(to, message.second.data(), message.second.size());
-      }
+      sender.enqueue(diy::BlockID{ message.first, message.first }, message.second);
       std::vector<char>().swap(message.second);
     }
   }
@@ -58,12 +53,7 @@ public:
     receiver.incoming(senders);
     for (const int from : senders)
     {
-      std::vector<char>& message = messages[from];
-      message.resize(receiver.incoming(from).size());
-      if (!message.empty())
-      {
-        receiver.dequeue(from, message.data(), message.size());
-      }
+      receiver.dequeue(from, messages[from]);
       receiver.incoming(from).wipe();
     }
   }
