@@ -132,7 +132,9 @@ class TestPieces(unittest.TestCase):
             whole = pieces.blocks_of(plain.GetOutputDataObject(port))
             for place, expected in enumerate(whole):
                 parts = [part for share in shares for part in pieces.blocks_of(share)[place]]
-                self.assertEqual(pieces.union(parts), pieces.union(expected), (port, place))
+                for found, wanted in zip(pieces.union(parts), pieces.union(expected)):
+                    self.assertEqual(len(found), len(wanted), (port, place))
+                    self.assertTrue(found == wanted, (port, place))  # to show how they differ takes minutes
         for rank, result in enumerate(results):
             self.assertEqual(result["error"], 0)
             self.assertEqual(result["points"][2], 0)
@@ -163,7 +165,7 @@ class TestPieces(unittest.TestCase):
             expected = [["Error", case.says.format(last=ranks.RANKS - 1)]]
         else:
             _, expected = self.check_equal(results[0], pieces.append(datas), case)
-            if case.filter == cases.TRIANGULATION:
+            if case.filter == cases.TRIANGULATION and not cases.has_shares(case):
                 expected = warnings(datas) + expected
         self.assertEqual(results[0]["error"] != 0, case.fails)
         self.assertEqual(results[0]["points"][0] > 0, with_points > 0 and not case.fails)

@@ -329,9 +329,9 @@ def serial(filter_class, data, settings):
 
 
 def rows(fields):
-    """Each tuple of a data set's arrays, as bytes, beside their names and types."""
+    """Each tuple of a data set's arrays, as bytes, beside their names and types, sorted."""
     columns = {}
-    for array in arrays(fields):
+    for array in sorted(arrays(fields), key=lambda array: array.GetName()):
         if array.IsA("vtkStringArray"):
             column = [array.GetValue(i) for i in range(array.GetNumberOfValues())]
         else:
