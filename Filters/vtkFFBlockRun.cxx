@@ -50,6 +50,19 @@ flipflop::BlockResult vtkFFBlockRun::Finish()
 }
 
 //------------------------------------------------------------------------------
+flipflop::BlockMeasure vtkFFBlockRun::Measure(
+  const flipflop::BlockResult& result, const double* origin) const
+{
+  return this->Run.measure(result, origin);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFBlockRun::SizeOf(const flipflop::BlockMeasure& sum, double& volume, double& area) const
+{
+  this->Run.sizeOf(sum, volume, area);
+}
+
+//------------------------------------------------------------------------------
 std::int64_t vtkFFBlockRun::GetNumberOfPointsTold() const
 {
   return this->Run.pointsTold();

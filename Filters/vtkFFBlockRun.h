@@ -36,6 +36,8 @@ public:
   flipflop::BlockMessage Answer(const flipflop::BlockMessage& questions);
   void Take(int from, const flipflop::BlockMessage& answers);
   flipflop::BlockResult Finish();
+  flipflop::BlockMeasure Measure(const flipflop::BlockResult& result, const double* origin) const;
+  void SizeOf(const flipflop::BlockMeasure& sum, double& volume, double& area) const;
   std::int64_t GetNumberOfPointsTold() const;
 
 private:

@@ -72,7 +72,8 @@ public:
   /**
    * Make the cells vertices, lines or polygons of @p output, which takes them over.
    */
-  static void AdoptCells(flipflop::CellComplex& cells, vtkPolyData* output);
+  VTKFILTERSFLIPFLOP_EXPORT static void AdoptCells(
+    flipflop::CellComplex& cells, vtkPolyData* output);
 
   /**
    * Copy the point data of the points that @p ids names, ascending. Ids count the points of all

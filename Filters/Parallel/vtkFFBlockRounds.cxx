@@ -4,16 +4,32 @@
 
 #include "vtkFFBlockExchange.h"
 #include "vtkFFBlockRun.h"
+#include "vtkFFMessage.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+/// Of a process's share of a hull.
+struct FirstPoint
+{
+  std::int64_t Id;
+  double Place[3];
+};
+
+}
+
 //------------------------------------------------------------------------------
 bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
   const flipflop::Options& options, const std::function<void()>& look, vtkFFBlockExchange& exchange,
-  flipflop::BlockResult& result)
+  flipflop::BlockResult& result, Size* size)
 {
   const int own = exchange.GetProcesses().GetRank();
   const int count = exchange.GetProcesses().GetCount();
@@ -91,6 +107,58 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
       });
   }
   step([&] { result = run->Finish(); });
+  if (!size)
+  {
+    return exchange.IsWell();
+  }
+
+  // Volumes are measured from the hull's first point.
+  messages.clear();
+  step(
+    [&]
+    {
+      if (result.cells.pointIds.empty())
+      {
+        return;
+      }
+      FirstPoint first{ result.cells.pointIds[0], {} };
+      std::copy_n(result.places.begin(), 3, first.Place);
+      for (int process = 0; process < count; ++process)
+      {
+        vtkFFMessage::Add(&first, 1, messages[process]);
+      }
+    });
+  if (!exchange.Exchange(messages))
+  {
+    return false;
+  }
+  std::vector<vtkIdType> parts(4);
+  step(
+    [&]
+    {
+      FirstPoint first{ std::numeric_limits<std::int64_t>::max(), {} };
+      for (const auto& message : messages)
+      {
+        for (const FirstPoint& other : vtkFFMessage::Values<FirstPoint>(message.second))
+        {
+          first = other.Id < first.Id ? other : first;
+        }
+      }
+      const flipflop::BlockMeasure measure = run->Measure(result, first.Place);
+      std::copy_n(measure.parts, 4, parts.begin());
+    });
+  if (!exchange.IsWell())
+  {
+    return false;
+  }
+  parts = exchange.GetProcesses().Sum(parts);
+  step(
+    [&]
+    {
+      flipflop::BlockMeasure sum;
+      std::copy_n(parts.begin(), 4, sum.parts);
+      run->SizeOf(sum, size->Volume, size->Area);
+    });
   return exchange.IsWell();
 }
 VTK_ABI_NAMESPACE_END

@@ -23,15 +23,22 @@ class vtkFFBlockExchange;
 class vtkFFBlockRounds
 {
 public:
+  struct Size
+  {
+    double Volume = 0.0;
+    double Area = 0.0;
+  };
+
   /**
    * The cells of this process's block, as @p result. False if there is a failure, on any process.
    * Collective.
    *
    * @param look is called before each step of the work; it may throw.
+   * @param size becomes the volume and the area of a hull; null: they are not wanted
    */
   static bool Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
     const flipflop::Options& options, const std::function<void()>& look,
-    vtkFFBlockExchange& exchange, flipflop::BlockResult& result);
+    vtkFFBlockExchange& exchange, flipflop::BlockResult& result, Size* size = nullptr);
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFHullFilter.h"
 
+#include "vtkFFBlockExchange.h"
 #include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
+#include "vtkFFGuard.h"
 #include "vtkFFHullInternals.h"
+#include "vtkFFHullShare.h"
 #include "vtkFFOutput.h"
 #include "vtkFFParcel.h"
 #include "vtkFFProcesses.h"
@@ -109,6 +112,17 @@ private:
     Result& result, vtkFFFailure& failure);
 
   /**
+   * Whether each process keeps a share of a hull; known after the hulls of the pieces. Collective.
+   */
+  bool StaysDistributed(const Result& result, vtkFFProcesses& processes);
+
+  /**
+   * This process's share of the hull of all processes' results takes the place of its own. False if
+   * there is a failure, on any process.
+   */
+  bool KeepShare(Result& result, vtkFFFailure& failure);
+
+  /**
    * The hull of hulls, whose ids it takes over. False if there is a failure.
    */
   bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
@@ -118,11 +132,13 @@ private:
    */
   void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
 
-  vtkMultiProcessController* GetController()
+  vtkPFFHullFilter* GetDistributedFilter()
   {
-    return static_cast<vtkPFFHullFilter*>(this->GetFilter())->Controller;
+    return static_cast<vtkPFFHullFilter*>(this->GetFilter());
   }
+  vtkMultiProcessController* GetController() { return this->GetDistributedFilter()->Controller; }
 
+  bool HasShares = false;     // each process has one of the hull
   vtkIdType PlaceOfPiece = 0; // of this process's first point of the block that is worked on
 };
 
@@ -138,6 +154,8 @@ int vtkPFFHullFilter::vtkInternals::GetDefaultNumberOfThreads()
 //------------------------------------------------------------------------------
 vtkPFFHullFilter::vtkPFFHullFilter()
   : Controller(nullptr)
+  , ResultMode(RESULT_AUTOMATIC)
+  , GatheredPointsLimit(1000000)
 {
   this->SetInternals(std::make_unique<vtkInternals>(this));
   this->SetController(vtkMultiProcessController::GetGlobalController());
@@ -168,6 +186,7 @@ bool vtkPFFHullFilter::vtkInternals::Execute(
 {
   vtkFFProcesses processes(this->GetController());
   this->PlaceOfPiece = 0;
+  this->HasShares = false;
   if (processes.GetCount() == 1)
   {
     return this->vtkFFHullFilter::vtkInternals::Execute(blocks, outputs);
@@ -232,7 +251,7 @@ bool vtkPFFHullFilter::vtkInternals::Execute(
   // All know the same failure by now.
   if (failure.Kind == vtkFFFailure::None)
   {
-    if (isFirst)
+    if (isFirst || this->HasShares)
     {
       this->ReportHull(hulls, outputs[0], failure);
     }
@@ -302,6 +321,15 @@ bool vtkPFFHullFilter::vtkInternals::TakeHullOfBlock(const std::vector<vtkPointS
     all.nonFinite += counts[1];
   }
 
+  if (this->StaysDistributed(result, processes))
+  {
+    this->HasShares = true;
+    const bool done = this->KeepShare(result, failure);
+    result.Hull.statistics.points = all.points;
+    result.Hull.statistics.nonFinite = all.nonFinite;
+    return done;
+  }
+
   // A binary tree: neighbours, then neighbours' neighbours. The lower one of a pair goes on.
   for (int step = 1; step < processes.GetCount(); step *= 2)
   {
@@ -331,6 +359,38 @@ bool vtkPFFHullFilter::vtkInternals::TakeHullOfBlock(const std::vector<vtkPointS
   result.Hull.statistics.points = all.points;
   result.Hull.statistics.nonFinite = all.nonFinite;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::vtkInternals::StaysDistributed(
+  const Result& result, vtkFFProcesses& processes)
+{
+  const auto* filter = this->GetDistributedFilter();
+  const vtkIdType points = processes.Sum(result.Data->GetNumberOfPoints());
+  const bool isWanted = filter->ResultMode == RESULT_DISTRIBUTED ||
+    (filter->ResultMode == RESULT_AUTOMATIC && points > filter->GatheredPointsLimit);
+  return isWanted && this->CurrentBlocks.size() == 1 &&
+    vtkFFBlockExchange::FindObstacle(this->GetController()).empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::vtkInternals::KeepShare(Result& result, vtkFFFailure& failure)
+{
+  vtkFFBlockExchange exchange(this->GetController(), *this);
+  keepKind(result.Data, result.Hull);
+  this->TryEngine(
+    [&](const flipflop::Options& options, const flipflop::EngineOptions&, flipflop::EngineReport&)
+    {
+      vtkSmartPointer<vtkPolyData> share;
+      const auto look = [&] { vtkFFGuard::Look(options); };
+      if (vtkFFHullShare::Take(result.Data, options, look, exchange, result.Hull, share))
+      {
+        result.Data = share;
+      }
+    },
+    failure);
+  failure.Add(exchange.GetFailure());
+  return failure.Kind == vtkFFFailure::None;
 }
 
 //------------------------------------------------------------------------------
@@ -400,9 +460,19 @@ vtkIdType vtkPFFHullFilter::vtkInternals::GetPlaceOfPoint(vtkIdType index)
 }
 
 //------------------------------------------------------------------------------
+const char* vtkPFFHullFilter::GetResultModeAsString()
+{
+  return this->ResultMode == RESULT_DISTRIBUTED ? "Distributed"
+    : this->ResultMode == RESULT_GATHERED       ? "Gathered"
+                                                : "Automatic";
+}
+
+//------------------------------------------------------------------------------
 void vtkPFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "ResultMode: " << this->GetResultModeAsString() << "\n";
+  os << indent << "GatheredPointsLimit: " << this->GatheredPointsLimit << "\n";
 }
 VTK_ABI_NAMESPACE_END

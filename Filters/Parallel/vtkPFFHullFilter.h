@@ -5,15 +5,20 @@
  * @brief   the exact convex hull of points that are distributed over processes
  *
  * vtkPFFHullFilter is vtkFFHullFilter for data in pieces, one on each process of a
- * vtkMultiProcessController. It gives one hull of all pieces, on process 0. That hull is the one
+ * vtkMultiProcessController. It gives one hull of all pieces. That hull is the one
  * that vtkFFHullFilter gives for the pieces of process 0, 1, 2... appended in this order, bit for
- * bit: points, cells, point data and original ids, which count the points of all pieces. On the
- * other processes, the output has no points.
+ * bit: points, cells, point data and original ids, which count the points of all pieces.
  *
- * Each process computes the hull of its piece. Hulls are then joined in pairs: a join computes the
- * hull of their vertices. The joins form a binary tree over the processes, and each level of the
- * tree is one step. A process sends only its extreme points: few for a solid, nearly all for points
- * on a thin shell.
+ * Each process computes the hull of its piece. What follows depends on how many points these hulls
+ * have together (see SetResultMode()):
+ *
+ * - A small hull is gathered on process 0, and the outputs of the others have no points. Hulls
+ *   are joined in pairs: a join computes the hull of their vertices. The joins form a binary tree
+ *   over the processes, and each level of the tree is one step.
+ * - Of a large hull, such as that of a thin shell, each process keeps a share: the facets in some
+ *   directions from the middle, with their points. Together, the shares are the hull. No process
+ *   holds more than its share and what surrounds it. A point may be on several processes; each
+ * facet is on one. A flat hull is one facet, and so on one process.
  *
  * - Ghost points (see SetSkipGhostPoints()) are left out on their
  *   process and not counted: ids count the remaining points. With a
@@ -33,8 +38,8 @@
  *   all.
  * - Process 0 reports dimension, volume, area and the numbers of input
  *   points and of points that are not finite for all pieces. All other
- *   statistics are of its own share of the work; the other processes
- *   report nothing.
+ *   statistics are of its own share of the work. The other processes
+ *   report nothing, or, if they have a share, the same of all.
  *
  * - Field data of a block is the field data of process 0's piece.
  *
@@ -78,6 +83,40 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   //@}
 
+  /**
+   * Where the hull is in the end.
+   */
+  enum ResultModeType
+  {
+    RESULT_AUTOMATIC = 0,
+    RESULT_GATHERED,
+    RESULT_DISTRIBUTED
+  };
+
+  //@{
+  /**
+   * Set/Get where the hull is in the end: on process 0 (RESULT_GATHERED), or each process has a
+   * share of it (RESULT_DISTRIBUTED). RESULT_AUTOMATIC, the default, gathers up to
+   * GatheredPointsLimit. One hull of several blocks is always gathered, and so is every hull if the
+   * controller is not of MPI.
+   */
+  vtkSetClampMacro(ResultMode, int, RESULT_AUTOMATIC, RESULT_DISTRIBUTED);
+  vtkGetMacro(ResultMode, int);
+  void SetResultModeToAutomatic() { this->SetResultMode(RESULT_AUTOMATIC); }
+  void SetResultModeToGathered() { this->SetResultMode(RESULT_GATHERED); }
+  void SetResultModeToDistributed() { this->SetResultMode(RESULT_DISTRIBUTED); }
+  const char* GetResultModeAsString();
+  //@}
+
+  //@{
+  /**
+   * Set/Get how many points the hulls of all pieces may have together for RESULT_AUTOMATIC to
+   * gather them. The default is a million.
+   */
+  vtkSetClampMacro(GatheredPointsLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(GatheredPointsLimit, vtkIdType);
+  //@}
+
 protected:
   vtkPFFHullFilter();
   ~vtkPFFHullFilter() override;
@@ -85,6 +124,8 @@ protected:
   class vtkInternals;
 
   vtkMultiProcessController* Controller;
+  int ResultMode;
+  vtkIdType GatheredPointsLimit;
 
 private:
   vtkPFFHullFilter(const vtkPFFHullFilter&) = delete;

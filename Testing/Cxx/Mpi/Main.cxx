@@ -17,6 +17,7 @@ int main(int argc, char* argv[])
     { "Hull", testHull },
     { "HullComposite", testHullComposite },
     { "HullErrors", testHullErrors },
+    { "HullShares", testHullShares },
     { "OneOutput", testOneOutput },
     { "RandomPartitions", testRandomPartitions },
     { "Shares", testShares },

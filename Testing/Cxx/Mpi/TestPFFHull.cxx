@@ -24,9 +24,16 @@ using namespace fftest;
 namespace
 {
 
+bool keepsShares = false; // the tests run both ways
+
 Twins hulls()
 {
-  return twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  if (keepsShares)
+  {
+    vtkPFFHullFilter::SafeDownCast(both.Distributed)->SetResultModeToDistributed();
+  }
+  return both;
 }
 
 int byTurns(int i)
@@ -301,6 +308,33 @@ void testChain()
   second.Run("second", first, both.Plain->GetOutput());
 }
 
+/// Large hulls stay where they are, by the limit that is set.
+void testLimit()
+{
+  Twins both = hulls();
+  auto* filter = vtkPFFHullFilter::SafeDownCast(both.Distributed);
+  filter->SetResultModeToAutomatic();
+  const Pieces pieces =
+    split(shapes()[2].second, byTurns); // all extreme: all are in the pieces' hulls
+  for (const vtkIdType limit : { 2999, 3000 })
+  {
+    filter->SetGatheredPointsLimit(limit);
+    filter->SetInputData(pieces[static_cast<std::size_t>(rank())]);
+    filter->Update();
+    const vtkIdType own = filter->GetOutput()->GetNumberOfPoints();
+    const bool isGathered = limit == 3000 || processes() == 1;
+    if (isGathered)
+    {
+      FF_CHECK_EQUAL(own, rank() == 0 ? 3000 : 0);
+    }
+    else
+    {
+      // About as many for each; on a border, points of two shares.
+      FF_CHECK(own > 2000 / processes() && own < 4500 / processes() + 300);
+    }
+  }
+}
+
 }
 
 void testHull()
@@ -312,4 +346,16 @@ void testHull()
   testUnlikeData();
   testGhosts();
   testChain();
+  testLimit();
+}
+
+void testHullShares()
+{
+  keepsShares = true;
+  testShapes();
+  testSettings();
+  testDuplicates();
+  testTypes();
+  testUnlikeData();
+  testGhosts();
 }

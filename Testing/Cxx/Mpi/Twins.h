@@ -117,6 +117,7 @@ void testFaults();
 void testHull();
 void testHullComposite();
 void testHullErrors();
+void testHullShares();
 void testOneOutput();
 void testRandomPartitions();
 void testShares();
