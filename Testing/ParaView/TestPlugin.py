@@ -51,7 +51,8 @@ BOX = {
     "GenerateCellMeasures": 0,
 }
 DEFAULTS = {
-    "FlipFlopConvexHull": {**COMMON, **FACETS, **ENGINES, "CompositeMode": "Hull of Each Block"},
+    "FlipFlopConvexHull": {**COMMON, **FACETS, **ENGINES, "CompositeMode": "Hull of Each Block",
+                           "ResultMode": "Automatic"},
     "FlipFlopDelaunay": {
         **COMMON,
         **FACETS,
