@@ -15,12 +15,6 @@
 #include "vtkFFMarks.h"
 #include "vtkFFRegularTriangulationFilter.h"
 
-namespace flipflop
-{
-struct Triangulation;
-struct WeightView;
-}
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkFFPointSource;
@@ -59,10 +53,6 @@ protected:
   void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
 
 private:
-  void BuildPowerDiagram(const vtkFFProjection& projection, const flipflop::WeightView& weights,
-    const flipflop::Triangulation& triangulation, const flipflop::Options& options,
-    vtkPointSet* input, vtkPolyData* output);
-
   vtkFFRegularTriangulationFilter* GetTriangulationFilter();
 
   bool HasWarnedOfVerticalPlane = false;

@@ -283,12 +283,16 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   {
     internals->SetProgressPart(shareOfTriangulation, 1.0);
     internals->SetProgressTitle("Power diagram");
-    internals->BuildPowerDiagram(
-      *this->Projection, this->Weights->GetView(), triangulation, options, this->Input, outputs[2]);
-    if (options.facets == flipflop::FacetMode::Triangles)
+    flipflop::PowerDiagram diagram;
+    if (triangulation.dimension >= 0)
     {
-      flipflop::fanPolygons(triangulation);
+      const flipflop::PointView& view = this->Projection->GetView();
+      const std::array<double, 4> box = this->FindBox(view, triangulation);
+      diagram =
+        flipflop::powerDiagram(view, this->Weights->GetView(), triangulation, box.data(), options);
     }
+    this->WritePowerDiagram(diagram, options, outputs[2]);
+    FanFacets(triangulation, options);
   }
   const std::int64_t dropped =
     this->DropLongCells(this->Projection->GetView(), options, triangulation);
@@ -426,28 +430,63 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::WriteCells(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::vtkInternals::BuildPowerDiagram(
-  const vtkFFProjection& projection, const flipflop::WeightView& weights,
-  const flipflop::Triangulation& triangulation, const flipflop::Options& options,
-  vtkPointSet* input, vtkPolyData* output)
+std::array<double, 4> vtkFFRegularTriangulationFilter::vtkInternals::Work::FindBox(
+  const flipflop::PointView& points, const flipflop::Triangulation& triangulation) const
 {
-  auto* filter = this->GetTriangulationFilter();
-  flipflop::PowerDiagram diagram;
-  if (triangulation.dimension >= 0)
+  if (this->Filter->PowerDiagramBoxMode != BOX_OF_BOUNDS)
   {
-    std::array<double, 4> box;
-    if (filter->PowerDiagramBoxMode == BOX_OF_BOUNDS)
-    {
-      std::copy_n(filter->PowerDiagramBounds, 4, box.begin());
-    }
-    else
-    {
-      box = flipflop::powerDiagramBox(projection.GetView(), triangulation);
-    }
-    diagram =
-      flipflop::powerDiagram(projection.GetView(), weights, triangulation, box.data(), options);
+    return flipflop::powerDiagramBox(points, triangulation);
   }
+  std::array<double, 4> box;
+  std::copy_n(this->Filter->PowerDiagramBounds, 4, box.begin());
+  return box;
+}
 
+//------------------------------------------------------------------------------
+bool vtkFFRegularTriangulationFilter::vtkInternals::Work::MakePowerCells(
+  flipflop::BlockResult& around, bool weighted, int block, const std::array<double, 4>& box,
+  const flipflop::Options& options, flipflop::PowerDiagram& diagram)
+{
+  const auto count = static_cast<std::int64_t>(around.cells.pointIds.size());
+  std::vector<std::uint8_t> wanted;
+  for (const std::int32_t owner : around.blocks)
+  {
+    wanted.push_back(owner == block);
+  }
+  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end())
+  {
+    return true; // a block without a point has no facet either
+  }
+  const flipflop::Buffer<std::int64_t> ids = std::move(around.cells.pointIds);
+  around.cells.pointIds.allocate(ids.size());
+  std::iota(around.cells.pointIds.begin(), around.cells.pointIds.end(), std::int64_t(0));
+  const double* places = around.places.data();
+  const bool whole = flipflop::powerCells({ places, count },
+    weighted ? flipflop::WeightView(places + 2, count, 3) : flipflop::WeightView(), around.cells,
+    wanted.data(), box.data(), diagram, options);
+  for (std::int64_t& site : diagram.siteIds)
+  {
+    site = ids[static_cast<std::size_t>(site)];
+  }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::FanFacets(
+  flipflop::CellComplex& cells, const flipflop::Options& options)
+{
+  if (options.facets == flipflop::FacetMode::Triangles)
+  {
+    flipflop::fanPolygons(cells);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::WritePowerDiagram(
+  flipflop::PowerDiagram& diagram, const flipflop::Options& options, vtkPolyData* output)
+{
+  vtkFFRegularTriangulationFilter* const filter = this->Filter;
+  const vtkFFProjection& projection = *this->Projection;
   const auto corners = toSpace(projection, diagram.corners, "The power diagram's corners");
   vtkNew<vtkPoints> points;
   points->SetData(corners);
@@ -470,7 +509,8 @@ void vtkFFRegularTriangulationFilter::vtkInternals::BuildPowerDiagram(
   if (filter->PassPointData)
   {
     vtkFFOutput::PassPointData(
-      { { input->GetPointData(), input->GetNumberOfPoints() } }, ids, output->GetCellData());
+      { { this->Input->GetPointData(), this->Input->GetNumberOfPoints() } }, ids,
+      output->GetCellData());
   }
   vtkFFOutput::AddIds(ids, filter->VisiblePointIds, output->GetCellData());
   if (measures)

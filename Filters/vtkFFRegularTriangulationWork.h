@@ -18,7 +18,9 @@
 #include "vtkFFRegularTriangulationInternals.h"
 #include "vtkFFWeightSource.h"
 
+#include <flipflop/BlockRun.h>
 #include <flipflop/Hull.h>
+#include <flipflop/PowerDiagram.h>
 #include <flipflop/Triangulation.h>
 
 #include "vtkPointSet.h"
@@ -82,6 +84,22 @@ protected:
   void Report(const flipflop::EngineReport& report, std::int64_t hidden, std::int64_t dropped,
     vtkPolyData* output);
   void WriteCells(const flipflop::Options& options, const std::vector<vtkPolyData*>& outputs);
+  //@}
+
+  //@{
+  /**
+   * The power diagram: its box, of all points that appear; the cells of a block's points, of the
+   * facets around these (false: they do not fit, as rounded); turn facets into triangles, if the
+   * options have these; the diagram on port 2.
+   */
+  std::array<double, 4> FindBox(
+    const flipflop::PointView& points, const flipflop::Triangulation& triangulation) const;
+  static bool MakePowerCells(flipflop::BlockResult& around, bool weighted, int block,
+    const std::array<double, 4>& box, const flipflop::Options& options,
+    flipflop::PowerDiagram& diagram);
+  static void FanFacets(flipflop::CellComplex& cells, const flipflop::Options& options);
+  void WritePowerDiagram(
+    flipflop::PowerDiagram& diagram, const flipflop::Options& options, vtkPolyData* output);
   //@}
 
   vtkInternals* Internals;

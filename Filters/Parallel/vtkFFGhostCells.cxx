@@ -65,7 +65,7 @@ public:
     }
   }
 
-  /// The canonical form. Of the cells' size, what is there may know nothing: it may have no cell.
+  /// The canonical form, of cells of the dimension that is there already.
   void Write(flipflop::FacetMode facets, flipflop::BlockResult& result, std::vector<bool>& ghosts)
   {
     const auto byId = [](const Corner& a, const Corner& b) { return a.Id < b.Id; };
@@ -156,11 +156,11 @@ void send(const flipflop::BlockResult& result, int own, vtkFFBlockExchange::Mess
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFGhostCells::Add(flipflop::FacetMode facets, vtkFFBlockExchange& exchange,
-  flipflop::BlockResult& result, std::vector<bool>& ghosts)
+bool vtkFFGhostCells::Add(flipflop::FacetMode facets, const flipflop::BlockResult& own,
+  vtkFFBlockExchange& exchange, flipflop::BlockResult& all, std::vector<bool>& ghosts)
 {
   vtkFFBlockExchange::Messages messages;
-  exchange.Do([&] { send(result, exchange.GetProcesses().GetRank(), messages); });
+  exchange.Do([&] { send(own, exchange.GetProcesses().GetRank(), messages); });
   if (!exchange.Exchange(messages))
   {
     return false;
@@ -169,12 +169,13 @@ bool vtkFFGhostCells::Add(flipflop::FacetMode facets, vtkFFBlockExchange& exchan
     [&]
     {
       CellList list;
-      list.AddOwn(result);
+      list.AddOwn(own);
       for (const auto& message : messages)
       {
         list.AddGhosts(message.second);
       }
-      list.Write(facets, result, ghosts);
+      all.cells.dimension = own.cells.dimension;
+      list.Write(facets, all, ghosts);
     });
   return exchange.IsWell();
 }

@@ -26,16 +26,17 @@ class vtkFFGhostCells
 {
 public:
   /**
-   * Add to each block's cells those of other blocks that touch a point of the block: so it has all
-   * cells around its points. They stay in canonical form. False if there is a failure, on any
-   * process. Collective.
+   * Give each block, beside its own cells, those of other blocks that touch a point of the block:
+   * so it has all cells around its points. They are in canonical form. False if there is a failure,
+   * on any process. Collective.
    *
    * @param facets polygons or triangles: what the cells are
-   * @param result the block's cells
+   * @param own    the block's cells
+   * @param all    becomes these and the others; hidden points are not copied
    * @param ghosts becomes whether each of the cells is another block's
    */
-  static bool Add(flipflop::FacetMode facets, vtkFFBlockExchange& exchange,
-    flipflop::BlockResult& result, std::vector<bool>& ghosts);
+  static bool Add(flipflop::FacetMode facets, const flipflop::BlockResult& own,
+    vtkFFBlockExchange& exchange, flipflop::BlockResult& all, std::vector<bool>& ghosts);
 };
 VTK_ABI_NAMESPACE_END
 

@@ -73,17 +73,20 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::Execute(
   {
     return this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(blocks, outputs);
   }
-  const std::string reason = this->FindReasonToGather();
-  return reason.empty() ? DistributedWork(this, blocks[0]).Execute(outputs)
-                        : this->ExecuteGathered(blocks, outputs, reason);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkPFFRegularTriangulationFilter::vtkInternals::FindReasonToGather()
-{
-  return this->GetDistributedFilter()->GeneratePowerDiagram
-    ? std::string("power diagrams are made of all points together")
-    : vtkFFBlockExchange::FindObstacle(this->GetController());
+  std::string reason = vtkFFBlockExchange::FindObstacle(this->GetController());
+  if (reason.empty())
+  {
+    DistributedWork work(this, blocks[0]);
+    const bool done = work.Execute(outputs);
+    if (!work.NeedsAllPoints())
+    {
+      return done;
+    }
+    reason = "rounding broke a power cell, and it takes all points to mend it";
+    this->PlaceOfPiece = 0;
+    this->CurrentBlocks = blocks;
+  }
+  return this->ExecuteGathered(blocks, outputs, reason);
 }
 
 //------------------------------------------------------------------------------

@@ -38,11 +38,6 @@ private:
   class DistributedWork;
 
   /**
-   * Why process 0 has to gather all points: a clause. Empty if it has not.
-   */
-  std::string FindReasonToGather();
-
-  /**
    * Execute() on process 0, which gathers all points, for this reason.
    */
   bool ExecuteGathered(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,

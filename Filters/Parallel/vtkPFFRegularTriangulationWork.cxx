@@ -90,6 +90,7 @@ vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::DistributedWork
   , Source(Exchange)
   , Lowest(std::numeric_limits<double>::infinity())
 {
+  this->Bounds.fill(std::numeric_limits<double>::infinity());
 }
 
 //------------------------------------------------------------------------------
@@ -106,7 +107,7 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Execute(
     },
     none);
   const bool found = this->Take() && this->FitPlane() && this->Deal() && this->FindCells() &&
-    this->LookForVerticalPlane() && this->Fetch();
+    this->MakeDiagram() && this->TrimCells() && this->LookForVerticalPlane() && this->Fetch();
   if (found)
   {
     this->Write(outputs);
@@ -229,6 +230,11 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Deal()
         [&](std::int64_t i, double x, double y, double weight)
         {
           points.push_back({ { x, y, weight }, this->Source.GetBegin() + i });
+          const double bounds[4] = { x, -x, y, -y };
+          for (std::size_t k = 0; k < 4; ++k)
+          {
+            this->Bounds[k] = std::min(this->Bounds[k], bounds[k]);
+          }
           if (needsHeight)
           {
             this->Lowest = std::min(this->Lowest, pointAt(space, i)[2]);
@@ -247,16 +253,62 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Deal()
 bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::FindCells()
 {
   // Processes without points have no weights either.
-  const bool weighted = this->Exchange.GetProcesses().Sum(vtkIdType(this->Weighted)) > 0;
+  this->Weighted = this->Exchange.GetProcesses().Sum(vtkIdType(this->Weighted)) > 0;
   this->Parallel->SetProgressPart(dealt, triangulated);
   this->Share = triangulated;
-  if (!vtkFFBlockRounds::Run(
-        weighted ? flipflop::BlockShape::RegularTriangulation : flipflop::BlockShape::Delaunay,
-        std::move(this->Dealt), this->Options, [&] { vtkFFGuard::Look(this->Options); },
-        this->Exchange, this->Result))
+  flipflop::Options options = this->Options;
+  if (this->Settings->GeneratePowerDiagram)
+  {
+    options.facets = flipflop::FacetMode::Polygons; // points of one power circle meet in one corner
+  }
+  return vtkFFBlockRounds::Run(
+    this->Weighted ? flipflop::BlockShape::RegularTriangulation : flipflop::BlockShape::Delaunay,
+    std::move(this->Dealt), options, [&] { vtkFFGuard::Look(this->Options); }, this->Exchange,
+    this->Result);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::MakeDiagram()
+{
+  if (!this->Settings->GeneratePowerDiagram || this->Result.cells.dimension < 0)
+  {
+    return true;
+  }
+  vtkFFProcesses& processes = this->Exchange.GetProcesses();
+  double corners[4]; // of the box of all points
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    corners[k % 2 * 2 + k / 2] = (k % 2 ? -1.0 : 1.0) * processes.Least(this->Bounds[k]);
+  }
+  flipflop::BlockResult around;
+  std::vector<bool> ghosts;
+  if (!vtkFFGhostCells::Add(
+        flipflop::FacetMode::Polygons, this->Result, this->Exchange, around, ghosts))
   {
     return false;
   }
+  this->Do(triangulated,
+    [&]
+    {
+      flipflop::Triangulation ends;
+      ends.pointIds.allocate(2);
+      std::iota(ends.pointIds.begin(), ends.pointIds.end(), std::int64_t(0));
+      const std::array<double, 4> box = this->FindBox({ corners, 2, 2 }, ends);
+      this->Broken = !MakePowerCells(
+        around, this->Weighted, processes.GetRank(), box, this->Options, this->Diagram);
+      FanFacets(this->Result.cells, this->Options);
+    });
+  if (!this->Exchange.IsWell())
+  {
+    return false;
+  }
+  this->Broken = processes.Sum(vtkIdType(this->Broken)) > 0;
+  return !this->Broken;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::TrimCells()
+{
   this->Do(triangulated,
     [&]
     {
@@ -271,9 +323,20 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::FindCells(
           this->Options, cells);
       std::swap(ids, cells.pointIds);
     });
-  return this->Settings->GenerateGhostCells
-    ? vtkFFGhostCells::Add(this->Options.facets, this->Exchange, this->Result, this->GhostCells)
-    : this->Exchange.IsWell();
+  if (!this->Settings->GenerateGhostCells)
+  {
+    return this->Exchange.IsWell();
+  }
+  flipflop::BlockResult all;
+  if (!vtkFFGhostCells::Add(
+        this->Options.facets, this->Result, this->Exchange, all, this->GhostCells))
+  {
+    return false;
+  }
+  all.hiddenIds = std::move(this->Result.hiddenIds);
+  all.cells.statistics = this->Result.cells.statistics;
+  this->Result = std::move(all);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -327,8 +390,12 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Fetch()
     {
       const auto& inCells = this->Result.cells.pointIds;
       const auto& hidden = this->Result.hiddenIds;
+      const auto& sites = this->Diagram.siteIds; // their facets may all be others'
+      std::vector<vtkIdType> visible;
       std::set_union(
-        inCells.begin(), inCells.end(), hidden.begin(), hidden.end(), std::back_inserter(ids));
+        inCells.begin(), inCells.end(), sites.begin(), sites.end(), std::back_inserter(visible));
+      std::set_union(
+        visible.begin(), visible.end(), hidden.begin(), hidden.end(), std::back_inserter(ids));
     });
   vtkSmartPointer<vtkPointSet> points;
   if (!this->Source.Fetch(ids, this->Settings->PassPointData, points))
@@ -347,7 +414,7 @@ void vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::TakeResult
   const auto placeOf = [&](std::int64_t id)
   { return std::lower_bound(ids.begin(), ids.end(), id) - ids.begin(); };
   flipflop::Buffer<double> places(2 * ids.size());
-  std::fill(places.begin(), places.end(), 0.0); // of hidden points, nobody asks for it
+  std::fill(places.begin(), places.end(), 0.0); // nobody asks for those of other points
   flipflop::CellComplex& cells = this->Triangulation;
   cells = std::move(this->Result.cells);
   for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
@@ -356,9 +423,12 @@ void vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::TakeResult
     std::copy_n(this->Result.places.data() + 3 * i, 2, places.data() + 2 * cells.pointIds[i]);
   }
   this->Triangulation.hiddenIds = std::move(this->Result.hiddenIds);
-  for (std::int64_t& id : this->Triangulation.hiddenIds)
+  for (auto* others : { &this->Triangulation.hiddenIds, &this->Diagram.siteIds })
   {
-    id = placeOf(id);
+    for (std::int64_t& id : *others)
+    {
+      id = placeOf(id);
+    }
   }
   this->Projection->SetPlaces(std::move(places));
   this->Parallel->PlacesOfPoints = ids;
@@ -387,6 +457,10 @@ void vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Write(
       this->Triangulation.statistics.nonFinite = counts[1];
       this->Report(report, counts[2], counts[3], outputs[0]);
 
+      if (this->Settings->GeneratePowerDiagram)
+      {
+        this->WritePowerDiagram(this->Diagram, this->Options, outputs[2]);
+      }
       this->WriteCells(this->Options, outputs);
       if (this->Settings->GenerateGhostCells)
       {

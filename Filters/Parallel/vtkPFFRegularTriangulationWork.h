@@ -22,6 +22,7 @@
 #include <flipflop/BlockRun.h>
 #include <flipflop/Engines.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -38,6 +39,12 @@ public:
    */
   bool Execute(const std::vector<vtkPolyData*>& outputs);
 
+  /**
+   * Whether the processes could not make the power diagram together: rounding broke a cell, and to
+   * mend that takes all points. Then Execute() has done nothing else, and there is no failure.
+   */
+  bool NeedsAllPoints() const { return this->Broken; }
+
 private:
   //@{
   /**
@@ -47,6 +54,8 @@ private:
   bool FitPlane();
   bool Deal();
   bool FindCells();
+  bool MakeDiagram();
+  bool TrimCells();
   bool LookForVerticalPlane();
   bool Fetch();
   void Write(const std::vector<vtkPolyData*>& outputs);
@@ -77,8 +86,11 @@ private:
 
   vtkIdType Own = 0; // this process's points
   vtkIdType NonFinite = 0;
-  double Lowest; // z of this process's points that are triangulated
+  double Lowest;                // z of this process's points that are triangulated
+  std::array<double, 4> Bounds; // of these points: least x, - greatest x, the same for y
   bool Weighted = false;
+  bool Broken = false;
+  flipflop::PowerDiagram Diagram;
   flipflop::BlockPoints Dealt;
   flipflop::BlockResult Result;
   std::vector<bool> GhostCells;

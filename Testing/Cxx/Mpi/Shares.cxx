@@ -61,6 +61,26 @@ int kindOf(vtkPolyData* data)
   return kind;
 }
 
+/// Power diagrams have ids for their cells alone.
+bool isDiagram(vtkPolyData* data)
+{
+  return data->GetCellData()->HasArray("vtkOriginalPointIds") != 0;
+}
+
+/// The cells of one kind, each as the places of its corners.
+std::vector<std::vector<vtkIdType>> cellsByPlaces(vtkCellArray* cells)
+{
+  std::vector<std::vector<vtkIdType>> byPlaces;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCellAtId(i, size, corners);
+    byPlaces.emplace_back(corners, corners + size);
+  }
+  return byPlaces;
+}
+
 /// Where values are: in whose share, and at which place there.
 using Places = std::vector<std::pair<std::size_t, vtkIdType>>;
 
@@ -166,8 +186,69 @@ std::vector<vtkIdType> joinPoints(const std::vector<Share>& shares, vtkPolyData*
   return ids;
 }
 
+vtkSmartPointer<vtkPolyData> joinDiagrams(vtkPolyData* own)
+{
+  const std::vector<Share> shares = gatherShares(own);
+  if (rank() > 0)
+  {
+    return nullptr;
+  }
+  auto joined = vtkSmartPointer<vtkPolyData>::New();
+  std::map<vtkIdType, std::pair<std::size_t, vtkIdType>> sites;
+  std::vector<vtkDataSetAttributes*> data;
+  for (std::size_t process = 0; process < shares.size(); ++process)
+  {
+    data.push_back(shares[process].CellData->GetPointData());
+    vtkDataArray* ids = shares[process].CellData->GetPointData()->GetArray("vtkOriginalPointIds");
+    for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+    {
+      const auto id = static_cast<vtkIdType>(ids->GetTuple1(i));
+      FF_CHECK(sites.emplace(id, std::make_pair(process, i)).second);
+    }
+  }
+  Places places;
+  std::map<Point, vtkIdType> numbers; // of corners, in the order of their first use
+  vtkNew<vtkPoints> corners;
+  corners->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const auto& site : sites)
+  {
+    places.push_back(site.second);
+    const Share& share = shares[site.second.first];
+    const auto& cell = share.Cells[static_cast<std::size_t>(site.second.second)];
+    cells->InsertNextCell(static_cast<int>(cell.size()));
+    for (const vtkIdType place : cell)
+    {
+      Point corner;
+      share.Points->GetPoint(place, corner.data());
+      const auto number = numbers.emplace(corner, corners->GetNumberOfPoints());
+      if (number.second)
+      {
+        corners->InsertNextPoint(corner.data());
+      }
+      cells->InsertCellPoint(number.first->second);
+    }
+  }
+  joined->SetPoints(corners);
+  if (!sites.empty())
+  {
+    joined->SetPolys(cells);
+  }
+  select(data, places, joined->GetCellData());
+  joined->GetFieldData()->PassData(own->GetFieldData());
+  return joined;
+}
+
 vtkSmartPointer<vtkPolyData> join(vtkPolyData* own)
 {
+  int ownIs = isDiagram(own);
+  int anyIs = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &ownIs, &anyIs, 1, vtkCommunicator::MAX_OP);
+  if (anyIs)
+  {
+    return joinDiagrams(own);
+  }
   // What kind of cells there are: some may have none.
   int ownKind = kindOf(own);
   int kind = -1;
@@ -225,8 +306,9 @@ vtkSmartPointer<vtkPolyData> join(vtkPolyData* own)
 std::vector<Share> gatherShares(vtkPolyData* own)
 {
   const int kind = kindOf(own);
-  const std::vector<std::vector<vtkIdType>> cells =
-    kind < 0 ? std::vector<std::vector<vtkIdType>>() : cellsByOriginalIds(own, cellsOf(own, kind));
+  const std::vector<std::vector<vtkIdType>> cells = kind < 0 ? std::vector<std::vector<vtkIdType>>()
+    : isDiagram(own)                                         ? cellsByPlaces(cellsOf(own, kind))
+                     : cellsByOriginalIds(own, cellsOf(own, kind));
   std::string packed;
   for (const auto& cell : cells)
   {
@@ -235,10 +317,7 @@ std::vector<Share> gatherShares(vtkPolyData* own)
     packed.append(reinterpret_cast<const char*>(cell.data()), cell.size() * sizeof(vtkIdType));
   }
   vtkNew<vtkPolyData> cellData;
-  for (int i = 0; i < own->GetCellData()->GetNumberOfArrays(); ++i)
-  {
-    cellData->GetPointData()->AddArray(own->GetCellData()->GetAbstractArray(i));
-  }
+  cellData->GetPointData()->ShallowCopy(own->GetCellData());
   const auto points = gather(vtkFFParcel::Pack(own));
   const auto data = gather(vtkFFParcel::Pack(cellData));
   const auto lists = gather(packed);

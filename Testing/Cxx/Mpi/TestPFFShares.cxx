@@ -93,6 +93,7 @@ void useAll(Twins& both, std::uint64_t which)
     {
       useWeights(filter, which % 4 == 3 ? "" : "weights");
       filter->SetFacetMode(static_cast<int>(which % 2));
+      filter->SetGeneratePowerDiagram(which % 3 == 1);
     });
 }
 

@@ -421,20 +421,25 @@ bool Twins::Fails(const std::string& what, vtkDataObject* piece, const std::stri
 //------------------------------------------------------------------------------
 bool Twins::HasShares() const
 {
-  auto* filter = vtkPFFRegularTriangulationFilter::SafeDownCast(this->Distributed);
+  // A warning says when process 0 has gathered all points of a triangulation.
   auto* hull = vtkPFFHullFilter::SafeDownCast(this->Distributed);
-  const bool spreads = filter
-    ? !filter->GetGeneratePowerDiagram()
-    : hull && hull->GetResultMode() == vtkPFFHullFilter::RESULT_DISTRIBUTED;
-  return spreads && processes() > 1;
+  const bool spreads = hull ? hull->GetResultMode() == vtkPFFHullFilter::RESULT_DISTRIBUTED
+                            : vtkPFFRegularTriangulationFilter::SafeDownCast(this->Distributed) &&
+      std::none_of(this->Warnings->Messages.begin(), this->Warnings->Messages.end(),
+        [](const std::string& warning)
+        { return warning.find("are gathered on one") != std::string::npos; });
+  int shares = spreads && processes() > 1;
+  vtkMultiProcessController::GetGlobalController()->Broadcast(&shares, 1, 0);
+  return shares != 0;
 }
 
 //------------------------------------------------------------------------------
 bool Twins::CheckShares(const std::string& what)
 {
   bool good = true;
-  const int ports = std::min(2, this->Distributed->GetNumberOfOutputPorts());
-  for (int port = 0; port < ports; ++port)
+  auto* filter = vtkPFFRegularTriangulationFilter::SafeDownCast(this->Distributed);
+  const bool hasDiagram = filter && filter->GetGeneratePowerDiagram();
+  for (int port = 0; port < (!filter ? 1 : hasDiagram ? 3 : 2); ++port)
   {
     const auto joined = joinShares(this->Distributed->GetOutputDataObject(port));
     if (rank() == 0)
@@ -448,8 +453,7 @@ bool Twins::CheckShares(const std::string& what)
       good = isIdentical(joined, expected, what + ", port " + std::to_string(port)) && good;
     }
   }
-  // The power diagram.
-  return (ports < 2 || isNothing(this->Distributed->GetOutputDataObject(2))) && good;
+  return (!filter || hasDiagram || isNothing(this->Distributed->GetOutputDataObject(2))) && good;
 }
 
 //------------------------------------------------------------------------------
@@ -484,6 +488,7 @@ bool Twins::CheckOutputs(const std::string& what)
 bool Twins::CheckReports(const std::string& what)
 {
   bool good = true;
+  const bool hasShares = this->HasShares();
   std::vector<std::string> expected;
   if (rank() == 0)
   {
@@ -491,7 +496,7 @@ bool Twins::CheckReports(const std::string& what)
     {
       expected.push_back(sentence(message));
     }
-    if (!this->HasShares() &&
+    if (!hasShares &&
       std::string(this->Distributed->GetEngineReason()) != this->Plain->GetEngineReason())
     {
       std::cerr << what
@@ -516,7 +521,7 @@ bool Twins::CheckReports(const std::string& what)
   // a share report it.
   const auto report = reportOf(this->Distributed);
   auto expectedReport = reportOf(this->Plain);
-  if (this->HasShares() && this->Distributed->GetErrorCode() == vtkErrorCode::NoError)
+  if (hasShares && this->Distributed->GetErrorCode() == vtkErrorCode::NoError)
   {
     int dimension = this->Plain->GetDimension();
     vtkMultiProcessController::GetGlobalController()->Broadcast(&dimension, 1, 0);
