@@ -12,9 +12,7 @@
  *
  * Which point is whose neighbour is exact; the corners of the polygons are rounded to double.
  *
- * @warning
- * Process 0 gathers all points and has the whole diagram. If several processes have points, a
- * warning says so.
+ * Of distributed points, each process has the cells of those in its region.
  *
  * @sa
  * vtkFFRegularTriangulationFilter vtkPFFDelaunayFilter

@@ -18,6 +18,9 @@
  *   several processes. See SetGenerateGhostCells().
  * - Port 1 has the hidden points of the process's region: each is on
  *   one process.
+ * - Port 2, if it is asked for, has the power cells of the points of
+ *   the process's region: each is on one process. Neighbours on
+ *   different processes have equal corners.
  * - On each process, points, cells and ids are in the order in which
  *   the whole triangulation has them. All processes have the same
  *   arrays and types.
@@ -28,10 +31,10 @@
  * their data from where they came. This needs MPI, and VTK's module ParallelDIY.
  *
  * @warning
- * Process 0 gathers all points and does all the work, so that its memory must hold them all, for
- * power diagrams (see SetGeneratePowerDiagram()), and with controllers that are not of MPI. If
- * several processes have points, a warning says so. On the other processes, the outputs have no
- * points then.
+ * In two cases, process 0 gathers all points and does all the work, so that its memory must hold
+ * them all: with controllers that are not of MPI; and for a power diagram in which rounding broke a
+ * cell, which happens rarely (see SetGeneratePowerDiagram()). If several processes have points, a
+ * warning says so. On the other processes, the outputs have no points then.
  *
  * - Ghost points (see SetSkipGhostPoints()) are left out on their
  *   process and not counted: ids count the remaining points. With a

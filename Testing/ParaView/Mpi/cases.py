@@ -26,11 +26,6 @@ class Case(NamedTuple):
     says: str = ""  # the error where only ranks can have it, not one process
 
 
-def has_shares(case):
-    """Whether each rank has a share of the result; otherwise the first one has it."""
-    return case.filter == TRIANGULATION and not case.settings.get("GeneratePowerDiagram")
-
-
 def made(kind, data_type="vtkPolyData"):
     def source(folder=None):
         proxy = simple.ProgrammableSource(OutputDataSetType=data_type)

@@ -365,6 +365,19 @@ def union(shares):
     return names, sorted(points), sorted(cells)
 
 
+def union_of_cells(shares):
+    """The cells of power diagrams, which have ids, by their corners' places."""
+    cells = []
+    for poly in shares:
+        names, cell_rows = rows(poly.GetCellData())
+        corners = vtkIdList()
+        for cell in range(poly.GetNumberOfCells()):
+            poly.GetCellPoints(cell, corners)
+            places = [poly.GetPoint(corners.GetId(k)) for k in range(corners.GetNumberOfIds())]
+            cells.append((names, cell_rows[cell], places))
+    return (sorted(cells),)
+
+
 def as_sent(found):
     """The digest of data that VTK has sent to another process: VTK 9.6 makes char of signed char there."""
     if vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 906:
