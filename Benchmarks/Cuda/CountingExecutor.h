@@ -85,7 +85,7 @@ public:
     ++this->waits;
     HostExecutor::toHostWidened(to, from, n);
   }
-  const Counters& recorded(int slot)
+  const RoundRecord& recorded(int slot)
   {
     ++this->waits;
     return HostExecutor::recorded(slot);

@@ -42,7 +42,8 @@ struct CudaSession
   std::size_t keptBytes = 0;             ///< of the pool, between runs
   void* piece[2] = { nullptr, nullptr }; ///< pinned
   cudaEvent_t pieceDone[2] = { nullptr, nullptr };
-  Counters* records = nullptr; ///< pinned
+  RoundRecord* records = nullptr;         ///< pinned
+  RoundRecord* recordsOnDevice = nullptr; ///< the same memory
   cudaEvent_t recordDone[CudaExecutor::Records] = {};
   cudaEvent_t timing[2] = { nullptr, nullptr };
 
@@ -73,8 +74,11 @@ struct CudaSession
         requireCuda(cudaEventCreate(&this->timing[i]));
       }
       void* memory = nullptr;
-      requireCuda(cudaMallocHost(&memory, CudaExecutor::Records * sizeof(Counters)));
-      this->records = static_cast<Counters*>(memory);
+      requireCuda(
+        cudaHostAlloc(&memory, CudaExecutor::Records * sizeof(RoundRecord), cudaHostAllocMapped));
+      this->records = static_cast<RoundRecord*>(memory);
+      requireCuda(cudaHostGetDevicePointer(&memory, this->records, 0));
+      this->recordsOnDevice = static_cast<RoundRecord*>(memory);
       for (cudaEvent_t& event : this->recordDone)
       {
         requireCuda(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
@@ -458,14 +462,17 @@ CudaExecutor::Residence::~Residence()
   this->executor.release(this->memory, this->bytes);
 }
 
-void CudaExecutor::record(const Counters* counters, int slot)
+RoundRecord* CudaExecutor::recordAt(int slot)
 {
-  requireCuda(cudaMemcpyAsync(&this->session->records[slot], counters, sizeof(Counters),
-    cudaMemcpyDeviceToHost, this->stream));
+  return &this->session->recordsOnDevice[slot];
+}
+
+void CudaExecutor::record(int slot)
+{
   requireCuda(cudaEventRecord(this->session->recordDone[slot], this->stream));
 }
 
-const Counters& CudaExecutor::recorded(int slot)
+const RoundRecord& CudaExecutor::recorded(int slot)
 {
   requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));
   return this->session->records[slot];

@@ -141,8 +141,9 @@ public:
   /// z ..., as PointSource reads them.
   PointSource resident(const PointSource& points, Residence& residence);
 
-  void record(const Counters* counters, int slot);
-  const Counters& recorded(int slot);
+  RoundRecord* recordAt(int slot);
+  void record(int slot);
+  const RoundRecord& recorded(int slot);
 
   /// Measure each launch from now on: every one is waited for, so the whole takes longer.
   void measure(bool on) { this->measuring = on; }

@@ -13,7 +13,8 @@
 /// least key of all wins all its triangles: every round that proposes a flip makes one. Flips that
 /// are on share no triangle, so neither their order nor that of the lists matters. Labels that
 /// Resolve sets are seen from the next round's Check on. What the floating-point filter leaves open
-/// in Check goes to its exact twin.
+/// in Check goes to its exact twin. But nothing with exact arithmetic is launched before the host
+/// knows of a triangle that needs it; until then, such triangles stay active.
 ///
 /// An edge has two triangles. If both are active, the lower one looks at it; if only one is, that
 /// one does. A triangle goes to rest when no edge that it looks at is of any concern, and is woken
@@ -41,7 +42,7 @@ namespace flipflop
 /// What an active triangle asks for.
 struct Proposal
 {
-  std::uint32_t edge; ///< its own half-edge
+  std::uint32_t edge; ///< its own half-edge; NoIndex: it goes to rest
   FlipAction action;
   bool byDegree;
 };
@@ -148,7 +149,9 @@ FF_HD void check(const FlipData<Geometry>& data, const Oracle& geometry, std::ui
     proposal = propose(data, geometry, round, t, checks);
     if (isUndecided(geometry))
     {
+      // Where no exact kernel follows, the triangle stays active.
       data.undecided[atomics::add(&data.counters->undecided[round & 1], 1u)] = i;
+      data.proposals[i] = { halfEdge(t, 0), FlipAction::None, false };
       return;
     }
   }
@@ -209,6 +212,7 @@ struct Check : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "check";
   static constexpr int Bytes = 4 + 4 * 32 + 6 * 32 + 8 + 2 * 8;
+  RoundRecord* record;         ///< of the round before; null: nobody reads it
   using Local = std::uint32_t; ///< edges looked at
   FF_HD Local begin() const { return 0; }
   FF_HD void operator()(std::uint32_t i, Local& checks) const
@@ -223,7 +227,13 @@ struct Check : FlipKernel<Geometry, Data>
   FF_HD void once() const
   {
     Counters& counters = *this->data().counters;
-    counters.active[(this->round & 1) ^ 1] = 0;
+    const std::uint32_t before = (this->round & 1) ^ 1;
+    if (this->record)
+    {
+      *this->record = { counters.triangles, counters.vertices, 0, 0,
+        counters.active[this->round & 1], counters.undecided[before] };
+    }
+    counters.active[before] = 0;
     counters.flips[this->round & 1] = 0;
     // The round before is over. One without work comes after the last, so nothing is lost.
     RoundCounts& counts = counters.round;
@@ -267,7 +277,11 @@ struct Resolve : FlipKernel<Geometry, Data>
     const Proposal proposal = d.proposals[i];
     if (proposal.action == FlipAction::None)
     {
-      return; // to rest
+      if (proposal.edge != NoIndex)
+      {
+        flips::wake(d, this->round + 1, triangleOf(proposal.edge));
+      }
+      return;
     }
     if (!flips::isFlip(proposal))
     {
@@ -465,7 +479,7 @@ struct FlipTail
       {
         break;
       }
-      run(Check<Geometry, Data>{ { {}, this->data, now } }, &counters.active[turn]);
+      run(Check<Geometry, Data>{ { {}, this->data, now }, nullptr }, &counters.active[turn]);
       if (atomics::load(&counters.undecided[turn]) != 0)
       {
         isChecked = true;

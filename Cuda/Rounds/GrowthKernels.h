@@ -9,11 +9,15 @@
 ///   Insert       the furthest point splits its triangle in three
 ///   LinkSplits   the new triangles find their neighbours, which may have been split too
 ///   Relocate     each point that is left goes to its child, or is dropped
+/// and, where points were left open,
+///   LocateExact  each of them walks to its cone, which may have been split meanwhile
+///   AllAnew      any triangle may have points again
 ///
 /// A point alive is a Vertex record whose flags name its triangle. The furthest point of a triangle
 /// is the greatest of the keys (height, lowest id), so any order of execution inserts the same
-/// points; new slots come from the prefix sum, never from a counter. What the floating-point filter
-/// leaves open in Associate and Relocate goes to a list, and from there to their exact twins.
+/// points; new slots come from the prefix sum, never from a counter. Points that the floating-point
+/// filter leaves open in Associate and Relocate wait in a list until the host knows of them: then
+/// nothing with exact arithmetic is launched where no point needs it.
 ///
 /// How two neighbours are split at once: a triangle that is split in this round carries the round
 /// in its index. A child's outer neighbour is known by its old number; if that triangle was split
@@ -37,6 +41,13 @@
 namespace flipflop
 {
 
+/// A point that a filter has left open, and a triangle near it.
+struct Unlocated
+{
+  std::uint32_t id;
+  std::uint32_t triangle;
+};
+
 /// What the kernels work on, in the executor's memory.
 template <class Geometry>
 struct GrowthData
@@ -50,7 +61,7 @@ struct GrowthData
   Vertex* live[2];         ///< points still above the polyhedron, by turns
   std::uint32_t* candidates[2];
   std::uint32_t* places; ///< by candidate: 1 if it has points, then the number of those before
-  std::uint32_t* undecided;
+  Unlocated* unlocated;
   Counters* counters;
 };
 
@@ -101,22 +112,23 @@ FF_HD bool staysAbove(const GrowthData<Geometry>& data, const FilteredGeometry<G
   return geometry.perturbedAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p) > 0;
 }
 
-/// Leave an item to the exact kernel.
+/// Leave a point to the exact kernel.
 template <class Geometry>
-FF_HD void leaveOpen(const GrowthData<Geometry>& data, int turn, std::uint32_t item)
+FF_HD void leaveOpen(const GrowthData<Geometry>& data, std::uint32_t id, std::uint32_t triangle)
 {
-  data.undecided[atomics::add(&data.counters->undecided[turn], 1u)] = item;
+  data.unlocated[atomics::add(&data.counters->unlocated, 1u)] = { id, triangle };
 }
 
-/// The cone of the starting tetrahedron that p is in; any, where the oracle is not enough.
+/// Walk to the cone that p is in, from triangle @p t on; to any, where the oracle is not enough.
+/// Splits alone make no circle of triangles that hide each other: no walk meets one twice.
 template <class Oracle>
-FF_HD std::uint32_t coneInTetrahedron(const Oracle& geometry, const Mesh& mesh, const Vertex& p)
+FF_HD std::uint32_t coneOf(const Oracle& geometry, const Mesh& mesh, std::uint32_t t,
+  std::uint32_t mostSteps, const Vertex& p)
 {
-  constexpr std::uint32_t MostSteps = 4; // no walk meets a triangle twice
-  return visibilityWalk(mesh.triangles, NoIndex, 0, MostSteps,
-    [&](std::uint32_t t, int entry)
+  return visibilityWalk(mesh.triangles, NoIndex, t, mostSteps,
+    [&](std::uint32_t at, int entry)
     {
-      const std::uint32_t* const v = mesh.triangles[t].v;
+      const std::uint32_t* const v = mesh.triangles[at].v;
       const int out = firstExit(entry,
         [&](int i)
         {
@@ -130,9 +142,10 @@ FF_HD std::uint32_t coneInTetrahedron(const Oracle& geometry, const Mesh& mesh, 
 }
 
 /// Point @p id of the input goes to its cone.
-template <class Geometry, class Oracle>
-FF_HD void associate(const GrowthData<Geometry>& data, const Oracle& geometry, std::uint32_t id)
+template <class Geometry>
+FF_HD void associate(const GrowthData<Geometry>& data, std::uint32_t id)
 {
+  const FilteredGeometry<Geometry> geometry(data.geometry);
   const Vertex p = data.points.vertex(id);
   const Vertex* const start = data.mesh.vertices;
   if ((data.checkFinite && !isFinite(p.x)) || id == start[0].id || id == start[1].id ||
@@ -140,12 +153,13 @@ FF_HD void associate(const GrowthData<Geometry>& data, const Oracle& geometry, s
   {
     return;
   }
-  const std::uint32_t t = coneInTetrahedron(geometry, data.mesh, p);
+  constexpr std::uint32_t MostSteps = 4;
+  const std::uint32_t t = coneOf(geometry, data.mesh, 0, MostSteps, p);
   const std::uint32_t* const v = data.mesh.triangles[t].v;
   const bool above = staysAbove(data, geometry, v, p);
   if (isUndecided(geometry))
   {
-    leaveOpen(data, 0, id);
+    leaveOpen(data, id, t);
   }
   else if (above)
   {
@@ -154,10 +168,10 @@ FF_HD void associate(const GrowthData<Geometry>& data, const Oracle& geometry, s
 }
 
 /// Point @p i alive, whose triangle has just been split, goes on.
-template <class Geometry, class Oracle>
-FF_HD void relocate(
-  const GrowthData<Geometry>& data, const Oracle& geometry, int turn, std::uint32_t i)
+template <class Geometry>
+FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
 {
+  const FilteredGeometry<Geometry> geometry(data.geometry);
   Vertex p = data.live[turn][i];
   const std::uint32_t t = p.flags;
   p.flags = 0;
@@ -183,7 +197,7 @@ FF_HD void relocate(
   const bool above = staysAbove(data, geometry, triangle, p);
   if (isUndecided(geometry))
   {
-    leaveOpen(data, turn, i);
+    leaveOpen(data, p.id, t);
   }
   else if (above)
   {
@@ -193,6 +207,27 @@ FF_HD void relocate(
                  : child[2],
       Geometry::heightAbove(
         vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]], p));
+  }
+}
+
+/// A point that was left open goes to its cone.
+template <class Geometry>
+FF_HD void locate(const GrowthData<Geometry>& data, const Geometry& geometry, int turn,
+  const Unlocated& open, std::uint32_t mostSteps)
+{
+  const Vertex p = data.points.vertex(open.id);
+  const Vertex* const vertices = data.mesh.vertices;
+  const std::uint32_t t = coneOf(geometry, data.mesh, open.triangle, mostSteps, p);
+  if (t == NoIndex)
+  {
+    atomics::store(&data.counters->strayed, 1u);
+    return;
+  }
+  const std::uint32_t* const v = data.mesh.triangles[t].v;
+  if (staysAbove(data, geometry, v, p))
+  {
+    keep(
+      data, turn, p, t, Geometry::heightAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p));
   }
 }
 
@@ -206,23 +241,7 @@ struct Associate : Kernel
   static constexpr int Bytes = 24 + 32 + 8;
   GrowthData<Geometry> data;
 
-  FF_HD void operator()(std::uint32_t i, Local&) const
-  {
-    growth::associate(this->data, FilteredGeometry<Geometry>(this->data.geometry), i);
-  }
-};
-
-/// Over the undecided of Associate.
-template <class Geometry>
-struct AssociateExact : ExactKernel<Geometry, GrowthData<Geometry>>
-{
-  static constexpr const char* Name = "associate, exact";
-  static constexpr int Bytes = Associate<Geometry>::Bytes + 4;
-
-  FF_HD void operator()(std::uint32_t i, const Geometry& local) const
-  {
-    growth::associate(this->data, local, this->data.undecided[i]);
-  }
+  FF_HD void operator()(std::uint32_t i, Local&) const { growth::associate(this->data, i); }
 };
 
 /// Over the room for the sums: all places of a list of at most so many candidates, and one more.
@@ -234,11 +253,19 @@ struct Mark : Kernel
   const std::uint64_t* furthest;
   std::uint32_t* places;
   const Counters* counters;
+  std::uint32_t turn;  ///< of the points alive
+  RoundRecord* record; ///< of the round before
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
     this->places[i] =
       i < this->counters->candidates && this->furthest[this->candidates[i]] != 0 ? 1 : 0;
+  }
+
+  FF_HD void once() const
+  {
+    const Counters& c = *this->counters;
+    *this->record = { c.triangles, c.vertices, c.live[this->turn], c.candidates, 0, c.unlocated };
   }
 };
 
@@ -295,6 +322,7 @@ struct LinkSplits : Kernel
   static constexpr int Bytes = 8 + 4 + 3 * (8 + 4 + 12 + 4);
   GrowthData<Geometry> data;
   std::uint32_t round;
+  bool allLocated; ///< LocateExact ran in the round before
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
@@ -324,7 +352,10 @@ struct LinkSplits : Kernel
   {
     Counters& counters = *this->data.counters;
     counters.live[this->round & 1] = 0;
-    counters.undecided[(this->round & 1) ^ 1] = 0;
+    if (this->allLocated)
+    {
+      counters.unlocated = 0;
+    }
   }
 
 private:
@@ -346,8 +377,7 @@ struct Relocate : Kernel
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    growth::relocate(this->data, FilteredGeometry<Geometry>(this->data.geometry),
-      static_cast<int>((this->round & 1) ^ 1), i);
+    growth::relocate(this->data, static_cast<int>((this->round & 1) ^ 1), i);
   }
 
   /// The round's vertices are all there: count them.
@@ -363,19 +393,33 @@ struct Relocate : Kernel
   }
 };
 
-/// Over the undecided of Relocate.
+/// Over the points left open.
 template <class Geometry>
-struct RelocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
+struct LocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
 {
-  static constexpr const char* Name = "relocate, exact";
-  static constexpr int Bytes = Relocate<Geometry>::Bytes + 4;
-  std::uint32_t round;
+  static constexpr const char* Name = "locate, exact";
+  static constexpr int Bytes = 8 + 24 + 2 * (32 + 3 * 32) + 32 + 8; // a walk of two triangles
+  std::uint32_t turn;                                               ///< of those that live on
 
   FF_HD void operator()(std::uint32_t i, const Geometry& local) const
   {
-    growth::relocate(
-      this->data, local, static_cast<int>((this->round & 1) ^ 1), this->data.undecided[i]);
+    growth::locate(this->data, local, static_cast<int>(this->turn), this->data.unlocated[i],
+      this->data.counters->triangles);
   }
+};
+
+/// Over all triangles: each is a candidate. A point that was left open may be in the cone of one
+/// that was none.
+template <class Geometry>
+struct AllAnew : Kernel
+{
+  static constexpr const char* Name = "all anew";
+  static constexpr int Bytes = 4;
+  GrowthData<Geometry> data;
+  std::uint32_t turn; ///< of the candidates
+
+  FF_HD void operator()(std::uint32_t i, Local&) const { this->data.candidates[this->turn][i] = i; }
+  FF_HD void once() const { this->data.counters->candidates = this->data.counters->triangles; }
 };
 
 }

@@ -3,6 +3,7 @@
 #include "Memory.h"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -133,11 +134,46 @@ void* Memory::takePinned(std::size_t bytes)
   return block;
 }
 
+void* Memory::takeMapped(std::size_t bytes)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  const std::size_t size = wholePages(bytes);
+  const int file = memfd_create("mapped", 0);
+  require(file >= 0 && ftruncate(file, static_cast<off_t>(size)) == 0, "no memory to map");
+  void* const host = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  void* const device =
+    mmap(this->next, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED_NOREPLACE, file, 0);
+  close(file);
+  require(host != MAP_FAILED && device == this->next, "memory cannot be mapped twice");
+  this->next += size + Page;
+  poison(host, size);
+  this->mapped[static_cast<char*>(host)] = static_cast<char*>(device);
+  this->pinned[static_cast<char*>(host)] = bytes;
+  return host;
+}
+
+void* Memory::onDevice(const void* host)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  const auto found = this->mapped.find(static_cast<const char*>(host));
+  return found == this->mapped.end() ? nullptr : found->second;
+}
+
 void Memory::givePinned(void* block)
 {
   if (block)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
+    const auto twice = this->mapped.find(static_cast<char*>(block));
+    if (twice != this->mapped.end())
+    {
+      const std::size_t size = wholePages(this->pinned.at(static_cast<char*>(block)));
+      munmap(twice->second, size);
+      munmap(block, size);
+      this->pinned.erase(static_cast<char*>(block));
+      this->mapped.erase(twice);
+      return;
+    }
     require(this->pinned.erase(static_cast<char*>(block)) == 1,
       "a pinned buffer is given back that was not taken");
     std::free(block);

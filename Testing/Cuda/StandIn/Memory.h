@@ -49,6 +49,10 @@ public:
   bool isUnwritten(const void* from, std::size_t bytes);
 
   void* takePinned(std::size_t bytes);
+  /// Pinned memory that kernels reach too, at an address of the device's own.
+  void* takeMapped(std::size_t bytes);
+  /// @return null if it is none of that
+  void* onDevice(const void* mapped);
   void givePinned(void* block);
   bool isPinned(const void* from, std::size_t bytes);
 
@@ -60,6 +64,7 @@ private:
   std::mutex mutex;
   std::map<const char*, std::size_t> live; ///< of the device: its begin and length
   std::map<const char*, std::size_t> pinned;
+  std::map<const char*, char*> mapped; ///< and where the device has it
   char* next = reinterpret_cast<char*>(DeviceBegin);
   std::size_t used = 0;
 };

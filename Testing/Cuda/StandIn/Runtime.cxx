@@ -263,6 +263,16 @@ cudaError_t cudaMallocHost(void** memory, std::size_t bytes)
 {
   return allocation(memory, Memory::get().takePinned(bytes));
 }
+cudaError_t cudaHostAlloc(void** memory, std::size_t bytes, unsigned flags)
+{
+  require(flags == cudaHostAllocMapped, "pinned memory of a kind that it does not know");
+  return allocation(memory, Memory::get().takeMapped(bytes));
+}
+cudaError_t cudaHostGetDevicePointer(void** pointer, void* memory, unsigned)
+{
+  *pointer = Memory::get().onDevice(memory);
+  return result(*pointer ? cudaSuccess : cudaErrorInvalidValue);
+}
 cudaError_t cudaFreeHost(void* memory)
 {
   Memory::get().givePinned(memory);
