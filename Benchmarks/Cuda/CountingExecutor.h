@@ -54,13 +54,14 @@ public:
     this->launches += 2; // CUB's: one sets up, one sums
     HostExecutor::exclusiveSum(values, n);
   }
-  PointSource resident(const PointSource& points, Residence& residence)
+  template <class See>
+  bool bring(const PointSource& points, Residence& residence, const See& see)
   {
-    const int floats = points.floatsEach();
+    const std::size_t each = points.isOfFloats() ? sizeof(float) : sizeof(double);
     this->bytesSent += std::int64_t(points.count()) *
-      static_cast<std::int64_t>(floats ? floats * sizeof(float) : 3 * sizeof(double));
+      static_cast<std::int64_t>(static_cast<std::size_t>(points.scalarsEach()) * each);
     ++this->waits;
-    return HostExecutor::resident(points, residence);
+    return HostExecutor::bring(points, residence, see);
   }
   void fromHost(void* to, const void* from, std::size_t bytes)
   {

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -130,16 +131,20 @@ public:
     }
     Residence(const Residence&) = delete;
     Residence& operator=(const Residence&) = delete;
-    ~Residence();
+    ~Residence() { this->clear(); }
+    void clear() noexcept;
 
     CudaExecutor& executor;
     void* memory = nullptr;
     std::size_t bytes = 0;
   };
 
-  /// In place, where the device has them; else packed: floats as they are, all others as x y z x y
-  /// z ..., as PointSource reads them.
-  PointSource resident(const PointSource& points, Residence& residence);
+  /// Where the device has them, nothing is copied. Else as PointSource packs them: floats as they
+  /// are, all others as doubles.
+  /// @throw Error DeviceMemory, DeviceFailed, and what @p see throws
+  bool bring(const PointSource& points, Residence& residence,
+    const std::function<void(std::uint32_t begin, std::uint32_t end)>& see);
+  PointSource resident(const PointSource& points, const Residence& residence);
 
   RoundRecord* recordAt(int slot);
   void record(int slot);

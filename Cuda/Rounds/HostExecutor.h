@@ -14,7 +14,11 @@
 ///   buffers
 ///                                each, the first ones given: tells which ones hold the result
 ///   toHostWidened(to, from, n)   toHost, of numbers that the host has in 64 bits
-///   resident(points, residence)  the points as kernels can read them, while the residence lives
+///   bring(points, residence, see)  copy the points' scalars to where kernels can read them; see(
+///                                begin, end) for runs of them, by any thread, while they are in
+///                                the processor's cache. False: they are there already, nothing is
+///                                seen
+///   resident(points, residence)  then: the points as kernels can read them
 ///   recordAt(slot)               where kernels write what the host is to know, without a copy
 ///   record, recorded             what is launched by now writes there; wait for that, and read it
 ///   finish                       wait for all
@@ -139,11 +143,23 @@ public:
     std::copy(from, from + n, to);
   }
 
-  /// Here they are already.
+  /// Here they are already; but seen as by an executor that copies.
   struct Residence
   {
     explicit Residence(HostExecutor&) {}
+    void clear() {}
   };
+  template <class See>
+  bool bring(const PointSource& points, Residence&, const See& see)
+  {
+    constexpr std::uint32_t Run = 1 << 10;
+    for (std::uint64_t begin = 0; begin < points.count(); begin += Run)
+    {
+      see(static_cast<std::uint32_t>(begin),
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(begin + Run, points.count())));
+    }
+    return true;
+  }
   PointSource resident(const PointSource& points, Residence&) { return points; }
 
   RoundRecord* recordAt(int slot) { return &this->records[slot]; }

@@ -67,13 +67,11 @@ public:
 
   /// From a tetrahedron around the geometry's kernel point to a star-shaped polyhedron that no
   /// point is outside of.
-  void grow(const Polyhedron& start)
+  /// @param points as the executor reads them
+  void grow(const Polyhedron& start, const PointSource& points)
   {
     const std::uint32_t count = this->source.count();
     this->monitor.stage(0.1, 0.5, count, "growing");
-    typename Executor::Residence residence(this->executor);
-    this->executor.beginPart("copy to the device");
-    const PointSource points = this->executor.resident(this->source, residence);
     this->executor.beginPart("grow");
     Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
       Array<Vertex>(this->executor, count) };

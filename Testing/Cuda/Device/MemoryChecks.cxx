@@ -12,7 +12,6 @@
 #include <limits>
 #include <set>
 #include <thread>
-#include <type_traits>
 
 namespace flipflop
 {
@@ -232,8 +231,7 @@ void checkInPlace(const Sides& sides, const DeviceInput& drawn, std::int64_t str
     "another result of points on the host");
   if (sides.subject.isOnDevice())
   {
-    const bool floats = std::is_same<Scalar, float>::value;
-    const std::int64_t each = floats && drawn.plane && !drawn.weighted ? 2 : 3;
+    const std::int64_t each = drawn.plane && !drawn.weighted ? 2 : 3;
     require(sent.launches.at("from the host").bytes ==
         count * each * static_cast<std::int64_t>(sizeof(Scalar)),
       "another number of bytes was sent");
