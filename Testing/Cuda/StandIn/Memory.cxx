@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -62,23 +63,38 @@ int setting(const char* name, int byDefault)
   return text ? std::atoi(text) : byDefault;
 }
 
-Memory& Memory::get()
+Memory::Memory(int device)
 {
-  static auto* const memory = new Memory; // for good: what is released last is released late
-  return *memory;
+  constexpr std::uint64_t each = (DeviceEnd - DeviceBegin) / MostDevices;
+  this->next = reinterpret_cast<char*>(DeviceBegin) + static_cast<std::uint64_t>(device) * each;
+  this->end = this->next + each;
 }
 
-void* Memory::take(std::size_t bytes)
+Memory& Memory::get(int device)
+{
+  // For good: what is released last is released late.
+  static Memory* const memories[MostDevices] = { new Memory(0), new Memory(1) };
+  return *memories[device];
+}
+
+void* Memory::take(std::size_t bytes, Pool* pool)
 {
   const std::lock_guard<std::mutex> lock(this->mutex);
-  if (bytes > this->total() - this->used)
+  const std::size_t had = pool ? std::min(bytes, pool->reserved - pool->used) : 0;
+  if (bytes - had > this->total() - this->used)
   {
     return nullptr;
+  }
+  this->used += bytes - had;
+  if (pool)
+  {
+    pool->used += bytes;
+    pool->reserved += bytes - had;
   }
   const std::size_t mapped = wholePages(bytes);
   char* const begin = this->next;
   this->next += mapped + Page; // the page behind it stays out of reach
-  require(this->next < reinterpret_cast<char*>(DeviceEnd), "no addresses are left");
+  require(this->next < this->end, "no addresses are left");
   void* const got = mmap(begin, mapped, PROT_READ | PROT_WRITE,
     MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0);
   require(got == begin, "there is no memory for the device");
@@ -86,7 +102,10 @@ void* Memory::take(std::size_t bytes)
   // As far back as the alignment of CUB and of 32-byte sectors allows.
   char* const block = begin + (mapped - bytes) / 32 * 32;
   this->live[block] = bytes;
-  this->used += bytes;
+  if (pool)
+  {
+    this->pools[block] = pool;
+  }
   return block;
 }
 
@@ -101,8 +120,25 @@ void Memory::give(void* block)
   void* const got =
     mmap(begin, mapped, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0);
   require(got == begin, "memory cannot be given back");
-  this->used -= found->second;
+  const auto pool = this->pools.find(static_cast<char*>(block));
+  if (pool == this->pools.end())
+  {
+    this->used -= found->second;
+  }
+  else
+  {
+    pool->second->used -= found->second; // it stays reserved
+    this->pools.erase(pool);
+  }
   this->live.erase(found);
+}
+
+void Memory::trim(Pool& pool, std::size_t kept)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  const std::size_t rest = std::max(pool.used, std::min(pool.reserved, kept));
+  this->used -= pool.reserved - rest;
+  pool.reserved = rest;
 }
 
 bool Memory::holds(const void* from, std::size_t bytes)
