@@ -33,6 +33,7 @@
 #include "Rounds/ExactKernel.h"
 #include "Rounds/FilteredGeometry.h"
 #include "Rounds/Kernel.h"
+#include "Rounds/WideLoad.h"
 
 #include <cstdint>
 
@@ -113,26 +114,50 @@ FF_HD void noteDuplicates(const FlipData<Geometry>& data, std::uint32_t h)
   eachDuplicateOfOrigin(data.mesh, h, [=](const Vertex& other, int k) { sameAs[k] = other.id; });
 }
 
+/// One of three that are in registers.
+FF_HD FF_INLINE std::uint32_t pick(const std::uint32_t* of, int corner)
+{
+  return corner == 0 ? of[0] : corner == 1 ? of[1] : of[2];
+}
+
 /// What triangle @p t, active, asks for.
+/// @param own its copy
 template <class Geometry, class Oracle>
 FF_HD Proposal propose(const FlipData<Geometry>& data, const Oracle& geometry, std::uint32_t round,
-  std::uint32_t t, std::uint32_t& checks)
+  std::uint32_t t, const Triangle& own, std::uint32_t& checks)
 {
+  const Vertex* const vertices = data.mesh.vertices;
+  Vertex a = whole(vertices[own.v[0]]);
+  Vertex b = whole(vertices[own.v[1]]);
+  Vertex c = whole(vertices[own.v[2]]);
+  std::uint32_t twin = own.twin[0]; // of ab
+  std::uint32_t next = own.twin[1]; // of bc
+  std::uint32_t last = own.twin[2]; // of ca
   for (int e = 0; e < 3; ++e)
   {
-    const std::uint32_t h = halfEdge(t, e);
-    const std::uint32_t other = triangleOf(data.mesh.twin(h));
-    if (other < t && data.queued[other] == round)
+    const std::uint32_t other = triangleOf(twin);
+    if (!(other < t && data.queued[other] == round)) // else it looks at this edge
     {
-      continue; // it looks at this edge
+      ++checks;
+      const Triangle second = whole(data.mesh.triangles[other]);
+      const int g = cornerOf(twin);
+      const Vertex d = whole(vertices[pick(second.v, previousCorner(g))]);
+      const FlipDecision decision = decideFlip(geometry, a, b, c, d,
+        triangleOf(last) == triangleOf(pick(second.twin, nextCorner(g))),
+        triangleOf(next) == triangleOf(pick(second.twin, previousCorner(g))));
+      if (decision.action != FlipAction::None || isUndecided(geometry))
+      {
+        return { halfEdge(t, e), decision.action, decision.byDegree };
+      }
     }
-    ++checks;
-    const FlipDecision decision =
-      decideFlip(geometry, data.mesh.vertices, surroundingsOf(data.mesh, h));
-    if (decision.action != FlipAction::None || isUndecided(geometry))
-    {
-      return { h, decision.action, decision.byDegree };
-    }
+    const Vertex first = a;
+    a = b;
+    b = c;
+    c = first;
+    const std::uint32_t of = twin;
+    twin = next;
+    next = last;
+    last = of;
   }
   return { NoIndex, FlipAction::None, false };
 }
@@ -144,9 +169,10 @@ FF_HD void check(const FlipData<Geometry>& data, const Oracle& geometry, std::ui
 {
   const std::uint32_t t = data.active[round & 1][i];
   Proposal proposal = { NoIndex, FlipAction::None, false };
-  if (!(data.mesh.triangles[t].flags & TriangleDead))
+  const Triangle own = whole(data.mesh.triangles[t]);
+  if (!(own.flags & TriangleDead))
   {
-    proposal = propose(data, geometry, round, t, checks);
+    proposal = propose(data, geometry, round, t, own, checks);
     if (isUndecided(geometry))
     {
       // Where no exact kernel follows, the triangle stays active.
@@ -211,6 +237,8 @@ template <class Geometry, class Data = FlipData<Geometry>>
 struct Check : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "check";
+  // Four vertices and two triangles are many registers, and the filter in the plane takes more.
+  static constexpr unsigned LeastBlocks = Geometry::InsertsAtOnce ? 3 : 0;
   static constexpr int Bytes = 4 + 4 * 32 + 6 * 32 + 8 + 2 * 8;
   RoundRecord* record;         ///< of the round before; null: nobody reads it
   using Local = std::uint32_t; ///< edges looked at

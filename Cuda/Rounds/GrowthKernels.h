@@ -34,6 +34,7 @@
 #include "Rounds/ExactKernel.h"
 #include "Rounds/FilteredGeometry.h"
 #include "Rounds/Kernel.h"
+#include "Rounds/WideLoad.h"
 
 #include <cstdint>
 #include <cstring>
@@ -172,29 +173,24 @@ template <class Geometry>
 FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
 {
   const FilteredGeometry<Geometry> geometry(data.geometry);
-  Vertex p = data.live[turn][i];
+  Vertex p = whole(data.live[turn][i]);
   const std::uint32_t t = p.flags;
   p.flags = 0;
-  const Triangle& first = data.mesh.triangles[t];
-  const std::uint32_t child[3] = { t, triangleOf(first.twin[1]), triangleOf(first.twin[2]) };
-  const std::uint32_t corner[3] = { first.v[0], first.v[1], data.mesh.triangles[child[1]].v[1] };
-  const std::uint32_t apex = first.v[2];
+  const Triangle first = whole(data.mesh.triangles[t]);
   const Vertex* const vertices = data.mesh.vertices;
-  const Vertex& v = vertices[apex];
+  const Vertex v = whole(vertices[first.v[2]]);
   if (v.id == p.id)
   {
     return; // it is the one
   }
+  const std::uint32_t child[3] = { t, triangleOf(first.twin[1]), triangleOf(first.twin[2]) };
+  const std::uint32_t corner[3] = { first.v[0], first.v[1], data.mesh.triangles[child[1]].v[1] };
   const int k =
     childOf(geometry, v, vertices[corner[0]], vertices[corner[1]], vertices[corner[2]], p);
-  const std::uint32_t triangle[3] = { k == 0 ? corner[0]
-      : k == 1                               ? corner[1]
-                                             : corner[2],
-    k == 0     ? corner[1]
-      : k == 1 ? corner[2]
-               : corner[0],
-    apex };
-  const bool above = staysAbove(data, geometry, triangle, p);
+  // Read again, for all three would take registers of a quarter of the threads.
+  const Vertex a = whole(vertices[k == 0 ? corner[0] : k == 1 ? corner[1] : corner[2]]);
+  const Vertex b = whole(vertices[k == 0 ? corner[1] : k == 1 ? corner[2] : corner[0]]);
+  const bool above = geometry.perturbedAbove(a, b, v, p) > 0;
   if (isUndecided(geometry))
   {
     leaveOpen(data, p.id, t);
@@ -205,8 +201,7 @@ FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
       k == 0     ? child[0]
         : k == 1 ? child[1]
                  : child[2],
-      Geometry::heightAbove(
-        vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]], p));
+      Geometry::heightAbove(a, b, v, p));
   }
 }
 

@@ -59,7 +59,7 @@ def main():
     faults = 0
     print(f"{options.architecture}: registers, stack, spilled")
     for (_, registers, stack, spilled), name in zip(found, names):
-        short = re.split(r"run(?:Kernel|Tail)<", name)[1].partition(">(")[0].replace("flipflop::", "")
+        short = re.split(r"run(?:Kernel|BoundedKernel|Tail)<", name)[1].partition(">(")[0].replace("flipflop::", "")
         exact = EXACT.search(name) is not None
         most = TAIL_REGISTERS if "runTail<" in name else FAST_REGISTERS
         over = stack > EXACT_STACK if exact else registers > most or stack or spilled
