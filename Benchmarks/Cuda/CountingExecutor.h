@@ -126,11 +126,11 @@ private:
   {
     const GrowthData<Geometry>& data = kernel.data;
     const Triangle* const triangles = data.mesh.triangles;
-    const Vertex* const live = data.live[(kernel.round & 1) ^ 1];
+    const PointAlive* const live = data.live[(kernel.round & 1) ^ 1];
     this->gather(this->relocate, items,
       [&](std::uint32_t i)
       {
-        const std::uint32_t t = live[i].flags;
+        const std::uint32_t t = live[i].triangle;
         const std::uint32_t next = triangleOf(triangles[t].twin[1]);
         this->touchTriangle(t);
         this->touchTriangle(next);

@@ -13,11 +13,11 @@
 ///   LocateExact  each of them walks to its cone, which may have been split meanwhile
 ///   AllAnew      any triangle may have points again
 ///
-/// A point alive is a Vertex record whose flags name its triangle. The furthest point of a triangle
-/// is the greatest of the keys (height, lowest id), so any order of execution inserts the same
-/// points; new slots come from the prefix sum, never from a counter. Points that the floating-point
-/// filter leaves open in Associate and Relocate wait in a list until the host knows of them: then
-/// nothing with exact arithmetic is launched where no point needs it.
+/// A point alive is a place, where its coordinates are, and its triangle. The furthest point of a
+/// triangle is the greatest of the keys (height, lowest id), so any order of execution inserts the
+/// same points; new slots come from the prefix sum, never from a counter. Points that the
+/// floating-point filter leaves open in Associate and Relocate wait in a list until the host knows
+/// of them: then nothing with exact arithmetic is launched where no point needs it.
 ///
 /// How two neighbours are split at once: a triangle that is split in this round carries the round
 /// in its index. A child's outer neighbour is known by its old number; if that triangle was split
@@ -42,11 +42,18 @@
 namespace flipflop
 {
 
-/// A point that a filter has left open, and a triangle near it.
-struct Unlocated
+/// A point, and the triangle in whose cone it is; or near it, where a filter has left that open.
+struct alignas(8) PointAlive
 {
-  std::uint32_t id;
+  std::uint32_t place; ///< in the order of the ids, or in that of OrderKernels.h
   std::uint32_t triangle;
+};
+
+/// The points in an order of their own; none: they are in that of their ids.
+struct OrderedPoints
+{
+  double* x;          ///< three a place
+  std::uint32_t* ids; ///< null: there is no such order
 };
 
 /// What the kernels work on, in the executor's memory.
@@ -59,10 +66,11 @@ struct GrowthData
   Mesh mesh;
   std::uint64_t* furthest; ///< by triangle: furthestKey of its points, 0: it has none
   std::uint32_t* lowest;   ///< by vertex: the lowest id at its position
-  Vertex* live[2];         ///< points still above the polyhedron, by turns
+  OrderedPoints ordered;
+  PointAlive* live[2]; ///< points still above the polyhedron, by turns
   std::uint32_t* candidates[2];
   std::uint32_t* places; ///< by candidate: 1 if it has points, then the number of those before
-  Unlocated* unlocated;
+  PointAlive* unlocated;
   Counters* counters;
 };
 
@@ -82,16 +90,25 @@ FF_HD inline std::uint32_t idOfKey(std::uint64_t key)
 namespace growth
 {
 
-/// Let p, in the cone of t and above it, live on.
+/// The point at a place.
 template <class Geometry>
-FF_HD void keep(
-  const GrowthData<Geometry>& data, int turn, const Vertex& p, std::uint32_t t, double height)
+FF_HD Vertex pointAt(const GrowthData<Geometry>& data, std::uint32_t place)
 {
-  const std::uint32_t slot = atomics::add(&data.counters->live[turn], 1u);
-  Vertex& record = data.live[turn][slot];
-  record = p;
-  record.flags = t;
-  atomics::raise(&data.furthest[t], furthestKey(height, p.id));
+  if (!data.ordered.ids)
+  {
+    return data.points.vertex(place);
+  }
+  const double* const x = data.ordered.x + 3 * std::size_t(place);
+  return { { x[0], x[1], x[2] }, data.ordered.ids[place], 0 };
+}
+
+/// Let the point of that place and id, in the cone of t and above it, live on.
+template <class Geometry>
+FF_HD void keep(const GrowthData<Geometry>& data, int turn, std::uint32_t place, std::uint32_t id,
+  std::uint32_t t, double height)
+{
+  data.live[turn][atomics::add(&data.counters->live[turn], 1u)] = { place, t };
+  atomics::raise(&data.furthest[t], furthestKey(height, id));
 }
 
 /// The rule's isAbove for the triangle of the corners v[0], v[1], v[2] in whose cone p is.
@@ -115,9 +132,9 @@ FF_HD bool staysAbove(const GrowthData<Geometry>& data, const FilteredGeometry<G
 
 /// Leave a point to the exact kernel.
 template <class Geometry>
-FF_HD void leaveOpen(const GrowthData<Geometry>& data, std::uint32_t id, std::uint32_t triangle)
+FF_HD void leaveOpen(const GrowthData<Geometry>& data, const PointAlive& point)
 {
-  data.unlocated[atomics::add(&data.counters->unlocated, 1u)] = { id, triangle };
+  data.unlocated[atomics::add(&data.counters->unlocated, 1u)] = point;
 }
 
 /// Walk to the cone that p is in, from triangle @p t on; to any, where the oracle is not enough.
@@ -160,11 +177,11 @@ FF_HD void associate(const GrowthData<Geometry>& data, std::uint32_t id)
   const bool above = staysAbove(data, geometry, v, p);
   if (isUndecided(geometry))
   {
-    leaveOpen(data, id, t);
+    leaveOpen(data, { id, t });
   }
   else if (above)
   {
-    keep(data, 0, p, t, Geometry::heightAbove(start[v[0]], start[v[1]], start[v[2]], p));
+    keep(data, 0, id, id, t, Geometry::heightAbove(start[v[0]], start[v[1]], start[v[2]], p));
   }
 }
 
@@ -173,9 +190,9 @@ template <class Geometry>
 FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
 {
   const FilteredGeometry<Geometry> geometry(data.geometry);
-  Vertex p = whole(data.live[turn][i]);
-  const std::uint32_t t = p.flags;
-  p.flags = 0;
+  const PointAlive point = data.live[turn][i];
+  const std::uint32_t t = point.triangle;
+  const Vertex p = pointAt(data, point.place);
   const Triangle first = whole(data.mesh.triangles[t]);
   const Vertex* const vertices = data.mesh.vertices;
   const Vertex v = whole(vertices[first.v[2]]);
@@ -193,11 +210,11 @@ FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
   const bool above = geometry.perturbedAbove(a, b, v, p) > 0;
   if (isUndecided(geometry))
   {
-    leaveOpen(data, p.id, t);
+    leaveOpen(data, point);
   }
   else if (above)
   {
-    keep(data, turn ^ 1, p,
+    keep(data, turn ^ 1, point.place, p.id,
       k == 0     ? child[0]
         : k == 1 ? child[1]
                  : child[2],
@@ -208,9 +225,9 @@ FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
 /// A point that was left open goes to its cone.
 template <class Geometry>
 FF_HD void locate(const GrowthData<Geometry>& data, const Geometry& geometry, int turn,
-  const Unlocated& open, std::uint32_t mostSteps)
+  const PointAlive& open, std::uint32_t mostSteps)
 {
-  const Vertex p = data.points.vertex(open.id);
+  const Vertex p = pointAt(data, open.place);
   const Vertex* const vertices = data.mesh.vertices;
   const std::uint32_t t = coneOf(geometry, data.mesh, open.triangle, mostSteps, p);
   if (t == NoIndex)
@@ -221,8 +238,8 @@ FF_HD void locate(const GrowthData<Geometry>& data, const Geometry& geometry, in
   const std::uint32_t* const v = data.mesh.triangles[t].v;
   if (staysAbove(data, geometry, v, p))
   {
-    keep(
-      data, turn, p, t, Geometry::heightAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p));
+    keep(data, turn, open.place, p.id, t,
+      Geometry::heightAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p));
   }
 }
 
@@ -233,7 +250,7 @@ template <class Geometry>
 struct Associate : Kernel
 {
   static constexpr const char* Name = "associate";
-  static constexpr int Bytes = 24 + 32 + 8;
+  static constexpr int Bytes = 24 + 8 + 8;
   GrowthData<Geometry> data;
 
   FF_HD void operator()(std::uint32_t i, Local&) const { growth::associate(this->data, i); }
@@ -365,7 +382,7 @@ template <class Geometry>
 struct Relocate : Kernel
 {
   static constexpr const char* Name = "relocate";
-  static constexpr int Bytes = 32 + 64 + 4 * 32 + 32 + 8;
+  static constexpr int Bytes = 8 + 24 + 4 + 64 + 4 * 32 + 8 + 8;
   GrowthData<Geometry> data;
   std::uint32_t round;
   std::uint32_t* total; ///< of the candidates' places
@@ -393,8 +410,8 @@ template <class Geometry>
 struct LocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
 {
   static constexpr const char* Name = "locate, exact";
-  static constexpr int Bytes = 8 + 24 + 2 * (32 + 3 * 32) + 32 + 8; // a walk of two triangles
-  std::uint32_t turn;                                               ///< of those that live on
+  static constexpr int Bytes = 8 + 24 + 4 + 2 * (32 + 3 * 32) + 8 + 8; // a walk of two triangles
+  std::uint32_t turn;                                                  ///< of those that live on
 
   FF_HD void operator()(std::uint32_t i, const Geometry& local) const
   {

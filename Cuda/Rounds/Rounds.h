@@ -73,14 +73,17 @@ public:
     const std::uint32_t count = this->source.count();
     this->monitor.stage(0.1, 0.5, count, "growing");
     this->executor.beginPart("grow");
-    Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
-      Array<Vertex>(this->executor, count) };
+    Array<PointAlive> live[2] = { Array<PointAlive>(this->executor, count),
+      Array<PointAlive>(this->executor, count) };
+    Array<double> x(this->executor);
+    Array<std::uint32_t> ids(this->executor);
     this->unlocated.reserve(count);
     this->begin(start);
 
     Counters* const c = this->counters.data();
     GrowthData<Geometry> data = { this->geometry, points, this->checkFinite, {}, nullptr, nullptr,
-      { live[0].data(), live[1].data() }, {}, nullptr, this->unlocated.data(), c };
+      { nullptr, nullptr }, { live[0].data(), live[1].data() }, {}, nullptr, this->unlocated.data(),
+      c };
     this->share(data);
     this->executor.each(count, nullptr, Associate<Geometry>{ {}, data });
     Counters first = this->now();
@@ -121,7 +124,9 @@ public:
       allAnew = locates && !allLocated ? round : allAnew;
       if (!ordered && then.triangles >= OrderedFrom && alive >= count / 4)
       {
-        this->orderLive(data, (round & 1) ^ 1, alive);
+        x.reserve(3 * std::size_t(alive));
+        ids.reserve(alive);
+        this->orderLive(data, (round & 1) ^ 1, alive, allLocated, { x.data(), ids.data() });
         ordered = true;
       }
       const Bounds after = before.afterRound(round == allAnew);
@@ -390,8 +395,12 @@ private:
   }
 
   /// Bring the points alive into an order in which neighbours are neighbours in space.
-  /// @param turn of the list @param most it has no more points
-  void orderLive(GrowthData<Geometry>& data, std::uint32_t turn, std::uint32_t most)
+  /// @param turn       of the list
+  /// @param most       points, those that were left open among them
+  /// @param allLocated there are none of these
+  /// @param to         room for them
+  void orderLive(GrowthData<Geometry>& data, std::uint32_t turn, std::uint32_t most,
+    bool allLocated, const OrderedPoints& to)
   {
     Array<std::uint64_t> codes[2] = { Array<std::uint64_t>(this->executor, most),
       Array<std::uint64_t>(this->executor, most) };
@@ -399,14 +408,19 @@ private:
       Array<std::uint32_t>(this->executor, most) };
     std::uint64_t* const keys[2] = { codes[0].data(), codes[1].data() };
     std::uint32_t* const values[2] = { from[0].data(), from[1].data() };
-    const std::uint32_t* const count = &data.counters->live[turn];
     const MortonGrid grid(this->range, this->source.isWeighted() ? 2 : 3);
     this->executor.each(
-      most, nullptr, KeyLive{ {}, grid, data.live[turn], count, keys[0], values[0] });
-    const int at = this->executor.sort(keys, values, most, KeyLive::KeyBits);
+      most, nullptr, KeyLive<Geometry>{ {}, data, turn, grid, keys[0], values[0] });
+    const int at = this->executor.sort(keys, values, most, KeyLive<Geometry>::KeyBits);
     this->executor.each(
-      most, count, GatherLive{ {}, data.live[turn], values[at], data.live[turn ^ 1] });
+      most, &data.counters->live[turn], GatherLive<Geometry>{ {}, data, turn, values[at], to });
+    if (!allLocated)
+    {
+      this->executor.each(
+        most, &data.counters->unlocated, GatherUnlocated<Geometry>{ {}, data, turn, to });
+    }
     std::swap(data.live[0], data.live[1]);
+    data.ordered = to;
   }
 
   /// Where things are now.
@@ -539,7 +553,7 @@ private:
   Array<std::uint32_t> places;   ///< by candidate
   Array<std::uint32_t> lists[2]; ///< candidates, then active triangles
   Array<std::uint32_t> undecided;
-  Array<Unlocated> unlocated;
+  Array<PointAlive> unlocated;
   std::uint32_t growthRoundCount = 0;
   std::uint32_t flipRoundCount = 0;
 };

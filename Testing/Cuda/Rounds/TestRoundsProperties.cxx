@@ -273,26 +273,36 @@ TEST(RoundsProperties, ExactKernelsAreLaunchedWhereItemsNeedThem)
 TEST(RoundsProperties, PointsLeftOpenFindTheirConesLater)
 {
   // A few duplicates: filters leave them open, and in the middle of growing.
-  Cloud cloud = fromFamily("shell1e2", 4000, 87).make();
-  const std::size_t drawn = cloud.size();
-  for (std::size_t i = 0; i < drawn; i += 40)
-  {
-    cloud.push_back(cloud[i]);
-  }
-  const PointView points = viewOf(cloud);
-  const Hull wanted = convexHull(points);
   std::int64_t anew = 0;
-  for (const HostOrder& how : allOrders())
+  std::int64_t ordered = 0;
+  const auto itemsOf = [](const WatchedExecutor& executor, const char* kernel)
   {
-    WatchedExecutor executor(how.order, how.seed, how.threads);
-    RoundsSeen seen;
-    const Hull found = hullByRounds(executor, points, optionsOf(false), &seen);
-    EXPECT_EQ(bitDifference(found, wanted), "") << how.toString();
-    const auto launches = executor.tallies().find("all anew");
-    anew += launches == executor.tallies().end() ? 0 : launches->second.launches;
-    expectGrowth(seen.reports, seen.counts);
+    const auto found = executor.tallies().find(kernel);
+    return found == executor.tallies().end() ? 0 : found->second.items;
+  };
+  for (const std::size_t step : { 10, 15, 20, 25, 30, 40 })
+  {
+    Cloud cloud = fromFamily("shell0", 4000, step).make();
+    const std::size_t drawn = cloud.size();
+    for (std::size_t i = 0; i < drawn; i += step)
+    {
+      cloud.push_back(cloud[i]);
+    }
+    const PointView points = viewOf(cloud);
+    const Hull wanted = convexHull(points);
+    for (const HostOrder& how : { HostOrder{}, { HostExecutor::Order::Shuffled, 5 } })
+    {
+      WatchedExecutor executor(how.order, how.seed, how.threads);
+      RoundsSeen seen;
+      const Hull found = hullByRounds(executor, points, optionsOf(false), &seen);
+      EXPECT_EQ(bitDifference(found, wanted), "") << how.toString();
+      expectGrowth(seen.reports, seen.counts);
+      anew += itemsOf(executor, "all anew");
+      ordered += itemsOf(executor, "gather unlocated");
+    }
   }
   EXPECT_GT(anew, 0) << "no point was left open in a round without the exact kernel";
+  EXPECT_GT(ordered, 0) << "no point was left open when the others were ordered";
 }
 
 TEST(RoundsProperties, TheTailDoesWhatRoundsDo)
