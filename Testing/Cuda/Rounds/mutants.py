@@ -74,10 +74,10 @@ MUTANTS = [
     ("first-come-furthest",
      "the first point of a cone to come is inserted, not the furthest",
      [("GrowthKernels.h",
-       "atomics::raise(&data.furthest[t], furthestKey(height, p.id));",
+       "atomics::raise(&data.furthest[t], furthestKey(height, id));",
        """if (data.furthest[t] == 0)
   {
-    data.furthest[t] = furthestKey(height, p.id);
+    data.furthest[t] = furthestKey(height, id);
   }""")]),
     ("label-wakes-nobody",
      "triangles around a new label stay at rest",
@@ -104,8 +104,8 @@ MUTANTS = [
     ("lower-number-looks",
      "an edge is left to the lower triangle even where that one is at rest",
      [("FlipKernels.h",
-       "if (other < t && data.queued[other] == round)",
-       "if (other < t)")]),
+       "if (!(other < t && data.queued[other] == round))",
+       "if (!(other < t))")]),
     ("undecided-is-decided",
      "the sign of a filter that has not decided is taken for the sign",
      [("FilteredGeometry.h",
@@ -176,7 +176,7 @@ MUTANTS = [
     ("counters-not-in-turn",
      "a list that the round reads is emptied meanwhile",
      [("FlipKernels.h",
-       "counters.active[(this->round & 1) ^ 1] = 0;\n    counters.flips",
+       "counters.active[before] = 0;\n    counters.flips",
        "counters.active[this->round & 1] = 0;\n    counters.flips")]),
 ]
 
