@@ -54,13 +54,14 @@ public:
     this->launches += 2; // CUB's: one sets up, one sums
     HostExecutor::exclusiveSum(values, n);
   }
-  PointSource resident(const PointSource& points, Residence& residence)
+  template <class See>
+  bool bring(const PointSource& points, Residence& residence, const See& see)
   {
-    const int floats = points.floatsEach();
+    const std::size_t each = points.isOfFloats() ? sizeof(float) : sizeof(double);
     this->bytesSent += std::int64_t(points.count()) *
-      static_cast<std::int64_t>(floats ? floats * sizeof(float) : 3 * sizeof(double));
+      static_cast<std::int64_t>(static_cast<std::size_t>(points.scalarsEach()) * each);
     ++this->waits;
-    return HostExecutor::resident(points, residence);
+    return HostExecutor::bring(points, residence, see);
   }
   void fromHost(void* to, const void* from, std::size_t bytes)
   {
@@ -85,7 +86,7 @@ public:
     ++this->waits;
     HostExecutor::toHostWidened(to, from, n);
   }
-  const Counters& recorded(int slot)
+  const RoundRecord& recorded(int slot)
   {
     ++this->waits;
     return HostExecutor::recorded(slot);
@@ -125,11 +126,11 @@ private:
   {
     const GrowthData<Geometry>& data = kernel.data;
     const Triangle* const triangles = data.mesh.triangles;
-    const Vertex* const live = data.live[(kernel.round & 1) ^ 1];
+    const PointAlive* const live = data.live[(kernel.round & 1) ^ 1];
     this->gather(this->relocate, items,
       [&](std::uint32_t i)
       {
-        const std::uint32_t t = live[i].flags;
+        const std::uint32_t t = live[i].triangle;
         const std::uint32_t next = triangleOf(triangles[t].twin[1]);
         this->touchTriangle(t);
         this->touchTriangle(next);

@@ -46,18 +46,20 @@ void countRun(const Case& which, std::int64_t n)
   RunSeen seen;
   const RunResult result = runRounds(executor, input, Options(), false, seen);
   std::int64_t declared = 0;
+  std::int64_t exact = 0;
   for (const auto& kernel : executor.tallies())
   {
     declared += kernel.second.bytes;
+    exact += kernel.first.find(", exact") != std::string::npos ? kernel.second.launches : 0;
   }
   const auto points = static_cast<double>(input.points.count);
-  std::printf(
-    "| %s | %.0e | %lld | %u + %u | %lld | %lld | %.0f | %.0f | %.0f | %.0f | %.0f | %.1f |\n",
+  std::printf("| %s | %.0e | %lld | %u + %u | %lld | %lld | %lld | %.0f | %.0f | %.0f | %.0f | "
+              "%.0f | %.1f |\n",
     distribution.label().c_str(), points, static_cast<long long>(result.cells().pointIds.size()),
     seen.growthRounds, seen.flipRounds, static_cast<long long>(executor.launches),
-    static_cast<long long>(executor.waits), static_cast<double>(declared) / points,
-    executor.relocate.bytesPerItem(), executor.check.bytesPerItem(),
-    static_cast<double>(executor.bytesFetched) / points,
+    static_cast<long long>(exact), static_cast<long long>(executor.waits),
+    static_cast<double>(declared) / points, executor.relocate.bytesPerItem(),
+    executor.check.bytesPerItem(), static_cast<double>(executor.bytesFetched) / points,
     static_cast<double>(executor.bytesSent) / points, static_cast<double>(seen.mostBytes) / points);
   std::fflush(stdout);
 }
@@ -77,9 +79,10 @@ int main(int argumentCount, char** arguments)
     {
       sizes = { 1000000, 10000000 };
     }
-    std::printf("| points | n | vertices | rounds | launches | waits | declared, B a point | "
+    std::printf("| points | n | vertices | rounds | launches | of exact kernels | waits | "
+                "declared, B a point | "
                 "relocate gathers, B an item | check, B an item | fetched, B a point | sent | "
-                "memory, B a point |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+                "memory, B a point |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const std::int64_t n : sizes)
     {
       for (const Case& which : Cases)

@@ -23,6 +23,11 @@ template <class Geometry>
 class DeviceBuilder : public CudaBuilder<Geometry>
 {
 public:
+  ScanResult scan(const PointSource& source, Monitor& monitor) override
+  {
+    return this->rounds.scan(source, monitor);
+  }
+
   Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
@@ -31,14 +36,14 @@ public:
       // Integers of any size are the host's.
       return CpuBuilder<Geometry>().build(task, std::move(start), tally, statistics);
     }
-    RoundsBuilder<CudaExecutor, Geometry> rounds(this->executor);
-    Polyhedron result = rounds.build(task, std::move(start), tally, statistics);
+    Polyhedron result = this->rounds.build(task, std::move(start), tally, statistics);
     this->ran = true;
     return result;
   }
 
 private:
   CudaExecutor executor;
+  RoundsBuilder<CudaExecutor, Geometry> rounds{ this->executor };
 };
 
 }

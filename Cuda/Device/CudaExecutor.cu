@@ -42,7 +42,8 @@ struct CudaSession
   std::size_t keptBytes = 0;             ///< of the pool, between runs
   void* piece[2] = { nullptr, nullptr }; ///< pinned
   cudaEvent_t pieceDone[2] = { nullptr, nullptr };
-  Counters* records = nullptr; ///< pinned
+  RoundRecord* records = nullptr;         ///< pinned
+  RoundRecord* recordsOnDevice = nullptr; ///< the same memory
   cudaEvent_t recordDone[CudaExecutor::Records] = {};
   cudaEvent_t timing[2] = { nullptr, nullptr };
 
@@ -73,8 +74,11 @@ struct CudaSession
         requireCuda(cudaEventCreate(&this->timing[i]));
       }
       void* memory = nullptr;
-      requireCuda(cudaMallocHost(&memory, CudaExecutor::Records * sizeof(Counters)));
-      this->records = static_cast<Counters*>(memory);
+      requireCuda(
+        cudaHostAlloc(&memory, CudaExecutor::Records * sizeof(RoundRecord), cudaHostAllocMapped));
+      this->records = static_cast<RoundRecord*>(memory);
+      requireCuda(cudaHostGetDevicePointer(&memory, this->records, 0));
+      this->recordsOnDevice = static_cast<RoundRecord*>(memory);
       for (cudaEvent_t& event : this->recordDone)
       {
         requireCuda(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
@@ -391,17 +395,19 @@ bool isReadable(const void* memory)
 
 }
 
-PointSource CudaExecutor::resident(const PointSource& points, Residence& residence)
+bool CudaExecutor::bring(const PointSource& points, Residence& residence,
+  const std::function<void(std::uint32_t begin, std::uint32_t end)>& see)
 {
   if (points.isOnDevice(isReadable))
   {
-    return points.onDevice();
+    return false;
   }
   const std::uint32_t count = points.count();
-  const auto floats = static_cast<std::size_t>(points.floatsEach());
-  const std::size_t bytesEach = floats ? floats * sizeof(float) : 3 * sizeof(double);
+  const auto each = static_cast<std::size_t>(points.scalarsEach());
+  const std::size_t bytesEach = each * (points.isOfFloats() ? sizeof(float) : sizeof(double));
+  residence.clear();
+  residence.memory = this->allocate(std::size_t(count) * bytesEach);
   residence.bytes = std::size_t(count) * bytesEach;
-  residence.memory = this->allocate(residence.bytes);
   const Timing timing = this->before();
   const std::uint64_t pieceCount = PieceBytes / bytesEach;
   std::uint32_t piece = 0;
@@ -417,18 +423,17 @@ PointSource CudaExecutor::resident(const PointSource& points, Residence& residen
     eachRun(end - begin, std::size_t(1) << 13,
       [&](std::size_t first, std::size_t last, std::size_t)
       {
-        for (std::size_t i = first; i < last; ++i)
+        const auto from = static_cast<std::uint32_t>(begin + first);
+        const auto to = static_cast<std::uint32_t>(begin + last);
+        if (points.isOfFloats())
         {
-          const auto id = static_cast<std::uint32_t>(begin + i);
-          if (floats)
-          {
-            points.copyFloats(id, static_cast<float*>(packed) + floats * i);
-          }
-          else
-          {
-            points.load(id, static_cast<double*>(packed) + 3 * i);
-          }
+          points.copyScalars(from, to, static_cast<float*>(packed) + each * first);
         }
+        else
+        {
+          points.copyScalars(from, to, static_cast<double*>(packed) + each * first);
+        }
+        see(from, to);
       });
     requireCuda(cudaMemcpyAsync(static_cast<char*>(residence.memory) + begin * bytesEach, packed,
       (end - begin) * bytesEach, cudaMemcpyHostToDevice, this->stream));
@@ -440,32 +445,33 @@ PointSource CudaExecutor::resident(const PointSource& points, Residence& residen
     requireCuda(cudaEventSynchronize(done));
   }
   this->after(timing, "from the host", nullptr, 1, static_cast<std::int64_t>(residence.bytes));
-
-  if (floats)
-  {
-    return points.withFloats(static_cast<const float*>(residence.memory));
-  }
-  PointView view;
-  view.data = residence.memory;
-  view.count = count;
-  view.stride = 3;
-  view.type = ScalarType::Float64;
-  return PointSource(view);
+  return true;
 }
 
-CudaExecutor::Residence::~Residence()
+PointSource CudaExecutor::resident(const PointSource& points, const Residence& residence)
+{
+  return residence.memory ? points.withScalars(residence.memory,
+                              points.isOfFloats() ? ScalarType::Float32 : ScalarType::Float64)
+                          : points.onDevice();
+}
+
+void CudaExecutor::Residence::clear() noexcept
 {
   this->executor.release(this->memory, this->bytes);
+  this->memory = nullptr;
 }
 
-void CudaExecutor::record(const Counters* counters, int slot)
+RoundRecord* CudaExecutor::recordAt(int slot)
 {
-  requireCuda(cudaMemcpyAsync(&this->session->records[slot], counters, sizeof(Counters),
-    cudaMemcpyDeviceToHost, this->stream));
+  return &this->session->recordsOnDevice[slot];
+}
+
+void CudaExecutor::record(int slot)
+{
   requireCuda(cudaEventRecord(this->session->recordDone[slot], this->stream));
 }
 
-const Counters& CudaExecutor::recorded(int slot)
+const RoundRecord& CudaExecutor::recorded(int slot)
 {
   requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));
   return this->session->records[slot];

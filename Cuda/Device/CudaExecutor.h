@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -33,11 +34,29 @@ namespace flipflop
 /// @throw Error DeviceMemory (of @p bytes), DeviceFailed
 void requireCuda(cudaError_t error, std::int64_t bytes = 0);
 
+/// Exact kernels take many registers and a stack; for the latter the driver sets memory aside for
+/// as many threads as the device can hold, however few there are.
 template <class K>
-__global__ void runKernel(const K kernel, const std::uint32_t* count, std::uint32_t most)
+constexpr std::uint32_t BlockThreads = K::Exact ? 64 : 256;
+template <class K>
+__device__ void runThread(const K& kernel, const std::uint32_t* count, std::uint32_t most)
 {
   const std::uint32_t items = count && *count < most ? *count : most;
   runItems(kernel, blockIdx.x * blockDim.x + threadIdx.x, gridDim.x * blockDim.x, items);
+}
+
+template <class K>
+__global__ void runKernel(const K kernel, const std::uint32_t* count, std::uint32_t most)
+{
+  runThread(kernel, count, most);
+}
+
+/// For kernels that name a bound. To others any bound gives more registers than they need.
+template <class K>
+__global__ void __launch_bounds__(BlockThreads<K>, K::LeastBlocks)
+  runBoundedKernel(const K kernel, const std::uint32_t* count, std::uint32_t most)
+{
+  runThread(kernel, count, most);
 }
 
 constexpr std::uint32_t TailThreads = 512;
@@ -97,14 +116,19 @@ public:
     {
       return;
     }
-    // Exact kernels take many registers and a stack; for the latter the driver sets memory aside
-    // for as many threads as the device can hold, however few there are.
-    const std::uint32_t block = K::Exact ? 64 : 256;
+    const std::uint32_t block = BlockThreads<K>;
     const std::uint32_t blocksEach = K::Exact ? 4 : 8;
     const auto wanted = static_cast<std::uint32_t>((std::uint64_t(most) + block - 1) / block);
     const std::uint32_t grid = std::min(wanted, blocksEach * this->multiprocessors);
     const Timing timing = this->before();
-    runKernel<K><<<grid, block, 0, this->stream>>>(kernel, count, most);
+    if constexpr (K::LeastBlocks > 0)
+    {
+      runBoundedKernel<K><<<grid, block, 0, this->stream>>>(kernel, count, most);
+    }
+    else
+    {
+      runKernel<K><<<grid, block, 0, this->stream>>>(kernel, count, most);
+    }
     requireCuda(cudaGetLastError());
     this->after(timing, K::Name, count, most, K::Bytes);
   }
@@ -130,19 +154,24 @@ public:
     }
     Residence(const Residence&) = delete;
     Residence& operator=(const Residence&) = delete;
-    ~Residence();
+    ~Residence() { this->clear(); }
+    void clear() noexcept;
 
     CudaExecutor& executor;
     void* memory = nullptr;
     std::size_t bytes = 0;
   };
 
-  /// In place, where the device has them; else packed: floats as they are, all others as x y z x y
-  /// z ..., as PointSource reads them.
-  PointSource resident(const PointSource& points, Residence& residence);
+  /// Where the device has them, nothing is copied. Else as PointSource packs them: floats as they
+  /// are, all others as doubles.
+  /// @throw Error DeviceMemory, DeviceFailed, and what @p see throws
+  bool bring(const PointSource& points, Residence& residence,
+    const std::function<void(std::uint32_t begin, std::uint32_t end)>& see);
+  PointSource resident(const PointSource& points, const Residence& residence);
 
-  void record(const Counters* counters, int slot);
-  const Counters& recorded(int slot);
+  RoundRecord* recordAt(int slot);
+  void record(int slot);
+  const RoundRecord& recorded(int slot);
 
   /// Measure each launch from now on: every one is waited for, so the whole takes longer.
   void measure(bool on) { this->measuring = on; }

@@ -77,8 +77,8 @@ public:
     {
       this->executor.each(t, nullptr, MakeCells{ {}, data });
     }
-    this->executor.record(counters, 0);
-    const Counters finished = this->executor.recorded(0);
+    Counters finished;
+    this->executor.toHost(&finished, counters, sizeof(finished));
     ensure(!finished.labelledAlive); // or a flip is missing
     if (finished.duplicatesGone)
     {

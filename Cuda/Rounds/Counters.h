@@ -7,6 +7,8 @@
 ///
 /// A list that one round fills and the next one reads takes turns: two counts, one of which is
 /// cleared before it is added to.
+///
+/// What the host has to know of a round, the first kernel of the next one tells it (RoundRecord).
 #ifndef flipflop_Counters_h
 #define flipflop_Counters_h
 
@@ -23,6 +25,17 @@ struct RoundCounts
   std::uint32_t flips31 = 0;
   std::uint32_t flipsD = 0;
   std::uint32_t labelled = 0;
+};
+
+/// What a round has left, in memory that kernels write to and the host reads.
+struct RoundRecord
+{
+  std::uint32_t triangles = 0;
+  std::uint32_t vertices = 0;
+  std::uint32_t live = 0;
+  std::uint32_t candidates = 0;
+  std::uint32_t active = 0;
+  std::uint32_t undecided = 0;
 };
 
 struct Counters
@@ -44,9 +57,12 @@ struct Counters
   std::uint32_t tailChecked = 0;      ///< 1: between that round's Check and Resolve
   RoundCounts round;                  ///< of the round under way
 
-  // Both.
-  std::uint32_t undecided[2] = { 0, 0 }; ///< items left to a round's exact kernel, by turns
-  std::uint32_t duplicates = 0;          ///< vertices with something to tell of duplicates
+  // Items that the filter leaves open.
+  std::uint32_t unlocated = 0;           ///< points, until LocateExact has found where they are
+  std::uint32_t undecided[2] = { 0, 0 }; ///< active triangles of a round, by turns
+  std::uint32_t strayed = 0;             ///< 1: a walk to a point has not ended
+
+  std::uint32_t duplicates = 0; ///< vertices with something to tell of duplicates
 
   // The finish.
   std::uint32_t points = 0;         ///< of the result

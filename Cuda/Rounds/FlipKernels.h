@@ -13,7 +13,8 @@
 /// least key of all wins all its triangles: every round that proposes a flip makes one. Flips that
 /// are on share no triangle, so neither their order nor that of the lists matters. Labels that
 /// Resolve sets are seen from the next round's Check on. What the floating-point filter leaves open
-/// in Check goes to its exact twin.
+/// in Check goes to its exact twin. But nothing with exact arithmetic is launched before the host
+/// knows of a triangle that needs it; until then, such triangles stay active.
 ///
 /// An edge has two triangles. If both are active, the lower one looks at it; if only one is, that
 /// one does. A triangle goes to rest when no edge that it looks at is of any concern, and is woken
@@ -32,6 +33,7 @@
 #include "Rounds/ExactKernel.h"
 #include "Rounds/FilteredGeometry.h"
 #include "Rounds/Kernel.h"
+#include "Rounds/WideLoad.h"
 
 #include <cstdint>
 
@@ -41,7 +43,7 @@ namespace flipflop
 /// What an active triangle asks for.
 struct Proposal
 {
-  std::uint32_t edge; ///< its own half-edge
+  std::uint32_t edge; ///< its own half-edge; NoIndex: it goes to rest
   FlipAction action;
   bool byDegree;
 };
@@ -112,26 +114,50 @@ FF_HD void noteDuplicates(const FlipData<Geometry>& data, std::uint32_t h)
   eachDuplicateOfOrigin(data.mesh, h, [=](const Vertex& other, int k) { sameAs[k] = other.id; });
 }
 
+/// One of three that are in registers.
+FF_HD FF_INLINE std::uint32_t pick(const std::uint32_t* of, int corner)
+{
+  return corner == 0 ? of[0] : corner == 1 ? of[1] : of[2];
+}
+
 /// What triangle @p t, active, asks for.
+/// @param own its copy
 template <class Geometry, class Oracle>
 FF_HD Proposal propose(const FlipData<Geometry>& data, const Oracle& geometry, std::uint32_t round,
-  std::uint32_t t, std::uint32_t& checks)
+  std::uint32_t t, const Triangle& own, std::uint32_t& checks)
 {
+  const Vertex* const vertices = data.mesh.vertices;
+  Vertex a = whole(vertices[own.v[0]]);
+  Vertex b = whole(vertices[own.v[1]]);
+  Vertex c = whole(vertices[own.v[2]]);
+  std::uint32_t twin = own.twin[0]; // of ab
+  std::uint32_t next = own.twin[1]; // of bc
+  std::uint32_t last = own.twin[2]; // of ca
   for (int e = 0; e < 3; ++e)
   {
-    const std::uint32_t h = halfEdge(t, e);
-    const std::uint32_t other = triangleOf(data.mesh.twin(h));
-    if (other < t && data.queued[other] == round)
+    const std::uint32_t other = triangleOf(twin);
+    if (!(other < t && data.queued[other] == round)) // else it looks at this edge
     {
-      continue; // it looks at this edge
+      ++checks;
+      const Triangle second = whole(data.mesh.triangles[other]);
+      const int g = cornerOf(twin);
+      const Vertex d = whole(vertices[pick(second.v, previousCorner(g))]);
+      const FlipDecision decision = decideFlip(geometry, a, b, c, d,
+        triangleOf(last) == triangleOf(pick(second.twin, nextCorner(g))),
+        triangleOf(next) == triangleOf(pick(second.twin, previousCorner(g))));
+      if (decision.action != FlipAction::None || isUndecided(geometry))
+      {
+        return { halfEdge(t, e), decision.action, decision.byDegree };
+      }
     }
-    ++checks;
-    const FlipDecision decision =
-      decideFlip(geometry, data.mesh.vertices, surroundingsOf(data.mesh, h));
-    if (decision.action != FlipAction::None || isUndecided(geometry))
-    {
-      return { h, decision.action, decision.byDegree };
-    }
+    const Vertex first = a;
+    a = b;
+    b = c;
+    c = first;
+    const std::uint32_t of = twin;
+    twin = next;
+    next = last;
+    last = of;
   }
   return { NoIndex, FlipAction::None, false };
 }
@@ -143,12 +169,15 @@ FF_HD void check(const FlipData<Geometry>& data, const Oracle& geometry, std::ui
 {
   const std::uint32_t t = data.active[round & 1][i];
   Proposal proposal = { NoIndex, FlipAction::None, false };
-  if (!(data.mesh.triangles[t].flags & TriangleDead))
+  const Triangle own = whole(data.mesh.triangles[t]);
+  if (!(own.flags & TriangleDead))
   {
-    proposal = propose(data, geometry, round, t, checks);
+    proposal = propose(data, geometry, round, t, own, checks);
     if (isUndecided(geometry))
     {
+      // Where no exact kernel follows, the triangle stays active.
       data.undecided[atomics::add(&data.counters->undecided[round & 1], 1u)] = i;
+      data.proposals[i] = { halfEdge(t, 0), FlipAction::None, false };
       return;
     }
   }
@@ -208,7 +237,10 @@ template <class Geometry, class Data = FlipData<Geometry>>
 struct Check : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "check";
+  // Four vertices and two triangles are many registers, and the filter in the plane takes more.
+  static constexpr unsigned LeastBlocks = Geometry::InsertsAtOnce ? 3 : 0;
   static constexpr int Bytes = 4 + 4 * 32 + 6 * 32 + 8 + 2 * 8;
+  RoundRecord* record;         ///< of the round before; null: nobody reads it
   using Local = std::uint32_t; ///< edges looked at
   FF_HD Local begin() const { return 0; }
   FF_HD void operator()(std::uint32_t i, Local& checks) const
@@ -223,7 +255,13 @@ struct Check : FlipKernel<Geometry, Data>
   FF_HD void once() const
   {
     Counters& counters = *this->data().counters;
-    counters.active[(this->round & 1) ^ 1] = 0;
+    const std::uint32_t before = (this->round & 1) ^ 1;
+    if (this->record)
+    {
+      *this->record = { counters.triangles, counters.vertices, 0, 0,
+        counters.active[this->round & 1], counters.undecided[before] };
+    }
+    counters.active[before] = 0;
     counters.flips[this->round & 1] = 0;
     // The round before is over. One without work comes after the last, so nothing is lost.
     RoundCounts& counts = counters.round;
@@ -267,7 +305,11 @@ struct Resolve : FlipKernel<Geometry, Data>
     const Proposal proposal = d.proposals[i];
     if (proposal.action == FlipAction::None)
     {
-      return; // to rest
+      if (proposal.edge != NoIndex)
+      {
+        flips::wake(d, this->round + 1, triangleOf(proposal.edge));
+      }
+      return;
     }
     if (!flips::isFlip(proposal))
     {
@@ -465,7 +507,7 @@ struct FlipTail
       {
         break;
       }
-      run(Check<Geometry, Data>{ { {}, this->data, now } }, &counters.active[turn]);
+      run(Check<Geometry, Data>{ { {}, this->data, now }, nullptr }, &counters.active[turn]);
       if (atomics::load(&counters.undecided[turn]) != 0)
       {
         isChecked = true;

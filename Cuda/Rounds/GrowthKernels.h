@@ -9,11 +9,15 @@
 ///   Insert       the furthest point splits its triangle in three
 ///   LinkSplits   the new triangles find their neighbours, which may have been split too
 ///   Relocate     each point that is left goes to its child, or is dropped
+/// and, where points were left open,
+///   LocateExact  each of them walks to its cone, which may have been split meanwhile
+///   AllAnew      any triangle may have points again
 ///
-/// A point alive is a Vertex record whose flags name its triangle. The furthest point of a triangle
-/// is the greatest of the keys (height, lowest id), so any order of execution inserts the same
-/// points; new slots come from the prefix sum, never from a counter. What the floating-point filter
-/// leaves open in Associate and Relocate goes to a list, and from there to their exact twins.
+/// A point alive is a place, where its coordinates are, and its triangle. The furthest point of a
+/// triangle is the greatest of the keys (height, lowest id), so any order of execution inserts the
+/// same points; new slots come from the prefix sum, never from a counter. Points that the
+/// floating-point filter leaves open in Associate and Relocate wait in a list until the host knows
+/// of them: then nothing with exact arithmetic is launched where no point needs it.
 ///
 /// How two neighbours are split at once: a triangle that is split in this round carries the round
 /// in its index. A child's outer neighbour is known by its old number; if that triangle was split
@@ -30,12 +34,27 @@
 #include "Rounds/ExactKernel.h"
 #include "Rounds/FilteredGeometry.h"
 #include "Rounds/Kernel.h"
+#include "Rounds/WideLoad.h"
 
 #include <cstdint>
 #include <cstring>
 
 namespace flipflop
 {
+
+/// A point, and the triangle in whose cone it is; or near it, where a filter has left that open.
+struct alignas(8) PointAlive
+{
+  std::uint32_t place; ///< in the order of the ids, or in that of OrderKernels.h
+  std::uint32_t triangle;
+};
+
+/// The points in an order of their own; none: they are in that of their ids.
+struct OrderedPoints
+{
+  double* x;          ///< three a place
+  std::uint32_t* ids; ///< null: there is no such order
+};
 
 /// What the kernels work on, in the executor's memory.
 template <class Geometry>
@@ -47,10 +66,11 @@ struct GrowthData
   Mesh mesh;
   std::uint64_t* furthest; ///< by triangle: furthestKey of its points, 0: it has none
   std::uint32_t* lowest;   ///< by vertex: the lowest id at its position
-  Vertex* live[2];         ///< points still above the polyhedron, by turns
+  OrderedPoints ordered;
+  PointAlive* live[2]; ///< points still above the polyhedron, by turns
   std::uint32_t* candidates[2];
   std::uint32_t* places; ///< by candidate: 1 if it has points, then the number of those before
-  std::uint32_t* undecided;
+  PointAlive* unlocated;
   Counters* counters;
 };
 
@@ -70,16 +90,25 @@ FF_HD inline std::uint32_t idOfKey(std::uint64_t key)
 namespace growth
 {
 
-/// Let p, in the cone of t and above it, live on.
+/// The point at a place.
 template <class Geometry>
-FF_HD void keep(
-  const GrowthData<Geometry>& data, int turn, const Vertex& p, std::uint32_t t, double height)
+FF_HD Vertex pointAt(const GrowthData<Geometry>& data, std::uint32_t place)
 {
-  const std::uint32_t slot = atomics::add(&data.counters->live[turn], 1u);
-  Vertex& record = data.live[turn][slot];
-  record = p;
-  record.flags = t;
-  atomics::raise(&data.furthest[t], furthestKey(height, p.id));
+  if (!data.ordered.ids)
+  {
+    return data.points.vertex(place);
+  }
+  const double* const x = data.ordered.x + 3 * std::size_t(place);
+  return { { x[0], x[1], x[2] }, data.ordered.ids[place], 0 };
+}
+
+/// Let the point of that place and id, in the cone of t and above it, live on.
+template <class Geometry>
+FF_HD void keep(const GrowthData<Geometry>& data, int turn, std::uint32_t place, std::uint32_t id,
+  std::uint32_t t, double height)
+{
+  data.live[turn][atomics::add(&data.counters->live[turn], 1u)] = { place, t };
+  atomics::raise(&data.furthest[t], furthestKey(height, id));
 }
 
 /// The rule's isAbove for the triangle of the corners v[0], v[1], v[2] in whose cone p is.
@@ -101,22 +130,23 @@ FF_HD bool staysAbove(const GrowthData<Geometry>& data, const FilteredGeometry<G
   return geometry.perturbedAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p) > 0;
 }
 
-/// Leave an item to the exact kernel.
+/// Leave a point to the exact kernel.
 template <class Geometry>
-FF_HD void leaveOpen(const GrowthData<Geometry>& data, int turn, std::uint32_t item)
+FF_HD void leaveOpen(const GrowthData<Geometry>& data, const PointAlive& point)
 {
-  data.undecided[atomics::add(&data.counters->undecided[turn], 1u)] = item;
+  data.unlocated[atomics::add(&data.counters->unlocated, 1u)] = point;
 }
 
-/// The cone of the starting tetrahedron that p is in; any, where the oracle is not enough.
+/// Walk to the cone that p is in, from triangle @p t on; to any, where the oracle is not enough.
+/// Splits alone make no circle of triangles that hide each other: no walk meets one twice.
 template <class Oracle>
-FF_HD std::uint32_t coneInTetrahedron(const Oracle& geometry, const Mesh& mesh, const Vertex& p)
+FF_HD std::uint32_t coneOf(const Oracle& geometry, const Mesh& mesh, std::uint32_t t,
+  std::uint32_t mostSteps, const Vertex& p)
 {
-  constexpr std::uint32_t MostSteps = 4; // no walk meets a triangle twice
-  return visibilityWalk(mesh.triangles, NoIndex, 0, MostSteps,
-    [&](std::uint32_t t, int entry)
+  return visibilityWalk(mesh.triangles, NoIndex, t, mostSteps,
+    [&](std::uint32_t at, int entry)
     {
-      const std::uint32_t* const v = mesh.triangles[t].v;
+      const std::uint32_t* const v = mesh.triangles[at].v;
       const int out = firstExit(entry,
         [&](int i)
         {
@@ -130,9 +160,10 @@ FF_HD std::uint32_t coneInTetrahedron(const Oracle& geometry, const Mesh& mesh, 
 }
 
 /// Point @p id of the input goes to its cone.
-template <class Geometry, class Oracle>
-FF_HD void associate(const GrowthData<Geometry>& data, const Oracle& geometry, std::uint32_t id)
+template <class Geometry>
+FF_HD void associate(const GrowthData<Geometry>& data, std::uint32_t id)
 {
+  const FilteredGeometry<Geometry> geometry(data.geometry);
   const Vertex p = data.points.vertex(id);
   const Vertex* const start = data.mesh.vertices;
   if ((data.checkFinite && !isFinite(p.x)) || id == start[0].id || id == start[1].id ||
@@ -140,59 +171,75 @@ FF_HD void associate(const GrowthData<Geometry>& data, const Oracle& geometry, s
   {
     return;
   }
-  const std::uint32_t t = coneInTetrahedron(geometry, data.mesh, p);
+  constexpr std::uint32_t MostSteps = 4;
+  const std::uint32_t t = coneOf(geometry, data.mesh, 0, MostSteps, p);
   const std::uint32_t* const v = data.mesh.triangles[t].v;
   const bool above = staysAbove(data, geometry, v, p);
   if (isUndecided(geometry))
   {
-    leaveOpen(data, 0, id);
+    leaveOpen(data, { id, t });
   }
   else if (above)
   {
-    keep(data, 0, p, t, Geometry::heightAbove(start[v[0]], start[v[1]], start[v[2]], p));
+    keep(data, 0, id, id, t, Geometry::heightAbove(start[v[0]], start[v[1]], start[v[2]], p));
   }
 }
 
 /// Point @p i alive, whose triangle has just been split, goes on.
-template <class Geometry, class Oracle>
-FF_HD void relocate(
-  const GrowthData<Geometry>& data, const Oracle& geometry, int turn, std::uint32_t i)
+template <class Geometry>
+FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
 {
-  Vertex p = data.live[turn][i];
-  const std::uint32_t t = p.flags;
-  p.flags = 0;
-  const Triangle& first = data.mesh.triangles[t];
-  const std::uint32_t child[3] = { t, triangleOf(first.twin[1]), triangleOf(first.twin[2]) };
-  const std::uint32_t corner[3] = { first.v[0], first.v[1], data.mesh.triangles[child[1]].v[1] };
-  const std::uint32_t apex = first.v[2];
+  const FilteredGeometry<Geometry> geometry(data.geometry);
+  const PointAlive point = data.live[turn][i];
+  const std::uint32_t t = point.triangle;
+  const Vertex p = pointAt(data, point.place);
+  const Triangle first = whole(data.mesh.triangles[t]);
   const Vertex* const vertices = data.mesh.vertices;
-  const Vertex& v = vertices[apex];
+  const Vertex v = whole(vertices[first.v[2]]);
   if (v.id == p.id)
   {
     return; // it is the one
   }
+  const std::uint32_t child[3] = { t, triangleOf(first.twin[1]), triangleOf(first.twin[2]) };
+  const std::uint32_t corner[3] = { first.v[0], first.v[1], data.mesh.triangles[child[1]].v[1] };
   const int k =
     childOf(geometry, v, vertices[corner[0]], vertices[corner[1]], vertices[corner[2]], p);
-  const std::uint32_t triangle[3] = { k == 0 ? corner[0]
-      : k == 1                               ? corner[1]
-                                             : corner[2],
-    k == 0     ? corner[1]
-      : k == 1 ? corner[2]
-               : corner[0],
-    apex };
-  const bool above = staysAbove(data, geometry, triangle, p);
+  // Read again, for all three would take registers of a quarter of the threads.
+  const Vertex a = whole(vertices[k == 0 ? corner[0] : k == 1 ? corner[1] : corner[2]]);
+  const Vertex b = whole(vertices[k == 0 ? corner[1] : k == 1 ? corner[2] : corner[0]]);
+  const bool above = geometry.perturbedAbove(a, b, v, p) > 0;
   if (isUndecided(geometry))
   {
-    leaveOpen(data, turn, i);
+    leaveOpen(data, point);
   }
   else if (above)
   {
-    keep(data, turn ^ 1, p,
+    keep(data, turn ^ 1, point.place, p.id,
       k == 0     ? child[0]
         : k == 1 ? child[1]
                  : child[2],
-      Geometry::heightAbove(
-        vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]], p));
+      Geometry::heightAbove(a, b, v, p));
+  }
+}
+
+/// A point that was left open goes to its cone.
+template <class Geometry>
+FF_HD void locate(const GrowthData<Geometry>& data, const Geometry& geometry, int turn,
+  const PointAlive& open, std::uint32_t mostSteps)
+{
+  const Vertex p = pointAt(data, open.place);
+  const Vertex* const vertices = data.mesh.vertices;
+  const std::uint32_t t = coneOf(geometry, data.mesh, open.triangle, mostSteps, p);
+  if (t == NoIndex)
+  {
+    atomics::store(&data.counters->strayed, 1u);
+    return;
+  }
+  const std::uint32_t* const v = data.mesh.triangles[t].v;
+  if (staysAbove(data, geometry, v, p))
+  {
+    keep(data, turn, open.place, p.id, t,
+      Geometry::heightAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p));
   }
 }
 
@@ -203,26 +250,10 @@ template <class Geometry>
 struct Associate : Kernel
 {
   static constexpr const char* Name = "associate";
-  static constexpr int Bytes = 24 + 32 + 8;
+  static constexpr int Bytes = 24 + 8 + 8;
   GrowthData<Geometry> data;
 
-  FF_HD void operator()(std::uint32_t i, Local&) const
-  {
-    growth::associate(this->data, FilteredGeometry<Geometry>(this->data.geometry), i);
-  }
-};
-
-/// Over the undecided of Associate.
-template <class Geometry>
-struct AssociateExact : ExactKernel<Geometry, GrowthData<Geometry>>
-{
-  static constexpr const char* Name = "associate, exact";
-  static constexpr int Bytes = Associate<Geometry>::Bytes + 4;
-
-  FF_HD void operator()(std::uint32_t i, const Geometry& local) const
-  {
-    growth::associate(this->data, local, this->data.undecided[i]);
-  }
+  FF_HD void operator()(std::uint32_t i, Local&) const { growth::associate(this->data, i); }
 };
 
 /// Over the room for the sums: all places of a list of at most so many candidates, and one more.
@@ -234,11 +265,19 @@ struct Mark : Kernel
   const std::uint64_t* furthest;
   std::uint32_t* places;
   const Counters* counters;
+  std::uint32_t turn;  ///< of the points alive
+  RoundRecord* record; ///< of the round before
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
     this->places[i] =
       i < this->counters->candidates && this->furthest[this->candidates[i]] != 0 ? 1 : 0;
+  }
+
+  FF_HD void once() const
+  {
+    const Counters& c = *this->counters;
+    *this->record = { c.triangles, c.vertices, c.live[this->turn], c.candidates, 0, c.unlocated };
   }
 };
 
@@ -295,6 +334,7 @@ struct LinkSplits : Kernel
   static constexpr int Bytes = 8 + 4 + 3 * (8 + 4 + 12 + 4);
   GrowthData<Geometry> data;
   std::uint32_t round;
+  bool allLocated; ///< LocateExact ran in the round before
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
@@ -324,7 +364,10 @@ struct LinkSplits : Kernel
   {
     Counters& counters = *this->data.counters;
     counters.live[this->round & 1] = 0;
-    counters.undecided[(this->round & 1) ^ 1] = 0;
+    if (this->allLocated)
+    {
+      counters.unlocated = 0;
+    }
   }
 
 private:
@@ -339,15 +382,14 @@ template <class Geometry>
 struct Relocate : Kernel
 {
   static constexpr const char* Name = "relocate";
-  static constexpr int Bytes = 32 + 64 + 4 * 32 + 32 + 8;
+  static constexpr int Bytes = 8 + 24 + 4 + 64 + 4 * 32 + 8 + 8;
   GrowthData<Geometry> data;
   std::uint32_t round;
   std::uint32_t* total; ///< of the candidates' places
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    growth::relocate(this->data, FilteredGeometry<Geometry>(this->data.geometry),
-      static_cast<int>((this->round & 1) ^ 1), i);
+    growth::relocate(this->data, static_cast<int>((this->round & 1) ^ 1), i);
   }
 
   /// The round's vertices are all there: count them.
@@ -363,19 +405,33 @@ struct Relocate : Kernel
   }
 };
 
-/// Over the undecided of Relocate.
+/// Over the points left open.
 template <class Geometry>
-struct RelocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
+struct LocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
 {
-  static constexpr const char* Name = "relocate, exact";
-  static constexpr int Bytes = Relocate<Geometry>::Bytes + 4;
-  std::uint32_t round;
+  static constexpr const char* Name = "locate, exact";
+  static constexpr int Bytes = 8 + 24 + 4 + 2 * (32 + 3 * 32) + 8 + 8; // a walk of two triangles
+  std::uint32_t turn;                                                  ///< of those that live on
 
   FF_HD void operator()(std::uint32_t i, const Geometry& local) const
   {
-    growth::relocate(
-      this->data, local, static_cast<int>((this->round & 1) ^ 1), this->data.undecided[i]);
+    growth::locate(this->data, local, static_cast<int>(this->turn), this->data.unlocated[i],
+      this->data.counters->triangles);
   }
+};
+
+/// Over all triangles: each is a candidate. A point that was left open may be in the cone of one
+/// that was none.
+template <class Geometry>
+struct AllAnew : Kernel
+{
+  static constexpr const char* Name = "all anew";
+  static constexpr int Bytes = 4;
+  GrowthData<Geometry> data;
+  std::uint32_t turn; ///< of the candidates
+
+  FF_HD void operator()(std::uint32_t i, Local&) const { this->data.candidates[this->turn][i] = i; }
+  FF_HD void once() const { this->data.counters->candidates = this->data.counters->triangles; }
 };
 
 }

@@ -14,8 +14,13 @@
 ///   buffers
 ///                                each, the first ones given: tells which ones hold the result
 ///   toHostWidened(to, from, n)   toHost, of numbers that the host has in 64 bits
-///   resident(points, residence)  the points as kernels can read them, while the residence lives
-///   record, recorded             a copy of the counters as they are now; wait for it, and read it
+///   bring(points, residence, see)  copy the points' scalars to where kernels can read them; see(
+///                                begin, end) for runs of them, by any thread, while they are in
+///                                the processor's cache. False: they are there already, nothing is
+///                                seen
+///   resident(points, residence)  then: the points as kernels can read them
+///   recordAt(slot)               where kernels write what the host is to know, without a copy
+///   record, recorded             what is launched by now writes there; wait for that, and read it
 ///   finish                       wait for all
 ///   beginPart(name)              what follows is this part of the run, for reports; null: none
 ///   together(tail)               tail(run, isFirst), where run(kernel, count) runs a kernel for
@@ -58,7 +63,7 @@ public:
     Threads ///< interleaved: thread k of n takes the items k, k + n, ...
   };
 
-  /// How many recorded counters there can be at a time.
+  /// How many records there can be at a time.
   static constexpr int Records = 4;
 
   explicit HostExecutor(Order chosen = Order::Forwards, unsigned seed = 1, int threadNumber = 4)
@@ -138,15 +143,28 @@ public:
     std::copy(from, from + n, to);
   }
 
-  /// Here they are already.
+  /// Here they are already; but seen as by an executor that copies.
   struct Residence
   {
     explicit Residence(HostExecutor&) {}
+    void clear() {}
   };
+  template <class See>
+  bool bring(const PointSource& points, Residence&, const See& see)
+  {
+    constexpr std::uint32_t Run = 1 << 10;
+    for (std::uint64_t begin = 0; begin < points.count(); begin += Run)
+    {
+      see(static_cast<std::uint32_t>(begin),
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(begin + Run, points.count())));
+    }
+    return true;
+  }
   PointSource resident(const PointSource& points, Residence&) { return points; }
 
-  void record(const Counters* counters, int slot) { this->records[slot] = *counters; }
-  const Counters& recorded(int slot) { return this->records[slot]; }
+  RoundRecord* recordAt(int slot) { return &this->records[slot]; }
+  void record(int) {}
+  const RoundRecord& recorded(int slot) { return this->records[slot]; }
 
   /// By kernel name.
   const KernelTallies::Map& tallies() const { return this->kernels.map(); }
@@ -214,7 +232,7 @@ private:
   Order order;
   std::mt19937 random;
   int threadCount;
-  Counters records[Records];
+  RoundRecord records[Records];
   std::vector<std::uint32_t> listed;
   KernelTallies kernels;
   std::int64_t bytesNow = 0;

@@ -4,8 +4,9 @@
 /// The points alive, ordered so that neighbours in the list are neighbours in space: then a warp's
 /// points lie in few cones, and gather few triangles and vertices.
 ///
-///   KeyLive      each point's place along a Morton curve  (and a sort by it)
-///   GatherLive   the list in that order
+///   KeyLive           each point's place along a Morton curve  (and a sort by it)
+///   GatherLive        coordinates and ids in that order, and the list
+///   GatherUnlocated   behind them, those of the points that were left open
 ///
 /// No result depends on the order of that list, so this is for speed alone.
 #ifndef flipflop_OrderKernels_h
@@ -13,6 +14,7 @@
 
 #include "Points/CoordinateRange.h"
 #include "Points/Vertex.h"
+#include "Rounds/GrowthKernels.h"
 #include "Rounds/Kernel.h"
 
 #include <cstdint>
@@ -81,38 +83,72 @@ private:
   double scale[3];
 };
 
-/// Over all places that the list may have; those past its end go last.
+/// Over all items that the list may have; those past its end go last.
+template <class Geometry>
 struct KeyLive : Kernel
 {
   static constexpr const char* Name = "key live";
-  static constexpr int Bytes = 24 + 8 + 4;
+  static constexpr int Bytes = 8 + 24 + 8 + 4;
   static constexpr int KeyBits = MortonGrid::CodeBits + 1;
+  GrowthData<Geometry> data;
+  std::uint32_t turn;
   MortonGrid grid;
-  const Vertex* live;
-  const std::uint32_t* count;
   std::uint64_t* keys;
-  std::uint32_t* places;
+  std::uint32_t* items;
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    this->keys[i] = i < *this->count ? this->grid.codeOf(this->live[i].x)
-                                     : std::uint64_t(1) << MortonGrid::CodeBits;
-    this->places[i] = i;
+    this->keys[i] = i < this->data.counters->live[this->turn]
+      ? this->grid.codeOf(growth::pointAt(this->data, this->data.live[this->turn][i].place).x)
+      : std::uint64_t(1) << MortonGrid::CodeBits;
+    this->items[i] = i;
   }
 };
 
-/// Over the points alive.
+/// Over the points alive: to places in their order.
+template <class Geometry>
 struct GatherLive : Kernel
 {
   static constexpr const char* Name = "gather live";
-  static constexpr int Bytes = 4 + 32 + 32;
-  const Vertex* from;
-  const std::uint32_t* places;
-  Vertex* to;
+  static constexpr int Bytes = 4 + 8 + 24 + 24 + 4 + 8;
+  GrowthData<Geometry> data;
+  std::uint32_t turn; ///< of the list; its other one is written
+  const std::uint32_t* items;
+  OrderedPoints to;
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    this->to[i] = this->from[this->places[i]];
+    const PointAlive from = this->data.live[this->turn][this->items[i]];
+    putInto(this->to, i, growth::pointAt(this->data, from.place));
+    this->data.live[this->turn ^ 1][i] = { i, from.triangle };
+  }
+
+  FF_HD static void putInto(const OrderedPoints& to, std::uint32_t place, const Vertex& p)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      to.x[3 * std::size_t(place) + static_cast<std::size_t>(axis)] = p.x[axis];
+    }
+    to.ids[place] = p.id;
+  }
+};
+
+/// Over the points that were left open: to the places behind.
+template <class Geometry>
+struct GatherUnlocated : Kernel
+{
+  static constexpr const char* Name = "gather unlocated";
+  static constexpr int Bytes = 8 + 24 + 24 + 4 + 4;
+  GrowthData<Geometry> data;
+  std::uint32_t turn;
+  OrderedPoints to;
+
+  FF_HD void operator()(std::uint32_t i, Local&) const
+  {
+    PointAlive& point = this->data.unlocated[i];
+    const std::uint32_t place = this->data.counters->live[this->turn] + i;
+    GatherLive<Geometry>::putInto(this->to, place, growth::pointAt(this->data, point.place));
+    point.place = place;
   }
 };
 

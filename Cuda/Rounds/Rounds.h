@@ -11,7 +11,8 @@
 ///
 /// A round costs no wait: kernels take their counts from the executor's memory (Counters.h), and
 /// the host is a round ahead. It hands out round r knowing what round r - 2 left, which bounds how
-/// much memory round r can need; so a stage ends with a round that has nothing to do.
+/// much memory round r can need; so a stage ends with a round that has nothing to do. It also tells
+/// whether a filter left anything open: only then are exact kernels launched.
 #ifndef flipflop_Rounds_h
 #define flipflop_Rounds_h
 
@@ -60,40 +61,51 @@ public:
     , places(where)
     , lists{ Array<std::uint32_t>(where), Array<std::uint32_t>(where) }
     , undecided(where)
+    , unlocated(where)
   {
   }
 
   /// From a tetrahedron around the geometry's kernel point to a star-shaped polyhedron that no
   /// point is outside of.
-  void grow(const Polyhedron& start)
+  /// @param points as the executor reads them
+  void grow(const Polyhedron& start, const PointSource& points)
   {
     const std::uint32_t count = this->source.count();
     this->monitor.stage(0.1, 0.5, count, "growing");
-    typename Executor::Residence residence(this->executor);
-    this->executor.beginPart("copy to the device");
-    const PointSource points = this->executor.resident(this->source, residence);
     this->executor.beginPart("grow");
-    Array<Vertex> live[2] = { Array<Vertex>(this->executor, count),
-      Array<Vertex>(this->executor, count) };
-    this->undecided.reserve(count);
+    Array<PointAlive> live[2] = { Array<PointAlive>(this->executor, count),
+      Array<PointAlive>(this->executor, count) };
+    Array<double> x(this->executor);
+    Array<std::uint32_t> ids(this->executor);
+    this->unlocated.reserve(count);
     this->begin(start);
 
     Counters* const c = this->counters.data();
     GrowthData<Geometry> data = { this->geometry, points, this->checkFinite, {}, nullptr, nullptr,
-      { live[0].data(), live[1].data() }, {}, nullptr, this->undecided.data(), c };
+      { nullptr, nullptr }, { live[0].data(), live[1].data() }, {}, nullptr, this->unlocated.data(),
+      c };
     this->share(data);
     this->executor.each(count, nullptr, Associate<Geometry>{ {}, data });
-    this->executor.each(count, &c->undecided[0], AssociateExact<Geometry>{ { {}, data } });
-    this->executor.record(c, 0);
-    this->observe(RoundReport::Stage::Associate, 0);
+    Counters first = this->now();
+    bool located[Ahead + 2] = { first.unlocated != 0 }; ///< by round, in turns: all are
+    if (located[0])
+    {
+      this->executor.each(count, &c->unlocated, LocateExact<Geometry>{ { {}, data }, 0 });
+      first = this->now();
+    }
+    this->observe(RoundReport::Stage::Associate, 0, located[0]);
 
     std::uint32_t aliveBefore = count;
     bool ordered = false;
+    std::uint32_t allAnew = 0; ///< the last round that made all triangles candidates
     for (std::uint32_t round = 1;; ++round)
     {
       const std::uint32_t known = round > 1 + Ahead ? round - 1 - Ahead : 0;
-      const Counters& then = this->recorded(known);
-      const std::uint32_t alive = then.live[known & 1];
+      const RoundRecord then = known > 0 ? this->recorded(known)
+                                         : RoundRecord{ first.triangles, first.vertices,
+                                             first.live[0], first.candidates, 0, first.unlocated };
+      const std::uint32_t alive =
+        then.live + (located[known % std::size(located)] ? 0 : then.undecided);
       this->monitor.advance(aliveBefore - alive);
       aliveBefore = alive;
       if (alive == 0)
@@ -103,28 +115,45 @@ public:
       Bounds before(then, alive);
       for (std::uint32_t r = known + 1; r < round; ++r)
       {
-        before = before.afterRound();
+        before = before.afterRound(r == allAnew);
       }
+      // Of those that were left open in this round, the triangles are candidates anyway.
+      const bool locates = then.undecided != 0;
+      const bool allLocated = located[(round - 1) % std::size(located)];
+      located[round % std::size(located)] = locates;
+      allAnew = locates && !allLocated ? round : allAnew;
       if (!ordered && then.triangles >= OrderedFrom && alive >= count / 4)
       {
-        this->orderLive(data, (round & 1) ^ 1, alive);
+        x.reserve(3 * std::size_t(alive));
+        ids.reserve(alive);
+        this->orderLive(data, (round & 1) ^ 1, alive, allLocated, { x.data(), ids.data() });
         ordered = true;
       }
-      this->makeRoom(round, before);
+      const Bounds after = before.afterRound(round == allAnew);
+      this->makeRoom(round, before, after);
       this->share(data);
-      this->growthRound(data, round, before);
+      this->growthRound(data, round, before, allLocated);
+      if (locates)
+      {
+        this->executor.each(count, &c->unlocated, LocateExact<Geometry>{ { {}, data }, round & 1 });
+      }
+      if (round == allAnew)
+      {
+        this->executor.each(static_cast<std::uint32_t>(after.triangles), &c->triangles,
+          AllAnew<Geometry>{ {}, data, (round & 1) ^ 1 });
+      }
       this->growthRoundCount = round;
-      this->record(round);
-      this->observe(RoundReport::Stage::Grow, round);
+      this->observe(RoundReport::Stage::Grow, round, locates);
     }
     this->places.clear();
-    this->undecided.clear();
+    this->unlocated.clear();
   }
 
   /// Algorithm 1.
   void flip()
   {
-    const Counters& counted = this->now();
+    const Counters counted = this->now();
+    ensure(!counted.strayed);
     const std::uint32_t t = counted.triangles;
     const std::uint32_t v = counted.vertices;
     this->monitor.stage(0.5, 0.85, t, "flipping");
@@ -148,27 +177,28 @@ public:
       this->undecided.data(), this->counters.data(), this->vBiased };
     this->executor.each(t, nullptr, WakeAll<Geometry>{ {}, data, t });
 
-    // Its digests are of each round: who watches gets them all.
-    bool tailIsLeft = !this->observer;
-    std::uint32_t first = 1; ///< the round that records begin with
+    std::uint32_t first = 1;                             ///< the round that records begin with
+    bool exact = counted.exactCalls + counted.ties != 0; ///< may there be work for it?
     std::uint32_t activeBefore = t;
     for (std::uint32_t round = 1;; ++round)
     {
       if (round > first + Ahead)
       {
         const std::uint32_t known = round - 1 - Ahead;
-        const std::uint32_t active = this->recorded(known).active[(known + 1) & 1];
+        const RoundRecord& then = this->recorded(known);
+        const std::uint32_t active = then.active;
+        exact = then.undecided != 0;
         this->monitor.advance(active < activeBefore ? activeBefore - active : 0);
         activeBefore = active;
         if (active == 0)
         {
           break;
         }
-        if (tailIsLeft && active <= TailMost)
+        // Digests are of each round: who watches gets them all.
+        if (!this->observer && !exact && active <= TailMost)
         {
-          tailIsLeft = false;
           this->executor.together(FlipTail<Geometry>{ data, round, 2 * TailMost });
-          const Counters& after = this->now();
+          const Counters after = this->now();
           round = first = after.tailRound;
           this->flipRoundCount = round;
           if (after.active[round & 1] == 0)
@@ -177,15 +207,13 @@ public:
           }
           if (after.tailChecked)
           {
-            this->endFlipRound(data, round, t);
-            this->record(round);
+            this->endFlipRound(data, round, t, true);
             continue;
           }
         }
       }
-      this->flipRound(data, round, t);
+      this->flipRound(data, round, t, exact);
       this->flipRoundCount = round;
-      this->record(round);
       this->observe(RoundReport::Stage::Flip, round);
     }
   }
@@ -215,9 +243,9 @@ public:
   Polyhedron compact(Tally& tally)
   {
     this->executor.beginPart("compact");
-    Counters counted = this->now();
-    const std::uint32_t t = counted.triangles;
-    const std::uint32_t v = counted.vertices;
+    const Counters before = this->now();
+    const std::uint32_t t = before.triangles;
+    const std::uint32_t v = before.vertices;
     Array<std::uint32_t> trianglePlaces(this->executor, std::size_t(t) + 1);
     Array<std::uint32_t> vertexPlaces(this->executor, std::size_t(v) + 1);
     this->executor.each(
@@ -229,12 +257,11 @@ public:
     this->executor.each(v, nullptr,
       ListDuplicates{ {}, this->mesh(), this->lowest.data(), this->sameAs.data(), list.data(),
         this->counters.data() });
-    this->record(0);
     std::uint32_t triangleCount;
     std::uint32_t vertexCount;
     this->executor.toHost(&triangleCount, trianglePlaces.data() + t, sizeof(triangleCount));
     this->executor.toHost(&vertexCount, vertexPlaces.data() + v, sizeof(vertexCount));
-    counted = this->recorded(0);
+    const Counters counted = this->now();
 
     Polyhedron result(vertexCount, triangleCount);
     {
@@ -275,7 +302,7 @@ private:
 
   /// How many rounds the host is ahead of what it knows, beside the one it hands out.
   static constexpr std::uint32_t Ahead = 1;
-  static_assert(Ahead + 2 <= Executor::Records, "a record is read before it is written anew");
+  static_assert(Ahead + 1 <= Executor::Records, "a record is read before it is written anew");
 
   /// Rounds of so few active triangles are left to one block of threads.
   static constexpr std::uint32_t TailMost = 1 << 10;
@@ -287,7 +314,7 @@ private:
   /// No more than this is there.
   struct Bounds
   {
-    explicit Bounds(const Counters& known, std::uint32_t pointsAlive)
+    explicit Bounds(const RoundRecord& known, std::uint32_t pointsAlive)
       : triangles(known.triangles)
       , vertices(known.vertices)
       , candidates(known.candidates)
@@ -298,14 +325,15 @@ private:
 
     /// A round inserts a point into each candidate that has one, and makes three of it. In all
     /// there are no more vertices than points alive.
-    Bounds afterRound() const
+    /// @param allAnew the round makes all triangles candidates
+    Bounds afterRound(bool allAnew) const
     {
       Bounds result = *this;
       const std::uint64_t inserted =
         std::min({ this->candidates, this->alive, this->allVertices - this->vertices });
       result.triangles += 2 * inserted;
       result.vertices += inserted;
-      result.candidates = 3 * std::min(this->candidates, this->alive);
+      result.candidates = allAnew ? result.triangles : 3 * std::min(this->candidates, this->alive);
       return result;
     }
 
@@ -351,9 +379,8 @@ private:
   }
 
   /// Have room for what a round can add.
-  void makeRoom(std::uint32_t round, const Bounds& before)
+  void makeRoom(std::uint32_t round, const Bounds& before, const Bounds& after)
   {
-    const Bounds after = before.afterRound();
     if (4 * after.triangles >= NoIndex)
     {
       throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(after.vertices));
@@ -368,8 +395,12 @@ private:
   }
 
   /// Bring the points alive into an order in which neighbours are neighbours in space.
-  /// @param turn of the list @param most it has no more points
-  void orderLive(GrowthData<Geometry>& data, std::uint32_t turn, std::uint32_t most)
+  /// @param turn       of the list
+  /// @param most       points, those that were left open among them
+  /// @param allLocated there are none of these
+  /// @param to         room for them
+  void orderLive(GrowthData<Geometry>& data, std::uint32_t turn, std::uint32_t most,
+    bool allLocated, const OrderedPoints& to)
   {
     Array<std::uint64_t> codes[2] = { Array<std::uint64_t>(this->executor, most),
       Array<std::uint64_t>(this->executor, most) };
@@ -377,14 +408,19 @@ private:
       Array<std::uint32_t>(this->executor, most) };
     std::uint64_t* const keys[2] = { codes[0].data(), codes[1].data() };
     std::uint32_t* const values[2] = { from[0].data(), from[1].data() };
-    const std::uint32_t* const count = &data.counters->live[turn];
     const MortonGrid grid(this->range, this->source.isWeighted() ? 2 : 3);
     this->executor.each(
-      most, nullptr, KeyLive{ {}, grid, data.live[turn], count, keys[0], values[0] });
-    const int at = this->executor.sort(keys, values, most, KeyLive::KeyBits);
+      most, nullptr, KeyLive<Geometry>{ {}, data, turn, grid, keys[0], values[0] });
+    const int at = this->executor.sort(keys, values, most, KeyLive<Geometry>::KeyBits);
     this->executor.each(
-      most, count, GatherLive{ {}, data.live[turn], values[at], data.live[turn ^ 1] });
+      most, &data.counters->live[turn], GatherLive<Geometry>{ {}, data, turn, values[at], to });
+    if (!allLocated)
+    {
+      this->executor.each(
+        most, &data.counters->unlocated, GatherUnlocated<Geometry>{ {}, data, turn, to });
+    }
     std::swap(data.live[0], data.live[1]);
+    data.ordered = to;
   }
 
   /// Where things are now.
@@ -398,54 +434,65 @@ private:
     data.places = this->places.data();
   }
 
-  void growthRound(const GrowthData<Geometry>& data, std::uint32_t round, const Bounds& before)
+  /// @param allLocated see LinkSplits
+  void growthRound(
+    const GrowthData<Geometry>& data, std::uint32_t round, const Bounds& before, bool allLocated)
   {
     Counters* const c = data.counters;
     const auto candidates = static_cast<std::uint32_t>(before.candidates);
     const auto alive = static_cast<std::uint32_t>(before.alive);
     const std::uint32_t turn = (round & 1) ^ 1;
     this->executor.each(candidates + 1, nullptr,
-      Mark{ {}, data.candidates[round & 1], data.furthest, data.places, c });
+      Mark{ {}, data.candidates[round & 1], data.furthest, data.places, c, turn,
+        this->recordOf(round - 1) });
+    this->record(round - 1);
     this->executor.exclusiveSum(data.places, candidates + 1);
     this->executor.each(candidates, &c->candidates, Insert<Geometry>{ {}, data, round });
-    this->executor.each(candidates, &c->candidates, LinkSplits<Geometry>{ {}, data, round });
+    this->executor.each(
+      candidates, &c->candidates, LinkSplits<Geometry>{ {}, data, round, allLocated });
     this->executor.each(
       alive, &c->live[turn], Relocate<Geometry>{ {}, data, round, data.places + candidates });
-    this->executor.each(alive, &c->undecided[turn], RelocateExact<Geometry>{ { {}, data }, round });
   }
 
-  void flipRound(const FlipData<Geometry>& data, std::uint32_t round, std::uint32_t most)
+  void flipRound(
+    const FlipData<Geometry>& data, std::uint32_t round, std::uint32_t most, bool exact)
   {
-    Counters* const c = data.counters;
-    const std::uint32_t turn = round & 1;
-    this->executor.each(most, &c->active[turn], Check<Geometry>{ { {}, data, round } });
-    this->endFlipRound(data, round, most);
+    this->executor.each(most, &data.counters->active[round & 1],
+      Check<Geometry>{ { {}, data, round }, this->recordOf(round - 1) });
+    this->record(round - 1);
+    this->endFlipRound(data, round, most, exact);
   }
 
   /// All of a round but for Check.
-  void endFlipRound(const FlipData<Geometry>& data, std::uint32_t round, std::uint32_t most)
+  void endFlipRound(
+    const FlipData<Geometry>& data, std::uint32_t round, std::uint32_t most, bool exact)
   {
     Counters* const c = data.counters;
     const std::uint32_t turn = round & 1;
-    this->executor.each(most, &c->undecided[turn], CheckExact<Geometry>{ { {}, data }, round });
+    if (exact)
+    {
+      this->executor.each(most, &c->undecided[turn], CheckExact<Geometry>{ { {}, data }, round });
+    }
     this->executor.each(most, &c->active[turn], Resolve<Geometry>{ { {}, data, round } });
     this->executor.each(most, &c->flips[turn], Publish<Geometry>{ { {}, data, round } });
     this->executor.each(most, &c->flips[turn], Relink<Geometry>{ { {}, data, round } });
   }
 
-  void record(std::uint32_t round)
+  static int slotOf(std::uint32_t round) { return static_cast<int>(round % Executor::Records); }
+  /// Where the next round's first kernel writes what @p round has left.
+  RoundRecord* recordOf(std::uint32_t round) { return this->executor.recordAt(slotOf(round)); }
+  /// That kernel is launched.
+  void record(std::uint32_t round) { this->executor.record(slotOf(round)); }
+  const RoundRecord& recorded(std::uint32_t round)
   {
-    this->executor.record(this->counters.data(), static_cast<int>(round % Executor::Records));
-  }
-  const Counters& recorded(std::uint32_t round)
-  {
-    return this->executor.recorded(static_cast<int>(round % Executor::Records));
+    return this->executor.recorded(slotOf(round));
   }
   /// Waits.
-  const Counters& now()
+  Counters now()
   {
-    this->record(0);
-    return this->recorded(0);
+    Counters counted;
+    this->executor.toHost(&counted, this->counters.data(), sizeof(counted));
+    return counted;
   }
 
   template <class T>
@@ -454,22 +501,23 @@ private:
     this->executor.toHost(to.data(), from.data(), to.size() * sizeof(T));
   }
 
-  void observe(RoundReport::Stage stage, std::uint32_t round)
+  /// @param allLocated points that were left open are in the list of those alive
+  void observe(RoundReport::Stage stage, std::uint32_t round, bool allLocated = true)
   {
     if (!this->observer)
     {
       return;
     }
-    Counters c;
-    this->executor.toHost(&c, this->counters.data(), sizeof(c));
+    const Counters c = this->now();
     Buffer<Triangle> t(c.triangles);
     Buffer<Vertex> v(c.vertices);
     this->download(t, this->triangles);
     this->download(v, this->vertices);
     const bool flipping = stage == RoundReport::Stage::Flip;
-    (*this->observer)({ stage, round, flipping ? c.active[(round & 1) ^ 1] : c.live[round & 1],
-      c.triangles, c.vertices, flipping ? c.flips[round & 1] : c.inserted,
-      c.labelled + c.round.labelled, hashOf(t.data(), c.triangles, v.data(), c.vertices) });
+    const std::uint32_t alive = c.live[round & 1] + (allLocated ? 0 : c.unlocated);
+    (*this->observer)({ stage, round, flipping ? c.active[(round & 1) ^ 1] : alive, c.triangles,
+      c.vertices, flipping ? c.flips[round & 1] : c.inserted, c.labelled + c.round.labelled,
+      hashOf(t.data(), c.triangles, v.data(), c.vertices) });
   }
 
   static void addTo(Tally& tally, const Counters& counted)
@@ -505,6 +553,7 @@ private:
   Array<std::uint32_t> places;   ///< by candidate
   Array<std::uint32_t> lists[2]; ///< candidates, then active triangles
   Array<std::uint32_t> undecided;
+  Array<PointAlive> unlocated;
   std::uint32_t growthRoundCount = 0;
   std::uint32_t flipRoundCount = 0;
 };

@@ -21,15 +21,36 @@ public:
   explicit RoundsBuilder(Executor& where, const RoundObserver* watcher = nullptr)
     : executor(where)
     , observer(watcher)
+    , residence(where)
   {
+  }
+
+  /// On their way to the executor's memory.
+  ScanResult scan(const PointSource& source, Monitor& monitor) override
+  {
+    ScanSum sum;
+    const bool seen = this->bring(source,
+      [&](std::uint32_t begin, std::uint32_t end)
+      {
+        sum.look(source, begin, end);
+        monitor.advance(end - begin);
+      });
+    this->brought = true;
+    return seen ? sum.result() : PointScanner::scan(source, monitor);
   }
 
   Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
     Stopwatch watch;
+    if (!this->brought)
+    {
+      this->bring(task.source, [](std::uint32_t, std::uint32_t) {});
+    }
+    this->brought = false;
     Rounds<Executor, Geometry> rounds(this->executor, task, this->observer);
-    rounds.grow(start);
+    rounds.grow(start, this->executor.resident(task.source, this->residence));
+    this->residence.clear();
     tally.statistics.secondsGrow += watch.lap();
     rounds.flip();
     tally.statistics.secondsFlip += watch.lap();
@@ -53,8 +74,19 @@ public:
   std::uint32_t flipRounds = 0;
 
 private:
+  template <class See>
+  bool bring(const PointSource& source, const See& see)
+  {
+    this->executor.beginPart("copy to the device");
+    const bool seen = this->executor.bring(source, this->residence, see);
+    this->executor.beginPart(nullptr);
+    return seen;
+  }
+
   Executor& executor;
   const RoundObserver* const observer;
+  typename Executor::Residence residence;
+  bool brought = false;
 };
 
 }

@@ -70,15 +70,11 @@ FF_HD bool isOfConcern(
     geometry.perturbedAbove(a, b, c, d) > 0;
 }
 
-/// @param vertices the mesh's
+/// @param threeAtA, threeAtB three triangles in all are around that end
 template <class Geometry>
-FF_HD FF_INLINE FlipDecision decideFlip(
-  const Geometry& geometry, const Vertex* vertices, const EdgeSurroundings& edge)
+FF_HD FF_INLINE FlipDecision decideFlip(const Geometry& geometry, const Vertex& a, const Vertex& b,
+  const Vertex& c, const Vertex& d, bool threeAtA, bool threeAtB)
 {
-  const Vertex& a = vertices[edge.a];
-  const Vertex& b = vertices[edge.b];
-  const Vertex& c = vertices[edge.c];
-  const Vertex& d = vertices[edge.d];
   FlipDecision decision;
   const bool reflex = geometry.perturbedAbove(a, b, c, d) > 0;
   const std::uint32_t labels = (a.flags | b.flags | c.flags | d.flags) & VertexLabelled;
@@ -87,16 +83,16 @@ FF_HD FF_INLINE FlipDecision decideFlip(
     return decision;
   }
 
-  if (edge.threeAtA && edge.threeAtB)
+  if (threeAtA && threeAtB)
   {
     return decision; // a tetrahedron
   }
-  if (edge.threeAtA || edge.threeAtB)
+  if (threeAtA || threeAtB)
   {
-    const bool labelled = ((edge.threeAtA ? a : b).flags & VertexLabelled) != 0;
+    const bool labelled = ((threeAtA ? a.flags : b.flags) & VertexLabelled) != 0;
     if (labelled || reflex)
     {
-      decision.action = edge.threeAtA ? FlipAction::RemoveA : FlipAction::RemoveB;
+      decision.action = threeAtA ? FlipAction::RemoveA : FlipAction::RemoveB;
       decision.byDegree = labelled;
     }
     return decision;
@@ -132,13 +128,21 @@ FF_HD FF_INLINE FlipDecision decideFlip(
   }
   else if (cutsA != cutsB && reflex)
   {
-    const Vertex& inner = cutsA ? a : b;
-    if (!(inner.flags & VertexLabelled))
+    if (!((cutsA ? a.flags : b.flags) & VertexLabelled))
     {
       decision.action = cutsA ? FlipAction::LabelA : FlipAction::LabelB;
     }
   }
   return decision;
+}
+
+/// @param vertices the mesh's
+template <class Geometry>
+FF_HD FF_INLINE FlipDecision decideFlip(
+  const Geometry& geometry, const Vertex* vertices, const EdgeSurroundings& edge)
+{
+  return decideFlip(geometry, vertices[edge.a], vertices[edge.b], vertices[edge.c],
+    vertices[edge.d], edge.threeAtA, edge.threeAtB);
 }
 
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What an engine does: from a tetrahedron to the hull of all points, perturbed. All else of a run
-/// is the same for every engine (see GeometryRun).
+/// What an engine does: from a tetrahedron to the hull of all points, perturbed. The first look at
+/// the points is its own, too, if it will. All else of a run is the same for every engine (see
+/// GeometryRun).
 #ifndef flipflop_PolyhedronBuilder_h
 #define flipflop_PolyhedronBuilder_h
 
@@ -10,6 +11,7 @@
 #include "FlipFlop/Tally.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
+#include "Points/Scan.h"
 #include "Support/Monitor.h"
 #include <flipflop/Options.h>
 #include <flipflop/Statistics.h>
@@ -38,11 +40,9 @@ struct BuildTask
 };
 
 template <class Model>
-class PolyhedronBuilder
+class PolyhedronBuilder : public PointScanner
 {
 public:
-  virtual ~PolyhedronBuilder() = default;
-
   /// @param start a tetrahedron
   /// @return the hull, perhaps with gaps; nothing, where *task.finished is written
   virtual Polyhedron build(

@@ -121,35 +121,39 @@ public:
     return result;
   }
 
-  /// How many floats a point is, if it is nothing else: 3, or 2 without a third coordinate. Else 0.
-  int floatsEach() const
+  /// Scalars of a point: 3, or 2 without a third coordinate.
+  int scalarsEach() const { return this->third ? 3 : 2; }
+
+  /// Are all of them floats?
+  bool isOfFloats() const
   {
-    const bool isFloat =
-      this->type == ScalarType::Float32 && (!this->third || this->thirdType == ScalarType::Float32);
-    return !isFloat ? 0 : this->third ? 3 : 2;
+    return this->type == ScalarType::Float32 &&
+      (!this->third || this->thirdType == ScalarType::Float32);
   }
 
-  /// These of point @p id, as they are.
-  void copyFloats(std::uint32_t id, float* to) const
+  /// The scalars of the points from @p begin on, before @p end, one point after another: as they
+  /// are, without scaling.
+  /// @tparam Scalar float only where all of them are
+  template <class Scalar>
+  void copyScalars(std::uint32_t begin, std::uint32_t end, Scalar* to) const
   {
-    const float* const from =
-      static_cast<const float*>(this->data) + id * static_cast<std::size_t>(this->stride);
-    to[0] = from[0];
-    to[1] = from[1];
+    this->copyAxis(this->data, this->type, this->stride, 0, begin, end, to);
+    this->copyAxis(this->data, this->type, this->stride, 1, begin, end, to + 1);
     if (this->third)
     {
-      to[2] =
-        static_cast<const float*>(this->third)[id * static_cast<std::size_t>(this->thirdStride)];
+      this->copyAxis(this->third, this->thirdType, this->thirdStride, 0, begin, end, to + 2);
     }
   }
 
-  /// The same points, from copies of their floats one after another.
-  PointSource withFloats(const float* floats) const
+  /// The same points, to be read from what copyScalars() has written of all.
+  /// @param copies of type @p copied
+  PointSource withScalars(const void* copies, ScalarType copied) const
   {
     PointSource result = *this;
-    result.data = floats;
-    result.stride = result.thirdStride = this->floatsEach();
-    result.third = this->third ? floats + 2 : nullptr;
+    result.data = copies;
+    result.type = result.thirdType = copied;
+    result.stride = result.thirdStride = this->scalarsEach();
+    result.third = this->third ? pastTwo(copies, copied) : nullptr;
     result.deviceData = result.deviceThird = nullptr;
     return result;
   }
@@ -243,6 +247,28 @@ private:
     for (int i = 0; i < n; ++i)
     {
       to[i] = from[(first + static_cast<std::size_t>(i)) * step];
+    }
+  }
+
+  template <class Scalar>
+  void copyAxis(const void* from, ScalarType fromType, std::int64_t step, int offset,
+    std::uint32_t begin, std::uint32_t end, Scalar* to) const
+  {
+    const auto copy = [&](const auto* scalars)
+    {
+      const int each = this->scalarsEach();
+      for (std::size_t id = begin; id < end; ++id, to += each)
+      {
+        *to = static_cast<Scalar>(scalars[id * static_cast<std::size_t>(step)]);
+      }
+    };
+    if (fromType == ScalarType::Float32)
+    {
+      copy(static_cast<const float*>(from) + offset);
+    }
+    else
+    {
+      copy(static_cast<const double*>(from) + offset);
     }
   }
 

@@ -12,7 +12,7 @@
 #include "Mesh/Polyhedron.h"
 #include "Points/Samples.h"
 #include "Run/Run.h"
-#include "Run/Scan.h"
+#include "Run/Span.h"
 #include <flipflop/CellComplex.h>
 
 #include <cstdint>

@@ -26,9 +26,9 @@ void include(const double* x, CoordinateRange& range)
 
 }
 
-bool HullRun::inspect(Hull& hull, const double* kernel)
+bool HullRun::inspect(Hull& hull, const double* kernel, PointScanner* scanner)
 {
-  if (!this->look(hull.statistics))
+  if (!this->look(hull.statistics, scanner))
   {
     return false;
   }
@@ -45,7 +45,7 @@ bool HullRun::inspect(Hull& hull, const double* kernel)
 void HullRun::hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull)
 {
   Stopwatch watch;
-  if (!this->inspect(hull))
+  if (!this->inspect(hull, nullptr, &engine))
   {
     return;
   }

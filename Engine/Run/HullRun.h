@@ -29,8 +29,9 @@ public:
 
   /// Look at all points, and choose the arithmetic. False: there is no finite point.
   /// @param kernel a further point that the arithmetic has to carry, or null
+  /// @param scanner see look()
   /// @throw Error NonFinite
-  bool inspect(Hull& hull, const double* kernel = nullptr);
+  bool inspect(Hull& hull, const double* kernel = nullptr, PointScanner* scanner = nullptr);
 
   /// From a hull of perturbed points to the true one, in canonical form.
   void finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull);

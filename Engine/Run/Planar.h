@@ -7,7 +7,7 @@
 
 #include "Geometry/HullGeometry.h"
 #include "Points/PointSource.h"
-#include "Run/Scan.h"
+#include "Run/Span.h"
 #include "Support/Monitor.h"
 #include <flipflop/Hull.h>
 #include <flipflop/Options.h>

@@ -18,12 +18,13 @@ Run::Run(
   requireValid(points, least);
 }
 
-bool Run::look(Statistics& statistics)
+bool Run::look(Statistics& statistics, PointScanner* scanner)
 {
   statistics.points = this->source.count();
   statistics.threads = this->threads;
   this->monitor.stage(0.0, 0.1, statistics.points, "scanning");
-  const ScanResult found = scan(this->source, this->threads, this->monitor);
+  PointScanner own;
+  const ScanResult found = (scanner ? scanner : &own)->scan(this->source, this->monitor);
   statistics.nonFinite = found.nonFinite;
   if (found.nonFinite && this->options.nonFinite == NonFinitePolicy::Error)
   {

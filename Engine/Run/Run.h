@@ -7,7 +7,7 @@
 #define flipflop_Run_h
 
 #include "Points/PointSource.h"
-#include "Run/Scan.h"
+#include "Points/Scan.h"
 #include "Support/Monitor.h"
 #include "Support/Stopwatch.h"
 #include "Support/Threads.h"
@@ -59,8 +59,9 @@ public:
 
 protected:
   /// Look at all points: their range, the non-finite ones by policy. False: none is finite.
+  /// @param scanner null: just so
   /// @throw Error NonFinite
-  bool look(Statistics& statistics);
+  bool look(Statistics& statistics, PointScanner* scanner = nullptr);
 
   /// Scale the points, and what is known of their range.
   void setArithmetic(const Arithmetic& chosen);

@@ -18,9 +18,9 @@ TriangulationRun<Weighted>::TriangulationRun(
 }
 
 template <bool Weighted>
-bool TriangulationRun<Weighted>::inspect(Statistics& statistics)
+bool TriangulationRun<Weighted>::inspect(Statistics& statistics, PointScanner* scanner)
 {
-  if (!this->look(statistics))
+  if (!this->look(statistics, scanner))
   {
     return false;
   }
@@ -47,7 +47,7 @@ void TriangulationRun<Weighted>::triangulate(
   PolyhedronBuilder<Geometry>& engine, Triangulation& result)
 {
   Stopwatch watch;
-  if (!this->inspect(result.statistics))
+  if (!this->inspect(result.statistics, &engine))
   {
     return;
   }

@@ -36,8 +36,9 @@ public:
   TriangulationRun(const PointView& points, const WeightView& weights, const Options& options);
 
   /// Look at all points, and choose the arithmetic. False: there is no finite point.
+  /// @param scanner see look()
   /// @throw Error NonFinite
-  bool inspect(Statistics& statistics);
+  bool inspect(Statistics& statistics, PointScanner* scanner = nullptr);
 
   /// Three points that are not collinear, or fewer that span the others' positions.
   /// @param ids, count a sample to choose from first; null: all

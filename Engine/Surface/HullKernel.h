@@ -8,7 +8,7 @@
 #include "Geometry/HullGeometry.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
-#include "Run/Scan.h"
+#include "Run/Span.h"
 #include "Support/Monitor.h"
 #include "Surface/StarShape.h"
 

@@ -78,6 +78,32 @@ public:
     return static_cast<std::int64_t>(memory.second - memory.first);
   }
 
+  std::pair<std::int64_t, std::int64_t> bytesKept() override
+  {
+    std::size_t free = 0;
+    std::size_t all = 0;
+    requireCuda(cudaMemGetInfo(&free, &all));
+    const std::pair<std::size_t, std::size_t> released = this->freeAndAll();
+    return { static_cast<std::int64_t>(released.first) - static_cast<std::int64_t>(free),
+      static_cast<std::int64_t>(all) };
+  }
+
+  std::pair<int, int> device() override
+  {
+    std::pair<int, int> result;
+    requireCuda(cudaGetDevice(&result.first));
+    requireCuda(cudaGetDeviceCount(&result.second));
+    return result;
+  }
+  void setDevice(int number) override { requireCuda(cudaSetDevice(number)); }
+
+  std::size_t stackLimit() override
+  {
+    std::size_t bytes = 0;
+    requireCuda(cudaDeviceGetLimit(&bytes, cudaLimitStackSize));
+    return bytes;
+  }
+
   Holding leaveOnly(std::int64_t bytes) override
   {
     auto filled = std::make_shared<DeviceBlocks>();

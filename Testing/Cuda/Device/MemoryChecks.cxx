@@ -12,7 +12,6 @@
 #include <limits>
 #include <set>
 #include <thread>
-#include <type_traits>
 
 namespace flipflop
 {
@@ -232,8 +231,7 @@ void checkInPlace(const Sides& sides, const DeviceInput& drawn, std::int64_t str
     "another result of points on the host");
   if (sides.subject.isOnDevice())
   {
-    const bool floats = std::is_same<Scalar, float>::value;
-    const std::int64_t each = floats && drawn.plane && !drawn.weighted ? 2 : 3;
+    const std::int64_t each = drawn.plane && !drawn.weighted ? 2 : 3;
     require(sent.launches.at("from the host").bytes ==
         count * each * static_cast<std::int64_t>(sizeof(Scalar)),
       "another number of bytes was sent");
@@ -247,10 +245,52 @@ void checkInPlace(const Sides& sides, const DeviceInput& drawn, std::int64_t str
   require(seen.launches.count("from the host") == 0, "the points were copied");
 }
 
+/// The device that is current for the thread does the work, and stays current; what another one has
+/// is copied.
+void checkDevices(const Sides& sides)
+{
+  const DeviceInput input = drawn("shell:0.01", false, 2000);
+  const RunResult wanted = runOnCpu(input.view(), Options());
+  RunInput placed = input.view();
+  const std::pair<int, int> before = sides.subject.device();
+  const Holding held = sides.subject.place(placed);
+  for (int number = 0; number < before.second; ++number)
+  {
+    sides.subject.setDevice(number);
+    RunSeen seen;
+    require(difference(sides.subject.run(placed, Options(), RunWatch(), &seen), wanted).empty(),
+      "another result on device " + std::to_string(number));
+    require(sides.subject.device().first == number, "another device is current");
+    require(!sides.subject.isOnDevice() ||
+        (seen.launches.count("from the host") == 0) == (number == before.first),
+      "memory of another device is read, or this one's is not");
+  }
+  sides.subject.setDevice(before.first);
+}
+
+/// What a run keeps for the next is bounded; what it does not keep, and what the application has
+/// set, is as it was.
+void checkWhatStays(const Sides& sides)
+{
+  const DeviceInput input = drawn("shell:0", false, 50000);
+  const std::int64_t before = sides.subject.bytesHeld();
+  const std::size_t limit = sides.subject.stackLimit();
+  RunSeen seen;
+  sides.subject.run(input.view(), Options(), RunWatch(), &seen);
+  const std::pair<std::int64_t, std::int64_t> kept = sides.subject.bytesKept();
+  require(kept.first <= kept.second / 8 + 2 * Mebibyte,
+    std::to_string(kept.first) + " bytes are kept of " + std::to_string(kept.second) +
+      ", after a run that took " + std::to_string(seen.mostBytes));
+  require(sides.subject.stackLimit() == limit, "the stack's limit is another");
+  requireBytes(sides.subject, before);
+}
+
 }
 
 void addMemoryChecks(std::vector<Check>& checks)
 {
+  checks.push_back({ "devices", true, checkDevices });
+  checks.push_back({ "what-stays", true, checkWhatStays });
   checks.push_back({ "probe", true,
     [](const Sides& sides)
     {

@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -85,6 +86,16 @@ public:
 
   /// Memory in use, after giving back what is kept for the next run.
   virtual std::int64_t bytesHeld() = 0;
+
+  /// What is kept for the next run, of how much in all.
+  virtual std::pair<std::int64_t, std::int64_t> bytesKept() { return { 0, 0 }; }
+
+  /// Which of how many devices is the thread's current one.
+  virtual std::pair<int, int> device() { return { 0, 1 }; }
+  virtual void setDevice(int) {}
+
+  /// Of a thread's stack, as the application may have set it.
+  virtual std::size_t stackLimit() { return 0; }
 
   /// Runs find no more memory than this, about.
   virtual Holding leaveOnly(std::int64_t bytes) = 0;

@@ -38,7 +38,7 @@ public:
   void each(std::uint32_t most, const std::uint32_t* count, const K& kernel)
   {
     this->log(most, count, kernel);
-    const ptx::Kernel code = find(typeid(K));
+    const ptx::Kernel code = find(typeid(K), K::LeastBlocks > 0 ? "runBoundedKernel" : "runKernel");
     const void* const parameters[3] = { &kernel, &count, &most };
     ptx::Launch launch = { 0, this->blocks, 0, this->threads };
     for (launch.blockIndex = 0; launch.blockIndex < launch.blockCount; ++launch.blockIndex)
@@ -52,12 +52,12 @@ public:
 
 private:
   /// The launch template's instance for this kernel, by its name.
-  static ptx::Kernel find(const std::type_info& type)
+  static ptx::Kernel find(const std::type_info& type, const char* launch)
   {
     const std::unique_ptr<char, void (*)(void*)> demangled(
       abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr), &std::free);
     const std::string kernel = demangled.get();
-    const std::string name = "void flipflop::runKernel<" + kernel +
+    const std::string name = "void flipflop::" + std::string(launch) + "<" + kernel +
       (kernel.back() == '>' ? " >(" : ">(") + kernel + ", unsigned int const*, unsigned int)";
     const ptx::Kernel code = ptx::find(name.c_str());
     if (!code)

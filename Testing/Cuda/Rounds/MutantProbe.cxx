@@ -177,6 +177,20 @@ int probe()
       Random random(6);
       return repeated(integerGrid(3), 100, random);
     } });
+  // So few that filters leave them open in the middle of growing.
+  for (const std::size_t step : { 10, 15, 25 })
+  {
+    hulls.push_back({ "few duplicates of points of a sphere", step,
+      [step]
+      {
+        Cloud cloud = fromFamily("shell0", 4000, step).make();
+        for (std::size_t i = 0; i < 4000; i += step)
+        {
+          cloud.push_back(cloud[i]);
+        }
+        return cloud;
+      } });
+  }
   // The same without ties.
   hulls.push_back({ "many duplicates of points of a sphere", 7,
     []

@@ -79,12 +79,12 @@ public:
     this->log.push_back({ Call::Kind::Sum, nullptr, -1 });
     HostExecutor::exclusiveSum(values, n);
   }
-  void record(const Counters* counters, int slot)
+  void record(int slot)
   {
     this->log.push_back({ Call::Kind::Record, nullptr, slot });
-    HostExecutor::record(counters, slot);
+    HostExecutor::record(slot);
   }
-  const Counters& recorded(int slot)
+  const RoundRecord& recorded(int slot)
   {
     this->log.push_back({ Call::Kind::Recorded, nullptr, slot });
     return HostExecutor::recorded(slot);

@@ -3,7 +3,9 @@
 #include "Memory.h"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -61,23 +63,38 @@ int setting(const char* name, int byDefault)
   return text ? std::atoi(text) : byDefault;
 }
 
-Memory& Memory::get()
+Memory::Memory(int device)
 {
-  static auto* const memory = new Memory; // for good: what is released last is released late
-  return *memory;
+  constexpr std::uint64_t each = (DeviceEnd - DeviceBegin) / MostDevices;
+  this->next = reinterpret_cast<char*>(DeviceBegin) + static_cast<std::uint64_t>(device) * each;
+  this->end = this->next + each;
 }
 
-void* Memory::take(std::size_t bytes)
+Memory& Memory::get(int device)
+{
+  // For good: what is released last is released late.
+  static Memory* const memories[MostDevices] = { new Memory(0), new Memory(1) };
+  return *memories[device];
+}
+
+void* Memory::take(std::size_t bytes, Pool* pool)
 {
   const std::lock_guard<std::mutex> lock(this->mutex);
-  if (bytes > this->total() - this->used)
+  const std::size_t had = pool ? std::min(bytes, pool->reserved - pool->used) : 0;
+  if (bytes - had > this->total() - this->used)
   {
     return nullptr;
+  }
+  this->used += bytes - had;
+  if (pool)
+  {
+    pool->used += bytes;
+    pool->reserved += bytes - had;
   }
   const std::size_t mapped = wholePages(bytes);
   char* const begin = this->next;
   this->next += mapped + Page; // the page behind it stays out of reach
-  require(this->next < reinterpret_cast<char*>(DeviceEnd), "no addresses are left");
+  require(this->next < this->end, "no addresses are left");
   void* const got = mmap(begin, mapped, PROT_READ | PROT_WRITE,
     MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0);
   require(got == begin, "there is no memory for the device");
@@ -85,7 +102,10 @@ void* Memory::take(std::size_t bytes)
   // As far back as the alignment of CUB and of 32-byte sectors allows.
   char* const block = begin + (mapped - bytes) / 32 * 32;
   this->live[block] = bytes;
-  this->used += bytes;
+  if (pool)
+  {
+    this->pools[block] = pool;
+  }
   return block;
 }
 
@@ -100,8 +120,25 @@ void Memory::give(void* block)
   void* const got =
     mmap(begin, mapped, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0);
   require(got == begin, "memory cannot be given back");
-  this->used -= found->second;
+  const auto pool = this->pools.find(static_cast<char*>(block));
+  if (pool == this->pools.end())
+  {
+    this->used -= found->second;
+  }
+  else
+  {
+    pool->second->used -= found->second; // it stays reserved
+    this->pools.erase(pool);
+  }
   this->live.erase(found);
+}
+
+void Memory::trim(Pool& pool, std::size_t kept)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  const std::size_t rest = std::max(pool.used, std::min(pool.reserved, kept));
+  this->used -= pool.reserved - rest;
+  pool.reserved = rest;
 }
 
 bool Memory::holds(const void* from, std::size_t bytes)
@@ -133,11 +170,46 @@ void* Memory::takePinned(std::size_t bytes)
   return block;
 }
 
+void* Memory::takeMapped(std::size_t bytes)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  const std::size_t size = wholePages(bytes);
+  const int file = memfd_create("mapped", 0);
+  require(file >= 0 && ftruncate(file, static_cast<off_t>(size)) == 0, "no memory to map");
+  void* const host = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  void* const device =
+    mmap(this->next, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED_NOREPLACE, file, 0);
+  close(file);
+  require(host != MAP_FAILED && device == this->next, "memory cannot be mapped twice");
+  this->next += size + Page;
+  poison(host, size);
+  this->mapped[static_cast<char*>(host)] = static_cast<char*>(device);
+  this->pinned[static_cast<char*>(host)] = bytes;
+  return host;
+}
+
+void* Memory::onDevice(const void* host)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  const auto found = this->mapped.find(static_cast<const char*>(host));
+  return found == this->mapped.end() ? nullptr : found->second;
+}
+
 void Memory::givePinned(void* block)
 {
   if (block)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
+    const auto twice = this->mapped.find(static_cast<char*>(block));
+    if (twice != this->mapped.end())
+    {
+      const std::size_t size = wholePages(this->pinned.at(static_cast<char*>(block)));
+      munmap(twice->second, size);
+      munmap(block, size);
+      this->pinned.erase(static_cast<char*>(block));
+      this->mapped.erase(twice);
+      return;
+    }
     require(this->pinned.erase(static_cast<char*>(block)) == 1,
       "a pinned buffer is given back that was not taken");
     std::free(block);

@@ -6,7 +6,9 @@
 /// cudart's place, from nvcc's own objects; so CudaExecutor.cu runs as it is.
 ///
 /// What a device would do wrong in silence ends the program here: a launch or a copy out of bounds,
-/// memory of the host where the device's should be, memory given back twice or not at all.
+/// memory of the host where the device's should be, memory given back twice or not at all, a stream
+/// of another device than the current one. So does what a host application would be disturbed by:
+/// the default stream, streams that wait for it, a limit or a flag set for the whole device.
 #include "Launch.h"
 #include "Memory.h"
 #include "Stream.h"
@@ -27,15 +29,40 @@
 using standin::Memory;
 using standin::require;
 
-/// All memory is the device's, so a pool has nothing of its own.
 struct CUmemPoolHandle_st
 {
+  int device = 0;
+  standin::Pool pool;
 };
 
 namespace
 {
 
 thread_local cudaError_t lastError = cudaSuccess;
+thread_local int currentDevice = 0;
+
+/// Of the current device.
+Memory& memoryHere()
+{
+  return Memory::get(currentDevice);
+}
+/// Pinned memory is everybody's.
+Memory& hostMemory()
+{
+  return Memory::get(0);
+}
+/// The device that has it; -1: none.
+int ownerOf(const void* memory)
+{
+  for (int device = 0; device < standin::MostDevices; ++device)
+  {
+    if (Memory::get(device).holds(memory, 1))
+    {
+      return device;
+    }
+  }
+  return -1;
+}
 
 cudaError_t result(cudaError_t error)
 {
@@ -58,7 +85,7 @@ std::atomic<long> unwrittenCopies{ 0 };
 
 void noteUnwritten(const void* from, std::size_t bytes)
 {
-  if (Memory::get().isUnwritten(from, bytes))
+  if (hostMemory().isUnwritten(from, bytes))
   {
     ++unwrittenCopies;
   }
@@ -67,6 +94,7 @@ void noteUnwritten(const void* from, std::size_t bytes)
 CUstream_st& streamOf(cudaStream_t stream)
 {
   require(stream != nullptr, "the default stream is used, which waits for others");
+  require(stream->device == currentDevice, "a stream of another device than the current one");
   return *stream;
 }
 
@@ -134,17 +162,35 @@ extern "C"
 
 cudaError_t cudaGetDeviceCount(int* count)
 {
-  *count = 1;
+  *count = standin::MostDevices;
   return cudaSuccess;
 }
 cudaError_t cudaGetDevice(int* device)
 {
-  *device = 0;
+  *device = currentDevice;
   return cudaSuccess;
 }
 cudaError_t cudaSetDevice(int device)
 {
-  return result(device == 0 ? cudaSuccess : cudaErrorInvalidDevice);
+  if (device < 0 || device >= standin::MostDevices)
+  {
+    return result(cudaErrorInvalidDevice);
+  }
+  currentDevice = device;
+  return cudaSuccess;
+}
+cudaError_t cudaDeviceGetLimit(std::size_t* value, cudaLimit)
+{
+  *value = 1024;
+  return cudaSuccess;
+}
+cudaError_t cudaDeviceSetLimit(cudaLimit, std::size_t)
+{
+  standin::fail("a limit is set for the whole device");
+}
+cudaError_t cudaSetDeviceFlags(unsigned)
+{
+  standin::fail("flags are set for the whole device");
 }
 cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int)
 {
@@ -202,7 +248,11 @@ cudaError_t cudaDeviceSynchronize()
 }
 cudaError_t cudaDeviceReset()
 {
-  require(Memory::get().blocks() == 0, "memory of the device is left");
+  for (int device = 0; device < standin::MostDevices; ++device)
+  {
+    Memory& memory = Memory::get(device);
+    require(memory.blocks() == 0 && memory.free() == memory.total(), "memory of a device is left");
+  }
   std::printf("the stand-in: %ld launches, %ld copies of memory that nobody wrote\n",
     standin::launches(), unwrittenCopies.load());
   return cudaSuccess;
@@ -211,9 +261,10 @@ cudaError_t cudaDeviceReset()
 // ---- Streams and events
 // ------------------------------------------------------------------------------------------------
 
-cudaError_t cudaStreamCreateWithFlags(cudaStream_t* stream, unsigned)
+cudaError_t cudaStreamCreateWithFlags(cudaStream_t* stream, unsigned flags)
 {
-  *stream = new CUstream_st;
+  require(flags == cudaStreamNonBlocking, "a stream that waits for the default stream");
+  *stream = new CUstream_st(currentDevice);
   return cudaSuccess;
 }
 cudaError_t cudaStreamDestroy(cudaStream_t stream)
@@ -261,44 +312,59 @@ cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t, cudaEvent_t)
 
 cudaError_t cudaMallocHost(void** memory, std::size_t bytes)
 {
-  return allocation(memory, Memory::get().takePinned(bytes));
+  return allocation(memory, hostMemory().takePinned(bytes));
+}
+cudaError_t cudaHostAlloc(void** memory, std::size_t bytes, unsigned flags)
+{
+  require(flags == cudaHostAllocMapped, "pinned memory of a kind that it does not know");
+  return allocation(memory, hostMemory().takeMapped(bytes));
+}
+cudaError_t cudaHostGetDevicePointer(void** pointer, void* memory, unsigned)
+{
+  *pointer = hostMemory().onDevice(memory);
+  return result(*pointer ? cudaSuccess : cudaErrorInvalidValue);
 }
 cudaError_t cudaFreeHost(void* memory)
 {
-  Memory::get().givePinned(memory);
+  hostMemory().givePinned(memory);
   return cudaSuccess;
 }
 cudaError_t cudaMalloc(void** memory, std::size_t bytes)
 {
-  return allocation(memory, Memory::get().take(bytes));
+  return allocation(memory, memoryHere().take(bytes));
 }
 cudaError_t cudaFree(void* memory)
 {
   if (memory)
   {
-    Memory::get().give(memory);
+    const int owner = ownerOf(memory);
+    require(owner >= 0, "memory is given back that is no device's");
+    Memory::get(owner).give(memory);
   }
   return cudaSuccess;
 }
 cudaError_t cudaMallocFromPoolAsync(
-  void** memory, std::size_t bytes, cudaMemPool_t, cudaStream_t stream)
+  void** memory, std::size_t bytes, cudaMemPool_t pool, cudaStream_t stream)
 {
-  streamOf(stream);
-  return allocation(memory, Memory::get().take(bytes));
+  require(streamOf(stream).device == pool->device, "a pool of another device than the stream's");
+  return allocation(memory, memoryHere().take(bytes, &pool->pool));
 }
 cudaError_t cudaFreeAsync(void* memory, cudaStream_t stream)
 {
-  require(Memory::get().holds(memory, 1), "memory is given back that is not the device's");
-  streamOf(stream).give([memory] { Memory::get().give(memory); });
+  require(memoryHere().holds(memory, 1), "memory is given back that is not the device's");
+  streamOf(stream).give([memory, from = &memoryHere()] { from->give(memory); });
   return cudaSuccess;
 }
-cudaError_t cudaMemPoolCreate(cudaMemPool_t* pool, const cudaMemPoolProps*)
+cudaError_t cudaMemPoolCreate(cudaMemPool_t* pool, const cudaMemPoolProps* properties)
 {
   *pool = new CUmemPoolHandle_st;
+  (*pool)->device = properties->location.id;
   return cudaSuccess;
 }
 cudaError_t cudaMemPoolDestroy(cudaMemPool_t pool)
 {
+  require(pool->pool.used == 0, "a pool goes whose memory is in use");
+  Memory::get(pool->device).trim(pool->pool, 0);
   delete pool;
   return cudaSuccess;
 }
@@ -306,21 +372,22 @@ cudaError_t cudaMemPoolSetAttribute(cudaMemPool_t, cudaMemPoolAttr, void*)
 {
   return cudaSuccess;
 }
-cudaError_t cudaMemPoolTrimTo(cudaMemPool_t, std::size_t)
+cudaError_t cudaMemPoolTrimTo(cudaMemPool_t pool, std::size_t kept)
 {
+  Memory::get(pool->device).trim(pool->pool, kept);
   return cudaSuccess;
 }
 cudaError_t cudaMemGetInfo(std::size_t* free, std::size_t* total)
 {
-  *free = Memory::get().free();
-  *total = Memory::get().total();
+  *free = memoryHere().free();
+  *total = memoryHere().total();
   return cudaSuccess;
 }
 cudaError_t cudaPointerGetAttributes(cudaPointerAttributes* attributes, const void* memory)
 {
   std::memset(attributes, 0, sizeof(*attributes));
-  attributes->type =
-    Memory::get().holds(memory, 1) ? cudaMemoryTypeDevice : cudaMemoryTypeUnregistered;
+  attributes->device = ownerOf(memory);
+  attributes->type = attributes->device >= 0 ? cudaMemoryTypeDevice : cudaMemoryTypeUnregistered;
   return cudaSuccess;
 }
 
@@ -334,14 +401,14 @@ cudaError_t cudaMemcpy(void* to, const void* from, std::size_t bytes, cudaMemcpy
 }
 cudaError_t cudaMemsetAsync(void* to, int byte, std::size_t bytes, cudaStream_t stream)
 {
-  require(bytes == 0 || Memory::get().holds(to, bytes), "memory is filled out of bounds");
+  require(bytes == 0 || memoryHere().holds(to, bytes), "memory is filled out of bounds");
   streamOf(stream).give([=] { std::memset(to, byte, bytes); });
   return cudaSuccess;
 }
 cudaError_t cudaMemcpyAsync(
   void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind, cudaStream_t stream)
 {
-  Memory& memory = Memory::get();
+  Memory& memory = memoryHere();
   CUstream_st& queue = streamOf(stream);
   if (bytes == 0)
   {
@@ -349,8 +416,8 @@ cudaError_t cudaMemcpyAsync(
   }
   if (kind == cudaMemcpyHostToDevice)
   {
-    require(memory.holds(to, bytes) && !memory.holds(from, 1), "a copy to the device");
-    if (memory.isPinned(from, bytes))
+    require(memory.holds(to, bytes) && ownerOf(from) < 0, "a copy to the device");
+    if (hostMemory().isPinned(from, bytes))
     {
       queue.give([=] { std::memcpy(to, from, bytes); });
     }
@@ -374,9 +441,9 @@ cudaError_t cudaMemcpyAsync(
     queue.give(copy);
     return cudaSuccess;
   }
-  require(kind == cudaMemcpyDeviceToHost && !memory.holds(to, 1), "a copy to the host");
+  require(kind == cudaMemcpyDeviceToHost && ownerOf(to) < 0, "a copy to the host");
   queue.give(copy);
-  if (!memory.isPinned(to, bytes)) // it is waited for
+  if (!hostMemory().isPinned(to, bytes)) // it is waited for
   {
     queue.wait();
   }
@@ -397,8 +464,8 @@ cudaError_t exclusivePrefixSum(
     bytes = 1;
     return cudaSuccess;
   }
-  require(Memory::get().holds(values, n * sizeof(std::uint32_t)), "a prefix sum out of bounds");
-  require(Memory::get().holds(scratch, bytes), "the scratch memory of a prefix sum");
+  require(memoryHere().holds(values, n * sizeof(std::uint32_t)), "a prefix sum out of bounds");
+  require(memoryHere().holds(scratch, bytes), "the scratch memory of a prefix sum");
   streamOf(stream).give(
     [values, n]
     {
@@ -423,7 +490,7 @@ cudaError_t sortPairs(void* scratch, std::size_t& bytes, std::uint64_t* const* k
     bytes = 1;
     return cudaSuccess;
   }
-  Memory& memory = Memory::get();
+  Memory& memory = memoryHere();
   for (int i = 0; i < 2; ++i)
   {
     require(memory.holds(keys[i], n * sizeof(std::uint64_t)), "keys out of bounds");

@@ -20,8 +20,9 @@ unsigned int nextSeed()
 
 }
 
-CUstream_st::CUstream_st()
-  : random(nextSeed())
+CUstream_st::CUstream_st(int ofDevice)
+  : device(ofDevice)
+  , random(nextSeed())
   , thread([this] { this->run(); })
 {
 }

@@ -18,10 +18,12 @@
 struct CUstream_st
 {
 public:
-  CUstream_st();
+  explicit CUstream_st(int ofDevice);
   ~CUstream_st();
   CUstream_st(const CUstream_st&) = delete;
   CUstream_st& operator=(const CUstream_st&) = delete;
+
+  const int device;
 
   /// To be done after all that was given before.
   void give(std::function<void()> work);

@@ -23,6 +23,9 @@ SMALL = ["--small"]
 # Its copies are of several pieces, and slower than the host fills the next.
 LARGE = ["STANDIN_LAG_MICROSECONDS=5000", "--only", "rounds/plane-uniform-500000"]
 
+# Not all of a run's memory may be kept.
+LITTLE = ["STANDIN_MEBIBYTES=64", "--only", "what-stays"]
+
 # (name, what it breaks, the device test's environment and arguments, file, text, text instead)
 MUTANTS = [
     ("piece-not-waited-for",
@@ -40,6 +43,19 @@ MUTANTS = [
     ("record-not-waited-for",
      "counters are read before the device has written them",
      SMALL, EXECUTOR, "  requireCuda(cudaEventSynchronize(this->session->recordDone[slot]));\n", ""),
+    ("all-is-kept",
+     "all memory of a run is kept for the next",
+     LITTLE, EXECUTOR, "      this->keptBytes = total / 8;\n", "      this->keptBytes = total;\n"),
+    ("first-device",
+     "a session of any device is taken, not one of the current device",
+     SMALL, EXECUTOR, "        if (session->device == device)\n", "        if (session->device >= 0)\n"),
+    ("any-devices-memory",
+     "points in another device's memory are read there",
+     SMALL, EXECUTOR, "    (attributes.type == cudaMemoryTypeDevice && attributes.device == device);",
+     "    attributes.type == cudaMemoryTypeDevice;"),
+    ("record-in-the-hosts-memory",
+     "kernels are given the address that the host has for memory of both",
+     SMALL, EXECUTOR, "  return &this->session->recordsOnDevice[slot];\n", "  return &this->session->records[slot];\n"),
     ("wake-in-two-steps",
      "who looks whether a triangle is awake, and who wakes it, are two steps",
      SMALL, FLIPS,
@@ -118,7 +134,7 @@ def main():
     tree = Tree(options)
     if not tree.built():
         sys.exit(f"the tree does not compile: {tree.log}")
-    for arguments in (SMALL, LARGE):
+    for arguments in (SMALL, LARGE, LITTLE):
         failed, said = tree.test(arguments)
         if failed:
             sys.exit(f"the unbroken tree fails: {said}")

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Run/Scan.h"
+#include "Points/Scan.h"
 
-#include "Geometry/HullGeometry.h"
 #include "Support/Parallel.h"
 #include "Support/VectorClones.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace flipflop
 {
@@ -18,7 +16,7 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t PollEvery = 1 << 16;
+constexpr std::size_t PointsPerTask = std::size_t(1) << 16;
 
 ScanResult emptyScan()
 {
@@ -32,6 +30,12 @@ ScanResult emptyScan()
   return result;
 }
 
+/// The lower of two ids, if there are any.
+std::int64_t firstOf(std::int64_t a, std::int64_t b)
+{
+  return a < 0 ? b : b < 0 ? a : std::min(a, b);
+}
+
 void merge(ScanResult& into, const ScanResult& from)
 {
   for (int i = 0; i < 3; ++i)
@@ -41,14 +45,8 @@ void merge(ScanResult& into, const ScanResult& from)
     into.range.smallest[i] = std::min(into.range.smallest[i], from.range.smallest[i]);
   }
   into.nonFinite += from.nonFinite;
-  if (into.firstNonFinite < 0)
-  {
-    into.firstNonFinite = from.firstNonFinite;
-  }
-  if (into.firstFinite < 0)
-  {
-    into.firstFinite = from.firstFinite;
-  }
+  into.firstNonFinite = firstOf(into.firstNonFinite, from.firstNonFinite);
+  into.firstFinite = firstOf(into.firstFinite, from.firstFinite);
 }
 
 /// Slots are accumulators of their own, so that a loop over them fills vector registers; slot k
@@ -190,37 +188,46 @@ void scanRange(
 
 }
 
-ScanResult scan(const PointSource& source, int threads, Monitor& monitor)
+ScanSum::ScanSum()
+  : sum(emptyScan())
 {
-  const std::uint32_t count = source.count();
-  const std::uint32_t chunkCount =
-    std::max(1u, std::min(4 * static_cast<std::uint32_t>(threads), count / PollEvery));
-  std::vector<ScanResult> results(chunkCount, emptyScan());
-  eachTask(chunkCount,
-    [&](std::size_t chunk)
-    {
-      const std::uint32_t chunkEnd = partBegin(count, chunkCount, chunk + 1);
-      // In pieces, each a result of its own, so that the accumulators stay in registers.
-      for (std::uint32_t begin = partBegin(count, chunkCount, chunk); begin < chunkEnd;)
-      {
-        const std::uint32_t end = begin + std::min(PollEvery, chunkEnd - begin);
-        ScanResult piece = emptyScan();
-        scanRange(source, begin, end, piece);
-        merge(results[chunk], piece);
-        monitor.advance(end - begin);
-        begin = end;
-      }
-    });
-  ScanResult result = emptyScan();
-  for (const ScanResult& chunk : results)
+}
+
+void ScanSum::look(const PointSource& source, std::uint32_t begin, std::uint32_t end)
+{
+  // A result of its own, so that the accumulators stay in registers.
+  ScanResult part = emptyScan();
+  scanRange(source, begin, end, part);
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  merge(this->sum, part);
+}
+
+ScanResult ScanSum::result() const
+{
+  ScanResult result = this->sum;
+  for (int i = 0; i < 3; ++i)
   {
-    merge(result, chunk);
+    // Of two zeros, whichever thread came first: only one of them is told.
+    result.range.low[i] += 0.0;
+    result.range.high[i] += 0.0;
   }
   if (result.firstFinite < 0)
   {
     result.range = CoordinateRange{};
   }
   return result;
+}
+
+ScanResult PointScanner::scan(const PointSource& source, Monitor& monitor)
+{
+  ScanSum sum;
+  eachRun(source.count(), PointsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      sum.look(source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+      monitor.advance(static_cast<std::int64_t>(end - begin));
+    });
+  return sum.result();
 }
 
 double commonUnit(
@@ -265,139 +272,6 @@ double commonUnit(
     }
   }
   return unit;
-}
-
-namespace
-{
-
-/// Looks for points ever farther from what is spanned so far. Distances are rounded and only choose
-/// among candidates; independence is exact.
-class SpanSearch
-{
-public:
-  SpanSearch(const HullGeometry& geometry, const PointSource& source, int most, bool checkFinite,
-    Monitor& monitor)
-    : geometry(geometry)
-    , source(source)
-    , most(most)
-    , checkFinite(checkFinite)
-    , monitor(monitor)
-  {
-  }
-
-  Span span;
-
-  /// Extend the span by points among @p ids (null: all).
-  void extend(const std::uint32_t* ids, std::uint32_t count)
-  {
-    while (this->span.dimension < this->most && this->extendOnce(ids, count))
-    {
-    }
-  }
-
-private:
-  bool extendOnce(const std::uint32_t* ids, std::uint32_t count)
-  {
-    bool found = false;
-    double best = -1;
-    Vertex bestVertex{};
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      const Vertex p = this->source.vertex(ids ? ids[i] : i);
-      if ((i & (PollEvery - 1)) == 0)
-      {
-        this->monitor.poll();
-      }
-      if (this->checkFinite && !isFinite(p.x))
-      {
-        continue;
-      }
-      const double far = this->distance(p);
-      if ((!found || far > best) && this->isIndependent(p))
-      {
-        found = true;
-        best = far;
-        bestVertex = p;
-      }
-    }
-    if (found)
-    {
-      ++this->span.dimension;
-      this->span.ids[this->span.dimension] = bestVertex.id;
-      this->corner[this->span.dimension] = bestVertex;
-      for (int i = 0; i < 3; ++i)
-      {
-        this->edge[this->span.dimension][i] = bestVertex.x[i] - this->corner[0].x[i];
-      }
-    }
-    return found;
-  }
-
-  bool isIndependent(const Vertex& p) const
-  {
-    for (int k = 0; k <= this->span.dimension; ++k)
-    {
-      if (this->corner[k].id == p.id)
-      {
-        return false; // as exact arithmetic would find out
-      }
-    }
-    switch (this->span.dimension)
-    {
-      case -1:
-        return true;
-      case 0:
-        return !samePosition(this->corner[0], p);
-      case 1:
-        return !this->geometry.collinear(this->corner[0], this->corner[1], p);
-      default:
-        return this->geometry.above(this->corner[0], this->corner[1], this->corner[2], p) != 0;
-    }
-  }
-
-  /// Some measure of how far p is from the span; overflow and underflow only make it a worse one.
-  double distance(const Vertex& p) const
-  {
-    const double u[3] = { p.x[0] - this->corner[0].x[0], p.x[1] - this->corner[0].x[1],
-      p.x[2] - this->corner[0].x[2] };
-    const double* const v = this->edge[1];
-    const double* const w = this->edge[2];
-    switch (this->span.dimension)
-    {
-      case -1:
-        return -p.x[0];
-      case 0:
-        return largestOf(u[0], u[1], u[2]);
-      case 1:
-        return largestOf(
-          u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-      default:
-        return std::fabs(u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
-          u[2] * (v[0] * w[1] - v[1] * w[0]));
-    }
-  }
-
-  const HullGeometry& geometry;
-  const PointSource& source;
-  int most;
-  bool checkFinite;
-  Monitor& monitor;
-  Vertex corner[4] = {};
-  double edge[4][3] = {}; ///< from the first corner
-};
-
-}
-
-Span findSpan(const HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids,
-  std::uint32_t count, int most, bool checkFinite, Monitor& monitor)
-{
-  SpanSearch search(geometry, source, most, checkFinite, monitor);
-  search.extend(ids, count);
-  if (search.span.dimension < most && ids)
-  {
-    search.extend(nullptr, source.count());
-  }
-  return search.span;
 }
 
 }
