@@ -4,7 +4,7 @@
 
 #include "Geometry/HullGeometry.h"
 #include "Run/HullRun.h"
-#include "Run/Scan.h"
+#include "Run/Span.h"
 #include "Run/TriangulationRun.h"
 
 #include <algorithm>
