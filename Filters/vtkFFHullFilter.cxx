@@ -70,6 +70,12 @@ bool vtkFFHullFilter::vtkInternals::CombinesBlocks()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkFFHullFilter::vtkInternals::GetPlaceOfPoint(vtkIdType index)
+{
+  return this->PlaceOfPiece + this->vtkFFAlgorithm::vtkInternals::GetPlaceOfPoint(index);
+}
+
+//------------------------------------------------------------------------------
 class vtkFFHullFilter::vtkInternals::Work : public vtkFFBlockWork
 {
 public:

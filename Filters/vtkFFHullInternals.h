@@ -54,6 +54,7 @@ public:
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   bool CombinesBlocks() override;
+  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 
   /**
    * The hull of the points of all @p pieces, one after another: points, cells, point data and ids
@@ -71,6 +72,39 @@ public:
   void AddBlockIndex(vtkPolyData* output);
 
 protected:
+  /**
+   * A hull, and what is to be told of it: see vtkFFHullResult.h.
+   */
+  struct Result;
+
+  /**
+   * The hull of @p pieces, whose first point has the id PlaceOfPiece. False if there is a failure.
+   */
+  bool TakeHullOfPieces(
+    const std::vector<vtkPointSet*>& pieces, Result& result, vtkFFFailure& failure);
+
+  /**
+   * Points that are not finite have a say in the type of the points and in what data is passed,
+   * even if none are left in their hull. One of their kind then speaks for them in the next join,
+   * where it is left out again.
+   */
+  static void KeepKind(const Result& result);
+
+  /**
+   * The hull of hulls, whose ids it takes over. False if there is a failure.
+   */
+  bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
+
+  /**
+   * The hull of the hulls of all CurrentBlocks becomes the output, and is reported.
+   */
+  void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
+
+  /**
+   * Of the first point given to the engine, among all points of its block, or of CurrentBlocks.
+   */
+  vtkIdType PlaceOfPiece = 0;
+
   const char* GetProgressTitle() override;
 
 private:
