@@ -20,6 +20,7 @@ struct Hull;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObjectTree;
 class vtkFFPointSource;
 class vtkPlanes;
 
@@ -51,6 +52,8 @@ class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter::vtkInternals
 public:
   using vtkFFHullAlgorithm::vtkInternals::vtkInternals;
 
+  int GetNumberOfDivisions() override;
+  bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   bool CombinesBlocks() override;
@@ -106,9 +109,30 @@ protected:
   vtkIdType PlaceOfPiece = 0;
 
   const char* GetProgressTitle() override;
+  const char* GetReachOfCount() override;
 
 private:
   class Work;
+
+  /**
+   * What is kept of a block between one piece of the input and the next.
+   */
+  struct StreamedBlock;
+
+  /**
+   * Take the hulls of the blocks of a piece, and join them to those of the pieces before.
+   */
+  void TakePiece(vtkFFInputPieces& pieces, int number, std::vector<StreamedBlock>& streamed,
+    vtkFFFailure& failure);
+  void TakeBlockOfPiece(Block block, StreamedBlock& streamed, vtkFFFailure& failure);
+
+  /**
+   * The hulls of all pieces become the output: one for each block of the structure, or one of all.
+   */
+  void WriteHulls(std::vector<StreamedBlock>& streamed, vtkDataObjectTree* structure,
+    vtkDataObject* output, vtkFFFailure& failure);
+
+  int CountOfPieces = 1; // in which the input comes in this run
 
   /**
    * The hull of the @p points of @p pieces becomes the output, which takes over its cells and ids.

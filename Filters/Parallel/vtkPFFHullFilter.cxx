@@ -32,6 +32,8 @@ class vtkPFFHullFilter::vtkInternals : public vtkFFHullFilter::vtkInternals
 public:
   using vtkFFHullFilter::vtkInternals::vtkInternals;
 
+  void CheckSettings(vtkFFFailure& failure) override;
+  bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs) override;
   bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
@@ -82,6 +84,27 @@ vtkPFFHullFilter::vtkPFFHullFilter()
 vtkPFFHullFilter::~vtkPFFHullFilter()
 {
   this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkPFFHullFilter::vtkInternals::CheckSettings(vtkFFFailure& failure)
+{
+  if (vtkFFProcesses(this->GetController()).GetCount() > 1 && this->GetNumberOfDivisions() > 1)
+  {
+    failure.Say(
+      "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: "
+      "each process has its piece alone in memory then.");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::vtkInternals::RunFilter(
+  vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs)
+{
+  // Several processes share what is wrong, with their settings too, where they select blocks.
+  return vtkFFProcesses(this->GetController()).GetCount() > 1
+    ? this->vtkFFHullAlgorithm::vtkInternals::RunFilter(pieces, outputs)
+    : this->vtkFFHullFilter::vtkInternals::RunFilter(pieces, outputs);
 }
 
 //------------------------------------------------------------------------------

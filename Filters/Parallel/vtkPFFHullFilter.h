@@ -37,6 +37,8 @@
  *   report nothing.
  *
  * - Field data of a block is the field data of process 0's piece.
+ * - Several processes cannot stream: NumberOfStreamDivisions of more
+ *   than 1 is an error then.
  *
  * All processes must update the filter, with the same settings: make a change, also of the flag
  * that aborts, on all of them.
