@@ -51,7 +51,13 @@ BOX = {
     "GenerateCellMeasures": 0,
 }
 DEFAULTS = {
-    "FlipFlopConvexHull": {**COMMON, **FACETS, **ENGINES, "CompositeMode": "Hull of Each Block"},
+    "FlipFlopConvexHull": {
+        **COMMON,
+        **FACETS,
+        **ENGINES,
+        "CompositeMode": "Hull of Each Block",
+        "NumberOfStreamDivisions": 1,
+    },
     "FlipFlopDelaunay": {**COMMON, **FACETS, **ENGINES, **PLANE, "MaximumEdgeLength": 0.0},
     "FlipFlopPowerDiagram": {**COMMON, **ENGINES, **WEIGHTS, **PLANE, **BOX, "VisiblePointIds": 1},
     "FlipFlopConvexify": {**COMMON, **FACETS, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
