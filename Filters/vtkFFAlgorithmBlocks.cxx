@@ -5,9 +5,11 @@
 #include "vtkFFAlgorithmInternals.h"
 
 #include "vtkFFAheadRuns.h"
+#include "vtkFFBlockIterator.h"
 #include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
 #include "vtkFFGridPoints.h"
+#include "vtkFFInputPieces.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
 
@@ -17,7 +19,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -39,80 +40,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-
-/// Goes through the blocks of the input, those without data too, in the order of their flat
-/// indices. The partitions of a vtkPartitionedDataSet are no blocks.
-class BlockIterator
-{
-public:
-  explicit BlockIterator(vtkDataObject* input)
-    : Input(input)
-  {
-    auto* tree = vtkDataObjectTree::SafeDownCast(input);
-    if (tree && !vtkPartitionedDataSet::SafeDownCast(tree))
-    {
-      this->Nodes.TakeReference(tree->NewTreeIterator());
-      this->Nodes->SkipEmptyNodesOff();
-      this->Nodes->VisitOnlyLeavesOff();
-      this->Nodes->InitTraversal();
-      this->SkipInnerNodes();
-    }
-  }
-
-  bool IsDone() const { return this->Nodes ? this->Nodes->IsDoneWithTraversal() != 0 : this->Past; }
-
-  void GoToNext()
-  {
-    if (!this->Nodes)
-    {
-      this->Past = true;
-      return;
-    }
-    auto* partitions = vtkPartitionedDataSet::SafeDownCast(this->GetData());
-    for (unsigned int k = partitions ? partitions->GetNumberOfPartitions() : 0; k > 0; --k)
-    {
-      this->Nodes->GoToNextItem();
-    }
-    this->Nodes->GoToNextItem();
-    this->SkipInnerNodes();
-  }
-
-  unsigned int GetFlatIndex() const { return this->Nodes ? this->Nodes->GetCurrentFlatIndex() : 0; }
-  vtkDataObject* GetData() const
-  {
-    return this->Nodes ? this->Nodes->GetCurrentDataObject() : this->Input;
-  }
-
-  /// Put data in the place of this block, in a composite of the input's structure.
-  void SetData(vtkDataObject* composite, vtkDataObject* data) const
-  {
-    auto* tree = vtkDataObjectTree::SafeDownCast(composite);
-    vtkDataObject* place = this->Nodes ? tree->GetDataSet(this->Nodes) : tree;
-    if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(place))
-    {
-      partitions->SetNumberOfPartitions(1);
-      partitions->SetPartition(0, data);
-    }
-    else
-    {
-      tree->SetDataSet(this->Nodes, data);
-    }
-  }
-
-private:
-  void SkipInnerNodes()
-  {
-    while (!this->IsDone() && vtkDataObjectTree::SafeDownCast(this->GetData()) &&
-      !vtkPartitionedDataSet::SafeDownCast(this->GetData()))
-    {
-      this->Nodes->GoToNextItem();
-    }
-  }
-
-  vtkDataObject* Input;
-  vtkSmartPointer<vtkDataObjectTreeIterator> Nodes; // null where the input is the only block
-  bool Past = false;
-};
 
 /// A run costs about as much, whatever its points, as so many points do.
 constexpr std::int64_t pointsOfARun = 512;
@@ -191,7 +118,8 @@ int vtkFFAlgorithm::RequestDataObject(
 int vtkFFAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkFFInputPieces input(inputVector[0]->GetInformationObject(0),
+    outputVector->GetInformationObject(0), this->Internals->GetNumberOfDivisions());
   std::vector<vtkDataObject*> outputs;
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
@@ -209,18 +137,17 @@ int vtkFFAlgorithm::RequestData(
 
 //------------------------------------------------------------------------------
 bool vtkFFAlgorithm::vtkInternals::RunFilter(
-  vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
+  vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs)
 {
   this->ResetReport();
 
+  vtkDataObject* const input = pieces.GetFirst();
   std::vector<Block> blocks;
   vtkFFFailure failure;
   this->CheckSettings(failure);
   if (failure.Kind == vtkFFFailure::None)
   {
-    this->TryEngine([&](const flipflop::Options&, const flipflop::EngineOptions&,
-                      flipflop::EngineReport&) { this->CollectBlocks(input, blocks, failure); },
-      failure);
+    this->TakeBlocks(input, blocks, failure);
   }
   bool done = this->SelectBlocks(blocks, failure);
   if (done && vtkDataObjectTree::SafeDownCast(outputs[0]))
@@ -237,9 +164,21 @@ bool vtkFFAlgorithm::vtkInternals::RunFilter(
     this->CurrentBlocks = blocks;
     done = this->Execute(blocks, results);
   }
+  return this->FinishRun(done, outputs);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::vtkInternals::ForgetInput()
+{
   this->CurrentBlocks.clear();
   this->LaidOutPoints.clear();
   this->PlacesOfPoints = {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::vtkInternals::FinishRun(bool done, const std::vector<vtkDataObject*>& outputs)
+{
+  this->ForgetInput();
   if (!done)
   {
     for (vtkDataObject* output : outputs)
@@ -303,6 +242,13 @@ void vtkFFAlgorithm::vtkInternals::AddBlock(
 }
 
 //------------------------------------------------------------------------------
+void vtkFFAlgorithm::vtkInternals::TakeBlocks(
+  vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
+{
+  this->Try([&] { this->CollectBlocks(input, blocks, failure); }, failure);
+}
+
+//------------------------------------------------------------------------------
 void vtkFFAlgorithm::vtkInternals::CollectBlocks(
   vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
 {
@@ -311,7 +257,7 @@ void vtkFFAlgorithm::vtkInternals::CollectBlocks(
     failure.Say("There is no input. Set one.");
     return;
   }
-  BlockIterator iterator(input);
+  vtkFFBlockIterator iterator(input);
   for (; !iterator.IsDone() && failure.Kind == vtkFFFailure::None; iterator.GoToNext())
   {
     this->AddBlock(iterator.GetData(), iterator.GetFlatIndex(), blocks, failure);
@@ -425,7 +371,7 @@ bool vtkFFAlgorithm::vtkInternals::ExecuteEachBlock(const std::vector<Block>& bl
     vtkDataObjectTree::SafeDownCast(output)->CopyStructure(inputTree);
   }
 
-  BlockIterator iterator(input);
+  vtkFFBlockIterator iterator(input);
   double sum = 0.0;
   std::unique_ptr<vtkFFAheadRuns> ahead;
   for (std::size_t i = 0; i < blocks.size(); ++i)

@@ -42,6 +42,7 @@ class vtkDataObject;
 class vtkDataSetAttributes;
 class vtkFFAheadRuns;
 class vtkFFBlockWork;
+class vtkFFInputPieces;
 class vtkPolyData;
 struct vtkFFFailure;
 
@@ -56,10 +57,15 @@ public:
   vtkFFAlgorithm* GetFilter() const { return this->Filter; }
 
   /**
-   * A whole run, from the input to the outputs. False when there was an error or an abort: the
-   * outputs are empty then.
+   * How many pieces the input is asked for, one after another. 1 by default: all at once.
    */
-  bool RunFilter(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs);
+  virtual int GetNumberOfDivisions() { return 1; }
+
+  /**
+   * A whole run, from the input to the outputs. False when there was an error or an abort: the
+   * outputs are empty then. By default the first piece is all.
+   */
+  virtual bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs);
 
   /**
    * Why the last run's engine was the one that it was.
@@ -182,6 +188,21 @@ public:
   std::vector<Block> CurrentBlocks;
 
 protected:
+  /**
+   * Take the input apart into blocks. What is wrong with it is a failure.
+   */
+  void TakeBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
+
+  /**
+   * Nothing of the input is held any longer.
+   */
+  void ForgetInput();
+
+  /**
+   * The last act of a run: unless it is done, outputs and report are of nothing. Returns @p done.
+   */
+  bool FinishRun(bool done, const std::vector<vtkDataObject*>& outputs);
+
   void SetErrorCode(unsigned long code) override;
   void MarkAborted() override;
   void NoteNonFinite(vtkIdType count) override;

@@ -245,7 +245,7 @@ std::string vtkFFGuard::DescribeNonFinite(const std::string& what, const flipflo
 {
   return what + " is NaN or infinite: first at " +
     this->DescribePoint(static_cast<vtkIdType>(error.index())) + ", " +
-    std::to_string(error.count()) + " such point(s) in all.";
+    std::to_string(error.count()) + " such point(s) " + this->GetReachOfCount() + ".";
 }
 
 //------------------------------------------------------------------------------

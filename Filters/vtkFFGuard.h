@@ -153,6 +153,11 @@ public:
 
 protected:
   /**
+   * Which points were looked at for those that are not finite: "in all", or "so far".
+   */
+  virtual const char* GetReachOfCount() { return "in all"; }
+
+  /**
    * The filter's error code is for itself to set.
    */
   virtual void SetErrorCode(unsigned long code) = 0;

@@ -4,12 +4,15 @@
 
 #include "vtkFFBlockWork.h"
 #include "vtkFFHullInternals.h"
+#include "vtkFFInputPieces.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
 
 #include <flipflop/Engines.h>
 
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -44,6 +47,7 @@ std::vector<vtkDataArray*> arraysOf(const std::vector<vtkPointSet*>& pieces)
 //------------------------------------------------------------------------------
 vtkFFHullFilter::vtkFFHullFilter()
   : CompositeMode(HULL_OF_EACH_BLOCK)
+  , NumberOfStreamDivisions(1)
 {
   this->SetInternals(std::make_unique<vtkInternals>(this));
 }
@@ -67,6 +71,12 @@ vtkFFHullFilter* vtkFFHullFilter::vtkInternals::GetHullFilter()
 bool vtkFFHullFilter::vtkInternals::CombinesBlocks()
 {
   return this->GetHullFilter()->CompositeMode == HULL_OF_ALL_BLOCKS;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFHullFilter::vtkInternals::GetPlaceOfPoint(vtkIdType index)
+{
+  return this->PlaceOfPiece + this->vtkFFAlgorithm::vtkInternals::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------
@@ -182,6 +192,23 @@ void vtkFFHullFilter::vtkInternals::AddBlockIndex(vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
+int vtkFFHullFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  if (vtkInformation* input = inputVector[0]->GetInformationObject(0))
+  {
+    vtkFFInputPieces pieces(
+      input, outputVector->GetInformationObject(0), this->NumberOfStreamDivisions);
+    if (pieces.AreStreamed())
+    {
+      pieces.Request(0);
+    }
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
 const char* vtkFFHullFilter::GetCompositeModeAsString()
 {
   return this->CompositeMode == HULL_OF_ALL_BLOCKS ? "AllBlocks" : "EachBlock";
@@ -192,5 +219,6 @@ void vtkFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CompositeMode: " << this->GetCompositeModeAsString() << "\n";
+  os << indent << "NumberOfStreamDivisions: " << this->NumberOfStreamDivisions << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -48,8 +48,10 @@
  * array BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's block. A
  * vtkPartitionedDataSet by itself is a single block; its hull has no such array.
  *
+ * Points that do not fit in memory can be streamed: see SetNumberOfStreamDivisions().
+ *
  * @warning
- * At most 2^32 - 2 points can be given.
+ * At most 2^32 - 2 points can be given; when streaming, in each piece, and so many extreme points.
  *
  * @sa
  * vtkFFHullAlgorithm vtkPFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
@@ -97,13 +99,50 @@ public:
   const char* GetCompositeModeAsString();
   //@}
 
+  //@{
+  /**
+   * Set/Get the number of pieces that the input is streamed in. The default is 1: the input is
+   * taken as a whole. With more, the filter asks its input for one piece after another, as
+   * vtkPolyDataStreamer does, and keeps the extreme points of those so far: the hull of hulls is
+   * the hull. The output is that of one run on all pieces appended in their order (or given as the
+   * partitions of a vtkPartitionedDataSet), bit for bit.
+   *
+   * - In memory are one piece and the extreme points so far, which are
+   *   there twice while a piece's are joined to them: few for a solid,
+   *   nearly all for points on a thin shell.
+   * - Upstream, readers and sources must deliver pieces
+   *   (CAN_HANDLE_PIECE_REQUEST, or CAN_PRODUCE_SUB_EXTENT). If none
+   *   does, or the data was set (SetInputData()), the first piece has
+   *   all, and no other is asked for.
+   * - Blocks of a composite that have the same place in the pieces
+   *   belong together. For HULL_OF_EACH_BLOCK, all pieces must have the
+   *   same number of blocks, with or without data in them.
+   * - Ids count the points of all pieces: of a block, piece after
+   *   piece. They and the numbers of points can be beyond 2^32.
+   * - An error in a piece ends the run: no further one is asked for. Of
+   *   points that are not finite, it names the first of all, and counts
+   *   those of the block so far.
+   * - Dimension, volume, area and the numbers of points are of all
+   *   pieces. The other statistics are sums over the runs.
+   *
+   * If the output itself is asked for in pieces, each is divided. Several processes can not stream:
+   * vtkPFFHullFilter reports an error.
+   */
+  vtkSetClampMacro(NumberOfStreamDivisions, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfStreamDivisions, int);
+  //@}
+
 protected:
   vtkFFHullFilter();
   ~vtkFFHullFilter() override;
 
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
   class vtkInternals;
 
   int CompositeMode;
+  int NumberOfStreamDivisions;
 
 private:
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;

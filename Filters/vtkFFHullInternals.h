@@ -20,6 +20,7 @@ struct Hull;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObjectTree;
 class vtkFFPointSource;
 class vtkPlanes;
 
@@ -51,9 +52,12 @@ class VTKFILTERSFLIPFLOP_EXPORT vtkFFHullFilter::vtkInternals
 public:
   using vtkFFHullAlgorithm::vtkInternals::vtkInternals;
 
+  int GetNumberOfDivisions() override;
+  bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   bool CombinesBlocks() override;
+  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 
   /**
    * The hull of the points of all @p pieces, one after another: points, cells, point data and ids
@@ -71,10 +75,64 @@ public:
   void AddBlockIndex(vtkPolyData* output);
 
 protected:
+  /**
+   * A hull, and what is to be told of it: see vtkFFHullResult.h.
+   */
+  struct Result;
+
+  /**
+   * The hull of @p pieces, whose first point has the id PlaceOfPiece. False if there is a failure.
+   */
+  bool TakeHullOfPieces(
+    const std::vector<vtkPointSet*>& pieces, Result& result, vtkFFFailure& failure);
+
+  /**
+   * Points that are not finite have a say in the type of the points and in what data is passed,
+   * even if none are left in their hull. One of their kind then speaks for them in the next join,
+   * where it is left out again.
+   */
+  static void KeepKind(const Result& result);
+
+  /**
+   * The hull of hulls, whose ids it takes over. False if there is a failure.
+   */
+  bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
+
+  /**
+   * The hull of the hulls of all CurrentBlocks becomes the output, and is reported.
+   */
+  void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
+
+  /**
+   * Of the first point given to the engine, among all points of its block, or of CurrentBlocks.
+   */
+  vtkIdType PlaceOfPiece = 0;
+
   const char* GetProgressTitle() override;
+  const char* GetReachOfCount() override;
 
 private:
   class Work;
+
+  /**
+   * What is kept of a block between one piece of the input and the next.
+   */
+  struct StreamedBlock;
+
+  /**
+   * Take the hulls of the blocks of a piece, and join them to those of the pieces before.
+   */
+  void TakePiece(vtkFFInputPieces& pieces, int number, std::vector<StreamedBlock>& streamed,
+    vtkFFFailure& failure);
+  void TakeBlockOfPiece(Block block, StreamedBlock& streamed, vtkFFFailure& failure);
+
+  /**
+   * The hulls of all pieces become the output: one for each block of the structure, or one of all.
+   */
+  void WriteHulls(std::vector<StreamedBlock>& streamed, vtkDataObjectTree* structure,
+    vtkDataObject* output, vtkFFFailure& failure);
+
+  int CountOfPieces = 1; // in which the input comes in this run
 
   /**
    * The hull of the @p points of @p pieces becomes the output, which takes over its cells and ids.

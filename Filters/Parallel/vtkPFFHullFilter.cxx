@@ -6,78 +6,28 @@
 #include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
 #include "vtkFFGuard.h"
-#include "vtkFFHullInternals.h"
+#include "vtkFFHullResult.h"
 #include "vtkFFHullShare.h"
-#include "vtkFFOutput.h"
 #include "vtkFFParcel.h"
 #include "vtkFFProcesses.h"
 
 #include <flipflop/Engines.h>
 
-#include "vtkAbstractArray.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFHullFilter);
 vtkCxxSetObjectMacro(vtkPFFHullFilter, Controller, vtkMultiProcessController);
-
-namespace
-{
-
-vtkIdTypeArray* idsOf(vtkPolyData* hull)
-{
-  return vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
-}
-
-/// A hull's ids, which another process may have sent, must be one for each of its points, and name
-/// one of those that were counted.
-void checkIds(vtkIdTypeArray* ids, vtkIdType pointsOfHull, vtkIdType counted)
-{
-  if (!ids || ids->GetNumberOfValues() != pointsOfHull ||
-    std::any_of(ids->GetPointer(0), ids->GetPointer(0) + pointsOfHull,
-      [=](vtkIdType id) { return id < 0 || id >= counted; }))
-  {
-    throw vtkFFDamagedParcel();
-  }
-}
-
-/// Points that are not finite have a say in the type of the points and in what data is passed, even
-/// if none are left in their hull. One of their kind then speaks for them; it is left out again.
-void keepKind(vtkPolyData* data, const flipflop::Hull& hull)
-{
-  if (data->GetNumberOfPoints() > 0 || hull.statistics.nonFinite == 0)
-  {
-    return;
-  }
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  data->GetPoints()->InsertNextPoint(nan, nan, nan);
-  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = data->GetPointData()->GetAbstractArray(i);
-    array->SetNumberOfTuples(1);
-    if (auto* numbers = vtkDataArray::SafeDownCast(array))
-    {
-      numbers->Fill(0.0);
-    }
-  }
-}
-
-}
 
 //------------------------------------------------------------------------------
 class vtkPFFHullFilter::vtkInternals : public vtkFFHullFilter::vtkInternals
@@ -85,25 +35,16 @@ class vtkPFFHullFilter::vtkInternals : public vtkFFHullFilter::vtkInternals
 public:
   using vtkFFHullFilter::vtkInternals::vtkInternals;
 
+  void CheckSettings(vtkFFFailure& failure) override;
+  bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs) override;
   bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
-  vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 
 protected:
   int GetDefaultNumberOfThreads() override;
 
 private:
-  /**
-   * A hull, and what is to be told of it.
-   */
-  struct Result
-  {
-    vtkSmartPointer<vtkPolyData> Data = vtkSmartPointer<vtkPolyData>::New();
-    flipflop::Hull Hull; // its statistics are of all work so far
-    flipflop::EngineReport Engine;
-  };
-
   /**
    * The hull of what all processes have of a block; on process 0 it is whole in the end. False if
    * there is a failure, on any process.
@@ -123,14 +64,12 @@ private:
   bool KeepShare(Result& result, vtkFFFailure& failure);
 
   /**
-   * The hull of hulls, whose ids it takes over. False if there is a failure.
+   * A hull's ids, which another process sent, must be one for each of its points, and name one of
+   * those that were counted.
+   *
+   * @throw vtkFFDamagedParcel.
    */
-  bool JoinHulls(const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure);
-
-  /**
-   * The hull of the hulls of all blocks becomes the output, and is reported.
-   */
-  void ReportHull(std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure);
+  void CheckIds(vtkPolyData* hull);
 
   vtkPFFHullFilter* GetDistributedFilter()
   {
@@ -138,8 +77,7 @@ private:
   }
   vtkMultiProcessController* GetController() { return this->GetDistributedFilter()->Controller; }
 
-  bool HasShares = false;     // each process has one of the hull
-  vtkIdType PlaceOfPiece = 0; // of this process's first point of the block that is worked on
+  bool HasShares = false; // each process has one of the hull
 };
 
 //------------------------------------------------------------------------------
@@ -165,6 +103,27 @@ vtkPFFHullFilter::vtkPFFHullFilter()
 vtkPFFHullFilter::~vtkPFFHullFilter()
 {
   this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkPFFHullFilter::vtkInternals::CheckSettings(vtkFFFailure& failure)
+{
+  if (vtkFFProcesses(this->GetController()).GetCount() > 1 && this->GetNumberOfDivisions() > 1)
+  {
+    failure.Say(
+      "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: "
+      "each process has its piece alone in memory then.");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::vtkInternals::RunFilter(
+  vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs)
+{
+  // Several processes share what is wrong, with their settings too, where they select blocks.
+  return vtkFFProcesses(this->GetController()).GetCount() > 1
+    ? this->vtkFFHullAlgorithm::vtkInternals::RunFilter(pieces, outputs)
+    : this->vtkFFHullFilter::vtkInternals::RunFilter(pieces, outputs);
 }
 
 //------------------------------------------------------------------------------
@@ -262,51 +221,10 @@ bool vtkPFFHullFilter::vtkInternals::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkPFFHullFilter::vtkInternals::ReportHull(
-  std::vector<Result>& hulls, vtkPolyData* output, vtkFFFailure& failure)
-{
-  Result whole;
-  if (hulls.size() == 1)
-  {
-    whole = std::move(hulls[0]);
-  }
-  else
-  {
-    if (!this->JoinHulls(hulls, whole, failure))
-    {
-      return;
-    }
-    whole.Hull.statistics.nonFinite = 0; // of the hulls, not of what was put in them
-    for (const Result& hull : hulls)
-    {
-      whole.Hull.statistics.nonFinite += hull.Hull.statistics.nonFinite;
-    }
-  }
-  vtkNew<vtkFieldData> fieldData; // a copy: what is copied to is cleared first
-  fieldData->ShallowCopy(output->GetFieldData());
-  whole.Data->SetFieldData(fieldData);
-  output->ShallowCopy(whole.Data);
-  if (this->CombinesBlocks())
-  {
-    this->AddBlockIndex(output);
-  }
-  this->AddToReport(whole.Hull, whole.Engine, output);
-}
-
-//------------------------------------------------------------------------------
 bool vtkPFFHullFilter::vtkInternals::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
   vtkFFProcesses& processes, Result& result, vtkFFFailure& failure)
 {
-  this->TryEngine(
-    [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
-      flipflop::EngineReport& report)
-    {
-      result.Hull = this->TakeHull(pieces, options, engine, report, result.Data);
-      result.Engine = report;
-      vtkFFOutput::Renumber(
-        result.Data->GetPointData(), [&](vtkIdType id) { return this->PlaceOfPiece + id; });
-    },
-    failure);
+  this->TakeHullOfPieces(pieces, result, failure);
   this->NoteAbort(failure);
   if (!processes.Share(failure))
   {
@@ -338,7 +256,7 @@ bool vtkPFFHullFilter::vtkInternals::TakeHullOfBlock(const std::vector<vtkPointS
     const int higher = lower + step;
     const bool hasPart = (rest == 0 || rest == step) && higher < processes.GetCount();
     std::vector<Result> pair(2);
-    keepKind(result.Data, result.Hull);
+    KeepKind(result);
     if (!processes.Send(
           result.Data, hasPart ? higher : -1, hasPart ? lower : -1, pair[1].Data, failure))
     {
@@ -348,7 +266,8 @@ bool vtkPFFHullFilter::vtkInternals::TakeHullOfBlock(const std::vector<vtkPointS
     {
       pair[0] = std::move(result);
       result = Result();
-      this->JoinHulls(pair, result, failure);
+      this->Try([&] { this->CheckIds(pair[1].Data); }, failure) &&
+        this->JoinHulls(pair, result, failure);
     }
     this->NoteAbort(failure);
     if (!processes.Share(failure))
@@ -377,7 +296,7 @@ bool vtkPFFHullFilter::vtkInternals::StaysDistributed(
 bool vtkPFFHullFilter::vtkInternals::KeepShare(Result& result, vtkFFFailure& failure)
 {
   vtkFFBlockExchange exchange(this->GetController(), *this);
-  keepKind(result.Data, result.Hull);
+  KeepKind(result);
   this->TryEngine(
     [&](const flipflop::Options& options, const flipflop::EngineOptions&, flipflop::EngineReport&)
     {
@@ -394,52 +313,21 @@ bool vtkPFFHullFilter::vtkInternals::KeepShare(Result& result, vtkFFFailure& fai
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::JoinHulls(
-  const std::vector<Result>& hulls, Result& joined, vtkFFFailure& failure)
+void vtkPFFHullFilter::vtkInternals::CheckIds(vtkPolyData* hull)
 {
-  for (const Result& hull : hulls)
+  vtkIdType counted = 0;
+  for (const Block& block : this->CurrentBlocks)
   {
-    keepKind(hull.Data, hull.Hull);
+    counted += block.NumberOfPoints;
   }
-  return this->TryEngine(
-    [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
-      flipflop::EngineReport& report)
-    {
-      vtkIdType counted = 0;
-      for (const Block& block : this->CurrentBlocks)
-      {
-        counted += block.NumberOfPoints;
-      }
-      std::vector<vtkPointSet*> pieces;
-      std::vector<vtkIdType> ids;
-      for (const Result& hull : hulls)
-      {
-        pieces.push_back(hull.Data);
-        vtkIdTypeArray* own = idsOf(hull.Data);
-        checkIds(own, hull.Data->GetNumberOfPoints(), counted);
-        for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
-        {
-          ids.push_back(own->GetValue(i));
-        }
-      }
-      joined.Hull = this->TakeHull(pieces, options, engine, report, joined.Data);
-      vtkFFOutput::Renumber(joined.Data->GetPointData(),
-        [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });
-
-      // The points were counted where they came from, and most of the work was done there.
-      flipflop::Statistics& statistics = joined.Hull.statistics;
-      statistics.points = 0;
-      joined.Engine = hulls.empty() ? report : hulls[0].Engine;
-      for (const Result& hull : hulls)
-      {
-        statistics += hull.Hull.statistics;
-        if (hull.Engine.used == flipflop::EngineChoice::CUDA)
-        {
-          joined.Engine = hull.Engine;
-        }
-      }
-    },
-    failure);
+  auto* ids = vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
+  const vtkIdType count = hull->GetNumberOfPoints();
+  if (!ids || ids->GetNumberOfValues() != count ||
+    std::any_of(ids->GetPointer(0), ids->GetPointer(0) + count,
+      [=](vtkIdType id) { return id < 0 || id >= counted; }))
+  {
+    throw vtkFFDamagedParcel();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -451,12 +339,6 @@ std::unique_ptr<vtkFFBlockWork> vtkPFFHullFilter::vtkInternals::NewBlockWork(con
   }
   this->PlaceOfPiece = 0;
   return this->vtkFFHullFilter::vtkInternals::NewBlockWork(block);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPFFHullFilter::vtkInternals::GetPlaceOfPoint(vtkIdType index)
-{
-  return this->PlaceOfPiece + this->vtkFFHullFilter::vtkInternals::GetPlaceOfPoint(index);
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,8 @@
  *   report nothing, or, if they have a share, the same of all.
  *
  * - Field data of a block is the field data of process 0's piece.
+ * - Several processes cannot stream: NumberOfStreamDivisions of more
+ *   than 1 is an error then.
  *
  * All processes must update the filter, with the same settings: make a change, also of the flag
  * that aborts, on all of them.

@@ -526,7 +526,8 @@ bool hasForgotten(vtkFFAlgorithm* filter)
         { "EngineUsed", "EngineReason", "Dimension", "NumberOf", "Seconds", "Volume", "Area" })
       {
         const bool isReport = line.find(name) == 2 && line.find("NonFinite") == std::string::npos &&
-          line.find("NumberOfThreads:") == std::string::npos;
+          line.find("NumberOfThreads:") == std::string::npos &&
+          line.find("NumberOfStreamDivisions:") == std::string::npos;
         report += isReport ? line + "\n" : std::string();
       }
     }

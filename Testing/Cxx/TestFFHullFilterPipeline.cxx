@@ -311,7 +311,7 @@ void testPrint()
     "SecondsToFinish", "SecondsTotal" };
   vtkNew<vtkFFHullFilter> hull;
   has(hull, common);
-  has(hull, { "CompositeMode" });
+  has(hull, { "CompositeMode", "NumberOfStreamDivisions" });
   vtkNew<vtkFFConvexifyFilter> convexify;
   has(convexify, common);
   has(convexify, { "KernelPoint", "UseKernelPoint" });

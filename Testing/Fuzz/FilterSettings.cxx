@@ -281,7 +281,9 @@ void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter)
     }
     else if (auto* hull = vtkFFHullFilter::SafeDownCast(filter))
     {
-      hull->SetCompositeMode(drawChoice(bytes));
+      const int choice = drawChoice(bytes); // one for both: the corpus has no byte for the second
+      hull->SetCompositeMode(choice);
+      hull->SetNumberOfStreamDivisions(choice);
     }
   }
 }

@@ -51,8 +51,14 @@ BOX = {
     "GenerateCellMeasures": 0,
 }
 DEFAULTS = {
-    "FlipFlopConvexHull": {**COMMON, **FACETS, **ENGINES, "CompositeMode": "Hull of Each Block",
-                           "ResultMode": "Automatic"},
+    "FlipFlopConvexHull": {
+        **COMMON,
+        **FACETS,
+        **ENGINES,
+        "CompositeMode": "Hull of Each Block",
+        "NumberOfStreamDivisions": 1,
+        "ResultMode": "Automatic",
+    },
     "FlipFlopDelaunay": {
         **COMMON,
         **FACETS,

@@ -245,6 +245,29 @@ void testWrongInput()
   }
 }
 
+/// One process streams, several say that they do not, on whichever it was set.
+void testStreaming()
+{
+  Twins both = hulls();
+  const Pieces pieces = makePieces();
+  auto* hull = vtkFFHullFilter::SafeDownCast(both.Distributed);
+  for (int process = 0; process <= processes(); ++process)
+  {
+    const bool streams = rank() == process || process == processes();
+    hull->SetNumberOfStreamDivisions(streams ? 3 : 1);
+    if (processes() == 1)
+    {
+      both.Run("streaming", pieces);
+      continue;
+    }
+    both.Fails("streaming", pieces[static_cast<std::size_t>(rank())],
+      "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: each "
+      "process has its piece alone in memory then.");
+    hull->SetNumberOfStreamDivisions(1);
+    both.Run("after streaming", pieces);
+  }
+}
+
 }
 
 void testHullErrors()
@@ -256,4 +279,5 @@ void testHullErrors()
   testProgress();
   testWrongBlock();
   testWrongInput();
+  testStreaming();
 }

@@ -1,0 +1,401 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A streaming filter in the pipeline: sources that deliver no pieces, errors and aborts in some
+// piece, what makes it run again.
+#include "FFPieceSource.h"
+#include "FFTest.h"
+
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkFFConvexifyFilter.h"
+#include "vtkFFHullFilter.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkPointData.h"
+#include "vtkSphereSource.h"
+#include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+using namespace fftest;
+
+namespace
+{
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Passes its input on; counts its runs.
+class Passing : public vtkPassInputTypeAlgorithm
+{
+public:
+  static Passing* New();
+  vtkTypeMacro(Passing, vtkPassInputTypeAlgorithm);
+  int Runs = 0;
+
+protected:
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    ++this->Runs;
+    vtkDataObject::GetData(outputs)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
+    return 1;
+  }
+};
+vtkStandardNewMacro(Passing);
+
+vtkSmartPointer<vtkPolyData> hullOf(vtkDataObject* data)
+{
+  vtkNew<vtkFFHullFilter> hull;
+  hull->SetInputDataObject(data);
+  hull->Update();
+  return hull->GetOutput();
+}
+
+/// A source of points, and a filter that streams them in seven pieces.
+struct Stream
+{
+  vtkSmartPointer<vtkPolyData> Whole = makeDecorated(randomPoints(700, 150));
+  vtkNew<PieceSource> Source;
+  vtkNew<vtkFFHullFilter> Hull;
+  vtkSmartPointer<ErrorObserver> Errors = ErrorObserver::Of(this->Hull);
+  vtkSmartPointer<ErrorObserver> SourceErrors = ErrorObserver::Of(this->Source);
+
+  Stream()
+  {
+    this->Source->SetWhole(this->Whole);
+    this->Hull->SetInputConnection(this->Source->GetOutputPort());
+    this->Hull->SetNumberOfStreamDivisions(7);
+  }
+
+  std::size_t GetAsked() const { return this->Source->Asked.size(); }
+
+  bool IsRight() { return isIdentical(this->Hull->GetOutput(), hullOf(this->Whole), "streamed"); }
+
+  /// The next update fails with these words, after so many pieces; nothing behind it runs.
+  void Fails(const std::string& part, std::size_t asked)
+  {
+    this->Source->Asked.clear();
+    this->Errors->Clear();
+    vtkNew<Passing> behind;
+    behind->SetInputConnection(this->Hull->GetOutputPort());
+    const auto errorsBehind = ErrorObserver::Of(behind);
+    FF_CHECK_EQUAL(behind->GetExecutive()->Update(), 0);
+    FF_CHECK_EQUAL(behind->Runs, 0);
+    FF_CHECK_EQUAL(this->Errors->Messages.size(), std::size_t(1));
+    FF_CHECK_EQUAL(this->Errors->FailedRequests, 1);
+    if (!this->Errors->Has(part))
+    {
+      for (const std::string& message : this->Errors->Messages)
+      {
+        std::cerr << "not \"" << part << "\" but " << message;
+      }
+      ++failures();
+    }
+    FF_CHECK(this->Hull->GetErrorCode() != vtkErrorCode::NoError);
+    FF_CHECK(hasForgotten(this->Hull));
+    FF_CHECK_EQUAL(this->GetAsked(), asked);
+
+    // The next one works.
+    this->Errors->Clear();
+    this->SourceErrors->Clear();
+    this->Source->Asked.clear();
+    this->Source->SetWhole(this->Whole);
+    FF_CHECK_EQUAL(behind->GetExecutive()->Update(), 1);
+    FF_CHECK_EQUAL(behind->Runs, 1);
+    FF_CHECK(this->Errors->Messages.empty());
+    FF_CHECK_EQUAL(this->Hull->GetErrorCode(), vtkErrorCode::NoError);
+    FF_CHECK_EQUAL(this->GetAsked(), std::size_t(7));
+    FF_CHECK(this->IsRight());
+  }
+};
+
+/// What cannot deliver pieces delivers all in the first, and is asked for no other.
+void testWithoutPieces()
+{
+  Stream stream;
+  stream.Source->CanHandlePieces = false;
+  stream.Hull->Update();
+  FF_CHECK(stream.IsRight());
+  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(1));
+  FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
+
+  vtkNew<Passing> between;
+  between->SetInputConnection(stream.Source->GetOutputPort());
+  stream.Hull->SetInputConnection(between->GetOutputPort());
+  stream.Hull->Update();
+  FF_CHECK(stream.IsRight());
+  FF_CHECK_EQUAL(between->Runs, 1);
+  FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
+
+  stream.Hull->SetInputData(stream.Whole);
+  stream.Hull->SetNumberOfStreamDivisions(VTK_INT_MAX);
+  stream.Hull->Update();
+  FF_CHECK(stream.IsRight());
+  FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
+  FF_CHECK(stream.Errors->Messages.empty());
+
+  stream.Hull->SetInputDataObject(nullptr);
+  stream.Hull->Update();
+  FF_CHECK(stream.Errors->Has("There is no input. Set one."));
+  FF_CHECK(hasForgotten(stream.Hull));
+}
+
+/// Through filters, and from a source of VTK's own.
+void testPipeline()
+{
+  Stream stream;
+  vtkNew<Passing> between;
+  between->SetInputConnection(stream.Source->GetOutputPort());
+  stream.Hull->SetInputConnection(between->GetOutputPort());
+  stream.Hull->Update();
+  FF_CHECK(stream.IsRight());
+  FF_CHECK_EQUAL(between->Runs, 7);
+
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(32);
+  std::vector<Point> points;
+  for (int k = 0; k < 4; ++k)
+  {
+    sphere->UpdatePiece(k, 4, 0);
+    for (vtkIdType i = 0; i < sphere->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      sphere->GetOutput()->GetPoint(i, p.data());
+      points.push_back(p);
+    }
+  }
+  vtkNew<vtkFFHullFilter> hull;
+  hull->SetInputConnection(sphere->GetOutputPort());
+  hull->SetNumberOfStreamDivisions(4);
+  hull->PassPointDataOff();
+  hull->Update();
+  FF_CHECK(isSame(hull->GetOutput(), hullOf(makePoints(points, VTK_FLOAT))));
+}
+
+/// It runs again when something changed, and only then; what is asked for it divides.
+void testModification()
+{
+  Stream stream;
+  stream.Hull->Update();
+  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(7));
+  stream.Hull->Update();
+  stream.Hull->SetNumberOfStreamDivisions(7);
+  stream.Hull->Update();
+  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(7));
+  stream.Hull->SetNumberOfStreamDivisions(3);
+  stream.Hull->Update();
+  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(10));
+  stream.Hull->SetNumberOfStreamDivisions(0);
+  FF_CHECK_EQUAL(stream.Hull->GetNumberOfStreamDivisions(), 1);
+  stream.Hull->Update();
+  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(11));
+  FF_CHECK(stream.Source->Asked.back() == std::make_pair(0, 1));
+  FF_CHECK(stream.IsRight());
+  stream.Source->Modified();
+  stream.Hull->SetNumberOfStreamDivisions(2);
+  stream.Hull->Update();
+  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(13));
+  FF_CHECK(stream.IsRight());
+
+  stream.Source->Asked.clear();
+  stream.Hull->UpdatePiece(1, 3, 0);
+  FF_CHECK((stream.Source->Asked == std::vector<std::pair<int, int>>{ { 2, 6 }, { 3, 6 } }));
+  const auto ids = originalIds(stream.Hull->GetOutput());
+  FF_CHECK(!ids.empty() && ids.back() < 234);
+  FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 233);
+}
+
+void testProgress()
+{
+  Stream stream;
+  vtkNew<ProgressObserver> progress;
+  stream.Hull->AddObserver(vtkCommand::ProgressEvent, progress);
+  stream.Hull->Update();
+  checkProgress(progress->Values);
+  FF_CHECK(progress->Values.size() > 7);
+}
+
+/// The source fails at some piece after the first, where the executive itself does not see it.
+void testSourceFails()
+{
+  Stream stream;
+  for (const int at : { 1, 3, 6 })
+  {
+    const vtkSmartPointer<vtkPolyData> whole = stream.Whole;
+    stream.Source->SetMaker(
+      [=](int k, int n) { return k == at ? nullptr : cut(whole, 100 * k, 700 * (k + 1) / n); });
+    stream.Fails("Piece " + std::to_string(at + 1) +
+        " of 7: The input did not deliver it. Its own error says why.",
+      static_cast<std::size_t>(at + 1));
+  }
+}
+
+/// What a piece holds is wrong.
+void testBadPieces()
+{
+  Stream stream;
+  const vtkSmartPointer<vtkPolyData> whole = stream.Whole;
+  const auto with = [&](int at, const std::function<vtkSmartPointer<vtkPolyData>()>& bad)
+  {
+    stream.Source->SetMaker(
+      [=](int k, int n) { return k == at ? bad() : cut(whole, 100 * k, 700 * (k + 1) / n); });
+  };
+  for (const int at : { 0, 2, 6 })
+  {
+    const auto asked = static_cast<std::size_t>(at + 1);
+    with(at,
+      []
+      {
+        auto points = randomPoints(20, 160);
+        points[11][1] = points[15][2] = nan;
+        return makePoints(points);
+      });
+    stream.Fails("A coordinate is NaN or infinite: first at point " +
+        std::to_string(100 * at + 11) +
+        ", 2 such point(s) so far. Remove them, or set Non Finite Points to Ignore.",
+      asked);
+
+    with(at,
+      []
+      {
+        vtkNew<vtkTypeInt64Array> wide;
+        wide->SetNumberOfComponents(3);
+        wide->SetNumberOfTuples(5);
+        wide->Fill(0);
+        wide->SetTypedComponent(3, 1, (vtkTypeInt64(1) << 53) + 1);
+        return makePoints(wide);
+      });
+    stream.Fails("Piece " + std::to_string(at + 1) +
+        " of 7: A coordinate is a 64-bit integer that no double holds: first at point " +
+        std::to_string(100 * at + 3) + ".",
+      asked);
+
+    with(at,
+      []
+      {
+        const auto data = makePoints(cubeCorners());
+        vtkNew<vtkUnsignedCharArray> marks;
+        marks->SetName("vtkGhostType");
+        marks->InsertNextValue(0);
+        data->GetPointData()->AddArray(marks);
+        return data;
+      });
+    stream.Fails("Piece " + std::to_string(at + 1) + " of 7: The point array vtkGhostType", asked);
+  }
+}
+
+/// Blocks: errors name theirs; pieces must not differ in their number.
+void testBadBlocks()
+{
+  vtkNew<PieceSource> source;
+  vtkNew<vtkFFHullFilter> hull;
+  const auto errors = ErrorObserver::Of(hull);
+  hull->SetInputConnection(source->GetOutputPort());
+  hull->SetNumberOfStreamDivisions(3);
+  const auto deliver = [&](int bad, const std::function<void(vtkMultiBlockDataSet*)>& spoil)
+  {
+    std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+    for (int k = 0; k < 3; ++k)
+    {
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, makePoints(randomPoints(50, static_cast<unsigned int>(170 + k))));
+      blocks->SetBlock(1, makePoints(randomPoints(50, static_cast<unsigned int>(180 + k))));
+      if (k == bad)
+      {
+        spoil(blocks);
+      }
+      pieces.emplace_back(blocks);
+    }
+    errors->Clear();
+    source->SetPieces(pieces);
+    hull->Update();
+  };
+  const auto isEmptyTree = [&]
+  {
+    auto* output = hull->GetOutputDataObject(0);
+    return output->GetNumberOfElements(vtkDataObject::POINT) == 0;
+  };
+  const auto more = [](vtkMultiBlockDataSet* blocks)
+  { blocks->SetBlock(2, makePoints(cubeCorners())); };
+  deliver(1, more);
+  FF_CHECK(
+    errors->Has("Piece 2 of 3: It has 3 block(s), those before it have 2. Give all the same, "
+                "without data where there is none, or merge the blocks."));
+  FF_CHECK(isEmptyTree());
+  hull->SetCompositeModeToAllBlocks();
+  deliver(1, more);
+  FF_CHECK(errors->Messages.empty());
+  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 308);
+
+  for (const int mode : { 0, 1 })
+  {
+    hull->SetCompositeMode(mode);
+    deliver(2,
+      [](vtkMultiBlockDataSet* blocks)
+      {
+        auto points = randomPoints(50, 190);
+        points[4][0] = nan;
+        blocks->SetBlock(1, makePoints(points));
+      });
+    FF_CHECK(
+      errors->Has("first at point 104 of the block of flat index 2, 1 such point(s) so far."));
+    FF_CHECK(isEmptyTree());
+    FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 1);
+    deliver(1,
+      [](vtkMultiBlockDataSet* blocks) { blocks->SetBlock(0, vtkSmartPointer<vtkTable>::New()); });
+    FF_CHECK(errors->Has("Piece 2 of 3: The block of flat index 1 is a vtkTable."));
+    FF_CHECK(isEmptyTree());
+    deliver(-1, {});
+    FF_CHECK(errors->Messages.empty());
+    FF_CHECK(!isEmptyTree());
+  }
+}
+
+/// An abort, at whatever piece: no error, no output; the next update works.
+void testAbort()
+{
+  for (const double mark : { 0.0, 0.3, 0.9 })
+  {
+    Stream stream;
+    vtkNew<ProgressObserver> progress;
+    progress->AbortAt = mark;
+    const unsigned long tag = stream.Hull->AddObserver(vtkCommand::ProgressEvent, progress);
+    stream.Hull->Update();
+    FF_CHECK(hasForgotten(stream.Hull));
+    FF_CHECK(stream.Errors->Messages.empty());
+    FF_CHECK_EQUAL(stream.Errors->FailedRequests, 0);
+    FF_CHECK_EQUAL(stream.Hull->GetErrorCode(), vtkErrorCode::NoError);
+    FF_CHECK(stream.GetAsked() <= static_cast<std::size_t>(7 * mark) + 2);
+    stream.Hull->RemoveObserver(tag);
+    stream.Hull->SetAbortExecute(0);
+    stream.Source->Modified();
+    stream.Source->Asked.clear();
+    stream.Hull->Update();
+    FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(7));
+    FF_CHECK(stream.IsRight());
+  }
+}
+
+}
+
+int TestFFHullFilterStreamedErrors(int, char*[])
+{
+  testWithoutPieces();
+  testPipeline();
+  testModification();
+  testProgress();
+  testSourceFails();
+  testBadPieces();
+  testBadBlocks();
+  testAbort();
+  return result();
+}
