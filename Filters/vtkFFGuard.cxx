@@ -296,6 +296,12 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
       return "The surface" + this->OfBlock() +
         " is not star-shaped, or no point was found from which it is. If you know one, turn on "
         "Use Kernel Point, and give it as Kernel Point.";
+    case ErrorCode::ConstraintPoint:
+      return "Constraint " + std::to_string(index) + " ends at point " + count + this->OfBlock() +
+        ", which is not there or is left out.";
+    case ErrorCode::ConstraintsCross:
+      return "Constraint " + std::to_string(index) + " crosses constraint " + count +
+        ", and there is no point where they do. Add one, and end or begin both there.";
     case ErrorCode::NoDevice:
       return std::string("The CUDA engine was asked for, but ") + flipflop::cudaStatus().problem +
         ". Set Engine to Automatic or CPU.";

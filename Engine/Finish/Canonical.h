@@ -39,6 +39,9 @@ public:
     std::uint32_t pointCount, FacetMode facets, Monitor& monitor, Buffer<std::int64_t>& pointIds);
   ~CanonicalForm();
 
+  /// Where in the result's points a vertex is; NoIndex: it is none of them.
+  std::uint32_t rankOf(std::uint32_t vertex) const { return this->rank[vertex]; }
+
   /// The facets, in their order. The last call: the polyhedron's memory becomes theirs.
   /// @throw Error Aborted, between its passes
   void writeCells(Monitor& monitor, CellComplex& complex);

@@ -59,6 +59,11 @@ constexpr std::uint32_t TriangleDead = 0x80000000u;
 constexpr std::uint32_t EdgeTied = 8;
 constexpr std::uint32_t EdgesTied = 7 * EdgeTied;
 
+/// The same bits while constraints are inserted, when ties are of no more use: the edge e is a part
+/// of a constraint, and is never flipped.
+constexpr std::uint32_t EdgeFixed = EdgeTied;
+constexpr std::uint32_t EdgesFixed = EdgesTied;
+
 FF_HD constexpr int nextCorner(int e)
 {
   return e == 2 ? 0 : e + 1;
@@ -113,6 +118,11 @@ struct Mesh
     const std::uint32_t other = this->twin(h);
     this->triangles[triangleOf(h)].flags |= EdgeTied << cornerOf(h);
     this->triangles[triangleOf(other)].flags |= EdgeTied << cornerOf(other);
+  }
+
+  bool isFixed(std::uint32_t h) const
+  {
+    return (this->triangles[triangleOf(h)].flags >> cornerOf(h) & EdgeFixed) != 0;
   }
 
   /// Make h and other (a half-edge or a border slot) each other's opposite.

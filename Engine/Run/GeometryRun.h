@@ -29,6 +29,7 @@ class GeometryRun : public Run
 {
 public:
   using Run::Run;
+  virtual ~GeometryRun() = default;
 
   Model geometry;
 
@@ -90,8 +91,8 @@ public:
   {
     Stopwatch watch;
     this->monitor.stage(0.9, 1.0, 1, "finishing");
-    const bool anyFlat =
-      RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove();
+    const bool anyFlat = this->amend(polyhedron, tally,
+      RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove());
     CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
       this->options.facets, this->monitor, result.pointIds);
     this->monitor.poll();
@@ -101,6 +102,12 @@ public:
   }
 
 private:
+  /// Change the true result before it is written: what a run may want that is not of its points
+  /// alone.
+  /// @param anyFlat whether there is a flat edge
+  /// @return        the same, after the change
+  virtual bool amend(Polyhedron&, Tally&, bool anyFlat) { return anyFlat; }
+
   void addStatistics(const Tally& tally, CellComplex& result) const
   {
     result.statistics += tally.statistics;

@@ -65,6 +65,7 @@ void TriangulationRun<Weighted>::triangulate(
     {
       this->listHidden(result);
       this->monitor.poll();
+      this->describe(form);
       form.writeCells(this->monitor, result);
     },
     [&] { this->listHidden(result); });

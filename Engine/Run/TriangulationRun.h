@@ -48,6 +48,9 @@ public:
   void triangulate(PolyhedronBuilder<Geometry>& engine, Triangulation& result);
 
 private:
+  /// Tell more of a result of dimension 2, whose points are known, before its cells are written.
+  virtual void describe(const CanonicalForm&) {}
+
   /// All finite points that do not appear.
   void listHidden(Triangulation& result);
 };

@@ -203,6 +203,8 @@ const char* describe(Fault fault)
       return "a point of the result is not strictly extreme: it should be hidden";
     case Fault::PointOutside:
       return "a point is outside, or should not be hidden";
+    case Fault::NotFixed:
+      return "a constraint is not among the fixed edges, or a fixed edge is of no constraint";
     case Fault::WrongId:
       return "a duplicate with a lower id is passed over";
     case Fault::WrongDimension:

@@ -260,12 +260,12 @@ public:
 
   std::vector<Vertex> corner; ///< by index
   Polyhedron polyhedron;
+  std::vector<std::int64_t> cellOf; ///< by triangle; -1: virtual
 
 private:
   Run& run;
   Geometry& geometry;
   const CellComplex& complex;
-  std::vector<std::int64_t> cellOf; ///< by triangle; -1: virtual
 };
 
 }

@@ -73,6 +73,11 @@ void testErrorsOfTheEngine()
   FF_CHECK_EQUAL(saidOf(ErrorCode::BadArgument), "The engine was called with an invalid argument.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::WeightCount, -1, 3),
     "There are 3 weights, which is not the number of points.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::ConstraintPoint, 2, 9),
+    "Constraint 2 ends at point 9, which is not there or is left out.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::ConstraintsCross, 2, 1),
+    "Constraint 2 crosses constraint 1, and there is no point where they do. Add one, and end or "
+    "begin both there.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::NoDevice),
     std::string("The CUDA engine was asked for, but ") + vtkFFAlgorithm::GetCUDAProblem() +
       ". Set Engine to Automatic or CPU.");

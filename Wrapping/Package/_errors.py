@@ -11,9 +11,10 @@ class FlipFlopError(Exception):
     code : str
         what went wrong, in snake_case: "non_finite"
     index : int
-        the first point, triangle or set at fault; -1 if there is none
+        the first point, triangle, constraint or set at fault; -1 if there is none
     count : int
-        how many are at fault, or the size asked for; 0 if that tells nothing
+        how many are at fault, or the size asked for; 0 if that tells nothing. Of constraint_point, the point; of
+        constraints_cross, the other constraint
     """
 
     __module__ = "vtkflipflop.arrays"  # where users import it from
@@ -65,16 +66,20 @@ _CODES = (
     ("not_oriented", InputError, "first at triangle {}", ""),
     ("not_star_shaped", InputError, "first at triangle {}", "{} such triangle(s) in all"),
     ("no_kernel", InputError, "", ""),
+    ("constraint_point", InputError, "constraint {}", "point {}"),
+    ("constraints_cross", InputError, "constraint {}", "and constraint {}"),
     ("no_device", DeviceError, "", ""),
     ("device_memory", DeviceError, "", "{} bytes were asked for"),
     ("device_failed", DeviceError, "error {} of the CUDA runtime", ""),
     ("internal", FlipFlopError, "", ""),
 )
+# Of these, the count is a number of its own kind, which may be 0.
+_COUNT_IS_ID = {"constraint_point", "constraints_cross"}
 
 
 def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:
     """The exception for an error of the engine."""
     name, kind, place, number = _CODES[code]
     parts = [place.format(index)] if place and index >= 0 else []
-    parts += [number.format(count)] if number and count > 0 else []
+    parts += [number.format(count)] if number and (count > 0 or name in _COUNT_IS_ID) else []
     return kind(text + (": " + ", ".join(parts) if parts else ""), name, index, count)

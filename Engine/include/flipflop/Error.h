@@ -27,13 +27,17 @@ enum class ErrorCode
   NotManifold, ///< index: first triangle with an edge of three or more triangles, or with a vertex
                ///< whose triangles form several fans; count: how many such edges and vertices
   NotOriented, ///< index: first triangle whose neighbour runs the shared edge the same way
-  NotStarShaped, ///< index: first triangle not seen from inside by the kernel point; count: how
-                 ///< many
-  NoKernel,      ///< no kernel point was given and none was found
-  NoDevice,      ///< the CUDA engine was asked for, and there is no device for it
-  DeviceMemory,  ///< count: bytes asked for of the device
-  DeviceFailed,  ///< index: the CUDA runtime's error number
-  Internal       ///< an invariant of the engine does not hold: a fault of FlipFlop, to be reported
+  NotStarShaped,    ///< index: first triangle not seen from inside by the kernel point; count: how
+                    ///< many
+  NoKernel,         ///< no kernel point was given and none was found
+  ConstraintPoint,  ///< index: first constraint with an end that is no point, or one that was left
+                    ///< out; count: the id of that end
+  ConstraintsCross, ///< index: first constraint that crosses an earlier one between points; count:
+                    ///< the first that it crosses
+  NoDevice,         ///< the CUDA engine was asked for, and there is no device for it
+  DeviceMemory,     ///< count: bytes asked for of the device
+  DeviceFailed,     ///< index: the CUDA runtime's error number
+  Internal ///< an invariant of the engine does not hold: a fault of FlipFlop, to be reported
 };
 
 /// The engine's exception. what() is a constant text: callers compose their own from the parts.
@@ -86,6 +90,10 @@ public:
         return "the surface is not star-shaped from the kernel point";
       case ErrorCode::NoKernel:
         return "no kernel point was found";
+      case ErrorCode::ConstraintPoint:
+        return "a constraint ends at a point that is not in the triangulation";
+      case ErrorCode::ConstraintsCross:
+        return "two constraints cross between points";
       case ErrorCode::NoDevice:
         return "there is no device for the CUDA engine";
       case ErrorCode::DeviceMemory:

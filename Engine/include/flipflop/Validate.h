@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The validator: is this the convex hull, or the regular triangulation, of these points, in
-/// canonical form?
+/// The validator: is this the convex hull, or the regular or constrained triangulation, of these
+/// points, in canonical form?
 ///
 /// It uses the engine's exact predicates and the locator's walk, but no code that computes
 /// results. The predicates themselves are tested against rationals.
 #ifndef flipflop_Validate_h
 #define flipflop_Validate_h
 
+#include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/Hull.h>
 #include <flipflop/PointView.h>
 #include <flipflop/Triangulation.h>
@@ -28,6 +29,8 @@ enum class Fault
   NotConvex,     ///< an edge that is reflex, or flat where two polygons meet; a facet not planar
   NotExtreme,    ///< a hull point that is not strictly extreme
   PointOutside,  ///< an input point outside the hull
+  NotFixed,      ///< a constraint that is no chain of fixed edges; or -1: a fixed edge that is no
+                 ///< edge, or of another constraint than it tells
   WrongId,       ///< a hull point that has a duplicate with a lower id
   WrongDimension ///< the input spans another dimension
 };
@@ -62,6 +65,19 @@ Validation validate(const PointView& points, const Hull& hull, int threads = 0);
 /// @throw Error         WeightCount, TooManyPoints, OutOfMemory, BadArgument
 Validation validate(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, int threads = 0);
+
+/// Decide exactly whether @p triangulation is the constrained Delaunay triangulation of the finite
+/// points, in the form that ConstrainedTriangulation promises: every triangle counter-clockwise,
+/// every edge fixed or locally Delaunay, every constraint a chain of fixed edges, the union convex.
+/// Here PointOutside is a point of no corner.
+/// @param points        the points that were triangulated
+/// @param constraints   as they were given
+/// @param triangulation with facets as triangles or as polygons
+/// @param threads       as in Options
+/// @return the first fault, or none
+/// @throw Error         ConstraintPoint, TooManyPoints, OutOfMemory, BadArgument
+Validation validate(const PointView& points, const ConstraintView& constraints,
+  const ConstrainedTriangulation& triangulation, int threads = 0);
 
 /// A fault in words.
 const char* describe(Fault fault);

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constraints/EdgeInsertion.h"
+
+#include <algorithm>
+
+namespace flipflop
+{
+
+EdgeInsertion::EdgeInsertion(const Geometry& signs, Polyhedron& surface, Monitor& monitor)
+  : geometry(signs)
+  , mesh(surface.mesh())
+  , poll(monitor)
+  , leaving(surface.vertexCount())
+  , cavity(signs, this->mesh, this->leaving, this->poll)
+{
+  surface.eachTriangle(
+    [&](std::uint32_t t, std::size_t)
+    {
+      if ((t & 0xFFF) == 0)
+      {
+        monitor.poll();
+      }
+      this->mesh.triangles[t].flags &= ~EdgesFixed; // they were ties
+      setLeaving(this->leaving, this->mesh, t);
+    });
+}
+
+void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint)
+{
+  // Of all that it crosses, the first constraint is told; nothing more is changed until then.
+  std::uint32_t crossed = NoIndex;
+  const auto meet = [&](std::uint32_t h)
+  {
+    if (crossed == NoIndex)
+    {
+      keepFirstConstraints(this->fixed);
+    }
+    crossed = std::min(crossed, this->firstAlong(h));
+  };
+  while (u != v)
+  {
+    const Exit exit = this->exitOf(u, v);
+    std::uint32_t edge = exit.along;
+    std::uint32_t end = exit.end;
+    if (edge == NoIndex)
+    {
+      end = this->cavity.open(u, v, exit.across, meet);
+      if (crossed == NoIndex)
+      {
+        edge = this->cavity.close(u, end);
+        this->fix(edge, constraint);
+        this->makeDelaunay();
+      }
+    }
+    else if (crossed == NoIndex)
+    {
+      this->fix(edge, constraint);
+    }
+    u = end;
+  }
+  if (crossed != NoIndex)
+  {
+    throw Error(ErrorCode::ConstraintsCross, constraint, crossed);
+  }
+}
+
+/// Around u, the edge along the line to v, or the triangle that the line leaves through.
+EdgeInsertion::Exit EdgeInsertion::exitOf(std::uint32_t u, std::uint32_t v)
+{
+  const Vertex& from = this->vertex(u);
+  const Vertex& to = this->vertex(v);
+  const int axis = from.x[0] != to.x[0] ? 0 : 1;
+  const bool ascends = from.x[axis] < to.x[axis];
+  const auto isAhead = [&](const Vertex& p)
+  { return ascends ? p.x[axis] > from.x[axis] : p.x[axis] < from.x[axis]; };
+  const auto sideOf = [&](const Vertex& p)
+  { return Geometry::isVirtual(p) ? 0 : this->geometry.orient(from, to, p); };
+
+  const std::uint32_t first = this->leaving[u].load(std::memory_order_relaxed);
+  std::uint32_t h = first;
+  int side = sideOf(this->vertex(this->mesh.origin(nextHalfEdge(h))));
+  do
+  {
+    this->poll.step();
+    const std::uint32_t last = previousHalfEdge(h);
+    const std::uint32_t p = this->mesh.origin(nextHalfEdge(h));
+    const std::uint32_t q = this->mesh.origin(last);
+    const Vertex& right = this->vertex(p);
+    const Vertex& left = this->vertex(q);
+    const int nextSide = sideOf(left);
+    if (side <= 0 && nextSide >= 0 && !Geometry::isVirtual(right, left))
+    {
+      const bool alongRight = side == 0 && isAhead(right);
+      const bool alongLeft = nextSide == 0 && isAhead(left);
+      const bool between = side < 0 && nextSide > 0;
+      // A triangle without area, at the border, has no edges of its own.
+      if ((alongRight || alongLeft || between) && this->geometry.orient(from, right, left) > 0)
+      {
+        return between ? Exit{ NoIndex, NoIndex, nextHalfEdge(h) }
+          : alongRight ? Exit{ h, p, NoIndex }
+                       : Exit{ last, q, NoIndex };
+      }
+    }
+    side = nextSide;
+    h = this->mesh.twin(last);
+  } while (h != first);
+  throw Error(ErrorCode::Internal); // the triangulation is convex
+}
+
+void EdgeInsertion::fix(std::uint32_t h, std::uint32_t constraint)
+{
+  const std::uint32_t twin = this->mesh.twin(h);
+  for (const std::uint32_t side : { h, twin })
+  {
+    this->mesh.triangles[triangleOf(side)].flags |= EdgeFixed << cornerOf(side);
+  }
+  this->setFlat(h, false);
+  this->fixed.emplace_back(this->mesh.origin(h), this->mesh.origin(twin), constraint);
+  // The next constraint often goes on here.
+  this->leaving[this->mesh.origin(h)].store(h, std::memory_order_relaxed);
+  this->leaving[this->mesh.origin(twin)].store(twin, std::memory_order_relaxed);
+}
+
+void EdgeInsertion::setFlat(std::uint32_t h, bool flat)
+{
+  for (const std::uint32_t side : { h, this->mesh.twin(h) })
+  {
+    std::uint32_t& bits = flatEdges(this->mesh.triangles[triangleOf(side)]);
+    const std::uint32_t bit = 1u << cornerOf(side);
+    bits = flat ? bits | bit : bits & ~bit;
+  }
+}
+
+/// Flip in the cavity. Its sides, though asked, stay.
+void EdgeInsertion::makeDelaunay()
+{
+  const std::vector<std::uint32_t>& triangles = this->cavity.triangles();
+  this->changed.insert(this->changed.end(), triangles.begin(), triangles.end());
+  this->waiting = this->cavity.innerEdges();
+  while (!this->waiting.empty())
+  {
+    this->poll.step();
+    const std::uint32_t h = this->waiting.back();
+    this->waiting.pop_back();
+    if (this->mesh.isFixed(h))
+    {
+      continue;
+    }
+    ++this->checks;
+    const Triangle& triangle = this->mesh.triangles[triangleOf(h)];
+    const std::uint32_t apex = this->mesh.origin(previousHalfEdge(this->mesh.twin(h)));
+    if (this->geometry.above(this->vertex(triangle.v[0]), this->vertex(triangle.v[1]),
+          this->vertex(triangle.v[2]), this->vertex(apex)) <= 0)
+    {
+      continue;
+    }
+    const FlipPlan plan = planFlip22(this->mesh, h);
+    flip(this->mesh, plan);
+    ++this->flips;
+    setLeaving(this->leaving, this->mesh, plan.triangle[0]);
+    setLeaving(this->leaving, this->mesh, plan.triangle[1]);
+    this->waiting.insert(this->waiting.end(), plan.to, plan.to + plan.outerCount);
+  }
+}
+
+bool EdgeInsertion::isFlat(std::uint32_t h) const
+{
+  const Triangle& triangle = this->mesh.triangles[triangleOf(h)];
+  const std::uint32_t apex = this->mesh.origin(previousHalfEdge(this->mesh.twin(h)));
+  return !this->mesh.isFixed(h) &&
+    this->geometry.above(this->vertex(triangle.v[0]), this->vertex(triangle.v[1]),
+      this->vertex(triangle.v[2]), this->vertex(apex)) == 0;
+}
+
+bool EdgeInsertion::tellFlat()
+{
+  std::sort(this->changed.begin(), this->changed.end());
+  this->changed.erase(std::unique(this->changed.begin(), this->changed.end()), this->changed.end());
+  bool any = false;
+  for (const std::uint32_t t : this->changed)
+  {
+    this->poll.step();
+    for (int e = 0; e < 3; ++e)
+    {
+      const bool flat = this->isFlat(halfEdge(t, e));
+      this->setFlat(halfEdge(t, e), flat);
+      any = any || flat;
+    }
+  }
+  return any;
+}
+
+std::uint32_t EdgeInsertion::firstAlong(std::uint32_t h) const
+{
+  const FixedEdge wanted(this->mesh.origin(h), this->mesh.origin(this->mesh.twin(h)), 0);
+  const auto found =
+    std::lower_bound(this->fixed.begin(), this->fixed.end(), wanted, FixedEdge::isBefore);
+  return found->constraint;
+}
+
+}

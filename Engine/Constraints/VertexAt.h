@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which vertex stands for a point: its own, or where it is a duplicate, that at its place.
+#ifndef flipflop_VertexAt_h
+#define flipflop_VertexAt_h
+
+#include "Mesh/Polyhedron.h"
+#include "Points/PointSource.h"
+#include "Support/Monitor.h"
+#include "Support/Parallel.h"
+#include <flipflop/ConstrainedTriangulation.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+
+namespace flipflop
+{
+
+class VertexAt
+{
+public:
+  /// @param source      of the points, scaled as the surface's vertices are
+  /// @param surface     without weights: all positions have a vertex
+  /// @param constraints whose ends will be asked for; they are points
+  VertexAt(const PointSource& source, const Polyhedron& surface, const ConstraintView& constraints,
+    Monitor& monitor)
+    : vertexOf(source.count())
+  {
+    constexpr std::size_t ItemsPerTask = 1 << 14;
+    eachRun(this->vertexOf.size(), ItemsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        monitor.poll();
+        std::fill(this->vertexOf.begin() + begin, this->vertexOf.begin() + end, NoIndex);
+      });
+    const auto eachVertex = [&](const auto& use)
+    {
+      eachRun(surface.vertexCount(), ItemsPerTask,
+        [&](std::size_t begin, std::size_t end, std::size_t)
+        {
+          monitor.poll();
+          for (std::size_t v = begin; v < end; ++v)
+          {
+            const Vertex& vertex = surface.vertices[v];
+            if ((vertex.flags & (VertexAlive | VertexVirtual)) == VertexAlive)
+            {
+              use(static_cast<std::uint32_t>(v), vertex);
+            }
+          }
+        });
+    };
+    eachVertex([this](std::uint32_t v, const Vertex& vertex) { this->vertexOf[vertex.id] = v; });
+
+    // What is left are duplicates: few, so their places are collected, and all vertices looked at.
+    std::unordered_map<Place, std::uint32_t, HashOfPlace> duplicates;
+    const auto eachDuplicate = [&](const auto& use)
+    {
+      for (std::int64_t i = 0; i < 2 * constraints.count; ++i)
+      {
+        const auto id = static_cast<std::uint32_t>(constraints.ends[i]);
+        if (this->vertexOf[id] == NoIndex)
+        {
+          use(id, placeOf(source.vertex(id)));
+        }
+      }
+    };
+    eachDuplicate([&](std::uint32_t, const Place& place) { duplicates.emplace(place, NoIndex); });
+    if (duplicates.empty())
+    {
+      return;
+    }
+    eachVertex(
+      [&](std::uint32_t v, const Vertex& vertex)
+      {
+        const auto found = duplicates.find(placeOf(vertex));
+        if (found != duplicates.end())
+        {
+          found->second = v; // no other vertex is there
+        }
+      });
+    eachDuplicate(
+      [&](std::uint32_t id, const Place& place)
+      {
+        this->vertexOf[id] = duplicates.find(place)->second;
+        ensure(this->vertexOf[id] != NoIndex);
+      });
+  }
+
+  std::uint32_t operator()(std::int64_t id) const
+  {
+    return this->vertexOf[static_cast<std::size_t>(id)];
+  }
+
+private:
+  using Place = std::pair<double, double>;
+
+  struct HashOfPlace
+  {
+    std::size_t operator()(const Place& place) const
+    {
+      const std::hash<double> hash;
+      return hash(place.first) * 0x9e3779b97f4a7c15u + hash(place.second);
+    }
+  };
+
+  /// Zeros of both signs are equal, and have one hash.
+  static Place placeOf(const Vertex& vertex) { return { vertex.x[0], vertex.x[1] }; }
+
+  Buffer<std::uint32_t> vertexOf; ///< by id
+};
+
+}
+
+#endif

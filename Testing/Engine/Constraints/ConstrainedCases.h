@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Runs with constraints, and what differs from a reference in words.
+#ifndef flipflop_test_ConstrainedCases_h
+#define flipflop_test_ConstrainedCases_h
+
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/References/ReferenceConstrained.h"
+
+#include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/Validate.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace flipflop
+{
+namespace test
+{
+
+inline ConstraintView viewOf(const std::vector<Segment>& constraints)
+{
+  return ConstraintView(constraints.empty() ? nullptr : constraints.front().data(),
+    static_cast<std::int64_t>(constraints.size()));
+}
+
+inline std::string textOf(const std::vector<Segment>& constraints)
+{
+  std::string text;
+  for (const Segment& ends : constraints)
+  {
+    text += std::to_string(ends[0]) + "-" + std::to_string(ends[1]) + " ";
+  }
+  return text;
+}
+
+/// The fixed edges, by ids.
+inline std::vector<FixedSegment> fixedOf(const ConstrainedTriangulation& result)
+{
+  std::vector<FixedSegment> fixed;
+  for (std::size_t i = 0; i < result.constraintOf.size(); ++i)
+  {
+    const auto idOf = [&](std::size_t at)
+    { return result.pointIds[static_cast<std::size_t>(result.fixedEdges[at])]; };
+    fixed.push_back({ { idOf(2 * i), idOf(2 * i + 1) }, result.constraintOf[i] });
+  }
+  return fixed;
+}
+
+/// What is wrong with a run; empty when nothing is. An error counts as right where the reference
+/// has constraints that cross.
+inline std::string constrainedFault(const Cloud& cloud, const std::vector<Segment>& constraints,
+  const ReferenceConstrained& reference, const Options& options)
+{
+  try
+  {
+    const ConstrainedTriangulation result =
+      constrainedTriangulation(viewOf(cloud), viewOf(constraints), options);
+    if (reference.crossing >= 0)
+    {
+      return "no error where constraints cross";
+    }
+    const std::string fault = difference(
+      result, reference.triangulation, options.facets, static_cast<std::int64_t>(cloud.size()));
+    const Validation valid = validate(viewOf(cloud), viewOf(constraints), result, options.threads);
+    return !fault.empty()                  ? fault
+      : !valid                             ? describe(valid.fault)
+      : fixedOf(result) == reference.fixed ? ""
+                                           : "the fixed edges differ";
+  }
+  catch (const Error& error)
+  {
+    return error.code() == ErrorCode::ConstraintsCross && error.index() == reference.crossing &&
+        error.count() == reference.crossed
+      ? ""
+      : std::string("error: ") + error.what() + " " + std::to_string(error.index()) + " " +
+        std::to_string(error.count());
+  }
+}
+
+}
+}
+
+#endif

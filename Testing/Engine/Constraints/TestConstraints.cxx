@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a caller of constrained triangulations relies on: one answer for any order, errors that
+/// name the place, every input of a lower dimension, any range; and the contours of a mountain.
+#include "Testing/Engine/Conformance/ProgressWatch.h"
+#include "Testing/Engine/Constraints/ConstrainedCases.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+ConstrainedTriangulation run(const Cloud& cloud, const std::vector<Segment>& constraints,
+  FacetMode facets = FacetMode::Triangles, int threads = 1)
+{
+  Options options;
+  options.facets = facets;
+  options.threads = threads;
+  return constrainedTriangulation(viewOf(cloud), viewOf(constraints), options);
+}
+
+std::vector<Cell> cellsBy(const Cloud& cloud, const std::vector<Segment>& constraints)
+{
+  return cellsOf(run(cloud, constraints, FacetMode::Polygons));
+}
+
+void expectError(const Cloud& cloud, const std::vector<Segment>& constraints, ErrorCode code,
+  std::int64_t index, std::int64_t count, const Options& options = Options())
+{
+  test::expectError([&] { constrainedTriangulation(viewOf(cloud), viewOf(constraints), options); },
+    code, index, count);
+}
+
+/// The segments of a street map: runs of steps between neighbouring points of a grid whose points
+/// are a little off. No two cross.
+void streets(int side, Random& random, Cloud& cloud, std::vector<Segment>& segments)
+{
+  for (int i = 0; i < side * side; ++i)
+  {
+    cloud.push_back(
+      { i % side + random.uniform(-0.2, 0.2), i / side + random.uniform(-0.2, 0.2), 0 });
+  }
+  for (int i = 0; i < side * side; ++i)
+  {
+    if (i % side + 1 < side && random.integer(0, 2))
+    {
+      segments.push_back({ i, i + 1 });
+    }
+    if (i + side < side * side && random.integer(0, 2))
+    {
+      segments.push_back({ i + side, i });
+    }
+  }
+}
+
+/// Polylines, of which two NaNs end each: positions as points, and their segments.
+void contours(Cloud& cloud, std::vector<Segment>& segments)
+{
+  std::ifstream file(FLIPFLOP_TEST_DATA "/../../Data/sainthelens-contours.f32", std::ios::binary);
+  float xy[2];
+  bool goesOn = false;
+  while (file.read(reinterpret_cast<char*>(xy), sizeof(xy)))
+  {
+    if (std::isnan(xy[0]))
+    {
+      goesOn = false;
+      continue;
+    }
+    const auto id = static_cast<std::int64_t>(cloud.size());
+    cloud.push_back({ xy[0], xy[1], 0 });
+    if (goesOn)
+    {
+      segments.push_back({ id - 1, id });
+    }
+    goesOn = true;
+  }
+}
+
+TEST(Constraints, WithoutAnyAreTheDelaunayTriangulation)
+{
+  for (const Input& input : smallWeightedInputs())
+  {
+    Cloud cloud = input.make();
+    for (Point& p : cloud)
+    {
+      p[2] = 0;
+    }
+    for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+    {
+      Options options;
+      options.facets = facets;
+      const ConstrainedTriangulation result = run(cloud, {}, facets);
+      EXPECT_EQ(
+        bitDifference(result, regularTriangulation(viewOf(cloud), WeightView(), options)), "")
+        << input.name;
+      EXPECT_TRUE(result.fixedEdges.empty());
+    }
+  }
+}
+
+TEST(Constraints, TurnADiagonal)
+{
+  // The Delaunay diagonal is 1-3, the short one.
+  const Cloud kite = { { 0, -3, 0 }, { 1, 0, 0 }, { 0, 3, 0 }, { -1, 0, 0 } };
+  EXPECT_EQ(cellsBy(kite, {}), (std::vector<Cell>{ { 0, 1, 3 }, { 1, 2, 3 } }));
+  const std::vector<Cell> turned = { { 0, 1, 2 }, { 0, 2, 3 } };
+  EXPECT_EQ(cellsBy(kite, { { 0, 2 } }), turned);
+  EXPECT_EQ(cellsBy(kite, { { 2, 0 } }), turned);
+  EXPECT_EQ(cellsBy(kite, { { 2, 0 }, { 1, 1 }, { 0, 2 }, { 0, 2 } }), turned);
+  const ConstrainedTriangulation result = run(kite, { { 1, 1 }, { 2, 0 }, { 0, 2 } });
+  EXPECT_TRUE(fixedOf(result) == (std::vector<FixedSegment>{ { { 0, 2 }, 1 } }));
+}
+
+TEST(Constraints, PartACircle)
+{
+  const Cloud square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  EXPECT_EQ(cellsBy(square, {}), (std::vector<Cell>{ { 0, 1, 2, 3 } }));
+  EXPECT_EQ(cellsBy(square, { { 1, 3 } }), (std::vector<Cell>{ { 0, 1, 3 }, { 1, 2, 3 } }));
+  EXPECT_EQ(cellsBy(square, { { 1, 2 } }), (std::vector<Cell>{ { 0, 1, 2, 3 } }));
+}
+
+TEST(Constraints, ArePartedAtPoints)
+{
+  const Cloud grid = squareGrid(4);
+  const ConstrainedTriangulation result = run(grid, { { 0, 15 }, { 3, 15 }, { 10, 0 } });
+  EXPECT_TRUE(fixedOf(result) ==
+    (std::vector<FixedSegment>{ { { 0, 5 }, 0 }, { { 3, 7 }, 1 }, { { 5, 10 }, 0 },
+      { { 7, 11 }, 1 }, { { 10, 15 }, 0 }, { { 11, 15 }, 1 } }));
+}
+
+TEST(Constraints, FollowTheLowestDuplicate)
+{
+  const Cloud kite = { { -0.0, -3, 0 }, { 1, 0, 0 }, { 0, 3, 0 }, { -1, -0.0, 0 }, { 0, -3, 0 },
+    { -0.0, 3, 0 } };
+  const ConstrainedTriangulation result = run(kite, { { 4, 0 }, { 5, 4 } });
+  EXPECT_TRUE(fixedOf(result) == (std::vector<FixedSegment>{ { { 0, 2 }, 1 } }));
+  EXPECT_EQ(cellsOf(result), (std::vector<Cell>{ { 0, 1, 2 }, { 0, 2, 3 } }));
+}
+
+TEST(Constraints, OfLowerDimensions)
+{
+  EXPECT_EQ(run({}, {}).dimension, -1);
+  const ConstrainedTriangulation position = run({ { 1, 2, 0 }, { 1, 2, 0 } }, { { 0, 1 } });
+  EXPECT_EQ(position.dimension, 0);
+  EXPECT_TRUE(position.fixedEdges.empty());
+  const Cloud line = { { 3, 3, 0 }, { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 }, { 1, 1, 0 } };
+  const std::vector<Segment> constraints = { { 4, 4 }, { 3, 4 }, { 0, 2 } };
+  const ConstrainedTriangulation chain = run(line, constraints);
+  EXPECT_EQ(chain.dimension, 1);
+  EXPECT_TRUE(fixedOf(chain) == (std::vector<FixedSegment>{ { { 0, 3 }, 2 }, { { 2, 3 }, 1 } }));
+  EXPECT_TRUE(validate(viewOf(line), viewOf(constraints), chain));
+}
+
+TEST(Constraints, AtAnyRange)
+{
+  for (const double scale : { 5e-324, 1e-300, 1e-160, 1e150, 1e300 })
+  {
+    const Cloud kite = { { 0, -3 * scale, 0 }, { scale, 0, 0 }, { 0, 3 * scale, 0 },
+      { -scale, 0, 0 } };
+    EXPECT_EQ(cellsBy(kite, { { 0, 2 } }), (std::vector<Cell>{ { 0, 1, 2 }, { 0, 2, 3 } }));
+  }
+  // 1e-300 beside 1e300: a point that far from the segment is crossed by none.
+  const Cloud wide = { { -1e300, 0, 0 }, { 1e300, 0, 0 }, { 0, 1e-300, 0 }, { 0, -1, 0 },
+    { 0, 1e300, 0 } };
+  const std::vector<Segment> constraints = { { 0, 1 } };
+  const ConstrainedTriangulation result = run(wide, constraints);
+  EXPECT_TRUE(fixedOf(result) == (std::vector<FixedSegment>{ { { 0, 1 }, 0 } }));
+  EXPECT_TRUE(validate(viewOf(wide), viewOf(constraints), result));
+}
+
+TEST(Constraints, ErrorsNameThePlace)
+{
+  const Cloud square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  expectError(square, { { 0, 1 }, { 0, 4 } }, ErrorCode::ConstraintPoint, 1, 4);
+  expectError(square, { { 0, 1 }, { -1, 2 } }, ErrorCode::ConstraintPoint, 1, -1);
+  expectError({}, { { 0, 0 } }, ErrorCode::ConstraintPoint, 0, 0);
+  expectError(square, { { 0, 1 }, { 2, 0 }, { 1, 3 } }, ErrorCode::ConstraintsCross, 2, 1);
+  expectError(square, { { 1, 3 }, { 1, 3 }, { 2, 0 } }, ErrorCode::ConstraintsCross, 2, 0);
+  const auto badView = [](const std::int64_t* ends, std::int64_t count)
+  { constrainedTriangulation(PointView(), ConstraintView(ends, count)); };
+  const std::int64_t none = 0;
+  test::expectError([&] { badView(nullptr, 1); }, ErrorCode::BadArgument);
+  test::expectError([&] { badView(&none, -1); }, ErrorCode::BadArgument);
+
+  for (const Cloud& points : { Cloud{ { 0, 0, 0 }, { 1, 0, 0 }, { 1, nan, 0 }, { 0, 1, 0 } },
+         Cloud{ { 0, 0, 0 }, { 1, 0, 0 }, { nan, 1, 0 } },
+         Cloud{ { nan, 0, 0 }, { nan, 0, 0 }, { 0, nan, 0 } } })
+  {
+    expectError(points, { { 1, 0 } }, ErrorCode::NonFinite, std::isnan(points[0][0]) ? 0 : 2,
+      std::isnan(points[0][0]) ? 3 : 1);
+    Options options;
+    options.nonFinite = NonFinitePolicy::Ignore;
+    expectError(points, { { 2, 2 } }, ErrorCode::ConstraintPoint, 0, 2, options);
+  }
+}
+
+/// The first of all that it crosses, wherever on the way that is met.
+TEST(Constraints, CrossingIsOfTheFirst)
+{
+  Cloud fence = { { -1, 0, 0 }, { 10, 0, 0 } };
+  std::vector<Segment> constraints;
+  for (int i = 0; i < 9; ++i)
+  {
+    fence.push_back({ double(i), 1, 0 });
+    fence.push_back({ i + 0.5, -1, 0 });
+    constraints.push_back({ 2 + 2 * ((i + 5) % 9), 3 + 2 * ((i + 5) % 9) });
+  }
+  constraints.push_back({ 0, 1 });
+  for (int turn = 0; turn < 9; ++turn)
+  {
+    // The one of index 9 crosses all.
+    std::rotate(constraints.begin(), constraints.begin() + 1, constraints.begin() + 9);
+    std::vector<Segment> reversed = constraints;
+    std::swap(reversed[9][0], reversed[9][1]);
+    expectError(fence, constraints, ErrorCode::ConstraintsCross, 9, 0);
+    expectError(fence, reversed, ErrorCode::ConstraintsCross, 9, 0);
+  }
+}
+
+/// Any order and direction of the constraints, any number of threads.
+void expectOneAnswer(const Cloud& cloud, std::vector<Segment> constraints)
+{
+  Random random(5);
+  for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+  {
+    const ConstrainedTriangulation first = run(cloud, constraints, facets);
+    EXPECT_TRUE(validate(viewOf(cloud), viewOf(constraints), first));
+    for (const int threads : threadsTried())
+    {
+      random.shuffle(constraints);
+      for (Segment& ends : constraints)
+      {
+        if (random.integer(0, 1))
+        {
+          std::swap(ends[0], ends[1]);
+        }
+      }
+      const ConstrainedTriangulation other = run(cloud, constraints, facets, threads);
+      EXPECT_EQ(bitDifference(first, other), "");
+      EXPECT_TRUE(std::equal(first.fixedEdges.begin(), first.fixedEdges.end(),
+        other.fixedEdges.begin(), other.fixedEdges.end()));
+    }
+  }
+}
+
+TEST(Constraints, StreetsHaveOneAnswer)
+{
+  Random random(3);
+  Cloud cloud;
+  std::vector<Segment> segments;
+  streets(60, random, cloud, segments);
+  expectOneAnswer(cloud, segments);
+}
+
+TEST(Constraints, ContoursOfAMountainHaveOneAnswer)
+{
+  Cloud cloud;
+  std::vector<Segment> segments;
+  contours(cloud, segments);
+  ASSERT_EQ(cloud.size(), 35764u);
+  expectOneAnswer(cloud, segments);
+}
+
+TEST(Constraints, HubsAndGridsHaveOneAnswer)
+{
+  // From one point to very many, and long ones through the points of a grid.
+  Cloud wheel = { { 0, 0, 0 } };
+  std::vector<Segment> spokes;
+  for (int i = 0; i < 500; ++i)
+  {
+    wheel.push_back({ 4000.0 + i % 7, double(3 * i), 0 });
+    spokes.push_back({ 0, i + 1 });
+  }
+  for (int i = 0; i < 200; ++i)
+  {
+    wheel.push_back({ double(10 * i + 5), -1 - i % 3 * 1.0, 0 });
+  }
+  expectOneAnswer(wheel, spokes);
+
+  const Cloud grid = squareGrid(30);
+  std::vector<Segment> lines;
+  for (int i = 0; i < 30; ++i)
+  {
+    lines.push_back({ 30 * i, 30 * i + 29 });
+    lines.push_back({ i, 870 + i });
+  }
+  lines.push_back({ 0, 899 });
+  expectOneAnswer(grid, lines);
+}
+
+TEST(Constraints, ReportProgressAndStop)
+{
+  Random random(3);
+  Cloud cloud;
+  std::vector<Segment> segments;
+  streets(60, random, cloud, segments);
+  Watch all;
+  constrainedTriangulation(viewOf(cloud), viewOf(segments), all.options(2));
+  all.expectOrder();
+  EXPECT_EQ(std::count(all.steps.begin(), all.steps.end(), "inserting constraints"), 1);
+  for (int stop = 1; stop <= static_cast<int>(all.fractions.size()); ++stop)
+  {
+    Watch watch;
+    watch.stopAt = stop;
+    test::expectError([&]
+      { constrainedTriangulation(viewOf(cloud), viewOf(segments), watch.options(1)); },
+      ErrorCode::Aborted);
+    if (static_cast<int>(watch.fractions.size()) < stop)
+    {
+      break;
+    }
+  }
+}
+
+/// What is wrong with a result does not pass.
+TEST(Constraints, FaultsAreFound)
+{
+  const Cloud kite = { { 0, -3, 0 }, { 1, 0, 0 }, { 0, 3, 0 }, { -1, 0, 0 } };
+  const std::vector<Segment> constraints = { { 0, 2 } };
+  const auto faultOf = [&](const ConstrainedTriangulation& result)
+  { return validate(viewOf(kite), viewOf(constraints), result).fault; };
+  EXPECT_EQ(faultOf(run(kite, constraints)), Fault::None);
+  EXPECT_EQ(faultOf(run(kite, {})), Fault::NotFixed);
+  EXPECT_EQ(
+    validate(viewOf(kite), ConstraintView(), run(kite, constraints)).fault, Fault::NotFixed);
+  ConstrainedTriangulation loose = run(kite, constraints);
+  loose.fixedEdges.allocate(0);
+  loose.constraintOf.allocate(0);
+  EXPECT_EQ(faultOf(loose), Fault::NotConvex);
+  ConstrainedTriangulation another = run(kite, constraints);
+  another.constraintOf[0] = 1;
+  EXPECT_EQ(faultOf(another), Fault::NotFixed);
+  ConstrainedTriangulation away = run(kite, {});
+  away.fixedEdges.allocate(2);
+  away.constraintOf.allocate(1);
+  away.fixedEdges[0] = away.constraintOf[0] = 0;
+  away.fixedEdges[1] = 2;
+  EXPECT_EQ(faultOf(away), Fault::NotFixed);
+  Cloud more = kite;
+  more.push_back({ 0, 0, 0 });
+  EXPECT_EQ(
+    validate(viewOf(more), viewOf(constraints), run(kite, constraints)).fault, Fault::PointOutside);
+}
+
+}
+
+}
+}
