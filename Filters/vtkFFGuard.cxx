@@ -302,6 +302,10 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
     case ErrorCode::ConstraintsCross:
       return "Constraint " + std::to_string(index) + " crosses constraint " + count +
         ", and there is no point where they do. Add one, and end or begin both there.";
+    case ErrorCode::PolygonsDisagree:
+      return "The polygons disagree about what is inside, by the edge between the points " +
+        std::to_string(index) + " and " + count + this->OfBlock() +
+        " and another: what is on the left of a side is inside, and holes run clockwise.";
     case ErrorCode::NoDevice:
       return std::string("The CUDA engine was asked for, but ") + flipflop::cudaStatus().problem +
         ". Set Engine to Automatic or CPU.";

@@ -18,7 +18,8 @@
 namespace flipflop
 {
 
-/// Tell the edges of a chain that constraints run along.
+/// Tell the edges of a chain that constraints run along. Polygons have no inside there: they run
+/// each edge as often forth as back.
 /// @param constraints whose ends are points
 inline void fixChainEdges(const PointSource& source, const ConstraintView& constraints,
   Monitor& monitor, ConstrainedTriangulation& result)

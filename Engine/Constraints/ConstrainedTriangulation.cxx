@@ -61,7 +61,8 @@ private:
     for (std::int64_t i = 0; i < this->constraints.count; ++i)
     {
       const std::int64_t* const ends = this->constraints.ends + 2 * i;
-      insertion.insert(vertexAt(ends[0]), vertexAt(ends[1]), static_cast<std::uint32_t>(i));
+      insertion.insert(vertexAt(ends[0]), vertexAt(ends[1]), static_cast<std::uint32_t>(i),
+        i >= this->constraints.count - this->constraints.sides);
       if ((i + 1) % ConstraintsPerReport == 0)
       {
         this->monitor.advance(ConstraintsPerReport);
@@ -81,7 +82,8 @@ private:
   {
     for (FixedEdge& edge : this->edges)
     {
-      edge = FixedEdge(form.rankOf(edge.low), form.rankOf(edge.high), edge.constraint);
+      edge =
+        FixedEdge(form.rankOf(edge.low), form.rankOf(edge.high), edge.constraint, edge.balance);
     }
   }
 

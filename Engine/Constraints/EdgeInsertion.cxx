@@ -26,7 +26,7 @@ EdgeInsertion::EdgeInsertion(const Geometry& signs, Polyhedron& surface, Monitor
     });
 }
 
-void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint)
+void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint, bool isSide)
 {
   // Of all that it crosses, the first constraint is told; nothing more is changed until then.
   std::uint32_t crossed = NoIndex;
@@ -34,7 +34,7 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
   {
     if (crossed == NoIndex)
     {
-      keepFirstConstraints(this->fixed);
+      joinRecords(this->fixed);
     }
     crossed = std::min(crossed, this->firstAlong(h));
   };
@@ -49,13 +49,17 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
       if (crossed == NoIndex)
       {
         edge = this->cavity.close(u, end);
-        this->fix(edge, constraint);
+        this->fix(edge);
         this->makeDelaunay();
       }
     }
     else if (crossed == NoIndex)
     {
-      this->fix(edge, constraint);
+      this->fix(edge);
+    }
+    if (crossed == NoIndex)
+    {
+      this->fixed.emplace_back(u, end, constraint, isSide ? 1 : 0);
     }
     u = end;
   }
@@ -108,7 +112,7 @@ EdgeInsertion::Exit EdgeInsertion::exitOf(std::uint32_t u, std::uint32_t v)
   throw Error(ErrorCode::Internal); // the triangulation is convex
 }
 
-void EdgeInsertion::fix(std::uint32_t h, std::uint32_t constraint)
+void EdgeInsertion::fix(std::uint32_t h)
 {
   const std::uint32_t twin = this->mesh.twin(h);
   for (const std::uint32_t side : { h, twin })
@@ -116,7 +120,6 @@ void EdgeInsertion::fix(std::uint32_t h, std::uint32_t constraint)
     this->mesh.triangles[triangleOf(side)].flags |= EdgeFixed << cornerOf(side);
   }
   this->setFlat(h, false);
-  this->fixed.emplace_back(this->mesh.origin(h), this->mesh.origin(twin), constraint);
   // The next constraint often goes on here.
   this->leaving[this->mesh.origin(h)].store(h, std::memory_order_relaxed);
   this->leaving[this->mesh.origin(twin)].store(twin, std::memory_order_relaxed);

@@ -34,8 +34,9 @@ public:
   EdgeInsertion(const Geometry& geometry, Polyhedron& surface, Monitor& monitor);
 
   /// Make the segment from vertex @p u to vertex @p v one or more edges.
+  /// @param isSide of a polygon
   /// @throw Error ConstraintsCross, Aborted
-  void insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint);
+  void insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint, bool isSide);
 
   /// Tell anew which edges are flat, where triangles have changed. A fixed edge is not.
   /// @return whether there is a flat one among these
@@ -59,11 +60,11 @@ private:
   const Vertex& vertex(std::uint32_t v) const { return this->mesh.vertices[v]; }
 
   Exit exitOf(std::uint32_t u, std::uint32_t v);
-  void fix(std::uint32_t h, std::uint32_t constraint);
+  void fix(std::uint32_t h);
   void setFlat(std::uint32_t h, bool flat);
   void makeDelaunay();
   bool isFlat(std::uint32_t h) const;
-  /// Of the fixed edges, after keepFirstConstraints.
+  /// Of the fixed edges, after joinRecords.
   std::uint32_t firstAlong(std::uint32_t h) const;
 
   const Geometry& geometry;

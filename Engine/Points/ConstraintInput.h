@@ -26,7 +26,8 @@ void eachEnd(const ConstraintView& constraints, const Use& use)
 /// @throw Error BadArgument, TooManyPoints, ConstraintPoint
 inline void requireValid(const ConstraintView& constraints, std::int64_t pointCount)
 {
-  if (constraints.count < 0 || (constraints.count > 0 && !constraints.ends))
+  if (constraints.count < 0 || (constraints.count > 0 && !constraints.ends) ||
+    constraints.sides < 0 || constraints.sides > constraints.count)
   {
     throw Error(ErrorCode::BadArgument);
   }

@@ -58,6 +58,8 @@ private:
   using Edge = std::pair<std::int64_t, std::int64_t>; ///< corners, the lower one first
   using Place = std::pair<double, double>;
 
+  using Along = std::pair<std::int64_t, std::int64_t>; ///< the first constraint, and the balance
+
   static Place placeOf(const Vertex& v) { return { v.x[0], v.x[1] }; }
 
   Edge fixedEdge(std::size_t i) const
@@ -69,7 +71,7 @@ private:
   {
     const std::size_t count = this->result.constraintOf.size();
     const auto points = static_cast<std::int64_t>(this->corner.size());
-    if (this->result.fixedEdges.size() != 2 * count)
+    if (this->result.fixedEdges.size() != 2 * count || this->result.balance.size() != count)
     {
       return faultAt(Fault::Structure, -1);
     }
@@ -81,7 +83,7 @@ private:
       {
         return faultAt(Fault::Structure, -1);
       }
-      this->fixed.emplace(edge, this->result.constraintOf[i]);
+      this->fixed.emplace(edge, Along{ this->result.constraintOf[i], this->result.balance[i] });
     }
     return this->checkFinite();
   }
@@ -221,7 +223,8 @@ private:
       beside[static_cast<std::size_t>(edge.first.second)].push_back(edge.first.first);
     }
     const Geometry local = this->run.geometry;
-    std::map<Edge, std::int64_t> wanted;
+    const bool isPlane = this->result.dimension == 2; // else no polygon has an inside
+    std::map<Edge, Along> wanted;
     for (std::int64_t c = 0; c < this->constraints.count; ++c)
     {
       std::int64_t at = this->standsFor(this->constraints.ends[2 * c]);
@@ -235,7 +238,9 @@ private:
         {
           return faultAt(Fault::NotFixed, c);
         }
-        wanted.emplace(std::minmax(at, *next), c);
+        Along& along = wanted.emplace(std::minmax(at, *next), Along(c, 0)).first->second;
+        const bool isSide = c >= this->constraints.count - this->constraints.sides;
+        along.second += isPlane && isSide ? (at < *next ? 1 : -1) : 0;
         at = *next;
       }
     }
@@ -260,7 +265,7 @@ private:
   TriangulationRun<false>& run;
   const ConstraintView constraints;
   const ConstrainedTriangulation& result;
-  std::map<Edge, std::int64_t> fixed;
+  std::map<Edge, Along> fixed;
   std::map<Place, std::int64_t> cornerAt; ///< along a line, in its order
 };
 

@@ -78,6 +78,9 @@ void testErrorsOfTheEngine()
   FF_CHECK_EQUAL(saidOf(ErrorCode::ConstraintsCross, 2, 1),
     "Constraint 2 crosses constraint 1, and there is no point where they do. Add one, and end or "
     "begin both there.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::PolygonsDisagree, 5, 6),
+    "The polygons disagree about what is inside, by the edge between the points 5 and 6 and "
+    "another: what is on the left of a side is inside, and holes run clockwise.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::NoDevice),
     std::string("The CUDA engine was asked for, but ") + vtkFFAlgorithm::GetCUDAProblem() +
       ". Set Engine to Automatic or CPU.");

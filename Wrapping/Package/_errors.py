@@ -14,7 +14,7 @@ class FlipFlopError(Exception):
         the first point, triangle, constraint or set at fault; -1 if there is none
     count : int
         how many are at fault, or the size asked for; 0 if that tells nothing. Of constraint_point, the point; of
-        constraints_cross, the other constraint
+        constraints_cross, the other constraint; of polygons_disagree, the other end of the edge
     """
 
     __module__ = "vtkflipflop.arrays"  # where users import it from
@@ -68,13 +68,14 @@ _CODES = (
     ("no_kernel", InputError, "", ""),
     ("constraint_point", InputError, "constraint {}", "point {}"),
     ("constraints_cross", InputError, "constraint {}", "and constraint {}"),
+    ("polygons_disagree", InputError, "by the edge from point {}", "to point {}"),
     ("no_device", DeviceError, "", ""),
     ("device_memory", DeviceError, "", "{} bytes were asked for"),
     ("device_failed", DeviceError, "error {} of the CUDA runtime", ""),
     ("internal", FlipFlopError, "", ""),
 )
 # Of these, the count is a number of its own kind, which may be 0.
-_COUNT_IS_ID = {"constraint_point", "constraints_cross"}
+_COUNT_IS_ID = {"constraint_point", "constraints_cross", "polygons_disagree"}
 
 
 def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:

@@ -25,14 +25,17 @@ struct ConstraintView
 {
   const std::int64_t* ends = nullptr; ///< null only if count is 0
   std::int64_t count = 0;             ///< constraints
+  /// The last so many are sides of polygons, whose insides are on their left.
+  std::int64_t sides = 0;
 
   /// No constraint.
   ConstraintView() = default;
 
-  /// @p n constraints, by the ids of their ends.
-  ConstraintView(const std::int64_t* ids, std::int64_t n)
+  /// @p n constraints, by the ids of their ends; the last @p polygonSides are sides of polygons.
+  ConstraintView(const std::int64_t* ids, std::int64_t n, std::int64_t polygonSides = 0)
     : ends(ids)
     , count(n)
+    , sides(polygonSides)
   {
   }
 };
@@ -47,6 +50,10 @@ struct ConstrainedTriangulation : Triangulation
 
   /// For each of these edges the first constraint that runs along it.
   Buffer<std::int64_t> constraintOf;
+
+  /// For each of these edges, how many sides of polygons run along it from its lower corner to the
+  /// other, less those that run back. In dimension 1, where nothing is inside, 0.
+  Buffer<std::int64_t> balance;
 };
 
 /// The constrained Delaunay triangulation of all points, whatever their number and position.
@@ -59,7 +66,8 @@ struct ConstrainedTriangulation : Triangulation
 /// flips that should bring it back would have to insert it.
 ///
 /// @param points      as for regularTriangulation
-/// @param constraints in any order and direction, none of which changes the triangulation
+/// @param constraints in any order and direction, none of which changes the triangulation. Sides of
+///                    polygons do not either: cellsInside tells what is inside
 /// @param options     see Options
 /// @return the triangulation in its canonical form, which is the same for any number of threads;
 ///         without constraints, that of regularTriangulation
@@ -67,6 +75,21 @@ struct ConstrainedTriangulation : Triangulation
 ///                    Aborted, BadArgument
 ConstrainedTriangulation constrainedTriangulation(
   const PointView& points, const ConstraintView& constraints, const Options& options = Options());
+
+/// Which cells are inside the polygons whose sides were among the constraints. As vtkDelaunay2D has
+/// it: what is on the left of a side is inside, what is on its right is not. So a counter-clockwise
+/// polygon keeps its inside, and a clockwise one in it is a hole, to any depth; and a clockwise one
+/// alone is a hole in all. Edges with a balance of 0 part nothing: two polygons that share a side
+/// are as one. Without polygons all is inside.
+///
+/// @param triangulation as constrainedTriangulation gave it
+/// @param inside        room for one answer a cell: 1 if it is inside
+/// @param options       see Options; only the threads and the progress count
+/// @return              how many cells are inside
+/// @throw Error         PolygonsDisagree, BadArgument (no room for the answers, indices out of
+///                      range), OutOfMemory, Aborted
+std::int64_t cellsInside(const ConstrainedTriangulation& triangulation, std::uint8_t* inside,
+  const Options& options = Options());
 
 }
 

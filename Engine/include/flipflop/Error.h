@@ -34,6 +34,8 @@ enum class ErrorCode
                     ///< out; count: the id of that end
   ConstraintsCross, ///< index: first constraint that crosses an earlier one between points; count:
                     ///< the first that it crosses
+  PolygonsDisagree, ///< index, count: the ids of both ends of an edge; by a polygon's side there,
+                    ///< a cell beside it is inside, by another edge it is not, or the reverse
   NoDevice,         ///< the CUDA engine was asked for, and there is no device for it
   DeviceMemory,     ///< count: bytes asked for of the device
   DeviceFailed,     ///< index: the CUDA runtime's error number
@@ -94,6 +96,8 @@ public:
         return "a constraint ends at a point that is not in the triangulation";
       case ErrorCode::ConstraintsCross:
         return "two constraints cross between points";
+      case ErrorCode::PolygonsDisagree:
+        return "the polygons disagree about what is inside";
       case ErrorCode::NoDevice:
         return "there is no device for the CUDA engine";
       case ErrorCode::DeviceMemory:

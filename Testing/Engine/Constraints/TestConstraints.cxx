@@ -342,6 +342,7 @@ TEST(Constraints, FaultsAreFound)
   ConstrainedTriangulation loose = run(kite, constraints);
   loose.fixedEdges.allocate(0);
   loose.constraintOf.allocate(0);
+  loose.balance.allocate(0);
   EXPECT_EQ(faultOf(loose), Fault::NotConvex);
   ConstrainedTriangulation another = run(kite, constraints);
   another.constraintOf[0] = 1;
@@ -349,7 +350,8 @@ TEST(Constraints, FaultsAreFound)
   ConstrainedTriangulation away = run(kite, {});
   away.fixedEdges.allocate(2);
   away.constraintOf.allocate(1);
-  away.fixedEdges[0] = away.constraintOf[0] = 0;
+  away.balance.allocate(1);
+  away.fixedEdges[0] = away.constraintOf[0] = away.balance[0] = 0;
   away.fixedEdges[1] = 2;
   EXPECT_EQ(faultOf(away), Fault::NotFixed);
   Cloud more = kite;

@@ -199,8 +199,8 @@ TEST(Errors, WordsForEveryCode)
     ErrorCode::OutOfMemory, ErrorCode::Aborted, ErrorCode::BadArgument, ErrorCode::WeightCount,
     ErrorCode::BadTriangle, ErrorCode::NotSimple, ErrorCode::NotClosed, ErrorCode::NotManifold,
     ErrorCode::NotOriented, ErrorCode::NotStarShaped, ErrorCode::NoKernel,
-    ErrorCode::ConstraintPoint, ErrorCode::ConstraintsCross, ErrorCode::NoDevice,
-    ErrorCode::DeviceMemory, ErrorCode::DeviceFailed, ErrorCode::Internal };
+    ErrorCode::ConstraintPoint, ErrorCode::ConstraintsCross, ErrorCode::PolygonsDisagree,
+    ErrorCode::NoDevice, ErrorCode::DeviceMemory, ErrorCode::DeviceFailed, ErrorCode::Internal };
   std::vector<std::string> words;
   for (ErrorCode code : codes)
   {

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What is inside polygons: by their orientation, to any depth, beside a count of the rectangles
+/// around each cell.
+#include "Testing/Engine/Conformance/ProgressWatch.h"
+#include "Testing/Engine/Constraints/ConstrainedCases.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+using Loop = std::vector<std::int64_t>;
+
+/// Constraints, and after them the sides of polygons.
+struct Sides
+{
+  std::vector<Segment> segments;
+  std::int64_t count = 0;
+
+  explicit Sides(const std::vector<Loop>& loops, std::vector<Segment> others = {})
+    : segments(std::move(others))
+  {
+    for (const Loop& loop : loops)
+    {
+      for (std::size_t i = 0; i < loop.size(); ++i)
+      {
+        this->segments.push_back({ loop[i], loop[(i + 1) % loop.size()] });
+        ++this->count;
+      }
+    }
+  }
+
+  ConstraintView view() const
+  {
+    ConstraintView result = viewOf(this->segments);
+    result.sides = this->count;
+    return result;
+  }
+};
+
+std::vector<std::uint8_t> insideOf(
+  const ConstrainedTriangulation& triangulation, const Options& options = Options())
+{
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(triangulation.cellCount()), 7);
+  const std::int64_t count = cellsInside(triangulation, inside.data(), options);
+  EXPECT_EQ(count, std::count(inside.begin(), inside.end(), 1));
+  return inside;
+}
+
+/// The cells that are inside, by ids.
+std::vector<Cell> keptBy(const Cloud& cloud, const Sides& sides)
+{
+  Options options;
+  options.facets = FacetMode::Polygons;
+  const ConstrainedTriangulation result =
+    constrainedTriangulation(viewOf(cloud), sides.view(), options);
+  EXPECT_TRUE(validate(viewOf(cloud), sides.view(), result));
+  const std::vector<std::uint8_t> inside = insideOf(result);
+  const std::vector<Cell> all = cellsOf(result);
+  std::vector<Cell> kept;
+  for (std::size_t c = 0; c < all.size(); ++c)
+  {
+    if (inside[c])
+    {
+      kept.push_back(all[c]);
+    }
+  }
+  return kept;
+}
+
+void expectDisagreement(
+  const Cloud& cloud, const Sides& sides, std::int64_t first, std::int64_t second)
+{
+  const ConstrainedTriangulation result = constrainedTriangulation(viewOf(cloud), sides.view());
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
+  expectError(
+    [&] { cellsInside(result, inside.data()); }, ErrorCode::PolygonsDisagree, first, second);
+}
+
+/// 0 to 15, in rows of four.
+const Cloud grid = squareGrid(4);
+
+TEST(PolygonsInside, IsWhatIsOnTheLeft)
+{
+  const std::vector<Cell> middle = { { 5, 6, 10, 9 } };
+  EXPECT_EQ(keptBy(grid, Sides({ { 5, 6, 10, 9 } })), middle);
+  const std::vector<Cell> others = keptBy(grid, Sides({ { 9, 10, 6, 5 } }));
+  EXPECT_EQ(others.size(), 8u);
+  EXPECT_EQ(std::count(others.begin(), others.end(), middle[0]), 0);
+  EXPECT_EQ(keptBy(grid, Sides({})).size(), 9u);
+  // Around it, with a hole; the outer sides run through points.
+  EXPECT_EQ(keptBy(grid, Sides({ { 0, 3, 15, 12 }, { 9, 10, 6, 5 } })), others);
+  // Other constraints, along the sides too, part nothing.
+  EXPECT_EQ(keptBy(grid, Sides({ { 5, 6, 10, 9 } }, { { 6, 5 }, { 0, 12 }, { 1, 2 } })), middle);
+}
+
+TEST(PolygonsInside, SharedSidesPartNothing)
+{
+  const std::vector<Cell> both = { { 0, 1, 5, 4 }, { 1, 2, 6, 5 } };
+  EXPECT_EQ(keptBy(grid, Sides({ { 0, 1, 5, 4 }, { 1, 2, 6, 5 } })), both);
+  EXPECT_EQ(keptBy(grid, Sides({ { 0, 2, 6, 4 } })), both);
+  // The same twice is the same; there and back is nothing.
+  EXPECT_EQ(keptBy(grid, Sides({ { 0, 2, 6, 4 }, { 4, 0, 2, 6 } })), both);
+  EXPECT_EQ(keptBy(grid, Sides({ { 0, 5, 10 } })).size(), 11u);
+}
+
+TEST(PolygonsInside, DisagreementNamesAnEdge)
+{
+  // Two around each other that run alike: between them, the outer says inside, the inner not.
+  expectDisagreement(grid, Sides({ { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }), 5, 6);
+  // A hole beside a part.
+  expectDisagreement(grid, Sides({ { 0, 1, 5, 4 }, { 14, 15, 11, 10 } }), 10, 11);
+  // Sides that close no polygon.
+  std::vector<Segment> open = { { 5, 6 } };
+  const ConstrainedTriangulation result =
+    constrainedTriangulation(viewOf(grid), ConstraintView(open[0].data(), 1, 1));
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
+  expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::PolygonsDisagree, 5, 6);
+}
+
+TEST(PolygonsInside, OfLowerDimensionsAllIs)
+{
+  const Cloud line = { { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } };
+  EXPECT_EQ(keptBy(line, Sides({ { 0, 2, 1 } })).size(), 2u);
+  EXPECT_EQ(keptBy({ { 1, 1, 0 } }, Sides({ { 0, 0, 0 } })).size(), 1u);
+  EXPECT_EQ(keptBy({}, Sides({})).size(), 0u);
+}
+
+TEST(PolygonsInside, BadArguments)
+{
+  const std::vector<Segment> one = { { 0, 1 } };
+  for (const std::int64_t sides : { -1, 2 })
+  {
+    expectError([&]
+      { constrainedTriangulation(viewOf(grid), ConstraintView(one[0].data(), 1, sides)); },
+      ErrorCode::BadArgument);
+  }
+  ConstrainedTriangulation result = constrainedTriangulation(viewOf(grid), viewOf(one));
+  expectError([&] { cellsInside(result, nullptr); }, ErrorCode::BadArgument);
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
+  result.fixedEdges[1] = 16;
+  expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::BadArgument);
+  result.fixedEdges[1] = 1;
+  result.balance.allocate(0);
+  expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::BadArgument);
+}
+
+/// Rectangles in rectangles and beside each other, that take turns from depth to depth.
+void nest(
+  int x0, int y0, int x1, int y1, int side, bool solid, Random& random, std::vector<Loop>& loops)
+{
+  const auto id = [side](int x, int y) { return std::int64_t(y) * side + x; };
+  if (x1 - x0 < 2 || y1 - y0 < 2 || random.integer(0, 9) == 0)
+  {
+    return;
+  }
+  if (x1 - x0 >= 7 && random.integer(0, 1))
+  {
+    const int middle = (x0 + x1) / 2;
+    nest(x0, y0, middle, y1, side, solid, random, loops);
+    nest(middle + 1, y0, x1, y1, side, solid, random, loops);
+    return;
+  }
+  Loop loop = { id(x0, y0), id(x1, y0), id(x1, y1), id(x0, y1) };
+  if (!solid)
+  {
+    std::reverse(loop.begin(), loop.end());
+  }
+  loops.push_back(loop);
+  nest(x0 + 1, y0 + 1, x1 - 1, y1 - 1, side, !solid, random, loops);
+}
+
+TEST(PolygonsInside, IsThatOfTheDepth)
+{
+  constexpr int Side = 24;
+  const Cloud cloud = squareGrid(Side);
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    Random random(seed);
+    std::vector<Loop> loops;
+    nest(1, 1, Side - 2, Side - 2, Side, true, random, loops);
+    if (loops.empty())
+    {
+      continue;
+    }
+    const Sides sides(loops);
+    for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+    {
+      Options options;
+      options.facets = facets;
+      const ConstrainedTriangulation result =
+        constrainedTriangulation(viewOf(cloud), sides.view(), options);
+      options.threads = 2;
+      const std::vector<std::uint8_t> inside = insideOf(result, options);
+      const std::vector<Cell> cells = cellsOf(result);
+      for (std::size_t c = 0; c < cells.size(); ++c)
+      {
+        double x = 0;
+        double y = 0;
+        for (const std::int64_t id : cells[c])
+        {
+          x += double(id % Side) / double(cells[c].size());
+          y += double(id / Side) / double(cells[c].size());
+        }
+        const auto depth = std::count_if(loops.begin(), loops.end(),
+          [&](const Loop& loop)
+          {
+            // Of opposite corners.
+            const auto across = std::minmax({ loop[0] % Side, loop[2] % Side });
+            const auto up = std::minmax({ loop[0] / Side, loop[2] / Side });
+            return double(across.first) < x && x < double(across.second) && double(up.first) < y &&
+              y < double(up.second);
+          });
+        ASSERT_EQ(inside[c], depth % 2) << "seed " << seed << ", cell " << toString(cells[c]);
+      }
+    }
+  }
+}
+
+TEST(PolygonsInside, ReportsProgressAndStops)
+{
+  const Sides sides({ { 0, 3, 15, 12 } });
+  const ConstrainedTriangulation result = constrainedTriangulation(viewOf(grid), sides.view());
+  Watch watch;
+  insideOf(result, watch.options(1));
+  watch.expectOrder();
+  Watch stopped;
+  stopped.stopAt = 1;
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
+  expectError([&] { cellsInside(result, inside.data(), stopped.options(1)); }, ErrorCode::Aborted);
+}
+
+}
+
+}
+}
