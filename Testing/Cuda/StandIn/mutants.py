@@ -23,6 +23,8 @@ SMALL = ["--small"]
 # Its copies are of several pieces, and slower than the host fills the next.
 LARGE = ["STANDIN_LAG_MICROSECONDS=5000", "--only", "rounds/plane-uniform-500000"]
 
+# Its points are sent in more pieces than there is pinned memory for.
+PIECES = ["STANDIN_LAG_MICROSECONDS=5000", "--only", "rounds/cube-1000000"]
 # Not all of a run's memory may be kept.
 LITTLE = ["STANDIN_MEBIBYTES=64", "--only", "what-stays"]
 
@@ -36,7 +38,7 @@ MUTANTS = [
      """    // By"""),
     ("piece-written-too-early",
      "pinned memory is filled again before its copy is done",
-     LARGE, EXECUTOR, "    if (piece >= 2)\n", "    if (piece >= 3)\n"),
+     PIECES, EXECUTOR, "    if (piece >= 2)\n", "    if (piece >= 3)\n"),
     ("wrong-piece",
      "a piece is fetched twice, and the next never",
      LARGE, EXECUTOR, "      fetch(i + 1);\n", "      fetch(i);\n"),
@@ -134,7 +136,7 @@ def main():
     tree = Tree(options)
     if not tree.built():
         sys.exit(f"the tree does not compile: {tree.log}")
-    for arguments in (SMALL, LARGE, LITTLE):
+    for arguments in (SMALL, LARGE, PIECES, LITTLE):
         failed, said = tree.test(arguments)
         if failed:
             sys.exit(f"the unbroken tree fails: {said}")
