@@ -94,8 +94,14 @@ struct BlockMeasure
 class BlockRun
 {
 public:
-  /// @throw Error BadArgument, TooManyPoints (in this block), OutOfMemory, Aborted; all functions
-  ///        may, and Internal for a message that is damaged. The object is of no use after that.
+  /// One block of many.
+  /// @param shape   what is built; the same for all blocks
+  /// @param points  of this block; not needed any longer after this
+  /// @param options of each run; the same facets for all blocks
+  /// @throw Error   BadArgument, NonFinite, TooManyPoints (in this block), OutOfMemory, Aborted;
+  /// all
+  ///                functions may, and Internal for a message that is damaged. The object is of no
+  ///                use after that.
   BlockRun(BlockShape shape, const BlockPoints& points, const Options& options);
   ~BlockRun();
   BlockRun(const BlockRun&) = delete;
@@ -116,7 +122,8 @@ public:
   BlockMessage answer(const BlockMessage& questions);
 
   /// Take answers in.
-  /// @param from the block that was asked
+  /// @param from    the block that was asked
+  /// @param answers what it answered
   void take(int from, const BlockMessage& answers);
 
   /// The block's cells. With FacetMode::Polygons, one cell a facet.
@@ -129,7 +136,9 @@ public:
 
   /// The volume and the area of the hull, with the bits that one run on all points gives. Every
   /// block has the same answer, after begin().
-  /// @param sum of all blocks' measures
+  /// @param sum    of all blocks' measures
+  /// @param volume becomes the volume; 0 below dimension 3
+  /// @param area   becomes the area
   void sizeOf(const BlockMeasure& sum, double& volume, double& area) const;
 
   /// Points of other blocks that this one was told: those of the sample, and those of answers.
