@@ -3,6 +3,7 @@
 #include "Constraints/EdgeInsertion.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace flipflop
 {
@@ -38,6 +39,13 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
     }
     crossed = std::min(crossed, this->firstAlong(h));
   };
+  // It begins where there are fewer triangles to look at: many constraints may end at one point.
+  const bool isTurned = u != v && this->hasSmallerStar(v, u);
+  if (isTurned)
+  {
+    std::swap(u, v);
+  }
+  const int sides = !isSide ? 0 : isTurned ? -1 : 1;
   while (u != v)
   {
     const Exit exit = this->exitOf(u, v);
@@ -59,7 +67,7 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
     }
     if (crossed == NoIndex)
     {
-      this->fixed.emplace_back(u, end, constraint, isSide ? 1 : 0);
+      this->fixed.emplace_back(u, end, constraint, sides);
     }
     u = end;
   }
@@ -67,6 +75,23 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
   {
     throw Error(ErrorCode::ConstraintsCross, constraint, crossed);
   }
+}
+
+/// Have fewer triangles the corner v than u? It takes as many steps as the fewer are.
+bool EdgeInsertion::hasSmallerStar(std::uint32_t v, std::uint32_t u)
+{
+  const std::uint32_t first[2] = { this->leaving[u].load(std::memory_order_relaxed),
+    this->leaving[v].load(std::memory_order_relaxed) };
+  std::uint32_t h[2] = { first[0], first[1] };
+  do
+  {
+    this->poll.step();
+    for (std::uint32_t& spoke : h)
+    {
+      spoke = this->mesh.twin(previousHalfEdge(spoke));
+    }
+  } while (h[0] != first[0] && h[1] != first[1]);
+  return h[0] != first[0];
 }
 
 /// Around u, the edge along the line to v, or the triangle that the line leaves through.

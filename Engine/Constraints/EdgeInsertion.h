@@ -60,6 +60,7 @@ private:
   const Vertex& vertex(std::uint32_t v) const { return this->mesh.vertices[v]; }
 
   Exit exitOf(std::uint32_t u, std::uint32_t v);
+  bool hasSmallerStar(std::uint32_t v, std::uint32_t u);
   void fix(std::uint32_t h);
   void setFlat(std::uint32_t h, bool flat);
   void makeDelaunay();
