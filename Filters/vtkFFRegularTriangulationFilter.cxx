@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFRegularTriangulationFilter.h"
 
+#include "vtkFFConstraints.h"
 #include "vtkFFFailure.h"
 #include "vtkFFRegularTriangulationInternals.h"
 
@@ -10,6 +11,7 @@
 #include "vtkAbstractTransform.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -67,6 +69,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , NumberOfHiddenPoints(0)
   , NumberOfDroppedCells(0)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
   this->SetInternals(std::make_unique<vtkInternals>(this));
 }
@@ -91,6 +94,41 @@ void vtkFFRegularTriangulationFilter::SetTransform(vtkAbstractTransform* transfo
 void vtkFFRegularTriangulationFilter::StoreTransform(vtkAbstractTransform* transform)
 {
   vtkSetObjectBodyMacro(Transform, vtkAbstractTransform, transform);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputData(1, source);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::SetSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkFFRegularTriangulationFilter::GetSource()
+{
+  return this->GetNumberOfInputConnections(1) > 0
+    ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFRegularTriangulationFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  // Any type will do, and we say ourselves what is wrong with it.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -200,6 +238,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::ResetReport()
   filter->NumberOfHiddenPoints = 0;
   filter->NumberOfDroppedCells = 0;
   this->HasWarnedOfVerticalPlane = false;
+  this->Constraints = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -243,6 +282,61 @@ void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& 
                "ymax) = ("
             << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
     failure.Say(message.str());
+    return;
+  }
+  this->CheckSource(failure);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFRegularTriangulationFilter::vtkInternals::HasSource()
+{
+  return this->GetFilter()->GetNumberOfInputConnections(1) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::CheckSource(vtkFFFailure& failure)
+{
+  auto* filter = this->GetTriangulationFilter();
+  if (!this->HasSource())
+  {
+    return;
+  }
+  vtkDataObject* source = filter->GetExecutive()->GetInputData(1, 0);
+  if (source && !filter->GetSource())
+  {
+    failure.Say(std::string("The source is a ") + source->GetClassName() +
+      ". It must be a vtkPolyData, whose lines and polygons are constraints.");
+  }
+  else if (filter->GeneratePowerDiagram)
+  {
+    failure.Say("A power diagram has no constraints. Turn off Generate Power Diagram, or take the "
+                "source away.");
+  }
+  else if (filter->Engine == ENGINE_CUDA)
+  {
+    failure.Say("The CUDA engine was asked for, but constraints are the CPU's. Set Engine to "
+                "Automatic or CPU.");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
+  std::vector<Block>& blocks, vtkFFFailure& failure)
+{
+  this->CheckParts(std::count_if(blocks.begin(), blocks.end(),
+                     [](const Block& block) { return !block.Pieces.empty(); }),
+    failure);
+  return this->vtkFFAlgorithm::vtkInternals::SelectBlocks(blocks, failure);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::CheckParts(
+  vtkIdType count, vtkFFFailure& failure)
+{
+  if (count > 1 && failure.Kind == vtkFFFailure::None && this->HasSource())
+  {
+    failure.Say("The source has ids of one data set's points, and the input has " +
+      std::to_string(count) + " parts. Take one, merge them, or take the source away.");
   }
 }
 
@@ -257,6 +351,26 @@ std::string vtkFFRegularTriangulationFilter::vtkInternals::DescribeError(
       filter->ProjectionPlaneMode == XY_PLANE ? "" : " (as given, or projected)";
     return this->DescribeNonFinite("A coordinate" + projected + " or a weight", error) +
       " Remove them, or set Non Finite Points to Ignore.";
+  }
+  // The engine was given no ids but those of points.
+  if (error.code() == flipflop::ErrorCode::ConstraintPoint && this->Constraints)
+  {
+    return "Point " + std::to_string(this->GetPlaceOfPoint(static_cast<vtkIdType>(error.count()))) +
+      " of " + this->Constraints->DescribeCell(error.index()) +
+      " is left out: it has a coordinate that is NaN or infinite.";
+  }
+  if (error.code() == flipflop::ErrorCode::ConstraintsCross && this->Constraints)
+  {
+    return "An edge of " + this->Constraints->DescribeCell(error.index()) + " crosses one of " +
+      this->Constraints->DescribeCell(error.count()) +
+      ", and there is no point where they do. Add one to the input and to both.";
+  }
+  if (error.code() == flipflop::ErrorCode::PolygonsDisagree)
+  {
+    const auto place = [this](std::int64_t id)
+    { return this->GetPlaceOfPoint(static_cast<vtkIdType>(id)); };
+    return this->vtkFFAlgorithm::vtkInternals::DescribeError(
+      flipflop::Error(error.code(), place(error.index()), place(error.count())));
   }
   return this->vtkFFAlgorithm::vtkInternals::DescribeError(error);
 }

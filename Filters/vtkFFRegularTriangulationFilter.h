@@ -69,6 +69,8 @@
  * - ghost points: left out, unless SkipGhostPoints is off
  * - cells with an edge longer than MaximumEdgeLength, if that is not 0:
  *   left out and counted
+ * - constraints that cross between points, or name a point that is not
+ *   there: an error naming the cells, and empty output
  * - too many points, no memory: an error, and empty output
  *
  * Weights are unusable if they are not numbers, or if there is not one for each point. Without
@@ -91,6 +93,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractTransform;
+class vtkAlgorithmOutput;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
   : public vtkFFAlgorithm
@@ -132,6 +135,31 @@ public:
     BOX_OF_POINTS = 0,
     BOX_OF_BOUNDS = 1
   };
+
+  //@{
+  /**
+   * Set/Get the second input, on port 1: lines, polylines and polygons that are to be edges of the
+   * triangulation. None by default. Their point ids are those of the input; the points of the
+   * source are not looked at. As in vtkDelaunay2D, polygons also tell what is inside: what is on
+   * the left of a side, as seen from the plane's upper side. So a counter-clockwise polygon keeps
+   * its inside, and a clockwise one in it is a hole, to any depth; a clockwise one alone is a hole
+   * in all. Cells that are not inside are left out and counted; all points stay.
+   *
+   * The result is the constrained Delaunay triangulation: all other edges are Delaunay as far as
+   * the constraints let points see each other. It does not depend on the order of the constraints.
+   * A constraint through points is parted there, and one that ends at a duplicate ends at the
+   * lowest id of that position. Constraints that cross between points are an error that names both
+   * cells, as is a point that is not there or is left out; so are polygons that say different
+   * things of one cell. As polygons (see SetFacetMode()), a cell is all points of one circle that
+   * no constraint parts.
+   *
+   * With a source, there can be no weights, no power diagram, no CUDA engine and no more than one
+   * block, and the points may not be distributed over processes: each is an error.
+   */
+  void SetSourceData(vtkDataObject* source);
+  void SetSourceConnection(vtkAlgorithmOutput* output);
+  vtkPolyData* GetSource();
+  //@}
 
   // What sets a mode as well comes before that mode: VTK reads a state back in this order, so that
   // the mode is the one that was written.
@@ -333,8 +361,8 @@ public:
   vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
 
   /**
-   * Get the number of cells that the last run left out for MaximumEdgeLength; the sum for several
-   * blocks.
+   * Get the number of cells that the last run left out, for MaximumEdgeLength or since they are not
+   * inside the source's polygons; the sum for several blocks.
    */
   vtkGetMacro(NumberOfDroppedCells, vtkIdType);
 
@@ -348,6 +376,8 @@ protected:
   ~vtkFFRegularTriangulationFilter() override;
 
   class vtkInternals;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
 
   /**
    * RequestData() of a subclass with a single output port: that is one of the three outputs.

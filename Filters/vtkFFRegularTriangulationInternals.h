@@ -17,6 +17,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
+class vtkFFConstraints;
 class vtkFFPointSource;
 class vtkFFProjection;
 class vtkPointSet;
@@ -28,10 +29,21 @@ public:
   using vtkFFAlgorithm::vtkInternals::vtkInternals;
 
   void CheckSettings(vtkFFFailure& failure) override;
+  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
   bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   void ResetReport() override;
   std::string DescribeError(const flipflop::Error& error) override;
+
+  /**
+   * Whether there is a second input.
+   */
+  bool HasSource();
+
+  /**
+   * It is a failure if the input has several parts (blocks, processes) and there is a source.
+   */
+  void CheckParts(vtkIdType count, vtkFFFailure& failure);
 
 protected:
   const char* GetProgressTitle() override;
@@ -50,12 +62,14 @@ protected:
    */
   vtkDataArray* FindWeights(vtkPointSet* input);
 
+  void CheckSource(vtkFFFailure& failure);
   void Project(const vtkFFPointSource& points, vtkFFProjection& projection);
 
 private:
   vtkFFRegularTriangulationFilter* GetTriangulationFilter();
 
   bool HasWarnedOfVerticalPlane = false;
+  const vtkFFConstraints* Constraints = nullptr; // while there are some
 };
 VTK_ABI_NAMESPACE_END
 

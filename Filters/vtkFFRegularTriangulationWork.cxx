@@ -8,6 +8,7 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
 
+#include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConvexHull.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Engines.h>
@@ -32,6 +33,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -102,6 +104,20 @@ double numberAt(const void* data, flipflop::ScalarType type, std::int64_t i)
                                                : static_cast<const double*>(data)[i];
 }
 
+/// Leaves out the cells that are not inside the polygons. Returns how many these are.
+std::int64_t dropOutside(
+  const flipflop::Options& options, flipflop::ConstrainedTriangulation& triangulation)
+{
+  const std::int64_t cells = triangulation.cellCount();
+  flipflop::Buffer<std::uint8_t> inside(static_cast<std::size_t>(cells));
+  const std::int64_t kept = flipflop::cellsInside(triangulation, inside.data(), options);
+  if (kept < cells)
+  {
+    flipflop::keepCells(triangulation, inside.data());
+  }
+  return cells - kept;
+}
+
 /// The areas and centroids of so many cells: measure(areas, centroids).
 class CellMeasures
 {
@@ -140,14 +156,22 @@ vtkFFRegularTriangulationFilter::vtkInternals::Work::Work(
 }
 
 //------------------------------------------------------------------------------
-vtkFFRegularTriangulationFilter::vtkInternals::Work::~Work() = default;
+vtkFFRegularTriangulationFilter::vtkInternals::Work::~Work()
+{
+  this->Internals->Constraints = nullptr;
+}
 
 //------------------------------------------------------------------------------
 void vtkFFRegularTriangulationFilter::vtkInternals::Work::Gather(const flipflop::Options& options)
 {
   this->TakePoints();
   this->JoinPoints();
-  this->TakeWeights(this->Internals->FindWeights(this->Input));
+  vtkDataArray* const weights = this->Internals->FindWeights(this->Input);
+  if (this->Internals->HasSource())
+  {
+    this->TakeConstraints(weights);
+  }
+  this->TakeWeights(weights);
   this->Projection.emplace(options);
   this->Internals->Project(*this->Points, *this->Projection);
 }
@@ -194,6 +218,11 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::SetInput(vtkPointSet* 
 void vtkFFRegularTriangulationFilter::vtkInternals::Work::Run(const flipflop::Options& chosen,
   const flipflop::EngineOptions& engine, flipflop::EngineReport& report)
 {
+  if (this->Constraints)
+  {
+    this->RunConstrained(chosen, report);
+    return;
+  }
   // The diagram takes polygons: points of one power circle meet in one corner. Their fans are the
   // triangles that the engine would give.
   flipflop::Options options = chosen;
@@ -202,8 +231,46 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Run(const flipflop::Op
     options.facets = flipflop::FacetMode::Polygons;
     this->Internals->SetProgressPart(0.0, shareOfTriangulation);
   }
-  this->Triangulation = flipflop::regularTriangulation(
+  static_cast<flipflop::Triangulation&>(this->Triangulation) = flipflop::regularTriangulation(
     this->Projection->GetView(), this->Weights->GetView(), options, engine, report);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::TakeConstraints(vtkDataArray* weights)
+{
+  vtkPolyData* const source = this->Filter->GetSource();
+  if (!source)
+  {
+    return;
+  }
+  if (weights)
+  {
+    throw std::runtime_error("Constraints take no weights. Choose no weights' array, or take the "
+                             "source away.");
+  }
+  const vtkIdType count = std::accumulate(this->Pieces.begin(), this->Pieces.end(), vtkIdType(0),
+    [](vtkIdType sum, vtkPointSet* piece) { return sum + piece->GetNumberOfPoints(); });
+  this->Constraints.emplace(source, count, this->Internals->PlacesOfPoints);
+  this->Internals->Constraints = &*this->Constraints;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::RunConstrained(
+  const flipflop::Options& options, flipflop::EngineReport& report)
+{
+  report.used = flipflop::EngineChoice::CPU;
+  std::snprintf(report.reason, sizeof(report.reason), "%s",
+    this->Filter->Engine == ENGINE_CPU ? "the CPU engine was asked for"
+                                       : "constraints are the CPU's");
+  constexpr double shareOfInside = 0.2;
+  this->Internals->SetProgressPart(0.0, 1.0 - shareOfInside);
+  this->Triangulation = flipflop::constrainedTriangulation(
+    this->Projection->GetView(), this->Constraints->GetView(), options);
+  if (this->Constraints->GetView().sides > 0)
+  {
+    this->Internals->SetProgressPart(1.0 - shareOfInside, 1.0);
+    this->CellsOutside = dropOutside(options, this->Triangulation);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +362,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
     FanFacets(triangulation, options);
   }
   const std::int64_t dropped =
-    this->DropLongCells(this->Projection->GetView(), options, triangulation);
+    this->CellsOutside + this->DropLongCells(this->Projection->GetView(), options, triangulation);
   const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
   this->Report(report, hidden, dropped, outputs[0]);
   this->WriteCells(options, outputs);

@@ -12,6 +12,7 @@
 #define vtkFFRegularTriangulationWork_h
 
 #include "vtkFFBlockWork.h"
+#include "vtkFFConstraints.h"
 #include "vtkFFMarks.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFProjection.h"
@@ -19,9 +20,9 @@
 #include "vtkFFWeightSource.h"
 
 #include <flipflop/BlockRun.h>
+#include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/Hull.h>
 #include <flipflop/PowerDiagram.h>
-#include <flipflop/Triangulation.h>
 
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
@@ -108,9 +109,21 @@ protected:
   std::optional<vtkFFPointSource> Points;
   std::optional<vtkFFWeightSource> Weights;
   std::optional<vtkFFProjection> Projection;
-  flipflop::Triangulation Triangulation;
+  flipflop::ConstrainedTriangulation Triangulation;
 
 private:
+  //@{
+  /**
+   * Constraints of the filter's second input, if it has some; the run with these.
+   *
+   * @throw std::runtime_error for weights beside them
+   */
+  void TakeConstraints(vtkDataArray* weights);
+  void RunConstrained(const flipflop::Options& options, flipflop::EngineReport& report);
+  //@}
+
+  std::optional<vtkFFConstraints> Constraints;
+  std::int64_t CellsOutside = 0; // left out
   std::vector<vtkPointSet*> Pieces;
   std::vector<vtkSmartPointer<vtkPointSet>> Counted;
 };

@@ -22,8 +22,22 @@ vtkIdType beginOf(vtkCellArray* cells, vtkIdType cell)
   return static_cast<vtkIdType>(cells->GetOffsetsArray()->GetComponent(cell, 0));
 }
 
-/// Whether the cells' corners are there. What is asked of VTK's cells relies on it.
-std::string describeOffsets(vtkCellArray* cells, const std::string& ofBlock)
+/// The first cell of fewer than three corners; the number of cells if there is none.
+vtkIdType findSmall(vtkCellArray* cells)
+{
+  const vtkIdType count = cells->GetNumberOfCells();
+  vtkIdType cell = 0;
+  while (cell < count && cells->GetCellSize(cell) >= 3)
+  {
+    ++cell;
+  }
+  return cell;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFSurfaceCells::DescribeOffsets(vtkCellArray* cells, const std::string& whose)
 {
   const vtkIdType count = cells->GetNumberOfCells();
   if (count == 0)
@@ -43,23 +57,9 @@ std::string describeOffsets(vtkCellArray* cells, const std::string& ofBlock)
     return {};
   }
   std::ostringstream message;
-  message << "The input's cells" << ofBlock << " are not valid: their offsets name corners "
-          << first << " to " << last - 1 << ", and the connectivity has " << given << ".";
+  message << "The " << whose << " are not valid: their offsets name corners " << first << " to "
+          << last - 1 << ", and the connectivity has " << given << ".";
   return message.str();
-}
-
-/// The first cell of fewer than three corners; the number of cells if there is none.
-vtkIdType findSmall(vtkCellArray* cells)
-{
-  const vtkIdType count = cells->GetNumberOfCells();
-  vtkIdType cell = 0;
-  while (cell < count && cells->GetCellSize(cell) >= 3)
-  {
-    ++cell;
-  }
-  return cell;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ std::string vtkFFSurfaceCells::DescribeFault(vtkPolyData* surface, const std::st
   }
   for (vtkCellArray* cells : { polygons, strips })
   {
-    const std::string fault = describeOffsets(cells, ofBlock);
+    const std::string fault = DescribeOffsets(cells, "input\'s cells" + ofBlock);
     if (!fault.empty())
     {
       return fault;

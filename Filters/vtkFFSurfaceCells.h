@@ -37,6 +37,14 @@ public:
   static std::string DescribeFault(vtkPolyData* surface, const std::string& ofBlock);
 
   /**
+   * Whether the corners of cells are there, which VTK's own calls rely on: what is wrong with them,
+   * in a sentence. Empty: nothing.
+   *
+   * @param whose how errors tell the cells: "source's cells"
+   */
+  static std::string DescribeOffsets(vtkCellArray* cells, const std::string& whose);
+
+  /**
    * The cells of a surface without such a fault.
    *
    * @param points  its points

@@ -59,6 +59,7 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
   {
     return this->vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(blocks, failure);
   }
+  this->CheckParts(processes.GetCount(), failure);
   const bool done = processes.SelectBlocks(true, blocks, failure);
   this->ReportFailure(failure, processes.GetRank() == 0);
   return done;

@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataSetAttributes,
     vtkMultiBlockDataSet,
     vtkPartitionedDataSet,
+    vtkPolyData,
     vtkRectilinearGrid,
     vtkTable,
 )
@@ -167,6 +168,60 @@ def interpolation_of(points):
     return algorithm
 
 
+def constrained(lines, polygons=(), points="0 -3 0; 1 0 0; 0 3 0; -1 0 0", **settings):
+    """With a source of lines and polygons."""
+    source = vtkPolyData()
+    for add, cells in ((source.SetLines, lines), (source.SetPolys, polygons)):
+        array = vtkCellArray()
+        for cell in cells:
+            array.InsertNextCell(len(cell))
+            for point in cell:
+                array.InsertCellPoint(point)
+        add(array)
+    algorithm = triangulation_of(points, **settings)
+    algorithm.SetSourceData(source)
+    return algorithm
+
+
+def constrained_by_a_table():
+    algorithm = constrained([])
+    algorithm.SetSourceData(vtkTable())
+    return algorithm
+
+
+def constrained_by_damaged_lines():
+    algorithm = constrained([[0, 2]])
+    algorithm.GetSource().GetLines().GetConnectivityArray().SetNumberOfTuples(1)
+    return algorithm
+
+
+def constrained_to_a_ghost():
+    algorithm = constrained([[0, 1]])
+    marks = vtkUnsignedCharArray()
+    marks.SetName("vtkGhostType")
+    for mark in (0, vtkDataSetAttributes.DUPLICATEPOINT, 0, 0):
+        marks.InsertNextValue(mark)
+    algorithm.GetInput().GetPointData().AddArray(marks)
+    return algorithm
+
+
+def constrained_with_weights():
+    algorithm = constrained([[0, 1]])
+    weights = doubles(0.0, 1.0, 2.0, 3.0)
+    weights.SetName("weight")
+    algorithm.GetInput().GetPointData().AddArray(weights)
+    return use_weights(algorithm)
+
+
+def constrained_in_blocks():
+    algorithm = constrained([[0, 1]])
+    blocks = vtkMultiBlockDataSet()
+    for k in range(2):
+        blocks.SetBlock(k, poly_data(TETRAHEDRON))
+    algorithm.SetInputData(blocks)
+    return algorithm
+
+
 def surface_in_partitions():
     partitions = vtkPartitionedDataSet()
     for k in range(2):
@@ -216,6 +271,7 @@ INTEGER = 2**53 + 1  # no double
 PLANE = vtkFFRegularTriangulationFilter.TRANSFORM_PLANE
 FITTING = vtkFFRegularTriangulationFilter.BEST_FITTING_PLANE
 RADII = vtkFFRegularTriangulationFilter.RADII
+IGNORE = vtkFFRegularTriangulationFilter.NON_FINITE_IGNORE
 BOUNDS = vtkFFRegularTriangulationFilter.BOX_OF_BOUNDS
 CUDA = vtkFFHullFilter.ENGINE_CUDA
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
@@ -288,8 +344,25 @@ FAILURES = {
     "points to interpolate at, and no source": lambda: interpolation(None),
     "a source without its array of weights": lambda: interpolation(poly_data(TETRAHEDRON)),
     "a coordinate of a source is NaN or infinite": lambda: interpolation_of("0 0 0; 1 0 0; 0 inf 0"),
+    "a table as constraints": constrained_by_a_table,
+    "constraints with a corner too few": constrained_by_damaged_lines,
+    "a constraint to a point that is not there": lambda: constrained([[0, 9]]),
+    "a constraint to a ghost point": constrained_to_a_ghost,
+    "a constraint to a point that is NaN": lambda: constrained(
+        [[0, 1]], points="0 -3 0; nan 0 0; 0 3 0; -1 0 0", NonFinitePoints=IGNORE
+    ),
+    "constraints that cross": lambda: constrained([[0, 2], [1, 3]]),
+    "polygons that disagree": lambda: constrained(
+        [],
+        [[0, 1, 2, 3], [4, 5, 6, 7]],
+        points="0 0 0; 9 0 0; 9 9 0; 0 9 0; 3 3 0; 6 3 0; 6 6 0; 3 6 0",
+    ),
+    "constraints and weights": constrained_with_weights,
+    "constraints and a power diagram": lambda: constrained([[0, 1]], GeneratePowerDiagram=True),
+    "constraints for two blocks": constrained_in_blocks,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
     "the CUDA engine for a surface": lambda: surface(FACETS, Engine=CUDA),
+    "the CUDA engine for constraints": lambda: constrained([[0, 1]], Engine=CUDA),
 }
 WARNINGS = {
     "points in one vertical plane": lambda: triangulation_of("0 0 0; 1 1 0; 0 0 1"),

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFConstraints.h"
+
+#include "vtkFFSurfaceCells.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+std::string describe(vtkIdType cell)
+{
+  return "cell " + std::to_string(cell) + " of the source";
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFConstraints::vtkFFConstraints(
+  vtkPolyData* source, vtkIdType count, const std::vector<vtkIdType>& places)
+  : Count(count)
+  , Places(places)
+{
+  for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
+  {
+    const std::string fault = vtkFFSurfaceCells::DescribeOffsets(cells, "source's cells");
+    if (!fault.empty())
+    {
+      throw std::runtime_error(fault);
+    }
+  }
+  const vtkIdType vertices = source->GetNumberOfVerts();
+  this->Take(source->GetLines(), vertices, false);
+  const std::size_t lines = this->CellIds.size();
+  this->Take(source->GetPolys(), vertices + source->GetNumberOfLines(), true);
+  this->Sides = static_cast<std::int64_t>(this->CellIds.size() - lines);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, bool areClosed)
+{
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellAtId(i, corners);
+    const vtkIdType size = corners->GetNumberOfIds();
+    for (vtkIdType k = areClosed ? 0 : 1; k < size; ++k)
+    {
+      const vtkIdType before = corners->GetId(k > 0 ? k - 1 : size - 1);
+      this->Ends.push_back(this->GetId(before, firstCell + i));
+      this->Ends.push_back(this->GetId(corners->GetId(k), firstCell + i));
+      this->CellIds.push_back(firstCell + i);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkFFConstraints::GetId(vtkIdType point, vtkIdType cell) const
+{
+  if (point < 0 || point >= this->Count)
+  {
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+      " is not there: its ids are those of the input's points, of which there are " +
+      std::to_string(this->Count) + ".");
+  }
+  if (this->Places.empty())
+  {
+    return point;
+  }
+  const auto place = std::lower_bound(this->Places.begin(), this->Places.end(), point);
+  if (place == this->Places.end() || *place != point)
+  {
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+      " is a ghost point, which is left out. Turn off Skip Ghost Points, or take the cell away.");
+  }
+  return place - this->Places.begin();
+}
+
+//------------------------------------------------------------------------------
+flipflop::ConstraintView vtkFFConstraints::GetView() const
+{
+  return { this->Ends.data(), static_cast<std::int64_t>(this->CellIds.size()), this->Sides };
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFConstraints::DescribeCell(std::int64_t constraint) const
+{
+  return describe(this->CellIds[static_cast<std::size_t>(constraint)]);
+}
+VTK_ABI_NAMESPACE_END
