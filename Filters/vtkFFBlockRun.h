@@ -24,6 +24,10 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT vtkFFBlockRun
 {
 public:
+  //@{
+  /**
+   * As the functions of flipflop::BlockRun.
+   */
   vtkFFBlockRun(flipflop::BlockShape shape, const flipflop::BlockPoints& points,
     const flipflop::Options& options);
   ~vtkFFBlockRun();
@@ -39,6 +43,7 @@ public:
   flipflop::BlockMeasure Measure(const flipflop::BlockResult& result, const double* origin) const;
   void SizeOf(const flipflop::BlockMeasure& sum, double& volume, double& area) const;
   std::int64_t GetNumberOfPointsTold() const;
+  //@}
 
 private:
   flipflop::BlockRun Run;
