@@ -59,7 +59,7 @@ struct BlockResult
 /// A block's share of a hull's volume and area, in integers: shares add up, in any order.
 struct BlockMeasure
 {
-  std::int64_t parts[4] = { 0, 0, 0, 0 };
+  std::int64_t parts[4] = { 0, 0, 0, 0 }; ///< of the volume, two, and of the area
 
   /// Adds another block's.
   BlockMeasure& operator+=(const BlockMeasure& other)
