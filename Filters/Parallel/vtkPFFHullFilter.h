@@ -18,8 +18,8 @@
  *   tree over the processes, and each level of the tree is one
  *   step.
  * - Of a large hull, such as that of a thin shell, each process
- *   keeps a share: the facets in some directions from the middle,
- *   with their points. Together, the shares are the hull. No
+ *   keeps a share, that is the facets in some directions from the
+ *   middle with their points. Together, the shares are the hull. No
  *   process holds more than its share and what surrounds it. A
  *   point may be on several processes; each facet is on one. A
  *   flat hull is one facet, and so on one process.
