@@ -12,17 +12,16 @@
  * Each process computes the hull of its piece. What follows depends on how many points these hulls
  * have together (see SetResultMode()):
  *
- * - A small hull is gathered on process 0, and the outputs of the
- *   others have no points. Hulls are joined in pairs: a join
- *   computes the hull of their vertices. The joins form a binary
- *   tree over the processes, and each level of the tree is one
- *   step.
- * - Of a large hull, such as that of a thin shell, each process
- *   keeps a share, that is the facets in some directions from the
- *   middle with their points. Together, the shares are the hull. No
- *   process holds more than its share and what surrounds it. A
- *   point may be on several processes; each facet is on one. A
- *   flat hull is one facet, and so on one process.
+ * - A small hull is gathered on process 0, and the outputs of the others
+ *   have no points. Hulls are joined in pairs: a join computes the hull
+ *   of their vertices. The joins form a binary tree over the processes,
+ *   and each level of the tree is one step.
+ * - Of a large hull, such as that of a thin shell, each process keeps a
+ *   share, that is the facets in some directions from the middle with
+ *   their points. Together, the shares are the hull. No process holds
+ *   more than its share and what surrounds it. A point may be on several
+ *   processes; each facet is on one. A flat hull is one facet, and so on
+ *   one process.
  *
  * - Ghost points (see SetSkipGhostPoints()) are left out on their
  *   process and not counted: ids count the remaining points. With a
