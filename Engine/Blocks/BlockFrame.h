@@ -14,7 +14,6 @@
 #include <flipflop/CellComplex.h>
 #include <flipflop/Options.h>
 
-#include <optional>
 #include <vector>
 
 namespace flipflop

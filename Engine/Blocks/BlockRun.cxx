@@ -36,7 +36,6 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 
