@@ -115,25 +115,8 @@ private:
   void lookAtEdges()
   {
     const ConstrainedTriangulation& given = this->triangulation;
-    Buffer<CellSide> sides(given.connectivity.size());
-    std::vector<std::uint32_t> cellOf(given.connectivity.size());
-    eachRun(this->cells, FacetsPerTask,
-      [&](std::size_t begin, std::size_t end, std::size_t)
-      {
-        this->monitor.poll();
-        for (std::size_t c = begin; c < end; ++c)
-        {
-          const auto from = static_cast<std::size_t>(given.cellBegin(static_cast<std::int64_t>(c)));
-          const auto to =
-            static_cast<std::size_t>(given.cellBegin(static_cast<std::int64_t>(c) + 1));
-          for (std::size_t i = from; i < to; ++i)
-          {
-            cellOf[i] = static_cast<std::uint32_t>(c);
-            sides[i] = CellSide(this->corner(i), this->corner(i + 1 < to ? i + 1 : from),
-              static_cast<std::uint32_t>(i));
-          }
-        }
-      });
+    Buffer<std::uint32_t> cellOf;
+    Buffer<CellSide> sides = sidesOf(given, cellOf);
     StepPoll poll(this->monitor);
     std::uint32_t fixed = 0;
     const auto isBefore = [&given](std::uint32_t edge, const CellSide& side)

@@ -13,38 +13,6 @@
 namespace flipflop
 {
 
-namespace
-{
-
-constexpr std::size_t CellsPerTask = 1 << 13;
-
-/// The sides of all cells, placed as in the connectivity. Below dimension 2 a side is a corner.
-Buffer<CellSide> sidesOf(const CellComplex& complex, Buffer<std::uint32_t>& cellOf)
-{
-  Buffer<CellSide> sides(complex.connectivity.size());
-  eachRun(static_cast<std::size_t>(complex.cellCount()), CellsPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    {
-      for (std::size_t cell = begin; cell < end; ++cell)
-      {
-        const std::int64_t from = complex.cellBegin(static_cast<std::int64_t>(cell));
-        const std::int64_t to = complex.cellBegin(static_cast<std::int64_t>(cell) + 1);
-        for (std::int64_t k = from; k < to; ++k)
-        {
-          const auto corner = static_cast<std::uint32_t>(complex.connectivity[k]);
-          const auto next =
-            static_cast<std::uint32_t>(complex.connectivity[k + 1 < to ? k + 1 : from]);
-          sides[k] =
-            CellSide(corner, complex.dimension < 2 ? corner : next, static_cast<std::uint32_t>(k));
-          cellOf[k] = static_cast<std::uint32_t>(cell);
-        }
-      }
-    });
-  return sides;
-}
-
-}
-
 Buffer<std::int64_t> cellNeighbors(const CellComplex& complex, const Options& options)
 {
   const std::size_t entries = complex.connectivity.size();
@@ -56,13 +24,13 @@ Buffer<std::int64_t> cellNeighbors(const CellComplex& complex, const Options& op
   runOver(entries, options,
     [&](Monitor& monitor)
     {
-      if (!checkStructure(std::numeric_limits<std::int64_t>::max(), complex, 3))
+      if (!checkStructure(std::numeric_limits<std::int64_t>::max(), complex, 3, true))
       {
         throw Error(ErrorCode::BadArgument);
       }
       monitor.stage(0.1, 0.3, 1);
       neighbors.allocate(entries);
-      Buffer<std::uint32_t> cellOf(entries);
+      Buffer<std::uint32_t> cellOf;
       Buffer<CellSide> sides = sidesOf(complex, cellOf);
       monitor.stage(0.3, 1.0, 1);
       StepPoll poll(monitor);

@@ -7,8 +7,10 @@
 
 #include "Support/Parallel.h"
 #include <flipflop/Buffer.h>
+#include <flipflop/CellComplex.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace flipflop
@@ -28,6 +30,35 @@ struct CellSide
   {
   }
 };
+
+/// The sides of all cells, placed as in the connectivity: a side leads from its corner to the cell's
+/// next one. Below dimension 2 it is a corner alone.
+/// @param cellOf the cell of each side
+inline Buffer<CellSide> sidesOf(const CellComplex& complex, Buffer<std::uint32_t>& cellOf)
+{
+  constexpr std::size_t CellsPerTask = 1 << 13;
+  Buffer<CellSide> sides(complex.connectivity.size());
+  cellOf.allocate(complex.connectivity.size());
+  eachRun(static_cast<std::size_t>(complex.cellCount()), CellsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t cell = begin; cell < end; ++cell)
+      {
+        const std::int64_t from = complex.cellBegin(static_cast<std::int64_t>(cell));
+        const std::int64_t to = complex.cellBegin(static_cast<std::int64_t>(cell) + 1);
+        for (std::int64_t k = from; k < to; ++k)
+        {
+          const auto corner = static_cast<std::uint32_t>(complex.connectivity[k]);
+          const auto next =
+            static_cast<std::uint32_t>(complex.connectivity[k + 1 < to ? k + 1 : from]);
+          sides[k] =
+            CellSide(corner, complex.dimension < 2 ? corner : next, static_cast<std::uint32_t>(k));
+          cellOf[k] = static_cast<std::uint32_t>(cell);
+        }
+      }
+    });
+  return sides;
+}
 
 /// use (const CellSide* begin, const CellSide* end) for each edge: the sides that run along it, by
 /// place.

@@ -26,8 +26,9 @@ inline Validation faultAt(Fault fault, std::int64_t index)
 }
 
 /// Of any result.
-inline Validation checkStructure(
-  std::int64_t pointsGiven, const CellComplex& complex, int mostDimension)
+/// @param mayLackCells and so have points that no cell has
+inline Validation checkStructure(std::int64_t pointsGiven, const CellComplex& complex,
+  int mostDimension, bool mayLackCells = false)
 {
   const auto pointCount = static_cast<std::int64_t>(complex.pointIds.size());
   const auto cornerCount = static_cast<std::int64_t>(complex.connectivity.size());
@@ -82,7 +83,7 @@ inline Validation checkStructure(
     }
   }
   const auto unused = std::find(lastCell.begin(), lastCell.end(), -1);
-  if (unused != lastCell.end())
+  if (unused != lastCell.end() && !mayLackCells)
   {
     return faultAt(Fault::Structure, unused - lastCell.begin());
   }

@@ -21,7 +21,7 @@ namespace flipflop
 ///
 /// Below dimension 2, cells meet in corners: the entry is the other segment that ends at this
 /// corner. -1: there is none.
-/// @param complex a hull or a triangulation, in triangles or polygons
+/// @param complex a hull or a triangulation, in triangles or polygons; cells may be missing
 /// @param options threads, progress
 /// @throw Error   BadArgument (a complex that has not the form which CellComplex promises; index:
 ///                the first cell with an edge that more than one other cell shares), TooManyPoints

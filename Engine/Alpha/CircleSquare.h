@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The square of a circle of power distance 0 from one, two or three sites, as a fraction of
+/// polynomials, and its comparison with the square of a length: in double, near a tie in
+/// double-double, and then in integers.
+#ifndef flipflop_CircleSquare_h
+#define flipflop_CircleSquare_h
+
+#include "PowerDiagram/PowerArithmetic.h"
+#include <flipflop/Error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace flipflop
+{
+
+/// A square, of two lengths.
+template <class Number>
+struct SquareFraction
+{
+  Number numerator;
+  Number denominator; ///< positive
+};
+
+/// Of sites of at most so many bits, the formulas here, of degree six, fit integers on the stack:
+/// they have less than 6 * (bits + 2) + 2.
+constexpr int BitsOfSites = 160;
+static_assert(6 * (BitsOfSites + 2) + 2 < int(StackBits), "the integers are too short");
+
+/// The sign of a formula of sites.
+/// @param formula bool (arithmetic, int& sign): false where it cannot tell
+/// @param range   of its sites and lengths
+/// @throw Error   BadArgument where integers cannot tell: the sites are not as they should be
+template <class Formula>
+int exactSign(const Formula& formula, const ExponentRange& range)
+{
+  int sign = 0;
+  if (!formula(BoundedArithmetic<double>(), sign) && !formula(BoundedArithmetic<>(), sign) &&
+    !inIntegers(range, BitsOfSites, [&](const auto& k) { return formula(k, sign); }))
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  return sign;
+}
+
+/// A place and its offset from a site, as numbers.
+template <class Arithmetic>
+struct SiteOffset
+{
+  using Number = typename Arithmetic::Number;
+
+  Number x, y;
+  Number fall; ///< the first site's weight less this one's
+
+  SiteOffset(const Arithmetic& k, const PowerSite& from, const PowerSite& to)
+    : x(k.difference(to.x[0], from.x[0]))
+    , y(k.difference(to.x[1], from.x[1]))
+    , fall(k.difference(from.weight, to.weight, 2))
+  {
+  }
+
+  Number square() const { return this->x * this->x + this->y * this->y; }
+  Number level() const { return this->square() + this->fall; }
+};
+
+/// The least circle of one or two sites, and the circle of three.
+class CircleSquare
+{
+public:
+  explicit CircleSquare(const PowerSite& a)
+    : site{ &a, nullptr, nullptr }
+    , count(1)
+  {
+    this->range.add(a);
+  }
+  CircleSquare(const PowerSite& a, const PowerSite& b)
+    : site{ &a, &b, nullptr }
+    , count(2)
+  {
+    this->range.add(a);
+    this->range.add(b);
+  }
+  /// @param c to the left of a and b
+  CircleSquare(const PowerSite& a, const PowerSite& b, const PowerSite& c)
+    : site{ &a, &b, &c }
+    , count(3)
+  {
+    this->range.add(a);
+    this->range.add(b);
+    this->range.add(c);
+  }
+
+  /// Is it greater than alpha |alpha|?
+  bool exceeds(double alpha) const
+  {
+    if (std::isinf(alpha))
+    {
+      return alpha < 0;
+    }
+    ExponentRange all = this->range;
+    all.add(alpha);
+    return exactSign(
+             [&](const auto& k, int& sign)
+             {
+               SquareFraction<Number<decltype(k)>> square;
+               return this->find(k, square) && this->compare(k, square, alpha, sign);
+             },
+             all) > 0;
+  }
+
+  /// The least double that it does not exceed.
+  double leastAlpha() const
+  {
+    const BoundedArithmetic<> k;
+    SquareFraction<Number<decltype(k)>> square;
+    const bool found = this->find(k, square);
+    const auto isExceeded = [&](double alpha)
+    {
+      int sign = 0;
+      return found && std::isfinite(alpha) && this->compare(k, square, alpha, sign)
+        ? sign > 0
+        : this->exceeds(alpha);
+    };
+    const double guess =
+      found ? leading(square.numerator.value) / leading(square.denominator.value) : 0.0;
+    const double root = std::copysign(std::sqrt(std::fabs(guess)), guess);
+    return leastOf(std::isnan(root) ? 0.0 : root, isExceeded);
+  }
+
+private:
+  template <class Arithmetic>
+  using Number = typename std::decay_t<Arithmetic>::Number;
+
+  /// @return false: it cannot tell, or the sites do not turn left
+  template <class Arithmetic>
+  bool find(const Arithmetic& k, SquareFraction<Number<Arithmetic>>& result) const
+  {
+    const PowerSite& a = *this->site[0];
+    const auto weight = k.difference(a.weight, 0.0, 2);
+    if (this->count == 1)
+    {
+      result = { k.whole(0) - weight, k.whole(1) };
+      return true;
+    }
+    const SiteOffset<Arithmetic> u(k, a, *this->site[1]);
+    if (this->count == 2)
+    {
+      const auto four = k.whole(4) * u.square();
+      result = { u.level() * u.level() - four * weight, four };
+      return k.positive(four);
+    }
+    // The center is (x, y) / 2 turn.
+    const SiteOffset<Arithmetic> v(k, a, *this->site[2]);
+    const auto p = u.level();
+    const auto q = v.level();
+    const auto turn = u.x * v.y - u.y * v.x;
+    const auto x = p * v.y - q * u.y;
+    const auto y = q * u.x - p * v.x;
+    const auto four = k.whole(4) * turn * turn;
+    result = { x * x + y * y - four * weight, four };
+    return k.positive(turn);
+  }
+
+  template <class Arithmetic>
+  static bool compare(
+    const Arithmetic& k, const SquareFraction<Number<Arithmetic>>& square, double alpha, int& sign)
+  {
+    const auto length = k.difference(alpha, 0.0);
+    const auto limit = square.denominator * length * length;
+    return k.sign(alpha < 0 ? square.numerator + limit : square.numerator - limit, sign);
+  }
+
+  /// @param isExceeded bool (double): of all doubles up to some one
+  template <class IsExceeded>
+  static double leastOf(double guess, const IsExceeded& isExceeded)
+  {
+    const std::int64_t last = orderOf(std::numeric_limits<double>::infinity());
+    std::int64_t low = orderOf(guess);
+    std::int64_t high = low;
+    if (isExceeded(guess))
+    {
+      for (std::int64_t step = 1; high == low || isExceeded(atOrder(high)); step *= 2)
+      {
+        low = high;
+        high = std::min(high + step, last);
+      }
+    }
+    else
+    {
+      for (std::int64_t step = 1; high == low || !isExceeded(atOrder(low)); step *= 2)
+      {
+        high = low;
+        low = std::max(low - step, -last);
+      }
+    }
+    while (high - low > 1)
+    {
+      const std::int64_t middle = low + (high - low) / 2;
+      (isExceeded(atOrder(middle)) ? low : high) = middle;
+    }
+    return atOrder(high);
+  }
+
+  /// The place of a double among all; that of 0 is 0.
+  static std::int64_t orderOf(double value)
+  {
+    std::int64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  }
+  static double atOrder(std::int64_t order)
+  {
+    const std::int64_t bits = order < 0 ? std::numeric_limits<std::int64_t>::min() - order : order;
+    double value;
+    std::memcpy(&value, &bits, sizeof(value));
+    return value;
+  }
+
+  const PowerSite* site[3];
+  int count;
+  ExponentRange range;
+};
+
+/// Has site @p c a negative power distance from the least circle of a and b?
+inline bool isInCircle(const PowerSite& a, const PowerSite& b, const PowerSite& c)
+{
+  ExponentRange range;
+  range.add(a);
+  range.add(b);
+  range.add(c);
+  return exactSign(
+           [&](const auto& k, int& sign)
+           {
+             using Arithmetic = std::decay_t<decltype(k)>;
+             const SiteOffset<Arithmetic> u(k, a, b);
+             const SiteOffset<Arithmetic> v(k, a, c);
+             return k.sign(u.square() * v.level() - u.level() * (u.x * v.x + u.y * v.y), sign);
+           },
+           range) < 0;
+}
+
+/// Has site @p b a negative power distance from the circle of site a?
+inline bool isInCircle(const PowerSite& a, const PowerSite& b)
+{
+  ExponentRange range;
+  range.add(a);
+  range.add(b);
+  return exactSign([&](const auto& k, int& sign)
+           { return k.sign(SiteOffset<std::decay_t<decltype(k)>>(k, a, b).level(), sign); },
+           range) < 0;
+}
+
+}
+
+#endif

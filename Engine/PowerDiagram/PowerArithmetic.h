@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Arithmetic for polynomials of sites: a quick one, which knows how far off it may be, and an
+/// exact one in integers. A formula is written once, for either. It takes Boost's headers along, so
+/// few files include it.
+#ifndef flipflop_PowerArithmetic_h
+#define flipflop_PowerArithmetic_h
+
+#include "PowerDiagram/PowerCorners.h"
+#include "Predicates/DoubleDouble.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+namespace flipflop
+{
+
+/// What bounded numbers ask of their values.
+/// @{
+inline double leading(double a)
+{
+  return a;
+}
+inline double leading(const DoubleDouble& a)
+{
+  return a.high;
+}
+inline double negative(double a)
+{
+  return -a;
+}
+inline DoubleDouble negative(const DoubleDouble& a)
+{
+  return { -a.high, -a.low };
+}
+/// More than an operation's relative error.
+template <class Value>
+constexpr double RoundingUnit = std::is_same<Value, double>::value ? 0x1p-52 : 0x1p-100;
+/// @}
+
+/// A double or a double-double, and a bound on how far it is off (but for a factor of 1 + 2^-10,
+/// which covers the rounding of the bounds themselves). Infinite or NaN: nothing is known.
+template <class Value>
+struct Bounded
+{
+  Value value;
+  double error;
+
+  friend Bounded operator+(const Bounded& a, const Bounded& b)
+  {
+    return { a.value + b.value,
+      a.error + b.error +
+        RoundingUnit<Value> * (std::fabs(leading(a.value)) + std::fabs(leading(b.value))) };
+  }
+
+  friend Bounded operator-(const Bounded& a, const Bounded& b)
+  {
+    return a + Bounded{ negative(b.value), b.error };
+  }
+
+  friend Bounded operator*(const Bounded& a, const Bounded& b)
+  {
+    const double sizeA = std::fabs(leading(a.value));
+    const double sizeB = std::fabs(leading(b.value));
+    return { a.value * b.value,
+      sizeA * b.error + sizeB * a.error + a.error * b.error + RoundingUnit<Value> * sizeA * sizeB };
+  }
+};
+
+/// The quick arithmetic: says when it cannot tell. In double-double it tells nearly always.
+template <class Value = DoubleDouble>
+class BoundedArithmetic
+{
+public:
+  using Number = Bounded<Value>;
+
+  /// a - b; @p degree 1 for lengths, 2 for weights.
+  static Number difference(double a, double b, int degree = 1)
+  {
+    Number result = { Value(), 0.0 };
+    if constexpr (std::is_same<Value, double>::value)
+    {
+      result.value = a - b;
+      result.error = RoundingUnit<Value> * std::fabs(result.value);
+    }
+    else
+    {
+      result.value = doubleDifference(a, b);
+    }
+    // Within this range products of six lengths stay clear of overflow and underflow.
+    const double size = std::fabs(leading(result.value));
+    const bool inRange =
+      degree == 1 ? size >= 0x1p-150 && size <= 0x1p150 : size >= 0x1p-300 && size <= 0x1p300;
+    if (!inRange && size != 0.0)
+    {
+      result.error = HUGE_VAL;
+    }
+    return result;
+  }
+
+  /// A number without a unit.
+  static Number whole(int value)
+  {
+    if constexpr (std::is_same<Value, double>::value)
+    {
+      return { double(value), 0.0 };
+    }
+    else
+    {
+      return { { double(value), 0.0 }, 0.0 };
+    }
+  }
+
+  /// @return false when it cannot tell
+  static bool sign(const Number& a, int& result)
+  {
+    result = leading(a.value) > 0.0 ? 1 : -1;
+    return std::fabs(leading(a.value)) > 1.001 * a.error;
+  }
+
+  /// base + numerator / denominator, rounded to nearest; false when it cannot tell which is.
+  static bool round(double base, const Number& numerator, const Number& denominator, double& result)
+  {
+    const double size = std::fabs(denominator.value.high);
+    if (!(denominator.error < 0x1p-20 * size && std::fabs(base) <= 0x1p150))
+    {
+      return false;
+    }
+    const double first = numerator.value.high / denominator.value.high;
+    const DoubleDouble rest = numerator.value - denominator.value * DoubleDouble{ first, 0.0 };
+    DoubleDouble quotient;
+    twoSum(first, rest.high / denominator.value.high, quotient.high, quotient.low);
+    const DoubleDouble sum = DoubleDouble{ base, 0.0 } + quotient;
+    double error = (numerator.error + std::fabs(first) * denominator.error) / size +
+      4 * RoundingUnit<Value> * (std::fabs(base) + std::fabs(first));
+    error = 1.001 * error + 0x1p-50 * std::fabs(sum.low);
+    result = sum.high;
+    // Both ends of the interval round to the same.
+    return sum.high + (sum.low + error) == sum.high && sum.high + (sum.low - error) == sum.high;
+  }
+
+  static bool positive(const Number& a) { return leading(a.value) > 1.001 * a.error; }
+};
+
+/// The exact arithmetic: lengths are integers times 2^exponent, weights times its square.
+template <class Integer>
+class IntegerArithmetic
+{
+public:
+  using Number = Integer;
+
+  explicit IntegerArithmetic(int exponent)
+    : exponent(exponent)
+  {
+  }
+
+  Integer difference(double a, double b, int degree = 1) const
+  {
+    return this->integer(a, degree) - this->integer(b, degree);
+  }
+
+  bool round(
+    double base, const Integer& numerator, const Integer& denominator, double& result) const
+  {
+    if (denominator == 0)
+    {
+      return false;
+    }
+    Integer n = this->integer(base, 1) * denominator + numerator;
+    Integer d = denominator;
+    const bool negative = (n < 0) != (d < 0);
+    n = abs(n);
+    d = abs(d);
+    result = 0.0;
+    if (n != 0)
+    {
+      // A quotient of 63 or 64 bits; a remainder shows in the last, far below what is kept.
+      const int shift = 63 - static_cast<int>(msb(n)) + static_cast<int>(msb(d));
+      shift >= 0 ? n <<= shift : d <<= -shift;
+      Integer quotient, remainder;
+      divide_qr(n, d, quotient, remainder);
+      std::uint64_t bits = static_cast<std::uint64_t>(quotient);
+      bool rest = remainder != 0;
+      int binary = this->exponent - shift;
+      // Of a subnormal number fewer bits are kept: the others must not be rounded before.
+      const int drop = std::min(-1074 - 2 - binary, 63);
+      if (drop > 0)
+      {
+        rest = rest || (bits & ((std::uint64_t(1) << drop) - 1)) != 0;
+        bits >>= drop;
+        binary += drop;
+      }
+      const double size = std::ldexp(static_cast<double>(bits | (rest ? 1u : 0u)), binary);
+      result = negative ? -size : size;
+    }
+    return true;
+  }
+
+  static Integer whole(int value) { return value; }
+
+  static bool positive(const Integer& a) { return a > 0; }
+
+  static bool sign(const Integer& a, int& result)
+  {
+    result = a.sign();
+    return true;
+  }
+
+private:
+  Integer integer(double value, int degree) const
+  {
+    int binary = 0;
+    const double fraction = std::frexp(value, &binary);
+    Integer result = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+    if (result != 0)
+    {
+      result <<= binary - 53 - degree * this->exponent;
+    }
+    return result;
+  }
+
+  int exponent;
+};
+
+/// The exponents of some numbers.
+class ExponentRange
+{
+public:
+  void add(const PowerSite& site)
+  {
+    this->add(site.x[0]);
+    this->add(site.x[1]);
+    if (site.weight != 0.0)
+    {
+      int binary = 0;
+      std::frexp(site.weight, &binary);
+      // Halves, rounded outwards.
+      this->low = std::min(this->low, (binary - 53 - 1) / 2 - 1);
+      this->high = std::max(this->high, (binary + 1) / 2 + 1);
+    }
+  }
+  void add(double length)
+  {
+    if (length != 0.0)
+    {
+      int binary = 0;
+      std::frexp(length, &binary);
+      this->low = std::min(this->low, binary - 53);
+      this->high = std::max(this->high, binary);
+    }
+  }
+
+  /// All lengths are multiples of 2 to this.
+  int exponent() const { return this->low == INT_MAX ? 0 : this->low; }
+
+  int bits() const { return this->low == INT_MAX ? 0 : this->high - this->low; }
+
+private:
+  int low = INT_MAX;
+  int high = INT_MIN;
+};
+
+/// Integers on the stack.
+constexpr unsigned StackBits = 1024;
+using StackInteger = boost::multiprecision::number<
+  boost::multiprecision::cpp_int_backend<StackBits, StackBits,
+    boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>,
+  boost::multiprecision::et_off>;
+using HeapInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+  boost::multiprecision::et_off>;
+
+/// Run @p recipe in the cheapest exact arithmetic that can.
+/// @param mostBits of the sites, with which its integers fit the stack
+template <class Recipe>
+bool inIntegers(const ExponentRange& range, int mostBits, const Recipe& recipe)
+{
+  return range.bits() <= mostBits ? recipe(IntegerArithmetic<StackInteger>(range.exponent()))
+                                  : recipe(IntegerArithmetic<HeapInteger>(range.exponent()));
+}
+
+}
+
+#endif

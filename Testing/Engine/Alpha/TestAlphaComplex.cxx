@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Alpha complexes are those that rationals tell, at every range and at every tie; and the sweep
+/// has for each cell the least double for which it is in.
+#include "Testing/Engine/Alpha/AlphaByForce.h"
+#include "Testing/Engine/Conformance/ProgressWatch.h"
+
+#include <flipflop/AlphaComplex.h>
+#include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/EdgeLengths.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::vector<double> alphasOf(
+  const Cloud& sites, const CellComplex& cells, const Options& options = Options())
+{
+  std::vector<double> alphas(static_cast<std::size_t>(cells.cellCount()), -1e9);
+  cellAlphas(viewOf(sites), weightsOf(sites), cells, alphas.data(), options);
+  return alphas;
+}
+
+void expectComplex(const Cloud& sites, const Triangulation& triangulation, double alpha)
+{
+  const AlphaByForce expected = alphaByForce(sites, triangulation, alpha);
+  const AlphaComplex found =
+    alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, true);
+  ASSERT_EQ(std::vector<std::uint8_t>(found.cells.begin(), found.cells.end()), expected.cells)
+    << alpha;
+  EXPECT_EQ(found.cellCount, std::count(expected.cells.begin(), expected.cells.end(), 1));
+  std::vector<std::pair<std::int64_t, std::int64_t>> edges;
+  for (std::size_t i = 0; i < found.edges.size(); i += 2)
+  {
+    edges.emplace_back(
+      triangulation.pointIds[found.edges[i]], triangulation.pointIds[found.edges[i + 1]]);
+  }
+  ASSERT_EQ(edges, expected.edges) << alpha;
+  ASSERT_EQ(found.edgeAlphas.size(), edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const double least = found.edgeAlphas[i];
+    EXPECT_TRUE(isWithin(expected.edgeSquares[i], least));
+    EXPECT_FALSE(isWithin(expected.edgeSquares[i], std::nextafter(least, -infinite)));
+  }
+  Cell vertices;
+  for (const std::int64_t v : found.vertices)
+  {
+    vertices.push_back(triangulation.pointIds[v]);
+  }
+  ASSERT_EQ(vertices, expected.vertices) << alpha;
+  ASSERT_EQ(found.vertexAlphas.size(), vertices.size());
+
+  const AlphaComplex alone = alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha);
+  EXPECT_TRUE(std::equal(alone.cells.begin(), alone.cells.end(), found.cells.begin()));
+  EXPECT_TRUE(alone.edges.empty() && alone.vertices.empty());
+}
+
+class Alphas : public testing::TestWithParam<Input>
+{
+};
+
+TEST_P(Alphas, AreThoseOfRationals)
+{
+  const Cloud sites = GetParam().make();
+  for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+  {
+    const Triangulation triangulation = triangulationOf(sites, facets);
+    const std::vector<Cell> cells = cellsOf(triangulation);
+    const std::vector<double> alphas = alphasOf(sites, triangulation);
+    std::set<double> limits = { 0, -1, 1, 1e-200, -1e200, 1e200,
+      std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max() };
+    for (std::size_t c = 0; c < cells.size(); ++c)
+    {
+      std::vector<Point> corners;
+      for (std::size_t i = 0; i < std::min<std::size_t>(cells[c].size(), 3); ++i)
+      {
+        corners.push_back(sites[static_cast<std::size_t>(cells[c][i])]);
+      }
+      const Rational square = circleByForce(corners).square;
+      const double below = std::nextafter(alphas[c], -infinite);
+      ASSERT_TRUE(std::isinf(alphas[c]) || isWithin(square, alphas[c])) << c;
+      ASSERT_TRUE(std::isinf(below) || !isWithin(square, below)) << c;
+      if (c % (1 + cells.size() / 6) == 0 && std::isfinite(alphas[c]))
+      {
+        limits.insert({ alphas[c], below });
+      }
+    }
+    for (const double limit : limits)
+    {
+      expectComplex(sites, triangulation, limit);
+    }
+    const AlphaComplex all =
+      alphaComplex(viewOf(sites), weightsOf(sites), triangulation, infinite, true);
+    EXPECT_EQ(all.cellCount, triangulation.cellCount());
+    const AlphaComplex none =
+      alphaComplex(viewOf(sites), weightsOf(sites), triangulation, -infinite, true);
+    EXPECT_EQ(none.cellCount, 0);
+    EXPECT_TRUE(none.edges.empty() && none.vertices.empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSites, Alphas, testing::ValuesIn(smallWeightedInputs()));
+
+/// A circle as large as alpha, to the last bit, is in.
+TEST(Alpha, TieIsIn)
+{
+  for (const int exponent : { -1070, -600, -300, 0, 300, 600, 1018 })
+  {
+    const double unit = std::ldexp(1.0, exponent);
+    const Cloud sites = { { 0, 0, 0 }, { 6 * unit, 0, 0 }, { 0, 8 * unit, 0 } };
+    const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+    ASSERT_EQ(triangulation.cellCount(), 1);
+    EXPECT_EQ(alphasOf(sites, triangulation)[0], 5 * unit) << exponent;
+    expectComplex(sites, triangulation, 5 * unit);
+    expectComplex(sites, triangulation, std::nextafter(5 * unit, 0));
+    expectComplex(sites, triangulation, 4 * unit);
+  }
+}
+
+/// The radius of a needle's circle may be no double.
+TEST(Alpha, BeyondDoubles)
+{
+  const Cloud sites = { { 0, 0, 0 }, { 1e300, 0, 0 }, { 5e299, 1e-300, 0 } };
+  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+  ASSERT_EQ(triangulation.cellCount(), 1);
+  EXPECT_EQ(alphasOf(sites, triangulation)[0], infinite);
+  expectComplex(sites, triangulation, std::numeric_limits<double>::max());
+}
+
+/// Disks that overlap: with alpha 0 the complex is the nerve of their union.
+TEST(Alpha, NerveOfDisks)
+{
+  // Two disks that meet, one beside them, and one inside the first, whose cell is not in it.
+  const Cloud disks = { { 0, 0, 4 }, { 3, 0, 4 }, { 0, 9, 1 }, { 1.5, 0.25, 0.01 } };
+  const Triangulation triangulation = triangulationOf(disks, FacetMode::Triangles);
+  expectComplex(disks, triangulation, 0);
+  const AlphaComplex nerve = alphaComplex(viewOf(disks), weightsOf(disks), triangulation, 0, true);
+  EXPECT_EQ(nerve.cellCount, 0);
+  EXPECT_EQ(nerve.edgeAlphas.size(), 1u);
+  EXPECT_EQ(nerve.vertices.size(), 1u);
+  EXPECT_EQ(nerve.vertexAlphas[0], -1.0);
+}
+
+TEST(Alpha, OfConstrainedAndMissingCells)
+{
+  const Cloud sites = { { 0, 0, 0 }, { 10, 0, 0 }, { 5, 1, 0 }, { 5, -1, 0 } };
+  const std::int64_t ends[2] = { 0, 1 };
+  ConstrainedTriangulation triangulation =
+    constrainedTriangulation(viewOf(sites), ConstraintView(ends, 1));
+  ASSERT_EQ(triangulation.cellCount(), 2);
+  const std::vector<double> alphas = alphasOf(sites, triangulation);
+  EXPECT_EQ(alphas[0], 13.0);
+  EXPECT_EQ(alphas[1], 13.0);
+  // The long edge has both others in its circle: it is there with the cells alone.
+  const AlphaComplex short4 = alphaComplex(viewOf(sites), WeightView(), triangulation, 6, true);
+  EXPECT_EQ(short4.edgeAlphas.size(), 4u);
+  const std::uint8_t kept[2] = { 1, 0 };
+  keepCells(triangulation, kept);
+  const AlphaComplex rest = alphaComplex(viewOf(sites), WeightView(), triangulation, 6, true);
+  EXPECT_EQ(rest.edgeAlphas.size(), 2u);
+  EXPECT_EQ(rest.vertices.size(), 1u);
+}
+
+TEST(Alpha, IsTheSameOnAnyThreads)
+{
+  const Cloud sites = randomSites(effort(30000), 1e-5, 12);
+  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+  Options one;
+  one.threads = 1;
+  const double alpha = 0.004;
+  const AlphaComplex first =
+    alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, true, one);
+  const std::vector<double> alphas = alphasOf(sites, triangulation, one);
+  EXPECT_GT(first.cellCount, 0);
+  EXPECT_LT(first.cellCount, triangulation.cellCount());
+  EXPECT_EQ(first.cellCount,
+    std::count_if(alphas.begin(), alphas.end(), [=](double a) { return a <= alpha; }));
+  for (const int threads : { 2, 4 })
+  {
+    Options options;
+    options.threads = threads;
+    const AlphaComplex again =
+      alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, true, options);
+    EXPECT_TRUE(std::equal(first.cells.begin(), first.cells.end(), again.cells.begin()));
+    EXPECT_TRUE(
+      std::equal(first.edges.begin(), first.edges.end(), again.edges.begin(), again.edges.end()));
+    EXPECT_EQ(alphasOf(sites, triangulation, options), alphas);
+  }
+}
+
+TEST(Alpha, Errors)
+{
+  const Cloud sites = randomSites(20, 0, 11);
+  const Triangulation right = triangulationOf(sites, FacetMode::Triangles);
+  std::vector<double> alphas(static_cast<std::size_t>(right.cellCount()));
+  expectError([&] { alphaComplex(viewOf(sites), WeightView(), right, std::nan("")); },
+    ErrorCode::BadArgument);
+  expectError(
+    [&] { cellAlphas(viewOf(sites), WeightView(), right, nullptr); }, ErrorCode::BadArgument);
+  const double weights[2] = { 0, 1 };
+  expectError(
+    [&] { alphaComplex(viewOf(sites), WeightView(weights, 2), right, 1); }, ErrorCode::WeightCount);
+  const auto expectBad = [&](const std::function<void(Triangulation&)>& change)
+  {
+    Triangulation broken = triangulationOf(sites, FacetMode::Triangles);
+    change(broken);
+    expectError(
+      [&] { alphaComplex(viewOf(sites), WeightView(), broken, 1, true); }, ErrorCode::BadArgument);
+    expectError([&] { cellAlphas(viewOf(sites), WeightView(), broken, alphas.data()); },
+      ErrorCode::BadArgument);
+  };
+  expectBad([](Triangulation& t) { t.dimension = 3; });
+  expectBad([](Triangulation& t) { t.connectivity[0] = 20; });
+  expectBad([](Triangulation& t) { t.pointIds[1] = 20; });
+  expectBad([](Triangulation& t) { std::swap(t.connectivity[1], t.connectivity[2]); });
+  expectBad([](Triangulation& t) { t.connectivity[1] = t.connectivity[0]; });
+  Watch watch;
+  watch.stopAt = 1;
+  expectError([&] { alphaComplex(viewOf(sites), WeightView(), right, 1, true, watch.options(1)); },
+    ErrorCode::Aborted);
+}
+
+}
+}
+}
