@@ -31,8 +31,8 @@ struct CellSide
   }
 };
 
-/// The sides of all cells, placed as in the connectivity: a side leads from its corner to the cell's
-/// next one. Below dimension 2 it is a corner alone.
+/// The sides of all cells, placed as in the connectivity: a side leads from its corner to the
+/// cell's next one. Below dimension 2 it is a corner alone.
 /// @param cellOf the cell of each side
 inline Buffer<CellSide> sidesOf(const CellComplex& complex, Buffer<std::uint32_t>& cellOf)
 {
