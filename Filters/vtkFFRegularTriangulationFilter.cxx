@@ -60,6 +60,11 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , Transform(nullptr)
   , WeightMode(WEIGHTS)
   , WeightFactor(1.0)
+  , Alpha(0.0)
+  , AlphaLines(false)
+  , AlphaVerts(false)
+  , GenerateAlphas(false)
+  , GenerateBoundary(false)
   , MaximumEdgeLength(0.0)
   , GeneratePowerDiagram(false)
   , GenerateCellMeasures(false)
@@ -70,7 +75,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , NumberOfDroppedCells(0)
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   this->SetInternals(std::make_unique<vtkInternals>(this));
 }
 
@@ -187,7 +192,7 @@ vtkMTimeType vtkFFRegularTriangulationFilter::GetMTime()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkFFRegularTriangulationFilter::GetHiddenPointsOutput()
 {
-  return this->GetNumberOfOutputPorts() < 3
+  return this->GetNumberOfOutputPorts() < 4
     ? nullptr
     : vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
@@ -195,9 +200,17 @@ vtkPolyData* vtkFFRegularTriangulationFilter::GetHiddenPointsOutput()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkFFRegularTriangulationFilter::GetPowerDiagramOutput()
 {
-  return this->GetNumberOfOutputPorts() < 3
+  return this->GetNumberOfOutputPorts() < 4
     ? nullptr
     : vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkFFRegularTriangulationFilter::GetBoundaryOutput()
+{
+  return this->GetNumberOfOutputPorts() < 4
+    ? nullptr
+    : vtkPolyData::SafeDownCast(this->GetOutputDataObject(3));
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +220,7 @@ int vtkFFRegularTriangulationFilter::RequestDataOfOneOutput(int index, vtkInform
   // The others are made as always, and nobody sees them.
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   vtkNew<vtkInformationVector> all;
-  for (int port = 0; port < 3; ++port)
+  for (int port = 0; port < 4; ++port)
   {
     vtkSmartPointer<vtkDataObject> data = output;
     if (port != index)
@@ -269,6 +282,14 @@ void vtkFFRegularTriangulationFilter::vtkInternals::CheckSettings(vtkFFFailure& 
     std::ostringstream message;
     message << "Maximum Edge Length is " << filter->MaximumEdgeLength
             << "; it must be a length, or 0 for edges of any length.";
+    failure.Say(message.str());
+    return;
+  }
+  if (!(filter->Alpha >= 0.0))
+  {
+    std::ostringstream message;
+    message << "Alpha is " << filter->Alpha
+            << "; it must be a length, or 0 for the whole triangulation.";
     failure.Say(message.str());
     return;
   }
@@ -412,6 +433,11 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "WeightMode: " << this->GetWeightModeAsString() << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
+  os << indent << "Alpha: " << this->Alpha << "\n";
+  os << indent << "AlphaLines: " << (this->AlphaLines ? "On" : "Off") << "\n";
+  os << indent << "AlphaVerts: " << (this->AlphaVerts ? "On" : "Off") << "\n";
+  os << indent << "GenerateAlphas: " << (this->GenerateAlphas ? "On" : "Off") << "\n";
+  os << indent << "GenerateBoundary: " << (this->GenerateBoundary ? "On" : "Off") << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "GeneratePowerDiagram: " << (this->GeneratePowerDiagram ? "On" : "Off") << "\n";
   os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";

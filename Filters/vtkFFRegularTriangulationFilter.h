@@ -44,6 +44,8 @@
  *   and points of one power circle meet in one corner. The choice of
  *   the regions that meet is exact; the corners' coordinates are
  *   rounded (see SetGeneratePowerDiagram()).
+ * - Port 3, the border of the cells: empty unless GenerateBoundary is
+ *   on.
  *
  * On ports 0 and 1, the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each
  * point has in the input. The input's point data is passed, unless PassPointData is off. On port 2,
@@ -67,8 +69,8 @@
  * - a negative radius, or a weight that WeightMode or WeightFactor make
  *   too large: an error naming the point, and empty output
  * - ghost points: left out, unless SkipGhostPoints is off
- * - cells with an edge longer than MaximumEdgeLength, if that is not 0:
- *   left out and counted
+ * - cells with an edge longer than MaximumEdgeLength, or with a circle
+ *   larger than Alpha, if these are not 0: left out and counted
  * - constraints that cross between points, or name a point that is not
  *   there: an error naming the cells, and empty output
  * - too many points, no memory: an error, and empty output
@@ -247,6 +249,53 @@ public:
 
   //@{
   /**
+   * Set/Get alpha, a length: port 0 has the alpha complex of the triangulation. 0 by default: all
+   * of it. As in vtkDelaunay2D, a triangle stays if its circumcircle has at most the radius Alpha;
+   * that is decided exactly. With weights, it is the circle of power distance 0 from the corners,
+   * and the square of its radius is compared with that of Alpha; it may be negative. A negative
+   * number and NaN are errors. Infinity leaves nothing out.
+   *
+   * AlphaLines adds the edges that are left as lines: those of no triangle that stays, whose own
+   * least circle has at most the radius Alpha and no point in it. AlphaVerts adds the points that
+   * are left as vertices. Both are off by default. MaximumEdgeLength applies to what Alpha leaves,
+   * also to lines.
+   *
+   * GenerateAlphas adds the cell array Alpha (vtkDoubleArray): for each cell the least Alpha for
+   * which it stays, without weights its circle's radius, rounded up. So a vtkThreshold of that
+   * array gives the cells of any alpha, exactly. With weights, a negative number stands for a
+   * negative square.
+   *
+   * All points stay in the output. Where several processes triangulate together, AlphaLines,
+   * AlphaVerts and GenerateAlphas are errors.
+   */
+  vtkSetMacro(Alpha, double);
+  vtkGetMacro(Alpha, double);
+  vtkSetMacro(AlphaLines, bool);
+  vtkGetMacro(AlphaLines, bool);
+  vtkBooleanMacro(AlphaLines, bool);
+  vtkSetMacro(AlphaVerts, bool);
+  vtkGetMacro(AlphaVerts, bool);
+  vtkBooleanMacro(AlphaVerts, bool);
+  vtkSetMacro(GenerateAlphas, bool);
+  vtkGetMacro(GenerateAlphas, bool);
+  vtkBooleanMacro(GenerateAlphas, bool);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether port 3 gives the border of the cells of port 0 as closed polylines. Off by
+   * default. Cells are on the left of each, so one around cells is counter-clockwise, and one
+   * around a hole is clockwise. No polyline passes a point twice; they may meet in points. Each
+   * starts at its lowest id; they are in lexicographic order. The points are those of the border.
+   * Where several processes triangulate together, it is an error.
+   */
+  vtkSetMacro(GenerateBoundary, bool);
+  vtkGetMacro(GenerateBoundary, bool);
+  vtkBooleanMacro(GenerateBoundary, bool);
+  //@}
+
+  //@{
+  /**
    * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
    * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
    * measured in the plane of the triangulation, and compared exactly: one as long as
@@ -348,11 +397,12 @@ public:
 
   //@{
   /**
-   * Get the outputs of ports 1 and 2: the hidden points and the power diagram. Null for a subclass
-   * that has not this port.
+   * Get the outputs of ports 1, 2 and 3: the hidden points, the power diagram and the border. Null
+   * for a subclass that has not this port.
    */
   vtkPolyData* GetHiddenPointsOutput();
   vtkPolyData* GetPowerDiagramOutput();
+  vtkPolyData* GetBoundaryOutput();
   //@}
 
   /**
@@ -361,8 +411,8 @@ public:
   vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
 
   /**
-   * Get the number of cells that the last run left out, for MaximumEdgeLength or since they are not
-   * inside the source's polygons; the sum for several blocks.
+   * Get the number of cells that the last run left out, for Alpha, for MaximumEdgeLength or
+   * since they are not inside the source's polygons; the sum for several blocks.
    */
   vtkGetMacro(NumberOfDroppedCells, vtkIdType);
 
@@ -380,7 +430,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   /**
-   * RequestData() of a subclass with a single output port: that is one of the three outputs.
+   * RequestData() of a subclass with a single output port: that is one of the four outputs.
    */
   int RequestDataOfOneOutput(int index, vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
@@ -389,6 +439,11 @@ protected:
   vtkAbstractTransform* Transform;
   int WeightMode;
   double WeightFactor;
+  double Alpha;
+  bool AlphaLines;
+  bool AlphaVerts;
+  bool GenerateAlphas;
+  bool GenerateBoundary;
   double MaximumEdgeLength;
   bool GeneratePowerDiagram;
   bool GenerateCellMeasures;

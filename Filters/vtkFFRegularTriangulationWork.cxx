@@ -5,6 +5,7 @@
 /// and the power diagram.
 #include "vtkFFRegularTriangulationWork.h"
 
+#include "vtkFFCellMeasures.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
 
@@ -48,23 +49,6 @@ namespace
 
 /// Of the progress, where a power diagram follows.
 constexpr double shareOfTriangulation = 0.4;
-
-/// Positions in the plane of a projection as an array of positions in space.
-vtkSmartPointer<vtkDoubleArray> toSpace(
-  const vtkFFProjection& projection, const flipflop::Buffer<double>& xy, const char* what)
-{
-  const auto count = static_cast<vtkIdType>(xy.size() / 2);
-  auto places = vtkSmartPointer<vtkDoubleArray>::New();
-  places->SetNumberOfComponents(3);
-  places->SetNumberOfTuples(count);
-  if (!projection.ToSpace(xy.data(), count, places->GetPointer(0)))
-  {
-    throw std::runtime_error(std::string(what) +
-      " have no finite places in space: the transform "
-      "has no inverse, or they lie too far out.");
-  }
-  return places;
-}
 
 /// The lowest z of the points that were triangulated, also of the hidden ones; 0 if there are none.
 double lowestOf(vtkDataArray* points, const flipflop::Triangulation& triangulation)
@@ -117,32 +101,6 @@ std::int64_t dropOutside(
   }
   return cells - kept;
 }
-
-/// The areas and centroids of so many cells: measure(areas, centroids).
-class CellMeasures
-{
-public:
-  template <class Measure>
-  CellMeasures(std::int64_t count, const vtkFFProjection& projection, const Measure& measure)
-  {
-    this->Areas->SetName("Area");
-    this->Areas->SetNumberOfValues(static_cast<vtkIdType>(count));
-    flipflop::Buffer<double> centroids(2 * static_cast<std::size_t>(count));
-    measure(this->Areas->GetPointer(0), centroids.data());
-    this->Centroids = toSpace(projection, centroids, "The cells' centroids");
-    this->Centroids->SetName("Centroid");
-  }
-
-  void AddTo(vtkPolyData* output) const
-  {
-    output->GetCellData()->AddArray(this->Areas);
-    output->GetCellData()->AddArray(this->Centroids);
-  }
-
-private:
-  vtkNew<vtkDoubleArray> Areas;
-  vtkSmartPointer<vtkDoubleArray> Centroids;
-};
 
 }
 
@@ -361,8 +319,8 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
     this->WritePowerDiagram(diagram, options, outputs[2]);
     FanFacets(triangulation, options);
   }
-  const std::int64_t dropped =
-    this->CellsOutside + this->DropLongCells(this->Projection->GetView(), options, triangulation);
+  const std::int64_t dropped = this->CellsOutside +
+    this->DropCells(this->Projection->GetView(), this->Weights->GetView(), options, triangulation);
   const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
   this->Report(report, hidden, dropped, outputs[0]);
   this->WriteCells(options, outputs);
@@ -422,24 +380,35 @@ bool vtkFFRegularTriangulationFilter::vtkInternals::Work::NeedsHeight() const
 }
 
 //------------------------------------------------------------------------------
-std::int64_t vtkFFRegularTriangulationFilter::vtkInternals::Work::DropLongCells(
-  const flipflop::PointView& points, const flipflop::Options& options,
-  flipflop::CellComplex& cells) const
+std::int64_t vtkFFRegularTriangulationFilter::vtkInternals::Work::DropCells(
+  const flipflop::PointView& points, const flipflop::WeightView& weights,
+  const flipflop::Options& options, flipflop::CellComplex& cells)
 {
-  const double longest = this->Filter->MaximumEdgeLength;
+  const vtkFFRegularTriangulationFilter* const filter = this->Filter;
+  std::int64_t dropped = 0;
+  if (filter->Alpha > 0.0)
+  {
+    dropped += this->AlphaCells.Take(
+      points, weights, filter->Alpha, filter->AlphaLines, filter->AlphaVerts, options, cells);
+  }
+  const double longest = filter->MaximumEdgeLength;
   const std::int64_t count = cells.cellCount();
-  if (!(longest > 0.0) || count == 0)
+  if (longest > 0.0 && count > 0)
   {
-    return 0;
+    flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(count));
+    const std::int64_t kept =
+      flipflop::cellsWithinEdgeLength(points, cells, longest, within.data(), options);
+    if (kept < count)
+    {
+      flipflop::keepCells(cells, within.data());
+    }
+    dropped += count - kept;
   }
-  flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(count));
-  const std::int64_t kept =
-    flipflop::cellsWithinEdgeLength(points, cells, longest, within.data(), options);
-  if (kept < count)
+  if (longest > 0.0)
   {
-    flipflop::keepCells(cells, within.data());
+    this->AlphaCells.DropLongLines(points, longest, options, cells);
   }
-  return count - kept;
+  return dropped;
 }
 
 //------------------------------------------------------------------------------
@@ -466,18 +435,13 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::WriteCells(
   flipflop::Triangulation& triangulation = this->Triangulation;
   if (filter->GenerateCellMeasures)
   {
-    const auto measure = [&](double* areas, double* centroids)
-    {
-      // A share of a triangulation may have no cell, which the engine takes for none of its own.
-      if (triangulation.cellCount() > 0)
-      {
-        flipflop::cellMeasures(
-          this->Projection->GetView(), triangulation, areas, centroids, options);
-      }
-    };
-    CellMeasures(triangulation.cellCount(), *this->Projection, measure).AddTo(outputs[0]);
+    this->MeasureCells(options, outputs[0]);
   }
-
+  if (filter->GenerateAlphas)
+  {
+    this->AlphaCells.AddAlphas(
+      this->Projection->GetView(), this->Weights->GetView(), options, triangulation, outputs[0]);
+  }
   std::vector<vtkFFOutput::Source> data;
   if (filter->PassPointData)
   {
@@ -490,99 +454,47 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::WriteCells(
   std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
   vertices.pointIds = std::move(triangulation.hiddenIds);
   vtkFFOutput::Adopt(vertices, *this->Points, data, filter->VisiblePointIds, outputs[1]);
+  if (filter->GenerateBoundary)
+  {
+    flipflop::CellComplex boundary = vtkFFAlphaCells::MakeBoundary(triangulation, options);
+    vtkFFOutput::Adopt(boundary, *this->Points, data, filter->VisiblePointIds, outputs[3]);
+  }
   vtkFFOutput::Adopt(triangulation, *this->Points, data, filter->VisiblePointIds, outputs[0]);
+  this->AlphaCells.AddTo(outputs[0]);
   internals->RestoreIds(outputs[0]->GetPointData());
   internals->RestoreIds(outputs[1]->GetPointData());
   internals->RestoreIds(outputs[2]->GetCellData());
+  internals->RestoreIds(outputs[3]->GetPointData());
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 4> vtkFFRegularTriangulationFilter::vtkInternals::Work::FindBox(
-  const flipflop::PointView& points, const flipflop::Triangulation& triangulation) const
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::MeasureCells(
+  const flipflop::Options& options, vtkPolyData* output)
 {
-  if (this->Filter->PowerDiagramBoxMode != BOX_OF_BOUNDS)
+  flipflop::Triangulation& triangulation = this->Triangulation;
+  const flipflop::PointView& points = this->Projection->GetView();
+  const auto measure = [&](double* areas, double* centroids)
   {
-    return flipflop::powerDiagramBox(points, triangulation);
-  }
-  std::array<double, 4> box;
-  std::copy_n(this->Filter->PowerDiagramBounds, 4, box.begin());
-  return box;
+    // A vertex is where its point is.
+    for (const std::int64_t vertex : this->AlphaCells.GetVertices())
+    {
+      const std::int64_t id = triangulation.pointIds[static_cast<std::size_t>(vertex)];
+      *areas++ = 0.0;
+      *centroids++ = numberAt(points.data, points.type, id * points.stride);
+      *centroids++ = numberAt(points.data, points.type, id * points.stride + 1);
+    }
+    this->AlphaCells.WithLines(triangulation,
+      [&](const flipflop::CellComplex& lines)
+      { flipflop::cellMeasures(points, lines, areas, centroids, options); });
+    // A share of a triangulation may have no cell, which the engine takes for none of its own.
+    if (triangulation.cellCount() > 0)
+    {
+      const std::int64_t lines = this->AlphaCells.GetNumberOfLines();
+      flipflop::cellMeasures(points, triangulation, areas + lines, centroids + 2 * lines, options);
+    }
+  };
+  vtkFFCellMeasures(this->AlphaCells.GetNumberOfCells(triangulation), *this->Projection, measure)
+    .AddTo(output);
 }
 
-//------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::vtkInternals::Work::MakePowerCells(
-  flipflop::BlockResult& around, bool weighted, int block, const std::array<double, 4>& box,
-  const flipflop::Options& options, flipflop::PowerDiagram& diagram)
-{
-  const auto count = static_cast<std::int64_t>(around.cells.pointIds.size());
-  std::vector<std::uint8_t> wanted;
-  for (const std::int32_t owner : around.blocks)
-  {
-    wanted.push_back(owner == block);
-  }
-  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end())
-  {
-    return true; // a block without a point has no facet either
-  }
-  const flipflop::Buffer<std::int64_t> ids = std::move(around.cells.pointIds);
-  around.cells.pointIds.allocate(ids.size());
-  std::iota(around.cells.pointIds.begin(), around.cells.pointIds.end(), std::int64_t(0));
-  const double* places = around.places.data();
-  const bool whole = flipflop::powerCells({ places, count },
-    weighted ? flipflop::WeightView(places + 2, count, 3) : flipflop::WeightView(), around.cells,
-    wanted.data(), box.data(), diagram, options);
-  for (std::int64_t& site : diagram.siteIds)
-  {
-    site = ids[static_cast<std::size_t>(site)];
-  }
-  return whole;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::vtkInternals::Work::FanFacets(
-  flipflop::CellComplex& cells, const flipflop::Options& options)
-{
-  if (options.facets == flipflop::FacetMode::Triangles)
-  {
-    flipflop::fanPolygons(cells);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::vtkInternals::Work::WritePowerDiagram(
-  flipflop::PowerDiagram& diagram, const flipflop::Options& options, vtkPolyData* output)
-{
-  vtkFFRegularTriangulationFilter* const filter = this->Filter;
-  const vtkFFProjection& projection = *this->Projection;
-  const auto corners = toSpace(projection, diagram.corners, "The power diagram's corners");
-  vtkNew<vtkPoints> points;
-  points->SetData(corners);
-  output->SetPoints(points);
-  std::optional<CellMeasures> measures;
-  if (filter->GenerateCellMeasures)
-  {
-    measures.emplace(static_cast<std::int64_t>(diagram.siteIds.size()), projection,
-      [&](double* areas, double* centroids)
-      { flipflop::cellMeasures(diagram, areas, centroids, options); });
-  }
-
-  flipflop::CellComplex cells;
-  cells.dimension = 2;
-  cells.connectivity = std::move(diagram.connectivity);
-  cells.offsets = std::move(diagram.offsets);
-  vtkFFOutput::AdoptCells(cells, output);
-
-  const auto ids = vtkFFOutput::AdoptIds(diagram.siteIds);
-  if (filter->PassPointData)
-  {
-    vtkFFOutput::PassPointData(
-      { { this->Input->GetPointData(), this->Input->GetNumberOfPoints() } }, ids,
-      output->GetCellData());
-  }
-  vtkFFOutput::AddIds(ids, filter->VisiblePointIds, output->GetCellData());
-  if (measures)
-  {
-    measures->AddTo(output);
-  }
-}
 VTK_ABI_NAMESPACE_END

@@ -11,6 +11,7 @@
 #ifndef vtkFFRegularTriangulationWork_h
 #define vtkFFRegularTriangulationWork_h
 
+#include "vtkFFAlphaCells.h"
 #include "vtkFFBlockWork.h"
 #include "vtkFFConstraints.h"
 #include "vtkFFMarks.h"
@@ -77,11 +78,11 @@ protected:
   //@{
   /**
    * The parts of Write(): whether the plane's height matters; leave out cells, and tell how many;
-   * the report, with so many hidden points and cells left out; the ports 0 and 1.
+   * the report, with so many hidden points and cells left out; the ports 0, 1 and 3.
    */
   bool NeedsHeight() const;
-  std::int64_t DropLongCells(const flipflop::PointView& points, const flipflop::Options& options,
-    flipflop::CellComplex& cells) const;
+  std::int64_t DropCells(const flipflop::PointView& points, const flipflop::WeightView& weights,
+    const flipflop::Options& options, flipflop::CellComplex& cells);
   void Report(const flipflop::EngineReport& report, std::int64_t hidden, std::int64_t dropped,
     vtkPolyData* output);
   void WriteCells(const flipflop::Options& options, const std::vector<vtkPolyData*>& outputs);
@@ -122,6 +123,12 @@ private:
   void RunConstrained(const flipflop::Options& options, flipflop::EngineReport& report);
   //@}
 
+  /**
+   * The areas and centroids of all cells of port 0.
+   */
+  void MeasureCells(const flipflop::Options& options, vtkPolyData* output);
+
+  vtkFFAlphaCells AlphaCells;
   std::optional<vtkFFConstraints> Constraints;
   std::int64_t CellsOutside = 0; // left out
   std::vector<vtkPointSet*> Pieces;

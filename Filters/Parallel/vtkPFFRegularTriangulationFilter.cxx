@@ -60,6 +60,15 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
     return this->vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(blocks, failure);
   }
   this->CheckParts(processes.GetCount(), failure);
+  const vtkPFFRegularTriangulationFilter* const filter = this->GetDistributedFilter();
+  const bool needsAll =
+    filter->AlphaLines || filter->AlphaVerts || filter->GenerateAlphas || filter->GenerateBoundary;
+  if (needsAll && failure.Kind == vtkFFFailure::None)
+  {
+    failure.Say(
+      "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha "
+      "Verts, Generate Alphas and Generate Boundary must be off.");
+  }
   const bool done = processes.SelectBlocks(true, blocks, failure);
   this->ReportFailure(failure, processes.GetRank() == 0);
   return done;

@@ -318,9 +318,11 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::TrimCells(
       flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
       std::iota(ids.begin(), ids.end(), std::int64_t(0));
       std::swap(ids, cells.pointIds);
-      this->Dropped =
-        this->DropLongCells({ this->Result.places.data(), static_cast<std::int64_t>(ids.size()) },
-          this->Options, cells);
+      const double* const places = this->Result.places.data();
+      const auto count = static_cast<std::int64_t>(ids.size());
+      this->Dropped = this->DropCells({ places, count },
+        this->Weighted ? flipflop::WeightView(places + 2, count, 3) : flipflop::WeightView(),
+        this->Options, cells);
       std::swap(ids, cells.pointIds);
     });
   if (!this->Settings->GenerateGhostCells)

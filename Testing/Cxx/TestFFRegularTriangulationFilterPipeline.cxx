@@ -283,7 +283,8 @@ void testPrint()
   filter->Print(text);
   for (const char* name :
     { "Engine", "CUDAThreshold", "FacetMode", "Dimension", "NumberOfInputPoints",
-      "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor", "MaximumEdgeLength",
+      "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor", "Alpha", "AlphaLines",
+      "AlphaVerts", "GenerateAlphas", "GenerateBoundary", "MaximumEdgeLength",
       "NumberOfDroppedCells", "GeneratePowerDiagram", "GenerateCellMeasures", "PowerDiagramBoxMode",
       "PowerDiagramBounds", "NumberOfHiddenPoints" })
   {

@@ -303,6 +303,7 @@ FAILURES = {
     "a radius whose square no double holds": lambda: weighted(doubles(1e200, 0.0, 0.0), WeightMode=RADII),
     "a weight that a factor takes too far": lambda: weighted(doubles(0.0, 1e300, 0.0), WeightFactor=1e10),
     "a factor of weights that is NaN": lambda: weighted(doubles(0.0, 0.0, 0.0), WeightFactor=NAN),
+    "a negative alpha": lambda: triangulation(Alpha=-1.0),
     "a negative edge length": lambda: triangulation(MaximumEdgeLength=-1.0),
     "a projection by transform, without one": lambda: triangulation(ProjectionPlaneMode=PLANE),
     "a box of the power diagram without an inside": lambda: triangulation(

@@ -257,7 +257,7 @@ class TestTriangulation(unittest.TestCase):
     def test_documentation_and_defaults(self):
         triangulation = vtkFFRegularTriangulationFilter()
         self.assertIn("Delaunay", vtkFFRegularTriangulationFilter.__doc__)
-        self.assertEqual(triangulation.GetNumberOfOutputPorts(), 3)
+        self.assertEqual(triangulation.GetNumberOfOutputPorts(), 4)
         self.assertEqual(triangulation.GetProjectionPlaneMode(), triangulation.XY_PLANE)
         self.assertEqual(triangulation.GetPowerDiagramBoxMode(), triangulation.BOX_OF_POINTS)
         self.assertEqual(triangulation.GetPowerDiagramBounds(), (0.0, 1.0, 0.0, 1.0))

@@ -137,6 +137,12 @@ void testSettings()
     cuda.Fails("CUDA", makePieces()[static_cast<std::size_t>(rank())],
       "The CUDA engine was asked for, but several processes triangulate together on their CPUs. "
       "Set Engine to Automatic or CPU.");
+    // No process has all cells.
+    Twins boundary = triangulations();
+    boundary.Set<Filter>([](Filter* filter) { filter->GenerateBoundaryOn(); });
+    boundary.Fails("boundary", makePieces()[static_cast<std::size_t>(rank())],
+      "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha Verts, "
+      "Generate Alphas and Generate Boundary must be off.");
   }
 }
 
