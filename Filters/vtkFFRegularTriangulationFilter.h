@@ -160,6 +160,7 @@ public:
    */
   void SetSourceData(vtkDataObject* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
+  void RemoveSource() { this->SetSourceConnection(nullptr); }
   vtkPolyData* GetSource();
   //@}
 

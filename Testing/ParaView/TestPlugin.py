@@ -41,6 +41,7 @@ ENGINES = {
 }
 QUERIES = {"NonFinitePoints": "Report an Error", "SkipGhostPoints": 1, "NumberOfThreads": 0}
 WEIGHTS = {"Weights": ["POINTS", "None"], "WeightMode": "Weights", "WeightFactor": 1.0}
+ALPHA = {"Alpha": 0.0, "AlphaLines": 0, "AlphaVerts": 0, "GenerateAlphas": 0}
 PLANE = {"ProjectionPlaneMode": "XY Plane"}
 # The box is that of the sphere.
 LOW_X, HIGH_X, LOW_Y, HIGH_Y, LOW_Z, HIGH_Z = updated(simple.Sphere()).GetDataInformation().GetBounds()
@@ -64,6 +65,7 @@ DEFAULTS = {
         **FACETS,
         **ENGINES,
         **PLANE,
+        **ALPHA,
         "MaximumEdgeLength": 0.0,
         "GenerateGhostCells": 0,
     },
@@ -76,6 +78,8 @@ DEFAULTS = {
         **WEIGHTS,
         **PLANE,
         **BOX,
+        **ALPHA,
+        "GenerateBoundary": 0,
         "MaximumEdgeLength": 0.0,
         "GenerateGhostCells": 0,
         "GeneratePowerDiagram": 0,
@@ -103,7 +107,7 @@ PORTS = {
     "FlipFlopConvexify": ["Hull"],
     "FlipFlopDelaunay": ["Triangulation"],
     "FlipFlopPowerDiagram": ["Power Diagram"],
-    "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Power Diagram"],
+    "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Power Diagram", "Border"],
     "FlipFlopSelectEnclosedPoints": ["Points"],
     "FlipFlopPointInterpolator2D": ["Points"],
 }
@@ -218,7 +222,7 @@ class TestProxies(unittest.TestCase):
                 for key in proxy.ListProperties()
                 if not proxy.GetProperty(key).SMProperty.GetInformationOnly()
             }
-            self.assertEqual(settings - {"Input", "Transform", *SECOND.values()}, set(defaults))
+            self.assertEqual(settings - {"Input", "Transform", "Source", *SECOND.values()}, set(defaults))
         transform = self.source("FlipFlopRegularTriangulation").Transform
         self.assertEqual(transform.GetXMLName(), "Transform3")
 
