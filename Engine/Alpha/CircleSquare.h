@@ -7,7 +7,7 @@
 #ifndef flipflop_CircleSquare_h
 #define flipflop_CircleSquare_h
 
-#include "PowerDiagram/PowerArithmetic.h"
+#include "PowerDiagram/SiteRange.h"
 #include <flipflop/Error.h>
 
 #include <algorithm>
@@ -76,23 +76,23 @@ public:
     : site{ &a, nullptr, nullptr }
     , count(1)
   {
-    this->range.add(a);
+    addSite(this->range, a);
   }
   CircleSquare(const PowerSite& a, const PowerSite& b)
     : site{ &a, &b, nullptr }
     , count(2)
   {
-    this->range.add(a);
-    this->range.add(b);
+    addSite(this->range, a);
+    addSite(this->range, b);
   }
   /// @param c to the left of a and b
   CircleSquare(const PowerSite& a, const PowerSite& b, const PowerSite& c)
     : site{ &a, &b, &c }
     , count(3)
   {
-    this->range.add(a);
-    this->range.add(b);
-    this->range.add(c);
+    addSite(this->range, a);
+    addSite(this->range, b);
+    addSite(this->range, c);
   }
 
   /// Is it greater than alpha |alpha|?
@@ -230,9 +230,9 @@ private:
 inline bool isInCircle(const PowerSite& a, const PowerSite& b, const PowerSite& c)
 {
   ExponentRange range;
-  range.add(a);
-  range.add(b);
-  range.add(c);
+  addSite(range, a);
+  addSite(range, b);
+  addSite(range, c);
   return exactSign(
            [&](const auto& k, int& sign)
            {
@@ -248,8 +248,8 @@ inline bool isInCircle(const PowerSite& a, const PowerSite& b, const PowerSite& 
 inline bool isInCircle(const PowerSite& a, const PowerSite& b)
 {
   ExponentRange range;
-  range.add(a);
-  range.add(b);
+  addSite(range, a);
+  addSite(range, b);
   return exactSign([&](const auto& k, int& sign)
            { return k.sign(SiteOffset<std::decay_t<decltype(k)>>(k, a, b).level(), sign); },
            range) < 0;

@@ -5,6 +5,7 @@
 #ifndef flipflop_VertexAt_h
 #define flipflop_VertexAt_h
 
+#include "Constraints/Place.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
 #include "Support/Monitor.h"
@@ -13,9 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <unordered_map>
-#include <utility>
 
 namespace flipflop
 {
@@ -96,20 +95,6 @@ public:
   }
 
 private:
-  using Place = std::pair<double, double>;
-
-  struct HashOfPlace
-  {
-    std::size_t operator()(const Place& place) const
-    {
-      const std::hash<double> hash;
-      return hash(place.first) * 0x9e3779b97f4a7c15u + hash(place.second);
-    }
-  };
-
-  /// Zeros of both signs are equal, and have one hash.
-  static Place placeOf(const Vertex& vertex) { return { vertex.x[0], vertex.x[1] }; }
-
   Buffer<std::uint32_t> vertexOf; ///< by id
 };
 

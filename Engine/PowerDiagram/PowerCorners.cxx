@@ -2,26 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PowerDiagram/PowerCorners.h"
 
-#include "PowerDiagram/PowerArithmetic.h"
-#include <flipflop/Error.h>
+#include "PowerDiagram/SiteRange.h"
 
 namespace flipflop
 {
 namespace
 {
-
-/// Numerators are of degree three, and are shifted by up to 64 bits more than a denominator has.
-constexpr int MostBits = 300;
-
-/// @throw Error BadArgument when the sites are not as they should be
-template <class Recipe>
-void decide(const ExponentRange& range, const Recipe& recipe)
-{
-  if (!inIntegers(range, MostBits, recipe))
-  {
-    throw Error(ErrorCode::BadArgument);
-  }
-}
 
 /// 2 (x - a).u for the points x of equal power to a and b, where u = b - a.
 template <class Arithmetic, class Number>
@@ -81,9 +67,9 @@ void powerCenter(const PowerSite& a, const PowerSite& b, const PowerSite& c, dou
   if (!quickCenter(a, b, c, result))
   {
     ExponentRange range;
-    range.add(a);
-    range.add(b);
-    range.add(c);
+    addSite(range, a);
+    addSite(range, b);
+    addSite(range, c);
     decide(range, [&](const auto& k) { return center(k, a, b, c, result); });
   }
 }
@@ -93,8 +79,8 @@ void powerMiddle(const PowerSite& a, const PowerSite& b, double* result)
   if (!middle(BoundedArithmetic<>(), a, b, result))
   {
     ExponentRange range;
-    range.add(a);
-    range.add(b);
+    addSite(range, a);
+    addSite(range, b);
     decide(range, [&](const auto& k) { return middle(k, a, b, result); });
   }
 }
@@ -105,8 +91,8 @@ double powerCrossing(const PowerSite& a, const PowerSite& b, int axis, double at
   if (!crossing(BoundedArithmetic<>(), a, b, axis, at, result))
   {
     ExponentRange range;
-    range.add(a);
-    range.add(b);
+    addSite(range, a);
+    addSite(range, b);
     range.add(at);
     decide(range, [&](const auto& k) { return crossing(k, a, b, axis, at, result); });
   }

@@ -1,14 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Arithmetic for polynomials of sites: a quick one, which knows how far off it may be, and an
-/// exact one in integers. A formula is written once, for either. It takes Boost's headers along, so
-/// few files include it.
-#ifndef flipflop_PowerArithmetic_h
-#define flipflop_PowerArithmetic_h
+/// Two arithmetics for polynomials of coordinates and weights: a quick one, which knows how far off
+/// it may be and says when it cannot tell, and an exact one in integers.
+///
+/// A recipe is a template over the arithmetic k, and so is written once. It takes differences of
+/// coordinates (k.difference) and forms polynomials up to degree six of them with + - and *. Then
+/// it asks for a sign (k.sign), or rounds a fraction of degree three to the nearest double
+/// (k.round). It returns what that returns: false, where k cannot tell.
+///
+/// It takes Boost's headers along, so few files include it.
+#ifndef flipflop_RoundedFractions_h
+#define flipflop_RoundedFractions_h
 
-#include "PowerDiagram/PowerCorners.h"
 #include "Predicates/DoubleDouble.h"
+#include <flipflop/Error.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -232,28 +238,21 @@ private:
 class ExponentRange
 {
 public:
-  void add(const PowerSite& site)
-  {
-    this->add(site.x[0]);
-    this->add(site.x[1]);
-    if (site.weight != 0.0)
-    {
-      int binary = 0;
-      std::frexp(site.weight, &binary);
-      // Halves, rounded outwards.
-      this->low = std::min(this->low, (binary - 53 - 1) / 2 - 1);
-      this->high = std::max(this->high, (binary + 1) / 2 + 1);
-    }
-  }
   void add(double length)
   {
     if (length != 0.0)
     {
       int binary = 0;
       std::frexp(length, &binary);
-      this->low = std::min(this->low, binary - 53);
-      this->high = std::max(this->high, binary);
+      this->add(binary - 53, binary);
     }
+  }
+
+  /// A number that is a multiple of 2^bottom, and below 2^top.
+  void add(int bottom, int top)
+  {
+    this->low = std::min(this->low, bottom);
+    this->high = std::max(this->high, top);
   }
 
   /// All lengths are multiples of 2 to this.
@@ -282,6 +281,21 @@ bool inIntegers(const ExponentRange& range, int mostBits, const Recipe& recipe)
 {
   return range.bits() <= mostBits ? recipe(IntegerArithmetic<StackInteger>(range.exponent()))
                                   : recipe(IntegerArithmetic<HeapInteger>(range.exponent()));
+}
+
+/// Lengths of up to so many bits, of which k.round fits the stack: numerators are of degree three,
+/// and are shifted by up to 64 bits more than a denominator has.
+constexpr int MostBitsToRound = 300;
+
+/// The same for a recipe that ends in k.round.
+/// @throw Error BadArgument where it returns false: the points are not as they should be
+template <class Recipe>
+void decide(const ExponentRange& range, const Recipe& recipe)
+{
+  if (!inIntegers(range, MostBitsToRound, recipe))
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
 }
 
 }

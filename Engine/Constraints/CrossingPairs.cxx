@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constraints/CrossingPairs.h"
+
+#include "Constraints/Crossing.h"
+#include "Query/BoxTree.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace flipflop
+{
+
+namespace
+{
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+class SelfJoin
+{
+public:
+  SelfJoin(const std::vector<Place>& at, const std::vector<PlaceSegment>& given, Monitor& toTell)
+    : places(at)
+    , segments(given)
+    , monitor(toTell)
+    , parts(partsOf(at, given, toTell))
+    , tree(
+        static_cast<std::uint32_t>(this->parts.size()),
+        [this](std::uint32_t part) { return this->boxOf(part); }, toTell)
+    , boxes(this->parts.size())
+  {
+    eachRun(this->boxes.size(), std::size_t(1) << 12,
+      [this](std::size_t begin, std::size_t end, std::size_t)
+      {
+        for (std::size_t place = begin; place < end; ++place)
+        {
+          this->boxes[place] = this->boxOf(this->tree.item(static_cast<std::uint32_t>(place)));
+        }
+      });
+  }
+
+  std::vector<Pair> pairs()
+  {
+    // Pairs of nodes on one level that meet: enough of them for all threads.
+    constexpr std::size_t WorthTasks = 512;
+    std::vector<NodePair> tasks = { { 0, 0 } };
+    while (tasks.size() < WorthTasks && !this->tree.isLeaf(tasks.front().first))
+    {
+      std::vector<NodePair> below;
+      for (const NodePair& pair : tasks)
+      {
+        this->eachBelow(pair, [&](const NodePair& next) { below.push_back(next); });
+      }
+      tasks = std::move(below);
+    }
+    std::vector<std::vector<Pair>> found(tasks.size());
+    threads::eachAlone(tasks.size(),
+      [&](std::size_t i)
+      {
+        StepPoll poll(this->monitor);
+        this->join(tasks[i], poll, found[i]);
+      });
+    std::size_t count = 0;
+    for (const std::vector<Pair>& some : found)
+    {
+      count += some.size();
+    }
+    std::vector<Pair> all;
+    all.reserve(count);
+    for (std::vector<Pair>& some : found)
+    {
+      all.insert(all.end(), some.begin(), some.end());
+      some = {};
+    }
+    threads::sort(all.begin(), all.end(), std::less<Pair>());
+    all.erase(std::unique(all.begin(), all.end()), all.end()); // by several parts
+    return all;
+  }
+
+private:
+  using NodePair = std::pair<std::size_t, std::size_t>; ///< of one level
+
+  /// Part @p number of @p count that are equally long.
+  struct Part
+  {
+    std::uint32_t segment, number, count;
+  };
+
+  static std::vector<Part> partsOf(
+    const std::vector<Place>& places, const std::vector<PlaceSegment>& segments, Monitor& monitor)
+  {
+    if (segments.size() >= NoIndex / 2)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(segments.size()));
+    }
+    double most = 0;
+    for (const PlaceSegment& segment : segments)
+    {
+      const Place &a = places[segment.from], &b = places[segment.to];
+      most = std::max(
+        { most, std::fabs(a.x[0]), std::fabs(a.x[1]), std::fabs(b.x[0]), std::fabs(b.x[1]) });
+    }
+    // In shares of the largest coordinate, so that nothing overflows.
+    std::vector<double> length;
+    double sum = 0;
+    for (const PlaceSegment& segment : segments)
+    {
+      const Place &a = places[segment.from], &b = places[segment.to];
+      double own = 0;
+      for (int i = 0; i < 2; ++i)
+      {
+        own += most > 0 ? std::fabs(a.x[i] / most - b.x[i] / most) : 0.0;
+      }
+      length.push_back(own);
+      sum += own;
+    }
+    const double mean = sum / static_cast<double>(segments.size());
+    std::vector<Part> result;
+    StepPoll poll(monitor);
+    for (std::uint32_t s = 0; s < segments.size(); ++s)
+    {
+      const std::uint32_t count =
+        mean > 0 ? 1 + static_cast<std::uint32_t>(length[s] / (1.0001 * mean)) : 1;
+      for (std::uint32_t number = 0; number < count; ++number)
+      {
+        poll.step();
+        result.push_back({ s, number, count });
+      }
+    }
+    return result;
+  }
+
+  /// A box that the part is in.
+  Box boxOf(std::uint32_t item) const
+  {
+    const Part& part = this->parts[item];
+    const PlaceSegment& segment = this->segments[part.segment];
+    const Place &a = this->places[segment.from], &b = this->places[segment.to];
+    Box box;
+    box.low[2] = box.high[2] = 0;
+    for (int i = 0; i < 2; ++i)
+    {
+      const auto ends = std::minmax(a.x[i], b.x[i]);
+      box.low[i] = ends.first;
+      box.high[i] = ends.second;
+      if (part.count > 1)
+      {
+        const auto at = [&](std::uint32_t number)
+        {
+          const double t = static_cast<double>(number) / part.count;
+          return (1 - t) * a.x[i] + t * b.x[i];
+        };
+        const double p = at(part.number), q = at(part.number + 1);
+        // Four roundings.
+        const double off = 8 * 0x1p-53 * std::max(std::fabs(a.x[i]), std::fabs(b.x[i])) + 0x1p-1070;
+        box.low[i] = std::max(box.low[i], std::min(p, q) - off);
+        box.high[i] = std::min(box.high[i], std::max(p, q) + off);
+      }
+    }
+    return box;
+  }
+
+  static bool meet(const Box& a, const Box& b)
+  {
+    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
+      b.low[1] <= a.high[1];
+  }
+
+  /// use (NodePair) for each pair of their halves that meet.
+  template <class Use>
+  void eachBelow(const NodePair& pair, const Use& use) const
+  {
+    for (std::size_t a = 2 * pair.first + 1; a <= 2 * pair.first + 2; ++a)
+    {
+      for (std::size_t b = pair.first == pair.second ? a : 2 * pair.second + 1;
+           b <= 2 * pair.second + 2; ++b)
+      {
+        if (meet(this->tree.box(a), this->tree.box(b)))
+        {
+          use(NodePair(a, b));
+        }
+      }
+    }
+  }
+
+  void join(const NodePair& pair, StepPoll& poll, std::vector<Pair>& found) const
+  {
+    poll.step();
+    if (!this->tree.isLeaf(pair.first))
+    {
+      this->eachBelow(pair, [&](const NodePair& next) { this->join(next, poll, found); });
+      return;
+    }
+    const std::uint32_t end = this->tree.end(pair.second);
+    for (std::uint32_t p = this->tree.begin(pair.first); p < this->tree.end(pair.first); ++p)
+    {
+      for (std::uint32_t q = pair.first == pair.second ? p + 1 : this->tree.begin(pair.second);
+           q < end; ++q)
+      {
+        if (meet(this->boxes[p], this->boxes[q]))
+        {
+          this->test(this->tree.item(p), this->tree.item(q), found);
+        }
+      }
+    }
+  }
+
+  void test(std::uint32_t p, std::uint32_t q, std::vector<Pair>& found) const
+  {
+    const std::uint32_t s = this->parts[p].segment, t = this->parts[q].segment;
+    const PlaceSegment &a = this->segments[s], &b = this->segments[t];
+    if (a.from != b.from && a.from != b.to && a.to != b.from && a.to != b.to &&
+      doCross(this->places[a.from], this->places[a.to], this->places[b.from], this->places[b.to]))
+    {
+      found.push_back(std::minmax(s, t));
+    }
+  }
+
+  const std::vector<Place>& places;
+  const std::vector<PlaceSegment>& segments;
+  Monitor& monitor;
+  const std::vector<Part> parts;
+  const BoxTree tree;
+  Buffer<Box> boxes; ///< of parts, by their place in the tree
+};
+
+}
+
+std::vector<Pair> crossingPairs(
+  const std::vector<Place>& places, const std::vector<PlaceSegment>& segments, Monitor& monitor)
+{
+  return segments.size() < 2 ? std::vector<Pair>() : SelfJoin(places, segments, monitor).pairs();
+}
+
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which of many segments cross.
+///
+/// A tree of boxes is joined with itself: where two boxes meet, their halves are looked at, down to
+/// the segments. A long segment would widen all boxes that it is in, so segments are taken in parts
+/// no longer than the mean, at most twice as many as there are segments. Boxes of parts are rounded
+/// outwards; what decides is an exact sign.
+#ifndef flipflop_CrossingPairs_h
+#define flipflop_CrossingPairs_h
+
+#include "Constraints/Place.h"
+#include "Support/Monitor.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Its ends: indices of places, which differ in their place if in their index.
+struct PlaceSegment
+{
+  std::uint32_t from, to;
+};
+
+/// All pairs of segments that cross (see doCross), the lower index first, in lexicographic order.
+/// @throw Error TooManyPoints, Aborted
+std::vector<std::pair<std::uint32_t, std::uint32_t>> crossingPairs(
+  const std::vector<Place>& places, const std::vector<PlaceSegment>& segments, Monitor& monitor);
+
+}
+
+#endif

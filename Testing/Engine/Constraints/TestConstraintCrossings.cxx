@@ -1,0 +1,632 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Crossing constraints in pieces: beside rationals and a brute force of all pairs, on grids, on
+/// doubles, and where so few doubles are near that pieces cross anew.
+#include "Testing/Engine/Conformance/ProgressWatch.h"
+#include "Testing/Engine/Conformance/RandomCases.h"
+#include "Testing/Engine/Constraints/ConstrainedCases.h"
+#include "Testing/Engine/References/Lift.h"
+
+#include <flipflop/ConstraintCrossings.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmpxx.h>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+using At = std::array<double, 2>;
+
+/// The nearest double; of two, the one whose last bit is 0.
+double nearest(const mpq_class& exact)
+{
+  const double inner = exact.get_d(); // towards zero
+  const double outer = std::nextafter(inner, exact < 0 ? -HUGE_VAL : HUGE_VAL);
+  const mpq_class middle = (mpq_class(inner) + mpq_class(outer)) / 2;
+  const bool isOuter = abs(exact) > abs(middle) ||
+    (exact == middle &&
+      mpq_class(mpq_class(inner) / std::numeric_limits<double>::denorm_min()).get_num() /
+          (mpz_class(1) << std::max(0, std::ilogb(inner == 0 ? outer : inner) + 1022)) % 2 !=
+        0);
+  return (isOuter ? outer : inner) + 0.0;
+}
+
+/// Where two segments cross, rounded; false: they do not.
+bool crossing(const Cloud& cloud, const Segment& s, const Segment& t, At& rounded)
+{
+  const auto at = [&](std::int64_t id, std::size_t axis)
+  { return mpq_class(cloud[static_cast<std::size_t>(id)][axis]); };
+  const mpq_class a[2] = { at(s[0], 0), at(s[0], 1) }, c[2] = { at(t[0], 0), at(t[0], 1) };
+  const mpq_class u[2] = { at(s[1], 0) - a[0], at(s[1], 1) - a[1] };
+  const mpq_class v[2] = { at(t[1], 0) - c[0], at(t[1], 1) - c[1] };
+  const mpq_class w[2] = { c[0] - a[0], c[1] - a[1] };
+  const mpq_class det = u[0] * v[1] - u[1] * v[0];
+  if (det == 0)
+  {
+    return false;
+  }
+  const mpq_class along = (w[0] * v[1] - w[1] * v[0]) / det;
+  const mpq_class other = (w[0] * u[1] - w[1] * u[0]) / det;
+  if (along <= 0 || along >= 1 || other <= 0 || other >= 1)
+  {
+    return false;
+  }
+  rounded = { nearest(a[0] + along * u[0]), nearest(a[1] + along * u[1]) };
+  return true;
+}
+
+struct Case
+{
+  Cloud cloud;
+  std::vector<Segment> segments;
+  std::int64_t sides = 0;
+
+  ConstraintView view() const
+  {
+    return { this->segments.empty() ? nullptr : this->segments.front().data(),
+      static_cast<std::int64_t>(this->segments.size()), this->sides };
+  }
+};
+
+SplitConstraints split(const Case& given, int threads = 1)
+{
+  Options options;
+  options.threads = threads;
+  return splitCrossings(viewOf(given.cloud), given.view(), options);
+}
+
+/// The given points, and then the new ones.
+Cloud allPoints(const Case& given, const SplitConstraints& result)
+{
+  Cloud cloud = given.cloud;
+  for (std::size_t k = 0; k < result.places.size(); k += 2)
+  {
+    cloud.push_back({ result.places[k], result.places[k + 1], 0 });
+  }
+  return cloud;
+}
+
+/// The ids along each constraint; empty if the pieces are none.
+std::vector<std::vector<std::int64_t>> chains(const SplitConstraints& result, std::size_t count)
+{
+  std::vector<std::vector<std::int64_t>> of(count);
+  for (std::size_t p = 0; p < result.constraintOf.size(); ++p)
+  {
+    std::vector<std::int64_t>& chain = of.at(static_cast<std::size_t>(result.constraintOf[p]));
+    if (chain.empty())
+    {
+      chain.push_back(result.ends[2 * p]);
+    }
+    if (chain.back() != result.ends[2 * p] ||
+      (p > 0 && result.constraintOf[p - 1] > result.constraintOf[p]))
+    {
+      return {};
+    }
+    chain.push_back(result.ends[2 * p + 1]);
+  }
+  return of;
+}
+
+std::string faultOfPieces(const Case& given, const SplitConstraints& result, const Cloud& cloud)
+{
+  const std::size_t count = given.segments.size();
+  const std::vector<std::vector<std::int64_t>> of = chains(result, count);
+  if (of.size() != count || result.ends.size() != 2 * result.constraintOf.size())
+  {
+    return "the pieces of a constraint are no chain";
+  }
+  std::int64_t sides = 0;
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    if (of[c].size() < 2 || of[c].front() != given.segments[c][0] ||
+      of[c].back() != given.segments[c][1])
+    {
+      return "a constraint has lost its ends";
+    }
+    sides += c + static_cast<std::size_t>(given.sides) >= count
+      ? static_cast<std::int64_t>(of[c].size()) - 1
+      : 0;
+  }
+  if (sides != result.sides)
+  {
+    return "the number of sides is wrong";
+  }
+  // No two cross; what runs along the same places does not.
+  std::set<Segment> pieces;
+  for (std::size_t p = 0; p < result.constraintOf.size(); ++p)
+  {
+    pieces.insert(
+      std::minmax(result.ends[2 * p], result.ends[2 * p + 1]).first == result.ends[2 * p]
+        ? Segment{ result.ends[2 * p], result.ends[2 * p + 1] }
+        : Segment{ result.ends[2 * p + 1], result.ends[2 * p] });
+  }
+  const LiftedSpace space(cloud);
+  const auto parts = [&](const Segment& line, const Segment& ends)
+  {
+    const auto turn = [&](std::int64_t p) {
+      return space.turn(static_cast<int>(line[0]), static_cast<int>(line[1]), static_cast<int>(p));
+    };
+    return turn(ends[0]) * turn(ends[1]) < 0;
+  };
+  for (auto s = pieces.begin(); s != pieces.end(); ++s)
+  {
+    for (auto t = std::next(s); t != pieces.end(); ++t)
+    {
+      if (parts(*s, *t) && parts(*t, *s))
+      {
+        return "two pieces cross";
+      }
+    }
+  }
+  return "";
+}
+
+std::string faultOfPoints(const Case& given, const SplitConstraints& result, const Cloud& cloud)
+{
+  const auto placeOf = [&](std::int64_t id)
+  {
+    const Point& p = cloud[static_cast<std::size_t>(id)];
+    return At{ p[0], p[1] };
+  };
+  std::set<At> taken;
+  for (const Point& p : given.cloud)
+  {
+    taken.insert({ p[0] + 0.0, p[1] + 0.0 });
+  }
+  const auto first = static_cast<std::int64_t>(given.cloud.size());
+  for (std::int64_t id = first; id < static_cast<std::int64_t>(cloud.size()); ++id)
+  {
+    if ((id > first && !(placeOf(id - 1) < placeOf(id))) || taken.count(placeOf(id)) != 0)
+    {
+      return "a new point is not in order, or at that of another";
+    }
+  }
+  // Which constraints have a place inside them.
+  std::vector<std::vector<std::int64_t>> at(cloud.size() - given.cloud.size());
+  std::vector<std::set<At>> inside(given.segments.size());
+  const auto of = chains(result, given.segments.size());
+  for (std::size_t c = 0; c < of.size(); ++c)
+  {
+    for (std::size_t i = 1; i + 1 < of[c].size(); ++i)
+    {
+      inside[c].insert(placeOf(of[c][i]));
+      if (of[c][i] >= first)
+      {
+        at[static_cast<std::size_t>(of[c][i] - first)].push_back(static_cast<std::int64_t>(c));
+      }
+      else if (std::any_of(given.cloud.begin(), given.cloud.begin() + of[c][i],
+                 [&](const Point& p) {
+                   return At{ p[0], p[1] } == placeOf(of[c][i]);
+                 }))
+      {
+        return "not the lowest id of a position";
+      }
+    }
+  }
+  std::vector<std::int64_t> all;
+  for (std::size_t k = 0; k < at.size(); ++k)
+  {
+    if (at[k].size() < 2 || result.offsets[k] != static_cast<std::int64_t>(all.size()))
+    {
+      return "a new point of fewer than two constraints";
+    }
+    all.insert(all.end(), at[k].begin(), at[k].end());
+  }
+  if (!std::equal(all.begin(), all.end(), result.crossing.begin(), result.crossing.end()) ||
+    result.offsets.size() != at.size() + 1 ||
+    result.offsets[at.size()] != static_cast<std::int64_t>(all.size()))
+  {
+    return "the constraints that cross differ";
+  }
+  // All crossings of the first round are there; if that is the last, no others.
+  std::vector<std::set<At>> wanted(given.segments.size());
+  bool any = false;
+  for (std::size_t s = 0; s < given.segments.size(); ++s)
+  {
+    for (std::size_t t = 0; t < s; ++t)
+    {
+      At place;
+      if (crossing(given.cloud, given.segments[s], given.segments[t], place))
+      {
+        any = true;
+        for (const std::size_t c : { s, t })
+        {
+          if (place != placeOf(given.segments[c][0]) && place != placeOf(given.segments[c][1]))
+          {
+            wanted[c].insert(place);
+          }
+        }
+      }
+    }
+  }
+  for (std::size_t c = 0; c < wanted.size(); ++c)
+  {
+    if (!std::includes(inside[c].begin(), inside[c].end(), wanted[c].begin(), wanted[c].end()) ||
+      (result.rounds <= 1 && inside[c] != wanted[c]))
+    {
+      return "a crossing is not rounded correctly";
+    }
+  }
+  return (result.rounds > 0) == any ? "" : "rounds are wrong";
+}
+
+/// Empty when a run is right in all.
+std::string faultOf(const Case& given, const SplitConstraints& result)
+{
+  const Cloud cloud = allPoints(given, result);
+  const std::string pieces = faultOfPieces(given, result, cloud);
+  const std::string points = pieces.empty() ? faultOfPoints(given, result, cloud) : pieces;
+  if (!points.empty())
+  {
+    return points;
+  }
+  const ConstrainedTriangulation triangulation =
+    constrainedTriangulation(viewOf(cloud), result.view());
+  const Validation valid = validate(viewOf(cloud), result.view(), triangulation);
+  return valid ? "" : describe(valid.fault);
+}
+
+/// The same constraints in another order, and some turned around.
+std::string faultOfOrder(const Case& given, const SplitConstraints& result, Random& random)
+{
+  const std::size_t lines = given.segments.size() - static_cast<std::size_t>(given.sides);
+  std::vector<std::size_t> order(lines);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  random.shuffle(order);
+  std::vector<std::size_t> sides(given.segments.size() - lines);
+  std::iota(sides.begin(), sides.end(), lines);
+  random.shuffle(sides);
+  order.insert(order.end(), sides.begin(), sides.end());
+  Case other = given;
+  std::vector<bool> isTurned;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    other.segments[i] = given.segments[order[i]];
+    isTurned.push_back(random.integer(0, 1) == 0);
+    if (isTurned[i])
+    {
+      std::swap(other.segments[i][0], other.segments[i][1]);
+    }
+  }
+  const SplitConstraints changed = split(other, 2);
+  if (!std::equal(
+        result.places.begin(), result.places.end(), changed.places.begin(), changed.places.end()) ||
+    result.rounds != changed.rounds || result.sides != changed.sides)
+  {
+    return "the points differ in another order";
+  }
+  const auto wanted = chains(result, order.size());
+  auto found = chains(changed, order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (isTurned[i])
+    {
+      std::reverse(found[i].begin(), found[i].end());
+    }
+    if (found[i] != wanted[order[i]])
+    {
+      return "the pieces differ in another order";
+    }
+  }
+  return "";
+}
+
+/// The most rounds of all.
+/// @param make void (Random&, Cloud&): points
+template <class Make>
+std::int64_t runBruteForce(int cases, const Make& make)
+{
+  const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
+  int failures = 0;
+  std::int64_t rounds = 0;
+  for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
+    Case given;
+    make(random, given.cloud);
+    const int last = static_cast<int>(given.cloud.size()) - 1;
+    for (int i = random.integer(1, 12); i > 0; --i)
+    {
+      given.segments.push_back({ random.integer(0, last), random.integer(0, last) });
+    }
+    if (random.integer(0, 3) == 0)
+    {
+      given.segments.push_back({ given.segments[0][1], given.segments[0][0] });
+      given.segments.push_back(given.segments[0]);
+    }
+    given.sides = random.integer(0, static_cast<int>(given.segments.size()));
+    const SplitConstraints result = split(given, seed % 16 ? 1 : 2);
+    rounds = std::max(rounds, result.rounds);
+    std::string fault = faultOf(given, result);
+    fault = fault.empty() ? faultOfOrder(given, result, random) : fault;
+    if (!fault.empty())
+    {
+      ++failures;
+      ADD_FAILURE() << "seed " << seed << ": " << fault << "\n"
+                    << toString(given.cloud) << textOf(given.segments);
+    }
+  }
+  return rounds;
+}
+
+TEST(ConstraintCrossingsByForce, OnGrids)
+{
+  EXPECT_GE(
+    runBruteForce(150,
+      [](Random& random, Cloud& cloud)
+      {
+        const int side = random.integer(1, 12);
+        for (int i = random.integer(2, 16); i > 0; --i)
+        {
+          cloud.push_back({ double(random.integer(0, side)), double(random.integer(0, side)), 0 });
+        }
+      }),
+    1);
+}
+
+TEST(ConstraintCrossingsByForce, InGeneralPosition)
+{
+  EXPECT_GE(runBruteForce(100,
+              [](Random& random, Cloud& cloud)
+              {
+                for (int i = random.integer(4, 16); i > 0; --i)
+                {
+                  cloud.push_back({ random.uniform(-1, 1), random.uniform(-1, 1), 0 });
+                }
+              }),
+    1);
+}
+
+/// Where the doubles are so few that each is a small integer times a unit: crossings move by much,
+/// and pieces cross again.
+TEST(ConstraintCrossingsByForce, AmongFewDoubles)
+{
+  EXPECT_GE(runBruteForce(200,
+              [](Random& random, Cloud& cloud)
+              {
+                const bool isDenormal = random.integer(0, 1) == 0;
+                const double unit = isDenormal ? 0x1p-1074 : 1;
+                const double base = isDenormal ? -3 * unit : 0x1p52;
+                const int side = random.integer(2, 12);
+                for (int i = random.integer(4, 24); i > 0; --i)
+                {
+                  cloud.push_back({ base + random.integer(0, side) * unit,
+                    base + random.integer(0, side) * unit, 0 });
+                }
+              }),
+    2);
+}
+
+TEST(ConstraintCrossingsByForce, NearlyParallel)
+{
+  EXPECT_GE(runBruteForce(100,
+              [](Random& random, Cloud& cloud)
+              {
+                const double ulp = std::ldexp(1.0, random.integer(-52, -40));
+                const double slope = random.integer(0, 2) * 0.5;
+                const double units = random.integer(1, 8);
+                for (int i = random.integer(4, 20); i > 0; --i)
+                {
+                  const double x = random.integer(0, 1) + random.uniform(-0.1, 0.1);
+                  cloud.push_back({ x, 1 + slope * x + ulp * random.uniform(0, units), 0 });
+                }
+              }),
+    2);
+}
+
+TEST(ConstraintCrossingsByForce, AtAnyRange)
+{
+  EXPECT_GE(runBruteForce(100,
+              [](Random& random, Cloud& cloud)
+              {
+                const bool isMixed = random.integer(0, 1) == 0;
+                const double scale = random.integer(0, 1) ? 1e300 : 1e-300;
+                for (int i = random.integer(4, 12); i > 0; --i)
+                {
+                  cloud.emplace_back();
+                  for (std::size_t k = 0; k < 2; ++k)
+                  {
+                    cloud.back()[k] = random.uniform(-1, 1) *
+                      (isMixed ? std::pow(10.0, random.integer(-307, 307)) : scale);
+                  }
+                }
+              }),
+    1);
+}
+
+/// Lines through one place that no double names, and through one that is a point.
+TEST(ConstraintCrossings, OfAStarAreOne)
+{
+  Random random(4);
+  for (const bool isPoint : { false, true })
+  {
+    // Through (1/3, 2/3), or (2, 4) after that times 6: from there by (i, j) and by -2 (i, j).
+    Case star;
+    const double third = isPoint ? 6 : 1;
+    star.cloud = { { 100, 100, 0 }, { 2, 4, 0 }, { 2, 4, 0 } };
+    for (int i = 1; i <= 40; ++i)
+    {
+      // p = c + s d, q = c - t d, with integer 3 c: multiples of d that make both integers.
+      const double dx = i, dy = 41 - i;
+      const auto at = [&](double s) {
+        return Point{ (1 + s * (3 * dx - 1)) / 3 * third, (2 + s * (3 * dy - 2)) / 3 * third, 0 };
+      };
+      const auto id = static_cast<std::int64_t>(star.cloud.size());
+      star.cloud.push_back(at(1));
+      star.cloud.push_back(at(-2));
+      star.segments.push_back({ id, id + 1 });
+    }
+    const SplitConstraints result = split(star, 2);
+    EXPECT_EQ(faultOf(star, result), "");
+    EXPECT_EQ(result.rounds, 1);
+    EXPECT_EQ(result.newPointCount(), isPoint ? 0 : 1);
+    EXPECT_EQ(result.constraintOf.size(), 80u);
+    if (isPoint)
+    {
+      EXPECT_EQ(result.ends[1], 1);
+    }
+    else
+    {
+      EXPECT_EQ(result.places[0], 1.0 / 3);
+      EXPECT_EQ(result.places[1], 2.0 / 3);
+    }
+  }
+}
+
+TEST(ConstraintCrossings, AreNoCommonEndsNorOverlaps)
+{
+  Case given;
+  given.cloud = { { 0, 0, 0 }, { 4, 0, 0 }, { 2, 0, 0 }, { 2, 3, 0 }, { 6, 0, 0 }, { 0, 0, 0 } };
+  given.segments = { { 0, 1 }, { 2, 3 }, { 2, 4 }, { 1, 0 }, { 5, 0 }, { 3, 3 }, { 3, 0 } };
+  given.sides = 2;
+  const SplitConstraints result = split(given);
+  EXPECT_EQ(result.rounds, 0);
+  EXPECT_EQ(result.newPointCount(), 0);
+  EXPECT_EQ(result.sides, 2);
+  EXPECT_EQ(faultOf(given, result), "");
+  ASSERT_EQ(result.constraintOf.size(), given.segments.size());
+  EXPECT_TRUE(std::equal(result.ends.begin(), result.ends.end(), given.segments.front().data()));
+  EXPECT_EQ(split({}).constraintOf.size(), 0u);
+}
+
+TEST(ConstraintCrossings, HaveTheIdOfAGivenPoint)
+{
+  Case given;
+  given.cloud = { { -1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { 1, -1, 0 }, { 7, 7, 0 },
+    { -0.0, 0, 0 }, { 0, -0.0, 0 } };
+  given.segments = { { 0, 1 }, { 3, 2 } };
+  const SplitConstraints result = split(given);
+  EXPECT_EQ(result.newPointCount(), 0);
+  EXPECT_EQ(
+    chains(result, 2), (std::vector<std::vector<std::int64_t>>{ { 0, 5, 1 }, { 3, 5, 2 } }));
+  given.cloud.resize(5);
+  const SplitConstraints added = split(given);
+  EXPECT_EQ(chains(added, 2), (std::vector<std::vector<std::int64_t>>{ { 0, 5, 1 }, { 3, 5, 2 } }));
+  ASSERT_EQ(added.places.size(), 2u);
+  EXPECT_FALSE(std::signbit(added.places[0]) || std::signbit(added.places[1]));
+}
+
+/// Streets of all lengths, in bulk; and by any number of threads the same bits.
+TEST(ConstraintCrossings, OfStreetsHaveOneAnswer)
+{
+  Random random(8);
+  Case given;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double reach = i % 50 ? 0.02 : 1.0;
+    const double x = random.uniform(), y = random.uniform();
+    const auto id = static_cast<std::int64_t>(given.cloud.size());
+    given.cloud.push_back({ x, y, 0 });
+    given.cloud.push_back(
+      { x + random.uniform(-reach, reach), y + random.uniform(-reach, reach), 0 });
+    given.segments.push_back({ id, id + 1 });
+  }
+  given.sides = 1000;
+  const SplitConstraints first = split(given, 1);
+  std::int64_t crossings = 0;
+  for (std::size_t s = 0; s < given.segments.size(); ++s)
+  {
+    for (std::size_t t = 0; t < s; ++t)
+    {
+      const auto side = [&](const Segment& line, std::int64_t p)
+      {
+        const auto at = [&](std::int64_t id) -> const Point&
+        { return given.cloud[static_cast<std::size_t>(id)]; };
+        const Point &a = at(line[0]), &b = at(line[1]), &c = at(p);
+        return (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]); // no ties here
+      };
+      const Segment &a = given.segments[s], &b = given.segments[t];
+      crossings += side(a, b[0]) != side(a, b[1]) && side(b, a[0]) != side(b, a[1]) ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(first.newPointCount(), crossings);
+  EXPECT_EQ(first.rounds, 1);
+  const Cloud cloud = allPoints(given, first);
+  EXPECT_TRUE(
+    validate(viewOf(cloud), first.view(), constrainedTriangulation(viewOf(cloud), first.view())));
+  for (const int threads : threadsTried())
+  {
+    const SplitConstraints other = split(given, threads);
+    EXPECT_EQ(other.sides, first.sides);
+    const auto isSame = [](const auto& a, const auto& b)
+    { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
+    EXPECT_TRUE(isSame(other.ends, first.ends) && isSame(other.places, first.places) &&
+      isSame(other.crossing, first.crossing) && isSame(other.offsets, first.offsets) &&
+      isSame(other.constraintOf, first.constraintOf));
+  }
+  EXPECT_EQ(faultOfOrder(given, first, random), "");
+}
+
+TEST(ConstraintCrossings, ErrorsNameThePlace)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Case given;
+  given.cloud = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, nan, 0 } };
+  given.segments = { { 0, 1 }, { 0, 4 } };
+  const auto run = [&](const Options& options = Options())
+  { return splitCrossings(viewOf(given.cloud), given.view(), options); };
+  expectError([&] { run(); }, ErrorCode::ConstraintPoint, 1, 4);
+  given.segments[1] = { 2, 3 };
+  expectError([&] { run(); }, ErrorCode::NonFinite, 3, 1);
+  Options ignoring;
+  ignoring.nonFinite = NonFinitePolicy::Ignore;
+  expectError([&] { run(ignoring); }, ErrorCode::ConstraintPoint, 1, 3);
+  given.segments[1] = { 2, 0 };
+  EXPECT_EQ(run(ignoring).rounds, 0);
+  const std::int64_t none = 0;
+  for (const ConstraintView& bad : { ConstraintView(nullptr, 1), ConstraintView(&none, -1),
+         ConstraintView(&none, 0, 1), ConstraintView(&none, 0, -1) })
+  {
+    expectError([&] { splitCrossings(viewOf(given.cloud), bad); }, ErrorCode::BadArgument);
+  }
+}
+
+TEST(ConstraintCrossings, ReportProgressAndStop)
+{
+  Random random(8);
+  Case given;
+  for (int i = 0; i < 4000; ++i)
+  {
+    given.cloud.push_back({ random.uniform(), random.uniform(), 0 });
+    given.segments.push_back({ i, i / 2 });
+  }
+  given.segments.resize(400);
+  Watch all;
+  splitCrossings(viewOf(given.cloud), given.view(), all.options(2));
+  all.expectOrder();
+  EXPECT_GE(std::count(all.steps.begin(), all.steps.end(), "splitting crossings"), 2);
+  for (int stop = 1; stop <= static_cast<int>(all.fractions.size()); ++stop)
+  {
+    Watch watch;
+    watch.stopAt = stop;
+    expectError([&] { splitCrossings(viewOf(given.cloud), given.view(), watch.options(1)); },
+      ErrorCode::Aborted);
+    if (static_cast<int>(watch.fractions.size()) < stop)
+    {
+      break;
+    }
+  }
+}
+
+}
+
+}
+}
