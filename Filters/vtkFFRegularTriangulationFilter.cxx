@@ -66,6 +66,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , GenerateAlphas(false)
   , GenerateBoundary(false)
   , MaximumEdgeLength(0.0)
+  , SplitCrossingConstraints(false)
   , GeneratePowerDiagram(false)
   , GenerateCellMeasures(false)
   , PowerDiagramBoxMode(BOX_OF_POINTS)
@@ -73,6 +74,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , PowerDiagramLengths{ 1.0, 1.0 }
   , NumberOfHiddenPoints(0)
   , NumberOfDroppedCells(0)
+  , NumberOfSplitPoints(0)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
@@ -250,6 +252,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::ResetReport()
   this->vtkFFAlgorithm::vtkInternals::ResetReport();
   filter->NumberOfHiddenPoints = 0;
   filter->NumberOfDroppedCells = 0;
+  filter->NumberOfSplitPoints = 0;
   this->HasWarnedOfVerticalPlane = false;
   this->Constraints = nullptr;
 }
@@ -384,7 +387,8 @@ std::string vtkFFRegularTriangulationFilter::vtkInternals::DescribeError(
   {
     return "An edge of " + this->Constraints->DescribeCell(error.index()) + " crosses one of " +
       this->Constraints->DescribeCell(error.count()) +
-      ", and there is no point where they do. Add one to the input and to both.";
+      ", and there is no point where they do. Add one to the input and to both, or turn on Split "
+      "Crossing Constraints.";
   }
   if (error.code() == flipflop::ErrorCode::PolygonsDisagree)
   {
@@ -439,6 +443,8 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateAlphas: " << (this->GenerateAlphas ? "On" : "Off") << "\n";
   os << indent << "GenerateBoundary: " << (this->GenerateBoundary ? "On" : "Off") << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "SplitCrossingConstraints: " << (this->SplitCrossingConstraints ? "On" : "Off")
+     << "\n";
   os << indent << "GeneratePowerDiagram: " << (this->GeneratePowerDiagram ? "On" : "Off") << "\n";
   os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";
   os << indent << "PowerDiagramBoxMode: " << this->GetPowerDiagramBoxModeAsString() << "\n";
@@ -447,5 +453,6 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
      << box[3] << ")\n";
   os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
   os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
+  os << indent << "NumberOfSplitPoints: " << this->NumberOfSplitPoints << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -72,7 +72,8 @@
  * - cells with an edge longer than MaximumEdgeLength, or with a circle
  *   larger than Alpha, if these are not 0: left out and counted
  * - constraints that cross between points, or name a point that is not
- *   there: an error naming the cells, and empty output
+ *   there: an error naming the cells, and empty output; those that
+ *   cross are split if SplitCrossingConstraints is on
  * - too many points, no memory: an error, and empty output
  *
  * Weights are unusable if they are not numbers, or if there is not one for each point. Without
@@ -315,6 +316,27 @@ public:
 
   //@{
   /**
+   * Set/Get whether constraints are split where they cross between points: see SetSourceData(). Off
+   * by default: they are an error. Without a source, this does not matter.
+   *
+   * The output then has a new point at each crossing, after the others. Its place in the plane of
+   * the triangulation is the crossing with each coordinate rounded to the nearest double, so
+   * constraints bend there, by half a unit in the last place at most. Where bent constraints cross
+   * anew, which is rare, they are split once more. A crossing that is the position of a point, as
+   * rounded, takes that point.
+   *
+   * Positions in space and point data are interpolated along the first of the constraints that
+   * cross there, by their order in the source: lines, then polygons. Data that cannot be
+   * interpolated, such as global ids, is not passed then. The points of the output are double. In
+   * vtkOriginalPointIds, new points have -1.
+   */
+  vtkSetMacro(SplitCrossingConstraints, bool);
+  vtkGetMacro(SplitCrossingConstraints, bool);
+  vtkBooleanMacro(SplitCrossingConstraints, bool);
+  //@}
+
+  //@{
+  /**
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
    * Its corners lie in the plane of the triangulation: for XY_PLANE at the lowest z of the points
@@ -418,6 +440,11 @@ public:
   vtkGetMacro(NumberOfDroppedCells, vtkIdType);
 
   /**
+   * Get the number of points that the last run added where constraints cross.
+   */
+  vtkGetMacro(NumberOfSplitPoints, vtkIdType);
+
+  /**
    * The time of the last change, also of the transform.
    */
   vtkMTimeType GetMTime() override;
@@ -446,6 +473,7 @@ protected:
   bool GenerateAlphas;
   bool GenerateBoundary;
   double MaximumEdgeLength;
+  bool SplitCrossingConstraints;
   bool GeneratePowerDiagram;
   bool GenerateCellMeasures;
   int PowerDiagramBoxMode;
@@ -458,6 +486,7 @@ private:
 
   vtkIdType NumberOfHiddenPoints;
   vtkIdType NumberOfDroppedCells;
+  vtkIdType NumberOfSplitPoints;
 };
 VTK_ABI_NAMESPACE_END
 

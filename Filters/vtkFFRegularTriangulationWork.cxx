@@ -9,7 +9,6 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPieces.h"
 
-#include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConvexHull.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Engines.h>
@@ -34,7 +33,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -86,20 +84,6 @@ double numberAt(const void* data, flipflop::ScalarType type, std::int64_t i)
 {
   return type == flipflop::ScalarType::Float32 ? static_cast<const float*>(data)[i]
                                                : static_cast<const double*>(data)[i];
-}
-
-/// Leaves out the cells that are not inside the polygons. Returns how many these are.
-std::int64_t dropOutside(
-  const flipflop::Options& options, flipflop::ConstrainedTriangulation& triangulation)
-{
-  const std::int64_t cells = triangulation.cellCount();
-  flipflop::Buffer<std::uint8_t> inside(static_cast<std::size_t>(cells));
-  const std::int64_t kept = flipflop::cellsInside(triangulation, inside.data(), options);
-  if (kept < cells)
-  {
-    flipflop::keepCells(triangulation, inside.data());
-  }
-  return cells - kept;
 }
 
 }
@@ -194,44 +178,6 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Run(const flipflop::Op
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::vtkInternals::Work::TakeConstraints(vtkDataArray* weights)
-{
-  vtkPolyData* const source = this->Filter->GetSource();
-  if (!source)
-  {
-    return;
-  }
-  if (weights)
-  {
-    throw std::runtime_error("Constraints take no weights. Choose no weights' array, or take the "
-                             "source away.");
-  }
-  const vtkIdType count = std::accumulate(this->Pieces.begin(), this->Pieces.end(), vtkIdType(0),
-    [](vtkIdType sum, vtkPointSet* piece) { return sum + piece->GetNumberOfPoints(); });
-  this->Constraints.emplace(source, count, this->Internals->PlacesOfPoints);
-  this->Internals->Constraints = &*this->Constraints;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::vtkInternals::Work::RunConstrained(
-  const flipflop::Options& options, flipflop::EngineReport& report)
-{
-  report.used = flipflop::EngineChoice::CPU;
-  std::snprintf(report.reason, sizeof(report.reason), "%s",
-    this->Filter->Engine == ENGINE_CPU ? "the CPU engine was asked for"
-                                       : "constraints are the CPU's");
-  constexpr double shareOfInside = 0.2;
-  this->Internals->SetProgressPart(0.0, 1.0 - shareOfInside);
-  this->Triangulation = flipflop::constrainedTriangulation(
-    this->Projection->GetView(), this->Constraints->GetView(), options);
-  if (this->Constraints->GetView().sides > 0)
-  {
-    this->Internals->SetProgressPart(1.0 - shareOfInside, 1.0);
-    this->CellsOutside = dropOutside(options, this->Triangulation);
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkFFRegularTriangulationFilter::vtkInternals::Execute(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
 {
@@ -294,6 +240,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   vtkFFRegularTriangulationFilter* const filter = this->Filter;
   vtkInternals* const internals = this->Internals;
   flipflop::Triangulation& triangulation = this->Triangulation;
+  this->AddSplitPoints();
   if (this->NeedsHeight() && triangulation.dimension >= 0)
   {
     this->Projection->SetHeight(lowestOf(this->Input->GetPoints()->GetData(), triangulation));
@@ -423,6 +370,8 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Report(
   {
     vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", hidden);
     vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", dropped);
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints",
+      static_cast<std::int64_t>(this->Filter->NumberOfSplitPoints));
   }
 }
 

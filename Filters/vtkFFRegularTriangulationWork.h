@@ -14,6 +14,7 @@
 #include "vtkFFAlphaCells.h"
 #include "vtkFFBlockWork.h"
 #include "vtkFFConstraints.h"
+#include "vtkFFCrossings.h"
 #include "vtkFFMarks.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFProjection.h"
@@ -115,12 +116,15 @@ protected:
 private:
   //@{
   /**
-   * Constraints of the filter's second input, if it has some; the run with these.
+   * Constraints of the filter's second input, if it has some; the run with these; split them; have
+   * the points at which they were split.
    *
    * @throw std::runtime_error for weights beside them
    */
   void TakeConstraints(vtkDataArray* weights);
   void RunConstrained(const flipflop::Options& options, flipflop::EngineReport& report);
+  void SplitConstraints(const flipflop::Options& options);
+  void AddSplitPoints();
   //@}
 
   /**
@@ -130,6 +134,7 @@ private:
 
   vtkFFAlphaCells AlphaCells;
   std::optional<vtkFFConstraints> Constraints;
+  std::optional<vtkFFCrossings> Crossings;
   std::int64_t CellsOutside = 0; // left out
   std::vector<vtkPointSet*> Pieces;
   std::vector<vtkSmartPointer<vtkPointSet>> Counted;

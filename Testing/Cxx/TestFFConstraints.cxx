@@ -222,7 +222,7 @@ void testErrors()
     "which there are 4.");
   expectError(input, makeSource({ { 0, 2 }, { 1, 3 } }),
     "An edge of cell 1 of the source crosses one of cell 0 of the source, and there is no point "
-    "where they do. Add one to the input and to both.");
+    "where they do. Add one to the input and to both, or turn on Split Crossing Constraints.");
   std::vector<Point> bad = kite;
   bad[0][2] = nan;
   expectError(makePoints(bad), line,

@@ -281,12 +281,12 @@ void testPrint()
   vtkNew<vtkTransform> transform;
   filter->SetTransform(transform);
   filter->Print(text);
-  for (const char* name :
-    { "Engine", "CUDAThreshold", "FacetMode", "Dimension", "NumberOfInputPoints",
-      "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor", "Alpha", "AlphaLines",
-      "AlphaVerts", "GenerateAlphas", "GenerateBoundary", "MaximumEdgeLength",
-      "NumberOfDroppedCells", "GeneratePowerDiagram", "GenerateCellMeasures", "PowerDiagramBoxMode",
-      "PowerDiagramBounds", "NumberOfHiddenPoints" })
+  for (const char* name : { "Engine", "CUDAThreshold", "FacetMode", "Dimension",
+         "NumberOfInputPoints", "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor",
+         "Alpha", "AlphaLines", "AlphaVerts", "GenerateAlphas", "GenerateBoundary",
+         "MaximumEdgeLength", "SplitCrossingConstraints", "NumberOfSplitPoints",
+         "NumberOfDroppedCells", "GeneratePowerDiagram", "GenerateCellMeasures",
+         "PowerDiagramBoxMode", "PowerDiagramBounds", "NumberOfHiddenPoints" })
   {
     if (text.str().find("\n  " + std::string(name) + ": ") == std::string::npos)
     {
