@@ -5,13 +5,13 @@
 /// name the place, every input of a lower dimension, any range; and the contours of a mountain.
 #include "Testing/Engine/Conformance/ProgressWatch.h"
 #include "Testing/Engine/Constraints/ConstrainedCases.h"
+#include "Testing/Engine/Inputs/InputsConstrained.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -66,29 +66,6 @@ void streets(int side, Random& random, Cloud& cloud, std::vector<Segment>& segme
     {
       segments.push_back({ i + side, i });
     }
-  }
-}
-
-/// Polylines, of which two NaNs end each: positions as points, and their segments.
-void contours(Cloud& cloud, std::vector<Segment>& segments)
-{
-  std::ifstream file(FLIPFLOP_TEST_DATA "/../../Data/sainthelens-contours.f32", std::ios::binary);
-  float xy[2];
-  bool goesOn = false;
-  while (file.read(reinterpret_cast<char*>(xy), sizeof(xy)))
-  {
-    if (std::isnan(xy[0]))
-    {
-      goesOn = false;
-      continue;
-    }
-    const auto id = static_cast<std::int64_t>(cloud.size());
-    cloud.push_back({ xy[0], xy[1], 0 });
-    if (goesOn)
-    {
-      segments.push_back({ id - 1, id });
-    }
-    goesOn = true;
   }
 }
 
@@ -270,11 +247,9 @@ TEST(Constraints, StreetsHaveOneAnswer)
 
 TEST(Constraints, ContoursOfAMountainHaveOneAnswer)
 {
-  Cloud cloud;
-  std::vector<Segment> segments;
-  contours(cloud, segments);
-  ASSERT_EQ(cloud.size(), 35764u);
-  expectOneAnswer(cloud, segments);
+  const ConstrainedInput map = contours();
+  ASSERT_EQ(map.cloud.size(), 35764u);
+  expectOneAnswer(map.cloud, map.segments);
 }
 
 TEST(Constraints, HubsAndGridsHaveOneAnswer)
