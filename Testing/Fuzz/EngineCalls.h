@@ -25,6 +25,7 @@ void fuzzTriangulationJudge(Bytes& bytes);
 void fuzzArguments(Bytes& bytes);            ///< null, negative, too many
 void fuzzHullQueries(Bytes& bytes);          ///< of hulls, and of what is none
 void fuzzTriangulationQueries(Bytes& bytes); ///< of triangulations, and of what is none
+void fuzzConstraints(Bytes& bytes); ///< and polygons of them, and where they cross, in pieces
 
 /// Change one number in some of a result's parts.
 /// @param hidden a triangulation's; null: a hull's

@@ -3,6 +3,7 @@
 #include "FilterSettings.h"
 #include "FilterInputs.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
@@ -13,7 +14,9 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
 #include "vtkThinPlateSplineTransform.h"
 #include "vtkTransform.h"
 
@@ -143,10 +146,42 @@ void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
   filter->SetUseKernelPoint(bytes.flag());
 }
 
+/// Lines and polygons of small ids, now and then any; or something else, or none.
+vtkSmartPointer<vtkDataObject> drawSource(Bytes& bytes)
+{
+  if (bytes.oneOf(8))
+  {
+    return bytes.flag() ? vtkSmartPointer<vtkTable>::New() : nullptr;
+  }
+  vtkNew<vtkCellArray> cells[2];
+  for (int i = bytes.below(12); i > 0; --i)
+  {
+    vtkCellArray* const chosen = cells[bytes.below(2)];
+    const bool isWild = bytes.oneOf(32);
+    const int size = bytes.below(6);
+    chosen->InsertNextCell(size);
+    for (int k = 0; k < size; ++k)
+    {
+      chosen->InsertCellPoint(isWild ? bytes.integer() : bytes.below(8));
+    }
+  }
+  auto source = vtkSmartPointer<vtkPolyData>::New();
+  source->SetLines(cells[0]);
+  source->SetPolys(cells[1]);
+  return source;
+}
+
 void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
 {
-  switch (bytes.below(13))
+  switch (bytes.below(14))
   {
+    case 13:
+      filter->SetSplitCrossingConstraints(bytes.flag());
+      if (filter->GetNumberOfInputPorts() > 1)
+      {
+        filter->SetSourceData(drawSource(bytes));
+      }
+      break;
     case 1:
     {
       double box[4];

@@ -20,8 +20,8 @@ void oneCall(Bytes bytes)
 {
   static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzPowerDiagram,
     fuzzFlipFlop, fuzzHullJudge, fuzzTriangulationJudge, fuzzArguments, fuzzHullQueries,
-    fuzzTriangulationQueries, fuzzPolygons };
-  calls[bytes.below(10)](bytes);
+    fuzzTriangulationQueries, fuzzPolygons, fuzzConstraints };
+  calls[bytes.below(11)](bytes);
 }
 
 }

@@ -198,7 +198,7 @@ void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
   }
   auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter);
   if (triangulation && triangulation->GetNumberOfOutputPorts() == 3 &&
-    triangulation->GetNumberOfDroppedCells() == 0 &&
+    triangulation->GetNumberOfDroppedCells() == 0 && !triangulation->GetSource() &&
     triangulation->GetProjectionPlaneMode() == vtkFFRegularTriangulationFilter::XY_PLANE &&
     !triangulation->GetInformation()->Has(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
   {
