@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # gather-dependencies.sh FOLDER: put into FOLDER what Scripts/gpu.sh needs on a machine that has CUDA and
-# CMake, but neither oneTBB nor Boost nor Qhull, and cannot install them. FOLDER can be moved;
-# `cmake -DCMAKE_PREFIX_PATH=FOLDER` finds everything in it. It takes g++, libboost-dev and Debian's or Ubuntu's
+# CMake, but neither oneTBB nor Boost nor Eigen nor Qhull, and cannot install them. FOLDER can be moved;
+# `cmake -DCMAKE_PREFIX_PATH=FOLDER` finds everything in it. It takes g++, libboost-dev, libeigen3-dev and Debian's or Ubuntu's
 # package lists (apt-get update), and no privilege. The other machine's C library must not be older.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -51,11 +51,14 @@ done
 say "Boost: the headers that the engine includes"
 # All of its configuration: another compiler may take another part of it.
 for source in "$top"/Engine/*/*.cxx "$top"/Cuda/*/*.cxx; do
-  g++ -std=c++17 -I "$top/Engine" -I "$top/Engine/include" -I "$top/Cuda" -I "$top/Cuda/include" -M "$source"
+  g++ -std=c++17 -isystem /usr/include/eigen3 -I "$top/Engine" -I "$top/Engine/include" -I "$top/Cuda" -I "$top/Cuda/include" -M "$source"
 done | tr -s ' \\' '\n' | sed -n 's|^.*/include/boost/|boost/|p' | sort -u >"$work/boost"
 includes=$(printf '#include <boost/version.hpp>\n' | g++ -xc++ -M - | tr -s ' \\' '\n' |
   sed -n 's|/boost/version.hpp$||p')
 tar -C "$includes" -c --dereference --files-from "$work/boost" boost/config | tar -C "$folder/include" -x
+
+say "Eigen: its headers"
+cp -R /usr/include/eigen3/Eigen "$folder/include/"
 
 # The packages' own files for CMake insist on all that the packages hold.
 # imported NAME TARGET KIND [LIBRARY]
@@ -75,6 +78,7 @@ imported() {
 imported TBB TBB::tbb SHARED libtbb
 imported Qhull Qhull::qhull_r SHARED libqhull_r
 imported Boost Boost::headers INTERFACE
+imported Eigen3 Eigen3::Eigen INTERFACE
 
 say "Gathered in $folder"
 du -sh "$folder"

@@ -9,7 +9,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-build=(g++ cmake ninja-build libtbb-dev libboost-dev)
+build=(g++ cmake ninja-build libtbb-dev libboost-dev libeigen3-dev)
 vtk=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy xvfb)
 peers=(libcgal-dev libqhull-dev)
 tests=(ccache libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-dev doxygen graphviz)
@@ -17,11 +17,11 @@ tests=(ccache libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-d
 fuzzers=(clang libclang-rt-dev)
 libcxx=(clang libc++-dev libc++abi-dev)
 # The tests' GoogleTest is built for Windows from its source.
-mingw=(cmake ninja-build g++-mingw-w64-x86-64-posix libboost-dev googletest wine wine64)
+mingw=(cmake ninja-build g++-mingw-w64-x86-64-posix libboost-dev libeigen3-dev googletest wine wine64)
 # What ParaView's VTK asks for when CMake looks for it, MPI, the GUI's icons; for FlipFlopCancel ParaView's Qt and
 # XCB; what makes help pages; PyQt and a pointer for the GUI's tests, and what its window of traces asks for.
 plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
-  libdouble-conversion-dev libeigen3-dev libexpat1-dev liblz4-dev liblzma-dev libutfcpp-dev zlib1g-dev
+  libdouble-conversion-dev libexpat1-dev liblz4-dev liblzma-dev libutfcpp-dev zlib1g-dev
   mpi-default-bin mpi-default-dev libxcb1-dev python3-pygments xdotool xvfb)
 # Nothing is found, and find fails, where there is no ParaView.
 config=$(find "$paraview"/lib* -maxdepth 4 -name paraview-config.cmake 2>/dev/null | head -n 1 || true)

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # mingw.sh [OPTION OF GOOGLETEST]...: build the engine and its tests for Windows by MinGW-w64, on std::thread, and run them by
-# Wine. What the tests take is put in build/mingw-root: GoogleTest, GMP and MPFR are built from Debian's sources, Boost and
-# CGAL are headers.
+# Wine. What the tests take is put in build/mingw-root: GoogleTest, GMP and MPFR are built from Debian's sources, Boost,
+# Eigen and CGAL are headers.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -59,6 +59,13 @@ set_target_properties(CGAL::CGAL PROPERTIES
   INTERFACE_COMPILE_DEFINITIONS "CGAL_USE_GMP=1;CGAL_USE_MPFR=1"
   INTERFACE_COMPILE_OPTIONS -frounding-math
   INTERFACE_LINK_LIBRARIES "${root}/lib/libmpfr.a;${root}/lib/libgmp.a")
+END
+ln -sfn /usr/include/eigen3/Eigen "$root/include/Eigen"
+mkdir -p "$root/lib/cmake/Eigen3"
+cat >"$root/lib/cmake/Eigen3/Eigen3Config.cmake" <<'END'
+add_library(Eigen3::Eigen INTERFACE IMPORTED)
+get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+set_target_properties(Eigen3::Eigen PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${root}/include")
 END
 if [ ! -f "$root/lib/libgtest.a" ]; then
   say "Build: GoogleTest for Windows"

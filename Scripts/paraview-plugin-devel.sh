@@ -4,8 +4,9 @@
 #
 # paraview-plugin-devel.sh TOOLSET: within one of Kitware's images paraview_org-plugin-devel, as root, build the plugin for
 # the ParaView of paraview.org. TOOLSET is the compiler: devtoolset-9 (CentOS 7, ParaView 5) or gcc-toolset-10 (ParaView
-# 6). Boost's headers are to be in build/boost/include: the images' systems have old ones. What there is to hand out is
-# in build/paraview-plugin-devel/plugin. This script has not been run yet.
+# 6). Boost's and Eigen's headers are to be in build/headers/include, and Eigen's files for CMake in
+# build/headers/share/eigen3/cmake: the images' systems have old ones. What there is to hand out is in
+# build/paraview-plugin-devel/plugin. This script has not been run yet.
 set -euo pipefail
 
 toolset=$1
@@ -31,7 +32,7 @@ paraview=/builds/gitlab-kitware-sciviz-ci/build/install
 # XCB that an image need not have.
 scl enable "$toolset" -- cmake -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib \
   -DFLIPFLOP_BUILD_PLUGIN=ON -DFLIPFLOP_THREADS_BACKEND=STD -DFLIPFLOP_CUDA=OFF -DFLIPFLOP_WRAP_PYTHON=OFF \
-  -DFLIPFLOP_BUILD_TESTING=OFF -DCMAKE_PREFIX_PATH="$paraview;$top/build/boost"
+  -DFLIPFLOP_BUILD_TESTING=OFF -DCMAKE_PREFIX_PATH="$paraview;$top/build/headers"
 scl enable "$toolset" -- cmake --build "$build" --parallel "$(nproc)"
 scl enable "$toolset" -- cmake --install "$build" --prefix "$prefix"
 

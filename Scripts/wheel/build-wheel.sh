@@ -43,7 +43,8 @@ mkdir "$folder/types"
 
 # Debian keeps the licences of what it brings.
 additions=(--licence oneTBB/copyright /usr/share/doc/libtbb12/copyright
-  --licence oneTBB/Apache-2.0 /usr/share/common-licenses/Apache-2.0)
+  --licence oneTBB/Apache-2.0 /usr/share/common-licenses/Apache-2.0
+  --licence Eigen/MPL-2.0 /usr/share/common-licenses/MPL-2.0)
 [ -z "${HOME_URL:-}" ] || additions+=(--home "$HOME_URL")
 for file in "$folder"/types/vtk*.pyi; do
   additions+=(--add "$file")

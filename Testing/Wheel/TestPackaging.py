@@ -92,6 +92,7 @@ def test_what_travels_along_has_its_licence():
     files = [str(file) for file in distribution("vtkflipflop").files]
     if any("libtbb" in file for file in files):
         assert any(file.endswith("licenses/oneTBB/Apache-2.0") for file in files)
+        assert any(file.endswith("licenses/Eigen/MPL-2.0") for file in files)
     assert any(file.endswith("licenses/LICENSE") for file in files)
 
 
