@@ -306,6 +306,14 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
       return "The polygons disagree about what is inside, by the edge between the points " +
         std::to_string(index) + " and " + count + this->OfBlock() +
         " and another: what is on the left of a side is inside, and holes run clockwise.";
+    case ErrorCode::NotConvex:
+      return "The domain is no convex polygon with finite corners, counter-clockwise.";
+    case ErrorCode::DuplicateSites:
+      return "The points " + std::to_string(index) + " and " + count + this->OfBlock() +
+        " are at one place, so their cells cannot have prescribed areas.";
+    case ErrorCode::BadArea:
+      return "A prescribed area is not positive and finite: first at point " +
+        std::to_string(index) + this->OfBlock() + ", " + count + " such point(s) in all.";
     case ErrorCode::NoDevice:
       return std::string("The CUDA engine was asked for, but ") + flipflop::cudaStatus().problem +
         ". Set Engine to Automatic or CPU.";

@@ -10,7 +10,9 @@
 #include "PowerDiagram/CellClipper.h"
 #include "PowerDiagram/CellRepair.h"
 #include "PowerDiagram/CornerNumbers.h"
+#include "PowerDiagram/DomainCorners.h"
 #include "PowerDiagram/FacetRings.h"
+#include "PowerDiagram/PolygonCut.h"
 #include "PowerDiagram/PowerCorners.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Support/Monitor.h"
@@ -253,6 +255,14 @@ void copy(const std::vector<From>& from, Buffer<To>& to)
     { std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin); });
 }
 
+void copyCells(const RoundedCells& cells, PowerDiagram& result)
+{
+  copy(cells.positions, result.corners);
+  copy(cells.corners, result.connectivity);
+  copy(cells.ends, result.offsets);
+  copy(cells.ids, result.siteIds);
+}
+
 /// @param wanted by site: is its cell wanted? null: all are
 /// @return false: some are wanted, and one of these is not convex
 bool diagramInBox(const PointView& points, const WeightView& weights, const CellComplex& complex,
@@ -290,10 +300,7 @@ bool diagramInBox(const PointView& points, const WeightView& weights, const Cell
       {
         repairCells(cells, box, monitor);
       }
-      copy(cells.positions, result.corners);
-      copy(cells.corners, result.connectivity);
-      copy(cells.ends, result.offsets);
-      copy(cells.ids, result.siteIds);
+      copyCells(cells, result);
       monitor.stage(1.0, 1.0, 1);
     });
   return isWhole;
@@ -309,6 +316,35 @@ PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
     {
       PowerDiagram result;
       diagramInBox(points, weights, triangulation, nullptr, box, options, result);
+      return result;
+    });
+}
+
+PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const ConvexDomain& domain, const Options& options)
+{
+  return withTypedErrors(
+    [&]
+    {
+      const std::vector<double> polygon = domainCorners(domain);
+      const std::array<double, 4> box = boundingBox(polygon);
+      PowerDiagram result;
+      diagramInBox(points, weights, triangulation, nullptr, box.data(), options, result);
+      if (domain.corners == 0 || result.siteIds.empty())
+      {
+        return result;
+      }
+      Monitor monitor(options);
+      ArenaLoan arena(
+        threadCount(options.threads, static_cast<std::int64_t>(result.siteIds.size())));
+      arena.execute(
+        [&]
+        {
+          monitor.stage(1.0, 1.0, 1);
+          RoundedCells cells = cutAtPolygon(result, polygon, monitor);
+          repairCells(cells, box.data(), monitor);
+          copyCells(cells, result);
+        });
       return result;
     });
 }

@@ -81,6 +81,12 @@ void testErrorsOfTheEngine()
   FF_CHECK_EQUAL(saidOf(ErrorCode::PolygonsDisagree, 5, 6),
     "The polygons disagree about what is inside, by the edge between the points 5 and 6 and "
     "another: what is on the left of a side is inside, and holes run clockwise.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::NotConvex),
+    "The domain is no convex polygon with finite corners, counter-clockwise.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::DuplicateSites, 3, 7),
+    "The points 3 and 7 are at one place, so their cells cannot have prescribed areas.");
+  FF_CHECK_EQUAL(saidOf(ErrorCode::BadArea, 3, 2),
+    "A prescribed area is not positive and finite: first at point 3, 2 such point(s) in all.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::NoDevice),
     std::string("The CUDA engine was asked for, but ") + vtkFFAlgorithm::GetCUDAProblem() +
       ". Set Engine to Automatic or CPU.");

@@ -29,7 +29,8 @@ PROMISED = {
 # The rooms of a folder of the library: each may use those before it.
 ROOMS = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
-               "Surface", "PowerDiagram", "Validate", "Query", "Alpha", "Constraints", "Blocks"],
+               "Surface", "PowerDiagram", "Validate", "Query", "Alpha", "Constraints", "Blocks",
+               "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }
 

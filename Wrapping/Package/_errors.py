@@ -14,7 +14,8 @@ class FlipFlopError(Exception):
         the first point, triangle, constraint or set at fault; -1 if there is none
     count : int
         how many are at fault, or the size asked for; 0 if that tells nothing. Of constraint_point, the point; of
-        constraints_cross, the other constraint; of polygons_disagree, the other end of the edge
+        constraints_cross, the other constraint; of polygons_disagree, the other end of the edge; of
+        duplicate_sites, the other site
     """
 
     __module__ = "vtkflipflop.arrays"  # where users import it from
@@ -69,13 +70,16 @@ _CODES = (
     ("constraint_point", InputError, "constraint {}", "point {}"),
     ("constraints_cross", InputError, "constraint {}", "and constraint {}"),
     ("polygons_disagree", InputError, "by the edge from point {}", "to point {}"),
+    ("not_convex", InputError, "at corner {}", ""),
+    ("duplicate_sites", InputError, "sites {}", "and {}"),
+    ("bad_area", InputError, "first at site {}", "{} such site(s) in all"),
     ("no_device", DeviceError, "", ""),
     ("device_memory", DeviceError, "", "{} bytes were asked for"),
     ("device_failed", DeviceError, "error {} of the CUDA runtime", ""),
     ("internal", FlipFlopError, "", ""),
 )
 # Of these, the count is a number of its own kind, which may be 0.
-_COUNT_IS_ID = {"constraint_point", "constraints_cross", "polygons_disagree"}
+_COUNT_IS_ID = {"constraint_point", "constraints_cross", "polygons_disagree", "duplicate_sites"}
 
 
 def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:

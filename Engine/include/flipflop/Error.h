@@ -36,6 +36,11 @@ enum class ErrorCode
                     ///< the first that it crosses
   PolygonsDisagree, ///< index, count: the ids of both ends of an edge; by a polygon's side there,
                     ///< a cell beside it is inside, by another edge it is not, or the reverse
+  NotConvex,        ///< a domain; index: first corner that is not finite, is there twice, or turns
+                    ///< right; -1: fewer than three corners, or not once around
+  DuplicateSites,   ///< index, count: the ids of two sites at one place
+  BadArea,          ///< index: first site whose prescribed area is not positive or not finite;
+                    ///< count: how many
   NoDevice,         ///< the CUDA engine was asked for, and there is no device for it
   DeviceMemory,     ///< count: bytes asked for of the device
   DeviceFailed,     ///< index: the CUDA runtime's error number
@@ -98,6 +103,12 @@ public:
         return "two constraints cross between points";
       case ErrorCode::PolygonsDisagree:
         return "the polygons disagree about what is inside";
+      case ErrorCode::NotConvex:
+        return "the domain is no convex polygon with finite corners, counter-clockwise";
+      case ErrorCode::DuplicateSites:
+        return "two sites are at one place";
+      case ErrorCode::BadArea:
+        return "a prescribed area is not positive and finite";
       case ErrorCode::NoDevice:
         return "there is no device for the CUDA engine";
       case ErrorCode::DeviceMemory:

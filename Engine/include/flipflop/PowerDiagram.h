@@ -6,6 +6,7 @@
 #define flipflop_PowerDiagram_h
 
 #include <flipflop/Buffer.h>
+#include <flipflop/ConvexDomain.h>
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
 #include <flipflop/Triangulation.h>
@@ -74,6 +75,23 @@ struct PowerDiagram
 ///                        checked.
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options = Options());
+
+/// The same in a convex polygon: the diagram in the polygon's bounding box, cut at each side of the
+/// polygon. Exact signs decide on which side of a line each rounded corner is. Where an edge
+/// crosses the line, the new corner is rounded; the two cells beside the edge share it. Corners of
+/// the polygon are corners of cells, as they are, unless its cells had to be mended there.
+///
+/// As in a box, cells are simple polygons that meet edge to edge, and an edge inside the polygon is
+/// in two cells. Their outer edges are on the sides of the polygon but for the rounding of corners.
+///
+/// @param points, weights, triangulation, options as above
+/// @param domain   a polygon, or a box
+/// @return the cells, by ascending id of their sites
+/// @throw Error    as above; and NotConvex: the domain is no convex polygon, counter-clockwise, of
+///                 finite corners
+PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const ConvexDomain& domain,
+  const Options& options = Options());
 
 /// The power cells of some of the sites, of facets that are whole around those: a block's share of
 /// a diagram (BlockRun). These are the cells of the diagram of all, bit for bit, unless rounding

@@ -200,7 +200,8 @@ TEST(Errors, WordsForEveryCode)
     ErrorCode::BadTriangle, ErrorCode::NotSimple, ErrorCode::NotClosed, ErrorCode::NotManifold,
     ErrorCode::NotOriented, ErrorCode::NotStarShaped, ErrorCode::NoKernel,
     ErrorCode::ConstraintPoint, ErrorCode::ConstraintsCross, ErrorCode::PolygonsDisagree,
-    ErrorCode::NoDevice, ErrorCode::DeviceMemory, ErrorCode::DeviceFailed, ErrorCode::Internal };
+    ErrorCode::NotConvex, ErrorCode::DuplicateSites, ErrorCode::BadArea, ErrorCode::NoDevice,
+    ErrorCode::DeviceMemory, ErrorCode::DeviceFailed, ErrorCode::Internal };
   std::vector<std::string> words;
   for (ErrorCode code : codes)
   {

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Transport/CellMoments.h"
+
+#include "Points/Vertex.h"
+#include "PowerDiagram/FacetRings.h"
+#include "Support/Parallel.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace flipflop
+{
+namespace
+{
+
+using Index = std::uint32_t;
+
+constexpr std::size_t CellsPerTask = 1 << 11;
+
+/// The neighbours of each site, as indices of the triangulation's points.
+class NeighbourLists
+{
+public:
+  explicit NeighbourLists(const Triangulation& triangulation)
+    : t(triangulation)
+  {
+    if (this->t.dimension == 2)
+    {
+      this->rings.emplace(this->t);
+    }
+    else if (this->t.dimension == 1)
+    {
+      this->onLine.assign(this->t.pointIds.size(), { { NoIndex, NoIndex } });
+      for (std::size_t h = 0; h < this->t.connectivity.size(); ++h)
+      {
+        auto& mine = this->onLine[static_cast<std::size_t>(this->t.connectivity[h])];
+        mine[mine[0] == NoIndex ? 0 : 1] = static_cast<Index>(this->t.connectivity[h ^ 1]);
+      }
+    }
+  }
+
+  /// @param ring is room for work
+  void of(Index site, FacetRings::Ring& ring, std::vector<Index>& found) const
+  {
+    found.clear();
+    if (this->rings)
+    {
+      this->rings->walk(site, ring);
+      for (const Index h : ring.halfEdges)
+      {
+        found.push_back(this->rings->destination(h));
+      }
+      if (!ring.closed)
+      {
+        found.push_back(this->rings->source(ring.halfEdges.back()));
+      }
+    }
+    else if (!this->onLine.empty())
+    {
+      std::copy_if(this->onLine[site].begin(), this->onLine[site].end(), std::back_inserter(found),
+        [](Index other) { return other != NoIndex; });
+    }
+  }
+
+private:
+  const Triangulation& t;
+  std::optional<FacetRings> rings;
+  std::vector<std::array<Index, 2>> onLine;
+};
+
+/// A convex polygon that half-planes cut; places are relative to the site.
+class ClippedCell
+{
+public:
+  struct Corner
+  {
+    double x[2];
+    Index line; ///< of the edge from here: the neighbour that cut it, or NoIndex
+  };
+
+  void begin(const std::vector<double>& polygon, const double* site)
+  {
+    this->corners.clear();
+    for (std::size_t i = 0; i < polygon.size(); i += 2)
+    {
+      this->corners.push_back({ { polygon[i] - site[0], polygon[i + 1] - site[1] }, NoIndex });
+    }
+  }
+
+  /// Leaves what has a product with @p normal of at most @p most.
+  void cut(const double* normal, double most, Index line)
+  {
+    const std::size_t count = this->corners.size();
+    this->beyond.resize(count);
+    bool isCut = false;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double* const x = this->corners[i].x;
+      this->beyond[i] = x[0] * normal[0] + x[1] * normal[1] - most;
+      isCut = isCut || this->beyond[i] > 0;
+    }
+    if (!isCut)
+    {
+      return;
+    }
+    this->next.clear();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t j = i + 1 < count ? i + 1 : 0;
+      const Corner& a = this->corners[i];
+      const double atA = this->beyond[i];
+      const double atB = this->beyond[j];
+      if (atA <= 0)
+      {
+        this->next.push_back(a);
+      }
+      if ((atA <= 0) != (atB <= 0))
+      {
+        const double share = atA / (atA - atB);
+        const double* const b = this->corners[j].x;
+        this->next.push_back(
+          { { a.x[0] + share * (b[0] - a.x[0]), a.x[1] + share * (b[1] - a.x[1]) },
+            atA <= 0 ? line : a.line });
+      }
+    }
+    this->corners.swap(this->next);
+  }
+
+  /// @param centroid is relative to the site
+  /// @return the area
+  double measure(double* centroid) const
+  {
+    double twice = 0;
+    double moment[2] = { 0, 0 };
+    for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
+    {
+      const double b[2] = { this->fromFirst(i, 0), this->fromFirst(i, 1) };
+      const double c[2] = { this->fromFirst(i + 1, 0), this->fromFirst(i + 1, 1) };
+      const double part = b[0] * c[1] - b[1] * c[0];
+      twice += part;
+      moment[0] += part * (b[0] + c[0]);
+      moment[1] += part * (b[1] + c[1]);
+    }
+    if (!(twice > 0))
+    {
+      return 0;
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      centroid[k] = this->corners[0].x[k] + moment[k] / (3 * twice);
+    }
+    return 0.5 * twice;
+  }
+
+  /// use(line, length) for each edge.
+  template <class Use>
+  void eachEdge(const Use& use) const
+  {
+    for (std::size_t i = 0; i < this->corners.size(); ++i)
+    {
+      const Corner& a = this->corners[i];
+      const Corner& b = this->corners[i + 1 < this->corners.size() ? i + 1 : 0];
+      use(a.line, std::hypot(b.x[0] - a.x[0], b.x[1] - a.x[1]));
+    }
+  }
+
+private:
+  double fromFirst(std::size_t i, int k) const
+  {
+    return this->corners[i].x[k] - this->corners[0].x[k];
+  }
+
+  std::vector<Corner> corners;
+  std::vector<Corner> next;
+  std::vector<double> beyond;
+};
+
+}
+
+void measureCells(const std::vector<double>& sites, const double* weights,
+  const Triangulation& triangulation, const std::vector<double>& polygon, CellMoments& moments,
+  const Options& options)
+{
+  const Buffer<std::int64_t>& ids = triangulation.pointIds;
+  moments.areas.assign(sites.size() / 2, 0.0);
+  moments.centroids = sites;
+  moments.links.assign(runCount(ids.size(), CellsPerTask), {});
+  Monitor monitor(options);
+  ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(ids.size())));
+  arena.execute(
+    [&]
+    {
+      monitor.stage(0, 1, static_cast<std::int64_t>(ids.size()));
+      const NeighbourLists lists(triangulation);
+      eachRun(ids.size(), CellsPerTask,
+        [&](std::size_t begin, std::size_t end, std::size_t run)
+        {
+          FacetRings::Ring ring;
+          std::vector<Index> neighbours;
+          ClippedCell cell;
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const auto id = static_cast<std::size_t>(ids[i]);
+            const double* const site = sites.data() + 2 * id;
+            lists.of(static_cast<Index>(i), ring, neighbours);
+            cell.begin(polygon, site);
+            for (const Index j : neighbours)
+            {
+              const auto other = static_cast<std::size_t>(ids[j]);
+              const double way[2] = { sites[2 * other] - site[0], sites[2 * other + 1] - site[1] };
+              const double lead = weights ? weights[id] - weights[other] : 0.0;
+              cell.cut(way, 0.5 * (way[0] * way[0] + way[1] * way[1] + lead), j);
+            }
+            double centroid[2] = { 0, 0 };
+            moments.areas[id] = cell.measure(centroid);
+            moments.centroids[2 * id] = site[0] + centroid[0];
+            moments.centroids[2 * id + 1] = site[1] + centroid[1];
+            cell.eachEdge(
+              [&](Index line, double length)
+              {
+                // Both cells know the edge; that of the lower site tells.
+                if (line != NoIndex && line > i && length > 0)
+                {
+                  const auto other = static_cast<std::size_t>(ids[line]);
+                  moments.links[run].push_back(
+                    { static_cast<Index>(id), static_cast<Index>(other), length,
+                      std::hypot(sites[2 * other] - site[0], sites[2 * other + 1] - site[1]) });
+                }
+              });
+          }
+          monitor.advance(static_cast<std::int64_t>(end - begin));
+        });
+      monitor.stage(1, 1, 1);
+    });
+}
+
+double areaOf(const std::vector<double>& polygon)
+{
+  double twice = 0;
+  for (std::size_t i = 2; i + 3 < polygon.size(); i += 2)
+  {
+    twice += (polygon[i] - polygon[0]) * (polygon[i + 3] - polygon[1]) -
+      (polygon[i + 1] - polygon[1]) * (polygon[i + 2] - polygon[0]);
+  }
+  if (!std::isnormal(twice) || twice < 0)
+  {
+    throw Error(ErrorCode::BadArgument);
+  }
+  return 0.5 * twice;
+}
+
+}

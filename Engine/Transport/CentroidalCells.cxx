@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <flipflop/CentroidalCells.h>
+
+#include "PowerDiagram/DomainCorners.h"
+#include "Support/Stopwatch.h"
+#include "Support/TypedErrors.h"
+#include "Transport/CellMoments.h"
+#include "Transport/IterationWatch.h"
+#include "Transport/SiteArrays.h"
+#include <flipflop/Measures.h>
+#include <flipflop/RegularTriangulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace flipflop
+{
+
+namespace
+{
+
+class LloydRun
+{
+public:
+  LloydRun(const PointView& points, const WeightView& weights, const ConvexDomain& given,
+    std::int64_t mostIterations, double greatestMove, const Options& options)
+    : sites(points, weights)
+    , domain(given)
+    , polygon(domainCorners(given))
+    , most(mostIterations)
+    , tolerance(greatestMove)
+    , watch(options)
+  {
+    areaOf(this->polygon);
+    if (this->most < 0 || !(this->tolerance >= 0))
+    {
+      throw Error(ErrorCode::BadArgument);
+    }
+  }
+
+  CentroidalCells run()
+  {
+    this->watch.name("moving sites");
+    this->result.converged = this->sites.places.empty();
+    while (!this->result.converged && this->result.iterations < this->most)
+    {
+      this->move();
+    }
+    this->watch.name("making cells");
+    this->finish();
+    return std::move(this->result);
+  }
+
+private:
+  /// The share of the whole that is done after some iterations; the cells count as one more.
+  double share(std::int64_t iterations) const
+  {
+    return static_cast<double>(iterations) / (static_cast<double>(this->most) + 1);
+  }
+
+  Triangulation triangulated(double next, FacetMode facets)
+  {
+    Options options = this->watch.options(next);
+    options.facets = facets;
+    Triangulation found =
+      regularTriangulation(this->sites.points(), weightsOf(this->sites.numbers), options);
+    this->result.statistics += found.statistics;
+    return found;
+  }
+
+  void move()
+  {
+    const double next = this->share(this->result.iterations + 1);
+    const Triangulation triangulation = this->triangulated(next, FacetMode::Triangles);
+    measureCells(this->sites.places, this->weights(), triangulation, this->polygon, this->moments,
+      this->watch.options(next));
+    std::vector<double>& places = this->sites.places;
+    double far = 0;
+    for (std::size_t i = 0; i < places.size(); i += 2)
+    {
+      far = std::max(far,
+        std::hypot(
+          this->moments.centroids[i] - places[i], this->moments.centroids[i + 1] - places[i + 1]));
+    }
+    places.swap(this->moments.centroids);
+    this->result.lastMove = far;
+    this->result.converged = far <= this->tolerance;
+    ++this->result.iterations;
+  }
+
+  void finish()
+  {
+    const Triangulation triangulation = this->triangulated(1, FacetMode::Polygons);
+    this->result.cells = powerDiagram(this->sites.points(), weightsOf(this->sites.numbers),
+      triangulation, this->domain, this->watch.options(1));
+    const PowerDiagram& cells = this->result.cells;
+    const std::size_t count = cells.siteIds.size();
+    std::vector<double> areas(count);
+    std::vector<double> centroids(2 * count);
+    cellMeasures(cells, areas.data(), centroids.data(), this->watch.options(1));
+
+    this->result.sites = bufferOf(this->sites.places);
+    this->result.centroids = bufferOf(this->sites.places);
+    this->result.areas = bufferOf(std::vector<double>(this->sites.places.size() / 2, 0.0));
+    for (std::size_t c = 0; c < count; ++c)
+    {
+      const auto site = static_cast<std::size_t>(cells.siteIds[c]);
+      this->result.areas[site] = areas[c];
+      std::copy_n(&centroids[2 * c], 2, &this->result.centroids[2 * site]);
+    }
+    this->result.withoutCell = static_cast<std::int64_t>(this->result.areas.size() - count);
+  }
+
+  const double* weights() const
+  {
+    return this->sites.numbers.empty() ? nullptr : this->sites.numbers.data();
+  }
+
+  SiteArrays sites;
+  const ConvexDomain domain;
+  const std::vector<double> polygon;
+  const std::int64_t most;
+  const double tolerance;
+  IterationWatch watch;
+  CellMoments moments;
+  CentroidalCells result;
+};
+
+}
+
+CentroidalCells centroidalCells(const PointView& points, const WeightView& weights,
+  const ConvexDomain& domain, std::int64_t iterations, double tolerance, const Options& options)
+{
+  return withTypedErrors(
+    [&]
+    {
+      Stopwatch watch;
+      CentroidalCells result =
+        LloydRun(points, weights, domain, iterations, tolerance, options).run();
+      result.statistics.secondsTotal = watch.lap();
+      return result;
+    });
+}
+
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The options of the calls within an iteration: they ask the caller whether to stop, and tell how
+/// far all iterations are.
+#ifndef flipflop_IterationWatch_h
+#define flipflop_IterationWatch_h
+
+#include <flipflop/Options.h>
+
+#include <algorithm>
+
+namespace flipflop
+{
+
+class IterationWatch
+{
+public:
+  explicit IterationWatch(const Options& options)
+    : caller(options)
+  {
+  }
+  IterationWatch(const IterationWatch&) = delete;
+  IterationWatch& operator=(const IterationWatch&) = delete;
+
+  /// Of a call that takes the whole from what is done to @p next; its steps have no names.
+  Options options(double next)
+  {
+    Options result;
+    result.threads = this->caller.threads;
+    this->begin = this->done;
+    this->end = std::max(this->begin, next);
+    if (this->caller.progress)
+    {
+      result.progress = [](double fraction, void* self)
+      { return static_cast<IterationWatch*>(self)->report(fraction); };
+      result.progressContext = this;
+    }
+    return result;
+  }
+
+  /// For Monitor::stage: the name of what all iterations do.
+  void name(const char* step) const
+  {
+    if (this->caller.step)
+    {
+      this->caller.step(step, this->caller.progressContext);
+    }
+  }
+
+private:
+  bool report(double fraction)
+  {
+    this->done = std::max(this->done, this->begin + fraction * (this->end - this->begin));
+    return this->caller.progress(this->done, this->caller.progressContext);
+  }
+
+  const Options& caller;
+  double done = 0;
+  double begin = 0;
+  double end = 0;
+};
+
+}
+
+#endif

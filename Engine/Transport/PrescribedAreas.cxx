@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Areas as a function of weights: where two cells meet, a greater weight moves their common edge
+/// by half of the increase over the sites' distance. So the derivative is the Laplacian of a graph,
+/// in which a link counts as the edge's length over twice the distance.
+#include <flipflop/PrescribedAreas.h>
+
+#include "PowerDiagram/DomainCorners.h"
+#include "Support/Stopwatch.h"
+#include "Support/TypedErrors.h"
+#include "Transport/CellMoments.h"
+#include "Transport/IterationWatch.h"
+#include "Transport/LaplaceSolver.h"
+#include "Transport/SiteArrays.h"
+#include <flipflop/RegularTriangulation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// Halving a step further leaves nothing of it.
+constexpr int MostHalvings = 50;
+
+using Place = std::array<double, 2>;
+
+Place centroidOf(const std::vector<double>& polygon)
+{
+  double twice = 0;
+  Place moment{};
+  for (std::size_t i = 2; i + 3 < polygon.size(); i += 2)
+  {
+    const Place b{ { polygon[i] - polygon[0], polygon[i + 1] - polygon[1] } };
+    const Place c{ { polygon[i + 2] - polygon[0], polygon[i + 3] - polygon[1] } };
+    const double part = b[0] * c[1] - b[1] * c[0];
+    twice += part;
+    moment = { { moment[0] + part * (b[0] + c[0]), moment[1] + part * (b[1] + c[1]) } };
+  }
+  return { { polygon[0] + moment[0] / (3 * twice), polygon[1] + moment[1] / (3 * twice) } };
+}
+
+/// Weights with which the power cells of the sites are the Voronoi cells of their image in the
+/// domain. |x - z|^2 for z = a + s y is s times |x - y|^2 less the weight |y|^2 - |z|^2 / s, but
+/// for what is the same for all y. Places are taken relative to the domain's centroid.
+std::vector<double> weightsOfImage(
+  const std::vector<double>& sites, const std::vector<double>& polygon)
+{
+  const Place center = centroidOf(polygon);
+  std::array<double, 4> box = boundingBox(sites);
+  const Place middle{ { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]) } };
+  // As large as the domain allows, with some room at its border.
+  constexpr double Filled = 0.9;
+  double scale = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < polygon.size(); i += 2)
+  {
+    const std::size_t j = (i + 2) % polygon.size();
+    const Place outward{ { polygon[j + 1] - polygon[i + 1], polygon[i] - polygon[j] } };
+    const double room =
+      outward[0] * (polygon[i] - center[0]) + outward[1] * (polygon[i + 1] - center[1]);
+    double reach = 0;
+    for (std::size_t v = 0; v < sites.size(); v += 2)
+    {
+      reach = std::max(
+        reach, outward[0] * (sites[v] - middle[0]) + outward[1] * (sites[v + 1] - middle[1]));
+    }
+    scale = reach > 0 ? std::min(scale, Filled * room / reach) : scale;
+  }
+  std::vector<double> weights(sites.size() / 2);
+  for (std::size_t v = 0; v < sites.size(); v += 2)
+  {
+    double weight = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const double y = sites[v + k] - center[k];
+      const double z = scale * (sites[v + k] - middle[k]);
+      weight += y * y - z * z / scale;
+    }
+    weights[v / 2] = weight;
+  }
+  return weights;
+}
+
+/// Weights count but for a constant.
+void makeLeastZero(std::vector<double>& weights)
+{
+  const double least = *std::min_element(weights.begin(), weights.end());
+  for (double& weight : weights)
+  {
+    weight -= least;
+  }
+}
+
+class NewtonRun
+{
+public:
+  NewtonRun(const PointView& points, const WeightView& areas, const ConvexDomain& domain,
+    double relativeError, std::int64_t mostIterations, const Options& options)
+    : sites(points, areas)
+    , polygon(domainCorners(domain))
+    , tolerance(relativeError)
+    , most(mostIterations)
+    , watch(options)
+  {
+    const double whole = areaOf(this->polygon);
+    if (this->most < 0 || !(this->tolerance >= 0))
+    {
+      throw Error(ErrorCode::BadArgument);
+    }
+    this->prescribe(whole);
+  }
+
+  PrescribedAreas run()
+  {
+    if (this->prescribed.empty())
+    {
+      this->result.converged = true;
+      return std::move(this->result);
+    }
+    this->watch.name("fitting areas");
+    this->start();
+    while (!this->result.converged && this->result.iterations < this->most && this->step())
+    {
+      ++this->result.iterations;
+    }
+    this->result.weights = bufferOf(this->now.weights);
+    this->result.areas = bufferOf(this->now.moments.areas);
+    this->result.centroids = bufferOf(this->now.moments.centroids);
+    return std::move(this->result);
+  }
+
+private:
+  /// Weights, and what they give.
+  struct State
+  {
+    std::vector<double> weights;
+    CellMoments moments;
+    double least = 0; ///< area
+    double norm = 0;  ///< of the errors
+    double error = 0; ///< the greatest, relative to what is prescribed
+  };
+
+  void prescribe(double whole)
+  {
+    this->prescribed = std::move(this->sites.numbers);
+    this->sites.numbers.clear();
+    if (this->prescribed.empty())
+    {
+      this->prescribed.assign(this->sites.places.size() / 2, 1.0);
+    }
+    const auto isBad = [](double area) { return !(area > 0) || !std::isfinite(area); };
+    const auto first = std::find_if(this->prescribed.begin(), this->prescribed.end(), isBad);
+    if (first != this->prescribed.end())
+    {
+      throw Error(ErrorCode::BadArea, first - this->prescribed.begin(),
+        std::count_if(first, this->prescribed.end(), isBad));
+    }
+    // The greatest first becomes 1, so that the sum is finite.
+    const double greatest = this->prescribed.empty()
+      ? 1.0
+      : *std::max_element(this->prescribed.begin(), this->prescribed.end());
+    double sum = 0;
+    for (double& area : this->prescribed)
+    {
+      area /= greatest;
+      sum += area;
+    }
+    for (double& area : this->prescribed)
+    {
+      area *= whole / sum;
+    }
+  }
+
+  /// @param weights of no point: none
+  Triangulation triangulated(const std::vector<double>& weights)
+  {
+    Stopwatch stopwatch;
+    Triangulation found = regularTriangulation(
+      this->sites.points(), weightsOf(weights), this->watch.options(this->next));
+    this->result.statistics += found.statistics;
+    this->result.secondsTriangulating += stopwatch.lap();
+    return found;
+  }
+
+  void measure(const Triangulation& triangulation, State& state)
+  {
+    Stopwatch stopwatch;
+    measureCells(this->sites.places, state.weights.data(), triangulation, this->polygon,
+      state.moments, this->watch.options(this->next));
+    const std::vector<double>& areas = state.moments.areas;
+    double sum = 0;
+    state.error = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+    {
+      const double off = areas[i] - this->prescribed[i];
+      sum += off * off;
+      state.error = std::max(state.error, std::fabs(off) / this->prescribed[i]);
+    }
+    state.norm = std::sqrt(sum);
+    state.least = *std::min_element(areas.begin(), areas.end());
+    this->result.secondsMeasuring += stopwatch.lap();
+  }
+
+  void start()
+  {
+    this->now.weights.assign(this->prescribed.size(), 0.0);
+    const Triangulation delaunay = this->triangulated({});
+    if (!delaunay.hiddenIds.empty())
+    {
+      this->refuseDuplicate(delaunay.hiddenIds[0]);
+    }
+    this->measure(delaunay, this->now);
+    if (!this->areAllInside() || !(this->now.least > 0))
+    {
+      this->now.weights = weightsOfImage(this->sites.places, this->polygon);
+      makeLeastZero(this->now.weights);
+      this->measure(this->triangulated(this->now.weights), this->now);
+    }
+    this->least = 0.5 *
+      std::min(
+        this->now.least, *std::min_element(this->prescribed.begin(), this->prescribed.end()));
+    this->firstError = this->now.error;
+    this->tell();
+  }
+
+  /// Without weights a point is hidden by one at its place.
+  [[noreturn]] void refuseDuplicate(std::int64_t hidden) const
+  {
+    const double* const x = this->sites.places.data() + 2 * hidden;
+    std::int64_t first = 0;
+    while (!std::equal(x, x + 2, this->sites.places.data() + 2 * first))
+    {
+      ++first;
+    }
+    throw Error(ErrorCode::DuplicateSites, first, hidden);
+  }
+
+  bool areAllInside() const
+  {
+    for (std::size_t i = 0; i < this->polygon.size(); i += 2)
+    {
+      const double* const p = this->polygon.data() + i;
+      const double* const q = this->polygon.data() + (i + 2) % this->polygon.size();
+      for (std::size_t v = 0; v < this->sites.places.size(); v += 2)
+      {
+        const double* const x = this->sites.places.data() + v;
+        if (!((q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]) > 0))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void tell()
+  {
+    this->result.error = this->now.error;
+    this->result.converged = this->now.error <= this->tolerance;
+    // Each factor of the error counts alike, until the tolerance.
+    const double goal = std::max(this->tolerance, 1e-15);
+    this->next = this->firstError > goal && this->now.error > 0
+      ? std::log(this->firstError / this->now.error) / std::log(this->firstError / goal)
+      : 1.0;
+    this->next = std::min(std::max(this->next, 0.0), 1.0);
+  }
+
+  /// @return false: no step leads on
+  bool step()
+  {
+    std::vector<double> direction;
+    if (!this->solve(direction))
+    {
+      return false;
+    }
+    double length = 1;
+    for (int halvings = 0; halvings < MostHalvings; ++halvings, length *= 0.5)
+    {
+      this->trial.weights = this->now.weights;
+      for (std::size_t i = 0; i < direction.size(); ++i)
+      {
+        this->trial.weights[i] += length * direction[i];
+      }
+      makeLeastZero(this->trial.weights);
+      const Triangulation triangulation = this->triangulated(this->trial.weights);
+      if (!triangulation.hiddenIds.empty())
+      {
+        continue;
+      }
+      this->measure(triangulation, this->trial);
+      if (this->trial.least >= this->least &&
+        this->trial.norm <= (1 - 0.5 * length) * this->now.norm)
+      {
+        std::swap(this->now, this->trial);
+        this->tell();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Newton's direction: weights change as the linear areas would have it.
+  bool solve(std::vector<double>& direction)
+  {
+    Stopwatch stopwatch;
+    std::vector<WeightedLink> links;
+    for (const std::vector<CellLink>& part : this->now.moments.links)
+    {
+      for (const CellLink& link : part)
+      {
+        links.push_back({ link.low, link.high, 0.5 * link.length / link.distance });
+      }
+    }
+    std::sort(links.begin(), links.end(),
+      [](const WeightedLink& a, const WeightedLink& b)
+      { return std::make_pair(a.low, a.high) < std::make_pair(b.low, b.high); });
+    std::vector<double> wanted(this->prescribed.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      wanted[i] = this->prescribed[i] - this->now.moments.areas[i];
+    }
+    const bool isSolved = solveLaplace(wanted.size(), links, wanted, direction);
+    this->result.secondsSolving += stopwatch.lap();
+    return isSolved;
+  }
+
+  SiteArrays sites;
+  const std::vector<double> polygon;
+  const double tolerance;
+  const std::int64_t most;
+  IterationWatch watch;
+  std::vector<double> prescribed;
+  double next = 0;       ///< the share of the whole that the work under way leads to
+  double firstError = 0; ///< the start's
+  double least = 0;      ///< no area may be less
+  State now;
+  State trial;
+  PrescribedAreas result;
+};
+
+}
+
+PrescribedAreas prescribedAreas(const PointView& points, const WeightView& areas,
+  const ConvexDomain& domain, double tolerance, std::int64_t iterations, const Options& options)
+{
+  return withTypedErrors(
+    [&]
+    {
+      Stopwatch watch;
+      PrescribedAreas result =
+        NewtonRun(points, areas, domain, tolerance, iterations, options).run();
+      result.statistics.secondsTotal = watch.lap();
+      return result;
+    });
+}
+
+}
