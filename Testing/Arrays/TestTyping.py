@@ -17,6 +17,7 @@ ARRAYS = """
 import numpy as np
 from numpy.typing import NDArray
 from typing import assert_type
+from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
 from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons, PowerDiagram, RegularTriangulation
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import validate
@@ -45,6 +46,10 @@ assert_type(triangulation, RegularTriangulation)
 assert_type(triangulation.hidden, NDArray[np.int64])
 assert_type(triangulation.power_diagram(), PowerDiagram)
 assert_type(power_diagram([[0.0, 1]]).regions, list[NDArray[np.int64]])
+assert_type(centroidal_cells([[0.0, 1]], domain=(0, 1, 0, 1)), CentroidalCells)
+assert_type(centroidal_cells([[0.0, 1]]).diagram, PowerDiagram)
+assert_type(prescribed_areas([[0.0, 1]], [1], [[0, 0], [1, 0], [0, 1]]), PrescribedAreas)
+assert_type(prescribed_areas([[0.0, 1]]).weights, NDArray[np.float64])
 assert_type(InputError("").index, int)
 """
 

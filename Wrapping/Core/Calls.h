@@ -8,10 +8,12 @@
 #include "Views.h"
 #include "Watch.h"
 
+#include <flipflop/ConvexDomain.h>
 #include <flipflop/Engines.h>
 #include <flipflop/Options.h>
 
 #include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -96,8 +98,28 @@ private:
   Buffer<double> Doubles;
 };
 
+/// A domain: 4 numbers, or rows of x and y.
+using DomainArray = nanobind::ndarray<const double, nanobind::c_contig, nanobind::device::cpu>;
+
+/// @throw nanobind::type_error of any other shape
+inline ConvexDomain domainOf(const DomainArray& array)
+{
+  if (array.ndim() == 1 && array.shape(0) == 4)
+  {
+    return ConvexDomain(array.data());
+  }
+  if (array.ndim() != 2 || array.shape(1) != 2 || array.shape(0) < 3)
+  {
+    throw nanobind::type_error("a domain is 4 numbers, or three rows or more of two");
+  }
+  return ConvexDomain(array.data(), static_cast<std::int64_t>(array.shape(0)));
+}
+
 /// The methods of results that answer questions about places.
 void bindQueries(nanobind::module_& module);
+
+/// Centroidal cells and prescribed areas.
+void bindTransport(nanobind::module_& module);
 
 }
 

@@ -123,19 +123,24 @@ nb::tuple placesInBestPlane(const InputArray& points, const Settings& settings)
 }
 
 Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<InputArray>& weights,
-  const Handle<Triangulation>& triangulation, const std::optional<std::array<double, 4>>& box,
+  const Handle<Triangulation>& triangulation, const std::optional<DomainArray>& domain,
   const Settings& settings)
 {
   const PointView places = pointView(points, 2);
   const WeightView heavy = weightView(weights);
   const Triangulation& facets = *triangulation.result;
-  if (!box && facets.dimension < 0)
+  if (!domain && facets.dimension < 0)
   {
     return handleOf(PowerDiagram()); // no point has a box
   }
-  const std::array<double, 4> sides = box ? *box : powerDiagramBox(places, facets);
-  return handleOf(settings.run([&](const Options& options)
-    { return powerDiagram(places, heavy, facets, sides.data(), options); }));
+  std::array<double, 4> box{};
+  if (!domain)
+  {
+    box = powerDiagramBox(places, facets);
+  }
+  const ConvexDomain within = domain ? domainOf(*domain) : ConvexDomain(box.data());
+  return handleOf(settings.run(
+    [&](const Options& options) { return powerDiagram(places, heavy, facets, within, options); }));
 }
 
 /// Many results that Python takes out one by one.
@@ -318,6 +323,7 @@ NB_MODULE(_core, module)
   bindResults<Triangulation>(module, "Triangulations");
 
   bindQueries(module);
+  bindTransport(module);
 
   module.def("convex_hull", &hullOf);
   module.def(
@@ -326,7 +332,7 @@ NB_MODULE(_core, module)
   module.def("triangulate_polygons", &trianglesOf);
   module.def("to_best_fitting_plane", &placesInBestPlane);
   module.def("power_diagram", &diagramOf, "points"_a, "weights"_a.none(), "triangulation"_a,
-    "box"_a.none(), "settings"_a);
+    "domain"_a.none(), "settings"_a);
 
   module.def("convex_hulls",
     [](const InputArray& points, const IdArray& offsets, const Settings& settings)

@@ -119,9 +119,12 @@ class Cells(Frozen):
     @cached_property
     def statistics(self) -> dict[str, float]:
         """Counts and seconds of the run, by the names that Documentation/Statistics.md explains."""
-        return {
-            re.sub(r"(?<=[a-z])(?=[A-Z0-9])", "_", name).lower(): value for name, value in self._core.statistics.items()
-        }
+        return named(self._core.statistics)
+
+
+def named(statistics: dict[str, float]) -> dict[str, float]:
+    """The engine's figures by their names in Python."""
+    return {re.sub(r"(?<=[a-z])(?=[A-Z0-9])", "_", name).lower(): value for name, value in statistics.items()}
 
 
 def frozen(array: NDArray[Any]) -> NDArray[Any]:

@@ -204,14 +204,14 @@ class RegularTriangulation(Cells):
 
         Parameters
         ----------
-        box : 4 numbers, optional
-            x least, x greatest, y least, y greatest: where cells are cut. By default the box of the points.
+        box : 4 numbers, or m by 2, optional
+            where cells are cut: x least, x greatest, y least, y greatest; or the corners of a convex polygon,
+            counter-clockwise. By default the box of the points.
         """
-        sides = None if box is None else tuple(map(float, np.asarray(box).reshape(-1)))
-        if sides is not None and len(sides) != 4:
-            raise ValueError(f"a box is x least, x greatest, y least, y greatest, not {box!r}")
         chosen = settings(threads, "polygons", "error", "cpu", progress, False)
-        return PowerDiagram(run(chosen, _core.power_diagram, self.points, self.weights, self._core, sides))
+        return PowerDiagram(
+            run(chosen, _core.power_diagram, self.points, self.weights, self._core, domain_of(box))
+        )
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the regular triangulation of the points."""
@@ -233,10 +233,26 @@ class RegularTriangulation(Cells):
         return _core.triangle_measures(self.points, self._triangles)
 
 
-class PowerDiagram(Frozen):
-    """The cells of a power diagram, cut at a box: one polygon, counter-clockwise, for each site that has a cell in it.
+def domain_of(domain: ArrayLike | None) -> NDArray[np.float64] | None:
+    """A box as 4 numbers, or a polygon's corners as rows of x and y."""
+    if domain is None:
+        return None
+    array = np.ascontiguousarray(domain, np.float64)
+    if array.size == 4:
+        return array.reshape(-1)
+    if array.ndim != 2 or array.shape[1] != 2 or len(array) < 3:
+        raise ValueError(
+            "a box is x least, x greatest, y least, y greatest; a polygon three rows or more of x and y; "
+            f"not an array of shape {array.shape}"
+        )
+    return array
 
-    Cells fill the box without gap or overlap and share their corners. Only the corners' coordinates are rounded.
+
+class PowerDiagram(Frozen):
+    """The cells of a power diagram, cut at a box or a convex polygon.
+
+    There is one polygon, counter-clockwise, for each site that has a cell in it.
+    Cells fill it without gap or overlap and share their corners. Only the corners' coordinates are rounded.
 
     Attributes
     ----------

@@ -33,10 +33,12 @@ from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangu
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._results import Polygons, Validation
+from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
 from ._triangulation import PowerDiagram, RegularTriangulation, power_diagram, regular_triangulation
 
 __all__ = [
     "AbortedError",
+    "CentroidalCells",
     "ConvexHull",
     "DeviceError",
     "Diameter",
@@ -47,14 +49,17 @@ __all__ = [
     "OutOfMemoryError",
     "Polygons",
     "PowerDiagram",
+    "PrescribedAreas",
     "RegularTriangulation",
     "Side",
     "TriangulationBatch",
     "Validation",
+    "centroidal_cells",
     "convex_hull",
     "convex_hulls",
     "convexify",
     "power_diagram",
+    "prescribed_areas",
     "regular_triangulation",
     "regular_triangulations",
     "validate",
