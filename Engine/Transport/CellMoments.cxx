@@ -74,6 +74,13 @@ private:
   std::vector<std::array<Index, 2>> onLine;
 };
 
+double distance(const double* a, const double* b)
+{
+  const double x = b[0] - a[0];
+  const double y = b[1] - a[1];
+  return std::sqrt(x * x + y * y);
+}
+
 /// A convex polygon that half-planes cut; places are relative to the site.
 class ClippedCell
 {
@@ -166,7 +173,7 @@ public:
     {
       const Corner& a = this->corners[i];
       const Corner& b = this->corners[i + 1 < this->corners.size() ? i + 1 : 0];
-      use(a.line, std::hypot(b.x[0] - a.x[0], b.x[1] - a.x[1]));
+      use(a.line, distance(a.x, b.x));
     }
   }
 
@@ -228,9 +235,8 @@ void measureCells(const std::vector<double>& sites, const double* weights,
                 if (line != NoIndex && line > i && length > 0)
                 {
                   const auto other = static_cast<std::size_t>(ids[line]);
-                  moments.links[run].push_back(
-                    { static_cast<Index>(id), static_cast<Index>(other), length,
-                      std::hypot(sites[2 * other] - site[0], sites[2 * other + 1] - site[1]) });
+                  moments.links[run].push_back({ static_cast<Index>(id), static_cast<Index>(other),
+                    length, distance(site, &sites[2 * other]) });
                 }
               });
           }
