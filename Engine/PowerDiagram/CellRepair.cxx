@@ -42,8 +42,9 @@ constexpr std::size_t MostTried = 256;
 class CellRepair
 {
 public:
-  CellRepair(RoundedCells& cells, const double* box, Monitor& monitor)
+  CellRepair(RoundedCells& cells, const double* box, Monitor& monitor, bool isCut)
     : cells(cells)
+    , isCut(isCut)
     , plane(cells.positions)
     , box(box)
     , scale(box)
@@ -428,7 +429,7 @@ private:
     {
       this->take(taker);
     }
-    else if (!this->isPiece(l))
+    else if (!this->isPiece(l) && !this->isCut)
     {
       // All that is left, and yet not the box.
       throw Error(ErrorCode::BadArgument, this->cells.ids[l]);
@@ -501,6 +502,7 @@ private:
   }
 
   RoundedCells& cells;
+  const bool isCut;
   const PlanarRings plane;
   const double* box;
   const BoxScale scale;
@@ -560,12 +562,12 @@ bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor)
   return brokenCells(cells, box, monitor).empty();
 }
 
-void repairCells(RoundedCells& cells, const double* box, Monitor& monitor)
+void repairCells(RoundedCells& cells, const double* box, Monitor& monitor, bool isCut)
 {
   const std::vector<Index> broken = brokenCells(cells, box, monitor);
   if (!broken.empty())
   {
-    CellRepair(cells, box, monitor).run(broken);
+    CellRepair(cells, box, monitor, isCut).run(broken);
   }
 }
 

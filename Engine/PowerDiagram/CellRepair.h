@@ -35,7 +35,9 @@ bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor);
 /// @param cells    as rounded, also those without an inside
 /// @param box      x least, x greatest, y least, y greatest
 /// @param monitor  is asked whether to stop
-void repairCells(RoundedCells& cells, const double* box, Monitor& monitor);
+/// @param isCut    the cells fill a polygon whose border is rounded: one without an inside that no
+///                 other can take is left out
+void repairCells(RoundedCells& cells, const double* box, Monitor& monitor, bool isCut = false);
 
 }
 

@@ -168,11 +168,12 @@ private:
   {
     const std::size_t sides = this->polygon.size() / 2;
     std::array<double, 2> x;
-    if (along != NoIndex && (along + std::size_t(1)) % sides == side)
+    if (along != NoIndex && (along + std::size_t(1)) % sides == side && this->spans(a, b, side))
     {
       x = this->ownCorner(side);
     }
-    else if (along != NoIndex && (side + std::size_t(1)) % sides == along)
+    else if (along != NoIndex && (side + std::size_t(1)) % sides == along &&
+      this->spans(a, b, along))
     {
       x = this->ownCorner(along);
     }
@@ -182,6 +183,18 @@ private:
     }
     this->positions.insert(this->positions.end(), x.begin(), x.end());
     return static_cast<Index>(this->positions.size() / 2 - 1);
+  }
+
+  /// Is a corner of the polygon between two on a side? At a bend of nearly none, rounding may have
+  /// the next side cross the edge anywhere.
+  bool spans(Index a, Index b, std::size_t own) const
+  {
+    const double* const p = this->position(a);
+    const double* const q = this->position(b);
+    const int axis = std::fabs(q[1] - p[1]) > std::fabs(q[0] - p[0]) ? 1 : 0;
+    const auto range = std::minmax(p[axis], q[axis]);
+    const double at = this->cornerOfPolygon(own)[axis];
+    return range.first <= at && at <= range.second;
   }
 
   /// Twice the area of the triangle of a side and a point; of all its digits.

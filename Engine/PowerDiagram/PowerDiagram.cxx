@@ -342,7 +342,7 @@ PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
         {
           monitor.stage(1.0, 1.0, 1);
           RoundedCells cells = cutAtPolygon(result, polygon, monitor);
-          repairCells(cells, box.data(), monitor);
+          repairCells(cells, box.data(), monitor, true);
           copyCells(cells, result);
         });
       return result;

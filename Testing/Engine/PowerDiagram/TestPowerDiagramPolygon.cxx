@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -115,6 +116,28 @@ TEST(PowerDiagramPolygon, StraightCornersAreDropped)
   EXPECT_EQ(bitDifference(diagramOf(sites, {}, ConvexDomain(plain.data(), 4)),
               diagramOf(sites, {}, ConvexDomain(more.data(), 6))),
     "");
+}
+
+TEST(PowerDiagramPolygon, ABendOfNearlyNone)
+{
+  // Sites on a circle, and sides through its center, where nearly all cells meet.
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int trial = 0; trial < 40; ++trial)
+  {
+    std::vector<double> sites;
+    for (int i = 0; i < 10 + 4 * trial; ++i)
+    {
+      const double angle = 6.3 * unit(random);
+      sites.insert(sites.end(), { 0.5 * std::cos(angle) + 0.5, 0.5 * std::sin(angle) + 0.5 });
+    }
+    const double off = 0x1p-52 * trial;
+    const std::vector<double> polygon{ 0.5 + off, 0.5 + off, -1, 2, -1, -1, 2, -1 };
+    const PowerDiagram diagram = diagramOf(sites, {}, ConvexDomain(polygon.data(), 4));
+    std::vector<double> areas(diagram.siteIds.size());
+    cellMeasures(diagram, areas.data(), nullptr);
+    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), 4.5, 1e-12);
+  }
 }
 
 TEST(PowerDiagramPolygon, BadDomains)
