@@ -118,6 +118,9 @@ inline ConvexDomain domainOf(const DomainArray& array)
 /// The methods of results that answer questions about places.
 void bindQueries(nanobind::module_& module);
 
+/// Constrained triangulations, alpha complexes, and borders.
+void bindComplexes(nanobind::module_& module);
+
 /// Centroidal cells and prescribed areas.
 void bindTransport(nanobind::module_& module);
 

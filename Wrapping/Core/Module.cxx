@@ -245,12 +245,6 @@ const char* kindOf(nb::dlpack::dtype type)
   }
 }
 
-nb::tuple judged(const Validation& validation)
-{
-  return nb::make_tuple(
-    static_cast<int>(validation.fault), describe(validation.fault), validation.index);
-}
-
 }
 
 }
@@ -323,6 +317,7 @@ NB_MODULE(_core, module)
   bindResults<Triangulation>(module, "Triangulations");
 
   bindQueries(module);
+  bindComplexes(module);
   bindTransport(module);
 
   module.def("convex_hull", &hullOf);
@@ -357,10 +352,7 @@ NB_MODULE(_core, module)
     [](const InputArray& points, const Handle<Hull>& hull, int threads)
     {
       const SpacePoints input(points);
-      const nb::gil_scoped_release free;
-      const Validation found = validate(input.view(), *hull.result, threads);
-      const nb::gil_scoped_acquire held;
-      return judged(found);
+      return judgedBy([&] { return validate(input.view(), *hull.result, threads); });
     });
   module.def(
     "validate_triangulation",
@@ -369,10 +361,7 @@ NB_MODULE(_core, module)
     {
       const PointView places = pointView(points, 2);
       const WeightView heavy = weightView(weights);
-      const nb::gil_scoped_release free;
-      const Validation found = validate(places, heavy, *triangulation.result, threads);
-      const nb::gil_scoped_acquire held;
-      return judged(found);
+      return judgedBy([&] { return validate(places, heavy, *triangulation.result, threads); });
     },
     "points"_a, "weights"_a.none(), "triangulation"_a, "threads"_a);
 

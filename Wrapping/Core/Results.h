@@ -11,6 +11,7 @@
 #include <flipflop/CellComplex.h>
 #include <flipflop/Neighbors.h>
 #include <flipflop/Statistics.h>
+#include <flipflop/Validate.h>
 
 #include <nanobind/nanobind.h>
 
@@ -45,13 +46,13 @@ inline nanobind::dict dictOf(const Statistics& statistics)
   return found;
 }
 
-/// The corners of all cells as ids of the caller's points.
-inline Buffer<std::int64_t> cornerIds(const CellComplex& cells)
+/// Corners, which are places in pointIds, as ids of the caller's points.
+inline Buffer<std::int64_t> idsOf(const CellComplex& cells, const Buffer<std::int64_t>& corners)
 {
-  Buffer<std::int64_t> ids(cells.connectivity.size());
+  Buffer<std::int64_t> ids(corners.size());
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    ids[i] = cells.pointIds[static_cast<std::size_t>(cells.connectivity[i])];
+    ids[i] = cells.pointIds[static_cast<std::size_t>(corners[i])];
   }
   return ids;
 }
@@ -68,24 +69,45 @@ inline Buffer<std::int64_t> cellOffsets(const CellComplex& cells)
   return offsets;
 }
 
+inline Buffer<std::int64_t> copyOf(const Buffer<std::int64_t>& from)
+{
+  Buffer<std::int64_t> to(from.size());
+  std::copy(from.begin(), from.end(), to.begin());
+  return to;
+}
+
+/// A copy of the cells alone.
+template <class Result>
+Result cellsOf(const Result& given)
+{
+  Result copy;
+  copy.dimension = given.dimension;
+  copy.pointIds = copyOf(given.pointIds);
+  copy.connectivity = copyOf(given.connectivity);
+  copy.offsets = copyOf(given.offsets);
+  copy.cellSize = given.cellSize;
+  return copy;
+}
+
 /// A copy, its polygons as fans of triangles.
 template <class Result>
 Result fansOf(const Result& given)
 {
-  const auto copy = [](const Buffer<std::int64_t>& from)
-  {
-    Buffer<std::int64_t> to(from.size());
-    std::copy(from.begin(), from.end(), to.begin());
-    return to;
-  };
-  Result fans;
-  fans.dimension = given.dimension;
-  fans.pointIds = copy(given.pointIds);
-  fans.connectivity = copy(given.connectivity);
-  fans.offsets = copy(given.offsets);
-  fans.cellSize = given.cellSize;
+  Result fans = cellsOf(given);
   fanPolygons(fans);
   return fans;
+}
+
+/// What judge() finds, with the interpreter free.
+template <class Judge>
+nanobind::tuple judgedBy(const Judge& judge)
+{
+  Validation found;
+  {
+    const nanobind::gil_scoped_release free;
+    found = judge();
+  }
+  return nanobind::make_tuple(static_cast<int>(found.fault), describe(found.fault), found.index);
 }
 
 /// What hulls and triangulations have in common.
@@ -102,7 +124,8 @@ nanobind::class_<Handle<Result>> bindCells(nanobind::module_& module, const char
     .def("offsets", [](Self self) { return arrayOf(cellOffsets(*self.result)); })
     // Of the corners of all cells: places in vertices(), not ids.
     .def("connectivity", [](Self self) { return arrayOf(self.result->connectivity, self.result); })
-    .def("corners", [](Self self) { return arrayOf(cornerIds(*self.result)); })
+    .def(
+      "corners", [](Self self) { return arrayOf(idsOf(*self.result, self.result->connectivity)); })
     .def("triangles",
       [](Self self)
       {

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Triangulations of which some cells are left out: inside polygons, in alpha complexes; and the
+/// borders of such.
+#include "Calls.h"
+#include "Results.h"
+#include "Views.h"
+
+#include <flipflop/AlphaComplex.h>
+#include <flipflop/CellBoundary.h>
+#include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/EdgeLengths.h>
+#include <flipflop/Validate.h>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace flipflop
+{
+
+namespace
+{
+
+using Ends = nb::ndarray<const std::int64_t, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
+using Mask = nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+/// A constrained triangulation as a whole, and what is inside its polygons.
+struct Constrained
+{
+  std::shared_ptr<const ConstrainedTriangulation> whole;
+  Handle<Triangulation> inside; ///< the whole itself, if all is inside
+};
+
+ConstraintView constraintView(const Ends& ends, std::int64_t sides)
+{
+  return { ends.data(), static_cast<std::int64_t>(ends.shape(0)), sides };
+}
+
+/// A part of a run, which reports its progress as that of the whole run.
+class Part
+{
+public:
+  Part(const Options& options, double from, double to)
+    : whole(options)
+    , begin(from)
+    , length(to - from)
+  {
+  }
+
+  Options options()
+  {
+    Options part = this->whole;
+    part.progress = [](double fraction, void* context)
+    {
+      const Part& self = *static_cast<const Part*>(context);
+      return self.whole.progress(self.begin + fraction * self.length, self.whole.progressContext);
+    };
+    part.progressContext = this;
+    return part;
+  }
+
+private:
+  Options whole;
+  double begin;
+  double length;
+};
+
+/// A copy that has some cells alone, and all points.
+Triangulation withCells(const Triangulation& given, const std::uint8_t* kept)
+{
+  Triangulation some = cellsOf(given);
+  some.hiddenIds = copyOf(given.hiddenIds);
+  some.statistics = given.statistics;
+  keepCells(some, kept);
+  return some;
+}
+
+Constrained constrained(
+  const InputArray& points, const Ends& ends, std::int64_t polygonSides, const Settings& settings)
+{
+  const PointView places = pointView(points, 2);
+  const ConstraintView constraints = constraintView(ends, polygonSides);
+  return settings.run(
+    [&](const Options& options)
+    {
+      const double shareOfInside = polygonSides > 0 ? 0.2 : 0.0;
+      Part making(options, 0.0, 1.0 - shareOfInside);
+      Constrained made;
+      made.whole = std::make_shared<const ConstrainedTriangulation>(
+        constrainedTriangulation(places, constraints, making.options()));
+      made.inside = { made.whole };
+      if (polygonSides > 0)
+      {
+        Part choosing(options, 1.0 - shareOfInside, 1.0);
+        const std::int64_t cells = made.whole->cellCount();
+        Buffer<std::uint8_t> inside(static_cast<std::size_t>(cells));
+        if (cellsInside(*made.whole, inside.data(), choosing.options()) < cells)
+        {
+          made.inside = handleOf(withCells(*made.whole, inside.data()));
+        }
+      }
+      return made;
+    });
+}
+
+/// What of a triangulation is in its alpha complex: cells, edges and points, these by their ids.
+nb::tuple complexOf(const InputArray& points, const std::optional<InputArray>& weights,
+  const Handle<Triangulation>& triangulation, double alpha, const Settings& settings)
+{
+  const PointView places = pointView(points, 2);
+  const WeightView heavy = weightView(weights);
+  const Triangulation& cells = *triangulation.result;
+  AlphaComplex found = settings.run([&](const Options& options)
+    { return alphaComplex(places, heavy, cells, alpha, true, options); });
+  const std::size_t edges = found.edgeAlphas.size();
+  return nb::make_tuple(arrayOf(std::move(found.cells)),
+    arrayOf(idsOf(cells, found.edges), { edges, 2 }), arrayOf(std::move(found.edgeAlphas)),
+    arrayOf(idsOf(cells, found.vertices)), arrayOf(std::move(found.vertexAlphas)));
+}
+
+/// Where each ring begins, and the ids of all.
+nb::tuple boundaryOf(const Handle<Triangulation>& triangulation, const Settings& settings)
+{
+  const Triangulation& cells = *triangulation.result;
+  CellBoundary rings =
+    settings.run([&](const Options& options) { return cellBoundary(cells, options); });
+  if (rings.offsets.empty())
+  {
+    rings.offsets.allocate(1);
+    rings.offsets[0] = 0;
+  }
+  return nb::make_tuple(
+    arrayOf(std::move(rings.offsets)), arrayOf(idsOf(cells, rings.connectivity)));
+}
+
+}
+
+void bindComplexes(nb::module_& module)
+{
+  nb::class_<Constrained>(module, "ConstrainedTriangulation")
+    .def_prop_ro("dropped",
+      [](const Constrained& self)
+      { return self.whole->cellCount() - self.inside.result->cellCount(); })
+    .def("inside", [](const Constrained& self) { return self.inside; })
+    .def("fixed_edges",
+      [](const Constrained& self)
+      {
+        const ConstrainedTriangulation& whole = *self.whole;
+        return arrayOf(idsOf(whole, whole.fixedEdges), { whole.constraintOf.size(), 2 });
+      })
+    .def("constraint_of",
+      [](const Constrained& self) { return arrayOf(self.whole->constraintOf, self.whole); });
+  module.def("constrained_triangulation", &constrained);
+  module.def("validate_constrained",
+    [](const InputArray& points, const Ends& ends, std::int64_t polygonSides,
+      const Constrained& triangulation, int threads)
+    {
+      const PointView places = pointView(points, 2);
+      return judgedBy(
+        [&] {
+          return validate(
+            places, constraintView(ends, polygonSides), *triangulation.whole, threads);
+        });
+    });
+
+  module.def(
+    "cell_alphas",
+    [](const InputArray& points, const std::optional<InputArray>& weights,
+      const Handle<Triangulation>& triangulation, const Settings& settings)
+    {
+      const PointView places = pointView(points, 2);
+      const WeightView heavy = weightView(weights);
+      Buffer<double> alphas(static_cast<std::size_t>(triangulation.result->cellCount()));
+      settings.run([&](const Options& options)
+        { cellAlphas(places, heavy, *triangulation.result, alphas.data(), options); });
+      return arrayOf(std::move(alphas));
+    },
+    "points"_a, "weights"_a.none(), "triangulation"_a, "settings"_a);
+  module.def("alpha_complex", &complexOf, "points"_a, "weights"_a.none(), "triangulation"_a,
+    "alpha"_a, "settings"_a);
+  module.def("with_cells",
+    [](const Handle<Triangulation>& triangulation, const Mask& kept)
+    {
+      if (static_cast<std::int64_t>(kept.shape(0)) != triangulation.result->cellCount())
+      {
+        throw nb::value_error("there are not as many answers as cells");
+      }
+      return handleOf(withCells(*triangulation.result, kept.data()));
+    });
+  module.def("cell_boundary", &boundaryOf);
+}
+
+}
