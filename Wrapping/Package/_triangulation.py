@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._alpha import AlphaComplex, alpha_of
 from ._device import memory_of
 from ._input import points_of, weights_of
 from ._results import (
@@ -28,8 +29,6 @@ from ._results import (
     run,
     settings,
 )
-
-
 
 # Ways to interpolate, and the core's names of them.
 _METHODS = {"linear": "interpolate_linear", "natural": "interpolate_natural"}
@@ -112,6 +111,37 @@ class RegularTriangulation(Cells):
         return frozen(np.column_stack([cells[rows, (across + 1) % 3], cells[rows, (across + 2) % 3]]))
 
     @cached_property
+    def boundary(self) -> Polygons:
+        """The border of `simplices` as rings of ids: counter-clockwise around cells, clockwise around holes.
+
+        No ring has a point twice. Each starts at its lowest id. Below dimension 2 there is none.
+        """
+        return Polygons(*_core.cell_boundary(self._triangles, QUIET))
+
+    @cached_property
+    def alphas(self) -> Floats:
+        """For each of `simplices` the least alpha, as a double, for which alpha_complex() has it; exactly.
+
+        Without weights, it is the radius of the circumcircle, rounded up.
+        """
+        return _core.cell_alphas(self.points, self.weights, self._triangles, QUIET)
+
+    def alpha_complex(self, alpha: float, *, threads: int = 0, progress: Progress = None) -> AlphaComplex:
+        """What is left where a circle of radius alpha takes away all it can reach without a point in it; exactly.
+
+        Parameters
+        ----------
+        alpha : float
+            a length: a circle as large as alpha is in. Infinity: all is in. With weights, squares of radii may be
+            negative: a negative alpha stands for -alpha^2. With alpha 0 and the squares of disks' radii as weights, the
+            complex is the nerve of their union.
+        """
+        chosen = settings(threads, "triangles", "error", "cpu", progress, False)
+        cells = self._triangles
+        found = run(chosen, _core.alpha_complex, self.points, self.weights, cells, alpha_of(alpha))
+        return AlphaComplex(cells, self.simplices, *found)
+
+    @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Ids, Ids]:
         """Whom edges link: point i has the neighbours indices[indptr[i]:indptr[i + 1]], ascending; (indptr, indices)."""
         corners = self.simplices.shape[1]
@@ -122,7 +152,7 @@ class RegularTriangulation(Cells):
 
     @cached_property
     def vertex_to_simplex(self) -> Ids:
-        """For each point the lowest of the `simplices` that have it; -1 for a hidden one."""
+        """For each point the lowest of the `simplices` that have it; -1 where none has it, as if it is hidden."""
         found = np.full(self.npoints, -1, np.int64)
         for corner in self.simplices.T:
             rows = np.arange(len(corner))[::-1]
@@ -341,6 +371,34 @@ def regular_triangulation(
     chosen[0].points_memory, chosen[0].weights_memory = memory_of(array), memory_of(heavy)
     core = run(chosen, _core.regular_triangulation, array, heavy)
     return RegularTriangulation(array, heavy, core, left_out)
+
+
+def alpha_complex(
+    points: ArrayLike,
+    alpha: float,
+    weights: ArrayLike | None = None,
+    *,
+    threads: int = 0,
+    non_finite: str = "error",
+    engine: str = "automatic",
+    progress: Progress = None,
+) -> AlphaComplex:
+    """The alpha complex of points in the plane, also of weighted ones.
+
+    For several alphas of the same points, ask one RegularTriangulation for its alpha_complex().
+
+    Parameters
+    ----------
+    points, weights, threads, non_finite, engine, progress
+        as for regular_triangulation()
+    alpha
+        as for RegularTriangulation.alpha_complex()
+    """
+    alpha = alpha_of(alpha)
+    triangulation = regular_triangulation(
+        points, weights, threads=threads, non_finite=non_finite, engine=engine, progress=progress
+    )
+    return triangulation.alpha_complex(alpha, threads=threads, progress=progress)
 
 
 def power_diagram(

@@ -29,15 +29,17 @@ progress : callable, bool or None
 
 from __future__ import annotations
 
+from ._alpha import AlphaComplex
 from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._results import Polygons, Validation
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
-from ._triangulation import PowerDiagram, RegularTriangulation, power_diagram, regular_triangulation
+from ._triangulation import PowerDiagram, RegularTriangulation, alpha_complex, power_diagram, regular_triangulation
 
 __all__ = [
     "AbortedError",
+    "AlphaComplex",
     "CentroidalCells",
     "ConvexHull",
     "DeviceError",
@@ -54,6 +56,7 @@ __all__ = [
     "Side",
     "TriangulationBatch",
     "Validation",
+    "alpha_complex",
     "centroidal_cells",
     "convex_hull",
     "convex_hulls",

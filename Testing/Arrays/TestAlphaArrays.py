@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkflipflop.arrays: alpha complexes, beside fractions over all pairs and triples of points."""
+
+from fractions import Fraction
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from vtkflipflop.arrays import AlphaComplex, InputError, alpha_complex, regular_triangulation, regular_triangulations
+
+RANDOM = np.random.default_rng(22)
+GRID = np.stack(np.meshgrid(np.arange(5), np.arange(4), indexing="ij"), -1).reshape(-1, 2)
+
+
+def least_circle(places, weights):
+    """The centre and the square of the radius of the least circle of power distance 0 from one to three points."""
+    (x, y), w = places[0], weights[0]
+    # About the first point: 2 p . c = |p|^2 - w_p + w for each other p.
+    rows = [(a - x, b - y, (a - x) ** 2 + (b - y) ** 2 - v + w) for (a, b), v in zip(places[1:], weights[1:])]
+    if not rows:
+        cx, cy = Fraction(0), Fraction(0)
+    elif len(rows) == 1:
+        [(a, b, right)] = rows
+        share = Fraction(right, 2 * (a * a + b * b))
+        cx, cy = share * a, share * b
+    else:
+        (a, b, first), (c, d, second) = rows
+        det = 2 * (a * d - b * c)
+        cx, cy = Fraction(first * d - second * b, det), Fraction(a * second - c * first, det)
+    return (cx + x, cy + y), cx * cx + cy * cy - w
+
+
+def square_of(alpha):
+    return Fraction(alpha) * abs(Fraction(alpha))
+
+
+def expected(points, weights, simplices, alpha):
+    """Simplices, singular edges and points of the complex, decided by all points."""
+    places, weights = points.tolist(), [0] * len(points) if weights is None else weights.tolist()
+
+    def is_in(ids):
+        (cx, cy), square = least_circle([places[i] for i in ids], [weights[i] for i in ids])
+        others = (i for i in range(len(places)) if i not in ids)
+        is_empty = all((places[i][0] - cx) ** 2 + (places[i][1] - cy) ** 2 - weights[i] >= square for i in others)
+        return is_empty and square <= square_of(alpha)
+
+    within = [is_in(row) for row in simplices.tolist()]
+    taken = {edge for row in simplices[within].tolist() for edge in combinations(sorted(row), 2)}
+    all_edges = sorted({edge for row in simplices.tolist() for edge in combinations(sorted(row), 2)})
+    edges = [edge for edge in all_edges if edge not in taken and is_in(edge)]
+    used = {i for edge in (*taken, *edges) for i in edge}
+    vertices = [i for i in np.unique(simplices).tolist() if i not in used and is_in((i,))]
+    return within, edges, vertices
+
+
+def inputs():
+    yield GRID, None
+    yield GRID, RANDOM.integers(-1, 2, len(GRID))
+    for _ in range(3):
+        points = np.unique(RANDOM.integers(0, 30, (16, 2)), axis=0)
+        yield points, None
+        yield points, RANDOM.integers(-30, 31, len(points))
+
+
+@pytest.mark.parametrize("points, weights", list(inputs()))
+def test_beside_fractions(points, weights):
+    triangulation = regular_triangulation(points, weights)
+    places, heavy = points.tolist(), [0] * len(points) if weights is None else weights.tolist()
+    for row, alpha in zip(triangulation.simplices.tolist(), triangulation.alphas):
+        square = least_circle([places[i] for i in row], [heavy[i] for i in row])[1]
+        assert square_of(np.nextafter(alpha, -np.inf)) < square <= square_of(alpha)
+    for alpha in (*np.unique(triangulation.alphas)[::4], -2, -1, 0, 0.5, 0.75, 1, 4, 1e300):
+        ours = triangulation.alpha_complex(alpha)
+        within, edges, vertices = expected(points, weights, triangulation.simplices, alpha)
+        assert ours.within.tolist() == within == (triangulation.alphas <= alpha).tolist()
+        assert ours.edges.tolist() == [list(edge) for edge in edges]
+        assert ours.vertices.tolist() == vertices
+        singular = [*ours.edges.tolist(), *ours.vertices[:, None].tolist()]
+        for ids, least in zip(singular, [*ours.edge_alphas, *ours.vertex_alphas], strict=True):
+            square = least_circle([places[i] for i in ids], [heavy[i] for i in ids])[1]
+            assert square_of(np.nextafter(least, -np.inf)) < square <= square_of(least)
+
+
+def rings_of(polygons):
+    return np.split(polygons.connectivity, polygons.offsets[1:-1]) if len(polygons.offsets) > 1 else []
+
+
+def test_the_border():
+    points = RANDOM.random((600, 2))
+    triangulation = regular_triangulation(points)
+    alphas = np.sort(triangulation.alphas)
+    assert len(triangulation.alpha_complex(np.inf).simplices) == triangulation.nsimplex
+    for alpha in (alphas[0], alphas[200], alphas[600], alphas[-1]):
+        ours = triangulation.alpha_complex(alpha)
+        assert np.array_equal(ours.simplices, triangulation.simplices[triangulation.alphas <= alpha])
+        turned = np.stack([ours.simplices, np.roll(ours.simplices, -1, axis=1)], -1).reshape(-1, 2)
+        halves = set(map(tuple, turned.tolist()))
+        rings = [ring.tolist() for ring in rings_of(ours.boundary)]
+        sides = [side for ring in rings for side in zip(ring, ring[1:] + ring[:1])]
+        assert len(set(sides)) == len(sides)
+        assert set(sides) == {(a, b) for a, b in halves if (b, a) not in halves}
+        assert rings == sorted(rings) and all(ring[0] == min(ring) and len(set(ring)) == len(ring) for ring in rings)
+    assert np.array_equal(ours.boundary.connectivity, triangulation.boundary.connectivity)
+
+
+def test_any_threads_form_and_type():
+    points = RANDOM.random((5000, 2)).astype(np.float32)
+    weights = RANDOM.random(5000).astype(np.float32) * 1e-4
+    for heavy in (None, weights):
+        one = alpha_complex(points, 0.01, heavy, threads=1)
+        others = [
+            alpha_complex(points.astype(np.float64), 0.01, heavy, threads=2),
+            regular_triangulation(points, heavy, facets="polygons").alpha_complex(0.01, threads=3),
+            regular_triangulations(points, [0, 5000], heavy)[0].alpha_complex(0.01),
+        ]
+        assert len(one.edges) and len(one.simplices)
+        for other in others:
+            for name in ("within", "simplices", "edges", "edge_alphas", "vertices", "vertex_alphas"):
+                assert getattr(other, name).tobytes() == getattr(one, name).tobytes()
+    grid = regular_triangulation(GRID, facets="polygons")
+    assert grid.alphas.tolist() == [np.sqrt(0.5)] * 24
+    assert grid.alpha_complex(np.sqrt(0.5)).within.all() and not grid.alpha_complex(0.7).within.any()
+
+
+def test_disks_of_alpha_0_are_the_nerve_of_their_union():
+    # Two disks touch; a third does not quite, and a fourth is far away.
+    places = [[0, 0], [2, 0], [1, 1.75], [9, 9]]
+    touching = alpha_complex(places, 0, [1, 1, 1, 1])
+    assert touching.edges.tolist() == [[0, 1]] and touching.vertices.tolist() == [2, 3]
+    apart = alpha_complex(places, 0, [0.5, 0.5, 0.5, 1])
+    assert len(apart.edges) == 0 and apart.vertices.tolist() == [0, 1, 2, 3]
+    assert apart.vertex_alphas[3] == -1 and alpha_complex(places, -0.9, [0.5, 0.5, 0.5, 1]).vertices.tolist() == [3]
+    assert alpha_complex(places, 0, [4, 4, 4, 1]).within.sum() == 1
+
+
+def test_points_that_are_left_out():
+    masked = np.ma.array(GRID, mask=np.repeat(np.arange(20) == 9, 2))
+    ours = alpha_complex(masked, 0.75)
+    assert not ours.within.all() and 9 not in ours.simplices and 9 not in ours.vertices
+    # The circle through the four points around the gap is too large; one of them is on the outer border.
+    assert [len(ring) for ring in rings_of(ours.boundary)] == [14, 4]
+    bad = np.where(np.arange(20)[:, None] == 9, np.nan, GRID)
+    assert np.array_equal(alpha_complex(bad, 0.75, non_finite="ignore").within, ours.within)
+    with pytest.raises(InputError, match="first at point 9"):
+        alpha_complex(bad, 0.75)
+
+
+def test_every_dimension():
+    line = np.array([[0, 0], [1, 0], [3, 0]])
+    segments = regular_triangulation(line)
+    assert segments.alphas.tolist() == [0.5, 1]
+    for alpha, within, vertices in ((0.5, [True, False], [2]), (1, [True, True], []), (0.4, [False, False], [0, 1, 2])):
+        ours = segments.alpha_complex(alpha)
+        assert ours.within.tolist() == within and ours.vertices.tolist() == vertices
+        assert ours.edges.shape == (0, 2) and ours.boundary.offsets.tolist() == [0]
+    assert regular_triangulation(line[:1]).alpha_complex(0).within.tolist() == [True]
+    assert regular_triangulation(line[:1]).alpha_complex(-1).within.tolist() == [False]
+    none = alpha_complex(line[:0], 1)
+    assert none.within.size == none.vertices.size == 0 and none.simplices.shape == (0, 0)
+
+
+def test_errors_and_form():
+    for call in (lambda: alpha_complex(GRID, np.nan), lambda: regular_triangulation(GRID).alpha_complex(float("nan"))):
+        with pytest.raises(ValueError, match="alpha is a length"):
+            call()
+    with pytest.raises(InputError, match="not as many weights"):
+        alpha_complex(GRID, 1, [1])
+    ours = alpha_complex(GRID, 1)
+    assert type(ours) is AlphaComplex and repr(ours) == "<AlphaComplex: 24 of 24 simplices, 0 edges, 0 points>"
+    with pytest.raises(AttributeError, match="frozen"):
+        ours.within = 1
+    assert not any(array.flags.writeable for array in (ours.within, ours.simplices, ours.edges, *ours.boundary))
+    triangulation = regular_triangulation(GRID)
+    assert triangulation.alphas is triangulation.alphas and triangulation.boundary is triangulation.boundary
