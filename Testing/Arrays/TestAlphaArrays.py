@@ -147,6 +147,14 @@ def test_points_that_are_left_out():
         alpha_complex(bad, 0.75)
 
 
+def test_constrained_triangulations_have_them_too():
+    ours = regular_triangulation(GRID, polygons=[[0, 16, 19, 3], [5, 6, 10, 9]])
+    assert ours.dropped == 2 and (ours.alphas == np.sqrt(0.5)).all()
+    complex_ = ours.alpha_complex(0.75)
+    assert complex_.within.all() and len(rings_of(complex_.boundary)) == 2
+    assert len(ours.alpha_complex(0.5).edges) == 31 and ours.alpha_complex(0.4).vertices.tolist() == list(range(20))
+
+
 def test_every_dimension():
     line = np.array([[0, 0], [1, 0], [3, 0]])
     segments = regular_triangulation(line)

@@ -20,7 +20,7 @@ from typing import assert_type
 from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
 from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons, PowerDiagram, RegularTriangulation
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
-from vtkflipflop.arrays import AlphaComplex, alpha_complex, validate
+from vtkflipflop.arrays import AlphaComplex, ConstrainedTriangulation, alpha_complex, validate
 
 hull = convex_hull([[0.0, 0, 0]], threads=2, progress=print)
 assert_type(hull, ConvexHull)
@@ -46,6 +46,12 @@ assert_type(triangulation, RegularTriangulation)
 assert_type(triangulation.hidden, NDArray[np.int64])
 assert_type(triangulation.power_diagram(), PowerDiagram)
 assert_type(power_diagram([[0.0, 1]]).regions, list[NDArray[np.int64]])
+constrained = regular_triangulation(np.zeros((4, 2)), constraints=[[0, 1], [1, 2, 3]], threads=1)
+assert_type(constrained, ConstrainedTriangulation)
+assert_type(constrained.fixed_edges, NDArray[np.int64])
+assert_type(constrained.dropped, int)
+assert_type(regular_triangulation(np.zeros((4, 2)), polygons=triangulation.boundary), ConstrainedTriangulation)
+assert_type(regular_triangulation([[0, 1]], constraints=[], polygons=[np.arange(3)]), ConstrainedTriangulation)
 assert_type(triangulation.alphas, NDArray[np.float64])
 assert_type(triangulation.alpha_complex(1), AlphaComplex)
 assert_type(alpha_complex([[0.0, 1]], 0.5).within, NDArray[np.bool_])

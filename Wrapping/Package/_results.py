@@ -83,7 +83,7 @@ class Cells(Frozen):
     def simplices(self) -> Ids:
         """The cells as rows of ids; those of more than three corners as fans of triangles."""
         corners: Ids = self._triangles.corners()
-        return corners.reshape(-1, max(0, min(self.dimension, 2) + 1)) if corners.size else corners.reshape(0, 0)
+        return corners.reshape(-1, min(self.dimension, 2) + 1) if self.dimension >= 0 else corners.reshape(0, 0)
 
     @cached_property
     def neighbors(self) -> Ids:

@@ -1,18 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Regular triangulations and power diagrams of arrays."""
+"""Regular and constrained triangulations, and power diagrams, of arrays."""
 
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
+from ._constraints import Chains, Constraints
 from ._device import memory_of
+from ._errors import InputError
 from ._input import points_of, weights_of
 from ._results import (
     QUIET,
@@ -29,6 +31,9 @@ from ._results import (
     run,
     settings,
 )
+
+if TYPE_CHECKING:
+    from ._constrained import ConstrainedTriangulation
 
 # Ways to interpolate, and the core's names of them.
 _METHODS = {"linear": "interpolate_linear", "natural": "interpolate_natural"}
@@ -333,17 +338,64 @@ class PowerDiagram(Frozen):
         return f"<PowerDiagram: {len(self.sites)} cells, {len(self.vertices)} corners>"
 
 
+@overload
+def regular_triangulation(
+    points: ArrayLike,
+    weights: ArrayLike | None = ...,
+    *,
+    constraints: None = ...,
+    polygons: None = ...,
+    facets: str = ...,
+    threads: int = ...,
+    non_finite: str = ...,
+    engine: str = ...,
+    progress: Progress = ...,
+) -> RegularTriangulation: ...
+
+
+@overload
+def regular_triangulation(
+    points: ArrayLike,
+    weights: None = ...,
+    *,
+    constraints: Chains,
+    polygons: Chains | None = ...,
+    facets: str = ...,
+    threads: int = ...,
+    non_finite: str = ...,
+    engine: str = ...,
+    progress: Progress = ...,
+) -> ConstrainedTriangulation: ...
+
+
+@overload
+def regular_triangulation(
+    points: ArrayLike,
+    weights: None = ...,
+    *,
+    constraints: None = ...,
+    polygons: Chains,
+    facets: str = ...,
+    threads: int = ...,
+    non_finite: str = ...,
+    engine: str = ...,
+    progress: Progress = ...,
+) -> ConstrainedTriangulation: ...
+
+
 def regular_triangulation(
     points: ArrayLike,
     weights: ArrayLike | None = None,
     *,
+    constraints: Chains | None = None,
+    polygons: Chains | None = None,
     facets: str = "triangles",
     threads: int = 0,
     non_finite: str = "error",
     engine: str = "automatic",
     progress: Progress = None,
 ) -> RegularTriangulation:
-    """The exact regular (weighted Delaunay) triangulation of points in the plane.
+    """The exact regular (weighted Delaunay) triangulation of points in the plane; or the constrained one.
 
     Parameters
     ----------
@@ -351,6 +403,13 @@ def regular_triangulation(
         x and y count
     weights : n numbers, optional
         squared lengths: the power distance of x from a point p is |x - p|^2 - w. By default none: Delaunay.
+    constraints : m by 2 ids, or a sequence of polylines, optional
+        what edges have to run along. A polyline is a sequence of ids: consecutive ones are joined. With constraints or
+        polygons, the result is a ConstrainedTriangulation. There are no weights then, and the CPU does the work.
+    polygons : a sequence of rings of ids, or Polygons, optional
+        their sides are constraints, and what is on the left of a side is inside: a counter-clockwise ring keeps its
+        inside, a clockwise one in it is a hole, to any depth. Cells outside are left out. A ring is closed without its
+        first id again at its end, or with it.
     facets : {"triangles", "polygons"}
         which form of the facets is made at once; the other is made when it is asked for
     threads, non_finite, engine, progress
@@ -364,6 +423,17 @@ def regular_triangulation(
     ignore = ignores(non_finite)
     array, left_out = points_of(points, ignore)
     heavy = None
+    if constraints is not None or polygons is not None:
+        if weights is not None:
+            raise InputError("constraints take no weights: leave one of them out", "bad_argument")
+        chosen = settings(threads, facets, non_finite, engine, progress, left_out)
+        if engine == "cuda":
+            raise InputError(
+                "the CUDA engine was asked for, but constraints are the CPU's: leave engine out", "bad_argument"
+            )
+        from ._constrained import constrained_triangulation  # which needs this module
+
+        return constrained_triangulation(array, Constraints(constraints, polygons), chosen, left_out)
     if weights is not None:
         heavy, masked = weights_of(weights, ignore)
         left_out = left_out or masked

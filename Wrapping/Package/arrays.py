@@ -31,6 +31,7 @@ from __future__ import annotations
 
 from ._alpha import AlphaComplex
 from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
+from ._constrained import ConstrainedTriangulation
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._results import Polygons, Validation
@@ -41,6 +42,7 @@ __all__ = [
     "AbortedError",
     "AlphaComplex",
     "CentroidalCells",
+    "ConstrainedTriangulation",
     "ConvexHull",
     "DeviceError",
     "Diameter",

@@ -1,0 +1,270 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkflipflop.arrays: triangulations with constraints and polygons, beside integers, and their borders."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from vtkflipflop.arrays import (
+    AbortedError,
+    ConstrainedTriangulation,
+    InputError,
+    Polygons,
+    RegularTriangulation,
+    regular_triangulation,
+    validate,
+)
+
+RANDOM = np.random.default_rng(21)
+GRID = np.stack(np.meshgrid(np.arange(9), np.arange(9), indexing="ij"), -1).reshape(-1, 2)
+
+
+def square(least, greatest):
+    """The ids of the grid's points at a square's corners, counter-clockwise."""
+    a, b = least, greatest
+    return [9 * a + a, 9 * b + a, 9 * b + b, 9 * a + b]
+
+
+def turn(a, b, c):
+    return int(np.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])))
+
+
+def cross(p, i, j, k, m):
+    """Whether two segments have a point in common that is no end of both."""
+    if len({i, j, k, m}) < 4:
+        return False  # in general position
+    a, b, c, d = p[i], p[j], p[k], p[m]
+    return turn(a, b, c) != turn(a, b, d) and turn(c, d, a) != turn(c, d, b)
+
+
+def in_circle(a, b, c, d):
+    """Greater than 0: d is inside the circle of a counter-clockwise triangle."""
+    rows = [(int(x - d[0]), int(y - d[1])) for x, y in (a, b, c)]
+    (ax, ay), (bx, by), (cx, cy) = rows
+    aa, bb, cc = (x * x + y * y for x, y in rows)
+    return ax * (by * cc - bb * cy) - ay * (bx * cc - bb * cx) + aa * (bx * cy - by * cx)
+
+
+def edges_of(simplices):
+    """Which triangles have each edge."""
+    found = {}
+    for row in np.asarray(simplices).tolist():
+        for i in range(3):
+            found.setdefault(frozenset((row[i], row[(i + 1) % 3])), []).append(row)
+    return found
+
+
+def rings_of(polygons):
+    return np.split(polygons.connectivity, polygons.offsets[1:-1]) if len(polygons.offsets) > 1 else []
+
+
+def shoelace(points, ring):
+    x, y = points[ring].T
+    return 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_beside_integers(seed):
+    random = np.random.default_rng(seed)
+    points = random.permutation(np.column_stack([np.arange(14), np.arange(14) ** 2 * 37 % 101]))
+    assert all(turn(*points[list(three)]) for three in itertools.combinations(range(14), 3))
+    chosen = []
+    for i, j in random.permutation(list(itertools.combinations(range(14), 2))).tolist():
+        if len(chosen) < 6 and not any(cross(points, i, j, *other) for other in chosen):
+            chosen.append((i, j))
+    ours = regular_triangulation(points, constraints=chosen)
+    edges = edges_of(ours.simplices)
+    fixed = {frozenset(edge): row for edge, row in zip(ours.fixed_edges.tolist(), ours.constraint_of)}
+    assert fixed == {frozenset(edge): row for row, edge in enumerate(chosen)}
+    assert fixed.keys() <= edges.keys()
+    for edge, cells in edges.items():
+        if len(cells) == 2 and edge not in fixed:
+            far = next(iter(set(cells[1]) - edge))
+            assert in_circle(*points[cells[0]], points[far]) <= 0
+    assert ours.areas.sum() == regular_triangulation(points).areas.sum()
+    assert validate(ours) and ours.dropped == 0
+
+
+def test_without_constraints_it_is_the_regular_triangulation():
+    points = RANDOM.random((300, 2))
+    plain = regular_triangulation(points)
+    assert type(plain) is RegularTriangulation
+    for given in ({"constraints": []}, {"polygons": ()}, {"constraints": np.empty((0, 2), int), "polygons": []}):
+        ours = regular_triangulation(points, **given)
+        assert type(ours) is ConstrainedTriangulation
+        assert np.array_equal(ours.simplices, plain.simplices)
+        assert ours.fixed_edges.shape == (0, 2) and ours.constraint_of.shape == (0,)
+
+
+@pytest.mark.parametrize("facets", ["triangles", "polygons"])
+def test_polygons_in_polygons(facets):
+    rings = [square(0, 8), square(1, 7)[::-1], square(2, 6), square(3, 5)[::-1]]
+    areas = [64, 64 - 36, 64 - 36 + 16, 64 - 36 + 16 - 4]
+    for depth in range(1, 5):
+        ours = regular_triangulation(GRID, polygons=rings[:depth], facets=facets)
+        assert ours.areas.sum() == areas[depth - 1]
+        assert ours.dropped == (64 - areas[depth - 1]) * (2 if facets == "triangles" else 1)
+        assert sorted(shoelace(GRID, ring) for ring in rings_of(ours.boundary)) == sorted([64, -36, 16, -4][:depth])
+        assert np.array_equal(ours.vertices, np.arange(81)) and ours.hidden.size == 0
+        assert validate(ours)
+    assert np.array_equal(np.diff(ours.polygons.offsets), np.full(40, 4))
+    assert (ours.vertex_to_simplex == -1).sum() == 1  # in the middle of the innermost hole
+    assert set(map(frozenset, ours.convex_hull.tolist())) == {
+        edge for edge, cells in edges_of(ours.simplices).items() if len(cells) == 1
+    }
+    assert ours.within_edge_length(1.5).all() and not ours.within_edge_length(1).any()
+    # Alone, a clockwise polygon is a hole in all.
+    assert regular_triangulation(GRID, polygons=[square(2, 4)[::-1]]).areas.sum() == 60
+
+
+def test_a_square_with_a_hole_of_any_points():
+    inner = [[0.3, 0.3], [0.7, 0.3], [0.7, 0.7], [0.3, 0.7]]
+    points = np.vstack([[[0, 0], [1, 0], [1, 1], [0, 1]], inner, RANDOM.random((400, 2))])
+    ours = regular_triangulation(points, polygons=[[0, 1, 2, 3], [7, 6, 5, 4]])
+    kept = points[ours.simplices].mean(axis=1)
+    assert not (np.abs(kept - 0.5).max(axis=1) < 0.2).any()
+    assert ours.areas.sum() == pytest.approx(0.84, rel=1e-12)
+    assert [len(ring) for ring in rings_of(ours.boundary)] == [4, 4]
+    assert validate(ours)
+
+
+def test_all_forms_are_the_same():
+    lines, rings = [[0, 40], [40, 44, 80]], [square(0, 8), square(1, 4), square(4, 7)[::-1]]
+    with pytest.raises(InputError, match="disagree"):
+        regular_triangulation(GRID, polygons=rings)
+    rings[1].reverse()
+    one = regular_triangulation(GRID, constraints=lines, polygons=rings)
+    closed = [[*ring, ring[0]] for ring in rings]
+    packed = Polygons(np.array([3, 7, 11, 15]), np.concatenate([[0, 0, 0], *rings, [0]]))
+    pairs = [[0, 40], [40, 44], [44, 80]]
+    assert np.array_equal(one.constraints[:3], pairs) and one.constraints.shape == (15, 2)
+    for constraints in (pairs, np.array(pairs, np.uint16), tuple(map(np.array, lines)), np.array(lines, object)):
+        for polygons in (rings, closed, [*closed[:2], rings[2]], np.array(rings, np.int32), np.array(closed), packed):
+            other = regular_triangulation(GRID, constraints=constraints, polygons=polygons)
+            assert np.array_equal(other.simplices, one.simplices)
+            assert np.array_equal(other.constraints, one.constraints)
+            assert np.array_equal(other.constraint_of, one.constraint_of)
+    # Each fixed edge is on the line of its constraint.
+    assert len(one.fixed_edges) > 15
+    for (i, j), row in zip(one.fixed_edges.tolist(), one.constraint_of):
+        a, b = GRID[one.constraints[row]]
+        assert turn(a, b, GRID[i]) == turn(a, b, GRID[j]) == 0
+
+
+def test_a_border_as_polygons_gives_the_same_cells():
+    shape = regular_triangulation(GRID, polygons=[square(0, 8), square(2, 5)[::-1]])
+    again = regular_triangulation(GRID, polygons=shape.boundary, facets="polygons")
+    assert np.array_equal(again.simplices, shape.simplices)
+    for a, b in zip(again.polygons, shape.polygons):
+        assert np.array_equal(a, b)
+    points = RANDOM.random((500, 2))
+    whole = regular_triangulation(points)
+    assert regular_triangulation(points, polygons=whole.boundary).dropped == 0
+    [ring] = rings_of(whole.boundary)
+    assert len(ring) == len(whole.convex_hull) and ring[0] == ring.min()
+    assert shoelace(points, ring) == pytest.approx(whole.areas.sum(), rel=1e-12)
+
+
+def test_any_threads_and_float32():
+    angles = np.linspace(0, 2 * np.pi, 200, endpoint=False)
+    circle = 0.5 + 0.4 * np.column_stack([np.cos(angles), np.sin(angles)])
+    points = np.vstack([circle, RANDOM.random((4000, 2))]).astype(np.float32)
+    one = regular_triangulation(points, polygons=[range(200)], threads=1)
+    for other in (points, points.astype(np.float64), np.asfortranarray(points)):
+        for threads in (2, 3):
+            ours = regular_triangulation(other, polygons=[range(200)], threads=threads)
+            assert ours.simplices.tobytes() == one.simplices.tobytes()
+            assert ours.fixed_edges.tobytes() == one.fixed_edges.tobytes()
+    assert 0 < one.dropped and validate(one, threads=2)
+    assert one.points is points
+
+
+def test_points_that_are_left_out():
+    bad = GRID.astype(np.float64)
+    bad[20] = np.nan
+    masked = np.ma.array(GRID, mask=np.repeat(np.arange(81) == 20, 2))
+    for points, policy in ((bad, "ignore"), (masked, "error")):
+        ours = regular_triangulation(points, polygons=[square(0, 4)], non_finite=policy)
+        assert 20 not in ours.vertices and ours.areas.sum() == 16 and validate(ours)
+        assert len(ours.polygons.offsets) == 12 + 5 + 1  # twelve squares; around the gap, one and four triangles
+        with pytest.raises(InputError, match="constraint 1, point 20") as caught:
+            regular_triangulation(points, constraints=[[0, 1], [19, 20]], non_finite=policy)
+        assert (caught.value.code, caught.value.index, caught.value.count) == ("constraint_point", 1, 20)
+    with pytest.raises(InputError, match="first at point 20"):
+        regular_triangulation(bad, constraints=[[0, 1]])
+
+
+def test_every_dimension():
+    line = np.arange(4)[:, None] * [1, 2]
+    for points, constraints in ((GRID[:0], []), (GRID[:1], [[0, 0]]), (line, [[3, 0]])):
+        ours, plain = regular_triangulation(points, constraints=constraints), regular_triangulation(points)
+        assert np.array_equal(ours.simplices, plain.simplices) and ours.dimension == plain.dimension
+        assert validate(ours)
+        for ring in (ours.boundary, plain.boundary):
+            assert ring.offsets.tolist() == [0] and ring.connectivity.size == 0
+    assert ours.fixed_edges.tolist() == [[0, 1], [1, 2], [2, 3]] and ours.constraint_of.tolist() == [0, 0, 0]
+    # Of points on a line nothing is inside or outside.
+    assert regular_triangulation(line, polygons=[[0, 1, 3]]).dropped == 0
+
+
+def test_when_nothing_is_inside():
+    ours = regular_triangulation(GRID, polygons=[square(0, 8)[::-1]])
+    assert ours.simplices.shape == ours.neighbors.shape == (0, 3) and ours.dropped == 128
+    assert ours.boundary.offsets.tolist() == ours.polygons.offsets.tolist() == [0]
+    assert len(ours.convex_hull) == len(ours.areas) == len(ours.alphas) == 0
+    assert (ours.vertex_to_simplex == -1).all() and ours.vertex_neighbor_vertices[1].size == 0
+
+
+@pytest.mark.parametrize(
+    "given, error, words, index, count",
+    [
+        ({"constraints": [[0, 1], [2, 81]]}, InputError, "not in the triangulation: constraint 1, point 81$", 1, 81),
+        ({"constraints": [[0, 1], [-1, 2]]}, InputError, "constraint 1, point -1$", 1, -1),
+        ({"constraints": [[0, 1, 2], [3, 99]]}, InputError, r"point 99; constraint 2 is of constraints\[1\]$", 2, 99),
+        ({"polygons": [[0, 1, 9], [0, 9, 99]]}, InputError, r"point 99; constraint 4 is of polygons\[1\]$", 4, 99),
+        ({"constraints": [[0, 10], [1, 9]]}, InputError, "cross between points: constraint 1, and constraint 0$", 1, 0),
+        ({"polygons": [[0, 9, 10], [1, 9, 18]]}, InputError, r"of polygons\[1\]; constraint 2 is of pol", 3, 2),
+        ({"polygons": [square(0, 4), square(1, 3)]}, InputError, "disagree .* from point 10, to point 11$", 10, 11),
+        ({"polygons": [[0, 1, 9], [2, 3]]}, InputError, r"polygons\[1\] has 2 id\(s\); it takes 3 or more", 1, 1),
+        ({"polygons": [[2, 3, 2]]}, InputError, r"polygons\[0\] has 2 id\(s\)", 0, 1),
+        ({"polygons": [[]]}, InputError, r"polygons\[0\] has 0 id\(s\)", 0, 1),
+        ({"constraints": [[0, 1], [7]]}, InputError, r"constraints\[1\] has 1 id\(s\); it takes 2 or more", 1, 1),
+        ({"polygons": Polygons(np.array([0, 4]), np.arange(3))}, InputError, "offsets of polygons ascend", -1, 0),
+        ({"constraints": np.ma.array([[0, 1]], mask=[[0, 1]])}, InputError, "ids of constraints are masked", -1, 0),
+        ({"constraints": np.array([[0, 2**64 - 1]], np.uint64)}, InputError, "out of range", -1, 0),
+        ({"constraints": [[0, 1.0]]}, TypeError, "the ids of constraints are integers, not of type float64", 0, 0),
+        ({"polygons": [[0, 1, 2, 3], [0, 1.5, 2]]}, TypeError, r"the ids of polygons\[1\] are integers", 0, 0),
+        ({"constraints": 3}, TypeError, "constraints are sequences of ids, not of type int", 0, 0),
+        ({"constraints": [0, 1]}, ValueError, "not an array of shape", 0, 0),
+        ({"constraints": [], "weights": np.zeros(81)}, InputError, "constraints take no weights", -1, 0),
+        ({"polygons": [], "engine": "cuda"}, InputError, "the CUDA engine was asked for, but constraints", -1, 0),
+    ],
+)
+def test_errors(given, error, words, index, count):
+    with pytest.raises(error, match=words) as caught:
+        regular_triangulation(GRID, **given)
+    if error is InputError:
+        assert (caught.value.index, caught.value.count) == (index, count)
+
+
+def test_what_constrained_triangulations_have_not():
+    ours = regular_triangulation(GRID, constraints=[[0, 80]])
+    for call in (ours.locate, ours.find_simplex, ours.nearest, lambda p: ours.interpolate(range(81), p), ours.power_diagram):
+        with pytest.raises(TypeError, match="a constrained triangulation has no"):
+            call([0, 0])
+    with pytest.raises(AttributeError, match="frozen"):
+        ours.dropped = 1
+    arrays = (ours.constraints, ours.fixed_edges, ours.constraint_of, *ours.boundary)
+    assert not any(array.flags.writeable for array in arrays)
+    assert repr(ours) == "<ConstrainedTriangulation of 81 points: dimension 2, 128 cells, 0 dropped, 8 fixed edges>"
+
+
+def test_progress_of_both_parts_is_one():
+    points, told = RANDOM.random((100_000, 2)), []
+    points[:4] = [[-1, -1], [2, -1], [2, 2], [-1, 2]]
+    regular_triangulation(points, polygons=[range(4)], progress=told.append)
+    assert told and told == sorted(told) and 0 <= told[0] and told[-1] <= 1
+    with pytest.raises(AbortedError):
+        regular_triangulation(points, polygons=[range(4)], progress=lambda fraction: False)

@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Users' polylines and polygons as the engine's constraints: pairs of ids, those of polygons last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import InputError
+from ._input import ids_of, is_array_like
+from ._results import Ids, Polygons, frozen
+
+Chains = ArrayLike | Sequence[ArrayLike] | Polygons
+
+
+class Constraints:
+    """Constraints, and whose they are.
+
+    Attributes
+    ----------
+    ends : ndarray of m by 2
+        the ids of the points that each joins
+    sides : int
+        the last so many are sides of polygons
+    """
+
+    def __init__(self, polylines: Chains | None, polygons: Chains | None) -> None:
+        lines, self._lines = _joined("constraints", polylines, False)
+        sides, self._polygons = _joined("polygons", polygons, True)
+        self.ends = frozen(np.concatenate([lines, sides]))
+        self.sides = len(sides)
+        self._are_pairs = np.array_equal(self._lines, np.arange(len(lines)))
+
+    def of_error(self, error: InputError) -> InputError:
+        """The engine's error, which tells rows of all constraints; and where these are in the caller's own lists."""
+        rows = {"constraint_point": [error.index], "constraints_cross": [error.index, error.count]}.get(error.code, [])
+        names = [f"constraint {row} is of {self._place(row)}" for row in rows if not self._is_pair(row)]
+        return InputError("; ".join([str(error), *names]), error.code, error.index, error.count)
+
+    def _is_pair(self, row: int) -> bool:
+        return self._are_pairs and row < len(self._lines)
+
+    def _place(self, row: int) -> str:
+        lines = len(self._lines)
+        return f"constraints[{self._lines[row]}]" if row < lines else f"polygons[{self._polygons[row - lines]}]"
+
+
+def _joined(what: str, values: Chains | None, are_closed: bool) -> tuple[Ids, Ids]:
+    """The pairs of consecutive ids, of the last and the first, too, if closed; and the number of each pair's chain."""
+    offsets, ids = _chains(what, [] if values is None else values)
+    begins, lasts, sizes = offsets[:-1], offsets[1:] - 1, np.diff(offsets)
+    _require(sizes, 2 + are_closed, what)
+    to = np.roll(ids, -1)
+    are_last = np.zeros(len(ids), bool)
+    if are_closed:
+        # A last id that is the first again closes the ring by itself.
+        are_again = ids[begins] == ids[lasts]
+        _require(sizes - are_again, 3, what)
+        to[lasts] = ids[begins]
+        are_last[lasts[are_again]] = True
+    else:
+        are_last[lasts] = True
+    chains = np.repeat(np.arange(len(sizes)), sizes)
+    return np.column_stack([ids, to])[~are_last], chains[~are_last]
+
+
+def _require(sizes: NDArray[Any], least: int, what: str) -> None:
+    few = sizes < least
+    if few.any():
+        first = int(few.argmax())
+        sentence = f"{what}[{first}] has {sizes[first]} id(s); it takes {least} or more"
+        raise InputError(sentence, "bad_argument", first, int(few.sum()))
+
+
+def _chains(what: str, values: Chains) -> Polygons:
+    """Sequences of ids, one after another."""
+    if isinstance(values, Polygons):
+        return _checked(what, *(_flat(what, array) for array in values))
+    if not is_array_like(values):
+        raise TypeError(f"{what} are sequences of ids, not of type {type(values).__name__}")
+    try:
+        table = values if np.ma.isMaskedArray(values) else np.asarray(values)
+    except ValueError:  # of several lengths
+        table = np.empty(0, object)
+    if table.dtype == object:
+        chains = [_flat(f"{what}[{i}]", chain) for i, chain in enumerate(cast(Iterable[ArrayLike], values))]
+        return Polygons(np.cumsum([0, *map(len, chains)]), np.concatenate([np.empty(0, np.int64), *chains]))
+    if table.size == 0 and table.ndim == 1:
+        table = table.reshape(0, 2)
+    if table.ndim != 2:
+        raise ValueError(f"{what} are sequences of ids, one for each, not an array of shape {table.shape}")
+    rows, size = table.shape
+    return Polygons(size * np.arange(rows + 1), _flat(what, table.reshape(-1)))
+
+
+def _flat(what: str, values: ArrayLike) -> Ids:
+    if np.ma.is_masked(values):
+        raise InputError(f"the ids of {what} are masked", "bad_argument")
+    ids = ids_of(values, f"the ids of {what}")
+    if ids.ndim != 1:
+        raise ValueError(f"the ids of {what} are an array of one dimension, not of shape {ids.shape}")
+    return ids
+
+
+def _checked(what: str, offsets: Ids, ids: Ids) -> Polygons:
+    """From where the first begins to where the last ends."""
+    if not len(offsets) or offsets[0] < 0 or offsets[-1] > len(ids) or (np.diff(offsets) < 0).any():
+        raise InputError(f"the offsets of {what} ascend from 0 to {len(ids)}, the number of their ids", "bad_argument")
+    return Polygons(offsets - offsets[0], ids[offsets[0] : offsets[-1]])
