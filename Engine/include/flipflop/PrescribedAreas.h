@@ -43,9 +43,11 @@ struct PrescribedAreas
 /// by the share that the paper asks for. Voronoi cells are the start, if all sites are in the
 /// domain; else the Voronoi cells of the sites' image in it, which are power cells of the sites.
 ///
-/// Which cells meet is exact in each step. Areas are rounded: in the units of the domain's and the
-/// sites' extent by some 2^-50 for each unit of a cell's border. The bits are the same for any
-/// number of threads.
+/// Which cells meet is exact in each step. Areas are rounded, and so are weights: a unit in the
+/// last place of a weight moves the edge between two cells by half of it over the sites' distance.
+/// Where sites are so near to each other, or so far from the domain, that this is more than the
+/// tolerance of an area, the method ends before it converges. The bits are the same for any number
+/// of threads.
 ///
 /// @param points     the sites, at any places, no two at the same; x and y are read
 /// @param areas      one for each site, positive: shares, which are scaled such that they sum to
