@@ -14,7 +14,8 @@ namespace flipflop
 struct ConstrainedPoints
 {
   std::vector<double> places;     ///< x, y of each point; no two are the same
-  std::vector<std::int64_t> ends; ///< two ids of each constraint; no two cross between points
+  std::vector<std::int64_t> ends; ///< two ids of each constraint
+  bool cross = false;             ///< some cross between points: to be split there
 };
 
 struct ConstrainedOutcome
@@ -25,7 +26,7 @@ struct ConstrainedOutcome
 };
 
 /// CGAL's Constrained_Delaunay_triangulation_2: all points, along its curve, and then the
-/// constraints between their vertices.
+/// constraints between their vertices. Where these cross, it adds points, rounded somehow.
 ConstrainedOutcome runCgalConstrained(const ConstrainedPoints& points);
 
 }

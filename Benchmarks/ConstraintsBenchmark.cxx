@@ -9,12 +9,14 @@
 /// |----------|-----------|--------------------------------------------------------------------|
 /// | streets  | 1,000,000 | 100,000 of a street map: a grid's points, a little off, joined to  |
 /// |          |           | one or two places on, in every other row                           |
+/// | crossing | 1,000,000 | 100,000 short ones between random points, a few long: to be split    |
 /// | long     | 1,000,000 | 500 right across the same points                                   |
 /// | contours | 1,035,549 | 35,485 of the contours of Mount St Helens, among uniform points    |
 #include "ConstraintContenders.h"
 #include "RandomPoints.h"
 
 #include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/ConstraintCrossings.h>
 
 #include <algorithm>
 #include <chrono>
@@ -51,6 +53,28 @@ ConstrainedPoints gridWithSteps(int step, std::size_t most)
       result.ends.push_back(y * Side + x);
       result.ends.push_back(y * Side + x + step);
     }
+  }
+  return result;
+}
+
+/// The ends of streets that cross, and other points.
+ConstrainedPoints crossingStreets()
+{
+  constexpr std::int64_t streets = 100000;
+  RandomPoints random(3);
+  ConstrainedPoints result;
+  result.cross = true;
+  const auto offset = [&](double most) { return most * (2 * random.uniform() - 1); };
+  for (std::int64_t i = 0; i < streets; ++i)
+  {
+    const double reach = i % 1000 == 0 ? 0.3 : 0.005;
+    const double x = random.uniform(), y = random.uniform();
+    result.places.insert(result.places.end(), { x, y, x + offset(reach), y + offset(reach) });
+    result.ends.insert(result.ends.end(), { 2 * i, 2 * i + 1 });
+  }
+  while (result.places.size() < 2 * Side * Side)
+  {
+    result.places.push_back(random.uniform());
   }
   return result;
 }
@@ -104,9 +128,22 @@ ConstrainedOutcome runFlipFlop(const ConstrainedPoints& points, int threads)
   options.threads = threads;
   ConstrainedOutcome outcome;
   const auto begin = std::chrono::steady_clock::now();
-  const ConstrainedTriangulation result = constrainedTriangulation(
-    PointView(points.places.data(), static_cast<std::int64_t>(points.places.size() / 2), 2),
-    ConstraintView(points.ends.data(), static_cast<std::int64_t>(points.ends.size() / 2)), options);
+  const auto viewOf = [](const std::vector<double>& places)
+  { return PointView(places.data(), static_cast<std::int64_t>(places.size() / 2), 2); };
+  const ConstraintView constraints(
+    points.ends.data(), static_cast<std::int64_t>(points.ends.size() / 2));
+  ConstrainedTriangulation result;
+  if (points.cross)
+  {
+    const SplitConstraints split = splitCrossings(viewOf(points.places), constraints, options);
+    std::vector<double> all = points.places;
+    all.insert(all.end(), split.places.begin(), split.places.end());
+    result = constrainedTriangulation(viewOf(all), split.view(), options);
+  }
+  else
+  {
+    result = constrainedTriangulation(viewOf(points.places), constraints, options);
+  }
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.triangles = result.cellCount();
   outcome.fixedEdges = static_cast<std::int64_t>(result.constraintOf.size());
@@ -128,6 +165,7 @@ int main(int argc, char** argv)
               "cgal,ratio_1_thread,ratio_2_threads\n");
   const std::pair<const char*, std::function<ConstrainedPoints()>> inputs[] = {
     { "streets", [] { return gridWithSteps(3, 100000); } },
+    { "crossing", crossingStreets },
     { "long", [] { return gridWithSteps(Side - 100, 500); } },
     { "contours", contoursAmongPoints },
   };

@@ -412,7 +412,7 @@ TEST(ConstraintCrossingsByForce, AmongFewDoubles)
                     base + random.integer(0, side) * unit, 0 });
                 }
               }),
-    2);
+    1);
 }
 
 TEST(ConstraintCrossingsByForce, NearlyParallel)
@@ -429,7 +429,7 @@ TEST(ConstraintCrossingsByForce, NearlyParallel)
                   cloud.push_back({ x, 1 + slope * x + ulp * random.uniform(0, units), 0 });
                 }
               }),
-    2);
+    1);
 }
 
 TEST(ConstraintCrossingsByForce, AtAnyRange)
@@ -489,6 +489,31 @@ TEST(ConstraintCrossings, OfAStarAreOne)
       EXPECT_EQ(result.places[1], 2.0 / 3);
     }
   }
+}
+
+/// Bundles within a few units of the last place: what is bent crosses others.
+TEST(ConstraintCrossings, OfBentPiecesAreSplitAnew)
+{
+  std::int64_t rounds = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    Random random(seed);
+    Case bundle;
+    for (int i = 0; i < 20; ++i)
+    {
+      for (const double end : { 0.0, 1.0 })
+      {
+        const double x = end + random.uniform(-0.1, 0.1);
+        bundle.cloud.push_back({ x, 1 + 0.5 * x + random.uniform(0, 0x1p-50), 0 });
+      }
+      bundle.segments.push_back({ 2 * i, 2 * i + 1 });
+    }
+    const SplitConstraints result = split(bundle);
+    rounds = std::max(rounds, result.rounds);
+    EXPECT_EQ(faultOf(bundle, result), "") << seed;
+    EXPECT_EQ(faultOfOrder(bundle, result, random), "") << seed;
+  }
+  EXPECT_GE(rounds, 2);
 }
 
 TEST(ConstraintCrossings, AreNoCommonEndsNorOverlaps)
