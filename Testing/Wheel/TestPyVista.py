@@ -545,6 +545,60 @@ def test_long_edges(facets):
         regular_triangulation(mesh, maximum_edge_length="1")
 
 
+SQUARE = np.array([[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0], [1, 1, 0], [2, 1, 0], [2, 2, 0], [1, 2, 0]], float)
+
+
+def test_constraints():
+    mesh = pv.PolyData(SQUARE)
+    rings = pv.PolyData(SQUARE, faces=[4, 0, 1, 2, 3, 4, 7, 6, 5, 4])
+    found = regular_triangulation(mesh, constraints=rings)
+    assert found.n_points == 8
+    assert found.area == 8
+    edge = regular_triangulation(mesh, constraints=pv.PolyData(SQUARE, lines=[2, 0, 2]))
+    assert any({4, 0} <= set(cell) for cell in edge.regular_faces)
+    assert (edge.regular_faces == regular_triangulation(mesh, constraints=[[0, 2], [2, 0]]).regular_faces).all()
+    assert regular_triangulation(mesh, constraints=pv.PolyData()).n_cells == regular_triangulation(mesh).n_cells
+    # Ghosts are left out, and ids are those of the mesh.
+    ghosts = mesh.copy()
+    ghosts.point_data["vtkGhostType"] = np.array([0, 0, 0, 0, 1, 0, 0, 0], np.uint8)
+    found = regular_triangulation(ghosts, constraints=[[5, 7]])
+    ids = found["vtkOriginalPointIds"]
+    assert any({5, 7} <= set(ids[cell]) for cell in found.regular_faces)
+    with pytest.raises(InputError, match="constraint 1 ends at point 4, which is not there or is left out"):
+        regular_triangulation(ghosts, constraints=[[5, 7], [4, 6]])
+    with pytest.raises(InputError, match="from point 5, to point 7"):
+        regular_triangulation(ghosts, constraints=pv.PolyData(SQUARE, faces=[3, 5, 7, 6, 3, 0, 5, 7]))
+
+
+def test_constraints_that_cannot_be_used():
+    mesh = pv.PolyData(SQUARE)
+    with pytest.raises(InputError, match="constraint 1, and constraint 0"):
+        regular_triangulation(mesh, constraints=[[4, 6], [5, 7]])
+    with pytest.raises(InputError, match="constraint 0, point 8"):
+        regular_triangulation(mesh, constraints=[[4, 8]])
+    with pytest.raises(ValueError, match="constraints take no weights"):
+        regular_triangulation(mesh, np.zeros(8), constraints=[[4, 6]])
+    with pytest.raises(ValueError, match="constraints are the CPU's"):
+        regular_triangulation(mesh, constraints=[[4, 6]], engine="cuda")
+    with pytest.raises(TypeError, match="the mesh is a composite"):
+        regular_triangulation(pv.MultiBlock([mesh]), constraints=[[4, 6]])
+    with pytest.raises(TypeError, match="not a vtkUnstructuredGrid"):
+        regular_triangulation(mesh, constraints=mesh.cast_to_unstructured_grid())
+
+
+def test_alpha():
+    mesh = pv.PolyData(np.array([[0, 0, 0], [6, 0, 0], [0, 8, 0], [30, 0, 0], [32, 0, 0]], float))
+    found = regular_triangulation(mesh, alpha=5)
+    assert found.regular_faces.tolist() == [[0, 1, 2]]
+    assert found.n_points == 5
+    assert regular_triangulation(mesh, alpha=np.nextafter(5, 0)).n_cells == 0
+    assert regular_triangulation(mesh, alpha=5, maximum_edge_length=9).n_cells == 0
+    assert regular_triangulation(mesh, alpha=np.inf).n_cells == regular_triangulation(mesh).n_cells
+    for alpha in (-1, np.nan):
+        with pytest.raises(ValueError, match="alpha is a length of 0 or more"):
+            regular_triangulation(mesh, alpha=alpha)
+
+
 def test_weights_that_cannot_be_used():
     mesh = cloud(30)
     mesh.point_data["pairs"] = np.zeros((30, 2))

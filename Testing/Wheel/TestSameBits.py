@@ -199,6 +199,34 @@ def test_long_edges(name, projection, facets):
         expect_same(found, expected)
 
 
+@pytest.mark.parametrize("name", MESHES)
+@pytest.mark.parametrize("projection", ["xy_plane", "best_fitting_plane", "transform"])
+@pytest.mark.parametrize("weights", [None, "weight"])
+def test_alpha_complexes(name, projection, weights):
+    mesh = with_data(MESHES[name]())
+    algorithm, settings = triangulation_filter(projection, weights, None)
+    for alpha in (1e-9, 0.05, 1.0, 30.0, np.inf):
+        algorithm.SetAlpha(alpha)
+        expected = outputs_of(algorithm, mesh)[0]
+        expect_same(regular_triangulation(mesh, weights, alpha=alpha, **settings), expected)
+
+
+@pytest.mark.parametrize("name", ["uniform", "ghosts", "far"])
+@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
+def test_constraints(name, facets):
+    mesh = with_data(MESHES[name]())
+    algorithm, settings = triangulation_filter("xy_plane", None, None)
+    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    # Edges of the triangulation, some as lines and one triangle as a polygon, cross nothing.
+    faces = regular_triangulation(mesh)
+    ids = faces["vtkOriginalPointIds"]
+    chains = ids[faces.regular_faces]
+    source = pv.PolyData(mesh.points, lines=[2, *chains[3][:2], 3, *chains[7]], faces=[3, *chains[11]])
+    algorithm.SetSourceData(source)
+    expected = outputs_of(algorithm, mesh)[0]
+    expect_same(regular_triangulation(mesh, constraints=source, facet_mode=facets.lower(), **settings), expected)
+
+
 def test_bounds_of_diagrams():
     for projection in ("xy_plane", "best_fitting_plane", "transform"):
         mesh = with_data(MESHES["uniform"]())

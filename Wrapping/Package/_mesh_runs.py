@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import Weights, choice_of, flag_of, threads_of
+from ._constraints import Constraints
 from ._errors import InputError
+from ._mesh_constraints import CloudConstraints
 from ._meshes import LEAVES, Block, Cloud, blocks_of, composite_of, is_tree, pass_field_data, set_cells
 from ._projection import Projection
 from ._results import ENGINES, QUIET, Bar
@@ -65,22 +67,43 @@ class Run:
         return self._cells_of(cloud, core)
 
     def triangulation(
-        self, block: Block, weights: Weights, projection: Projection, limit: float, report: Report, hidden: bool
+        self,
+        block: Block,
+        weights: Weights,
+        constraints: Constraints | None,
+        projection: Projection,
+        alpha: float,
+        limit: float,
+        report: Report,
+        hidden: bool,
     ) -> list[pv.PolyData]:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
         heavy = cloud.weights(weights, self._ignore)
         settings = self._settings(cloud, report)
         places = projection.to_plane(cloud.array, settings)
-        core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
+        if constraints is None:
+            core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
+        else:
+            core = self._constrained(cloud, places, constraints, settings)
         within = None
+        if alpha > 0:
+            within = cloud.engine(_core.alpha_complex, places, heavy, core, alpha, QUIET)[0].view(np.bool_)
         if limit > 0:
-            within = cloud.engine(_core.cells_within_edge_length, places, core, limit, QUIET).view(np.bool_)
+            short = cloud.engine(_core.cells_within_edge_length, places, core, limit, QUIET).view(np.bool_)
+            within = short if within is None else within & short
         found = [self._cells_of(cloud, core, within)]
         if hidden:
             ids = cloud.ids(core.hidden())
             found.append(cloud.mesh(ids, self._pass_data))
             set_cells(found[1], 0, 1, None, np.arange(len(ids)))
         return found
+
+    def _constrained(self, cloud: Cloud, places: NDArray[Any], constraints: Constraints, settings: Any) -> Any:
+        if self._engine == ENGINES["cuda"]:
+            raise ValueError("the CUDA engine was asked for, but constraints are the CPU's")
+        given = CloudConstraints(constraints, cloud)
+        found = cloud.engine(given.engine, _core.constrained_triangulation, places, given.ends, given.sides, settings)
+        return found.inside()
 
     def diagram(
         self, block: Block, weights: Weights, projection: Projection, box: tuple[float, ...] | None, report: Report

@@ -260,6 +260,11 @@ class Cloud:
         except InputError as error:
             raise self._told(error, None) from None
 
+    @property
+    def count(self) -> int:
+        """How many points the caller gave, ghosts included."""
+        return int(self._starts[-1])
+
     def engine(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """The engine's result; its errors tell the caller's points."""
         try:

@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike
 
 from ._arguments import choice_of, flag_of, length_of, numbers_of, weights_of_call
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
+from ._mesh_constraints import constraints_of_call
 from ._mesh_runs import Output, Report, Run, bar_of, each_block
 from ._meshes import Block, blocks_of, data_of, is_partitioned, is_tree, pass_field_data
 from ._projection import projection_of
@@ -171,6 +172,8 @@ def regular_triangulation(
     *,
     radii: ArrayLike | str | None = ...,
     weight_factor: float = ...,
+    constraints: Any = ...,
+    alpha: float = ...,
     maximum_edge_length: float = ...,
     facet_mode: FacetMode = ...,
     projection_plane_mode: ProjectionPlaneMode = ...,
@@ -192,6 +195,8 @@ def regular_triangulation(
     *,
     radii: ArrayLike | str | None = ...,
     weight_factor: float = ...,
+    constraints: Any = ...,
+    alpha: float = ...,
     maximum_edge_length: float = ...,
     facet_mode: FacetMode = ...,
     projection_plane_mode: ProjectionPlaneMode = ...,
@@ -212,6 +217,8 @@ def regular_triangulation(
     *,
     radii: ArrayLike | str | None = None,
     weight_factor: float = 1.0,
+    constraints: Any = None,
+    alpha: float = 0.0,
     maximum_edge_length: float = 0.0,
     facet_mode: FacetMode = "triangles",
     projection_plane_mode: ProjectionPlaneMode = "xy_plane",
@@ -236,6 +243,13 @@ def regular_triangulation(
         the same for the radii of disks, instead of weights: a weight is the square of weight_factor * radius
     weight_factor : float
         by which weights, or radii, are multiplied. Products and squares are rounded to double; with 1, weights are not.
+    constraints : PolyData, or sequences of ids, optional
+        lines and polygons, by the ids of the mesh's points, that are to be edges: the constrained Delaunay
+        triangulation. What is on the left of a polygon's sides is kept: a clockwise polygon in another one is a hole.
+        Or m by 2 ids, or polylines of ids. With constraints there are no weights, and the mesh is no composite.
+    alpha : float
+        leave out cells whose circumcircle has a larger radius, compared exactly; by default, 0, none. With weights, it
+        is the circle of power distance 0 from the corners. All points stay.
     maximum_edge_length : float
         leave out cells with a longer edge, measured in the plane and compared exactly; by default, 0, none. All points
         stay. A polygon is judged by its border, a triangle of its fan by its own edges.
@@ -269,17 +283,20 @@ def regular_triangulation(
     Raises
     ------
     InputError
-        names the first point at fault, its block, and how many there are; or the weights' array
+        names the first point at fault, its block, and how many there are; or the weights' array; or constraints that
+        cross between points, or end at a point that is not there
     """
     run = Run(facet_mode, number_of_threads, non_finite_points, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
     both = flag_of("return_hidden_points", return_hidden_points)
     limit = length_of("maximum_edge_length", maximum_edge_length)
+    radius = length_of("alpha", alpha)
     data = data_of(mesh)
     heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
+    given = constraints_of_call(constraints, is_tree(data), heavy.values is not None)
 
     def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
-        return run.triangulation(block, heavy, projection, limit, report, both)
+        return run.triangulation(block, heavy, given, projection, radius, limit, report, both)
 
     outputs = each_block(data, triangulated, 2 if both else 1, progress_bar)
     return (outputs[0], outputs[1]) if both else outputs[0]
@@ -404,6 +421,8 @@ class Accessor:
         *,
         radii: ArrayLike | str | None = None,
         weight_factor: float = 1.0,
+        constraints: Any = None,
+        alpha: float = 0.0,
         maximum_edge_length: float = 0.0,
         facet_mode: FacetMode = "triangles",
         projection_plane_mode: ProjectionPlaneMode = "xy_plane",
@@ -422,6 +441,8 @@ class Accessor:
             weights,
             radii=radii,
             weight_factor=weight_factor,
+            constraints=constraints,
+            alpha=alpha,
             maximum_edge_length=maximum_edge_length,
             facet_mode=facet_mode,
             projection_plane_mode=projection_plane_mode,

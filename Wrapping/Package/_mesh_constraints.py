@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Constraints of a mesh's points: the lines and polygons of another mesh, or sequences of ids."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ._constraints import Constraints
+from ._errors import InputError
+from ._meshes import Cloud, values_of
+from ._results import Polygons
+
+
+def constraints_of_call(value: Any, composite: bool, weighted: bool) -> Constraints | None:
+    """What the argument of this name tells; None: nothing."""
+    if value is None:
+        return None
+    if composite:
+        raise TypeError("constraints have the ids of one data set's points, and the mesh is a composite")
+    if weighted:
+        raise ValueError("constraints take no weights and no radii")
+    if not hasattr(value, "IsA"):
+        return Constraints(value, None)
+    if not value.IsA("vtkPolyData"):
+        raise TypeError(f"constraints are a PolyData, or sequences of ids, not a {value.GetClassName()}")
+    return Constraints(_chains(value.GetLines()), _chains(value.GetPolys()))
+
+
+class CloudConstraints:
+    """Constraints of the points that the engine is given, some of the caller's.
+
+    Attributes
+    ----------
+    ends : ndarray of m by 2
+        rows of the cloud's array
+    sides : int
+        the last so many are sides of polygons
+    """
+
+    def __init__(self, given: Constraints, cloud: Cloud) -> None:
+        self._given = given
+        self._cloud = cloud
+        self.ends = given.ends
+        self.sides = given.sides
+        ids = cloud.ids(np.arange(len(cloud.array)))
+        if len(ids) < cloud.count:
+            rows = np.searchsorted(ids, self.ends)
+            found = np.append(ids, -1)[rows] == self.ends
+            if not found.all():
+                row, end = np.argwhere(~found)[0]
+                point = int(self.ends[row, end])
+                sentence = f"constraint {row} ends at point {point}, which is not there or is left out"
+                raise given.of_error(InputError(sentence, "constraint_point", int(row), point))
+            self.ends = rows
+
+    def engine(self, call: Callable[..., Any], *arguments: Any) -> Any:
+        """The engine's result; its errors about constraints tell the caller's points."""
+        try:
+            return call(*arguments)
+        except InputError as error:
+            raise self._told(error) from None
+
+    def _told(self, error: InputError) -> InputError:
+        message, index, count = str(error), error.index, error.count
+        if error.code == "constraint_point" and count < len(self._cloud.array):
+            (point,) = self._ids(count)
+            message, count = message.replace(f"point {count}", f"point {point}"), point
+        elif error.code == "polygons_disagree":
+            first, second = self._ids(index, count)
+            message = message.replace(f"from point {index}", f"from point {first}")
+            message = message.replace(f"to point {count}", f"to point {second}")
+            index, count = first, second
+        return self._given.of_error(InputError(message, error.code, index, count))
+
+    def _ids(self, *rows: int) -> list[int]:
+        return [int(point) for point in self._cloud.ids(np.array(rows))]
+
+
+def _chains(cells: Any) -> Polygons:
+    return Polygons(
+        values_of(cells.GetOffsetsArray()).astype(np.int64), values_of(cells.GetConnectivityArray()).astype(np.int64)
+    )
