@@ -394,8 +394,11 @@ std::string vtkFFRegularTriangulationFilter::vtkInternals::DescribeError(
   {
     const auto place = [this](std::int64_t id)
     { return this->GetPlaceOfPoint(static_cast<vtkIdType>(id)); };
-    return this->vtkFFAlgorithm::vtkInternals::DescribeError(
+    const std::string message = this->vtkFFAlgorithm::vtkInternals::DescribeError(
       flipflop::Error(error.code(), place(error.index()), place(error.count())));
+    return place(error.index()) < 0 || place(error.count()) < 0
+      ? message + " A point -1 is where constraints were split."
+      : message;
   }
   return this->vtkFFAlgorithm::vtkInternals::DescribeError(error);
 }

@@ -14,6 +14,7 @@ from vtkflipflop.arrays import (
     Polygons,
     RegularTriangulation,
     regular_triangulation,
+    split_crossings,
     validate,
 )
 
@@ -268,3 +269,26 @@ def test_progress_of_both_parts_is_one():
     assert told and told == sorted(told) and 0 <= told[0] and told[-1] <= 1
     with pytest.raises(AbortedError):
         regular_triangulation(points, polygons=[range(4)], progress=lambda fraction: False)
+
+
+def test_crossings_are_split():
+    square = np.array([[0, 0], [2, 0], [2, 2], [0, 2]], np.float32)
+    with pytest.raises(InputError, match="constraint 1, and constraint 0"):
+        regular_triangulation(square, constraints=[[0, 2], [1, 3]])
+    split = split_crossings(square, [[0, 2], [1, 3]])
+    assert split.new_points == 1
+    assert split.points.tolist() == [*square.tolist(), [1, 1]]
+    assert split.constraints.tolist() == [[0, 4], [4, 2], [1, 4], [4, 3]]
+    assert split.constraint_of.tolist() == [0, 0, 1, 1]
+    found = regular_triangulation(split.points, constraints=split)
+    assert len(found.simplices) == 4
+    assert found.validate()
+    # A polygon that crosses itself has no inside that its sides agree about.
+    tie = split_crossings(square, polygons=[[0, 1, 3, 2]])
+    assert (tie.new_points, tie.sides) == (1, 6)
+    with pytest.raises(InputError, match="the polygons disagree"):
+        regular_triangulation(tie.points, constraints=tie)
+    with pytest.raises(ValueError, match="leave polygons out"):
+        regular_triangulation(tie.points, constraints=tie, polygons=[[0, 1, 2]])
+    with pytest.raises(InputError, match="constraint 0, point 4"):
+        split_crossings(square, [[0, 4]])

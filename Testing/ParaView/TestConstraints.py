@@ -55,6 +55,8 @@ class TestConstraints(unittest.TestCase):
         triangulation = simple.DelaunayTriangulation2DFlipFlop(Input=cloud(KITE), Source=source_of([[0, 2], [1, 3]]))
         with errors() as lines:
             run(triangulation)
+        triangulation.SplitCrossingConstraints = 1
+        self.assertEqual(fetch(run(triangulation)).GetNumberOfPolys(), 4)
         self.assertTrue(any("An edge of cell 1 of the source crosses one of cell 0" in line for line in lines), lines)
 
 

@@ -10,6 +10,7 @@
 #include <flipflop/AlphaComplex.h>
 #include <flipflop/CellBoundary.h>
 #include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/ConstraintCrossings.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Validate.h>
 
@@ -114,6 +115,21 @@ Constrained constrained(
     });
 }
 
+/// The pieces, the constraint of each, how many are sides of polygons, and the new places.
+nb::tuple splitOf(
+  const InputArray& points, const Ends& ends, std::int64_t polygonSides, const Settings& settings)
+{
+  const PointView places = pointView(points, 2);
+  const ConstraintView constraints = constraintView(ends, polygonSides);
+  SplitConstraints found = settings.run(
+    [&](const Options& options) { return splitCrossings(places, constraints, options); });
+  const std::size_t pieces = found.constraintOf.size();
+  const auto count = static_cast<std::size_t>(found.newPointCount());
+  return nb::make_tuple(arrayOf(std::move(found.ends), { pieces, 2 }),
+    arrayOf(std::move(found.constraintOf)), found.sides,
+    arrayOf(std::move(found.places), { count, 2 }));
+}
+
 /// What of a triangulation is in its alpha complex: cells, edges and points, these by their ids.
 nb::tuple complexOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, double alpha, const Settings& settings)
@@ -162,6 +178,7 @@ void bindComplexes(nb::module_& module)
     .def("constraint_of",
       [](const Constrained& self) { return arrayOf(self.whole->constraintOf, self.whole); });
   module.def("constrained_triangulation", &constrained);
+  module.def("split_crossings", &splitOf);
   module.def("validate_constrained",
     [](const InputArray& points, const Ends& ends, std::int64_t polygonSides,
       const Constrained& triangulation, int threads)

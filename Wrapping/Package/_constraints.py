@@ -5,14 +5,40 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._errors import InputError
-from ._input import ids_of, is_array_like
-from ._results import Ids, Polygons, frozen
+from ._input import ids_of, is_array_like, points_of
+from ._results import Floats, Ids, Polygons, Progress, frozen, ignores, run, settings
+
+class SplitConstraints(NamedTuple):
+    """Constraints in pieces that do not cross, for regular_triangulation(split.points, constraints=split).
+
+    Attributes
+    ----------
+    points : ndarray of n by 2
+        the caller's points, then the new ones, where constraints cross: each coordinate rounded to the nearest double
+    new_points : int
+        how many are new
+    constraints : ndarray of m by 2
+        the ids that each piece joins
+    constraint_of : ndarray
+        the row of the caller's constraints that each piece is of: of polylines, all pairs of consecutive ids, then the
+        sides of polygons
+    sides : int
+        the last so many are sides of polygons
+    """
+
+    points: Floats
+    new_points: int
+    constraints: Ids
+    constraint_of: Ids
+    sides: int
+
 
 Chains = ArrayLike | Sequence[ArrayLike] | Polygons
 
@@ -28,7 +54,14 @@ class Constraints:
         the last so many are sides of polygons
     """
 
-    def __init__(self, polylines: Chains | None, polygons: Chains | None) -> None:
+    def __init__(self, polylines: Chains | SplitConstraints | None, polygons: Chains | None) -> None:
+        if isinstance(polylines, SplitConstraints):
+            if polygons is not None:
+                raise ValueError("constraints that were split have their polygons: leave polygons out")
+            self.ends, self.sides = polylines.constraints, polylines.sides
+            self._lines, self._polygons = np.arange(len(self.ends)), np.arange(0)
+            self._are_pairs = True
+            return
         lines, self._lines = _joined("constraints", polylines, False)
         sides, self._polygons = _joined("polygons", polygons, True)
         self.ends = frozen(np.concatenate([lines, sides]))
@@ -111,3 +144,35 @@ def _checked(what: str, offsets: Ids, ids: Ids) -> Polygons:
     if not len(offsets) or offsets[0] < 0 or offsets[-1] > len(ids) or (np.diff(offsets) < 0).any():
         raise InputError(f"the offsets of {what} ascend from 0 to {len(ids)}, the number of their ids", "bad_argument")
     return Polygons(offsets - offsets[0], ids[offsets[0] : offsets[-1]])
+
+
+def split_crossings(
+    points: ArrayLike,
+    constraints: Chains | None = None,
+    polygons: Chains | None = None,
+    *,
+    threads: int = 0,
+    non_finite: str = "error",
+    progress: Progress = None,
+) -> SplitConstraints:
+    """Splits constraints where they cross, at new points, which are rounded.
+
+    Parameters
+    ----------
+    points, constraints, polygons, threads, non_finite, progress
+        as for regular_triangulation()
+
+    Raises
+    ------
+    InputError
+        names the first point at fault, or the constraint
+    """
+    array, left_out = points_of(points, ignores(non_finite))
+    given = Constraints(constraints, polygons)
+    chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
+    try:
+        pieces, constraint_of, sides, places = run(chosen, _core.split_crossings, array, given.ends, given.sides)
+    except InputError as error:
+        raise given.of_error(error) from None
+    whole = frozen(np.vstack([np.asarray(array)[:, :2].astype(np.float64), places]))
+    return SplitConstraints(whole, len(places), pieces, constraint_of, sides)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
-from ._constraints import Chains, Constraints
+from ._constraints import Chains, Constraints, SplitConstraints
 from ._device import memory_of
 from ._errors import InputError
 from ._input import points_of, weights_of
@@ -358,7 +358,7 @@ def regular_triangulation(
     points: ArrayLike,
     weights: None = ...,
     *,
-    constraints: Chains,
+    constraints: Chains | SplitConstraints,
     polygons: Chains | None = ...,
     facets: str = ...,
     threads: int = ...,
@@ -387,7 +387,7 @@ def regular_triangulation(
     points: ArrayLike,
     weights: ArrayLike | None = None,
     *,
-    constraints: Chains | None = None,
+    constraints: Chains | SplitConstraints | None = None,
     polygons: Chains | None = None,
     facets: str = "triangles",
     threads: int = 0,
@@ -405,7 +405,8 @@ def regular_triangulation(
         squared lengths: the power distance of x from a point p is |x - p|^2 - w. By default none: Delaunay.
     constraints : m by 2 ids, or a sequence of polylines, optional
         what edges have to run along. A polyline is a sequence of ids: consecutive ones are joined. With constraints or
-        polygons, the result is a ConstrainedTriangulation. There are no weights then, and the CPU does the work.
+        polygons, the result is a ConstrainedTriangulation. There are no weights then, and the CPU does the work. Also
+        what split_crossings() gives, with its points.
     polygons : a sequence of rings of ids, or Polygons, optional
         their sides are constraints, and what is on the left of a side is inside: a counter-clockwise ring keeps its
         inside, a clockwise one in it is a hole, to any depth. Cells outside are left out. A ring is closed without its

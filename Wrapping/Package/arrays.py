@@ -32,6 +32,7 @@ from __future__ import annotations
 from ._alpha import AlphaComplex
 from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
 from ._constrained import ConstrainedTriangulation
+from ._constraints import SplitConstraints, split_crossings
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._results import Polygons, Validation
@@ -56,6 +57,7 @@ __all__ = [
     "PrescribedAreas",
     "RegularTriangulation",
     "Side",
+    "SplitConstraints",
     "TriangulationBatch",
     "Validation",
     "alpha_complex",
@@ -67,6 +69,7 @@ __all__ = [
     "prescribed_areas",
     "regular_triangulation",
     "regular_triangulations",
+    "split_crossings",
     "validate",
 ]
 
