@@ -294,7 +294,7 @@ private:
       const auto errors = fftest::ErrorObserver::Of(alone);
       alone->SetInputDataObject(leaf);
       alone->Update();
-      demand(errors->Messages.empty(), "a block fails alone, and not with others");
+      demand(!demandTold(alone, errors), "a block fails alone, and not with others");
       demand(
         fftest::isIdentical(output->GetDataSet(leaves), alone->GetOutputDataObject(0), "block"),
         "a block's result depends on the others");
