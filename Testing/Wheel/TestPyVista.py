@@ -17,13 +17,15 @@ import vtkflipflop.pyvista
 from vtkflipflop.pyvista import (
     FilterError,
     InputError,
+    centroidal_cells,
     convex_hull,
     convexify,
     power_diagram,
+    prescribed_areas,
     regular_triangulation,
 )
 
-FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram)
+FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram, centroidal_cells, prescribed_areas)
 OF_POINTS = (convex_hull, regular_triangulation, power_diagram)
 HAS_ACCESSORS = hasattr(pv, "register_dataset_accessor")
 
@@ -566,7 +568,7 @@ def test_constraints():
     assert any({5, 7} <= set(ids[cell]) for cell in found.regular_faces)
     with pytest.raises(InputError, match="constraint 1 ends at point 4, which is not there or is left out"):
         regular_triangulation(ghosts, constraints=[[5, 7], [4, 6]])
-    with pytest.raises(InputError, match="from point 5, to point 7"):
+    with pytest.raises(InputError, match="from point 5, to point 6"):
         regular_triangulation(ghosts, constraints=pv.PolyData(SQUARE, faces=[3, 5, 7, 6, 3, 0, 5, 7]))
 
 
@@ -597,6 +599,37 @@ def test_alpha():
     for alpha in (-1, np.nan):
         with pytest.raises(ValueError, match="alpha is a length of 0 or more"):
             regular_triangulation(mesh, alpha=alpha)
+
+
+def test_cells_of_prescribed_areas():
+    mesh = cloud(40)
+    shares = np.arange(1.0, 41)
+    domain = [(0, 0), (2, 0), (1, 2)]
+    cells = prescribed_areas(mesh, shares, domain=domain)
+    assert cells.n_cells == 40
+    assert np.allclose(cells["Area"], 2 * shares / shares.sum(), rtol=1e-6)
+    assert np.allclose(cells.compute_cell_sizes(length=False, volume=False)["Area"], cells["Area"], rtol=1e-9)
+    assert cells.field_data["Converged"][0] == 1
+    assert (cells["heat"] == mesh["heat"]).all()
+    diagram = power_diagram(mesh, cells["Weight"])
+    assert diagram.n_cells <= 40
+    mesh.point_data["share"] = shares
+    both = prescribed_areas(pv.MultiBlock([mesh]), "share", domain=domain)
+    assert (both[0]["Area"] == cells["Area"]).all()
+    with pytest.raises(TypeError, match="the areas of a composite are the name of a point array"):
+        prescribed_areas(pv.MultiBlock([mesh]), shares)
+    with pytest.raises(InputError, match="site"):
+        prescribed_areas(mesh, -shares)
+
+
+def test_centroidal_cells():
+    mesh = cloud(30)
+    cells = centroidal_cells(mesh, domain=(0, 1, 0, 1), iterations=2000, tolerance=1e-6)
+    assert cells.field_data["Converged"][0] == 1
+    assert np.isclose(cells["Area"].sum(), 1)
+    assert np.abs(cells["Site"] - cells["Centroid"]).max() < 1e-5
+    assert cells["Centroid"][:, 2].tolist() == [mesh.points[:, 2].min()] * cells.n_cells
+    assert centroidal_cells(np.empty((0, 3))).n_cells == 0
 
 
 def test_weights_that_cannot_be_used():
@@ -795,7 +828,7 @@ def test_an_unknown_choice_lists_the_choices(name):
 
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_other_arguments(function):
-    mesh = starlike()
+    mesh = cloud() if function is prescribed_areas else starlike()  # which has two sites at one place
     for value in (-1, -(2**31), 2**31, 2**70):
         with pytest.raises(ValueError, match="^number_of_threads is 0 .all. or more, not"):
             function(mesh, number_of_threads=value)
@@ -863,10 +896,13 @@ def test_methods_do_what_the_functions_do():
         ("convex_hull", (), {"facet_mode": "polygons", "pass_point_data": False}),
         ("convexify", ((0, 0, 0),), {"facet_mode": "polygons"}),
         ("regular_triangulation", ("w",), {"transform": rotation(), "number_of_threads": 1}),
+        ("centroidal_cells", ("w",), {"domain": (-1, 1, -1, 1), "iterations": 2}),
+        ("prescribed_areas", (None,), {"domain": (-1, 1, -1, 1), "iterations": 2}),
         ("power_diagram", ("w",), {"power_diagram_bounds": (-1, 1, -1, 1), "non_finite_points": "ignore"}),
     ):
-        expected = getattr(vtkflipflop.pyvista, name)(mesh, *arguments, **settings)
-        found = getattr(mesh.flipflop, name)(*arguments, **settings)
+        subject = cloud() if name == "prescribed_areas" else mesh
+        expected = getattr(vtkflipflop.pyvista, name)(subject, *arguments, **settings)
+        found = getattr(subject.flipflop, name)(*arguments, **settings)
         assert np.array_equal(found.faces, expected.faces)
         assert found.array_names == expected.array_names
 

@@ -29,6 +29,7 @@ from ._arguments import choice_of, flag_of, length_of, numbers_of, weights_of_ca
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._mesh_constraints import constraints_of_call
 from ._mesh_runs import Output, Report, Run, bar_of, each_block
+from ._mesh_transport import centroidal_cells, prescribed_areas
 from ._meshes import Block, blocks_of, data_of, is_partitioned, is_tree, pass_field_data
 from ._projection import projection_of
 
@@ -39,9 +40,11 @@ __all__ = [
     "FlipFlopError",
     "InputError",
     "OutOfMemoryError",
+    "centroidal_cells",
     "convex_hull",
     "convexify",
     "power_diagram",
+    "prescribed_areas",
     "regular_triangulation",
 ]
 
@@ -489,7 +492,56 @@ class Accessor:
         )
 
 
-for _function in (convex_hull, convexify, regular_triangulation, power_diagram):
+    def centroidal_cells(
+        self,
+        weights: ArrayLike | str | None = None,
+        *,
+        domain: ArrayLike | None = None,
+        iterations: int = 100,
+        tolerance: float = 0.0,
+        number_of_threads: int = 0,
+        skip_ghost_points: bool = True,
+        pass_point_data: bool = True,
+        progress_bar: bool = False,
+    ) -> Output:
+        return centroidal_cells(
+            self._mesh,
+            weights,
+            domain=domain,
+            iterations=iterations,
+            tolerance=tolerance,
+            number_of_threads=number_of_threads,
+            skip_ghost_points=skip_ghost_points,
+            pass_point_data=pass_point_data,
+            progress_bar=progress_bar,
+        )
+
+    def prescribed_areas(
+        self,
+        areas: ArrayLike | str | None = None,
+        *,
+        domain: ArrayLike | None = None,
+        tolerance: float = 1e-6,
+        iterations: int = 100,
+        number_of_threads: int = 0,
+        skip_ghost_points: bool = True,
+        pass_point_data: bool = True,
+        progress_bar: bool = False,
+    ) -> Output:
+        return prescribed_areas(
+            self._mesh,
+            areas,
+            domain=domain,
+            tolerance=tolerance,
+            iterations=iterations,
+            number_of_threads=number_of_threads,
+            skip_ghost_points=skip_ghost_points,
+            pass_point_data=pass_point_data,
+            progress_bar=progress_bar,
+        )
+
+
+for _function in (centroidal_cells, convex_hull, convexify, regular_triangulation, power_diagram, prescribed_areas):
     getattr(Accessor, _function.__name__).__doc__ = _function.__doc__
 
 if hasattr(pv, "register_dataset_accessor"):  # since 0.48

@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Centroidal cells and cells of prescribed areas of PyVista's meshes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import ArrayLike, NDArray
+
+from ._arguments import Weights, flag_of, threads_of
+from ._mesh_runs import Output, Report, each_block
+from ._meshes import Block, Cloud, data_of, is_tree, set_cells
+from ._transport import CentroidalCells, PrescribedAreas
+from ._transport import centroidal_cells as cells_of_arrays
+from ._transport import prescribed_areas as areas_of_arrays
+
+
+def centroidal_cells(
+    mesh: Any,
+    weights: ArrayLike | str | None = None,
+    *,
+    domain: ArrayLike | None = None,
+    iterations: int = 100,
+    tolerance: float = 0.0,
+    number_of_threads: int = 0,
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress_bar: bool = False,
+) -> Output:
+    """Centroidal power cells by Lloyd's algorithm: in each iteration, every point moves to the centroid of its cell.
+
+    Parameters
+    ----------
+    mesh : data set, composite, or n by 3 or n by 2 coordinates
+        its points are the sites at first, by x and y; its cells do not matter
+    weights : str or n numbers, optional
+        a point array's name, or numbers if mesh is no composite: squared lengths, which stay. By default none.
+    domain : 4 numbers, or m by 2, optional
+        where cells end: a box (x least, x greatest, y least, y greatest), or the corners of a convex polygon,
+        counter-clockwise. By default the box of the points.
+    iterations : int
+        at most so many, 0 or more
+    tolerance : float
+        a length, 0 or more: it ends when no site moved further in an iteration
+    number_of_threads : int
+        0: as many as the machine has. The result never depends on it.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether the points' data is passed, as cell data
+    progress_bar : bool
+        show progress in the terminal; needs tqdm
+
+    Returns
+    -------
+    pyvista.PolyData
+        a polygon for each site that has a cell, at the lowest z of the points. Cell arrays: Area, Centroid, Site (where
+        the site is in the end), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
+    """
+    count = threads_of(number_of_threads)
+    skips, passes = flag_of("skip_ghost_points", skip_ghost_points), flag_of("pass_point_data", pass_point_data)
+    data = data_of(mesh)
+    heavy = _numbers_of("weights", weights, is_tree(data))
+
+    def made(block: Block, report: Report) -> list[pv.PolyData]:
+        cloud = Cloud([block], skips, False)
+        numbers = cloud.weights(heavy, False)
+        settings: Any = dict(iterations=iterations, tolerance=tolerance, threads=count, progress=report)
+        found = cloud.engine(lambda: cells_of_arrays(cloud.array, numbers, domain, **settings))
+        cells = _cells_of(cloud, found, passes)
+        _add(cells, "Site", _in_space(cloud, found.sites[found.diagram.sites]))
+        return [cells]
+
+    return each_block(data, made, 1, progress_bar)[0]
+
+
+def prescribed_areas(
+    mesh: Any,
+    areas: ArrayLike | str | None = None,
+    *,
+    domain: ArrayLike | None = None,
+    tolerance: float = 1e-6,
+    iterations: int = 100,
+    number_of_threads: int = 0,
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress_bar: bool = False,
+) -> Output:
+    """The power cells with which each point has its prescribed area of the domain.
+
+    The cells are the optimal transport of the domain to the points for the squared distance. The method is a damped
+    Newton method (J. Kitagawa, Q. Merigot, B. Thibert, JEMS 2019).
+
+    Parameters
+    ----------
+    mesh : data set, composite, or n by 3 or n by 2 coordinates
+        its points are the sites, by x and y, no two at the same place; its cells do not matter
+    areas : str or n positive numbers, optional
+        a point array's name, or numbers if mesh is no composite: shares, which are scaled such that they sum to the
+        domain's area. By default all are equal.
+    tolerance : float
+        0 or more: it ends when each area is met to that, relative to itself
+    domain, iterations, number_of_threads, skip_ghost_points, pass_point_data, progress_bar
+        as for centroidal_cells()
+
+    Returns
+    -------
+    pyvista.PolyData
+        a polygon for each point, at the lowest z of the points. Cell arrays: Area, Centroid, Weight (with which the
+        power diagram has these cells), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
+    """
+    count = threads_of(number_of_threads)
+    skips, passes = flag_of("skip_ghost_points", skip_ghost_points), flag_of("pass_point_data", pass_point_data)
+    data = data_of(mesh)
+    shares = _numbers_of("areas", areas, is_tree(data))
+
+    def made(block: Block, report: Report) -> list[pv.PolyData]:
+        cloud = Cloud([block], skips, False)
+        numbers = cloud.weights(shares, False)
+        settings: Any = dict(iterations=iterations, tolerance=tolerance, threads=count, progress=report)
+        found = cloud.engine(lambda: areas_of_arrays(cloud.array, numbers, domain, **settings))
+        cells = _cells_of(cloud, found, passes)
+        _add(cells, "Weight", found.weights[found.diagram.sites])
+        return [cells]
+
+    return each_block(data, made, 1, progress_bar)[0]
+
+
+def _numbers_of(name: str, values: Any, composite: bool) -> Weights:
+    if values is not None and not isinstance(values, str) and composite:
+        raise TypeError(f"the {name} of a composite are the name of a point array")
+    return Weights(values, False, 1.0)
+
+
+def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data: bool) -> pv.PolyData:
+    diagram = found.diagram
+    made = pv.PolyData()
+    made.SetPoints(pv.vtk_points(_in_space(cloud, diagram.vertices), deep=False, force_float=False))
+    set_cells(made, 2, 0, np.array(diagram.cells.offsets), np.array(diagram.cells.connectivity))
+    cloud.pass_data(cloud.ids(diagram.sites), made, "cell", pass_data)
+    _add(made, "Area", found.areas[diagram.sites])
+    _add(made, "Centroid", _in_space(cloud, found.centroids[diagram.sites]))
+    made.field_data["Iterations"] = np.array([found.iterations])
+    made.field_data["Converged"] = np.array([found.converged], np.uint8)
+    return made
+
+
+def _in_space(cloud: Cloud, places: NDArray[Any]) -> NDArray[np.float64]:
+    """Places of the plane at the lowest z of the points."""
+    height = cloud.array[:, 2].min() if cloud.array.shape[1] == 3 and len(cloud.array) else 0.0
+    return np.column_stack([places, np.full(len(places), height, np.float64)])
+
+
+def _add(cells: pv.PolyData, name: str, values: NDArray[Any]) -> None:
+    """As a cell array; also of no cells, which PyVista's own way refuses."""
+    array = pv.convert_array(np.ascontiguousarray(values), name=name, deep=True)
+    cells.GetCellData().AddArray(array)
