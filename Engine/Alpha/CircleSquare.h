@@ -182,20 +182,24 @@ private:
     const std::int64_t last = orderOf(std::numeric_limits<double>::infinity());
     std::int64_t low = orderOf(guess);
     std::int64_t high = low;
+    // A guess that is far off, such as one for a radius that is no double, takes steps of any size.
+    constexpr std::int64_t longest = std::int64_t(1) << 60;
     if (isExceeded(guess))
     {
-      for (std::int64_t step = 1; high == low || isExceeded(atOrder(high)); step *= 2)
+      for (std::int64_t step = 1; high == low || isExceeded(atOrder(high));
+           step = std::min(2 * step, longest))
       {
         low = high;
-        high = std::min(high + step, last);
+        high = high < last - step ? high + step : last;
       }
     }
     else
     {
-      for (std::int64_t step = 1; high == low || !isExceeded(atOrder(low)); step *= 2)
+      for (std::int64_t step = 1; high == low || !isExceeded(atOrder(low));
+           step = std::min(2 * step, longest))
       {
         high = low;
-        low = std::max(low - step, -last);
+        low = low > step - last ? low - step : -last;
       }
     }
     while (high - low > 1)

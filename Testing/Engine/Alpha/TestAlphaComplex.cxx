@@ -141,6 +141,19 @@ TEST(Alpha, BeyondDoubles)
   expectComplex(sites, triangulation, std::numeric_limits<double>::max());
 }
 
+/// A first guess of 0 may be half of all doubles away from the least alpha.
+TEST(Alpha, FarFromTheFirstGuess)
+{
+  const double most = 0x1p1023;
+  for (const double weight : { 0.0, most, -most })
+  {
+    const Cloud sites = { { -most, 0, 0 }, { most, 0, 0 }, { 0, 0x1p-1070, weight } };
+    const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+    ASSERT_EQ(triangulation.cellCount(), 1);
+    EXPECT_EQ(alphasOf(sites, triangulation)[0], infinite);
+  }
+}
+
 /// Disks that overlap: with alpha 0 the complex is the nerve of their union.
 TEST(Alpha, NerveOfDisks)
 {
