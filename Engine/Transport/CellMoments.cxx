@@ -74,11 +74,29 @@ private:
   std::vector<std::array<Index, 2>> onLine;
 };
 
+/// A way and its exponent: over a power of two, so that products neither overflow nor vanish.
+struct ScaledWay
+{
+  double x[2];
+  int exponent = 0;
+
+  ScaledWay(const double* a, const double* b)
+    : x{ b[0] - a[0], b[1] - a[1] }
+  {
+    std::frexp(std::max(std::fabs(this->x[0]), std::fabs(this->x[1])), &this->exponent);
+    this->x[0] = std::ldexp(this->x[0], -this->exponent);
+    this->x[1] = std::ldexp(this->x[1], -this->exponent);
+  }
+
+  double length() const
+  {
+    return std::ldexp(std::sqrt(this->x[0] * this->x[0] + this->x[1] * this->x[1]), this->exponent);
+  }
+};
+
 double distance(const double* a, const double* b)
 {
-  const double x = b[0] - a[0];
-  const double y = b[1] - a[1];
-  return std::sqrt(x * x + y * y);
+  return ScaledWay(a, b).length();
 }
 
 /// A convex polygon that half-planes cut; places are relative to the site.
@@ -144,23 +162,27 @@ public:
   double measure(double* centroid) const
   {
     double twice = 0;
-    double moment[2] = { 0, 0 };
     for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
     {
-      const double b[2] = { this->fromFirst(i, 0), this->fromFirst(i, 1) };
-      const double c[2] = { this->fromFirst(i + 1, 0), this->fromFirst(i + 1, 1) };
-      const double part = b[0] * c[1] - b[1] * c[0];
-      twice += part;
-      moment[0] += part * (b[0] + c[0]);
-      moment[1] += part * (b[1] + c[1]);
+      twice += this->twiceArea(i);
     }
     if (!(twice > 0))
     {
       return 0;
     }
+    // Of shares: a product of three lengths may be out of range where areas are not.
+    double mean[2] = { 0, 0 };
+    for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
+    {
+      const double share = this->twiceArea(i) / twice;
+      for (int k = 0; k < 2; ++k)
+      {
+        mean[k] += share * (this->fromFirst(i, k) + this->fromFirst(i + 1, k));
+      }
+    }
     for (int k = 0; k < 2; ++k)
     {
-      centroid[k] = this->corners[0].x[k] + moment[k] / (3 * twice);
+      centroid[k] = this->corners[0].x[k] + mean[k] / 3;
     }
     return 0.5 * twice;
   }
@@ -181,6 +203,13 @@ private:
   double fromFirst(std::size_t i, int k) const
   {
     return this->corners[i].x[k] - this->corners[0].x[k];
+  }
+
+  /// Of the fan's triangle at corner @p i.
+  double twiceArea(std::size_t i) const
+  {
+    return this->fromFirst(i, 0) * this->fromFirst(i + 1, 1) -
+      this->fromFirst(i, 1) * this->fromFirst(i + 1, 0);
   }
 
   std::vector<Corner> corners;
@@ -220,9 +249,12 @@ void measureCells(const std::vector<double>& sites, const double* weights,
             for (const Index j : neighbours)
             {
               const auto other = static_cast<std::size_t>(ids[j]);
-              const double way[2] = { sites[2 * other] - site[0], sites[2 * other + 1] - site[1] };
+              const ScaledWay way(site, &sites[2 * other]);
               const double lead = weights ? weights[id] - weights[other] : 0.0;
-              cell.cut(way, 0.5 * (way[0] * way[0] + way[1] * way[1] + lead), j);
+              const double most =
+                std::ldexp(way.x[0] * way.x[0] + way.x[1] * way.x[1], way.exponent) +
+                std::ldexp(lead, -way.exponent);
+              cell.cut(way.x, 0.5 * most, j);
             }
             double centroid[2] = { 0, 0 };
             moments.areas[id] = cell.measure(centroid);

@@ -179,6 +179,29 @@ TEST(CentroidalCells, FloatsAndStrides)
   EXPECT_TRUE(sameBits(a.sites, b.sites));
 }
 
+/// In another unit, by a power of two, sites are the same; also where cubes of lengths are no
+/// doubles.
+TEST(CentroidalCells, AnyUnit)
+{
+  const Numbers sites = randomNumbers(60, 0, 1, 17);
+  const CentroidalCells plain = lloyd(sites, {}, unitBox, 3);
+  for (const int exponent : { -500, -400, 400, 500 })
+  {
+    Numbers scaled = sites;
+    for (double& x : scaled)
+    {
+      x = std::ldexp(x, exponent);
+    }
+    const double side = std::ldexp(1.0, exponent);
+    const double box[] = { 0, side, 0, side };
+    const CentroidalCells found = lloyd(scaled, {}, box, 3);
+    for (std::size_t i = 0; i < scaled.size(); ++i)
+    {
+      EXPECT_EQ(found.sites[i], std::ldexp(plain.sites[i], exponent)) << exponent;
+    }
+  }
+}
+
 TEST(CentroidalCells, StopsWhenAsked)
 {
   const Numbers sites = randomNumbers(2000, 0, 1, 16);
