@@ -36,17 +36,16 @@ using Place = std::array<double, 2>;
 
 Place centroidOf(const std::vector<double>& polygon)
 {
-  double twice = 0;
-  Place moment{};
+  const double twice = 2 * areaOf(polygon);
+  Place mean{};
   for (std::size_t i = 2; i + 3 < polygon.size(); i += 2)
   {
     const Place b{ { polygon[i] - polygon[0], polygon[i + 1] - polygon[1] } };
     const Place c{ { polygon[i + 2] - polygon[0], polygon[i + 3] - polygon[1] } };
-    const double part = b[0] * c[1] - b[1] * c[0];
-    twice += part;
-    moment = { { moment[0] + part * (b[0] + c[0]), moment[1] + part * (b[1] + c[1]) } };
+    const double share = (b[0] * c[1] - b[1] * c[0]) / twice;
+    mean = { { mean[0] + share * (b[0] + c[0]), mean[1] + share * (b[1] + c[1]) } };
   }
-  return { { polygon[0] + moment[0] / (3 * twice), polygon[1] + moment[1] / (3 * twice) } };
+  return { { polygon[0] + mean[0] / 3, polygon[1] + mean[1] / 3 } };
 }
 
 /// Weights with which the power cells of the sites are the Voronoi cells of their image in the
@@ -100,6 +99,12 @@ void makeLeastZero(std::vector<double>& weights)
   }
 }
 
+bool areFinite(const std::vector<double>& weights)
+{
+  return std::all_of(
+    weights.begin(), weights.end(), [](double weight) { return std::isfinite(weight); });
+}
+
 class NewtonRun
 {
 public:
@@ -107,16 +112,16 @@ public:
     double relativeError, std::int64_t mostIterations, const Options& options)
     : sites(points, areas)
     , polygon(domainCorners(domain))
+    , whole(areaOf(this->polygon))
     , tolerance(relativeError)
     , most(mostIterations)
     , watch(options)
   {
-    const double whole = areaOf(this->polygon);
     if (this->most < 0 || !(this->tolerance >= 0))
     {
       throw Error(ErrorCode::BadArgument);
     }
-    this->prescribe(whole);
+    this->prescribe();
   }
 
   PrescribedAreas run()
@@ -145,11 +150,11 @@ private:
     std::vector<double> weights;
     CellMoments moments;
     double least = 0; ///< area
-    double norm = 0;  ///< of the errors
+    double norm = 0;  ///< of the errors, as shares of the whole
     double error = 0; ///< the greatest, relative to what is prescribed
   };
 
-  void prescribe(double whole)
+  void prescribe()
   {
     this->prescribed = std::move(this->sites.numbers);
     this->sites.numbers.clear();
@@ -157,13 +162,7 @@ private:
     {
       this->prescribed.assign(this->sites.places.size() / 2, 1.0);
     }
-    const auto isBad = [](double area) { return !(area > 0) || !std::isfinite(area); };
-    const auto first = std::find_if(this->prescribed.begin(), this->prescribed.end(), isBad);
-    if (first != this->prescribed.end())
-    {
-      throw Error(ErrorCode::BadArea, first - this->prescribed.begin(),
-        std::count_if(first, this->prescribed.end(), isBad));
-    }
+    this->refuseAreas([](double area) { return !(area > 0) || !std::isfinite(area); });
     // The greatest first becomes 1, so that the sum is finite.
     const double greatest = this->prescribed.empty()
       ? 1.0
@@ -176,7 +175,20 @@ private:
     }
     for (double& area : this->prescribed)
     {
-      area *= whole / sum;
+      area *= this->whole / sum;
+    }
+    this->refuseAreas([](double area) { return !std::isnormal(area); });
+  }
+
+  /// @param isBad bool (double area)
+  template <class IsBad>
+  void refuseAreas(const IsBad& isBad) const
+  {
+    const auto first = std::find_if(this->prescribed.begin(), this->prescribed.end(), isBad);
+    if (first != this->prescribed.end())
+    {
+      throw Error(ErrorCode::BadArea, first - this->prescribed.begin(),
+        std::count_if(first, this->prescribed.end(), isBad));
     }
   }
 
@@ -202,7 +214,7 @@ private:
     for (std::size_t i = 0; i < areas.size(); ++i)
     {
       const double off = areas[i] - this->prescribed[i];
-      sum += off * off;
+      sum += off / this->whole * (off / this->whole);
       state.error = std::max(state.error, std::fabs(off) / this->prescribed[i]);
     }
     state.norm = std::sqrt(sum);
@@ -221,9 +233,14 @@ private:
     this->measure(delaunay, this->now);
     if (!this->areAllInside() || !(this->now.least > 0))
     {
-      this->now.weights = weightsOfImage(this->sites.places, this->polygon);
-      makeLeastZero(this->now.weights);
-      this->measure(this->triangulated(this->now.weights), this->now);
+      std::vector<double> weights = weightsOfImage(this->sites.places, this->polygon);
+      makeLeastZero(weights);
+      // Of sites too far for squares in doubles, the Voronoi cells stay.
+      if (areFinite(weights))
+      {
+        this->now.weights.swap(weights);
+        this->measure(this->triangulated(this->now.weights), this->now);
+      }
     }
     this->least = 0.5 *
       std::min(
@@ -291,6 +308,10 @@ private:
         this->trial.weights[i] += length * direction[i];
       }
       makeLeastZero(this->trial.weights);
+      if (!areFinite(this->trial.weights))
+      {
+        continue;
+      }
       const Triangulation triangulation = this->triangulated(this->trial.weights);
       if (!triangulation.hiddenIds.empty())
       {
@@ -335,6 +356,7 @@ private:
 
   SiteArrays sites;
   const std::vector<double> polygon;
+  const double whole; ///< the domain's area
   const double tolerance;
   const std::int64_t most;
   IterationWatch watch;

@@ -51,7 +51,8 @@ struct PrescribedAreas
 ///
 /// @param points     the sites, at any places, no two at the same; x and y are read
 /// @param areas      one for each site, positive: shares, which are scaled such that they sum to
-///                   the domain's area. Without (no data): all equal.
+///                   the domain's area. What each becomes must be a normal double, else it is a
+///                   BadArea. Without (no data): all equal.
 /// @param domain     where cells end. Its area must be a normal double.
 /// @param tolerance  0 or more: it ends when each area is met to that, relative to itself
 /// @param iterations at most so many steps; 0 or more

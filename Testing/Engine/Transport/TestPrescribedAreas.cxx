@@ -169,6 +169,43 @@ TEST(PrescribedAreas, OtherUnits)
   expectMet(sites, {}, box, { 4e5, 5.1e6, 5e5, 5.1e6, 5e5, 5.2e6, 4e5, 5.2e6 });
 }
 
+/// In another unit, by a power of two, all is the same; also where squares of areas are no doubles.
+TEST(PrescribedAreas, AnyUnit)
+{
+  const Numbers sites = randomNumbers(60, -1, 2, 18);
+  const PrescribedAreas plain = expectMetInBox(sites);
+  for (const int exponent : { -480, -400, 400, 480 })
+  {
+    Numbers scaled = sites;
+    for (double& x : scaled)
+    {
+      x = std::ldexp(x, exponent);
+    }
+    const double side = std::ldexp(1.0, exponent);
+    const double box[] = { 0, side, 0, side };
+    const PrescribedAreas found = prescribedAreas(sitesView(scaled), WeightView(), box);
+    EXPECT_TRUE(found.converged) << exponent;
+    for (std::size_t i = 0; i < plain.weights.size(); ++i)
+    {
+      EXPECT_NEAR(std::ldexp(found.weights[i], -2 * exponent), plain.weights[i], 1e-6) << exponent;
+    }
+  }
+}
+
+/// Squares of distances that are no doubles cannot be weights.
+TEST(PrescribedAreas, TooFarForWeights)
+{
+  const PrescribedAreas found =
+    prescribedAreas(sitesView({ 1e200, 0, -1e200, 0, 0, 1e200 }), WeightView(), unitBox);
+  EXPECT_FALSE(found.converged);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_TRUE(std::isfinite(found.weights[i]));
+    EXPECT_TRUE(std::isfinite(found.areas[i]));
+    EXPECT_TRUE(std::isfinite(found.centroids[2 * i]));
+  }
+}
+
 TEST(PrescribedAreas, EndsAtTheLastIteration)
 {
   const Numbers sites = randomNumbers(200, 0, 1, 15);
@@ -226,6 +263,7 @@ TEST(PrescribedAreas, Errors)
   expect(three, { 1, 0, -1 }, unitBox, ErrorCode::BadArea, 1, 2);
   expect(three, { 1, 2, nan }, unitBox, ErrorCode::BadArea, 2, 1);
   expect(three, { infinity, 2, 1 }, unitBox, ErrorCode::BadArea, 0, 1);
+  expect(three, { 1, 1e-320, 1 }, unitBox, ErrorCode::BadArea, 1, 1);
   expect(three, { 1, 2 }, unitBox, ErrorCode::WeightCount, -1, 2);
   expect(three, {}, nullptr, ErrorCode::BadArgument);
   const double flat[] = { 0, 1, 1, 1 };
