@@ -26,6 +26,10 @@ void fuzzArguments(Bytes& bytes);            ///< null, negative, too many
 void fuzzHullQueries(Bytes& bytes);          ///< of hulls, and of what is none
 void fuzzTriangulationQueries(Bytes& bytes); ///< of triangulations, and of what is none
 void fuzzConstraints(Bytes& bytes); ///< and polygons of them, and where they cross, in pieces
+void fuzzAlpha(Bytes& bytes);       ///< alpha complexes, and borders of them and of what is none
+void fuzzDomains(Bytes& bytes);     ///< power diagrams in boxes and polygons
+void fuzzCentroidal(Bytes& bytes);  ///< sites that move
+void fuzzPrescribed(Bytes& bytes);  ///< areas that are met, or not
 
 /// Change one number in some of a result's parts.
 /// @param hidden a triangulation's; null: a hull's

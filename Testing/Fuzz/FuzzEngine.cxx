@@ -20,8 +20,9 @@ void oneCall(Bytes bytes)
 {
   static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzPowerDiagram,
     fuzzFlipFlop, fuzzHullJudge, fuzzTriangulationJudge, fuzzArguments, fuzzHullQueries,
-    fuzzTriangulationQueries, fuzzPolygons, fuzzConstraints };
-  calls[bytes.below(11)](bytes);
+    fuzzTriangulationQueries, fuzzPolygons, fuzzConstraints, fuzzAlpha, fuzzDomains, fuzzCentroidal,
+    fuzzPrescribed };
+  calls[bytes.below(15)](bytes);
 }
 
 }
