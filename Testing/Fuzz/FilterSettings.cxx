@@ -173,8 +173,23 @@ vtkSmartPointer<vtkDataObject> drawSource(Bytes& bytes)
 
 void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
 {
-  switch (bytes.below(14))
+  switch (bytes.below(19))
   {
+    case 14:
+      filter->SetAlpha(bytes.flag() ? 0.0 : bytes.number());
+      break;
+    case 15:
+      filter->SetAlphaLines(bytes.flag());
+      break;
+    case 16:
+      filter->SetAlphaVerts(bytes.flag());
+      break;
+    case 17:
+      filter->SetGenerateAlphas(bytes.flag());
+      break;
+    case 18:
+      filter->SetGenerateBoundary(bytes.flag());
+      break;
     case 13:
       filter->SetSplitCrossingConstraints(bytes.flag());
       if (filter->GetNumberOfInputPorts() > 1)
