@@ -115,7 +115,7 @@ TEST(ConstraintCrossingsByForce, AmongFewDoubles)
 
 TEST(ConstraintCrossingsByForce, NearlyParallel)
 {
-  EXPECT_GE(runBruteForce(100,
+  EXPECT_GE(runBruteForce(200,
               [](Random& random, Cloud& cloud)
               {
                 const double ulp = std::ldexp(1.0, random.integer(-52, -40));
