@@ -358,6 +358,9 @@ FAILURES = {
         [[0, 1, 2, 3], [4, 5, 6, 7]],
         points="0 0 0; 9 0 0; 9 9 0; 0 9 0; 3 3 0; 6 3 0; 6 6 0; 3 6 0",
     ),
+    "the same where constraints were split": lambda: constrained(
+        [], [[0, 1, 3, 2]], points="0 0 0; 2 0 0; 2 2 0; 0 2 0", SplitCrossingConstraints=True
+    ),
     "constraints and weights": constrained_with_weights,
     "constraints and a power diagram": lambda: constrained([[0, 1]], GeneratePowerDiagram=True),
     "constraints for two blocks": constrained_in_blocks,
