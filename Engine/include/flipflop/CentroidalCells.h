@@ -40,7 +40,9 @@ struct CentroidalCells
 ///
 /// A site outside of the domain moves in if it has a cell there. A site without a cell stays where
 /// it is, and is counted; it may get one when others move. Which cells meet is exact in each
-/// iteration; centroids are rounded. The bits are the same for any number of threads.
+/// iteration; centroids are rounded. They are measured from the sites: one that is further away
+/// than about 1e15 times the domain's size seems to have no cell. The bits are the same for any
+/// number of threads.
 ///
 /// @param points     the sites at first, at any places; x and y are read
 /// @param weights    one for each site, as regularTriangulation() takes them; they stay. Without:
