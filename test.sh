@@ -34,7 +34,8 @@ if [ "$what" = wheel ]; then
   wheel=$(echo "$wheels"/repaired/*.whl)
   # in_clean FOLDER REQUIREMENTS FOLDER_OF_TESTS...: the tests, where nothing but these is installed
   in_clean() {
-    local folder=$wheels/clean-$1 # no name of a package: tests run beside it requirements=$2
+    # No name of a package: the tests run beside it.
+    local folder=$wheels/clean-$1 requirements=$2
     shift 2
     "$python" -m venv --clear "$folder"
     "$folder/bin/pip" install --quiet --upgrade pip
