@@ -8,6 +8,7 @@
 #include "Alpha/CircleSquare.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Query/QueryRun.h"
+#include "Support/BufferCopy.h"
 #include "Surface/Sides.h"
 
 #include <algorithm>
@@ -55,31 +56,16 @@ public:
   void findSingular(double alpha, AlphaComplex& complex)
   {
     this->isOut.assign(this->sites.size(), 0);
-    std::vector<std::int64_t> edges;
-    std::vector<double> alphas;
     if (this->triangulation.dimension == 2)
     {
-      this->eachEdgeOfCells(complex,
-        [&](const CellSide& side)
-        {
-          const CircleSquare circle(this->sites[side.low], this->sites[side.high]);
-          if (!circle.exceeds(alpha))
-          {
-            edges.insert(edges.end(), { std::int64_t(side.low), std::int64_t(side.high) });
-            alphas.push_back(circle.leastAlpha());
-            this->use(side);
-          }
-        });
+      this->findEdges(alpha, complex);
     }
     else
     {
       this->useCells(complex);
     }
-    copy(edges, complex.edges);
-    copy(alphas, complex.edgeAlphas);
-
     std::vector<std::int64_t> vertices;
-    alphas.clear();
+    std::vector<double> alphas;
     for (std::size_t v = 0; v < this->sites.size(); ++v)
     {
       const CircleSquare circle(this->sites[v]);
@@ -89,8 +75,8 @@ public:
         alphas.push_back(circle.leastAlpha());
       }
     }
-    copy(vertices, complex.vertices);
-    copy(alphas, complex.vertexAlphas);
+    copyTo(vertices, complex.vertices);
+    copyTo(alphas, complex.vertexAlphas);
   }
 
 private:
@@ -115,12 +101,6 @@ private:
     }
   }
 
-  void use(const CellSide& side)
-  {
-    this->isOut[side.low] = 1;
-    this->isOut[side.high] = 1;
-  }
-
   /// Below dimension 2, there are no edges but cells.
   void useCells(const AlphaComplex& complex)
   {
@@ -143,39 +123,88 @@ private:
     }
   }
 
-  /// offer (side) for each edge that no cell of the complex has, and whose circle has no corner of
-  /// its two cells in it.
-  template <class Offer>
-  void eachEdgeOfCells(const AlphaComplex& complex, const Offer& offer)
+  /// An edge: its sides, and what is found of it.
+  struct Edge
+  {
+    const CellSide* begin;
+    const CellSide* end;
+    bool isLeft; ///< no cell of the complex has it
+    bool isSingular = false;
+    bool attaches[2] = { false,
+      false };        ///< is the other end in the circle of the lower, the higher?
+    double alpha = 0; ///< of a singular one
+  };
+
+  void findEdges(double alpha, AlphaComplex& complex)
   {
     Buffer<std::uint32_t> cellOf;
     Buffer<CellSide> sides = sidesOf(this->triangulation, cellOf);
+    std::vector<Edge> edges;
     StepPoll poll(this->monitor);
     eachEdge(sides,
       [&](const CellSide* begin, const CellSide* end)
       {
         poll.step();
-        this->markAttached(*begin);
-        bool isLeft = true;
-        bool isOpen = true;
-        for (const CellSide* side = begin; side != end; ++side)
-        {
-          isLeft = isLeft && !complex.cells[cellOf[side->place]];
-        }
-        for (const CellSide* side = begin; isLeft && isOpen && side != end; ++side)
-        {
-          isOpen = !isInCircle(this->sites[side->low], this->sites[side->high],
-            this->corner(this->apexOf(side->place, cellOf[side->place])));
-        }
+        const bool isLeft = std::none_of(
+          begin, end, [&](const CellSide& side) { return complex.cells[cellOf[side.place]] != 0; });
         if (!isLeft)
         {
-          this->use(*begin);
+          this->isOut[begin->low] = this->isOut[begin->high] = 1;
         }
-        else if (isOpen)
+        if (isLeft || this->isWeighted)
         {
-          offer(*begin);
+          edges.push_back({ begin, end, isLeft });
         }
       });
+    this->monitor.stage(0.7, 1.0, static_cast<std::int64_t>(edges.size()));
+    eachRun(edges.size(), CellsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        std::for_each(edges.begin() + begin, edges.begin() + end,
+          [&](Edge& edge) { this->judge(edge, alpha, cellOf); });
+        this->monitor.advance(static_cast<std::int64_t>(end - begin));
+      });
+    std::vector<std::int64_t> ends;
+    std::vector<double> alphas;
+    for (const Edge& edge : edges)
+    {
+      const std::uint32_t corner[2] = { edge.begin->low, edge.begin->high };
+      for (int i = 0; i < 2; ++i)
+      {
+        if (edge.isSingular || edge.attaches[i])
+        {
+          this->isOut[corner[i]] = 1;
+        }
+      }
+      if (edge.isSingular)
+      {
+        ends.insert(ends.end(), { std::int64_t(corner[0]), std::int64_t(corner[1]) });
+        alphas.push_back(edge.alpha);
+      }
+    }
+    copyTo(ends, complex.edges);
+    copyTo(alphas, complex.edgeAlphas);
+  }
+
+  void judge(Edge& edge, double alpha, const Buffer<std::uint32_t>& cellOf) const
+  {
+    const PowerSite& a = this->sites[edge.begin->low];
+    const PowerSite& b = this->sites[edge.begin->high];
+    if (this->isWeighted)
+    {
+      edge.attaches[0] = isInCircle(a, b);
+      edge.attaches[1] = isInCircle(b, a);
+    }
+    const CircleSquare circle(a, b);
+    edge.isSingular = edge.isLeft &&
+      std::none_of(edge.begin, edge.end,
+        [&](const CellSide& side)
+        { return isInCircle(a, b, this->corner(this->apexOf(side.place, cellOf[side.place]))); }) &&
+      !circle.exceeds(alpha);
+    if (edge.isSingular)
+    {
+      edge.alpha = circle.leastAlpha();
+    }
   }
 
   /// The place of the corner after the side that is at place @p k. All others of the cell are on
@@ -185,30 +214,6 @@ private:
     const std::int64_t begin = this->triangulation.cellBegin(cell);
     const std::int64_t end = this->triangulation.cellBegin(std::int64_t(cell) + 1);
     return k + 2 < end ? k + 2 : begin + (k + 2 - end);
-  }
-
-  void markAttached(const CellSide& side)
-  {
-    if (this->isWeighted)
-    {
-      const PowerSite& a = this->sites[side.low];
-      const PowerSite& b = this->sites[side.high];
-      if (isInCircle(a, b))
-      {
-        this->isOut[side.low] = 1;
-      }
-      if (isInCircle(b, a))
-      {
-        this->isOut[side.high] = 1;
-      }
-    }
-  }
-
-  template <class T>
-  static void copy(const std::vector<T>& from, Buffer<T>& to)
-  {
-    to.allocate(from.size());
-    std::copy(from.begin(), from.end(), to.begin());
   }
 
   const CellComplex& triangulation;

@@ -32,16 +32,25 @@ struct SquareFraction
 constexpr int BitsOfSites = 160;
 static_assert(6 * (BitsOfSites + 2) + 2 < int(StackBits), "the integers are too short");
 
+/// The exponents of some sites.
+template <class... Sites>
+ExponentRange rangeOf(const Sites&... sites)
+{
+  ExponentRange range;
+  (addSite(range, sites), ...);
+  return range;
+}
+
 /// The sign of a formula of sites.
-/// @param formula bool (arithmetic, int& sign): false where it cannot tell
-/// @param range   of its sites and lengths
-/// @throw Error   BadArgument where integers cannot tell: the sites are not as they should be
-template <class Formula>
-int exactSign(const Formula& formula, const ExponentRange& range)
+/// @param formula   bool (arithmetic, int& sign): false where it cannot tell
+/// @param findRange ExponentRange (): of its sites and lengths; seldom asked for
+/// @throw Error     BadArgument where integers cannot tell: the sites are not as they should be
+template <class Formula, class FindRange>
+int exactSign(const Formula& formula, const FindRange& findRange)
 {
   int sign = 0;
   if (!formula(BoundedArithmetic<double>(), sign) && !formula(BoundedArithmetic<>(), sign) &&
-    !inIntegers(range, BitsOfSites, [&](const auto& k) { return formula(k, sign); }))
+    !inIntegers(findRange(), BitsOfSites, [&](const auto& k) { return formula(k, sign); }))
   {
     throw Error(ErrorCode::BadArgument);
   }
@@ -76,23 +85,17 @@ public:
     : site{ &a, nullptr, nullptr }
     , count(1)
   {
-    addSite(this->range, a);
   }
   CircleSquare(const PowerSite& a, const PowerSite& b)
     : site{ &a, &b, nullptr }
     , count(2)
   {
-    addSite(this->range, a);
-    addSite(this->range, b);
   }
   /// @param c to the left of a and b
   CircleSquare(const PowerSite& a, const PowerSite& b, const PowerSite& c)
     : site{ &a, &b, &c }
     , count(3)
   {
-    addSite(this->range, a);
-    addSite(this->range, b);
-    addSite(this->range, c);
   }
 
   /// Is it greater than alpha |alpha|?
@@ -102,15 +105,20 @@ public:
     {
       return alpha < 0;
     }
-    ExponentRange all = this->range;
-    all.add(alpha);
     return exactSign(
              [&](const auto& k, int& sign)
              {
                SquareFraction<Number<decltype(k)>> square;
                return this->find(k, square) && this->compare(k, square, alpha, sign);
              },
-             all) > 0;
+             [&]
+             {
+               ExponentRange range;
+               std::for_each(this->site, this->site + this->count,
+                 [&range](const PowerSite* one) { addSite(range, *one); });
+               range.add(alpha);
+               return range;
+             }) > 0;
   }
 
   /// The least double that it does not exceed.
@@ -227,16 +235,11 @@ private:
 
   const PowerSite* site[3];
   int count;
-  ExponentRange range;
 };
 
 /// Has site @p c a negative power distance from the least circle of a and b?
 inline bool isInCircle(const PowerSite& a, const PowerSite& b, const PowerSite& c)
 {
-  ExponentRange range;
-  addSite(range, a);
-  addSite(range, b);
-  addSite(range, c);
   return exactSign(
            [&](const auto& k, int& sign)
            {
@@ -245,18 +248,15 @@ inline bool isInCircle(const PowerSite& a, const PowerSite& b, const PowerSite& 
              const SiteOffset<Arithmetic> v(k, a, c);
              return k.sign(u.square() * v.level() - u.level() * (u.x * v.x + u.y * v.y), sign);
            },
-           range) < 0;
+           [&] { return rangeOf(a, b, c); }) < 0;
 }
 
 /// Has site @p b a negative power distance from the circle of site a?
 inline bool isInCircle(const PowerSite& a, const PowerSite& b)
 {
-  ExponentRange range;
-  addSite(range, a);
-  addSite(range, b);
   return exactSign([&](const auto& k, int& sign)
            { return k.sign(SiteOffset<std::decay_t<decltype(k)>>(k, a, b).level(), sign); },
-           range) < 0;
+           [&] { return rangeOf(a, b); }) < 0;
 }
 
 }

@@ -15,6 +15,7 @@
 #include "PowerDiagram/PolygonCut.h"
 #include "PowerDiagram/PowerCorners.h"
 #include "PowerDiagram/TriangulationInput.h"
+#include "Support/BufferCopy.h"
 #include "Support/Monitor.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
@@ -246,21 +247,12 @@ RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
   return numberCorners(runs, centers, monitor);
 }
 
-template <class From, class To>
-void copy(const std::vector<From>& from, Buffer<To>& to)
-{
-  to.allocate(from.size());
-  eachRun(from.size(), 1 << 16,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    { std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin); });
-}
-
 void copyCells(const RoundedCells& cells, PowerDiagram& result)
 {
-  copy(cells.positions, result.corners);
-  copy(cells.corners, result.connectivity);
-  copy(cells.ends, result.offsets);
-  copy(cells.ids, result.siteIds);
+  copyTo(cells.positions, result.corners);
+  copyTo(cells.corners, result.connectivity);
+  copyTo(cells.ends, result.offsets);
+  copyTo(cells.ids, result.siteIds);
 }
 
 /// @param wanted by site: is its cell wanted? null: all are

@@ -3,6 +3,7 @@
 #include <flipflop/CentroidalCells.h>
 
 #include "PowerDiagram/DomainCorners.h"
+#include "Support/BufferCopy.h"
 #include "Support/Stopwatch.h"
 #include "Support/TypedErrors.h"
 #include "Transport/CellMoments.h"

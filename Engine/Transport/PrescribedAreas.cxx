@@ -7,6 +7,7 @@
 #include <flipflop/PrescribedAreas.h>
 
 #include "PowerDiagram/DomainCorners.h"
+#include "Support/BufferCopy.h"
 #include "Support/Stopwatch.h"
 #include "Support/TypedErrors.h"
 #include "Transport/CellMoments.h"

@@ -6,10 +6,8 @@
 #define flipflop_SiteArrays_h
 
 #include "Points/PointSource.h"
-#include <flipflop/Buffer.h>
 #include <flipflop/PointView.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -53,13 +51,6 @@ inline WeightView weightsOf(const std::vector<double>& weights)
 {
   return weights.empty() ? WeightView()
                          : WeightView(weights.data(), static_cast<std::int64_t>(weights.size()));
-}
-
-inline Buffer<double> bufferOf(const std::vector<double>& values)
-{
-  Buffer<double> result(values.size());
-  std::copy(values.begin(), values.end(), result.begin());
-  return result;
 }
 
 }
