@@ -25,6 +25,38 @@ void widen(double* range, double half)
   }
 }
 
+using PlaneBox = std::array<double, 4>;
+
+void add(PlaneBox& box, const PointSource& source, std::int64_t id)
+{
+  double x[3];
+  source.load(static_cast<std::uint32_t>(id), x);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    box[2 * k] = std::min(box[2 * k], x[k]);
+    box[2 * k + 1] = std::max(box[2 * k + 1], x[k]);
+  }
+}
+
+constexpr PlaneBox emptyBox()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return { infinity, -infinity, infinity, -infinity };
+}
+
+PlaneBox withInside(PlaneBox box)
+{
+  const double half[2] = { 0.5 * box[1] - 0.5 * box[0], 0.5 * box[3] - 0.5 * box[2] };
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    if (box[2 * k] == box[2 * k + 1])
+    {
+      widen(&box[2 * k], half[1 - k] > 0.0 ? half[1 - k] : 0.5);
+    }
+  }
+  return box;
+}
+
 }
 
 std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulation& triangulation)
@@ -35,8 +67,7 @@ std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulati
     throw Error(ErrorCode::BadArgument);
   }
   const PointSource source(points, WeightView());
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 4> box{ infinity, -infinity, infinity, -infinity };
+  PlaneBox box = emptyBox();
   for (std::size_t i = 0; i < triangulation.pointIds.size(); ++i)
   {
     const std::int64_t id = triangulation.pointIds[i];
@@ -44,23 +75,24 @@ std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulati
     {
       throw Error(ErrorCode::BadArgument, static_cast<std::int64_t>(i));
     }
-    double x[3];
-    source.load(static_cast<std::uint32_t>(id), x);
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      box[2 * k] = std::min(box[2 * k], x[k]);
-      box[2 * k + 1] = std::max(box[2 * k + 1], x[k]);
-    }
+    add(box, source, id);
   }
-  const double half[2] = { 0.5 * box[1] - 0.5 * box[0], 0.5 * box[3] - 0.5 * box[2] };
-  for (std::size_t k = 0; k < 2; ++k)
+  return withInside(box);
+}
+
+std::array<double, 4> powerDiagramBox(const PointView& points)
+{
+  requireValid(points, 2);
+  const PointSource source(points, WeightView());
+  PlaneBox box = emptyBox();
+  for (std::int64_t id = 0; id < points.count; ++id)
   {
-    if (box[2 * k] == box[2 * k + 1])
+    if (isFinite(source.vertex(static_cast<std::uint32_t>(id)).x))
     {
-      widen(&box[2 * k], half[1 - k] > 0.0 ? half[1 - k] : 0.5);
+      add(box, source, id);
     }
   }
-  return box;
+  return box[0] <= box[1] ? withInside(box) : PlaneBox{ 0, 1, 0, 1 };
 }
 
 }

@@ -3,6 +3,7 @@
 #include "Transport/CellMoments.h"
 
 #include "Points/Vertex.h"
+#include "PowerDiagram/DomainCorners.h"
 #include "PowerDiagram/FacetRings.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
@@ -93,11 +94,6 @@ struct ScaledWay
     return std::ldexp(std::sqrt(this->x[0] * this->x[0] + this->x[1] * this->x[1]), this->exponent);
   }
 };
-
-double distance(const double* a, const double* b)
-{
-  return ScaledWay(a, b).length();
-}
 
 /// A convex polygon that half-planes cut; places are relative to the site.
 class ClippedCell
@@ -195,7 +191,7 @@ public:
     {
       const Corner& a = this->corners[i];
       const Corner& b = this->corners[i + 1 < this->corners.size() ? i + 1 : 0];
-      use(a.line, distance(a.x, b.x));
+      use(a.line, distanceBetween(a.x, b.x));
     }
   }
 
@@ -217,6 +213,11 @@ private:
   std::vector<double> beyond;
 };
 
+}
+
+double distanceBetween(const double* a, const double* b)
+{
+  return ScaledWay(a, b).length();
 }
 
 void measureCells(const std::vector<double>& sites, const double* weights,
@@ -268,7 +269,7 @@ void measureCells(const std::vector<double>& sites, const double* weights,
                 {
                   const auto other = static_cast<std::size_t>(ids[line]);
                   moments.links[run].push_back({ static_cast<Index>(id), static_cast<Index>(other),
-                    length, distance(site, &sites[2 * other]) });
+                    length, distanceBetween(site, &sites[2 * other]) });
                 }
               });
           }
@@ -278,19 +279,20 @@ void measureCells(const std::vector<double>& sites, const double* weights,
     });
 }
 
-double areaOf(const std::vector<double>& polygon)
+MeasuredDomain::MeasuredDomain(const ConvexDomain& given)
+  : polygon(domainCorners(given))
+  , centroid{}
 {
-  double twice = 0;
-  for (std::size_t i = 2; i + 3 < polygon.size(); i += 2)
-  {
-    twice += (polygon[i] - polygon[0]) * (polygon[i + 3] - polygon[1]) -
-      (polygon[i + 1] - polygon[1]) * (polygon[i + 2] - polygon[0]);
-  }
-  if (!std::isnormal(twice) || twice < 0)
+  const double* const first = this->polygon.data();
+  ClippedCell whole;
+  whole.begin(this->polygon, first);
+  this->area = whole.measure(this->centroid.data());
+  if (!std::isnormal(2 * this->area))
   {
     throw Error(ErrorCode::BadArgument);
   }
-  return 0.5 * twice;
+  this->centroid[0] += first[0];
+  this->centroid[1] += first[1];
 }
 
 }

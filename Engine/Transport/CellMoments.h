@@ -7,9 +7,11 @@
 #define flipflop_CellMoments_h
 
 #include "Support/Monitor.h"
+#include <flipflop/ConvexDomain.h>
 #include <flipflop/Options.h>
 #include <flipflop/Triangulation.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -37,7 +39,7 @@ struct CellMoments
 /// @param sites    x and y of each
 /// @param weights  one for each; null: none
 /// @param triangulation of all of them: triangles
-/// @param polygon  from domainCorners()
+/// @param polygon  of a MeasuredDomain
 /// @param moments  becomes the cells' measures
 /// @param options  the threads and the progress function are used
 /// @throw Error    Aborted, OutOfMemory
@@ -45,8 +47,19 @@ void measureCells(const std::vector<double>& sites, const double* weights,
   const Triangulation& triangulation, const std::vector<double>& polygon, CellMoments& moments,
   const Options& options);
 
-/// @throw Error BadArgument if it is no normal double
-double areaOf(const std::vector<double>& polygon);
+/// Rounded, at any range.
+double distanceBetween(const double* a, const double* b);
+
+/// A domain, looked over.
+struct MeasuredDomain
+{
+  std::vector<double> polygon; ///< from domainCorners()
+  std::array<double, 2> centroid;
+  double area;
+
+  /// @throw Error NotConvex, BadArgument (also for an area that is no normal double)
+  explicit MeasuredDomain(const ConvexDomain& given);
+};
 
 }
 

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/CentroidalCells.h>
 
-#include "PowerDiagram/DomainCorners.h"
 #include "Support/BufferCopy.h"
-#include "Support/Stopwatch.h"
-#include "Support/TypedErrors.h"
 #include "Transport/CellMoments.h"
 #include "Transport/IterationWatch.h"
 #include "Transport/SiteArrays.h"
@@ -13,7 +10,6 @@
 #include <flipflop/RegularTriangulation.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -30,12 +26,11 @@ public:
     std::int64_t mostIterations, double greatestMove, const Options& options)
     : sites(points, weights)
     , domain(given)
-    , polygon(domainCorners(given))
+    , measured(given)
     , most(mostIterations)
     , tolerance(greatestMove)
     , watch(options)
   {
-    areaOf(this->polygon);
     if (this->most < 0 || !(this->tolerance >= 0))
     {
       throw Error(ErrorCode::BadArgument);
@@ -76,15 +71,13 @@ private:
   {
     const double next = this->share(this->result.iterations + 1);
     const Triangulation triangulation = this->triangulated(next, FacetMode::Triangles);
-    measureCells(this->sites.places, this->weights(), triangulation, this->polygon, this->moments,
-      this->watch.options(next));
+    measureCells(this->sites.places, this->weights(), triangulation, this->measured.polygon,
+      this->moments, this->watch.options(next));
     std::vector<double>& places = this->sites.places;
     double far = 0;
     for (std::size_t i = 0; i < places.size(); i += 2)
     {
-      far = std::max(far,
-        std::hypot(
-          this->moments.centroids[i] - places[i], this->moments.centroids[i + 1] - places[i + 1]));
+      far = std::max(far, distanceBetween(&places[i], &this->moments.centroids[i]));
     }
     places.swap(this->moments.centroids);
     this->result.lastMove = far;
@@ -122,7 +115,7 @@ private:
 
   SiteArrays sites;
   const ConvexDomain domain;
-  const std::vector<double> polygon;
+  const MeasuredDomain measured;
   const std::int64_t most;
   const double tolerance;
   IterationWatch watch;
@@ -135,15 +128,8 @@ private:
 CentroidalCells centroidalCells(const PointView& points, const WeightView& weights,
   const ConvexDomain& domain, std::int64_t iterations, double tolerance, const Options& options)
 {
-  return withTypedErrors(
-    [&]
-    {
-      Stopwatch watch;
-      CentroidalCells result =
-        LloydRun(points, weights, domain, iterations, tolerance, options).run();
-      result.statistics.secondsTotal = watch.lap();
-      return result;
-    });
+  return withSeconds(
+    [&] { return LloydRun(points, weights, domain, iterations, tolerance, options).run(); });
 }
 
 }

@@ -6,6 +6,8 @@
 #ifndef flipflop_IterationWatch_h
 #define flipflop_IterationWatch_h
 
+#include "Support/Stopwatch.h"
+#include "Support/TypedErrors.h"
 #include <flipflop/Options.h>
 
 #include <algorithm>
@@ -60,6 +62,20 @@ private:
   double begin = 0;
   double end = 0;
 };
+
+/// The result of work(), with the seconds of the whole; it throws nothing but Error.
+template <class Work>
+auto withSeconds(const Work& work)
+{
+  return withTypedErrors(
+    [&]
+    {
+      Stopwatch watch;
+      auto result = work();
+      result.statistics.secondsTotal = watch.lap();
+      return result;
+    });
+}
 
 }
 

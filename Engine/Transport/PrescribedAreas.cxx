@@ -9,7 +9,6 @@
 #include "PowerDiagram/DomainCorners.h"
 #include "Support/BufferCopy.h"
 #include "Support/Stopwatch.h"
-#include "Support/TypedErrors.h"
 #include "Transport/CellMoments.h"
 #include "Transport/IterationWatch.h"
 #include "Transport/LaplaceSolver.h"
@@ -35,27 +34,13 @@ constexpr int MostHalvings = 50;
 
 using Place = std::array<double, 2>;
 
-Place centroidOf(const std::vector<double>& polygon)
-{
-  const double twice = 2 * areaOf(polygon);
-  Place mean{};
-  for (std::size_t i = 2; i + 3 < polygon.size(); i += 2)
-  {
-    const Place b{ { polygon[i] - polygon[0], polygon[i + 1] - polygon[1] } };
-    const Place c{ { polygon[i + 2] - polygon[0], polygon[i + 3] - polygon[1] } };
-    const double share = (b[0] * c[1] - b[1] * c[0]) / twice;
-    mean = { { mean[0] + share * (b[0] + c[0]), mean[1] + share * (b[1] + c[1]) } };
-  }
-  return { { polygon[0] + mean[0] / 3, polygon[1] + mean[1] / 3 } };
-}
-
 /// Weights with which the power cells of the sites are the Voronoi cells of their image in the
 /// domain. |x - z|^2 for z = a + s y is s times |x - y|^2 less the weight |y|^2 - |z|^2 / s, but
 /// for what is the same for all y. Places are taken relative to the domain's centroid.
-std::vector<double> weightsOfImage(
-  const std::vector<double>& sites, const std::vector<double>& polygon)
+std::vector<double> weightsOfImage(const std::vector<double>& sites, const MeasuredDomain& domain)
 {
-  const Place center = centroidOf(polygon);
+  const std::vector<double>& polygon = domain.polygon;
+  const Place& center = domain.centroid;
   std::array<double, 4> box = boundingBox(sites);
   const Place middle{ { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]) } };
   // As large as the domain allows, with some room at its border.
@@ -109,11 +94,10 @@ bool areFinite(const std::vector<double>& weights)
 class NewtonRun
 {
 public:
-  NewtonRun(const PointView& points, const WeightView& areas, const ConvexDomain& domain,
+  NewtonRun(const PointView& points, const WeightView& areas, const ConvexDomain& given,
     double relativeError, std::int64_t mostIterations, const Options& options)
     : sites(points, areas)
-    , polygon(domainCorners(domain))
-    , whole(areaOf(this->polygon))
+    , domain(given)
     , tolerance(relativeError)
     , most(mostIterations)
     , watch(options)
@@ -176,7 +160,7 @@ private:
     }
     for (double& area : this->prescribed)
     {
-      area *= this->whole / sum;
+      area *= this->domain.area / sum;
     }
     this->refuseAreas([](double area) { return !std::isnormal(area); });
   }
@@ -207,7 +191,7 @@ private:
   void measure(const Triangulation& triangulation, State& state)
   {
     Stopwatch stopwatch;
-    measureCells(this->sites.places, state.weights.data(), triangulation, this->polygon,
+    measureCells(this->sites.places, state.weights.data(), triangulation, this->domain.polygon,
       state.moments, this->watch.options(this->next));
     const std::vector<double>& areas = state.moments.areas;
     double sum = 0;
@@ -215,7 +199,7 @@ private:
     for (std::size_t i = 0; i < areas.size(); ++i)
     {
       const double off = areas[i] - this->prescribed[i];
-      sum += off / this->whole * (off / this->whole);
+      sum += off / this->domain.area * (off / this->domain.area);
       state.error = std::max(state.error, std::fabs(off) / this->prescribed[i]);
     }
     state.norm = std::sqrt(sum);
@@ -234,7 +218,7 @@ private:
     this->measure(delaunay, this->now);
     if (!this->areAllInside() || !(this->now.least > 0))
     {
-      std::vector<double> weights = weightsOfImage(this->sites.places, this->polygon);
+      std::vector<double> weights = weightsOfImage(this->sites.places, this->domain);
       makeLeastZero(weights);
       // Of sites too far for squares in doubles, the Voronoi cells stay.
       if (areFinite(weights))
@@ -264,10 +248,10 @@ private:
 
   bool areAllInside() const
   {
-    for (std::size_t i = 0; i < this->polygon.size(); i += 2)
+    for (std::size_t i = 0; i < this->domain.polygon.size(); i += 2)
     {
-      const double* const p = this->polygon.data() + i;
-      const double* const q = this->polygon.data() + (i + 2) % this->polygon.size();
+      const double* const p = this->domain.polygon.data() + i;
+      const double* const q = this->domain.polygon.data() + (i + 2) % this->domain.polygon.size();
       for (std::size_t v = 0; v < this->sites.places.size(); v += 2)
       {
         const double* const x = this->sites.places.data() + v;
@@ -356,8 +340,7 @@ private:
   }
 
   SiteArrays sites;
-  const std::vector<double> polygon;
-  const double whole; ///< the domain's area
+  const MeasuredDomain domain;
   const double tolerance;
   const std::int64_t most;
   IterationWatch watch;
@@ -375,15 +358,8 @@ private:
 PrescribedAreas prescribedAreas(const PointView& points, const WeightView& areas,
   const ConvexDomain& domain, double tolerance, std::int64_t iterations, const Options& options)
 {
-  return withTypedErrors(
-    [&]
-    {
-      Stopwatch watch;
-      PrescribedAreas result =
-        NewtonRun(points, areas, domain, tolerance, iterations, options).run();
-      result.statistics.secondsTotal = watch.lap();
-      return result;
-    });
+  return withSeconds(
+    [&] { return NewtonRun(points, areas, domain, tolerance, iterations, options).run(); });
 }
 
 }

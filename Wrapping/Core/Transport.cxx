@@ -7,8 +7,8 @@
 #include "Views.h"
 
 #include <flipflop/CentroidalCells.h>
+#include <flipflop/PowerDiagram.h>
 #include <flipflop/PrescribedAreas.h>
-#include <flipflop/RegularTriangulation.h>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
@@ -28,31 +28,11 @@ namespace flipflop
 namespace
 {
 
-/// By default, the box of the points.
-class Domain
+/// What is given, or else the box.
+ConvexDomain domainOr(const std::optional<DomainArray>& given, const std::array<double, 4>& box)
 {
-public:
-  Domain(const std::optional<DomainArray>& given, const PointView& points)
-    : view(this->box.data())
-  {
-    if (given)
-    {
-      this->view = domainOf(*given);
-    }
-    else if (points.count > 0)
-    {
-      this->box = powerDiagramBox(points, regularTriangulation(points));
-    }
-  }
-  Domain(const Domain&) = delete;
-  Domain& operator=(const Domain&) = delete;
-
-  const ConvexDomain& operator()() const { return this->view; }
-
-private:
-  std::array<double, 4> box{ { 0, 1, 0, 1 } };
-  ConvexDomain view;
-};
+  return given ? domainOf(*given) : ConvexDomain(box.data());
+}
 
 Handle<CentroidalCells> centered(const InputArray& points, const std::optional<InputArray>& weights,
   const std::optional<DomainArray>& domain, std::int64_t iterations, double tolerance,
@@ -60,9 +40,10 @@ Handle<CentroidalCells> centered(const InputArray& points, const std::optional<I
 {
   const PointView places = pointView(points, 2);
   const WeightView heavy = weightView(weights);
-  const Domain within(domain, places);
+  const std::array<double, 4> box = powerDiagramBox(places);
+  const ConvexDomain within = domainOr(domain, box);
   return handleOf(settings.run([&](const Options& options)
-    { return centroidalCells(places, heavy, within(), iterations, tolerance, options); }));
+    { return centroidalCells(places, heavy, within, iterations, tolerance, options); }));
 }
 
 Handle<PrescribedAreas> fitted(const InputArray& points, const std::optional<InputArray>& areas,
@@ -71,9 +52,10 @@ Handle<PrescribedAreas> fitted(const InputArray& points, const std::optional<Inp
 {
   const PointView places = pointView(points, 2);
   const WeightView shares = weightView(areas);
-  const Domain within(domain, places);
+  const std::array<double, 4> box = powerDiagramBox(places);
+  const ConvexDomain within = domainOr(domain, box);
   return handleOf(settings.run([&](const Options& options)
-    { return prescribedAreas(places, shares, within(), tolerance, iterations, options); }));
+    { return prescribedAreas(places, shares, within, tolerance, iterations, options); }));
 }
 
 /// Rows of x and y.

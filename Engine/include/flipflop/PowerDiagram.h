@@ -117,6 +117,13 @@ bool powerCells(const PointView& points, const WeightView& weights, const CellCo
 /// @throw Error         BadArgument (an id out of range; no point)
 std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulation& triangulation);
 
+/// The same box without a triangulation: that of all points whose x and y are finite. Of none of
+/// them it is the unit square.
+/// @param points in the plane
+/// @return x least, x greatest, y least, y greatest
+/// @throw Error  BadArgument (no points in memory), TooManyPoints
+std::array<double, 4> powerDiagramBox(const PointView& points);
+
 }
 
 #endif

@@ -41,6 +41,7 @@ TEST(PowerDiagramBox, IsThatOfAllPoints)
         std::min(expected[2], p[1]), std::max(expected[3], p[1]) };
     }
     EXPECT_EQ(boxOf(cloud), expected);
+    EXPECT_EQ(powerDiagramBox(viewOf(cloud)), expected);
   }
 }
 
@@ -69,6 +70,15 @@ TEST(PowerDiagramBox, HasAnInside)
     EXPECT_LT(box[0], box[1]) << x;
     EXPECT_TRUE(box[0] >= -most && box[1] <= most) << x;
   }
+}
+
+TEST(PowerDiagramBox, OfPointsAlone)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Cloud cloud{ { 9, nan, 0 }, { 5, 7, 0 }, { -HUGE_VAL, 0, 0 } };
+  EXPECT_EQ(powerDiagramBox(viewOf(cloud)), (Box{ 4.5, 5.5, 6.5, 7.5 }));
+  EXPECT_EQ(powerDiagramBox(PointView()), (Box{ 0, 1, 0, 1 }));
+  EXPECT_EQ(powerDiagramBox(viewOf(Cloud{ { nan, nan, 0 } })), (Box{ 0, 1, 0, 1 }));
 }
 
 TEST(PowerDiagramBox, RefusesIdsOutOfRange)
