@@ -20,7 +20,6 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 namespace flipflop
@@ -48,25 +47,30 @@ public:
     , polygon(sides)
     , monitor(toTell)
     , positions(given.corners.begin(), given.corners.end())
-    , isGone(given.siteIds.size(), 0)
   {
   }
 
   RoundedCells run()
   {
-    const std::size_t sides = this->polygon.size() / 2;
-    for (std::size_t side = 0; side < sides; ++side)
+    this->takeCells();
+    for (std::size_t side = 0; side < this->sideCount(); ++side)
     {
       this->monitor.poll();
-      this->cutAt(static_cast<Index>(side));
+      std::map<std::pair<Index, Index>, Index> crossings;
+      for (CutRing& ring : this->rings)
+      {
+        this->cut(ring, static_cast<Index>(side), crossings);
+      }
     }
     return this->numbered();
   }
 
 private:
+  std::size_t sideCount() const { return this->polygon.size() / 2; }
+
   const double* cornerOfPolygon(std::size_t i) const
   {
-    return this->polygon.data() + 2 * (i % (this->polygon.size() / 2));
+    return this->polygon.data() + 2 * (i % this->sideCount());
   }
 
   std::array<double, 2> ownCorner(std::size_t i) const
@@ -77,74 +81,83 @@ private:
 
   const double* position(Index v) const { return this->positions.data() + 2 * std::size_t(v); }
 
-  void cutAt(Index side)
+  /// The cells that have a corner outside of the polygon. The others stay as they are.
+  void takeCells()
   {
-    const double* const p = this->cornerOfPolygon(side);
-    const double* const q = this->cornerOfPolygon(side + std::size_t(1));
-    this->signs.resize(this->positions.size() / 2);
-    eachRun(this->signs.size(), CornersPerTask,
+    std::vector<std::uint8_t> isOutside(this->positions.size() / 2);
+    eachRun(isOutside.size(), CornersPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (std::size_t v = begin; v < end; ++v)
         {
-          this->signs[v] =
-            static_cast<std::int8_t>(planeOrientation(p, q, this->position(static_cast<Index>(v))));
+          isOutside[v] = this->isOutside(this->position(static_cast<Index>(v))) ? 1 : 0;
         }
       });
-    std::map<std::pair<Index, Index>, Index> crossings;
-    for (std::size_t cell = 0; cell < this->isGone.size(); ++cell)
+    for (std::size_t cell = 0; cell < this->diagram.siteIds.size(); ++cell)
     {
-      if (!this->isGone[cell] && this->reachesOver(cell))
+      const auto begin = this->diagram.connectivity.begin() + this->diagram.offsets[cell];
+      const auto end = this->diagram.connectivity.begin() + this->diagram.offsets[cell + 1];
+      if (std::any_of(begin, end,
+            [&](std::int64_t v) { return isOutside[static_cast<std::size_t>(v)] != 0; }))
       {
-        this->cut(cell, side, crossings);
+        this->cells.push_back(cell);
+        this->rings.emplace_back();
+        std::for_each(begin, end,
+          [this](std::int64_t v) {
+            this->rings.back().push_back({ static_cast<Index>(v), NoIndex });
+          });
       }
     }
   }
 
-  bool reachesOver(std::size_t cell) const
+  /// Is a place on the right of a side? Of the polygon's fan from its first corner, one triangle
+  /// may have it.
+  bool isOutside(const double* x) const
   {
-    const auto found = this->changed.find(cell);
-    if (found != this->changed.end())
+    const double* const first = this->cornerOfPolygon(0);
+    std::size_t low = 1;
+    std::size_t high = this->sideCount() - 1;
+    if (planeOrientation(first, this->cornerOfPolygon(low), x) < 0 ||
+      planeOrientation(first, this->cornerOfPolygon(high), x) > 0)
     {
-      return std::any_of(found->second.begin(), found->second.end(),
-        [this](const CutCorner& c) { return this->signs[c.corner] < 0; });
+      return true;
     }
-    return std::any_of(this->diagram.connectivity.begin() + this->diagram.offsets[cell],
-      this->diagram.connectivity.begin() + this->diagram.offsets[cell + 1],
-      [this](std::int64_t v) { return this->signs[static_cast<std::size_t>(v)] < 0; });
+    while (high - low > 1)
+    {
+      const std::size_t middle = low + (high - low) / 2;
+      (planeOrientation(first, this->cornerOfPolygon(middle), x) < 0 ? high : low) = middle;
+    }
+    return planeOrientation(this->cornerOfPolygon(low), this->cornerOfPolygon(high), x) < 0;
   }
 
-  CutRing& ringOf(std::size_t cell)
+  void cut(CutRing& ring, Index side, std::map<std::pair<Index, Index>, Index>& crossings)
   {
-    const auto found = this->changed.emplace(cell, CutRing());
-    if (found.second)
+    const double* const p = this->cornerOfPolygon(side);
+    const double* const q = this->cornerOfPolygon(side + std::size_t(1));
+    this->signs.clear();
+    for (const CutCorner& c : ring)
     {
-      for (std::int64_t i = this->diagram.offsets[cell]; i < this->diagram.offsets[cell + 1]; ++i)
-      {
-        found.first->second.push_back(
-          { static_cast<Index>(this->diagram.connectivity[static_cast<std::size_t>(i)]), NoIndex });
-      }
+      this->signs.push_back(planeOrientation(p, q, this->position(c.corner)));
     }
-    return found.first->second;
-  }
-
-  void cut(std::size_t cell, Index side, std::map<std::pair<Index, Index>, Index>& crossings)
-  {
-    CutRing& ring = this->ringOf(cell);
-    if (std::none_of(ring.begin(), ring.end(),
-          [this](const CutCorner& c) { return this->signs[c.corner] > 0; }))
+    const auto has = [this](int sign)
+    { return std::find(this->signs.begin(), this->signs.end(), sign) != this->signs.end(); };
+    if (!has(-1))
     {
-      this->isGone[cell] = 1;
-      this->changed.erase(cell);
+      return;
+    }
+    if (!has(1))
+    {
+      ring.clear();
       return;
     }
     CutRing left;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
+      const std::size_t j = i + 1 < ring.size() ? i + 1 : 0;
       const CutCorner& a = ring[i];
-      const CutCorner& b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      const int atA = this->signs[a.corner];
-      const int atB = this->signs[b.corner];
+      const CutCorner& b = ring[j];
+      const int atA = this->signs[i];
+      const int atB = this->signs[j];
       if (atA >= 0)
       {
         left.push_back({ a.corner, atA == 0 && atB < 0 ? side : a.side });
@@ -166,7 +179,7 @@ private:
   /// @param along the side on which the edge from @p a to @p b lies, or NoIndex
   Index addCrossing(Index a, Index b, Index along, Index side)
   {
-    const std::size_t sides = this->polygon.size() / 2;
+    const std::size_t sides = this->sideCount();
     std::array<double, 2> x;
     if (along != NoIndex && (along + std::size_t(1)) % sides == side && this->spans(a, b, side))
     {
@@ -235,9 +248,9 @@ private:
     std::vector<Index> result(this->positions.size() / 2);
     std::iota(result.begin(), result.end(), 0u);
     std::map<std::array<double, 2>, Index> atPlace;
-    for (const auto& cell : this->changed)
+    for (const CutRing& ring : this->rings)
     {
-      for (const CutCorner& c : cell.second)
+      for (const CutCorner& c : ring)
       {
         const double* const x = this->position(c.corner);
         result[c.corner] =
@@ -247,10 +260,13 @@ private:
     return result;
   }
 
-  /// A cell's corners, none twice in succession.
-  void ringAt(std::size_t cell, const std::vector<Index>& atPlace, Ring& ring) const
+  RoundedCells numbered() const
   {
-    ring.clear();
+    const std::vector<Index> atPlace = this->onePerPlace();
+    std::vector<Index> numbers(atPlace.size(), NoIndex);
+    RoundedCells result;
+    result.ends.push_back(0);
+    Ring ring; // none twice in succession
     const auto add = [&](Index v)
     {
       if (ring.empty() || ring.back() != atPlace[v])
@@ -258,43 +274,31 @@ private:
         ring.push_back(atPlace[v]);
       }
     };
-    const auto found = this->changed.find(cell);
-    if (found != this->changed.end())
+    std::size_t next = 0; // of the cells that were taken
+    for (std::size_t cell = 0; cell < this->diagram.siteIds.size(); ++cell)
     {
-      for (const CutCorner& c : found->second)
+      ring.clear();
+      if (next < this->cells.size() && this->cells[next] == cell)
       {
-        add(c.corner);
+        for (const CutCorner& c : this->rings[next++])
+        {
+          add(c.corner);
+        }
       }
-    }
-    else
-    {
-      std::for_each(this->diagram.connectivity.begin() + this->diagram.offsets[cell],
-        this->diagram.connectivity.begin() + this->diagram.offsets[cell + 1],
-        [&](std::int64_t v) { add(static_cast<Index>(v)); });
-    }
-    while (ring.size() > 1 && ring.back() == ring.front())
-    {
-      ring.pop_back();
-    }
-  }
-
-  RoundedCells numbered() const
-  {
-    const std::vector<Index> atPlace = this->onePerPlace();
-    std::vector<Index> numbers(atPlace.size(), NoIndex);
-    RoundedCells result;
-    result.ends.push_back(0);
-    Ring ring;
-    for (std::size_t cell = 0; cell < this->isGone.size(); ++cell)
-    {
-      if (this->isGone[cell])
+      else
       {
-        continue;
+        std::for_each(this->diagram.connectivity.begin() + this->diagram.offsets[cell],
+          this->diagram.connectivity.begin() + this->diagram.offsets[cell + 1],
+          [&](std::int64_t v) { add(static_cast<Index>(v)); });
       }
-      this->ringAt(cell, atPlace, ring);
+      while (ring.size() > 1 && ring.back() == ring.front())
+      {
+        ring.pop_back();
+      }
       if (ring.size() < 3)
       {
-        continue; // rounding has left an edge, which the neighbours have as well
+        continue; // nothing is left, or rounding has left an edge, which the neighbours have as
+                  // well
       }
       for (const Index v : ring)
       {
@@ -314,10 +318,10 @@ private:
   const PowerDiagram& diagram;
   const std::vector<double>& polygon;
   Monitor& monitor;
-  std::vector<double> positions;                    ///< the diagram's, then those of cuts
-  std::vector<std::int8_t> signs;                   ///< of these: 1 on the left of the side
-  std::unordered_map<std::size_t, CutRing> changed; ///< cells that a side has cut
-  std::vector<std::uint8_t> isGone;                 ///< by cell
+  std::vector<double> positions;  ///< the diagram's, then those of cuts
+  std::vector<std::size_t> cells; ///< that have a corner outside of the polygon, ascending
+  std::vector<CutRing> rings;     ///< of each of them what is left
+  std::vector<int> signs;         ///< of a ring's corners: 1 on the left of the side
 };
 
 }
