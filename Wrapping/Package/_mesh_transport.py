@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -60,21 +61,13 @@ def centroidal_cells(
         a polygon for each site that has a cell, at the lowest z of the points. Cell arrays: Area, Centroid, Site (where
         the site is in the end), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
     """
-    count = threads_of(number_of_threads)
-    skips, passes = flag_of("skip_ghost_points", skip_ghost_points), flag_of("pass_point_data", pass_point_data)
-    data = data_of(mesh)
-    heavy = _numbers_of("weights", weights, is_tree(data))
+    sites = _Sites("weights", weights, skip_ghost_points, pass_point_data)
+    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(number_of_threads))
 
-    def made(block: Block, report: Report) -> list[pv.PolyData]:
-        cloud = Cloud([block], skips, False)
-        numbers = cloud.weights(heavy, False)
-        settings: Any = dict(iterations=iterations, tolerance=tolerance, threads=count, progress=report)
-        found = cloud.engine(lambda: cells_of_arrays(cloud.array, numbers, domain, **settings))
-        cells = _cells_of(cloud, found, passes)
+    def add_site(found: CentroidalCells, cells: pv.PolyData, cloud: Cloud) -> None:
         _add(cells, "Site", _in_space(cloud, found.sites[found.diagram.sites]))
-        return [cells]
 
-    return each_block(data, made, 1, progress_bar)[0]
+    return sites.cells(mesh, cells_of_arrays, settings, add_site, progress_bar)
 
 
 def prescribed_areas(
@@ -112,27 +105,46 @@ def prescribed_areas(
         a polygon for each point, at the lowest z of the points. Cell arrays: Area, Centroid, Weight (with which the
         power diagram has these cells), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
     """
-    count = threads_of(number_of_threads)
-    skips, passes = flag_of("skip_ghost_points", skip_ghost_points), flag_of("pass_point_data", pass_point_data)
-    data = data_of(mesh)
-    shares = _numbers_of("areas", areas, is_tree(data))
+    sites = _Sites("areas", areas, skip_ghost_points, pass_point_data)
+    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(number_of_threads))
 
-    def made(block: Block, report: Report) -> list[pv.PolyData]:
-        cloud = Cloud([block], skips, False)
-        numbers = cloud.weights(shares, False)
-        settings: Any = dict(iterations=iterations, tolerance=tolerance, threads=count, progress=report)
-        found = cloud.engine(lambda: areas_of_arrays(cloud.array, numbers, domain, **settings))
-        cells = _cells_of(cloud, found, passes)
+    def add_weight(found: PrescribedAreas, cells: pv.PolyData, _: Cloud) -> None:
         _add(cells, "Weight", found.weights[found.diagram.sites])
-        return [cells]
 
-    return each_block(data, made, 1, progress_bar)[0]
+    return sites.cells(mesh, areas_of_arrays, settings, add_weight, progress_bar)
 
 
-def _numbers_of(name: str, values: Any, composite: bool) -> Weights:
-    if values is not None and not isinstance(values, str) and composite:
-        raise TypeError(f"the {name} of a composite are the name of a point array")
-    return Weights(values, False, 1.0)
+class _Sites:
+    """A mesh's points as sites, a number for each, and what is to become of both."""
+
+    def __init__(self, name: str, numbers: Any, skip_ghosts: bool, pass_data: bool) -> None:
+        self._name = name
+        self._numbers = numbers
+        self._skip_ghosts = flag_of("skip_ghost_points", skip_ghosts)
+        self._pass_data = flag_of("pass_point_data", pass_data)
+
+    def cells(
+        self,
+        mesh: Any,
+        call: Callable[..., Any],
+        settings: dict[str, Any],
+        add: Callable[[Any, pv.PolyData, Cloud], None],
+        progress_bar: bool,
+    ) -> Output:
+        """The cells that call() of arrays finds for each block, with one more array that add() adds."""
+        data = data_of(mesh)
+        if self._numbers is not None and not isinstance(self._numbers, str) and is_tree(data):
+            raise TypeError(f"the {self._name} of a composite are the name of a point array")
+
+        def made(block: Block, report: Report) -> list[pv.PolyData]:
+            cloud = Cloud([block], self._skip_ghosts, False)
+            numbers = cloud.weights(Weights(self._numbers, False, 1.0), False)
+            found = cloud.engine(lambda: call(cloud.array, numbers, progress=report, **settings))
+            cells = _cells_of(cloud, found, self._pass_data)
+            add(found, cells, cloud)
+            return [cells]
+
+        return each_block(data, made, 1, progress_bar)[0]
 
 
 def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data: bool) -> pv.PolyData:

@@ -1,0 +1,296 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkflipflop.pyvista in the plane: triangulations with weights, constraints and alpha, diagrams, cells of given areas."""
+
+import numpy as np
+import pytest
+import pyvista as pv
+
+from pyvista_meshes import cloud, rotation
+from vtkflipflop.pyvista import (
+    InputError,
+    centroidal_cells,
+    power_diagram,
+    prescribed_areas,
+    regular_triangulation,
+)
+
+
+def test_weights_by_name_and_by_value():
+    mesh = cloud()
+    mesh.point_data["w"] = np.random.default_rng(3).random(mesh.n_points) * 0.02
+    triangulation, hidden = regular_triangulation(mesh, "w", return_hidden_points=True)
+    assert hidden.n_points > 0
+    assert triangulation.n_points + hidden.n_points == mesh.n_points
+    assert hidden.n_verts == hidden.n_cells == hidden.n_points
+    assert np.array_equal(hidden.point_data["w"], mesh["w"][hidden.point_data["vtkOriginalPointIds"]])
+    other = regular_triangulation(mesh, mesh.point_data["w"])
+    assert np.array_equal(triangulation.faces, other.faces)
+    assert set(mesh.point_data.keys()) == {"heat", "w"}
+    assert set(other.point_data.keys()) == {"heat", "w", "vtkOriginalPointIds"}
+    assert regular_triangulation(mesh).n_points == mesh.n_points
+
+
+def test_diagrams_lie_at_the_lowest_point():
+    points = np.array([[0, 0, 7], [4, 0, 5.1], [0, 4, 9], [0, 0, -3], [1, 1, -np.inf], [np.nan, 0, -8]])
+    heights = power_diagram(points[:3]).points[:, 2]
+    assert len(heights) and (heights == 5.1).all()
+    assert (power_diagram(points[:4]).points[:, 2] == -3).all()  # a duplicate, which is hidden
+    assert (power_diagram(points, non_finite_points="ignore").points[:, 2] == -3).all()
+    assert (power_diagram(points[:3, :2]).points[:, 2] == 0).all()
+    mesh = pv.PolyData(points[:4])
+    mesh.point_data["vtkGhostType"] = np.array([0, 0, 0, 1], np.uint8)
+    both = pv.MultiBlock({"a": mesh, "b": pv.PolyData(points[:4] + 1)})
+    found = power_diagram(both)
+    assert (found["a"].points[:, 2] == 5.1).all() and (found["b"].points[:, 2] == -2).all()
+    negative = power_diagram(points[:3] * [1, 1, -0.0]).points[:, 2]
+    assert not np.signbit(negative).any()
+
+
+def test_radii_and_factors():
+    mesh = cloud(400)
+    mesh.point_data["r"] = np.abs(np.sin(np.arange(400))) * 0.05
+    radii = np.asarray(mesh.point_data["r"])
+    expected = regular_triangulation(mesh, radii * radii, return_hidden_points=True)
+    assert expected[1].n_points > 0
+    for found in (
+        regular_triangulation(mesh, radii="r", return_hidden_points=True),
+        regular_triangulation(mesh, radii=radii.tolist(), return_hidden_points=True),
+        regular_triangulation(mesh, radii=8 * radii, weight_factor=0.125, return_hidden_points=True),
+        mesh.flipflop.regular_triangulation(radii="r", weight_factor=-1, return_hidden_points=True)
+        if hasattr(mesh, "flipflop") else expected,
+    ):
+        for one, other in zip(found, expected):
+            np.testing.assert_array_equal(one.points, other.points)
+            np.testing.assert_array_equal(one["vtkOriginalPointIds"], other["vtkOriginalPointIds"])
+    cells = power_diagram(mesh, radii="r", weight_factor=1.5)
+    np.testing.assert_array_equal(cells.points, power_diagram(mesh, (1.5 * radii) * (1.5 * radii)).points)
+    np.testing.assert_array_equal(
+        power_diagram(mesh, "r", weight_factor=0.1).points, power_diagram(mesh, 0.1 * radii).points
+    )
+    # float32 is squared in double
+    narrow = radii.astype(np.float32)
+    np.testing.assert_array_equal(
+        regular_triangulation(mesh, radii=narrow).faces, regular_triangulation(mesh, narrow.astype(float) ** 2).faces
+    )
+    assert regular_triangulation(pv.PolyData(), radii="absent").n_points == 0
+
+
+def test_radii_that_cannot_be_used():
+    mesh = cloud(30)
+    with pytest.raises(ValueError, match="weights or radii, not both"):
+        regular_triangulation(mesh, np.ones(30), radii=np.ones(30))
+    radii = np.ones(30)
+    radii[[7, 9]] = -1
+    with pytest.raises(InputError, match="a radius is negative: first at point 7, 2 such") as error:
+        regular_triangulation(mesh, radii=radii)
+    assert (error.value.index, error.value.count) == (7, 2)
+    mesh.point_data["vtkGhostType"] = (np.arange(30) < 8).astype(np.uint8)
+    with pytest.raises(InputError, match="a radius is negative: first at point 9, 1 such"):
+        power_diagram(mesh, radii=radii)
+    radii[9] = 1e200
+    with pytest.raises(InputError, match="the square of a radius, times weight_factor, .* first at point 9"):
+        regular_triangulation(mesh, radii=radii)
+    with pytest.raises(InputError, match="a weight, times weight_factor, .* first at point 9"):
+        regular_triangulation(mesh, radii, weight_factor=1e200)
+    radii[9] = -np.inf
+    with pytest.raises(InputError, match="NaN or infinite"):
+        regular_triangulation(mesh, radii=radii)
+    assert regular_triangulation(mesh, radii=radii, non_finite_points="ignore").n_points == 21
+    for factor in (np.nan, np.inf):
+        with pytest.raises(ValueError, match="weight_factor is a finite number"):
+            regular_triangulation(mesh, weight_factor=factor)
+    for factor in ("1", None, [1.0]):
+        with pytest.raises(TypeError, match="weight_factor is a number"):
+            power_diagram(mesh, weight_factor=factor)
+    with pytest.raises(TypeError, match="the radii of a composite are the name of a point array"):
+        regular_triangulation(pv.MultiBlock({"a": mesh}), radii=radii)
+
+
+@pytest.mark.parametrize("facets", ["triangles", "polygons"])
+def test_long_edges(facets):
+    mesh = pv.PolyData(np.array([[0, 0, 0], [1, 0, 9], [1, 1, 0], [0, 1, 0], [3, 0.5, 0]], float))
+    whole = regular_triangulation(mesh, facet_mode=facets)
+    found = regular_triangulation(mesh, facet_mode=facets, maximum_edge_length=1)
+    assert found.n_points == whole.n_points == 5
+    assert found.n_cells == (0 if facets == "triangles" else 1)
+    found = regular_triangulation(mesh, facet_mode=facets, maximum_edge_length=2)
+    assert found.n_cells == whole.n_cells - 1
+    assert regular_triangulation(mesh, facet_mode=facets, maximum_edge_length=np.inf).n_cells == whole.n_cells
+    for limit in (-1, np.nan):
+        with pytest.raises(ValueError, match="maximum_edge_length is a length of 0 or more"):
+            regular_triangulation(mesh, maximum_edge_length=limit)
+    with pytest.raises(TypeError, match="maximum_edge_length is a number"):
+        regular_triangulation(mesh, maximum_edge_length="1")
+
+
+SQUARE = np.array([[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0], [1, 1, 0], [2, 1, 0], [2, 2, 0], [1, 2, 0]], float)
+
+
+def test_constraints():
+    mesh = pv.PolyData(SQUARE)
+    rings = pv.PolyData(SQUARE, faces=[4, 0, 1, 2, 3, 4, 7, 6, 5, 4])
+    found = regular_triangulation(mesh, constraints=rings)
+    assert found.n_points == 8
+    assert found.area == 8
+    edge = regular_triangulation(mesh, constraints=pv.PolyData(SQUARE, lines=[2, 0, 2]))
+    assert any({4, 0} <= set(cell) for cell in edge.regular_faces)
+    assert (edge.regular_faces == regular_triangulation(mesh, constraints=[[0, 2], [2, 0]]).regular_faces).all()
+    assert regular_triangulation(mesh, constraints=pv.PolyData()).n_cells == regular_triangulation(mesh).n_cells
+    # Ghosts are left out, and ids are those of the mesh.
+    ghosts = mesh.copy()
+    ghosts.point_data["vtkGhostType"] = np.array([0, 0, 0, 0, 1, 0, 0, 0], np.uint8)
+    found = regular_triangulation(ghosts, constraints=[[5, 7]])
+    ids = found["vtkOriginalPointIds"]
+    assert any({5, 7} <= set(ids[cell]) for cell in found.regular_faces)
+    with pytest.raises(InputError, match="constraint 1 ends at point 4, which is not there or is left out"):
+        regular_triangulation(ghosts, constraints=[[5, 7], [4, 6]])
+    with pytest.raises(InputError, match="from point 5, to point 6"):
+        regular_triangulation(ghosts, constraints=pv.PolyData(SQUARE, faces=[3, 5, 7, 6, 3, 0, 5, 7]))
+
+
+def test_constraints_that_cannot_be_used():
+    mesh = pv.PolyData(SQUARE)
+    with pytest.raises(InputError, match="constraint 1, and constraint 0"):
+        regular_triangulation(mesh, constraints=[[4, 6], [5, 7]])
+    with pytest.raises(InputError, match="constraint 0, point 8"):
+        regular_triangulation(mesh, constraints=[[4, 8]])
+    with pytest.raises(ValueError, match="constraints take no weights"):
+        regular_triangulation(mesh, np.zeros(8), constraints=[[4, 6]])
+    with pytest.raises(ValueError, match="constraints are the CPU's"):
+        regular_triangulation(mesh, constraints=[[4, 6]], engine="cuda")
+    with pytest.raises(TypeError, match="the mesh is a composite"):
+        regular_triangulation(pv.MultiBlock([mesh]), constraints=[[4, 6]])
+    with pytest.raises(TypeError, match="not a vtkUnstructuredGrid"):
+        regular_triangulation(mesh, constraints=mesh.cast_to_unstructured_grid())
+
+
+def test_alpha():
+    mesh = pv.PolyData(np.array([[0, 0, 0], [6, 0, 0], [0, 8, 0], [30, 0, 0], [32, 0, 0]], float))
+    found = regular_triangulation(mesh, alpha=5)
+    assert found.regular_faces.tolist() == [[0, 1, 2]]
+    assert found.n_points == 5
+    assert regular_triangulation(mesh, alpha=np.nextafter(5, 0)).n_cells == 0
+    assert regular_triangulation(mesh, alpha=5, maximum_edge_length=9).n_cells == 0
+    assert regular_triangulation(mesh, alpha=np.inf).n_cells == regular_triangulation(mesh).n_cells
+    for alpha in (-1, np.nan):
+        with pytest.raises(ValueError, match="alpha is a length of 0 or more"):
+            regular_triangulation(mesh, alpha=alpha)
+
+
+def test_cells_of_prescribed_areas():
+    mesh = cloud(40)
+    shares = np.arange(1.0, 41)
+    domain = [(0, 0), (2, 0), (1, 2)]
+    cells = prescribed_areas(mesh, shares, domain=domain)
+    assert cells.n_cells == 40
+    assert np.allclose(cells["Area"], 2 * shares / shares.sum(), rtol=1e-6)
+    assert np.allclose(cells.compute_cell_sizes(length=False, volume=False)["Area"], cells["Area"], rtol=1e-9)
+    assert cells.field_data["Converged"][0] == 1
+    assert (cells["heat"] == mesh["heat"]).all()
+    diagram = power_diagram(mesh, cells["Weight"])
+    assert diagram.n_cells <= 40
+    mesh.point_data["share"] = shares
+    both = prescribed_areas(pv.MultiBlock([mesh]), "share", domain=domain)
+    assert (both[0]["Area"] == cells["Area"]).all()
+    with pytest.raises(TypeError, match="the areas of a composite are the name of a point array"):
+        prescribed_areas(pv.MultiBlock([mesh]), shares)
+    with pytest.raises(InputError, match="site"):
+        prescribed_areas(mesh, -shares)
+
+
+def test_centroidal_cells():
+    mesh = cloud(30)
+    cells = centroidal_cells(mesh, domain=(0, 1, 0, 1), iterations=2000, tolerance=1e-6)
+    assert cells.field_data["Converged"][0] == 1
+    assert np.isclose(cells["Area"].sum(), 1)
+    assert np.abs(cells["Site"] - cells["Centroid"]).max() < 1e-5
+    assert cells["Centroid"][:, 2].tolist() == [mesh.points[:, 2].min()] * cells.n_cells
+    assert centroidal_cells(np.empty((0, 3))).n_cells == 0
+
+
+def test_weights_that_cannot_be_used():
+    mesh = cloud(30)
+    mesh.point_data["pairs"] = np.zeros((30, 2))
+    mesh.point_data["words"] = ["w"] * 30
+    for name, words in {"nowhere": "is missing", "pairs": "has 2 components", "words": ".* does not hold numbers"}.items():
+        with pytest.raises(InputError, match=f'the weights\' array "{name}" {words}'):
+            regular_triangulation(mesh, name)
+    with pytest.raises(InputError, match="is missing"):
+        regular_triangulation(mesh.points, "heat")
+    with pytest.raises(InputError, match="there are 29 weights, .* 30"):
+        regular_triangulation(mesh, np.zeros(29))
+    with pytest.raises(TypeError, match="the weights of a composite are the name of a point array"):
+        regular_triangulation(pv.MultiBlock([mesh]), np.zeros(30))
+    mesh.point_data["w"] = np.where(np.arange(30) == 4, np.nan, 0)
+    with pytest.raises(InputError, match="first at point 4, 1 such"):
+        regular_triangulation(mesh, "w")
+    assert regular_triangulation(mesh, "w", non_finite_points="ignore").n_points == 29
+
+
+def test_a_z_that_is_not_finite_counts():
+    mesh = cloud(30)
+    mesh.points[4, 2] = np.inf
+    with pytest.raises(InputError, match="first at point 4, 1 such"):
+        regular_triangulation(mesh)
+    assert regular_triangulation(mesh, non_finite_points="ignore").n_points == 29
+
+
+def test_flat_arrays_and_cells_fill_the_box():
+    places = np.random.default_rng(5).random((300, 2))
+    assert regular_triangulation(places).n_points == 300
+    cells = power_diagram(places)
+    assert cells.n_cells == 300
+    sizes = cells.bounds
+    assert cells.area == pytest.approx((sizes[1] - sizes[0]) * (sizes[3] - sizes[2]))
+    for bounds in ((-1, 2, -1, 2), [-1, 2, -1, 2], np.array([-1, 2, -1, 2])):
+        assert power_diagram(places, power_diagram_bounds=bounds).area == pytest.approx(9)
+    assert power_diagram([]).n_points == power_diagram([], power_diagram_bounds=(0, 1, 0, 1)).n_points == 0
+    assert power_diagram([[1, 2, 0]]).n_cells == 1
+
+
+def test_points_of_a_tilted_plane():
+    plane = pv.Plane(i_resolution=7, j_resolution=5, direction=(1, 2, 3), center=(5, 6, 7))
+    shown = regular_triangulation(plane, projection_plane_mode="best_fitting_plane")
+    assert (shown.n_points, shown.area) == (48, pytest.approx(1, rel=1e-6))
+    assert np.array_equal(shown.points, plane.points)
+    cells = power_diagram(plane, projection_plane_mode="best_fitting_plane")
+    assert cells.n_cells == 48
+    normal = np.array([1, 2, 3]) / 14**0.5
+    assert np.allclose((cells.points - plane.center) @ normal, 0, atol=1e-6)
+
+
+class WithMatrix:
+    matrix = rotation()
+
+
+@pytest.mark.parametrize("given", [rotation, WithMatrix, lambda: rotation().tolist(),
+                                   lambda: pv.vtkmatrix_from_array(rotation())])
+def test_transforms(given):
+    mesh = cloud(80)
+    places = mesh.points @ rotation()[:3, :3].T + rotation()[:3, 3]
+    shown = regular_triangulation(mesh, transform=given())
+    assert np.array_equal(shown.faces, regular_triangulation(places).faces)
+    assert np.array_equal(shown.points, mesh.points)
+    again = regular_triangulation(mesh, transform=given(), projection_plane_mode="transform")
+    assert np.array_equal(shown.faces, again.faces)
+    cells = power_diagram(mesh, transform=given())
+    there = cells.points @ rotation()[:3, :3].T + rotation()[:3, 3]
+    assert np.allclose(there[:, 2], 0)
+    assert np.allclose(there[:, :2], power_diagram(places).points[:, :2])
+
+
+def test_transforms_that_cannot_be_used():
+    for wrong in (np.eye(3), np.full((4, 4), np.nan)):
+        with pytest.raises(ValueError, match="^transform is 4 by 4 finite numbers, not"):
+            regular_triangulation(cloud(), transform=wrong)
+    with pytest.raises(TypeError, match="^transform is 4 by 4 numbers, not of type str"):
+        regular_triangulation(cloud(), transform="turn")
+    with pytest.raises(ValueError, match='="transform" needs a transform'):
+        regular_triangulation(cloud(), projection_plane_mode="transform")
+    with pytest.raises(ValueError, match="takes no transform"):
+        regular_triangulation(cloud(), projection_plane_mode="best_fitting_plane", transform=np.eye(4))
+    flat = np.diag([1.0, 1, 0, 1])
+    assert regular_triangulation(cloud(), transform=flat).n_points == 500
+    with pytest.raises(InputError, match="has no inverse"):
+        power_diagram(cloud(), transform=flat)
