@@ -203,6 +203,25 @@ void testSettings()
         Filter::SafeDownCast(both.Distributed)->GetNumberOfDroppedCells() > 0);
     }
   }
+  // An alpha complex, with and without weights: each process judges its own cells.
+  for (const bool weighted : { true, false })
+  {
+    Twins alpha = triangulations();
+    alpha.Set<Filter>(
+      [weighted](Filter* filter)
+      {
+        if (weighted)
+        {
+          useWeights(filter);
+        }
+        filter->SetAlpha(0.04);
+        filter->SetMaximumEdgeLength(0.07);
+        filter->SetReportAsFieldData(true);
+      });
+    alpha.Run(weighted ? "alpha, weights" : "alpha", pieces);
+    FF_CHECK(
+      rank() > 0 || Filter::SafeDownCast(alpha.Distributed)->GetNumberOfDroppedCells() > 100);
+  }
   // In one vertical plane: a warning, once.
   Twins upright = triangulations();
   std::vector<Point> wall;
