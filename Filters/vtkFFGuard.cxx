@@ -268,7 +268,7 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
     case ErrorCode::Aborted: // is reported by the empty output alone
       break;
     case ErrorCode::BadArgument:
-      return "The engine was called with an invalid argument.";
+      return "The engine refuses an argument: " + std::string(error.what()) + '.';
     case ErrorCode::WeightCount:
       return "There are " + count + " weights, which is not the number of points.";
     case ErrorCode::BadTriangle:

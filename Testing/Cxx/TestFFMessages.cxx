@@ -70,7 +70,8 @@ void testErrorsOfTheEngine()
   FF_CHECK_EQUAL(saidOf(ErrorCode::OutOfMemory), "There is not enough memory for this input.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::OutOfMemory, -1, 1 << 30),
     "There is not enough memory for this input: 1073741824 bytes were refused.");
-  FF_CHECK_EQUAL(saidOf(ErrorCode::BadArgument), "The engine was called with an invalid argument.");
+  FF_CHECK_EQUAL(
+    saidOf(ErrorCode::BadArgument), "The engine refuses an argument: an argument is invalid.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::WeightCount, -1, 3),
     "There are 3 weights, which is not the number of points.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::ConstraintPoint, 2, 9),

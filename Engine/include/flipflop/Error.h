@@ -51,11 +51,13 @@ enum class ErrorCode
 class Error : public std::exception
 {
 public:
-  /// What went wrong, where, and how often.
-  explicit Error(ErrorCode code, std::int64_t index = -1, std::int64_t count = 0) noexcept
+  /// What went wrong, where, and how often. text, a constant, replaces the code's own clause.
+  explicit Error(ErrorCode code, std::int64_t index = -1, std::int64_t count = 0,
+    const char* text = nullptr) noexcept
     : Code(code)
     , Index(index)
     , Count(count)
+    , Text(text)
   {
   }
 
@@ -69,6 +71,10 @@ public:
   /// What went wrong, as a clause: "the surface is not closed".
   const char* what() const noexcept override
   {
+    if (this->Text)
+    {
+      return this->Text;
+    }
     switch (this->Code)
     {
       case ErrorCode::NonFinite:
@@ -125,7 +131,15 @@ private:
   ErrorCode Code;
   std::int64_t Index;
   std::int64_t Count;
+  const char* Text;
 };
+
+/// A BadArgument whose text, a constant, names the argument and what is allowed: "a box's upper
+/// corner must be above its lower corner in x and in y".
+inline Error badArgument(const char* text, std::int64_t index = -1, std::int64_t count = 0) noexcept
+{
+  return Error(ErrorCode::BadArgument, index, count, text);
+}
 
 /// Ends the run if an invariant does not hold. That is better than a hang or a wrong result. Use it
 /// for checks that cost nothing compared with the work around them.
