@@ -45,7 +45,8 @@ if [ "$what" = wheel ]; then
       -p no:cacheprovider --override-ini 'python_files=Test*.py' "$@")
   }
   say "Test: the wheel with numpy alone"
-  in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestReadme.py"
+  in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestReadme.py" \
+    "$top/Testing/Wheel/TestImports.py"
   say "Test: the wheel with PyVista and the VTK of its classes"
   start_display
   in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy" "$top/Testing/Python" "$top/Testing/Wheel" \

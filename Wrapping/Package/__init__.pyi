@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
+from . import arrays as arrays
+from . import pyvista as pyvista
 from .vtkFiltersFlipFlop import vtkFFAlgorithm as vtkFFAlgorithm
 from .vtkFiltersFlipFlop import vtkFFConvexifyFilter as vtkFFConvexifyFilter
 from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
