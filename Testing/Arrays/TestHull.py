@@ -191,10 +191,6 @@ def test_surfaces_that_are_none():
     for wrong in (corners.ravel(), corners[:, :2]):
         with pytest.raises(ValueError, match="m by 3"):
             convexify(CUBE, wrong)
-    with pytest.raises(ValueError, match="three coordinates"):
-        convexify(CUBE, corners, kernel=(1, 2))
-    with pytest.raises(ValueError, match="three coordinates"):
-        convexify(CUBE[:, :2], corners)
 
 
 def test_wrong_choices_list_the_right_ones():

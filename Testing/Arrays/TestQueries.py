@@ -244,8 +244,8 @@ def test_natural_neighbours_by_power_diagrams():
     """The areas that cells lose to one more site, with the diagram made anew."""
     points, place = RANDOM.random((40, 2)), np.array([0.45, 0.55])
     box = (-1, 2, -1, 2)
-    before = power_diagram(points, box=box)
-    after = power_diagram(np.vstack([points, place]), box=box)
+    before = power_diagram(points, domain=box)
+    after = power_diagram(np.vstack([points, place]), domain=box)
     lost = np.zeros(40)
     lost[before.sites] += before.areas
     lost[after.sites[:-1]] -= after.areas[:-1]
@@ -259,7 +259,7 @@ def test_measures():
     triangulation = regular_triangulation(points)
     assert triangulation.areas.sum() == pytest.approx(convex_hull(points).volume, rel=1e-13)
     assert np.allclose(triangulation.centroids, points[triangulation.simplices].mean(axis=1), rtol=0, atol=1e-15)
-    diagram = power_diagram(points, box=(0, 1, 0, 1))
+    diagram = power_diagram(points, domain=(0, 1, 0, 1))
     assert diagram.areas.sum() == pytest.approx(1, rel=1e-14)
     assert np.allclose(diagram.areas @ diagram.centroids, 0.5, rtol=0, atol=1e-14)
 

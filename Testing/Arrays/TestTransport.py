@@ -21,21 +21,18 @@ HEXAGON = np.column_stack([np.cos(np.arange(6) * np.pi / 3), np.sin(np.arange(6)
 
 def test_cells_in_a_polygon():
     points = RANDOM.uniform(-1, 1, (300, 2))
-    cells = power_diagram(points, box=HEXAGON)
+    cells = power_diagram(points, domain=HEXAGON)
     assert abs(cells.areas.sum() - 1.5 * np.sqrt(3)) < 1e-13
     nearest = regular_triangulation(points).nearest(cells.centroids)
     assert np.array_equal(nearest, cells.sites)
-    with pytest.raises(InputError) as caught:
-        power_diagram(points, box=HEXAGON[::-1])
-    assert caught.value.code == "not_convex" and "at corner 0" in str(caught.value)
 
 
-@pytest.mark.parametrize("domain", [BOX, [[0, 1], [0, 1]], HEXAGON, HEXAGON.tolist()])
+@pytest.mark.parametrize("domain", [BOX, [[0, 0], [1, 1]], HEXAGON, HEXAGON.tolist()])
 def test_areas_are_met(domain):
     points, areas = RANDOM.uniform(-1, 2, (200, 2)), RANDOM.uniform(0.5, 1.5, 200)
     found = prescribed_areas(points, areas, domain)
     assert found.converged and found.error <= 1e-6 and len(found) == 200
-    cells = power_diagram(points, found.weights, box=domain)
+    cells = power_diagram(points, found.weights, domain=domain)
     assert len(cells) == 200
     wanted = areas / areas.sum() * cells.areas.sum()
     assert (abs(cells.areas / wanted - 1) <= 1.01e-6).all()
@@ -59,7 +56,7 @@ def test_the_default_domain_is_the_box_of_the_points():
 def test_lloyd():
     points = RANDOM.random((60, 2))
     once = centroidal_cells(points, domain=BOX, iterations=1)
-    voronoi = power_diagram(points, box=BOX)
+    voronoi = power_diagram(points, domain=BOX)
     assert np.allclose(once.sites, voronoi.centroids, atol=1e-14)
     assert np.isclose(once.last_move, np.hypot(*(voronoi.centroids - points).T).max())
     assert np.array_equal(once.diagram.areas, once.areas) and once.without_cell == 0
@@ -96,7 +93,7 @@ def test_errors():
     assert caught.value.code == "weight_count"
     with pytest.raises(InputError, match="NaN"):
         centroidal_cells([[0, 0], [np.nan, 1]], domain=BOX)
-    with pytest.raises(InputError, match="an argument is invalid"):
+    with pytest.raises(InputError, match="domain: the box from x = 0.0 to 0.0"):
         centroidal_cells(points, domain=(0, 0, 0, 1))
     with pytest.raises(ValueError, match="areas are n numbers"):
         prescribed_areas(points, np.ones((4, 1)))

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._arguments import float_of
 from ._results import QUIET, Floats, Frozen, Ids, Polygons, frozen
 
 
@@ -83,7 +84,7 @@ class AlphaComplex(Frozen):
 
 def alpha_of(alpha: float) -> float:
     """The number, which is not NaN."""
-    alpha = float(alpha)
-    if alpha != alpha:
-        raise ValueError("alpha is a length, or a negative number with weights, not nan")
-    return alpha
+    number = float_of("alpha", alpha)
+    if number != number:
+        raise ValueError(f"alpha is a length, or a negative number with weights, not {alpha!r}")
+    return number

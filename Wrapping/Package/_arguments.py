@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The arguments of the functions for PyVista: of the wrong type they are a TypeError, otherwise wrong a ValueError."""
+"""Arguments that are choices and numbers: of the wrong type they are a TypeError, otherwise wrong a ValueError."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._input import refuse
+from ._input import doubles_of, refuse
 
 
 @dataclass
@@ -63,16 +63,13 @@ def threads_of(value: Any) -> int:
 
 def numbers_of(name: str, value: Any, count: int) -> tuple[float, ...]:
     """So many finite numbers."""
-    try:
-        array = np.asarray(value, np.float64)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} is {count} numbers, not {value!r}") from None
+    array = doubles_of(value, f"the numbers of {name}")
     if array.shape != (count,) or not np.isfinite(array).all():
         raise ValueError(f"{name} is {count} finite numbers, not {value!r}")
     return tuple(array.tolist())
 
 
-def _float_of(name: str, value: Any) -> float:
+def float_of(name: str, value: Any) -> float:
     if isinstance(value, (str, bytes)) or np.ndim(value) != 0:
         raise TypeError(f"{name} is a number, not {value!r}")
     try:
@@ -82,7 +79,7 @@ def _float_of(name: str, value: Any) -> float:
 
 
 def number_of(name: str, value: Any) -> float:
-    number = _float_of(name, value)
+    number = float_of(name, value)
     if not np.isfinite(number):
         raise ValueError(f"{name} is a finite number, not {value!r}")
     return number
@@ -90,7 +87,7 @@ def number_of(name: str, value: Any) -> float:
 
 def length_of(name: str, value: Any) -> float:
     """0 or more, also infinity."""
-    number = _float_of(name, value)
+    number = float_of(name, value)
     if not number >= 0:
         raise ValueError(f"{name} is a length of 0 or more, not {value!r}")
     return number

@@ -65,7 +65,14 @@ class ConstrainedTriangulation(RegularTriangulation):
             core = whole.inside()
         return Polygons(core.offsets(), core.corners())
 
-    def power_diagram(self, box: ArrayLike | None = None, *, threads: int = 0, progress: Progress = None) -> NoReturn:
+    def power_diagram(
+        self,
+        domain: ArrayLike | None = None,
+        *,
+        box: ArrayLike | None = None,
+        threads: int = 0,
+        progress: Progress = None,
+    ) -> NoReturn:
         """A TypeError: constrained triangulations have no power diagram."""
         raise TypeError("a constrained triangulation has no power diagram: take that of the points without constraints")
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import InputError
-from ._input import ids_of, is_array_like, points_of
+from ._input import ids_of, is_array_like, points_of, refuse_geometry
 from ._results import Floats, Ids, Polygons, Progress, frozen, ignores, run, settings
 
 class SplitConstraints(NamedTuple):
@@ -113,10 +113,12 @@ def _chains(what: str, values: Chains) -> Polygons:
     """Sequences of ids, one after another."""
     if isinstance(values, Polygons):
         return _checked(what, *(_flat(what, array) for array in values))
+    refuse_geometry(values, what)
     if not is_array_like(values):
         raise TypeError(f"{what} are sequences of ids, not of type {type(values).__name__}")
     try:
-        table = values if np.ma.isMaskedArray(values) else np.asarray(values)
+        masked_rows = isinstance(values, Sequence) and any(map(np.ma.isMaskedArray, values))
+        table = values if np.ma.isMaskedArray(values) else np.asarray(values, object if masked_rows else None)
     except ValueError:  # of several lengths
         table = np.empty(0, object)
     if table.dtype == object:
@@ -127,12 +129,10 @@ def _chains(what: str, values: Chains) -> Polygons:
     if table.ndim != 2:
         raise ValueError(f"{what} are sequences of ids, one for each, not an array of shape {table.shape}")
     rows, size = table.shape
-    return Polygons(size * np.arange(rows + 1), _flat(what, table.reshape(-1)))
+    return Polygons(size * np.arange(rows + 1), ids_of(table, f"the ids of {what}").reshape(-1))
 
 
 def _flat(what: str, values: ArrayLike) -> Ids:
-    if np.ma.is_masked(values):
-        raise InputError(f"the ids of {what} are masked", "bad_argument")
     ids = ids_of(values, f"the ids of {what}")
     if ids.ndim != 1:
         raise ValueError(f"the ids of {what} are an array of one dimension, not of shape {ids.shape}")

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._device import memory_of
-from ._input import ids_of, points_of
+from ._arguments import numbers_of
+from ._input import ids_of, points_of, whole_points_of
 from ._results import (
     QUIET,
     Cells,
@@ -315,17 +316,15 @@ def convexify(
     InputError
         the surface is open, not a manifold, not oriented or not star-shaped; names the first triangle
     """
-    array, left_out = points_of(points, False)
+    array = whole_points_of(points)
     if array.shape[1] != 3:
-        raise ValueError("a surface's points have three coordinates")
+        raise ValueError(f"the points of a surface are n by 3 coordinates, not an array of shape {array.shape}")
     corners = ids_of(triangles, "triangles")
     if corners.shape == (0,):
         corners = corners.reshape(0, 3)
     if corners.ndim != 2 or corners.shape[1] != 3:
         raise ValueError(f"triangles are m by 3 ids, not an array of shape {corners.shape}")
-    place = None if kernel is None else tuple(map(float, np.asarray(kernel).reshape(-1)))
-    if place is not None and len(place) != 3:
-        raise ValueError("the kernel point has three coordinates")
-    chosen, bar = settings(threads, facets, "error", "cpu", progress, left_out)
+    place = None if kernel is None else numbers_of("kernel", kernel, 3)
+    chosen, bar = settings(threads, facets, "error", "cpu", progress, False)
     core = run((chosen, bar), _core.convexify, array, corners, place)
-    return ConvexHull(array, core, left_out)
+    return ConvexHull(array, core, False)

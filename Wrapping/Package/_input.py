@@ -1,6 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Users' numbers as arrays that the engine reads in place: float32 or float64, none rounded."""
+"""Users' arrays as the engine reads them: points and weights in place, float32 or float64, none rounded.
+
+Every array argument is read here. Its mask, if it has one: a masked point, or a point with a masked weight, is left out; a
+masked value is NaN; anywhere else, a masked entry is an error.
+"""
 
 from __future__ import annotations
 
@@ -31,9 +35,17 @@ def points_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     return _adjacent(array), ignore
 
 
+def whole_points_of(values: Any) -> np.ndarray:
+    """points_of(), where no point can be left out: a masked one is an error."""
+    array, left_out = points_of(values, False)
+    if left_out:
+        refuse_masked(np.ma.masked_invalid(array), "points")
+    return array
+
+
 def rows_of(values: Any) -> np.ndarray:
     """n rows of 2 or 3 real numbers of any type, masked where the values are masked."""
-    array = _as_array(values, "coordinate")
+    array = _as_array(values, "coordinates")
     if array.shape in ((0,), (3,)):
         array = array.reshape(-1, 3)  # an empty list; one point
     if array.ndim != 2 or array.shape[1] not in (2, 3):
@@ -45,7 +57,7 @@ def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     """n weights, in the way of points_of()."""
     array = _of_host(values)
     if type(array) not in _PLAIN or array.ndim != 1 or array.dtype not in _FLOATS:
-        array = _as_array(array, "weight")
+        array = _as_array(array, "weights")
         if array.ndim == 2 and array.shape[1] == 1:
             array = array[:, 0]
         if array.ndim != 1:
@@ -57,9 +69,37 @@ def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     return (array if in_place else array.copy()), ignore
 
 
+def whole_weights_of(values: Any) -> np.ndarray:
+    """weights_of(), where no point can be left out: a masked one is an error."""
+    array, left_out = weights_of(values, False)
+    if left_out:
+        refuse_masked(np.ma.masked_invalid(array), "weights")
+    return array
+
+
+def values_of(values: Any, count: int) -> np.ndarray:
+    """A number or a row of numbers for each of so many points, as doubles: rounded, and NaN where they are masked."""
+    array = _as_array(_of_host(values), "values")
+    if array.ndim not in (1, 2) or len(array) != count:
+        raise ValueError(f"values are {count} numbers or rows, not an array of shape {array.shape}")
+    numbers = _rounded(array, "values")
+    if np.ma.is_masked(array):
+        numbers = numbers.copy()
+        numbers[np.ma.getmaskarray(array)] = np.nan
+    return numbers
+
+
+def doubles_of(values: Any, what: str) -> np.ndarray:
+    """Real numbers in an array of any shape, as doubles: rounded, and none masked."""
+    array = _as_array(_of_host(values), what)
+    refuse_masked(array, what)
+    return _rounded(array, what)
+
+
 def ids_of(values: Any, what: str) -> np.ndarray:
     """Contiguous int64 from any integers; other numbers are a TypeError."""
-    array = np.asarray(values)
+    array = _as_array(_of_host(values), what)
+    refuse_masked(array, what)
     if array.size == 0 and array.dtype.kind == "f":  # an empty list
         array = array.astype(np.int64)
     if array.dtype.kind not in "iu":
@@ -67,6 +107,26 @@ def ids_of(values: Any, what: str) -> np.ndarray:
     if array.dtype == np.uint64 and array.size and array.max() > np.iinfo(np.int64).max:
         raise InputError(f"{what}: {array.max()} is out of range", "bad_argument")
     return np.ascontiguousarray(array, np.int64)
+
+
+def refuse_masked(values: Any, what: str) -> None:
+    """An error that names the first masked entry, if there is one."""
+    if not np.ma.is_masked(values):
+        return
+    places = np.argwhere(np.ma.getmaskarray(values))
+    sentence = f"{what}: entry {places[0].tolist()} is masked, {len(places)} in all, and none may be here"
+    raise InputError(sentence, "masked", int(places[0][0]) if places[0].size else -1, len(places))
+
+
+def refuse_geometry(values: Any, what: str) -> None:
+    """A TypeError that names the way out if the values are shapely's or GeoPandas's."""
+    if hasattr(values, "get_coordinates"):  # GeoPandas's
+        way_out = "pass .get_coordinates() of it"
+    elif hasattr(values, "__geo_interface__"):
+        way_out = "pass shapely.get_coordinates() of it"
+    else:
+        return
+    raise TypeError(f"{what} are an array of numbers, not a {type(values).__name__}: {way_out}")
 
 
 def is_array_like(values: Any) -> bool:
@@ -85,17 +145,34 @@ def _adjacent(array: np.ndarray) -> np.ndarray:
 
 
 def _as_array(values: Any, what: str) -> np.ndarray:
-    """The values as a NumPy array of numbers, masked where the values are masked."""
+    """The values as a NumPy array of numbers, masked where the values are masked.
+
+    what: the numbers' name, in the plural
+    """
+    refuse_geometry(values, what)
+    if isinstance(values, Sequence) and len(values):
+        refuse_geometry(values[0], what)
     if not is_array_like(values):
-        raise TypeError(f"{what}s are an array or a list of numbers, not of type {type(values).__name__}")
+        raise TypeError(f"{what} are an array or a list of numbers, not of type {type(values).__name__}")
     array = np.asanyarray(_by_dlpack(values)) if not isinstance(values, Sequence) else _of_lists(values, what)
     if not np.ma.isMaskedArray(array):
         array = np.asarray(array)  # of other subclasses, a matrix stays a matrix
     if array.dtype.kind not in "biufO":
         records = array.dtype.names is not None
         advice = "; numpy.lib.recfunctions.structured_to_unstructured() makes numbers of it" if records else ""
-        raise TypeError(f"{what}s are real numbers, not of type {array.dtype}{advice}")
+        raise TypeError(f"{what} are real numbers, not of type {array.dtype}{advice}")
+    if array.dtype.kind == "O" and array.size:
+        refuse_geometry(np.ma.getdata(array).flat[0], what)
     return array
+
+
+def _rounded(array: np.ndarray, what: str) -> np.ndarray:
+    """The numbers of a real array as doubles, rounded. What is masked is any number."""
+    plain = np.ma.filled(array, 0) if array.dtype.kind == "O" else np.asarray(array)
+    try:
+        return np.ascontiguousarray(plain, np.float64).reshape(array.shape)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise TypeError(f"{what} are real numbers that a double holds: {error}") from None
 
 
 def _of_host(values: Any) -> Any:
@@ -116,7 +193,7 @@ def _of_lists(values: Any, what: str) -> np.ndarray:
             rounded, array = array, np.asarray(values, dtype=object)
             array = np.ma.array(array, mask=np.ma.getmask(rounded))
     except ValueError as error:  # rows of several lengths
-        raise ValueError(f"{what}s cannot be told from these lists: {error}") from None
+        raise ValueError(f"{what} cannot be told from these lists: {error}") from None
     return array
 
 

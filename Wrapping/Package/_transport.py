@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arguments import float_of
+from ._domain import Domain, domain_of
 from ._errors import InputError
-from ._input import points_of, weights_of
+from ._input import doubles_of, whole_points_of, whole_weights_of
 from ._results import Floats, Frozen, Progress, named, run, settings
-from ._triangulation import PowerDiagram, domain_of, regular_triangulation
+from ._triangulation import PowerDiagram, regular_triangulation
 
 
 class CentroidalCells(Frozen):
@@ -106,9 +108,9 @@ class PrescribedAreas(Frozen):
     error: float
     converged: bool
     statistics: dict[str, float]
-    _domain: NDArray[np.float64] | None
+    _domain: Domain
 
-    def __init__(self, points: NDArray[Any], domain: NDArray[np.float64] | None, core: Any) -> None:
+    def __init__(self, points: NDArray[Any], domain: Domain, core: Any) -> None:
         self.__dict__.update(
             points=points,
             weights=core.weights(),
@@ -124,7 +126,7 @@ class PrescribedAreas(Frozen):
     @cached_property
     def diagram(self) -> PowerDiagram:
         """The cells: those of the points with these weights, cut at the domain."""
-        return regular_triangulation(self.points, self.weights, facets="polygons").power_diagram(self._domain)
+        return regular_triangulation(self.points, self.weights, facets="polygons").power_diagram(self._domain.array)
 
     def __len__(self) -> int:
         return len(self.weights)
@@ -155,9 +157,9 @@ def centroidal_cells(
         the sites at first, at any places; x and y count
     weights : n numbers, optional
         as regular_triangulation() takes them; they stay. By default none: Voronoi cells.
-    domain : 4 numbers, or m by 2, optional
-        where cells end: a box (x least, x greatest, y least, y greatest), or the corners of a convex polygon,
-        counter-clockwise. By default the box of the points.
+    domain : 4 numbers, 2 by 2, or m by 2, optional
+        where cells end, as RegularTriangulation.power_diagram() takes it: a box (x0, x1, y0, y1), two corners
+        ((x0, y0), (x1, y1)), or the corners of a convex polygon. By default the box of the points.
     iterations : int
         at most so many, 0 or more
     tolerance : float
@@ -165,12 +167,13 @@ def centroidal_cells(
     threads, progress
         see the module
     """
-    array, _ = points_of(points, False)
-    heavy = None if weights is None else weights_of(weights, False)[0]
+    array = whole_points_of(points)
+    heavy = None if weights is None else whole_weights_of(weights)
+    within = domain_of("domain", domain)
     chosen = settings(threads, "triangles", "error", "cpu", progress, False)
-    core = run(
-        chosen, _core.centroidal_cells, array, heavy, domain_of(domain), _count(iterations), _tolerance(tolerance)
-    )
+    limits = _count(iterations), _tolerance(tolerance)
+    with within.named():
+        core = run(chosen, _core.centroidal_cells, array, heavy, within.array, *limits)
     return CentroidalCells(core)
 
 
@@ -204,30 +207,35 @@ def prescribed_areas(
     threads, progress
         see the module
     """
-    array, _ = points_of(points, False)
+    array = whole_points_of(points)
     shares = None
     if areas is not None:
-        shares = np.ascontiguousarray(areas, np.float64)
+        shares = doubles_of(areas, "areas")
         if shares.ndim != 1:
             raise ValueError(f"areas are n numbers, one for each point, not an array of shape {shares.shape}")
         if len(shares) != len(array):
             text = f"there are {len(shares)} areas for {len(array)} points"
             raise InputError(text, "weight_count", -1, len(shares))
-    within = domain_of(domain)
+    within = domain_of("domain", domain)
     chosen = settings(threads, "triangles", "error", "cpu", progress, False)
-    core = run(chosen, _core.prescribed_areas, array, shares, within, _tolerance(tolerance), _count(iterations))
+    limits = _tolerance(tolerance), _count(iterations)
+    with within.named():
+        core = run(chosen, _core.prescribed_areas, array, shares, within.array, *limits)
     return PrescribedAreas(array, within, core)
 
 
 def _count(iterations: int) -> int:
-    number = index(iterations)
+    try:
+        number = index(iterations)
+    except TypeError:
+        raise TypeError(f"iterations is an integer, not {iterations!r}") from None
     if not 0 <= number < 2**63:
         raise ValueError(f"iterations is 0 or more, not {iterations}")
     return number
 
 
 def _tolerance(tolerance: float) -> float:
-    number = float(tolerance)
+    number = float_of("tolerance", tolerance)
     if not number >= 0:
         raise ValueError(f"tolerance is 0 or more, not {tolerance!r}")
     return number

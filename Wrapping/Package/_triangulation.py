@@ -12,10 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
+from ._arguments import length_of
 from ._constraints import Chains, Constraints, SplitConstraints
 from ._device import memory_of
+from ._domain import either_of
 from ._errors import InputError
-from ._input import points_of, weights_of
+from ._input import points_of, values_of, weights_of
 from ._results import (
     QUIET,
     Cells,
@@ -98,9 +100,7 @@ class RegularTriangulation(Cells):
 
         An edge as long as the limit is not longer. Edges are measured in the plane, by x and y.
         """
-        limit = float(limit)
-        if not limit >= 0:
-            raise ValueError(f"a limit of lengths is 0 or more, not {limit!r}")
+        limit = length_of("limit", limit)
         chosen = settings(threads, "triangles", "error", "cpu", None, False)
         found = run(chosen, _core.cells_within_edge_length, self.points, self._triangles, limit)
         within: NDArray[np.bool_] = found.view(np.bool_)
@@ -210,7 +210,7 @@ class RegularTriangulation(Cells):
         Parameters
         ----------
         values : n numbers, or n by k
-            one (or a row) for each of the triangulated points; those of hidden points are not used
+            one (or a row) for each of the triangulated points; those of hidden points are not used. A masked one is NaN.
         points
             as for locate()
         method : {"linear", "natural"}
@@ -224,29 +224,43 @@ class RegularTriangulation(Cells):
         """
         if method not in _METHODS:
             raise ValueError(f"method is one of {', '.join(map(repr, _METHODS))}, not {method!r}")
-        given = np.asarray(values, np.float64)
-        if given.ndim not in (1, 2) or len(given) != self.npoints:
-            raise ValueError(f"values are {self.npoints} numbers or rows, not an array of shape {given.shape}")
+        given = values_of(values, self.npoints)
         rows = np.ascontiguousarray(given.reshape(self.npoints, -1 if given.size else 1))
         ask = getattr(self._queries, _METHODS[method])
         found = answers(ask, points, (2, 3), threads, non_finite, progress, rows)
         return found[..., 0] if given.ndim == 1 else found
 
     def power_diagram(
-        self, box: ArrayLike | None = None, *, threads: int = 0, progress: Progress = None
+        self,
+        domain: ArrayLike | None = None,
+        *,
+        box: ArrayLike | None = None,
+        threads: int = 0,
+        progress: Progress = None,
     ) -> PowerDiagram:
         """The power diagram of the points that appear; without weights, the Voronoi diagram.
 
         Parameters
         ----------
-        box : 4 numbers, or m by 2, optional
-            where cells are cut: x least, x greatest, y least, y greatest; or the corners of a convex polygon,
-            counter-clockwise. By default the box of the points.
+        domain : 4 numbers, 2 by 2, or m by 2, optional
+            where cells are cut. Either a box: (x0, x1, y0, y1), in VTK's order, or two corners ((x0, y0), (x1, y1)).
+            shapely's bounds (x0, y0, x1, y1) are two corners. Or the corners of a convex polygon, in either direction;
+            the first may be there again at the end. By default the box of the points.
+        box
+            the same argument by another name
+        threads, progress
+            see the module
+
+        Raises
+        ------
+        InputError
+            the box has no inside, or the polygon is not convex; the error has the numbers
         """
+        within = either_of(domain, box)
         chosen = settings(threads, "polygons", "error", "cpu", progress, False)
-        return PowerDiagram(
-            run(chosen, _core.power_diagram, self.points, self.weights, self._core, domain_of(box))
-        )
+        with within.named():
+            core = run(chosen, _core.power_diagram, self.points, self.weights, self._core, within.array)
+        return PowerDiagram(core)
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the regular triangulation of the points."""
@@ -266,21 +280,6 @@ class RegularTriangulation(Cells):
     @cached_property
     def _measures(self) -> tuple[Floats, Floats]:
         return _core.triangle_measures(self.points, self._triangles)
-
-
-def domain_of(domain: ArrayLike | None) -> NDArray[np.float64] | None:
-    """A box as 4 numbers, or a polygon's corners as rows of x and y."""
-    if domain is None:
-        return None
-    array = np.ascontiguousarray(domain, np.float64)
-    if array.size == 4:
-        return array.reshape(-1)
-    if array.ndim != 2 or array.shape[1] != 2 or len(array) < 3:
-        raise ValueError(
-            "a box is x least, x greatest, y least, y greatest; a polygon three rows or more of x and y; "
-            f"not an array of shape {array.shape}"
-        )
-    return array
 
 
 class PowerDiagram(Frozen):
@@ -475,23 +474,29 @@ def alpha_complex(
 def power_diagram(
     points: ArrayLike,
     weights: ArrayLike | None = None,
-    box: ArrayLike | None = None,
+    domain: ArrayLike | None = None,
     *,
+    box: ArrayLike | None = None,
     threads: int = 0,
     non_finite: str = "error",
     engine: str = "automatic",
     progress: Progress = None,
 ) -> PowerDiagram:
-    """The power diagram of points in the plane, cut at a box; without weights, the Voronoi diagram.
+    """The power diagram of points in the plane, cut at a box or a polygon; without weights, the Voronoi diagram.
 
     Parameters
     ----------
     points, weights, threads, non_finite, engine, progress
         as for regular_triangulation()
+    domain : 4 numbers, 2 by 2, or m by 2, optional
+        where cells are cut. Either a box: (x0, x1, y0, y1), in VTK's order, or two corners ((x0, y0), (x1, y1)).
+        shapely's bounds (x0, y0, x1, y1) are two corners. Or the corners of a convex polygon, in either direction; the
+        first may be there again at the end. By default the box of the points.
     box
-        as for RegularTriangulation.power_diagram()
+        the same argument by another name
     """
+    either_of(domain, box)  # what is wrong with it is said before the work
     triangulation = regular_triangulation(
         points, weights, facets="polygons", threads=threads, non_finite=non_finite, engine=engine, progress=progress
     )
-    return triangulation.power_diagram(box, threads=threads, progress=progress)
+    return triangulation.power_diagram(domain, box=box, threads=threads, progress=progress)

@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where cells end: a box or a convex polygon, as users give it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import InputError
+from ._input import doubles_of
+
+_BOX = "a box is (x0, x1, y0, y1) or two corners ((x0, y0), (x1, y1)), with x0 < x1 and y0 < y1"
+_FORMS = f"{_BOX}; a polygon is three rows or more of x and y"
+
+
+class Domain(NamedTuple):
+    """A box or a polygon as the engine reads it, or None for the box of the points; and whether it was turned over."""
+
+    array: NDArray[np.float64] | None
+    was_clockwise: bool = False
+
+    @contextmanager
+    def named(self) -> Iterator[None]:
+        """An error about a corner, from in here, tells its number in the caller's order, and where it is."""
+        try:
+            yield
+        except InputError as error:
+            if error.code != "not_convex" or self.array is None or not 0 <= error.index < len(self.array):
+                raise
+            corner = tuple(self.array[error.index].tolist())
+            index = len(self.array) - 1 - error.index if self.was_clockwise else error.index
+            sentence = f"the domain is no convex polygon with finite corners: at corner {index}, {corner}"
+            raise InputError(sentence, error.code, index, error.count) from None
+
+
+def domain_of(name: str, domain: ArrayLike | None) -> Domain:
+    """A box as 4 numbers, or a polygon's corners as rows of x and y, counter-clockwise; of either, none masked.
+
+    A polygon may run either way, and may have its first corner again at its end.
+    """
+    if domain is None:
+        return Domain(None)
+    numbers = f"the numbers of {name}"
+    sides = [getattr(domain, side, None) for side in ("left", "bottom", "right", "top")]
+    if None not in sides:  # a rasterio BoundingBox
+        return Domain(_box_of(name, doubles_of(sides, numbers).reshape(2, 2).T.reshape(-1)))
+    array = doubles_of(domain, numbers)
+    if array.shape == (4,):
+        return Domain(_box_of(name, array))
+    if array.shape == (2, 2):
+        return Domain(_box_of(name, array.T.reshape(-1)))
+    if array.ndim == 2 and array.shape[1] == 2 and len(array) > 3 and (array[0] == array[-1]).all():
+        array = array[:-1]
+    if array.ndim != 2 or array.shape[1] != 2 or len(array) < 3:
+        raise ValueError(f"{name}: {_FORMS}; not an array of shape {array.shape}")
+    turned = _is_clockwise(array)
+    return Domain(np.ascontiguousarray(array[::-1] if turned else array), turned)
+
+
+def _box_of(name: str, box: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The box, if it has an inside."""
+    x0, x1, y0, y1 = box.tolist()
+    if not (np.isfinite(box).all() and x0 < x1 and y0 < y1):
+        sentence = f"{name}: the box from x = {x0} to {x1} and y = {y0} to {y1} has no inside or is not finite"
+        raise InputError(f"{sentence}; {_BOX}", "bad_argument")
+    return np.ascontiguousarray(box)
+
+
+def _is_clockwise(corners: NDArray[np.float64]) -> bool:
+    """Whether a convex polygon runs clockwise; exactly, by the turn at its lowest corner among those furthest left."""
+    if not np.isfinite(corners).all():
+        return False
+    at = int(np.lexsort(corners.T[::-1])[0])
+    before, here, after = (
+        [Fraction(float(x)) for x in corners[i % len(corners)]] for i in (at - 1, at, at + 1)
+    )
+    turn = (here[0] - before[0]) * (after[1] - here[1]) - (here[1] - before[1]) * (after[0] - here[0])
+    return turn < 0
+
+
+def either_of(domain: ArrayLike | None, box: ArrayLike | None) -> Domain:
+    """What is given by one of the two names."""
+    if domain is not None and box is not None:
+        raise TypeError("domain and box are two names of one argument: give domain alone")
+    return domain_of("domain", domain) if box is None else domain_of("box", box)
