@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._input import doubles_of, refuse
+from ._input import doubles_of, is_array_like, refuse, refuse_geometry
 
 
 @dataclass
@@ -63,6 +63,9 @@ def threads_of(value: Any) -> int:
 
 def numbers_of(name: str, value: Any, count: int) -> tuple[float, ...]:
     """So many finite numbers."""
+    refuse_geometry(value, name)
+    if not is_array_like(value):
+        raise TypeError(f"{name} is {count} numbers, not {value!r}")
     array = doubles_of(value, f"the numbers of {name}")
     if array.shape != (count,) or not np.isfinite(array).all():
         raise ValueError(f"{name} is {count} finite numbers, not {value!r}")

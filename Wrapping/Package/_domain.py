@@ -84,8 +84,8 @@ def _is_clockwise(corners: NDArray[np.float64]) -> bool:
     return turn < 0
 
 
-def either_of(domain: ArrayLike | None, box: ArrayLike | None) -> Domain:
-    """What is given by one of the two names."""
+def domain_of_call(box: ArrayLike | None, domain: ArrayLike | None) -> Domain:
+    """What the arguments of these names tell: they are two names of one."""
     if domain is not None and box is not None:
         raise TypeError("domain and box are two names of one argument: give domain alone")
     return domain_of("domain", domain) if box is None else domain_of("box", box)

@@ -15,7 +15,7 @@ from ._alpha import AlphaComplex, alpha_of
 from ._arguments import length_of
 from ._constraints import Chains, Constraints, SplitConstraints
 from ._device import memory_of
-from ._domain import either_of
+from ._domain import domain_of_call
 from ._errors import InputError
 from ._input import points_of, values_of, weights_of
 from ._results import (
@@ -256,7 +256,7 @@ class RegularTriangulation(Cells):
         InputError
             the box has no inside, or the polygon is not convex; the error has the numbers
         """
-        within = either_of(domain, box)
+        within = domain_of_call(box, domain)
         chosen = settings(threads, "polygons", "error", "cpu", progress, False)
         with within.named():
             core = run(chosen, _core.power_diagram, self.points, self.weights, self._core, within.array)
@@ -495,7 +495,7 @@ def power_diagram(
     box
         the same argument by another name
     """
-    either_of(domain, box)  # what is wrong with it is said before the work
+    domain_of_call(box, domain)  # what is wrong with it is said before the work
     triangulation = regular_triangulation(
         points, weights, facets="polygons", threads=threads, non_finite=non_finite, engine=engine, progress=progress
     )
