@@ -232,7 +232,7 @@ def test_when_nothing_is_inside():
         ({"polygons": [[2, 3, 2]]}, InputError, r"polygons\[0\] has 2 id\(s\)", 0, 1),
         ({"polygons": [[]]}, InputError, r"polygons\[0\] has 0 id\(s\)", 0, 1),
         ({"constraints": [[0, 1], [7]]}, InputError, r"constraints\[1\] has 1 id\(s\); it takes 2 or more", 1, 1),
-        ({"polygons": Polygons(np.array([0, 4]), np.arange(3))}, InputError, "offsets of polygons ascend", -1, 0),
+        ({"polygons": Polygons(np.array([0, 4]), np.arange(3))}, InputError, "offsets of polygons ascend from 0 to 3, .* but offset 1 is 4$", 1, 1),
         ({"constraints": np.ma.array([[0, 1]], mask=[[0, 1]])}, InputError, r"constraints: entry \[0, 1\] is masked", 0, 1),
         ({"constraints": np.array([[0, 2**64 - 1]], np.uint64)}, InputError, "out of range", -1, 0),
         ({"constraints": [[0, 1.0]]}, TypeError, "the ids of constraints are integers, not of type float64", 0, 0),

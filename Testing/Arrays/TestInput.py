@@ -19,6 +19,7 @@ from vtkflipflop.arrays import (
     regular_triangulation,
     regular_triangulations,
     split_crossings,
+    validate,
 )
 
 CUBE = np.array(list(itertools.product((0.0, 2.0), repeat=3)))
@@ -259,10 +260,12 @@ def test_box_is_another_name_of_domain():
         (lambda: centroidal_cells(SQUARE, iterations=1.5), TypeError, "iterations is an integer, not 1.5"),
         (lambda: prescribed_areas(SQUARE, [1, 2, 3]), ValueError, "there are 3 areas for 4 points"),
         (lambda: prescribed_areas(SQUARE, np.ones((4, 2))), ValueError, r"areas are n numbers.*shape \(4, 2\)"),
+        (lambda: validate(SQUARE), TypeError, r"result is what convex_hull\(\) or .* gives, not ndarray"),
+        (lambda: regular_triangulation(SQUARE, []), ValueError, "not as many weights as points: .*0 weights"),
         (lambda: FLAT.interpolate([1, 2, 3], SQUARE), ValueError, r"values are 4 numbers or rows.*shape \(3,\)"),
         (lambda: FLAT.interpolate([1, 2, 3, 10**400], SQUARE), TypeError, "values are real numbers that a double holds"),
     ],
-    ids=range(15),
+    ids=range(17),
 )
 def test_numbers_at_fault(call, kind, said):
     with pytest.raises(kind, match=said):

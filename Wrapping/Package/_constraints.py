@@ -141,8 +141,13 @@ def _flat(what: str, values: ArrayLike) -> Ids:
 
 def _checked(what: str, offsets: Ids, ids: Ids) -> Polygons:
     """From where the first begins to where the last ends."""
-    if not len(offsets) or offsets[0] < 0 or offsets[-1] > len(ids) or (np.diff(offsets) < 0).any():
-        raise InputError(f"the offsets of {what} ascend from 0 to {len(ids)}, the number of their ids", "bad_argument")
+    least = np.concatenate([[0], offsets[:-1]])
+    wrong = (offsets < least) | (offsets > len(ids))
+    if wrong.any() or not len(offsets):
+        first = int(wrong.argmax()) if len(offsets) else -1
+        found = f"offset {first} is {offsets[first]}" if len(offsets) else "there are none"
+        sentence = f"the offsets of {what} ascend from 0 to {len(ids)}, the number of their ids, but {found}"
+        raise InputError(sentence, "bad_argument", first, int(wrong.sum()))
     return Polygons(offsets - offsets[0], ids[offsets[0] : offsets[-1]])
 
 

@@ -33,8 +33,11 @@ class HostCopy(np.ndarray[Any, Any]):
     kept: Any
 
 
-def is_on_device(values: Any) -> bool:
-    """Whether a CUDA device has the values, and the host has not."""
+def is_on_device(values: Any, what: str) -> bool:
+    """Whether a CUDA device has the values, and the host has not.
+
+    what: the argument's name, in the plural
+    """
     if isinstance(values, np.ndarray):
         return False
     if hasattr(values, "__dlpack_device__"):
@@ -42,12 +45,12 @@ def is_on_device(values: Any) -> bool:
         if kind in (_CPU, _CUDA_HOST):
             return False
         if kind not in (_CUDA, _CUDA_MANAGED):
-            raise TypeError(f"arrays on the host and on CUDA devices are taken, not on a device of DLPack's type {kind}")
+            raise TypeError(f"{what} are on the host or on a CUDA device, not on a device of DLPack's type {kind}")
         return True
     return hasattr(values, "__cuda_array_interface__")
 
 
-def host_copy(values: Any) -> HostCopy:
+def host_copy(values: Any, what: str) -> HostCopy:
     """The values on the host, in the layout that they have on the device.
 
     Raises
@@ -58,7 +61,7 @@ def host_copy(values: Any) -> HostCopy:
     if hasattr(values, "__cuda_array_interface__"):
         interface = values.__cuda_array_interface__
         if interface.get("mask") is not None:
-            raise TypeError("masked arrays on a device are not taken: copy them to the host")
+            raise TypeError(f"{what} on a device must not be masked: copy them to the host")
         pointer, shape = int(interface["data"][0]), tuple(interface["shape"])
         kind, strides = np.dtype(interface["typestr"]), interface.get("strides")
         kept = values
@@ -69,7 +72,7 @@ def host_copy(values: Any) -> HostCopy:
     if strides is None:
         strides = _row_by_row(shape, kind)
     if any(step < 0 for step in strides):
-        raise TypeError("arrays that run backwards on a device are not taken: copy them first")
+        raise TypeError(f"{what} on a device must not run backwards, in steps of {strides} bytes: copy them first")
     extent = 0 if 0 in shape else sum((n - 1) * step for n, step in zip(shape, strides)) + kind.itemsize
     memory = _core.copy_from_device(pointer, extent)
     copy = np.ndarray(shape, kind, memory, strides=strides).view(HostCopy)

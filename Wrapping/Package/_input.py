@@ -28,7 +28,7 @@ def points_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     leaves out; other points must be finite all the same, unless these are ignored, too. Of an array on a device it is a
     HostCopy.
     """
-    array = _of_host(values)
+    array = _of_host(values, "coordinates")
     if type(array) not in _PLAIN or array.ndim != 2 or array.shape[1] not in (2, 3) or array.dtype not in _FLOATS:
         array, masked = _exact(rows_of(array), "coordinate", ignore)
         return array, ignore or masked
@@ -55,7 +55,7 @@ def rows_of(values: Any) -> np.ndarray:
 
 def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     """n weights, in the way of points_of()."""
-    array = _of_host(values)
+    array = _of_host(values, "weights")
     if type(array) not in _PLAIN or array.ndim != 1 or array.dtype not in _FLOATS:
         array = _as_array(array, "weights")
         if array.ndim == 2 and array.shape[1] == 1:
@@ -79,7 +79,7 @@ def whole_weights_of(values: Any) -> np.ndarray:
 
 def values_of(values: Any, count: int) -> np.ndarray:
     """A number or a row of numbers for each of so many points, as doubles: rounded, and NaN where they are masked."""
-    array = _as_array(_of_host(values), "values")
+    array = _as_array(_of_host(values, "values"), "values")
     if array.ndim not in (1, 2) or len(array) != count:
         raise ValueError(f"values are {count} numbers or rows, not an array of shape {array.shape}")
     numbers = _rounded(array, "values")
@@ -91,14 +91,14 @@ def values_of(values: Any, count: int) -> np.ndarray:
 
 def doubles_of(values: Any, what: str) -> np.ndarray:
     """Real numbers in an array of any shape, as doubles: rounded, and none masked."""
-    array = _as_array(_of_host(values), what)
+    array = _as_array(_of_host(values, what), what)
     refuse_masked(array, what)
     return _rounded(array, what)
 
 
 def ids_of(values: Any, what: str) -> np.ndarray:
     """Contiguous int64 from any integers; other numbers are a TypeError."""
-    array = _as_array(_of_host(values), what)
+    array = _as_array(_of_host(values, what), what)
     refuse_masked(array, what)
     if array.size == 0 and array.dtype.kind == "f":  # an empty list
         array = array.astype(np.int64)
@@ -175,9 +175,9 @@ def _rounded(array: np.ndarray, what: str) -> np.ndarray:
         raise TypeError(f"{what} are real numbers that a double holds: {error}") from None
 
 
-def _of_host(values: Any) -> Any:
+def _of_host(values: Any, what: str) -> Any:
     """The values; a copy on the host, if a device has them."""
-    return host_copy(values) if type(values) is not np.ndarray and is_on_device(values) else values
+    return host_copy(values, what) if type(values) is not np.ndarray and is_on_device(values, what) else values
 
 
 def _by_dlpack(values: Any) -> Any:

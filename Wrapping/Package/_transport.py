@@ -215,7 +215,7 @@ def prescribed_areas(
             raise ValueError(f"areas are n numbers, one for each point, not an array of shape {shares.shape}")
         if len(shares) != len(array):
             text = f"there are {len(shares)} areas for {len(array)} points"
-            raise InputError(text, "weight_count", -1, len(shares))
+            raise InputError(text, "weight_count", len(array), len(shares))
     within = domain_of("domain", domain)
     chosen = settings(threads, "triangles", "error", "cpu", progress, False)
     limits = _tolerance(tolerance), _count(iterations)

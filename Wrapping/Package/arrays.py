@@ -79,4 +79,6 @@ def validate(result: ConvexHull | RegularTriangulation, *, threads: int = 0) -> 
 
     This is an independent check, near-linear in the number of points.
     """
+    if not hasattr(result, "validate"):
+        raise TypeError(f"result is what convex_hull() or regular_triangulation() gives, not {type(result).__name__}")
     return result.validate(threads=threads)
