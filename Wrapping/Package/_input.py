@@ -149,6 +149,8 @@ def _as_array(values: Any, what: str) -> np.ndarray:
 
     what: the numbers' name, in the plural
     """
+    if type(values) is np.ndarray and values.dtype.kind in "biuf":
+        return values
     refuse_geometry(values, what)
     if isinstance(values, Sequence) and len(values):
         refuse_geometry(values[0], what)
