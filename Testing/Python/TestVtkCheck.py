@@ -3,7 +3,9 @@
 """Beside a VTK that they do not fit, the VTK classes say so before a library is loaded; the VTKs here are stand-ins."""
 
 import importlib
+import inspect
 import os
+import pydoc
 import subprocess
 import sys
 import tempfile
@@ -91,6 +93,15 @@ class TestVtkCheck(unittest.TestCase):
         for name in ("vtkflipflop.arrays", "vtkflipflop._core"):
             with self.assertRaisesRegex(ImportError, "has the VTK classes alone.*pip install"):
                 importlib.import_module(name)
+        self.assertFalse(hasattr(vtkflipflop, "arrays") or "arrays" in dir(vtkflipflop))
+        with self.assertRaisesRegex(ImportError, "no attribute 'convex_hull'. .*has the VTK classes alone"):
+            from vtkflipflop import convex_hull  # noqa: F401
+
+    def test_looking_around_raises_nothing(self):
+        inspect.getmembers(vtkflipflop)
+        self.assertIn("vtkFFHullFilter", pydoc.render_doc(vtkflipflop))
+        exec("from vtkflipflop import *", {})
+        self.assertFalse(hasattr(vtkflipflop, "nonsense"))
 
 
 if __name__ == "__main__":

@@ -10,7 +10,8 @@
 
 Points are anything that NumPy reads as n rows of 2 or 3 real numbers, in any type, byte order and layout; float32 and
 float64 are not copied where a row's numbers lie side by side. No number is rounded: one that no double holds is an
-error. Masked points are left out, and ids stay the caller's. Results are frozen; their arrays are the engine's memory,
+error. Masked points are left out, and ids stay the caller's; a masked value of interpolate() is NaN, and so is what it
+enters; anywhere else, a masked entry is an InputError. Results are frozen; their arrays are the engine's memory,
 and read-only. Names are scipy.spatial's where it has them. Points are kept, not copied: do not change them while a
 result is in use.
 
