@@ -15,6 +15,7 @@ pytest.importorskip("mypy", reason="mypy is not installed")
 
 ARRAYS = """
 import numpy as np
+import vtkflipflop
 from numpy.typing import NDArray
 from typing import assert_type
 from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
@@ -61,6 +62,8 @@ assert_type(centroidal_cells([[0.0, 1]]).diagram, PowerDiagram)
 assert_type(prescribed_areas([[0.0, 1]], [1], [[0, 0], [1, 0], [0, 1]]), PrescribedAreas)
 assert_type(prescribed_areas([[0.0, 1]]).weights, NDArray[np.float64])
 assert_type(InputError("").index, int)
+assert_type(vtkflipflop.arrays.convex_hull([[0.0, 0, 0]]), ConvexHull)
+assert_type(power_diagram([[0.0, 1]], domain=((0, 0), (1, 1))), PowerDiagram)
 """
 
 WRONG = """

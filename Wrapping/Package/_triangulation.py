@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
-from ._arguments import length_of
+from ._arguments import choice_of, length_of
 from ._constraints import Chains, Constraints, SplitConstraints
 from ._device import memory_of
 from ._domain import domain_of_call
@@ -222,11 +222,9 @@ class RegularTriangulation(Cells):
         -------
         array of m numbers, or m by k; for one point, its value
         """
-        if method not in _METHODS:
-            raise ValueError(f"method is one of {', '.join(map(repr, _METHODS))}, not {method!r}")
+        ask = getattr(self._queries, _METHODS[choice_of("method", method, tuple(_METHODS))])
         given = values_of(values, self.npoints)
         rows = np.ascontiguousarray(given.reshape(self.npoints, -1 if given.size else 1))
-        ask = getattr(self._queries, _METHODS[method])
         found = answers(ask, points, (2, 3), threads, non_finite, progress, rows)
         return found[..., 0] if given.ndim == 1 else found
 
