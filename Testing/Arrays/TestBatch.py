@@ -71,9 +71,14 @@ def test_a_set_at_fault():
 
 
 def test_offsets_at_fault():
-    for wrong in ([0, 5, 3], [0, 10**6], [-1, 5]):
-        with pytest.raises(InputError, match="at set [01]"):
-            convex_hulls(POINTS[:20], wrong)
+    for wrong, said in (
+        ([0, 5, 3], "set 1 is from 5 to 3"),
+        ([0, 10**6], "set 0 is from 0 to 1000000"),
+        ([-1, 5], "set 0 is from -1 to 5"),
+    ):
+        for call in (convex_hulls, regular_triangulations):
+            with pytest.raises(InputError, match=f"^offsets ascend from 0 to 20, the number of points, but {said}$"):
+                call(POINTS[:20], wrong)
     with pytest.raises(TypeError, match="offsets are integers"):
         convex_hulls(POINTS[:20], [0.0, 5.0])
     with pytest.raises(ValueError, match="one dimension"):

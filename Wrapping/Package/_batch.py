@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import FlipFlopError, of_engine
+from ._errors import FlipFlopError, InputError, of_engine
 from ._hull import ConvexHull
 from ._input import ids_of, points_of, weights_of
 from ._results import Floats, Frozen, Ids, Progress, ignores, run, settings
@@ -137,7 +137,7 @@ def convex_hulls(
     """
     _check_errors(errors)
     array, left_out = points_of(points, ignores(non_finite))
-    starts = _offsets_of(offsets)
+    starts = _offsets_of(offsets, len(array))
     chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
     core = run(chosen, _core.convex_hulls, array, starts)
     return HullBatch(array, starts, core, left_out, errors)
@@ -170,16 +170,23 @@ def regular_triangulations(
     if weights is not None:
         heavy, masked = weights_of(weights, ignore)
         left_out = left_out or masked
-    starts = _offsets_of(offsets)
+    starts = _offsets_of(offsets, len(array))
     chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
     core = run(chosen, _core.regular_triangulations, array, starts, heavy)
     return TriangulationBatch(array, heavy, starts, core, left_out, errors)
 
 
-def _offsets_of(values: ArrayLike) -> Ids:
+def _offsets_of(values: ArrayLike, points: int) -> Ids:
     offsets = np.array(ids_of(values, "offsets"))
     if offsets.ndim != 1:
         raise ValueError(f"offsets are an array of one dimension, not of shape {offsets.shape}")
+    begins, ends = offsets[:-1], offsets[1:]
+    wrong = (begins < 0) | (ends < begins) | (ends > points)
+    if wrong.any():
+        first = int(wrong.argmax())
+        found = f"set {first} is from {begins[first]} to {ends[first]}"
+        sentence = f"offsets ascend from 0 to {points}, the number of points, but {found}"
+        raise InputError(sentence, "bad_argument", first, int(wrong.sum()))
     offsets.flags.writeable = False
     return offsets
 

@@ -59,7 +59,7 @@ _CODES = (
     ("too_many_points", InputError, "", "{} points"),
     ("out_of_memory", OutOfMemoryError, "", "{} bytes were asked for"),
     ("aborted", AbortedError, "", ""),
-    ("bad_argument", InputError, "at set {}", ""),
+    ("bad_argument", InputError, "at index {}", ""),
     ("weight_count", InputError, "{} points", "{} weights"),
     ("bad_triangle", InputError, "first at triangle {}", "{} such triangle(s) in all"),
     ("not_simple", InputError, "first at cell {}", "{} such polygon(s) in all"),

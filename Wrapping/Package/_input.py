@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Users' arrays as the engine reads them: points and weights in place, float32 or float64, none rounded.
 
-Every array argument is read here. Its mask, if it has one: a masked point, or a point with a masked weight, is left out; a
-masked value is NaN; anywhere else, a masked entry is an error.
+Every array argument is read here, and its mask, if it has one: a masked point, or a point with a masked weight, is left
+out; a masked value is NaN; anywhere else, a masked entry is an error.
 """
 
 from __future__ import annotations

@@ -210,7 +210,8 @@ class RegularTriangulation(Cells):
         Parameters
         ----------
         values : n numbers, or n by k
-            one (or a row) for each of the triangulated points; those of hidden points are not used. A masked one is NaN.
+            one (or a row) for each of the triangulated points; those of hidden points are not used. A masked one is
+            NaN.
         points
             as for locate()
         method : {"linear", "natural"}

@@ -13,7 +13,8 @@ pentagon = [(0, 0), (2, 0), (3, 1), (1, 3), (-0.5, 1)]
 voronoi = power_diagram(sites, domain=pentagon)
 print(f"{len(voronoi)} cells, area {voronoi.areas.sum():.6f}")
 largest = voronoi.areas.argmax()
-print(f"the largest is that of site {voronoi.sites[largest]}: {voronoi.vertices[voronoi.regions[largest]].round(2).tolist()}")
+corners = voronoi.vertices[voronoi.regions[largest]]
+print(f"the largest is that of site {voronoi.sites[largest]}, with the corners {corners.round(2).tolist()}")
 
 # Weights are squared lengths: a site of a larger weight has a larger cell. A box may be given by two corners.
 power = power_diagram(sites, rng.random(100) * 0.01, domain=[(0, 0), (1, 1)])
