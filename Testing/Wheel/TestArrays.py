@@ -243,3 +243,20 @@ def test_the_caller_s_arrays_are_left_alone():
     before = points.data.tobytes(), points.mask.tobytes(), weights.tobytes()
     regular_triangulation(points, weights, non_finite_points="ignore")
     assert (points.data.tobytes(), points.mask.tobytes(), weights.tobytes()) == before
+
+
+class Polygon:
+    """As shapely's."""
+
+    __geo_interface__ = {"type": "Polygon"}
+
+
+def test_geometries_are_told_the_way_out():
+    with pytest.raises(TypeError, match=r"points are an array of numbers, not a Polygon: pass shapely.get_coordinates\(\)"):
+        convex_hull(Polygon())
+
+
+def test_a_masked_transform():
+    matrix = np.ma.array(np.eye(4), mask=np.eye(4))
+    with pytest.raises(InputError, match=r"^transform: entry \[0, 0\] is masked"):
+        regular_triangulation(POINTS, transform=matrix, projection_plane_mode="transform")

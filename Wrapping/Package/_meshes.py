@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ._arguments import Weights
 from ._errors import FlipFlopError, InputError
-from ._input import is_array_like, points_of, rows_of, weights_of
+from ._input import is_array_like, points_of, refuse_geometry, rows_of, weights_of
 from ._results import Ids
 
 _OBJECT = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkObjectBase")
@@ -81,6 +81,7 @@ def data_of(mesh: Any) -> Any:
             return values_of(mesh)
     elif is_array_like(mesh):
         return mesh
+    refuse_geometry(mesh, "points")
     try:
         data = pv.wrap(mesh, **_UNCHECKED)
     except (NotImplementedError, TypeError):

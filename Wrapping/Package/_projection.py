@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import InputError
+from ._input import refuse_masked
 from ._results import Floats, Ids
 
 _MODES = ("xy_plane", "best_fitting_plane", "transform")
@@ -110,6 +111,7 @@ def _matrix_of(transform: Any) -> Floats:
         values = values.GetMatrix()
     if hasattr(values, "GetElement"):
         values = [[values.GetElement(i, k) for k in range(4)] for i in range(4)]
+    refuse_masked(values, "transform")
     try:
         matrix = np.array(values, np.float64)
     except (TypeError, ValueError):
