@@ -29,11 +29,12 @@ class FanMeshMaker
 {
 public:
   FanMeshMaker(FanMesh& result, const Vertex* points, const Geometry& signs,
-    const Triangulation& triangulation, Monitor& toTell)
+    const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges, Monitor& toTell)
     : mesh(result)
     , vertices(points)
     , geometry(signs)
     , given(triangulation)
+    , fixed(fixedEdges)
     , monitor(toTell)
     , next(triangulation.pointIds.size())
   {
@@ -174,10 +175,11 @@ private:
     }
   }
 
-  /// No point opposite an edge is above the triangle.
-  void checkEdges() const
+  /// No point opposite an edge is above the triangle, but where the edge is fixed.
+  void checkEdges()
   {
     const Triangle* const triangles = this->mesh.triangles.data();
+    std::atomic<bool> regular{ true };
     eachCheckedRun(this->mesh.triangles.size(), FacetsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
@@ -188,21 +190,49 @@ private:
           const std::uint32_t* v = triangles[t].v;
           for (const std::uint32_t twin : triangles[t].twin)
           {
-            if (twin != NoIndex && triangleOf(twin) > t &&
+            if (twin == NoIndex || triangleOf(twin) <= t ||
               local.above(this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]],
-                this->vertices[this->mesh.origin(previousHalfEdge(twin))]) > 0)
+                this->vertices[this->mesh.origin(previousHalfEdge(twin))]) <= 0)
+            {
+              continue;
+            }
+            if (!this->isFixed(this->mesh.origin(twin), this->mesh.origin(nextHalfEdge(twin))))
             {
               refuse(this->given.pointIds[v[0]]);
             }
+            regular.store(false, std::memory_order_relaxed);
           }
         }
       });
+    this->mesh.isRegular = regular.load(std::memory_order_relaxed);
+  }
+
+  /// Is the edge of two vertices in the list? It is in lexicographic order.
+  bool isFixed(std::uint32_t a, std::uint32_t b) const
+  {
+    const std::pair<std::int64_t, std::int64_t> edge = std::minmax<std::int64_t>(a, b);
+    std::size_t low = 0;
+    std::size_t high = this->fixed ? this->fixed->size() / 2 : 0;
+    while (low < high)
+    {
+      const std::size_t middle = low + (high - low) / 2;
+      const std::int64_t* ends = this->fixed->data() + 2 * middle;
+      const std::pair<std::int64_t, std::int64_t> there(ends[0], ends[1]);
+      if (there == edge)
+      {
+        return true;
+      }
+      low = there < edge ? middle + 1 : low;
+      high = there < edge ? high : middle;
+    }
+    return false;
   }
 
   FanMesh& mesh;
   const Vertex* vertices;
   const Geometry& geometry;
   const Triangulation& given;
+  const Buffer<std::int64_t>* fixed; ///< edges; may be null
   Monitor& monitor;
   Buffer<std::uint32_t> next; ///< along the border; NoIndex inside
 };
@@ -210,9 +240,9 @@ private:
 }
 
 FanMesh::FanMesh(const Vertex* vertices, const LiftedGeometry<true>& geometry,
-  const Triangulation& triangulation, Monitor& monitor)
+  const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges, Monitor& monitor)
 {
-  FanMeshMaker(*this, vertices, geometry, triangulation, monitor).make();
+  FanMeshMaker(*this, vertices, geometry, triangulation, fixedEdges, monitor).make();
 }
 
 }

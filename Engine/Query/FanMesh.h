@@ -4,9 +4,9 @@
 /// A triangulation as queries walk on it: the fans of its cells, in the order of the cells, with
 /// their neighbours across the edges.
 ///
-/// It is checked by exact signs: triangles turn left, each edge is regular, the border is one
-/// convex loop. Then it is the regular triangulation of its points, a walk ends, and what is beyond
-/// the border is outside.
+/// It is checked by exact signs: triangles turn left, each edge that is not fixed is regular, the
+/// border is one convex loop. Then it is the regular triangulation of its points, or the
+/// constrained one, and what is beyond the border is outside.
 #ifndef flipflop_FanMesh_h
 #define flipflop_FanMesh_h
 
@@ -28,9 +28,10 @@ struct FanMesh
   /// @param vertices      of the triangulation's points, by index
   /// @param geometry      of them
   /// @param triangulation of dimension 2, after checkCells
+  /// @param fixedEdges    of it, as ConstrainedTriangulation has them; null: none
   /// @throw Error BadArgument, TooManyPoints, OutOfMemory, Aborted
   FanMesh(const Vertex* vertices, const LiftedGeometry<true>& geometry,
-    const Triangulation& triangulation, Monitor& monitor);
+    const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges, Monitor& monitor);
 
   /// No triangle.
   bool empty() const { return this->triangles.empty(); }
@@ -53,6 +54,31 @@ struct FanMesh
     const std::uint32_t t = this->lowestAt[v];
     const std::uint32_t* corner = this->triangles[t].v;
     return halfEdge(t, corner[0] == v ? 0 : (corner[1] == v ? 1 : 2));
+  }
+
+  /// use(h) for the half-edges h that leave vertex @p v, of its triangles, until it returns false.
+  template <class Use>
+  void eachLeaving(std::uint32_t v, Use&& use) const
+  {
+    // Counter-clockwise around v, and from the border clockwise from the start.
+    const std::uint32_t first = this->leaving(v);
+    std::uint32_t h = first;
+    do
+    {
+      if (!use(h))
+      {
+        return;
+      }
+      h = this->twin(previousHalfEdge(h));
+    } while (h != first && h != NoIndex);
+    for (std::uint32_t out = h == NoIndex ? this->twin(first) : NoIndex; out != NoIndex;
+         out = this->twin(nextHalfEdge(out)))
+    {
+      if (!use(nextHalfEdge(out)))
+      {
+        return;
+      }
+    }
   }
 
   /// use(u) for the neighbours u of vertex @p v, until it returns false.
@@ -88,6 +114,7 @@ struct FanMesh
 
   Buffer<Triangle> triangles;     ///< note: the cell; twin: NoIndex at the border
   Buffer<std::uint32_t> lowestAt; ///< of each vertex its lowest triangle
+  bool isRegular = true;          ///< each edge is, also those that are fixed
 };
 
 }

@@ -5,7 +5,8 @@
 /// a walk leads on by exact signs.
 ///
 /// Places beyond the triangle's side walk over it: of a regular triangulation no such walk goes
-/// round, and over the border it leaves the hull. The nearest site is where no neighbour is nearer,
+/// round, and over the border it leaves the hull. Where fixed edges are not regular, the walk is a
+/// straight one. The nearest site is where no neighbour is nearer,
 /// for the neighbours' lines of equal power alone bound a power cell. Of sites that are level, two
 /// are neighbours, or all are corners of one facet, so the way to the lowest id leads over
 /// neighbours, too: over the corner that the facet's fan has in common.
@@ -16,6 +17,7 @@
 #include "Geometry/VisibilityWalk.h"
 #include "Query/FanMesh.h"
 #include "Query/Sites.h"
+#include "Query/StraightWalk.h"
 #include "Support/Monitor.h"
 #include <flipflop/Triangulation.h>
 
@@ -53,6 +55,10 @@ public:
   template <class Space>
   PlaceInMesh locate(const Space& space, const double* place) const
   {
+    if (!this->mesh->isRegular)
+    {
+      return this->locateStraight(space, place);
+    }
     int onSides = 0;
     std::uint32_t beyond = 0;
     const Triangle* const triangles = this->mesh->triangles.data();
@@ -106,6 +112,27 @@ public:
   }
 
 private:
+  template <class Space>
+  PlaceInMesh locateStraight(const Space& space, const double* place) const
+  {
+    const Triangle* const triangles = this->mesh->triangles.data();
+    const std::uint32_t found =
+      StraightWalk<Space>(*this->mesh, space).from(triangles[this->near(place)].v[0]);
+    if (found == NoIndex)
+    {
+      return PlaceInMesh();
+    }
+    int onSides = 0;
+    const std::uint32_t* v = triangles[found].v;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int sign =
+        space.geometry.orient(space.site(v[i]), space.site(v[nextCorner(i)]), space.query);
+      onSides |= (sign == 0 ? 1 : 0) << i;
+    }
+    return this->lowest(found, onSides);
+  }
+
   std::uint32_t near(const double* place) const
   {
     const Vertex p = this->sites->scaled(place);

@@ -67,8 +67,12 @@ void eachPlace(const PointView& queries, const void* answers, const Options& opt
 class TriangulationQueries::Implementation
 {
 public:
+  /// @param fixedEdges null: of a regular triangulation
+  /// @param inside     a mask of the cells; null: all are inside
   Implementation(const PointView& points, const WeightView& weights,
-    const Triangulation& triangulation, const Options& options)
+    const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges,
+    const std::uint8_t* inside, const Options& options)
+    : isConstrained(fixedEdges)
   {
     Monitor monitor(options);
     monitor.stage(0.0, 1.0, 1, "preparing");
@@ -90,9 +94,10 @@ public:
         }
         if (this->dimension == 2)
         {
-          this->mesh =
-            FanMesh(this->sites.data(), this->sites.scaledGeometry(), triangulation, monitor);
+          this->mesh = FanMesh(
+            this->sites.data(), this->sites.scaledGeometry(), triangulation, fixedEdges, monitor);
           this->locator = SiteLocator(this->sites, this->mesh, monitor);
+          this->numberCells(triangulation.cellCount(), inside);
         }
         monitor.stage(1.0, 1.0, 1);
       });
@@ -121,10 +126,8 @@ public:
           const PlaceInChain found = this->chain.locate(space);
           return found.from == NoIndex ? -1 : static_cast<std::int64_t>(found.cell);
         }
-        const PlaceInMesh found = this->locator.locate(space, place);
-        return found.kind == PlaceInMesh::Outside
-          ? -1
-          : static_cast<std::int64_t>(this->mesh.cellOf(found.triangle));
+        const std::uint32_t found = this->lowestCell(this->locator.locate(space, place));
+        return found == NoIndex ? -1 : static_cast<std::int64_t>(found);
       });
   }
 
@@ -166,6 +169,10 @@ public:
         return true;
       }
       const PlaceInMesh found = this->locator.locate(space, place);
+      if (this->lowestCell(found) == NoIndex)
+      {
+        return true;
+      }
       linearShares(space, this->mesh, found, shares);
       return !natural || this->makeNatural(space, found, *natural, shares);
     };
@@ -225,7 +232,62 @@ public:
       });
   }
 
+  /// @throw Error BadArgument
+  void requireRegular(const char* sentence) const
+  {
+    if (this->isConstrained)
+    {
+      throw badArgument(sentence);
+    }
+  }
+
 private:
+  /// Those inside, in order.
+  void numberCells(std::int64_t count, const std::uint8_t* inside)
+  {
+    if (!inside)
+    {
+      return;
+    }
+    this->numberOf.allocate(static_cast<std::size_t>(count));
+    std::uint32_t number = 0;
+    for (std::size_t c = 0; c < this->numberOf.size(); ++c)
+    {
+      this->numberOf[c] = inside[c] ? number++ : NoIndex;
+    }
+  }
+
+  /// The lowest cell that holds a place, by its number among those inside; NoIndex: there is none.
+  std::uint32_t lowestCell(const PlaceInMesh& place) const
+  {
+    if (place.kind == PlaceInMesh::Outside)
+    {
+      return NoIndex;
+    }
+    if (this->numberOf.empty())
+    {
+      return this->mesh.cellOf(place.triangle);
+    }
+    const auto number = [this](std::uint32_t h)
+    { return h == NoIndex ? NoIndex : this->numberOf[this->mesh.cellOf(triangleOf(h))]; };
+    const std::uint32_t h = halfEdge(place.triangle, place.corner);
+    std::uint32_t lowest = number(h);
+    if (place.kind == PlaceInMesh::OnEdge)
+    {
+      lowest = std::min(lowest, number(this->mesh.twin(h)));
+    }
+    if (place.kind == PlaceInMesh::AtCorner)
+    {
+      this->mesh.eachLeaving(this->mesh.origin(h),
+        [&](std::uint32_t out)
+        {
+          lowest = std::min(lowest, number(out));
+          return true;
+        });
+    }
+    return lowest;
+  }
+
   /// From the linear shares to the natural ones, where these are others.
   /// @return false where the space does not carry the query's weight
   template <class Space>
@@ -260,6 +322,8 @@ private:
   }
 
   int dimension = -1;
+  bool isConstrained;
+  Buffer<std::uint32_t> numberOf; ///< of each cell, in lowestCell(); empty: its own
   Sites sites;
   FanMesh mesh;        ///< of dimension 2
   SiteLocator locator; ///< of dimension 2
@@ -269,7 +333,22 @@ private:
 TriangulationQueries::TriangulationQueries(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const Options& options)
   : implementation(withTypedErrors(
-      [&] { return std::make_unique<Implementation>(points, weights, triangulation, options); }))
+      [&]
+      {
+        return std::make_unique<Implementation>(
+          points, weights, triangulation, nullptr, nullptr, options);
+      }))
+{
+}
+
+TriangulationQueries::TriangulationQueries(const PointView& points,
+  const ConstrainedTriangulation& triangulation, const std::uint8_t* inside, const Options& options)
+  : implementation(withTypedErrors(
+      [&]
+      {
+        return std::make_unique<Implementation>(
+          points, WeightView(), triangulation, &triangulation.fixedEdges, inside, options);
+      }))
 {
 }
 
@@ -290,6 +369,8 @@ void TriangulationQueries::nearest(
   const PointView& queries, std::int64_t* ids, const Options& options) const
 {
   const Implementation& self = *this->implementation;
+  self.requireRegular("the nearest point is a question to a regular triangulation, not to a "
+                      "constrained one");
   self.answer(queries, ids, options,
     [&self](const SiteSigns& signs, const double* place) { return self.nearestTo(signs, place); });
 }
@@ -303,6 +384,8 @@ void TriangulationQueries::interpolateLinear(const double* values, std::int64_t 
 void TriangulationQueries::interpolateNatural(const double* values, std::int64_t components,
   const PointView& queries, double* result, const Options& options) const
 {
+  this->implementation->requireRegular(
+    "natural neighbours are those of a regular triangulation, not of a constrained one");
   this->implementation->interpolate(true, values, components, queries, result, options);
 }
 

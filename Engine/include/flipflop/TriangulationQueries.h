@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Questions about places in the plane to a regular triangulation: which cell holds a place, which
-/// site is nearest, and what value is there, between the sites' values.
+/// Questions about places in the plane to a regular or constrained triangulation: which cell holds
+/// a place, which site is nearest, and what value is there, between the sites' values.
 #ifndef flipflop_TriangulationQueries_h
 #define flipflop_TriangulationQueries_h
 
+#include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
 #include <flipflop/Triangulation.h>
@@ -46,6 +47,19 @@ public:
   TriangulationQueries(const PointView& points, const WeightView& weights,
     const Triangulation& triangulation, const Options& options = Options());
 
+  /// Of a constrained triangulation: for locate() and interpolateLinear(). Natural neighbours and
+  /// the nearest site are those of the regular triangulation, so the other calls are an error.
+  /// @param points        as they were triangulated
+  /// @param triangulation of these points; of what it has beside cells, its fixed edges alone count
+  /// @param inside        for each cell 1 if it is inside, as cellsInside() gives it, else 0; null:
+  ///                      all are. A place that only cells outside hold is outside. locate()
+  ///                      numbers the cells inside alone, in their order, as keepCells() does.
+  /// @param options       only the threads and the progress function are used
+  /// @throw Error         as of a regular triangulation; of edges that are not regular, those that
+  ///                      are not fixed are an error
+  TriangulationQueries(const PointView& points, const ConstrainedTriangulation& triangulation,
+    const std::uint8_t* inside = nullptr, const Options& options = Options());
+
   ///@{
   /// @p other may only be destroyed or assigned to afterwards.
   TriangulationQueries(TriangulationQueries&& other) noexcept;
@@ -77,7 +91,7 @@ public:
   /// @param ids     receives for each query the site's id (position in the input); of several at
   ///                one distance, the lowest; -1 where there is no site
   /// @param options as for locate()
-  /// @throw Error   as for locate()
+  /// @throw Error   as for locate(); BadArgument also of a constrained triangulation
   void nearest(
     const PointView& queries, std::int64_t* ids, const Options& options = Options()) const;
 
@@ -118,7 +132,7 @@ public:
   /// @param queries    as for interpolateLinear()
   /// @param result     as for interpolateLinear()
   /// @param options    as for locate()
-  /// @throw Error      as for interpolateLinear()
+  /// @throw Error      as for interpolateLinear(); BadArgument also of a constrained triangulation
   void interpolateNatural(const double* values, std::int64_t components, const PointView& queries,
     double* result, const Options& options = Options()) const;
 
