@@ -5,6 +5,8 @@
 /// borders of such.
 #include "Calls.h"
 #include "Results.h"
+#include "Sites.h"
+#include "State.h"
 #include "Views.h"
 
 #include <flipflop/AlphaComplex.h>
@@ -115,6 +117,77 @@ Constrained constrained(
     });
 }
 
+/// Which cells of the whole are inside; both are in one order.
+Buffer<std::uint8_t> insideOf(const CellComplex& whole, const CellComplex& inside)
+{
+  Buffer<std::uint8_t> mask(static_cast<std::size_t>(whole.cellCount()));
+  std::int64_t next = 0;
+  for (std::int64_t c = 0; c < whole.cellCount(); ++c)
+  {
+    const auto corners = [](const CellComplex& cells, std::int64_t cell)
+    { return cells.connectivity.begin() + cells.cellBegin(cell); };
+    const bool same = next < inside.cellCount() &&
+      std::equal(
+        corners(whole, c), corners(whole, c + 1), corners(inside, next), corners(inside, next + 1));
+    mask[static_cast<std::size_t>(c)] = same ? 1 : 0;
+    next += same ? 1 : 0;
+  }
+  if (next != inside.cellCount())
+  {
+    throw nb::value_error("the cells inside are not of the whole");
+  }
+  return mask;
+}
+
+/// Questions to what is inside, whose cells are numbered as triangles.
+Sites constrainedSites(
+  const InputArray& points, const Constrained& triangulation, const Settings& settings)
+{
+  const PointView places = pointView(points, 2);
+  const bool areTriangles =
+    triangulation.whole->dimension < 2 || triangulation.whole->cellSize == 3;
+  std::shared_ptr<const ConstrainedTriangulation> whole = triangulation.whole;
+  Handle<Triangulation> inside = triangulation.inside;
+  if (!areTriangles)
+  {
+    auto fans = std::make_shared<ConstrainedTriangulation>(fansOf(*whole));
+    fans->fixedEdges = copyOf(whole->fixedEdges);
+    whole = std::move(fans);
+    inside = handleOf(fansOf(*inside.result));
+  }
+  return settings.run(
+    [&](const Options& options)
+    {
+      const Buffer<std::uint8_t> mask = insideOf(*whole, *inside.result);
+      return Sites{ TriangulationQueries(places, *whole, mask.data(), options), places.count };
+    });
+}
+
+/// The whole; and what is inside, None if it is the same.
+nb::tuple constrainedState(const Constrained& self)
+{
+  const auto only = [](const auto& result)
+  {
+    return stateOf(
+      1, [&](std::size_t) -> const auto& { return result; });
+  };
+  return nb::make_tuple(only(*self.whole),
+    self.inside.result == self.whole ? nb::none() : nb::object(only(*self.inside.result)));
+}
+
+Constrained restoredConstrained(const std::tuple<State, std::optional<State>>& state)
+{
+  Constrained self;
+  self.whole = std::make_shared<const ConstrainedTriangulation>(
+    restoredResult<ConstrainedTriangulation>(std::get<0>(state)));
+  self.inside = { self.whole };
+  if (std::get<1>(state))
+  {
+    self.inside = handleOf(restoredResult<Triangulation>(*std::get<1>(state)));
+  }
+  return self;
+}
+
 /// The pieces, the constraint of each, how many are sides of polygons, and the new places.
 nb::tuple splitOf(
   const InputArray& points, const Ends& ends, std::int64_t polygonSides, const Settings& settings)
@@ -176,7 +249,12 @@ void bindComplexes(nb::module_& module)
         return arrayOf(idsOf(whole, whole.fixedEdges), { whole.constraintOf.size(), 2 });
       })
     .def("constraint_of",
-      [](const Constrained& self) { return arrayOf(self.whole->constraintOf, self.whole); });
+      [](const Constrained& self) { return arrayOf(self.whole->constraintOf, self.whole); })
+    .def("__getstate__", &constrainedState)
+    .def("__setstate__",
+      [](Constrained& self, const std::tuple<State, std::optional<State>>& state)
+      { new (&self) Constrained(restoredConstrained(state)); });
+  module.def("constrained_queries", &constrainedSites);
   module.def("constrained_triangulation", &constrained);
   module.def("split_crossings", &splitOf);
   module.def("validate_constrained",

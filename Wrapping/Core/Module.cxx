@@ -5,6 +5,7 @@
 /// Package/arrays.py.
 #include "Calls.h"
 #include "Results.h"
+#include "State.h"
 #include "Views.h"
 
 #include <flipflop/Batch.h>
@@ -143,6 +144,36 @@ Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<Inp
     [&](const Options& options) { return powerDiagram(places, heavy, facets, within, options); }));
 }
 
+/// @throw nb::value_error if that is no state of a diagram
+PowerDiagram restoredDiagram(const std::tuple<Figures, IdArray, IdArray, IdArray>& state)
+{
+  const auto& [corners, connectivity, offsets, sites] = state;
+  const auto copyOf = [](const auto& from, auto& to)
+  {
+    to.allocate(from.shape(0));
+    std::copy_n(from.data(), to.size(), to.begin());
+  };
+  PowerDiagram diagram;
+  copyOf(corners, diagram.corners);
+  copyOf(connectivity, diagram.connectivity);
+  copyOf(offsets, diagram.offsets);
+  copyOf(sites, diagram.siteIds);
+  const auto places = static_cast<std::int64_t>(diagram.corners.size() / 2);
+  const auto corner = diagram.connectivity.size();
+  const Buffer<std::int64_t>& begins = diagram.offsets;
+  const bool isSound = std::all_of(diagram.connectivity.begin(), diagram.connectivity.end(),
+                         [places](std::int64_t i) { return i >= 0 && i < places; }) &&
+    (begins.empty() ? corner == 0 && diagram.siteIds.empty()
+                    : begins.size() == diagram.siteIds.size() + 1 && begins[0] == 0 &&
+          begins[begins.size() - 1] == static_cast<std::int64_t>(corner) &&
+          std::is_sorted(begins.begin(), begins.end()));
+  if (!isSound)
+  {
+    throw nb::value_error("this is no state of a power diagram of this version");
+  }
+  return diagram;
+}
+
 /// Many results that Python takes out one by one.
 template <class Result>
 struct Results
@@ -179,6 +210,20 @@ nb::class_<Results<Result>> bindResults(nb::module_& module, const char* name)
         }
         return Handle<Result>{ std::shared_ptr<const Result>(
           self.batch, &self.batch->results[set]) };
+      })
+    .def("__getstate__",
+      [](Self self)
+      {
+        const std::vector<Result>& results = self.batch->results;
+        return stateOf(results.size(), [&](std::size_t i) -> const Result& { return results[i]; });
+      })
+    // Without the errors, which Python keeps.
+    .def("__setstate__",
+      [](Results<Result>& self, const State& state)
+      {
+        Batch<Result> batch;
+        batch.results = restoredResults<Result>(state);
+        new (&self) Results<Result>(resultsOf(std::move(batch)));
       })
     .def("errors",
       [](Self self)
@@ -280,13 +325,14 @@ NB_MODULE(_core, module)
     .def_rw("points_memory", &Settings::pointsMemory)
     .def_rw("weights_memory", &Settings::weightsMemory);
 
-  bindCells<Hull>(module, "Hull")
-    .def_prop_ro("volume", [](const Handle<Hull>& self) { return self.result->volume; })
+  auto hullClass = bindCells<Hull>(module, "Hull");
+  bindState(hullClass);
+  hullClass.def_prop_ro("volume", [](const Handle<Hull>& self) { return self.result->volume; })
     .def_prop_ro("area", [](const Handle<Hull>& self) { return self.result->area; });
-  bindCells<Triangulation>(module, "Triangulation")
-    .def("hidden",
-      [](const Handle<Triangulation>& self)
-      { return arrayOf(self.result->hiddenIds, self.result); });
+  auto triangulationClass = bindCells<Triangulation>(module, "Triangulation");
+  bindState(triangulationClass);
+  triangulationClass.def("hidden",
+    [](const Handle<Triangulation>& self) { return arrayOf(self.result->hiddenIds, self.result); });
   nb::class_<Handle<PowerDiagram>>(module, "PowerDiagram")
     .def("vertices",
       [](const Handle<PowerDiagram>& self)
@@ -306,7 +352,18 @@ NB_MODULE(_core, module)
                                : arrayOf(offsets, self.result);
       })
     .def("sites",
-      [](const Handle<PowerDiagram>& self) { return arrayOf(self.result->siteIds, self.result); });
+      [](const Handle<PowerDiagram>& self) { return arrayOf(self.result->siteIds, self.result); })
+    .def("__getstate__",
+      [](const Handle<PowerDiagram>& self)
+      {
+        const PowerDiagram& diagram = *self.result;
+        return nb::make_tuple(arrayOf(diagram.corners, self.result),
+          arrayOf(diagram.connectivity, self.result), arrayOf(diagram.offsets, self.result),
+          arrayOf(diagram.siteIds, self.result));
+      })
+    .def("__setstate__",
+      [](Handle<PowerDiagram>& self, const std::tuple<Figures, IdArray, IdArray, IdArray>& state)
+      { new (&self) Handle<PowerDiagram>(handleOf(restoredDiagram(state))); });
   bindResults<Hull>(module, "Hulls")
     .def("volumes",
       [](const Results<Hull>& self)

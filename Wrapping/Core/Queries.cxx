@@ -4,12 +4,12 @@
 /// Questions about places, asked of results.
 #include "Calls.h"
 #include "Results.h"
+#include "Sites.h"
 #include "Views.h"
 
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/HullQueries.h>
 #include <flipflop/Measures.h>
-#include <flipflop/TriangulationQueries.h>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
@@ -83,13 +83,6 @@ nb::tuple measured(std::int64_t cells, const Measure& measure)
   return nb::make_tuple(
     arrayOf(std::move(areas), { size }), arrayOf(std::move(centroids), { size, 2 }));
 }
-
-/// Questions to a triangulation, which knows how many points it was given.
-struct Sites
-{
-  TriangulationQueries queries;
-  std::int64_t points;
-};
 
 Sites sitesOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, const Settings& settings)

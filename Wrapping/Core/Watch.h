@@ -55,6 +55,15 @@ public:
   }
 
 private:
+  /// Python's False or NumPy's. Other callables return what they like: list.append() None, write()
+  /// 0.
+  static bool isFalse(const nanobind::object& result)
+  {
+    return result.is(Py_False) ||
+      (nanobind::isinstance(result, nanobind::module_::import_("numpy").attr("bool_")) &&
+        !nanobind::cast<bool>(nanobind::bool_(result)));
+  }
+
   /// Taking the interpreter costs more than a small run.
   static constexpr std::chrono::milliseconds Between{ 20 };
 
@@ -73,7 +82,7 @@ private:
       {
         throw nanobind::python_error();
       }
-      return this->report.is_none() || !this->report(fraction).is(Py_False);
+      return this->report.is_none() || !isFalse(this->report(fraction));
     }
     catch (nanobind::python_error& error)
     {
