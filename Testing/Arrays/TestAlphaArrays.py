@@ -83,10 +83,6 @@ def test_beside_fractions(points, weights):
             assert square_of(np.nextafter(least, -np.inf)) < square <= square_of(least)
 
 
-def rings_of(polygons):
-    return np.split(polygons.connectivity, polygons.offsets[1:-1]) if len(polygons.offsets) > 1 else []
-
-
 def test_the_border():
     points = RANDOM.random((600, 2))
     triangulation = regular_triangulation(points)
@@ -97,7 +93,7 @@ def test_the_border():
         assert np.array_equal(ours.simplices, triangulation.simplices[triangulation.alphas <= alpha])
         turned = np.stack([ours.simplices, np.roll(ours.simplices, -1, axis=1)], -1).reshape(-1, 2)
         halves = set(map(tuple, turned.tolist()))
-        rings = [ring.tolist() for ring in rings_of(ours.boundary)]
+        rings = [ring.tolist() for ring in ours.boundary]
         sides = [side for ring in rings for side in zip(ring, ring[1:] + ring[:1])]
         assert len(set(sides)) == len(sides)
         assert set(sides) == {(a, b) for a, b in halves if (b, a) not in halves}
@@ -140,7 +136,7 @@ def test_points_that_are_left_out():
     ours = alpha_complex(masked, 0.75)
     assert not ours.within.all() and 9 not in ours.simplices and 9 not in ours.vertices
     # The circle through the four points around the gap is too large; one of them is on the outer border.
-    assert [len(ring) for ring in rings_of(ours.boundary)] == [14, 4]
+    assert [len(ring) for ring in ours.boundary] == [14, 4]
     bad = np.where(np.arange(20)[:, None] == 9, np.nan, GRID)
     assert np.array_equal(alpha_complex(bad, 0.75, non_finite="ignore").within, ours.within)
     with pytest.raises(InputError, match="first at point 9"):
@@ -151,7 +147,7 @@ def test_constrained_triangulations_have_them_too():
     ours = regular_triangulation(GRID, polygons=[[0, 16, 19, 3], [5, 6, 10, 9]])
     assert ours.dropped == 2 and (ours.alphas == np.sqrt(0.5)).all()
     complex_ = ours.alpha_complex(0.75)
-    assert complex_.within.all() and len(rings_of(complex_.boundary)) == 2
+    assert complex_.within.all() and len(complex_.boundary) == 2
     assert len(ours.alpha_complex(0.5).edges) == 31 and ours.alpha_complex(0.4).vertices.tolist() == list(range(20))
 
 

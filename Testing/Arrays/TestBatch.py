@@ -27,7 +27,7 @@ def test_hulls(threads):
 
 
 def test_hulls_in_the_plane():
-    batch = convex_hulls(POINTS[:, :2], OFFSETS[:50])
+    batch = convex_hulls(POINTS[: OFFSETS[49], :2], OFFSETS[:50])
     for i, hull in enumerate(batch):
         alone = convex_hull(POINTS[OFFSETS[i] : OFFSETS[i + 1], :2])
         assert np.array_equal(hull.vertices, alone.vertices)
@@ -87,7 +87,23 @@ def test_offsets_at_fault():
         convex_hulls(POINTS[:20], [0, 5], errors="ignore")
 
 
-@pytest.mark.parametrize("offsets", [[], [0], [5]])
+@pytest.mark.parametrize("offsets", [[], [0]])
 def test_no_set(offsets):
-    assert len(convex_hulls(POINTS[:20], offsets)) == 0
-    assert len(regular_triangulations(POINTS[:20], offsets)) == 0
+    assert len(convex_hulls(POINTS[:0], offsets)) == 0
+    assert len(regular_triangulations(POINTS[:0], offsets)) == 0
+
+
+@pytest.mark.parametrize(
+    "offsets, words",
+    [
+        ([2, 8], r"the first 2 and the last 12 of 20 points are in no set: give points\[2:8\] and offsets - 2$"),
+        ([0, 8, 19], r"so the last 1 of 20 points are in no set: give points\[0:19\]$"),
+        ([1, 20], r"so the first 1 of 20 points are in no set: give points\[1:20\] and offsets - 1$"),
+        ([], "the last 20 of 20 points are in no set"),
+        ([0], "the last 20 of 20 points are in no set"),
+    ],
+)
+def test_offsets_that_leave_points_out(offsets, words):
+    for call in (convex_hulls, regular_triangulations):
+        with pytest.raises(InputError, match=words):
+            call(POINTS[:20], offsets)

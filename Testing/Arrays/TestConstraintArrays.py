@@ -3,6 +3,7 @@
 """vtkflipflop.arrays: triangulations with constraints and polygons, beside integers, and their borders."""
 
 import itertools
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -57,10 +58,6 @@ def edges_of(simplices):
     return found
 
 
-def rings_of(polygons):
-    return np.split(polygons.connectivity, polygons.offsets[1:-1]) if len(polygons.offsets) > 1 else []
-
-
 def shoelace(points, ring):
     x, y = points[ring].T
     return 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))
@@ -107,7 +104,7 @@ def test_polygons_in_polygons(facets):
         ours = regular_triangulation(GRID, polygons=rings[:depth], facets=facets)
         assert ours.areas.sum() == areas[depth - 1]
         assert ours.dropped == (64 - areas[depth - 1]) * (2 if facets == "triangles" else 1)
-        assert sorted(shoelace(GRID, ring) for ring in rings_of(ours.boundary)) == sorted([64, -36, 16, -4][:depth])
+        assert sorted(shoelace(GRID, ring) for ring in ours.boundary) == sorted([64, -36, 16, -4][:depth])
         assert np.array_equal(ours.vertices, np.arange(81)) and ours.hidden.size == 0
         assert validate(ours)
     assert np.array_equal(np.diff(ours.polygons.offsets), np.full(40, 4))
@@ -127,7 +124,7 @@ def test_a_square_with_a_hole_of_any_points():
     kept = points[ours.simplices].mean(axis=1)
     assert not (np.abs(kept - 0.5).max(axis=1) < 0.2).any()
     assert ours.areas.sum() == pytest.approx(0.84, rel=1e-12)
-    assert [len(ring) for ring in rings_of(ours.boundary)] == [4, 4]
+    assert [len(ring) for ring in ours.boundary] == [4, 4]
     assert validate(ours)
 
 
@@ -163,7 +160,7 @@ def test_a_border_as_polygons_gives_the_same_cells():
     points = RANDOM.random((500, 2))
     whole = regular_triangulation(points)
     assert regular_triangulation(points, polygons=whole.boundary).dropped == 0
-    [ring] = rings_of(whole.boundary)
+    [ring] = whole.boundary
     assert len(ring) == len(whole.convex_hull) and ring[0] == ring.min()
     assert shoelace(points, ring) == pytest.approx(whole.areas.sum(), rel=1e-12)
 
@@ -252,14 +249,47 @@ def test_errors(given, error, words, index, count):
 
 def test_what_constrained_triangulations_have_not():
     ours = regular_triangulation(GRID, constraints=[[0, 80]])
-    for call in (ours.locate, ours.find_simplex, ours.nearest, lambda p: ours.interpolate(range(81), p), ours.power_diagram):
-        with pytest.raises(TypeError, match="a constrained triangulation has no"):
+    for call in (ours.nearest, ours.power_diagram):
+        with pytest.raises(TypeError, match="a constrained triangulation has no .*: take that of the points without"):
             call([0, 0])
+    with pytest.raises(InputError, match="a constrained triangulation has no natural neighbours: take method='linear'"):
+        ours.interpolate(range(81), [0, 0], "natural")
     with pytest.raises(AttributeError, match="frozen"):
         ours.dropped = 1
-    arrays = (ours.constraints, ours.fixed_edges, ours.constraint_of, *ours.boundary)
+    arrays = (ours.constraints, ours.fixed_edges, ours.constraint_of, ours.boundary.offsets, ours.boundary.connectivity)
     assert not any(array.flags.writeable for array in arrays)
     assert repr(ours) == "<ConstrainedTriangulation of 81 points: dimension 2, 128 cells, 0 dropped, 8 fixed edges>"
+
+
+@pytest.mark.parametrize("facets", ["triangles", "polygons"])
+def test_places_are_found_beside_brute_force(facets):
+    """In triangles that are not Delaunay, in a shape with a hole, on its sides and at its corners."""
+    sites = np.vstack([GRID, RANDOM.random((200, 2)) * 8])
+    ours = regular_triangulation(
+        sites, constraints=[[55, 79], [7, 53]], polygons=[square(0, 8), square(2, 5)[::-1]], facets=facets
+    )
+    places = np.vstack([GRID, (GRID[1:] + GRID[:-1]) / 2, RANDOM.random((500, 2)) * 10 - 1])
+    corners = sites[ours.simplices].astype(object)  # whole numbers and doubles, as fractions
+    exact = np.vectorize(Fraction, otypes=[object])
+    corners, found = exact(corners), ours.locate(places)
+    for place, cell in zip(exact(places), found):
+        to, of = np.roll(corners, -1, axis=1) - corners, place - corners
+        turns = to[..., 0] * of[..., 1] - to[..., 1] * of[..., 0]
+        holding = np.flatnonzero((turns >= 0).all(axis=1))
+        assert cell == (holding[0] if len(holding) else -1)
+    assert 0 < (found < 0).sum() < len(found) and np.array_equal(ours.find_simplex(places), found)
+    values = sites @ [2.0, -3.0] + 1
+    linear = ours.interpolate(values, places)
+    assert np.array_equal(np.isnan(linear), found < 0)
+    assert np.allclose(linear[found >= 0], (places @ [2.0, -3.0] + 1)[found >= 0], rtol=0, atol=1e-12)
+    assert np.array_equal(ours.interpolate(values, places, fill_value=1e9) == 1e9, found < 0)
+
+
+def test_breaklines_count_in_what_is_interpolated():
+    """A ridge along a constraint stays one; without it, the surface is cut across."""
+    points, height = np.array([[0, 0], [10, 0], [5, 1], [5, -1]]), [1, 1, 0, 0]
+    assert regular_triangulation(points).interpolate(height, [2.5, 0]) == 0.5
+    assert regular_triangulation(points, constraints=[[0, 1]]).interpolate(height, [2.5, 0]) == 1
 
 
 def test_progress_of_both_parts_is_one():

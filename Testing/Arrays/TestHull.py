@@ -21,7 +21,7 @@ def grid(size, ndim=3):
 
 def cells_of(hull):
     """The polygons as lists of ids."""
-    return [list(cell) for cell in np.split(hull.polygons.connectivity, hull.polygons.offsets[1:-1])]
+    return [cell.tolist() for cell in hull.polygons]
 
 
 def side(points, corners, p):
@@ -76,6 +76,7 @@ def test_both_forms_of_facets_are_the_same_either_way():
         one, other = convex_hull(points), convex_hull(points, facets="polygons")
         assert np.array_equal(one.simplices, other.simplices)
         assert np.array_equal(one.vertices, other.vertices)
+        assert len(one.polygons) == len(other.polygons)
         for a, b in zip(one.polygons, other.polygons):
             assert np.array_equal(a, b)
 

@@ -46,16 +46,19 @@ def test_sides_of_a_lattice(flat):
     hull, places = (convex_hull(SQUARE), LATTICE[:, :2]) if flat else (convex_hull(CUBE), LATTICE)
     expected = np.where(((places > 0) & (places < 2)).all(axis=1), Side.INSIDE, Side.ON)
     expected[((places < 0) | (places > 2)).any(axis=1)] = Side.OUTSIDE
-    assert np.array_equal(hull.contains(places), expected)
+    assert np.array_equal(hull.side(places), expected) and hull.side(places).dtype == np.int8
     assert np.array_equal(np.sign(hull.distance(places)), -expected)
-    assert hull.contains(places[0]) == Side.OUTSIDE and np.ndim(hull.contains(places[0])) == 0
+    assert hull.side(places[0]) == Side.OUTSIDE and np.ndim(hull.side(places[0])) == 0
+    contains = hull.contains(places)
+    assert contains.dtype == bool and np.array_equal(contains, expected >= 0)
+    assert np.array_equal(places[contains], [place for place in places if hull.contains(place)])
 
 
 @pytest.mark.parametrize("ndim", [2, 3])
 def test_distances(ndim):
     points, places = RANDOM.random((60, ndim)), RANDOM.random((100, ndim)) * 2 - 0.5
     hull = convex_hull(points)
-    inside = hull.contains(places) > 0
+    inside = hull.side(places) > 0
     heights = places @ hull.equations[:, :-1].T + hull.equations[:, -1]
     found = hull.distance(places)
     assert np.allclose(found[inside], heights[inside].max(axis=1), rtol=0, atol=1e-13)
@@ -70,7 +73,7 @@ def test_distances(ndim):
 def test_a_prism_of_any_size_stands_for_a_polygon():
     for size in (1e-300, 1e-3, 1.0, 1e150, 8e307):
         hull = convex_hull(SQUARE / 2 * size)
-        assert hull.contains([[0.5 * size, 0.5 * size], [0, 0.5 * size], [-0.5 * size, 0]]).tolist() == [1, 0, -1]
+        assert hull.side([[0.5 * size, 0.5 * size], [0, 0.5 * size], [-0.5 * size, 0]]).tolist() == [1, 0, -1]
         assert hull.distance([0.5 * size, 0.25 * size]) == pytest.approx(-0.25 * size, rel=1e-12)
         assert hull.support([1, 1]) == 3
 
@@ -127,9 +130,9 @@ def test_minimal_box_holds_the_points(ndim):
 def test_hulls_of_less(points):
     hull = convex_hull(points)
     places = RANDOM.random((10, points.shape[1])) + 5
-    assert (hull.contains(places) == Side.OUTSIDE).all()
+    assert (hull.side(places) == Side.OUTSIDE).all() and not hull.contains(places).any()
     assert (hull.distance(places) > 0).all()
-    assert (hull.contains(points) == Side.ON).all()
+    assert (hull.side(points) == Side.ON).all() and hull.contains(points).all()
     assert (hull.distance(points) == 0).all()
     assert set(hull.support(places)) <= ({-1} if not len(points) else set(hull.vertices))
     assert hull.neighbors.shape == hull.simplices.shape
@@ -152,12 +155,62 @@ def test_places_at_fault():
     for ask in (hull.contains, hull.distance, hull.support, triangulation.locate, triangulation.nearest):
         with pytest.raises(InputError, match="first at point 1"):
             ask(bad)
-    assert hull.contains(bad, non_finite="ignore").tolist() == [1, -1, 1]
+    assert hull.side(bad, non_finite="ignore").tolist() == [1, -1, 1]
+    assert hull.contains(bad, non_finite="ignore").tolist() == [True, False, True]
     assert np.isnan(hull.distance(bad, non_finite="ignore")).tolist() == [False, True, False]
     assert triangulation.locate(bad, non_finite="ignore")[1] == -1
-    for ask, places in ((hull.contains, SQUARE), (flat.contains, CUBE), (flat.support, [1, 2, 3])):
-        with pytest.raises(ValueError, match="coordinates here"):
+    for ask, places in (
+        (hull.contains, SQUARE),
+        (flat.contains, CUBE),
+        (flat.side, CUBE[:0]),
+        (flat.support, [1, 2, 3]),
+        (triangulation.locate, np.ones((2, 3, 4))),
+    ):
+        with pytest.raises(ValueError, match=r"are an array of shape \(..., [23]\) here, .* [23] coord.*; not of shape"):
             ask(places)
+
+
+def test_places_of_any_shape():
+    hull, triangulation = convex_hull(CUBE), regular_triangulation(RANDOM.random((30, 2)))
+    flat, space = RANDOM.random((3, 4, 5, 2)), RANDOM.random((3, 4, 3)) * 3
+    for ask, places in (
+        (hull.contains, space),
+        (hull.side, space),
+        (hull.distance, space),
+        (hull.support, space),
+        (convex_hull(SQUARE).side, flat * 3),
+        (convex_hull(SQUARE).support, flat),
+        (triangulation.locate, flat),
+        (triangulation.find_simplex, flat),
+        (triangulation.nearest, flat),
+        (triangulation.nearest, space),
+    ):
+        found, rows = ask(places), ask(places.reshape(-1, places.shape[-1]))
+        assert found.shape == places.shape[:-1] and found.dtype == rows.dtype
+        assert np.array_equal(found.ravel(), rows)
+        assert np.array_equal(ask(places.tolist()), found)
+        assert ask(places[:0]).shape == (0, *places.shape[1:-1])
+        one = ask(places.reshape(-1, places.shape[-1])[0])
+        assert np.ndim(one) == 0 and isinstance(one, np.generic) and one == rows[0]
+    masked = np.ma.array(space, mask=False)
+    masked[1, 2] = np.ma.masked
+    assert not hull.contains(masked)[1, 2] and hull.side(masked)[1, 2] == -1
+
+
+def test_a_tuple_of_arrays_could_be_points_or_coordinates():
+    hull, triangulation = convex_hull(CUBE), regular_triangulation(SQUARE)
+    xs, ys, zs = RANDOM.random((3, 2))
+    for ask, places in (
+        (triangulation.locate, (xs, ys)),
+        (triangulation.locate, (xs.tolist(), ys.tolist())),
+        (triangulation.nearest, (xs, ys, zs)),
+        (lambda places: triangulation.interpolate(range(4), places), (xs, ys)),
+        (hull.contains, (xs, ys, zs)),
+    ):
+        with pytest.raises(ValueError, match=r"a tuple of [23] arrays could be points or coordinates: write numpy"):
+            ask(places)
+    assert triangulation.locate((1, 1)) >= 0 and triangulation.locate((xs[0], ys[0])) >= 0
+    assert triangulation.locate(((1, 1), (1, 1), (1, 1), (1, 1))).shape == (4,)
 
 
 # Triangulations ---------------------------------------------------------------------------------------------------
@@ -240,6 +293,52 @@ def test_interpolate(method, weights):
         triangulation.interpolate(plane[1:], places)
 
 
+@pytest.mark.parametrize("method", ["linear", "natural"])
+def test_values_and_places_of_any_shape(method):
+    points, places = RANDOM.random((50, 2)), RANDOM.random((3, 4, 2)) * 1.4 - 0.2
+    triangulation = regular_triangulation(points)
+    values = RANDOM.random((50, 2, 5))
+    outside = triangulation.locate(places) < 0
+    assert 0 < outside.sum() < 12
+    found = triangulation.interpolate(values, places, method)
+    assert found.shape == (3, 4, 2, 5) and np.array_equal(np.isnan(found).all(axis=(2, 3)), outside)
+    for i in range(2):
+        expected = triangulation.interpolate(values[:, i], places.reshape(-1, 2), method).reshape(3, 4, 5)
+        assert np.array_equal(found[..., i, :], expected, equal_nan=True)
+    filled = triangulation.interpolate(values, places, method, fill_value=-1)
+    assert np.array_equal(filled, np.where(outside[..., None, None], -1, found))
+    assert triangulation.interpolate(values, places[0, 0], method).shape == (2, 5)
+    one = triangulation.interpolate(values[:, 0, 0], [9, 9], method, fill_value=7)
+    assert isinstance(one, np.float64) and one == 7
+    # A value that is NaN is not outside.
+    values[:] = np.nan
+    filled = triangulation.interpolate(values, places, method, fill_value=-1)
+    assert np.array_equal(np.isnan(filled[..., 0, 0]), ~outside)
+    with pytest.raises(TypeError, match="fill_value is a number, not 'nan'"):
+        triangulation.interpolate(values, places, fill_value="nan")
+
+
+def test_values_of_nothing():
+    triangulation, nothing = regular_triangulation(SQUARE), regular_triangulation(SQUARE[:0])
+    assert triangulation.interpolate(np.empty((4, 0)), [[1, 1], [2, 2]]).shape == (2, 0)
+    assert triangulation.interpolate(np.empty((4, 0, 3)), [1, 1], fill_value=2).shape == (0, 3)
+    found = nothing.interpolate(np.empty((0, 3)), [[1, 1], [2, 2]])
+    assert found.shape == (2, 3) and np.isnan(found).all()
+    assert nothing.interpolate([], [[1, 1]]).shape == (1,)
+
+
+def test_values_that_are_no_real_numbers():
+    for values in (np.arange(4) + 1j, ["1"] * 4, [1, 2, 3, 4j]):
+        with pytest.raises(TypeError, match="values are real numbers, not of type"):
+            regular_triangulation(SQUARE).interpolate(values, [1, 1])
+
+
+def test_find_simplex_names_what_it_has_not():
+    for wrong in ({"tol": 1e-9}, {"bruteforce": True}):
+        with pytest.raises(TypeError, match=r"find_simplex\(\) takes no .*tol: it is exact, and needs no tolerance"):
+            regular_triangulation(SQUARE).find_simplex([1, 1], **wrong)
+
+
 def test_natural_neighbours_by_power_diagrams():
     """The areas that cells lose to one more site, with the diagram made anew."""
     points, place = RANDOM.random((40, 2)), np.array([0.45, 0.55])
@@ -279,5 +378,5 @@ def test_triangulations_of_less(points):
 def test_the_same_on_any_number_of_threads():
     points, places = RANDOM.random((20_000, 3)), RANDOM.random((50_000, 3))
     hull, triangulation = convex_hull(points), regular_triangulation(points)
-    for ask in (hull.contains, hull.distance, hull.support, triangulation.locate, triangulation.nearest):
+    for ask in (hull.side, hull.distance, hull.support, triangulation.locate, triangulation.nearest):
         assert ask(places, threads=1).tobytes() == ask(places, threads=3).tobytes()

@@ -37,6 +37,14 @@ assert_type(hull.diameter(), Diameter)
 assert_type(hull.minimal_box(), OrientedBox)
 assert_type(validate(hull), Validation)
 assert_type(convexify(hull.points, hull.simplices), ConvexHull)
+assert_type(hull.contains([0, 0, 0]), np.bool_ | NDArray[np.bool_])
+assert_type(hull.side([0, 0, 0]), np.int8 | NDArray[np.int8])
+assert_type(hull.distance(hull.points), np.float64 | NDArray[np.float64])
+assert_type(hull.support([[0, 0, 1]]), np.int64 | NDArray[np.int64])
+print(hull.points[hull.contains(hull.points)], bool(hull.contains([0, 0, 0])))
+assert_type(len(hull.polygons), int)
+assert_type(hull.polygons[0], NDArray[np.int64])
+assert_type([ring for ring in hull.polygons], list[NDArray[np.int64]])
 batch = convex_hulls(np.zeros((4, 3)), [0, 2, 4])
 assert_type(batch, HullBatch)
 assert_type(batch[0], ConvexHull)
@@ -46,11 +54,16 @@ triangulation = regular_triangulation(np.zeros((4, 2)), np.zeros(4))
 assert_type(triangulation, RegularTriangulation)
 assert_type(triangulation.hidden, NDArray[np.int64])
 assert_type(triangulation.power_diagram(), PowerDiagram)
+assert_type(triangulation.locate([0, 0]), np.int64 | NDArray[np.int64])
+assert_type(triangulation.find_simplex([0, 0]), np.int64 | NDArray[np.int64])
+assert_type(triangulation.nearest([0, 0]), np.int64 | NDArray[np.int64])
+assert_type(triangulation.interpolate([1, 2], [0, 0], "natural"), np.float64 | NDArray[np.float64])
 assert_type(power_diagram([[0.0, 1]]).regions, list[NDArray[np.int64]])
 constrained = regular_triangulation(np.zeros((4, 2)), constraints=[[0, 1], [1, 2, 3]], threads=1)
 assert_type(constrained, ConstrainedTriangulation)
 assert_type(constrained.fixed_edges, NDArray[np.int64])
 assert_type(constrained.dropped, int)
+assert_type(constrained.interpolate([1, 2], [0, 0], fill_value=0), np.float64 | NDArray[np.float64])
 assert_type(regular_triangulation(np.zeros((4, 2)), polygons=triangulation.boundary), ConstrainedTriangulation)
 assert_type(regular_triangulation([[0, 1]], constraints=[], polygons=[np.arange(3)]), ConstrainedTriangulation)
 assert_type(triangulation.alphas, NDArray[np.float64])
@@ -71,6 +84,8 @@ from vtkflipflop.arrays import convex_hull
 convex_hull([[0, 0, 0]], colour="red")
 convex_hull([[0, 0, 0]]).volume = 3.0
 convex_hull([[0, 0, 0]]).corners
+convex_hull([[0, 0, 0]], facets="squares")
+convex_hull([[0, 0, 0]], non_finite="drop", engine="gpu")
 """
 
 
@@ -88,7 +103,7 @@ def test_the_array_layer(tmp_path):
 def test_what_is_wrong_is_found(tmp_path):
     (tmp_path / "use.py").write_text(WRONG)
     lines = [line for line in said(tmp_path, "use.py").splitlines() if "error:" in line]
-    assert [line.split(":")[1] for line in lines] == ["3", "4", "5"], lines
+    assert [line.split(":")[1] for line in lines] == ["3", "4", "5", "6", "7", "7"], lines
 
 
 def test_the_package_itself(tmp_path):

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,9 +43,11 @@ class AlphaComplex(Frozen):
     vertex_alphas: Floats
     _cells: Any
     _all: Ids
+    _call: ClassVar[str] = "alpha_complex(points, alpha)"
 
-    def __init__(
-        self,
+    @classmethod
+    def _made(
+        cls,
         cells: Any,
         simplices: Ids,
         within: NDArray[np.uint8],
@@ -53,8 +55,8 @@ class AlphaComplex(Frozen):
         edge_alphas: Floats,
         vertices: Ids,
         vertex_alphas: Floats,
-    ) -> None:
-        self.__dict__.update(
+    ) -> Self:
+        return cls._of(
             within=within.view(np.bool_),
             edges=edges,
             edge_alphas=edge_alphas,

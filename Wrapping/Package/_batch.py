@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Generic, TypeVar, overload
+from typing import Any, ClassVar, Generic, Literal, Self, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,9 +15,10 @@ from . import _core
 from ._errors import FlipFlopError, InputError, of_engine
 from ._hull import ConvexHull
 from ._input import ids_of, points_of, weights_of
-from ._results import Floats, Frozen, Ids, Progress, ignores, run, settings
+from ._results import Facets, Floats, Frozen, Ids, NonFinite, Progress, frozen, ignores, run, settings
 from ._triangulation import RegularTriangulation
 
+Errors = Literal["raise", "keep"]
 Result = TypeVar("Result", ConvexHull, RegularTriangulation)
 
 
@@ -40,11 +41,14 @@ class _Batch(Frozen, Sequence[Result], Generic[Result]):
     _core: Any
     _ignores: bool
 
-    def __init__(self, points: NDArray[Any], offsets: Ids, core: Any, ignore: bool, errors: str) -> None:
+    @classmethod
+    def _made(
+        cls, core: Any, points: NDArray[Any], offsets: Ids, ignore: bool, errors: Errors, **fields: Any
+    ) -> Self:
         found = {item[0]: _of_set(*item) for item in core.errors()}
         if found and errors == "raise":
             raise next(iter(found.values()))
-        self.__dict__.update(points=points, offsets=offsets, errors=found, _core=core, _ignores=ignore)
+        return cls._of(points=points, offsets=offsets, errors=found, _core=core, _ignores=ignore, **fields)
 
     def __len__(self) -> int:
         return len(self._core)
@@ -77,6 +81,8 @@ class _Batch(Frozen, Sequence[Result], Generic[Result]):
 class HullBatch(_Batch[ConvexHull]):
     __doc__ = _Batch.__doc__
 
+    _call: ClassVar[str] = "convex_hulls(points, offsets)"
+
     @cached_property
     def volumes(self) -> Floats:
         """The volume of each hull; of points in the plane, the area."""
@@ -87,39 +93,34 @@ class HullBatch(_Batch[ConvexHull]):
         """The surface area of each hull; of points in the plane, the perimeter."""
         if self.points.shape[1] == 3:
             return self._core.areas()
-        perimeters = np.array([hull.area for hull in self], np.float64)
-        perimeters.flags.writeable = False
-        return perimeters
+        return frozen(np.array([hull.area for hull in self], np.float64))
 
     def _result(self, index: int) -> ConvexHull:
-        return ConvexHull(self.points[self._stretch(index)], self._core[index], self._ignores)
+        return ConvexHull._made(self.points[self._stretch(index)], self._core[index], self._ignores)
 
 
 class TriangulationBatch(_Batch[RegularTriangulation]):
     __doc__ = _Batch.__doc__
 
     weights: NDArray[Any] | None
-
-    def __init__(
-        self, points: NDArray[Any], weights: NDArray[Any] | None, offsets: Ids, core: Any, ignore: bool, errors: str
-    ) -> None:
-        super().__init__(points, offsets, core, ignore, errors)
-        self.__dict__["weights"] = weights
+    _call: ClassVar[str] = "regular_triangulations(points, offsets)"
 
     def _result(self, index: int) -> RegularTriangulation:
         part = self._stretch(index)
         weights = None if self.weights is None else self.weights[part]
-        return RegularTriangulation(self.points[part], weights, self._core[index], self._ignores)
+        return RegularTriangulation._of(
+            points=self.points[part], weights=weights, _core=self._core[index], _ignores=self._ignores
+        )
 
 
 def convex_hulls(
     points: ArrayLike,
     offsets: ArrayLike,
     *,
-    errors: str = "raise",
-    facets: str = "triangles",
+    errors: Errors = "raise",
+    facets: Facets = "triangles",
     threads: int = 0,
-    non_finite: str = "error",
+    non_finite: NonFinite = "error",
     progress: Progress = None,
 ) -> HullBatch:
     """The convex hulls of many sets of points in one call, as convex_hull() gives them.
@@ -129,7 +130,7 @@ def convex_hulls(
     points : n by 3, or n by 2
         the points of all sets, one set after another
     offsets : m + 1 integers
-        set i has the points from offsets[i] up to offsets[i + 1]; ascending
+        set i has the points from offsets[i] up to offsets[i + 1]; ascending from 0 to n, so each point is in a set
     errors : {"raise", "keep"}
         what a set at fault leads to: an exception that names it, or an entry in the result's `errors`
     facets, threads, non_finite, progress
@@ -140,7 +141,7 @@ def convex_hulls(
     starts = _offsets_of(offsets, len(array))
     chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
     core = run(chosen, _core.convex_hulls, array, starts)
-    return HullBatch(array, starts, core, left_out, errors)
+    return HullBatch._made(core, array, starts, left_out, errors)
 
 
 def regular_triangulations(
@@ -148,10 +149,10 @@ def regular_triangulations(
     offsets: ArrayLike,
     weights: ArrayLike | None = None,
     *,
-    errors: str = "raise",
-    facets: str = "triangles",
+    errors: Errors = "raise",
+    facets: Facets = "triangles",
     threads: int = 0,
-    non_finite: str = "error",
+    non_finite: NonFinite = "error",
     progress: Progress = None,
 ) -> TriangulationBatch:
     """The regular triangulations of many sets of points in one call, as regular_triangulation() gives them.
@@ -159,7 +160,7 @@ def regular_triangulations(
     Parameters
     ----------
     weights : n numbers, optional
-        one for each point, whether it is in a set or not
+        one for each point
     points, offsets, errors, facets, threads, non_finite, progress
         as for convex_hulls()
     """
@@ -173,7 +174,7 @@ def regular_triangulations(
     starts = _offsets_of(offsets, len(array))
     chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
     core = run(chosen, _core.regular_triangulations, array, starts, heavy)
-    return TriangulationBatch(array, heavy, starts, core, left_out, errors)
+    return TriangulationBatch._made(core, array, starts, left_out, errors, weights=heavy)
 
 
 def _offsets_of(values: ArrayLike, points: int) -> Ids:
@@ -187,11 +188,18 @@ def _offsets_of(values: ArrayLike, points: int) -> Ids:
         found = f"set {first} is from {begins[first]} to {ends[first]}"
         sentence = f"offsets ascend from 0 to {points}, the number of points, but {found}"
         raise InputError(sentence, "bad_argument", first, int(wrong.sum()))
-    offsets.flags.writeable = False
-    return offsets
+    first, last = (int(offsets[0]), int(offsets[-1])) if len(offsets) else (0, 0)
+    if first > 0 or last < points:
+        left_out = [f"the first {first}"] * (first > 0) + [f"the last {points - last}"] * (last < points)
+        sentence = (
+            f"offsets are from {first} to {last}, so {' and '.join(left_out)} of {points} points are in no set: give "
+            f"points[{first}:{last}]" + f" and offsets - {first}" * (first > 0)
+        )
+        raise InputError(sentence, "bad_argument")
+    return frozen(offsets)
 
 
-def _check_errors(errors: str) -> None:
+def _check_errors(errors: Errors) -> None:
     if errors not in ("raise", "keep"):
         raise ValueError(f"errors is one of 'raise', 'keep', not {errors!r}")
 

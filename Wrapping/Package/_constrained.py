@@ -5,15 +5,17 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, NoReturn
+from typing import Any, ClassVar, NoReturn
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._constraints import Constraints
 from ._errors import InputError
-from ._results import Ids, Polygons, Progress, Validation, run
-from ._triangulation import RegularTriangulation
+from ._queries import Lengths, changed, unchanged
+from ._results import QUIET, Ids, NonFinite, Polygons, Progress, Validation, run
+from ._triangulation import Method, RegularTriangulation
 
 
 class ConstrainedTriangulation(RegularTriangulation):
@@ -21,39 +23,43 @@ class ConstrainedTriangulation(RegularTriangulation):
 
     All constraints are edges, or chains of edges where points are on them. No point that can be seen from inside a
     triangle lies inside its circumcircle. All points stay, also those that only cells outside have. `convex_hull` is
-    then the border of the cells that are left. There is no locate(), nearest(), interpolate() and power_diagram(): they
-    are for regular triangulations.
+    then the border of the cells that are left. locate() and interpolate() are over these cells, too; a point that none
+    of them holds is outside. There is no nearest(), no natural neighbours and no power_diagram(): they are those of the
+    triangulation without constraints.
 
     Attributes
     ----------
     constraints : ndarray of m by 2
         the ids that each joins: the caller's constraints (of polylines, all pairs of consecutive ids), then the sides
         of polygons
-    fixed_edges : ndarray of k by 2
-        the edges that constraints run along, as ids, the lower one first; in lexicographic order. Also those outside.
-    constraint_of : ndarray
-        for each of these the first row of constraints that runs along it
     dropped : int
         how many cells were outside of the polygons; of `polygons`, if facets="polygons" was asked for
     """
 
     constraints: Ids
-    fixed_edges: Ids
-    constraint_of: Ids
     dropped: int
     _whole: Any
     _sides: int
+    _call: ClassVar[str] = "regular_triangulation(points, constraints=...)"
 
-    def __init__(self, points: NDArray[Any], given: Constraints, core: Any, ignores: bool) -> None:
-        super().__init__(points, None, core.inside(), ignores)
-        self.__dict__.update(
-            constraints=given.ends,
-            fixed_edges=core.fixed_edges(),
-            constraint_of=core.constraint_of(),
-            dropped=core.dropped,
-            _whole=core,
-            _sides=given.sides,
-        )
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in super().__getstate__().items() if name != "_core"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        super().__setstate__(state | {"_core": state["_whole"].inside()})
+
+    @cached_property
+    def fixed_edges(self) -> Ids:
+        """The edges that constraints run along, as ids, the lower one first; in lexicographic order.
+
+        Also those outside.
+        """
+        return self._whole.fixed_edges()
+
+    @cached_property
+    def constraint_of(self) -> Ids:
+        """For each of `fixed_edges` the first row of `constraints` that runs along it."""
+        return self._whole.constraint_of()
 
     @cached_property
     def polygons(self) -> Polygons:
@@ -61,8 +67,11 @@ class ConstrainedTriangulation(RegularTriangulation):
         core = self._core
         if core.cell_size == 3:
             as_polygons = _core.Settings(0, True, self._ignores, 1, None)
-            whole = _core.constrained_triangulation(self.points, self.constraints, self._sides, as_polygons)
+            with unchanged():
+                whole = _core.constrained_triangulation(self.points, self.constraints, self._sides, as_polygons)
             core = whole.inside()
+            if not np.array_equal(core.triangles().corners(), self._core.corners()):
+                raise changed()
         return Polygons(core.offsets(), core.corners())
 
     def power_diagram(
@@ -75,6 +84,37 @@ class ConstrainedTriangulation(RegularTriangulation):
     ) -> NoReturn:
         """A TypeError: constrained triangulations have no power diagram."""
         raise TypeError("a constrained triangulation has no power diagram: take that of the points without constraints")
+
+    def nearest(
+        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
+    ) -> NoReturn:
+        """A TypeError: that is a question to the triangulation without constraints."""
+        raise TypeError("a constrained triangulation has no nearest(): take that of the points without constraints")
+
+    def interpolate(
+        self,
+        values: ArrayLike,
+        points: ArrayLike,
+        method: Method = "linear",
+        *,
+        fill_value: float = np.nan,
+        threads: int = 0,
+        non_finite: NonFinite = "error",
+        progress: Progress = None,
+    ) -> Lengths:
+        """Values between the points' values, linear over each of `simplices`; as RegularTriangulation has it.
+
+        method="natural" is an InputError: natural neighbours are those of the triangulation without constraints.
+        """
+        if method == "natural":
+            raise InputError(
+                "a constrained triangulation has no natural neighbours: take method='linear', or interpolate in the "
+                "triangulation of the points without constraints",
+                "bad_argument",
+            )
+        return super().interpolate(
+            values, points, method, fill_value=fill_value, threads=threads, non_finite=non_finite, progress=progress
+        )
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the constrained triangulation of the points, before cells were left out."""
@@ -89,12 +129,10 @@ class ConstrainedTriangulation(RegularTriangulation):
             f"cells, {self.dropped} dropped, {len(self.fixed_edges)} fixed edges>"
         )
 
-    @property
-    def _queries(self) -> NoReturn:
-        raise TypeError(
-            "a constrained triangulation has no locate(), nearest() and interpolate(): take the triangulation of the "
-            "points without constraints"
-        )
+    @cached_property
+    def _queries(self) -> Any:
+        with unchanged():
+            return _core.constrained_queries(self.points, self._whole, QUIET)
 
 
 def constrained_triangulation(
@@ -105,4 +143,13 @@ def constrained_triangulation(
         core = run(chosen, _core.constrained_triangulation, points, given.ends, given.sides)
     except InputError as error:
         raise given.of_error(error) from None
-    return ConstrainedTriangulation(points, given, core, ignores)
+    return ConstrainedTriangulation._of(
+        points=points,
+        weights=None,
+        constraints=given.ends,
+        dropped=core.dropped,
+        _core=core.inside(),
+        _ignores=ignores,
+        _whole=core,
+        _sides=given.sides,
+    )

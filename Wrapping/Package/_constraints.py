@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._errors import InputError
 from ._input import ids_of, is_array_like, points_of, refuse_geometry
-from ._results import Floats, Ids, Polygons, Progress, frozen, ignores, run, settings
+from ._results import Floats, Ids, NonFinite, Polygons, Progress, frozen, ignores, run, settings
 
 class SplitConstraints(NamedTuple):
     """Constraints in pieces that do not cross, for regular_triangulation(split.points, constraints=split).
@@ -84,7 +84,8 @@ class Constraints:
 
 def _joined(what: str, values: Chains | None, are_closed: bool) -> tuple[Ids, Ids]:
     """The pairs of consecutive ids, of the last and the first, too, if closed; and the number of each pair's chain."""
-    offsets, ids = _chains(what, [] if values is None else values)
+    chains_of = _chains(what, [] if values is None else values)
+    offsets, ids = chains_of.offsets, chains_of.connectivity
     begins, lasts, sizes = offsets[:-1], offsets[1:] - 1, np.diff(offsets)
     _require(sizes, 2 + are_closed, what)
     to = np.roll(ids, -1)
@@ -112,7 +113,7 @@ def _require(sizes: NDArray[Any], least: int, what: str) -> None:
 def _chains(what: str, values: Chains) -> Polygons:
     """Sequences of ids, one after another."""
     if isinstance(values, Polygons):
-        return _checked(what, *(_flat(what, array) for array in values))
+        return _checked(what, _flat(what, values.offsets), _flat(what, values.connectivity))
     refuse_geometry(values, what)
     if not is_array_like(values):
         raise TypeError(f"{what} are sequences of ids, not of type {type(values).__name__}")
@@ -157,7 +158,7 @@ def split_crossings(
     polygons: Chains | None = None,
     *,
     threads: int = 0,
-    non_finite: str = "error",
+    non_finite: NonFinite = "error",
     progress: Progress = None,
 ) -> SplitConstraints:
     """Splits constraints where they cross, at new points, which are rounded.

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,15 +15,18 @@ from . import _core
 from ._device import memory_of
 from ._arguments import numbers_of
 from ._input import ids_of, points_of, whole_points_of
+from ._queries import Lengths, Numbers, Sides, Truths, answers, changed, unchanged
 from ._results import (
     QUIET,
     Cells,
+    Engine,
+    Facets,
     Floats,
     Ids,
+    NonFinite,
     Polygons,
     Progress,
     Validation,
-    answers,
     frozen,
     ignores,
     run,
@@ -81,6 +84,8 @@ class ConvexHull(Cells):
     counter-clockwise. Points in space that span less give `dimension` below 3, and one polygon, segment or point.
     """
 
+    _call: ClassVar[str] = "convex_hull(points)"
+
     @cached_property
     def vertices(self) -> Ids:
         """Ids of the vertices, ascending; of points in the plane, counter-clockwise from the lowest."""
@@ -111,7 +116,8 @@ class ConvexHull(Cells):
         Of points in space that span a plane, the plane's own; empty if they span less.
         """
         if not self._planar:
-            return _core.facet_planes(self.points, self._triangles, QUIET)
+            with unchanged():
+                return _core.facet_planes(self.points, self._triangles, QUIET)
         corners = self.points[self.vertices].astype(np.float64)
         steps = np.roll(corners, -1, axis=0) - corners
         with np.errstate(invalid="ignore"):  # of a single point
@@ -125,7 +131,10 @@ class ConvexHull(Cells):
         if core.cell_size == 3:
             # As triangles: the hull of the vertices is the same, and tells the facets.
             ids = core.vertices()
-            core = _core.convex_hull(self.points[ids], _core.Settings(0, True, False, 1, None))
+            with unchanged():
+                core = _core.convex_hull(self.points[ids], _core.Settings(0, True, False, 1, None))
+            if not np.array_equal(ids[core.triangles().corners()], self._triangles.corners()):
+                raise changed()
             return Polygons(core.offsets(), frozen(ids[core.corners()]))
         return Polygons(core.offsets(), core.corners())
 
@@ -154,47 +163,62 @@ class ConvexHull(Cells):
         return frozen(self._corners().max(axis=0))
 
     def contains(
-        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
-    ) -> Any:
-        """On which side of the surface each point is, exactly: a Side as int8.
+        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
+    ) -> Truths:
+        """Whether each point is inside or on the surface; exactly: `points[hull.contains(points)]`.
 
-        `hull.contains(points) >= 0` tells which points are in the hull, its surface included. Below the dimension of
-        the space, a hull has no inside. A point that is not finite and ignored is outside.
+        A point that is not finite and ignored is outside. side() tells inside and surface apart.
 
         Parameters
         ----------
-        points : m by ndim, or one point
-            anything that convex_hull() takes
+        points : array of shape (..., ndim)
+            of any type that convex_hull() takes. A tuple of ndim arrays is an error: it could be points or coordinates.
 
         Returns
         -------
-        array of m, or one number
+        array of shape (...); of one point, of shape (ndim,), its answer
         """
-        return answers(self._upright.contains, points, (self.ndim,), threads, non_finite, progress)
+        return answers(self._upright.contains, points, (self.ndim,), threads, non_finite, progress) >= 0  # type: ignore
+
+    def side(
+        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
+    ) -> Sides:
+        """On which side of the surface each point is, exactly: a Side as int8, -1 outside, 0 on, 1 inside.
+
+        Below the dimension of the space, a hull has no inside. A point that is not finite and ignored is outside.
+        Parameters and the result's form are those of contains().
+        """
+        found: Sides = answers(self._upright.contains, points, (self.ndim,), threads, non_finite, progress)
+        return found
 
     def distance(
-        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
-    ) -> Any:
+        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
+    ) -> Lengths:
         """The distance of each point from the surface: negative inside, 0 on it, positive outside.
 
-        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex (in the plane 1e-13). Infinity: the hull is
-        empty. NaN: the point is not finite and ignored. Parameters and the result's form are those of contains().
+        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex (in the plane 1e-13).
+        Infinity: the hull is empty. NaN: the point is not finite and ignored. Parameters and the result's form are
+        those of contains().
         """
-        return answers(self._upright.distance, points, (self.ndim,), threads, non_finite, progress)
+        found: Lengths = answers(self._upright.distance, points, (self.ndim,), threads, non_finite, progress)
+        return found
 
     def support(
-        self, directions: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
-    ) -> Any:
+        self, directions: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
+    ) -> Numbers:
         """The id of the vertex that is farthest along each direction, exactly; of several, the lowest.
 
         Directions are vectors of any length. -1: the hull is empty, or the direction is not finite and ignored. The
         result's form is that of contains().
         """
-        found = answers(self._upright.support, directions, (self.ndim,), threads, non_finite, progress)
+        found: Numbers = answers(
+            self._upright.support, directions, (self.ndim,), threads, non_finite, progress, what="directions"
+        )
         if not self._planar or self.dimension < 0:
             return found
         ids = self._core.vertices()
-        return np.where(found < 0, found, ids[found % len(ids)])[()]
+        vertices: Numbers = np.where(found < 0, found, ids[found % len(ids)])[()]
+        return vertices
 
     def diameter(self) -> Diameter:
         """The two vertices that are farthest apart, found by exact comparison."""
@@ -227,7 +251,8 @@ class ConvexHull(Cells):
 
     @cached_property
     def _queries(self) -> Any:
-        return _core.hull_queries(self.points, self._triangles, QUIET)
+        with unchanged():
+            return _core.hull_queries(self.points, self._triangles, QUIET)
 
     @cached_property
     def _upright(self) -> Any:
@@ -261,10 +286,10 @@ class ConvexHull(Cells):
 def convex_hull(
     points: ArrayLike,
     *,
-    facets: str = "triangles",
+    facets: Facets = "triangles",
     threads: int = 0,
-    non_finite: str = "error",
-    engine: str = "automatic",
+    non_finite: NonFinite = "error",
+    engine: Engine = "automatic",
     progress: Progress = None,
 ) -> ConvexHull:
     """The exact convex hull of points.
@@ -286,7 +311,7 @@ def convex_hull(
     array, left_out = points_of(points, ignores(non_finite))
     chosen = settings(threads, facets, non_finite, engine, progress, left_out)
     chosen[0].points_memory = memory_of(array)
-    return ConvexHull(array, run(chosen, _core.convex_hull, array), left_out)
+    return ConvexHull._made(array, run(chosen, _core.convex_hull, array), left_out)
 
 
 def convexify(
@@ -294,7 +319,7 @@ def convexify(
     triangles: ArrayLike,
     kernel: ArrayLike | None = None,
     *,
-    facets: str = "triangles",
+    facets: Facets = "triangles",
     threads: int = 0,
     progress: Progress = None,
 ) -> ConvexHull:
@@ -327,4 +352,4 @@ def convexify(
     place = None if kernel is None else numbers_of("kernel", kernel, 3)
     chosen, bar = settings(threads, facets, "error", "cpu", progress, False)
     core = run((chosen, bar), _core.convexify, array, corners, place)
-    return ConvexHull(array, core, False)
+    return ConvexHull._made(array, core, False)

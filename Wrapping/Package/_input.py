@@ -46,8 +46,8 @@ def whole_points_of(values: Any) -> np.ndarray:
 def rows_of(values: Any) -> np.ndarray:
     """n rows of 2 or 3 real numbers of any type, masked where the values are masked."""
     array = _as_array(values, "coordinates")
-    if array.shape in ((0,), (3,)):
-        array = array.reshape(-1, 3)  # an empty list; one point
+    if array.shape == (0,):
+        array = array.reshape(0, 3)  # an empty list
     if array.ndim != 2 or array.shape[1] not in (2, 3):
         raise ValueError(f"points are an array of n by 3 or n by 2 coordinates, not of shape {array.shape}")
     return array
@@ -78,9 +78,9 @@ def whole_weights_of(values: Any) -> np.ndarray:
 
 
 def values_of(values: Any, count: int) -> np.ndarray:
-    """A number or a row of numbers for each of so many points, as doubles: rounded, and NaN where they are masked."""
+    """A number or an array of numbers for each of so many points, as doubles: rounded, and NaN where they are masked."""
     array = _as_array(_of_host(values, "values"), "values")
-    if array.ndim not in (1, 2) or len(array) != count:
+    if array.ndim == 0 or len(array) != count:
         raise ValueError(f"values are {count} numbers or rows, not an array of shape {array.shape}")
     numbers = _rounded(array, "values")
     if np.ma.is_masked(array):
@@ -127,6 +127,11 @@ def refuse_geometry(values: Any, what: str) -> None:
     else:
         return
     raise TypeError(f"{what} are an array of numbers, not a {type(values).__name__}: {way_out}")
+
+
+def array_of(values: Any, what: str) -> np.ndarray:
+    """An array of real numbers of any type and shape, on the host, masked where the values are masked."""
+    return _as_array(_of_host(values, what), what)
 
 
 def is_array_like(values: Any) -> bool:

@@ -5,32 +5,27 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, Literal, NamedTuple, Self, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._input import points_of
 
 Ids = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Progress = Callable[[float], Any] | bool | None
+Facets = Literal["triangles", "polygons"]
+NonFinite = Literal["error", "ignore"]
+Engine = Literal["automatic", "cpu", "cuda"]
 
 ENGINES = {"automatic": 0, "cpu": 1, "cuda": 2}
 
 
 # What work that nobody watches is done with.
 QUIET = _core.Settings(0, False, False, 1, None)
-
-
-class Polygons(NamedTuple):
-    """Polygons of several sizes: polygon i has the corners connectivity[offsets[i]:offsets[i + 1]]."""
-
-    offsets: Ids
-    connectivity: Ids
 
 
 class Validation(NamedTuple):
@@ -53,13 +48,87 @@ class Validation(NamedTuple):
 
 
 class Frozen:
-    """Attributes are set by the class alone."""
+    """Attributes are set by the class alone.
+
+    Results compare by identity, as scipy's do. They can be pickled and copied; a copy has its own points, read-only.
+    """
+
+    _call: ClassVar[str] = ""  # the call that gives such a result
+
+    def __init__(self, *_: Any, **__: Any) -> None:
+        raise TypeError(f"{type(self).__name__} is the type of a result: call {self._call}")
+
+    @classmethod
+    def _of(cls, **fields: Any) -> Self:
+        made = cls.__new__(cls)
+        made.__dict__.update(fields)
+        return made
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields, less what is worked out when asked for."""
+        kind = type(self)
+        return {
+            name: np.array(value) if isinstance(value, np.ndarray) and type(value) is not np.ndarray else value
+            for name, value in self.__dict__.items()
+            if not isinstance(getattr(kind, name, None), cached_property)
+        }
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                frozen(value)
+        self.__dict__.update(state)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen: {name} cannot be set")
 
     def __delattr__(self, name: str) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen: {name} cannot be deleted")
+
+
+class Polygons(Frozen, Sequence[Ids]):
+    """Polygons of any sizes: a sequence of arrays, which have the ids of the corners of one polygon each.
+
+    Attributes
+    ----------
+    offsets : ndarray
+        polygon i has the corners connectivity[offsets[i]:offsets[i + 1]]
+    connectivity : ndarray
+        the corners of all polygons, one after another
+    """
+
+    offsets: Ids
+    connectivity: Ids
+
+    def __init__(self, offsets: Ids, connectivity: Ids) -> None:
+        self.__dict__.update(offsets=np.asanyarray(offsets), connectivity=np.asanyarray(connectivity))
+
+    def __len__(self) -> int:
+        return max(0, len(self.offsets) - 1)
+
+    @overload
+    def __getitem__(self, index: int) -> Ids: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Ids]: ...
+
+    def __getitem__(self, index: int | slice) -> Ids | list[Ids]:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        at = index + len(self) if index < 0 else index
+        if not 0 <= at < len(self):
+            raise IndexError(f"polygon {index} of {len(self)}")
+        return self.connectivity[self.offsets[at] : self.offsets[at + 1]]
+
+    def __iter__(self) -> Iterator[Ids]:
+        offsets = self.offsets.tolist()
+        return (self.connectivity[begin:end] for begin, end in zip(offsets, offsets[1:]))
+
+    def __repr__(self) -> str:
+        return f"<Polygons: {len(self)}, of {len(self.connectivity)} corners>"
 
 
 class Cells(Frozen):
@@ -75,9 +144,9 @@ class Cells(Frozen):
     _core: Any
     _ignores: bool
 
-    def __init__(self, points: NDArray[Any], core: Any, ignores: bool) -> None:
-        fields = self.__dict__
-        fields["points"], fields["_core"], fields["_ignores"] = points, core, ignores
+    @classmethod
+    def _made(cls, points: NDArray[Any], core: Any, ignores: bool) -> Self:
+        return cls._of(points=points, _core=core, _ignores=ignores)
 
     @cached_property
     def simplices(self) -> Ids:
@@ -176,28 +245,6 @@ def run(settings_and_bar: tuple[Any, Any], call: Any, *arguments: Any) -> Any:
         return call(*arguments, chosen)
 
 
-def answers(
-    ask: Any,
-    places: Any,
-    columns: tuple[int, ...],
-    threads: int,
-    non_finite: str,
-    progress: Progress,
-    *before: Any,
-) -> Any:
-    """What ask() tells of each place; of one place, its answer alone.
-
-    columns: how many coordinates places may have. before: arguments of ask() before the places
-    """
-    one = np.ndim(places) == 1 and len(places) > 0
-    array, left_out = points_of([places] if one else places, ignores(non_finite))
-    if len(array) and array.shape[1] not in columns:
-        raise ValueError(f"places have {columns[0]} coordinates here, not {array.shape[1]}")
-    chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
-    found = run(chosen, ask, *before, array)
-    return found[0] if one else found
-
-
 def _whole(threads: Any) -> int:
     try:
         return int(threads.__index__())
@@ -209,7 +256,12 @@ class Bar:
     """tqdm's bar, as a progress callable."""
 
     def __init__(self) -> None:
-        from tqdm.auto import tqdm
+        try:
+            from tqdm.auto import tqdm
+        except ImportError as error:
+            raise ModuleNotFoundError(
+                "progress=True shows tqdm's bar: pip install tqdm, or give a callable of the fraction that is done"
+            ) from error
 
         self._bar = tqdm(total=100, unit="%", bar_format="{l_bar}{bar}| {elapsed}")
 

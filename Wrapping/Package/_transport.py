@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from operator import index
-from typing import Any
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -54,11 +54,13 @@ class CentroidalCells(Frozen):
     converged: bool
     without_cell: int
     statistics: dict[str, float]
+    _call: ClassVar[str] = "centroidal_cells(points)"
 
-    def __init__(self, core: Any) -> None:
-        self.__dict__.update(
+    @classmethod
+    def _made(cls, core: Any) -> Self:
+        return cls._of(
             sites=core.sites(),
-            diagram=PowerDiagram(core.cells()),
+            diagram=PowerDiagram._of(_core=core.cells()),
             areas=core.areas(),
             centroids=core.centroids(),
             iterations=core.iterations,
@@ -109,9 +111,11 @@ class PrescribedAreas(Frozen):
     converged: bool
     statistics: dict[str, float]
     _domain: Domain
+    _call: ClassVar[str] = "prescribed_areas(points)"
 
-    def __init__(self, points: NDArray[Any], domain: Domain, core: Any) -> None:
-        self.__dict__.update(
+    @classmethod
+    def _made(cls, points: NDArray[Any], domain: Domain, core: Any) -> Self:
+        return cls._of(
             points=points,
             weights=core.weights(),
             areas=core.areas(),
@@ -174,7 +178,7 @@ def centroidal_cells(
     limits = _count(iterations), _tolerance(tolerance)
     with within.named():
         core = run(chosen, _core.centroidal_cells, array, heavy, within.array, *limits)
-    return CentroidalCells(core)
+    return CentroidalCells._made(core)
 
 
 def prescribed_areas(
@@ -221,7 +225,7 @@ def prescribed_areas(
     limits = _tolerance(tolerance), _count(iterations)
     with within.named():
         core = run(chosen, _core.prescribed_areas, array, shares, within.array, *limits)
-    return PrescribedAreas(array, within, core)
+    return PrescribedAreas._made(array, within, core)
 
 
 def _count(iterations: int) -> int:

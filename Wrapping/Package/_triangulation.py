@@ -5,29 +5,32 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
-from ._arguments import choice_of, length_of
+from ._arguments import choice_of, float_of, length_of
 from ._constraints import Chains, Constraints, SplitConstraints
 from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
 from ._input import points_of, values_of, weights_of
+from ._queries import Lengths, Numbers, answers, changed, unchanged
 from ._results import (
     QUIET,
     Cells,
+    Engine,
+    Facets,
     Floats,
     Frozen,
     Ids,
+    NonFinite,
     Polygons,
     Progress,
     Validation,
-    answers,
     frozen,
     ignores,
     run,
@@ -39,6 +42,7 @@ if TYPE_CHECKING:
 
 # Ways to interpolate, and the core's names of them.
 _METHODS = {"linear": "interpolate_linear", "natural": "interpolate_natural"}
+Method = Literal["linear", "natural"]
 
 
 class RegularTriangulation(Cells):
@@ -54,10 +58,7 @@ class RegularTriangulation(Cells):
     """
 
     weights: NDArray[Any] | None
-
-    def __init__(self, points: NDArray[Any], weights: NDArray[Any] | None, core: Any, ignores: bool) -> None:
-        super().__init__(points, core, ignores)
-        self.__dict__["weights"] = weights
+    _call: ClassVar[str] = "regular_triangulation(points)"
 
     @cached_property
     def vertices(self) -> Ids:
@@ -77,9 +78,12 @@ class RegularTriangulation(Cells):
             # As triangles: the visible points have the same triangulation, and tell its facets.
             ids = core.vertices()
             weights = None if self.weights is None else self.weights[ids]
-            core = _core.regular_triangulation(
-                self.points[ids], weights, _core.Settings(0, True, False, 1, None)
-            )
+            with unchanged():
+                core = _core.regular_triangulation(
+                    self.points[ids], weights, _core.Settings(0, True, False, 1, None)
+                )
+            if not np.array_equal(ids[core.triangles().corners()], self._triangles.corners()):
+                raise changed()
             corners = ids[core.corners()]
             corners.flags.writeable = False
             return Polygons(core.offsets(), corners)
@@ -102,7 +106,8 @@ class RegularTriangulation(Cells):
         """
         limit = length_of("limit", limit)
         chosen = settings(threads, "triangles", "error", "cpu", None, False)
-        found = run(chosen, _core.cells_within_edge_length, self.points, self._triangles, limit)
+        with unchanged():
+            found = run(chosen, _core.cells_within_edge_length, self.points, self._triangles, limit)
         within: NDArray[np.bool_] = found.view(np.bool_)
         return within
 
@@ -127,9 +132,10 @@ class RegularTriangulation(Cells):
     def alphas(self) -> Floats:
         """For each of `simplices` the least alpha, as a double, for which alpha_complex() has it; exactly.
 
-        Without weights, it is the radius of the circumcircle, rounded up.
+        Without weights, it is the radius of the circumcircle, rounded up: a radius, as alpha is.
         """
-        return _core.cell_alphas(self.points, self.weights, self._triangles, QUIET)
+        with unchanged():
+            return _core.cell_alphas(self.points, self.weights, self._triangles, QUIET)
 
     def alpha_complex(self, alpha: float, *, threads: int = 0, progress: Progress = None) -> AlphaComplex:
         """What is left where a circle of radius alpha takes away all it can reach without a point in it; exactly.
@@ -137,14 +143,16 @@ class RegularTriangulation(Cells):
         Parameters
         ----------
         alpha : float
-            a length: a circle as large as alpha is in. Infinity: all is in. With weights, squares of radii may be
+            a radius, in the unit of the points: a circle as large as alpha is in. gudhi's filtration value is its
+            square, and alphashape's alpha its inverse. Infinity: all is in. With weights, squares of radii may be
             negative: a negative alpha stands for -alpha^2. With alpha 0 and the squares of disks' radii as weights, the
             complex is the nerve of their union.
         """
         chosen = settings(threads, "triangles", "error", "cpu", progress, False)
         cells = self._triangles
-        found = run(chosen, _core.alpha_complex, self.points, self.weights, cells, alpha_of(alpha))
-        return AlphaComplex(cells, self.simplices, *found)
+        with unchanged():
+            found = run(chosen, _core.alpha_complex, self.points, self.weights, cells, alpha_of(alpha))
+        return AlphaComplex._made(cells, self.simplices, *found)
 
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Ids, Ids]:
@@ -167,67 +175,93 @@ class RegularTriangulation(Cells):
         return frozen(found)
 
     def locate(
-        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
-    ) -> Any:
+        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
+    ) -> Numbers:
         """The simplex that holds each point, its border included; exactly. Of several, the lowest; -1 outside.
 
         Parameters
         ----------
-        points : m by 2 (or 3: x and y count), or one point
-            anything that regular_triangulation() takes
+        points : array of shape (..., 2), or (..., 3): x and y count
+            of any type that regular_triangulation() takes. A tuple of 2 or 3 arrays is an error: it could be points or
+            coordinates.
 
         Returns
         -------
-        array of m rows of `simplices`, or one number
+        array of shape (...): rows of `simplices`; of one point, its number
         """
-        return answers(self._queries.locate, points, (2, 3), threads, non_finite, progress)
+        found: Numbers = answers(self._queries.locate, points, (2, 3), threads, non_finite, progress)
+        return found
 
-    find_simplex = locate
+    def find_simplex(
+        self,
+        points: ArrayLike,
+        bruteforce: None = None,
+        tol: None = None,
+        *,
+        threads: int = 0,
+        non_finite: NonFinite = "error",
+        progress: Progress = None,
+    ) -> Numbers:
+        """locate(), by scipy's name. It is exact, so bruteforce and tol are a TypeError."""
+        if bruteforce is not None or tol is not None:
+            raise TypeError("find_simplex() takes no bruteforce and no tol: it is exact, and needs no tolerance")
+        return self.locate(points, threads=threads, non_finite=non_finite, progress=progress)
 
     def nearest(
-        self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
-    ) -> Any:
+        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
+    ) -> Numbers:
         """The id of the visible point with the least power distance from each point; exactly. Of several, the lowest.
 
         Without weights, that is the nearest point. Parameters and the result's form are those of locate().
         """
-        return answers(self._queries.nearest, points, (2, 3), threads, non_finite, progress)
+        found: Numbers = answers(self._queries.nearest, points, (2, 3), threads, non_finite, progress)
+        return found
 
     def interpolate(
         self,
         values: ArrayLike,
         points: ArrayLike,
-        method: str = "linear",
+        method: Method = "linear",
         *,
+        fill_value: float = np.nan,
         threads: int = 0,
-        non_finite: str = "error",
+        non_finite: NonFinite = "error",
         progress: Progress = None,
-    ) -> Any:
-        """Values between the points' values; NaN outside the convex hull.
+    ) -> Lengths:
+        """Values between the points' values.
 
         Which points count is decided exactly; their shares are rounded.
 
         Parameters
         ----------
-        values : n numbers, or n by k
-            one (or a row) for each of the triangulated points; those of hidden points are not used. A masked one is
-            NaN.
-        points
+        values : array of shape (n, ...)
+            a number, or an array of numbers, for each of the triangulated points; those of hidden points are not used.
+            A masked one is NaN.
+        points : array of shape (..., 2)
             as for locate()
         method : {"linear", "natural"}
             linear over each of `simplices`; or by natural neighbours (Sibson): each site counts by the area that the
             point's own power cell would take from the site's. With weights, the point's weight is linear over its
             triangle, so values still pass through the sites'.
+        fill_value : float
+            what there is where locate() is -1: by default NaN
 
         Returns
         -------
-        array of m numbers, or m by k; for one point, its value
+        array of the shapes of points and of values, less their last and first axes; of one point and numbers, a number
         """
         ask = getattr(self._queries, _METHODS[choice_of("method", method, tuple(_METHODS))])
         given = values_of(values, self.npoints)
-        rows = np.ascontiguousarray(given.reshape(self.npoints, -1 if given.size else 1))
-        found = answers(ask, points, (2, 3), threads, non_finite, progress, rows)
-        return found[..., 0] if given.ndim == 1 else found
+        rows = given.reshape(self.npoints, int(np.prod(given.shape[1:])))
+        # What is 1 everywhere is NaN outside alone; it also stands in where there are no values.
+        filled = float_of("fill_value", fill_value)
+        if filled == filled or rows.shape[1] == 0:
+            rows = np.column_stack([rows, np.ones(self.npoints)])
+        found = answers(ask, points, (2, 3), threads, non_finite, progress, np.ascontiguousarray(rows))
+        if rows.shape[1] > np.prod(given.shape[1:]):
+            found = np.where(np.isnan(found[..., -1:]), filled, found[..., :-1])
+        shaped: Lengths = found.reshape(found.shape[:-1] + given.shape[1:])[()]
+        return shaped
 
     def power_diagram(
         self,
@@ -257,9 +291,9 @@ class RegularTriangulation(Cells):
         """
         within = domain_of_call(box, domain)
         chosen = settings(threads, "polygons", "error", "cpu", progress, False)
-        with within.named():
+        with within.named(), unchanged():
             core = run(chosen, _core.power_diagram, self.points, self.weights, self._core, within.array)
-        return PowerDiagram(core)
+        return PowerDiagram._of(_core=core)
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the regular triangulation of the points."""
@@ -274,7 +308,8 @@ class RegularTriangulation(Cells):
 
     @cached_property
     def _queries(self) -> Any:
-        return _core.triangulation_queries(self.points, self.weights, self._triangles, QUIET)
+        with unchanged():
+            return _core.triangulation_queries(self.points, self.weights, self._triangles, QUIET)
 
     @cached_property
     def _measures(self) -> tuple[Floats, Floats]:
@@ -286,29 +321,25 @@ class PowerDiagram(Frozen):
 
     There is one polygon, counter-clockwise, for each site that has a cell in it.
     Cells fill it without gap or overlap and share their corners. Only the corners' coordinates are rounded.
-
-    Attributes
-    ----------
-    vertices : ndarray of k by 2
-        the corners
-    cells : Polygons
-        of rows of vertices
-    sites : ndarray
-        id of each cell's point, ascending
     """
 
-    vertices: Floats
-    cells: Polygons
-    sites: Ids
     _core: Any
+    _call: ClassVar[str] = "power_diagram(points)"
 
-    def __init__(self, core: Any) -> None:
-        self.__dict__.update(
-            vertices=core.vertices(),
-            cells=Polygons(core.offsets(), core.connectivity()),
-            sites=core.sites(),
-            _core=core,
-        )
+    @cached_property
+    def vertices(self) -> Floats:
+        """The corners, as rows of x and y."""
+        return self._core.vertices()
+
+    @cached_property
+    def cells(self) -> Polygons:
+        """The corners of each cell, as rows of vertices."""
+        return Polygons(self._core.offsets(), self._core.connectivity())
+
+    @cached_property
+    def sites(self) -> Ids:
+        """The id of each cell's point, ascending."""
+        return self._core.sites()
 
     @property
     def areas(self) -> Floats:
@@ -322,8 +353,8 @@ class PowerDiagram(Frozen):
 
     @property
     def regions(self) -> list[Ids]:
-        """The corners of each cell, as rows of vertices."""
-        return np.split(self.cells.connectivity, self.cells.offsets[1:-1]) if len(self.sites) else []
+        """`cells` as a list, by scipy's name."""
+        return list(self.cells)
 
     @cached_property
     def _measures(self) -> tuple[Floats, Floats]:
@@ -343,10 +374,10 @@ def regular_triangulation(
     *,
     constraints: None = ...,
     polygons: None = ...,
-    facets: str = ...,
+    facets: Facets = ...,
     threads: int = ...,
-    non_finite: str = ...,
-    engine: str = ...,
+    non_finite: NonFinite = ...,
+    engine: Engine = ...,
     progress: Progress = ...,
 ) -> RegularTriangulation: ...
 
@@ -358,10 +389,10 @@ def regular_triangulation(
     *,
     constraints: Chains | SplitConstraints,
     polygons: Chains | None = ...,
-    facets: str = ...,
+    facets: Facets = ...,
     threads: int = ...,
-    non_finite: str = ...,
-    engine: str = ...,
+    non_finite: NonFinite = ...,
+    engine: Engine = ...,
     progress: Progress = ...,
 ) -> ConstrainedTriangulation: ...
 
@@ -373,10 +404,10 @@ def regular_triangulation(
     *,
     constraints: None = ...,
     polygons: Chains,
-    facets: str = ...,
+    facets: Facets = ...,
     threads: int = ...,
-    non_finite: str = ...,
-    engine: str = ...,
+    non_finite: NonFinite = ...,
+    engine: Engine = ...,
     progress: Progress = ...,
 ) -> ConstrainedTriangulation: ...
 
@@ -387,10 +418,10 @@ def regular_triangulation(
     *,
     constraints: Chains | SplitConstraints | None = None,
     polygons: Chains | None = None,
-    facets: str = "triangles",
+    facets: Facets = "triangles",
     threads: int = 0,
-    non_finite: str = "error",
-    engine: str = "automatic",
+    non_finite: NonFinite = "error",
+    engine: Engine = "automatic",
     progress: Progress = None,
 ) -> RegularTriangulation:
     """The exact regular (weighted Delaunay) triangulation of points in the plane; or the constrained one.
@@ -439,7 +470,7 @@ def regular_triangulation(
     chosen = settings(threads, facets, non_finite, engine, progress, left_out)
     chosen[0].points_memory, chosen[0].weights_memory = memory_of(array), memory_of(heavy)
     core = run(chosen, _core.regular_triangulation, array, heavy)
-    return RegularTriangulation(array, heavy, core, left_out)
+    return RegularTriangulation._of(points=array, weights=heavy, _core=core, _ignores=left_out)
 
 
 def alpha_complex(
@@ -448,8 +479,8 @@ def alpha_complex(
     weights: ArrayLike | None = None,
     *,
     threads: int = 0,
-    non_finite: str = "error",
-    engine: str = "automatic",
+    non_finite: NonFinite = "error",
+    engine: Engine = "automatic",
     progress: Progress = None,
 ) -> AlphaComplex:
     """The alpha complex of points in the plane, also of weighted ones.
@@ -460,8 +491,11 @@ def alpha_complex(
     ----------
     points, weights, threads, non_finite, engine, progress
         as for regular_triangulation()
-    alpha
-        as for RegularTriangulation.alpha_complex()
+    alpha : float
+        a radius, in the unit of the points: a circle as large as alpha is in. gudhi's filtration value is its square,
+        and alphashape's alpha its inverse. Infinity: all is in. With weights, squares of radii may be negative: a
+        negative alpha stands for -alpha^2. With alpha 0 and the squares of disks' radii as weights, the complex is the
+        nerve of their union.
     """
     alpha = alpha_of(alpha)
     triangulation = regular_triangulation(
@@ -477,8 +511,8 @@ def power_diagram(
     *,
     box: ArrayLike | None = None,
     threads: int = 0,
-    non_finite: str = "error",
-    engine: str = "automatic",
+    non_finite: NonFinite = "error",
+    engine: Engine = "automatic",
     progress: Progress = None,
 ) -> PowerDiagram:
     """The power diagram of points in the plane, cut at a box or a polygon; without weights, the Voronoi diagram.

@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Questions about places: the forms that these may have, and the form of the answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import InputError
+from ._input import array_of, points_of
+from ._results import Floats, Ids, NonFinite, Progress, ignores, run, settings
+
+# Of one place a number, of several an array.
+Truths = np.bool_ | NDArray[np.bool_]
+Sides = np.int8 | NDArray[np.int8]
+Lengths = np.float64 | Floats
+Numbers = np.int64 | Ids
+
+
+def answers(
+    ask: Any,
+    places: Any,
+    columns: tuple[int, ...],
+    threads: int,
+    non_finite: NonFinite,
+    progress: Progress,
+    *before: Any,
+    what: str = "points",
+) -> Any:
+    """What ask() tells of each place: of places of shape (..., ndim) an array of shape (...), of one place a number.
+
+    columns: how many coordinates places may have. before: arguments of ask() before the places. what: their name
+    """
+    ignore = ignores(non_finite)
+    rows, shape = _rows_of(places, columns, what)
+    array, left_out = points_of(rows, ignore)
+    chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
+    found = run(chosen, ask, *before, array)
+    return found.reshape(shape + found.shape[1:])[()]
+
+
+def _rows_of(places: Any, columns: tuple[int, ...], what: str) -> tuple[Any, tuple[int, ...]]:
+    """The places as rows of coordinates, and the shape that the places have."""
+    if isinstance(places, tuple) and len(places) in columns and any(map(_has_many, places)):
+        raise ValueError(
+            f"{what} are an array of shape (..., {columns[0]}); a tuple of {len(places)} arrays could be {what} or "
+            f"coordinates: write numpy.stack(arrays) of {what}, numpy.stack(arrays, axis=-1) of x and y"
+            f"{' and z' if columns[0] == 3 else ''}"
+        )
+    array = array_of(places, "coordinates")
+    if array.shape == (0,):  # an empty list
+        return array.reshape(0, columns[0]), (0,)
+    if array.ndim == 0 or array.shape[-1] not in columns:
+        raise ValueError(
+            f"{what} are an array of shape (..., {columns[0]}) here, as the result is of points with {columns[0]} "
+            f"coordinates; not of shape {array.shape}"
+        )
+    return (array if array.ndim == 2 else array.reshape(-1, array.shape[-1])), array.shape[:-1]
+
+
+def _has_many(item: Any) -> bool:
+    return bool(getattr(item, "ndim", 1 if isinstance(item, Sequence) else 0))
+
+
+@contextmanager
+def unchanged() -> Iterator[None]:
+    """A result's own points and cells go in: where these do not fit any more, the points have changed."""
+    try:
+        yield
+    except InputError as error:
+        if error.code != "non_finite" and not str(error).startswith("an argument is invalid"):
+            raise
+        raise changed(error.index) from None
+
+
+def changed(index: int = -1) -> InputError:
+    sentence = (
+        "the points have changed since they were given, and this result is not of them any more: it keeps the caller's "
+        "array, so give a copy of an array that will change"
+    )
+    return InputError(sentence, "points_changed", index)
