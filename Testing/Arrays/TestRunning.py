@@ -49,10 +49,16 @@ def test_progress_grows(call):
 
 
 @pytest.mark.parametrize("call", CALLS)
-def test_progress_stops_the_run(call):
+@pytest.mark.parametrize("false", [False, np.False_])
+def test_progress_stops_the_run(call, false):
     with pytest.raises(AbortedError) as caught:
-        CALLS[call](progress=lambda fraction: False)
+        CALLS[call](progress=lambda fraction: false)
     assert caught.value.code == "aborted"
+
+
+@pytest.mark.parametrize("other", [None, 0, "", True, np.True_])
+def test_what_else_progress_returns_stops_nothing(other):
+    assert convex_hull(SPHERE[:300_000], progress=lambda fraction: other).dimension == 3
 
 
 @pytest.mark.parametrize("call", CALLS)
@@ -103,6 +109,13 @@ def test_a_bar(monkeypatch):
     monkeypatch.setitem(sys.modules, "tqdm.auto", SimpleNamespace(tqdm=Bar))
     CALLS["hull"](progress=True)
     assert shown[0] == "made" and shown[-2:] == [100, "closed"] and len(shown) > 4
+
+
+def test_no_bar(monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm", None)
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    with pytest.raises(ModuleNotFoundError, match="progress=True shows tqdm's bar: pip install tqdm, or"):
+        CALLS["hull"](progress=True)
 
 
 def test_many_threads_at_once():
