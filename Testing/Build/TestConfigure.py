@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is built by default: on top, inside another project, inside a build of VTK's modules.
+"""What is built by default: on top, inside another project, inside a build of VTK's modules, with a device and without.
 
 Everything is configured, and nothing compiled.
 """
@@ -129,6 +129,32 @@ class TestConfigure(unittest.TestCase):
             for command in commands:
                 self.assertRegex(command, r"-std=(gnu|c)\+\+20")
                 self.assertNotRegex(command, r"-std=(gnu|c)\+\+17")
+
+    def test_no_device(self):
+        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", path=self.with_devices())
+        said = re.findall("No CUDA engine: .*", configured.printed)
+        self.assertEqual(len(said), 1, configured.printed)
+        self.assertIn("nvidia-smi finds no device", said[0])
+
+    def test_device(self):
+        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", path=self.with_devices("9.0", "8.6", "9.0", "6.1"))
+        if shutil.which("nvcc"):
+            self.assertIn("The CUDA engine is built for 90;86\n", configured.printed)
+        else:
+            self.assertIn("No CUDA engine: no CUDA compiler was found", configured.printed)
+
+    def test_vtk_decides_for_its_modules(self):
+        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", "-DVTK_USE_CUDA=OFF", path=self.with_devices("9.0"))
+        self.assertIn("No CUDA engine: VTK_USE_CUDA is OFF", configured.printed)
+
+    def with_devices(self, *capabilities):
+        """A PATH whose nvidia-smi finds devices of these compute capabilities; none: it fails."""
+        tools = self.folder / "tools"
+        tools.mkdir()
+        lines = "".join(f"echo {capability}\n" for capability in capabilities) or "exit 9\n"
+        (tools / "nvidia-smi").write_text(f"#!/bin/sh\n{lines}")
+        (tools / "nvidia-smi").chmod(0o755)
+        return f"{tools}{os.pathsep}{os.environ['PATH']}"
 
 
 if __name__ == "__main__":
