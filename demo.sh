@@ -29,7 +29,7 @@ trap stop_display EXIT
 if [ -n "$plugin" ]; then
   "$top/Scripts/install-dependencies.sh" paraview
   "$top/Scripts/install-paraview.sh"
-  configure_and_build paraview paraview "${plugin_options[@]}"
+  configure_and_build paraview paraview -DBUILD_TESTING=OFF -DFLIPFLOP_WRAP_PYTHON=OFF "${plugin_options[@]}"
   start_display
   say "Convex hulls and triangulations in ParaView"
   export PV_PLUGIN_PATH
@@ -43,7 +43,8 @@ if [ -n "$plugin" ]; then
 fi
 
 "$top/Scripts/install-dependencies.sh" demo
-configure_and_build default demo -DFLIPFLOP_BUILD_TESTING=OFF -DFLIPFLOP_BUILD_EXAMPLES=OFF
+targets=(vtkFiltersFlipFlopPython)
+configure_and_build default demo -DBUILD_TESTING=OFF
 start_display
 say "Convex hulls and triangulations"
 PYTHONPATH="$(python_path "$top/build/demo")" \

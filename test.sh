@@ -28,9 +28,7 @@ fi
 if [ "$what" = wheel ]; then
   "$top/Scripts/install-dependencies.sh" wheel
   wheels="$top/build/wheel"
-  # Without the device code, which the preset ci compiles, too: it takes minutes.
-  "$top/Scripts/wheel/build-wheel.sh" "$wheels" --config-settings=cmake.define.FLIPFLOP_CUDA=OFF \
-    --config-settings=cmake.define.FLIPFLOP_WARNINGS_AS_ERRORS=ON
+  "$top/Scripts/wheel/build-wheel.sh" "$wheels" --config-settings=cmake.define.FLIPFLOP_WARNINGS_AS_ERRORS=ON
   wheel=$(echo "$wheels"/repaired/*.whl)
   # in_clean FOLDER REQUIREMENTS FOLDER_OF_TESTS...: the tests, where nothing but these is installed
   in_clean() {
@@ -64,4 +62,4 @@ if [ "$what" = all ]; then
   build_and_test tsan tsan
   layout=()
 fi
-build_and_test ci ci
+build_and_test ci ci "${device_code[@]}"

@@ -20,7 +20,7 @@ limits=(--max-case-seconds 120)
 
 "$top/Scripts/install-dependencies.sh" benchmark
 configure_and_build benchmark benchmark -DFLIPFLOP_BUILD_FILTERS=OFF \
-  -DFLIPFLOP_BUILD_TESTING=OFF -DFLIPFLOP_BUILD_EXAMPLES=OFF
+  -DBUILD_TESTING=OFF
 
 if [[ "${subjects[0]}" == vtk-* ]]; then
   venv="$top/build/benchmark/vtk"

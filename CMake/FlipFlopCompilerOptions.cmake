@@ -1,8 +1,9 @@
 # The flags that every target of ours is built with.
 #
-# flipflop_compile_options(<target>): warnings, the rules that exactness depends on, whose threads
+# flipflop_compile_options(<target>): C++17 at least, warnings, the rules that exactness depends on, whose threads
 
 function(flipflop_compile_options target)
+  target_compile_features(${target} PRIVATE cxx_std_17) # a host's later standard stays
   # A contracted a*b-c*d is no longer antisymmetric: the predicates' signs would depend on the compiler.
   # (CUDA sources: see FlipFlopCuda.cmake.)
   set(gcc_like $<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>)

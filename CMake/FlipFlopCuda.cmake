@@ -1,56 +1,80 @@
-# Is there a CUDA compiler, and how is it called?
+# Is the CUDA engine built, and for which devices?
 #
-# FLIPFLOP_CUDA: AUTO (the default) builds the CUDA engine's kernels where a compiler of CUDA 12 or later is
-# found, ON insists on one, OFF does without.
-# CMAKE_CUDA_ARCHITECTURES: by default those of the devices at hand. Where there is none, all that the compiler knows
-# from 7.5 on, and PTX for devices newer than these.
+# FLIPFLOP_CUDA: ON insists on a compiler of CUDA 12 or later, OFF does without the engine. AUTO (the default) builds it
+# where nvidia-smi finds a device and there is such a compiler; inside VTK's own build, where VTK_USE_CUDA is on.
+# CMAKE_CUDA_ARCHITECTURES: by default those of the devices here. Where there is none, 75: code for the oldest devices that
+# the engine runs on, which newer ones translate when it is loaded.
 #
 # Sets FLIPFLOP_USE_CUDA. flipflop_cuda_options(<target>): the rules that exactness depends on.
 set(FLIPFLOP_CUDA AUTO CACHE STRING "Build the CUDA engine: AUTO, ON or OFF")
 set_property(CACHE FLIPFLOP_CUDA PROPERTY STRINGS AUTO ON OFF)
 
+# flipflop_find_devices(<variable>): the architectures of the devices here that the engine runs on, as
+# CMAKE_CUDA_ARCHITECTURES names them
+function(flipflop_find_devices variable)
+  execute_process(COMMAND nvidia-smi --query-gpu=compute_cap --format=csv,noheader
+    OUTPUT_VARIABLE found ERROR_QUIET RESULT_VARIABLE failed)
+  if(failed)
+    set(found)
+  endif()
+  string(REGEX MATCHALL "[0-9]+\\.[0-9]+" found "${found}")
+  list(TRANSFORM found REPLACE "\\." "")
+  list(REMOVE_DUPLICATES found)
+  set(devices)
+  foreach(architecture IN LISTS found)
+    if(architecture GREATER_EQUAL 75)
+      list(APPEND devices ${architecture})
+    endif()
+  endforeach()
+  set(${variable} "${devices}" PARENT_SCOPE)
+endfunction()
+
+# Every way out says why, once.
+function(flipflop_without_cuda reason)
+  if(NOT FLIPFLOP_CUDA STREQUAL "AUTO" AND FLIPFLOP_CUDA)
+    message(FATAL_ERROR "FLIPFLOP_CUDA is ${FLIPFLOP_CUDA}, and ${reason}")
+  endif()
+  message(STATUS "No CUDA engine: ${reason}")
+endfunction()
+
+flipflop_find_devices(devices)
+set(wanted ON)
+if(NOT FLIPFLOP_CUDA)
+  flipflop_without_cuda("FLIPFLOP_CUDA is ${FLIPFLOP_CUDA}")
+  set(wanted OFF)
+elseif(FLIPFLOP_CUDA STREQUAL "AUTO" AND DEFINED VTK_USE_CUDA)
+  if(NOT VTK_USE_CUDA)
+    flipflop_without_cuda("VTK_USE_CUDA is ${VTK_USE_CUDA}")
+    set(wanted OFF)
+  endif()
+elseif(FLIPFLOP_CUDA STREQUAL "AUTO" AND NOT devices)
+  flipflop_without_cuda("nvidia-smi finds no device here that it runs on (FLIPFLOP_CUDA=ON builds it for other machines)")
+  set(wanted OFF)
+endif()
+
 set(FLIPFLOP_USE_CUDA OFF)
-if(FLIPFLOP_CUDA)
+if(wanted)
   include(CheckLanguage)
   check_language(CUDA)
-  if(CMAKE_CUDA_COMPILER)
-    if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-      # "native" stops where there is no device.
-      execute_process(COMMAND nvidia-smi --query-gpu=compute_cap --format=csv,noheader
-        OUTPUT_VARIABLE found ERROR_QUIET RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE)
-      string(REGEX MATCHALL "[0-9]+\\.[0-9]+" found "${found}")
-      list(TRANSFORM found REPLACE "\\." "")
-      list(REMOVE_DUPLICATES found)
-      if(failed OR NOT found)
-        execute_process(COMMAND "${CMAKE_CUDA_COMPILER}" --list-gpu-arch OUTPUT_VARIABLE known)
-        string(REGEX MATCHALL "[0-9]+" known "${known}")
-        list(SORT known COMPARE NATURAL)
-        set(found)
-        foreach(architecture IN LISTS known)
-          if(architecture GREATER_EQUAL 75)
-            list(APPEND found ${architecture}-real)
-            set(newest ${architecture})
-          endif()
-        endforeach()
-        list(APPEND found ${newest}-virtual)
+  if(NOT CMAKE_CUDA_COMPILER)
+    flipflop_without_cuda("no CUDA compiler was found")
+  else()
+    if(NOT CMAKE_CUDA_ARCHITECTURES)
+      set(CMAKE_CUDA_ARCHITECTURES 75)
+      if(devices)
+        set(CMAKE_CUDA_ARCHITECTURES "${devices}")
       endif()
-      set(CMAKE_CUDA_ARCHITECTURES "${found}" CACHE STRING "Architectures to build device code for")
     endif()
     set(CMAKE_CUDA_STANDARD 17)
     set(CMAKE_CUDA_STANDARD_REQUIRED ON)
     enable_language(CUDA)
     if(CMAKE_CUDA_COMPILER_VERSION VERSION_LESS 12)
-      if(FLIPFLOP_CUDA STREQUAL "AUTO")
-        message(STATUS "CUDA ${CMAKE_CUDA_COMPILER_VERSION} is too old: no CUDA engine")
-      else()
-        message(FATAL_ERROR "The CUDA engine needs CUDA 12 or later, not ${CMAKE_CUDA_COMPILER_VERSION}")
-      endif()
+      flipflop_without_cuda("the engine needs CUDA 12 or later, not ${CMAKE_CUDA_COMPILER_VERSION}")
     else()
       find_package(CUDAToolkit REQUIRED)
       set(FLIPFLOP_USE_CUDA ON)
+      message(STATUS "The CUDA engine is built for ${CMAKE_CUDA_ARCHITECTURES}")
     endif()
-  elseif(NOT FLIPFLOP_CUDA STREQUAL "AUTO")
-    message(FATAL_ERROR "FLIPFLOP_CUDA is ${FLIPFLOP_CUDA}, and no CUDA compiler was found")
   endif()
 endif()
 

@@ -46,7 +46,7 @@ add_custom_target(documentation
   COMMAND ${write_documentation}
   COMMENT "Writing ${documentation_folder}/html"
   VERBATIM)
-if(FLIPFLOP_BUILD_TESTING)
+if(BUILD_TESTING)
   add_test(NAME Documentation COMMAND ${write_documentation})
   add_test(NAME Documentation-TestHtml
     COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Testing/Documentation/TestHtml.py" -v)

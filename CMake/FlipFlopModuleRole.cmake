@@ -1,8 +1,6 @@
 # The top CMakeLists.txt in its role as a VTK module's list file. Where the project around is not our own,
 # the engines and their rules are brought along.
 if(NOT TARGET FlipFlopEngineObjects)
-  set(CMAKE_CXX_STANDARD 17)
-  set(CMAKE_CXX_STANDARD_REQUIRED ON)
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
   set(FlipFlop_SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
   include("${CMAKE_CURRENT_SOURCE_DIR}/CMake/FlipFlopCompilerOptions.cmake")

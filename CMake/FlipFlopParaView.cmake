@@ -34,6 +34,6 @@ install(FILES LICENSE
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/FlipFlop"
   COMPONENT runtime)
 
-if(FLIPFLOP_BUILD_TESTING)
+if(BUILD_TESTING)
   add_subdirectory(Testing/ParaView)
 endif()

@@ -14,11 +14,11 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 most_megabytes=64 # which such machines take
 bundle="$top/build/gpu-bundle"
 build="$top/build/gpu-bundle-build"
-# The libraries are looked for beside the programs.
-cuda_options=("-DCMAKE_CUDA_ARCHITECTURES=${1:-80-real;90}" '-DCMAKE_BUILD_RPATH=$ORIGIN/../lib')
 
 "$top/Scripts/install-dependencies.sh" benchmark
-configure_and_build gpu gpu-bundle-build
+# The libraries are looked for beside the programs.
+configure_and_build gpu gpu-bundle-build "-DCMAKE_CUDA_ARCHITECTURES=${1:-80-real;90}" \
+  '-DCMAKE_BUILD_RPATH=$ORIGIN/../lib'
 
 rm -rf "$bundle"
 mkdir -p "$bundle/bin" "$bundle/lib" "$bundle/Scripts" "$bundle/Benchmarks/Cuda"

@@ -44,7 +44,7 @@ for part in "${parts[@]}"; do
       fi
       layout=()
       ;;
-    tests) build_and_test ci ci-nightly -DFLIPFLOP_NIGHTLY=ON ;;
+    tests) build_and_test ci ci-nightly -DFLIPFLOP_NIGHTLY=ON "${device_code[@]}" ;;
     compilers) "$top/Scripts/libcxx.sh" ;;
     windows) "$top/Scripts/mingw.sh" ;;
     wheels)

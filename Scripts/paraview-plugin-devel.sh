@@ -31,8 +31,8 @@ paraview=/builds/gitlab-kitware-sciviz-ci/build/install
 # On std::thread: the plugin shall load no oneTBB beside ParaView's own. FlipFlopCancel needs development files of Qt and
 # XCB that an image need not have.
 scl enable "$toolset" -- cmake -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib \
-  -DFLIPFLOP_BUILD_PLUGIN=ON -DFLIPFLOP_THREADS_BACKEND=STD -DFLIPFLOP_CUDA=OFF -DFLIPFLOP_WRAP_PYTHON=OFF \
-  -DFLIPFLOP_BUILD_TESTING=OFF -DCMAKE_PREFIX_PATH="$paraview;$top/build/headers"
+  -DFLIPFLOP_BUILD_PLUGIN=ON -DFLIPFLOP_THREADS_BACKEND=STD -DFLIPFLOP_WRAP_PYTHON=OFF \
+  -DBUILD_TESTING=OFF -DCMAKE_PREFIX_PATH="$paraview;$top/build/headers"
 scl enable "$toolset" -- cmake --build "$build" --parallel "$(nproc)"
 scl enable "$toolset" -- cmake --install "$build" --prefix "$prefix"
 

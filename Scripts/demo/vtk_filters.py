@@ -5,7 +5,7 @@ import time
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from vtkflipflop import vtkFFHullFilter, vtkFFRegularTriangulationFilter
+from vtkflipflop.vtkFiltersFlipFlop import vtkFFHullFilter, vtkFFRegularTriangulationFilter
 
 
 def updated(filter):

@@ -51,17 +51,21 @@ def absolute(description, home, version):
     return re.sub(r"(!?)\[([^\]]*)\]\((?!https?:|#)([^)]+)\)", address, description)
 
 
-def add_home(files, metadata, home):
-    info, text = files[metadata]
-    head, description = text.decode().split("\n\n", 1)
-    version = re.search(r"^Version: (\S+)", head, re.MULTILINE)[1]
-    pages = {
+def project_urls(home, version):
+    """The project's pages by their names in metadata."""
+    return {
         "Source": home,
         "Documentation": f"{home}/blob/v{version}/Documentation/Python.md",
         "Changelog": f"{home}/blob/v{version}/CHANGELOG.md",
         "Issues": f"{home}/issues",
     }
-    head += "".join(f"\nProject-URL: {name}, {page}" for name, page in pages.items())
+
+
+def add_home(files, metadata, home):
+    info, text = files[metadata]
+    head, description = text.decode().split("\n\n", 1)
+    version = re.search(r"^Version: (\S+)", head, re.MULTILINE)[1]
+    head += "".join(f"\nProject-URL: {name}, {page}" for name, page in project_urls(home, version).items())
     files[metadata] = (info, f"{head}\n\n{absolute(description, home, version)}".encode())
 
 

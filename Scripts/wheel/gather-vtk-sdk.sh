@@ -24,8 +24,11 @@ if answer=$("$interpreter" -m pip download --quiet --no-deps --only-binary :all:
   "vtk-sdk==$version" 2>&1); then
   exit
 fi
-tail -n 1 <<<"$answer"
-echo "So it is made of Debian's VTK $version and the wheel vtk"
+if grep -q "No matching distribution" <<<"$answer"; then
+  echo "No index has it for this machine: it is made of Debian's VTK $version and the wheel vtk"
+else
+  echo "pip cannot fetch it, so it is made of Debian's VTK $version and the wheel vtk: $(tail -n 1 <<<"$answer")"
+fi
 if [ "$(dpkg --print-architecture)" != amd64 ]; then
   echo "That is written for x86-64 alone; put the wheel vtk-sdk into $folder" >&2
   exit 1

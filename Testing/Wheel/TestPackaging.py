@@ -18,6 +18,7 @@ import pytest
 TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "Scripts" / "wheel"))
 import assemble_wheel  # noqa: E402
+import write_urls  # noqa: E402
 
 PROJECT = tomllib.loads((TOP / "pyproject.toml").read_text())
 NAME = "vtkflipflop-0.1.0-cp312-abi3-any.whl"
@@ -80,6 +81,17 @@ def test_relative_links_become_addresses(tmp_path, wheel):
         "[page](https://example.org/flipflop/blob/v0.1.0/Page.md#part) [far](https://example.com) [here](#there)\n"
     )
     assert "Project-URL: Source, https://example.org/flipflop" in head.splitlines()
+
+
+def test_a_release_writes_its_addresses():
+    text = write_urls.with_urls((TOP / "pyproject.toml").read_text(), "https://example.org/flipflop", "0.1.0")
+    written = tomllib.loads(text)
+    assert written["project"].pop("urls") == assemble_wheel.project_urls("https://example.org/flipflop", "0.1.0")
+    assert written == PROJECT
+
+
+def test_device_code_is_for_who_asks():
+    assert PROJECT["tool"]["scikit-build"]["cmake"]["define"]["FLIPFLOP_CUDA"] == "OFF"
 
 
 def test_all_of_the_readme_s_links_become_addresses():

@@ -96,7 +96,7 @@ class Tree:
             "cmake", "-G", "Ninja", "-S", self.source, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
             f"-DCMAKE_CUDA_COMPILER={options.cuda_compiler}", "-DFLIPFLOP_CUDA=ON", "-DFLIPFLOP_BUILD_FILTERS=OFF",
             "-DCMAKE_CUDA_ARCHITECTURES=90", "-DFLIPFLOP_WRAP_PYTHON=OFF", "-DFLIPFLOP_BUILD_EXAMPLES=OFF",
-            "-DFLIPFLOP_BUILD_TESTING=ON",
+            "-DBUILD_TESTING=ON",
         ]  # fmt: skip
         if run(command, self.log):
             sys.exit(f"cmake failed: {self.log}")
