@@ -43,6 +43,7 @@ class ConstrainedTriangulation(RegularTriangulation):
     dropped: int
     _whole: Any
     _sides: int
+    _by_direction: bool
 
     def __init__(self, points: NDArray[Any], given: Constraints, core: Any, ignores: bool) -> None:
         super().__init__(points, None, core.inside(), ignores)
@@ -53,6 +54,7 @@ class ConstrainedTriangulation(RegularTriangulation):
             dropped=core.dropped,
             _whole=core,
             _sides=given.sides,
+            _by_direction=given.by_direction,
         )
 
     @cached_property
@@ -61,7 +63,9 @@ class ConstrainedTriangulation(RegularTriangulation):
         core = self._core
         if core.cell_size == 3:
             as_polygons = _core.Settings(0, True, self._ignores, 1, None)
-            whole = _core.constrained_triangulation(self.points, self.constraints, self._sides, as_polygons)
+            whole = _core.constrained_triangulation(
+                self.points, self.constraints, self._sides, self._by_direction, as_polygons
+            )
             core = whole.inside()
         return Polygons(core.offsets(), core.corners())
 
@@ -95,7 +99,8 @@ def constrained_triangulation(
 ) -> ConstrainedTriangulation:
     """With the settings that are chosen."""
     try:
-        core = run(chosen, _core.constrained_triangulation, points, given.ends, given.sides)
+        core = run(chosen, _core.constrained_triangulation, points, given.ends, given.sides, given.by_direction)
     except InputError as error:
         raise given.of_error(error) from None
+    given.warn_if_none(core)
     return ConstrainedTriangulation(points, given, core, ignores)
