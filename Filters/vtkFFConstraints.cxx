@@ -7,9 +7,15 @@
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -21,14 +27,41 @@ std::string describe(vtkIdType cell)
   return "cell " + std::to_string(cell) + " of the source";
 }
 
+/// With as few digits as tell it.
+std::string toText(double number)
+{
+  std::ostringstream text;
+  for (int digits = 6; digits <= 17; ++digits)
+  {
+    text.str("");
+    text << std::setprecision(digits) << number;
+    if (std::strtod(text.str().c_str(), nullptr) == number)
+    {
+      break;
+    }
+  }
+  return text.str();
+}
+
+std::string toText(const double* point)
+{
+  return "(" + toText(point[0]) + ", " + toText(point[1]) + ", " + toText(point[2]) + ")";
+}
+
 }
 
 //------------------------------------------------------------------------------
-vtkFFConstraints::vtkFFConstraints(
-  vtkPolyData* source, vtkIdType count, const std::vector<vtkIdType>& places)
-  : Count(count)
+vtkFFConstraints::vtkFFConstraints(vtkPolyData* source, const std::vector<vtkPointSet*>& pieces,
+  const std::vector<vtkIdType>& places, bool withHeight)
+  : Source(source)
+  , Pieces(pieces)
+  , Dimensions(withHeight ? 3 : 2)
   , Places(places)
 {
+  for (vtkPointSet* const piece : pieces)
+  {
+    this->Count += piece->GetNumberOfPoints();
+  }
   for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
   {
     const std::string fault = vtkFFSurfaceCells::DescribeOffsets(cells, "source's cells");
@@ -71,6 +104,7 @@ std::int64_t vtkFFConstraints::GetId(vtkIdType point, vtkIdType cell) const
       " is not there: its ids are those of the input's points, of which there are " +
       std::to_string(this->Count) + ".");
   }
+  this->CheckPoint(point, cell);
   if (this->Places.empty())
   {
     return point;
@@ -82,6 +116,39 @@ std::int64_t vtkFFConstraints::GetId(vtkIdType point, vtkIdType cell) const
       " is a ghost point, which is left out. Turn off Skip Ghost Points, or take the cell away.");
   }
   return place - this->Places.begin();
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
+{
+  const vtkIdType own = this->Source->GetNumberOfPoints();
+  if (own == 0)
+  {
+    return;
+  }
+  if (point >= own)
+  {
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+      " is not there: the source has " + std::to_string(own) + " point(s).");
+  }
+  vtkIdType begin = 0;
+  std::size_t i = 0;
+  for (; point >= begin + this->Pieces[i]->GetNumberOfPoints(); ++i)
+  {
+    begin += this->Pieces[i]->GetNumberOfPoints();
+  }
+  double ours[3], given[3];
+  this->Source->GetPoint(point, ours);
+  this->Pieces[i]->GetPoint(point - begin, given);
+  const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  if (!std::equal(ours, ours + this->Dimensions, given, isSame))
+  {
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+      " is at " + toText(ours) + ", and point " + std::to_string(point) + " of the input is at " +
+      toText(given) + ". The source's cells name points of the input by id, so at these ids its " +
+      std::to_string(own) + " points must be those of the input, of which there are " +
+      std::to_string(this->Count) + "; or it has no points.");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,7 @@
  *
  * vtkFFConstraints gives the engine the segments of the lines, polylines and polygons of a
  * vtkPolyData, whose ids are those of another data set's points. Polygons come last, as the engine
- * asks: their sides have a direction.
+ * asks.
  */
 
 #ifndef vtkFFConstraints_h
@@ -23,18 +23,23 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
+class vtkPointSet;
 class vtkPolyData;
 
 class vtkFFConstraints
 {
 public:
   /**
-   * @param source whose cells are read, and not its points
-   * @param count  of the points that ids name
-   * @param places of those of them that the engine was given, ascending; empty: it was given all
-   * @throw std::runtime_error where a cell names a point that is not there
+   * @param source     whose cells are read
+   * @param pieces     the data sets whose points ids name, one after another
+   * @param places     of those of these points that the engine was given, ascending; empty: it was
+   *                   given all
+   * @param withHeight whether z matters, where points are compared
+   * @throw std::runtime_error where a cell names a point that is not there, or that has other
+   *                           coordinates in the source, if it has points
    */
-  vtkFFConstraints(vtkPolyData* source, vtkIdType count, const std::vector<vtkIdType>& places);
+  vtkFFConstraints(vtkPolyData* source, const std::vector<vtkPointSet*>& pieces,
+    const std::vector<vtkIdType>& places, bool withHeight);
 
   vtkFFConstraints(const vtkFFConstraints&) = delete;
   void operator=(const vtkFFConstraints&) = delete;
@@ -52,8 +57,12 @@ public:
 private:
   void Take(vtkCellArray* cells, vtkIdType firstCell, bool areClosed);
   std::int64_t GetId(vtkIdType point, vtkIdType cell) const;
+  void CheckPoint(vtkIdType point, vtkIdType cell) const;
 
-  const vtkIdType Count;
+  vtkPolyData* const Source; // while it is read
+  const std::vector<vtkPointSet*>& Pieces;
+  const int Dimensions; // that are compared
+  vtkIdType Count = 0;  // of points that ids name
   const std::vector<vtkIdType>& Places;
   std::vector<std::int64_t> Ends;
   std::vector<vtkIdType> CellIds; // of each constraint

@@ -17,6 +17,9 @@
 
 #include <flipflop/ConstraintCrossings.h>
 
+#include <cstddef>
+#include <cstdint>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkFFProjection;
 class vtkPointSet;
@@ -39,6 +42,14 @@ public:
    * The pieces; valid as long as this object exists.
    */
   flipflop::ConstraintView GetView() const { return this->Split.view(); }
+
+  /**
+   * The constraint that a piece is of.
+   */
+  std::int64_t GetConstraint(std::int64_t piece) const
+  {
+    return this->Split.constraintOf[static_cast<std::size_t>(piece)];
+  }
 
   /**
    * How many points are new.

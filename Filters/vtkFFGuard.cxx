@@ -303,9 +303,9 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
       return "Constraint " + std::to_string(index) + " crosses constraint " + count +
         ", and there is no point where they do. Add one, and end or begin both there.";
     case ErrorCode::PolygonsDisagree:
-      return "The polygons disagree about what is inside, by the edge between the points " +
-        std::to_string(index) + " and " + count + this->OfBlock() +
-        " and another: what is on the left of a side is inside, and holes run clockwise.";
+      return "The polygons disagree about what is inside: what is on the left of a side is inside, "
+             "and holes run clockwise. Reverse the polygon of constraint " +
+        std::to_string(index) + ", which disagrees with that of constraint " + count + ".";
     case ErrorCode::NotConvex:
       return "The domain is no convex polygon with finite corners, counter-clockwise.";
     case ErrorCode::DuplicateSites:

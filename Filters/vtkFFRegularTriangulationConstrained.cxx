@@ -8,6 +8,7 @@
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Engines.h>
+#include <flipflop/Error.h>
 
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
@@ -24,9 +25,12 @@ namespace
 {
 
 /// Leaves out the cells that are not inside the polygons. Returns how many these are.
-std::int64_t dropOutside(
-  const flipflop::Options& options, flipflop::ConstrainedTriangulation& triangulation)
+std::int64_t dropOutside(const flipflop::Options& chosen, bool byDirection,
+  flipflop::ConstrainedTriangulation& triangulation)
 {
+  flipflop::Options options = chosen;
+  options.polygons =
+    byDirection ? flipflop::PolygonRule::Direction : flipflop::PolygonRule::EvenOdd;
   const std::int64_t cells = triangulation.cellCount();
   flipflop::Buffer<std::uint8_t> inside(static_cast<std::size_t>(cells));
   const std::int64_t kept = flipflop::cellsInside(triangulation, inside.data(), options);
@@ -52,9 +56,8 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::TakeConstraints(vtkDat
     throw std::runtime_error("Constraints take no weights. Choose no weights' array, or take the "
                              "source away.");
   }
-  const vtkIdType count = std::accumulate(this->Pieces.begin(), this->Pieces.end(), vtkIdType(0),
-    [](vtkIdType sum, vtkPointSet* piece) { return sum + piece->GetNumberOfPoints(); });
-  this->Constraints.emplace(source, count, this->Internals->PlacesOfPoints);
+  this->Constraints.emplace(source, this->Pieces, this->Internals->PlacesOfPoints,
+    this->Filter->ProjectionPlaneMode != XY_PLANE);
   this->Internals->Constraints = &*this->Constraints;
 }
 
@@ -82,7 +85,42 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::RunConstrained(
   if (constraints.sides > 0)
   {
     this->Internals->SetProgressPart(1.0 - shareOfInside, 1.0);
-    this->CellsOutside = dropOutside(options, this->Triangulation);
+    this->DropOutside(options);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::DropOutside(
+  const flipflop::Options& options)
+{
+  try
+  {
+    this->CellsOutside =
+      dropOutside(options, this->Filter->PolygonRule == DIRECTION, this->Triangulation);
+  }
+  catch (const flipflop::Error& error)
+  {
+    if (error.code() == flipflop::ErrorCode::PolygonsDisagree && this->Crossings)
+    {
+      // Of the pieces; the constraints are known by their cells.
+      throw flipflop::Error(error.code(), this->Crossings->GetConstraint(error.index()),
+        this->Crossings->GetConstraint(error.count()));
+    }
+    throw;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRegularTriangulationFilter::vtkInternals::Work::WarnOfNoneInside()
+{
+  if (this->CellsOutside > 0 && this->Triangulation.cellCount() == 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      << "No cell is inside the polygons of the source, so there are points and no cells."
+      << (this->Filter->PolygonRule == DIRECTION
+             ? " What is on the left of a side is inside: reverse the polygons, or set Polygon "
+               "Rule to Even-Odd."
+             : ""));
   }
 }
 

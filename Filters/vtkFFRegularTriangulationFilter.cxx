@@ -67,6 +67,7 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
   , GenerateBoundary(false)
   , MaximumEdgeLength(0.0)
   , SplitCrossingConstraints(false)
+  , PolygonRule(EVEN_ODD)
   , GeneratePowerDiagram(false)
   , GenerateCellMeasures(false)
   , PowerDiagramBoxMode(BOX_OF_POINTS)
@@ -390,15 +391,17 @@ std::string vtkFFRegularTriangulationFilter::vtkInternals::DescribeError(
       ", and there is no point where they do. Add one to the input and to both, or turn on Split "
       "Crossing Constraints.";
   }
-  if (error.code() == flipflop::ErrorCode::PolygonsDisagree)
+  if (error.code() == flipflop::ErrorCode::PolygonsDisagree && this->Constraints)
   {
-    const auto place = [this](std::int64_t id)
-    { return this->GetPlaceOfPoint(static_cast<vtkIdType>(id)); };
-    const std::string message = this->vtkFFAlgorithm::vtkInternals::DescribeError(
-      flipflop::Error(error.code(), place(error.index()), place(error.count())));
-    return place(error.index()) < 0 || place(error.count()) < 0
-      ? message + " A point -1 is where constraints were split."
-      : message;
+    const std::string wrong = this->Constraints->DescribeCell(error.index());
+    const std::string right = this->Constraints->DescribeCell(error.count());
+    const std::string rule = "The polygons disagree about what is inside: what is on the left of a "
+                             "side is inside, and holes run clockwise. ";
+    return wrong == right ? rule + "The sides of " + wrong +
+        " disagree with each other, as where a polygon crosses itself. Set Polygon Rule to "
+        "Even-Odd."
+                          : rule + "Reverse " + wrong + ", which disagrees with " + right +
+        ", or set Polygon Rule to Even-Odd.";
   }
   return this->vtkFFAlgorithm::vtkInternals::DescribeError(error);
 }
@@ -415,6 +418,12 @@ const char* vtkFFRegularTriangulationFilter::GetProjectionPlaneModeAsString()
 const char* vtkFFRegularTriangulationFilter::GetWeightModeAsString()
 {
   return this->WeightMode == RADII ? "Radii" : "Weights";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFRegularTriangulationFilter::GetPolygonRuleAsString()
+{
+  return this->PolygonRule == DIRECTION ? "Direction" : "EvenOdd";
 }
 
 //------------------------------------------------------------------------------
@@ -448,6 +457,7 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "SplitCrossingConstraints: " << (this->SplitCrossingConstraints ? "On" : "Off")
      << "\n";
+  os << indent << "PolygonRule: " << this->GetPolygonRuleAsString() << "\n";
   os << indent << "GeneratePowerDiagram: " << (this->GeneratePowerDiagram ? "On" : "Off") << "\n";
   os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";
   os << indent << "PowerDiagramBoxMode: " << this->GetPowerDiagramBoxModeAsString() << "\n";

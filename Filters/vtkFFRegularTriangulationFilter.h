@@ -131,6 +131,15 @@ public:
   };
 
   /**
+   * How the source's polygons tell what is inside.
+   */
+  enum PolygonRuleType
+  {
+    EVEN_ODD = 0,
+    DIRECTION = 1
+  };
+
+  /**
    * The box to which the power diagram is clipped.
    */
   enum PowerDiagramBoxModeType
@@ -142,19 +151,21 @@ public:
   //@{
   /**
    * Set/Get the second input, on port 1: lines, polylines and polygons that are to be edges of the
-   * triangulation. None by default. Their point ids are those of the input; the points of the
-   * source are not looked at. As in vtkDelaunay2D, polygons also tell what is inside: what is on
-   * the left of a side, as seen from the plane's upper side. So a counter-clockwise polygon keeps
-   * its inside, and a clockwise one in it is a hole, to any depth; a clockwise one alone is a hole
-   * in all. Cells that are not inside are left out and counted; all points stay.
+   * triangulation. None by default. Their point ids are those of the input, as in vtkDelaunay2D.
+   * The source has no points, or at the ids that its cells name the very coordinates of the input
+   * (x and y alone, for XY_PLANE): points of its own are an error that names the first id at which
+   * they differ, with both coordinates. Points are compared as given, before a transform.
+   *
+   * Polygons also tell what is inside: see SetPolygonRule(). Cells that are not inside are left out
+   * and counted; if no cell is inside, a warning says so. All points stay in the output, also those
+   * that no cell has any more.
    *
    * The result is the constrained Delaunay triangulation: all other edges are Delaunay as far as
    * the constraints let points see each other. It does not depend on the order of the constraints.
    * A constraint through points is parted there, and one that ends at a duplicate ends at the
    * lowest id of that position. Constraints that cross between points are an error that names both
-   * cells, as is a point that is not there or is left out; so are polygons that say different
-   * things of one cell. As polygons (see SetFacetMode()), a cell is all points of one circle that
-   * no constraint parts.
+   * cells, as is a point that is not there or is left out. As polygons (see SetFacetMode()), a cell
+   * is all points of one circle that no constraint parts.
    *
    * With a source, there can be no weights, no power diagram, no CUDA engine and no more than one
    * block, and the points may not be distributed over processes: each is an error.
@@ -337,6 +348,32 @@ public:
 
   //@{
   /**
+   * Set/Get how the source's polygons tell what is inside: see SetSourceData(). Without polygons,
+   * this does not matter: all cells stay. So they do where all points are on one line.
+   *
+   * - EVEN_ODD (the default): by nesting. A polygon keeps its inside, one
+   *   in it is a hole, to any depth, whatever their directions. Each side
+   *   of each polygon counts: a cell is inside if a way to it from outside
+   *   crosses an odd number of sides. So of polygons that overlap, what
+   *   two of them have in common is outside.
+   * - DIRECTION: as in vtkDelaunay2D. What is on the left of a side, as
+   *   seen from the plane's upper side, is inside. So a counter-clockwise
+   *   polygon keeps its inside, and a clockwise one in it is a hole, to any
+   *   depth; a clockwise one alone is a hole in all. Polygons that say
+   *   different things of one cell are an error that names two of them, and
+   *   which to reverse.
+   *
+   * If holes run clockwise in polygons that run counter-clockwise, both rules give the same.
+   */
+  vtkSetClampMacro(PolygonRule, int, EVEN_ODD, DIRECTION);
+  vtkGetMacro(PolygonRule, int);
+  void SetPolygonRuleToEvenOdd() { this->SetPolygonRule(EVEN_ODD); }
+  void SetPolygonRuleToDirection() { this->SetPolygonRule(DIRECTION); }
+  const char* GetPolygonRuleAsString();
+  //@}
+
+  //@{
+  /**
    * Set/Get whether port 2 gives the power diagram. Off by default.
    *
    * Its corners lie in the plane of the triangulation: for XY_PLANE at the lowest z of the points
@@ -474,6 +511,7 @@ protected:
   bool GenerateBoundary;
   double MaximumEdgeLength;
   bool SplitCrossingConstraints;
+  int PolygonRule;
   bool GeneratePowerDiagram;
   bool GenerateCellMeasures;
   int PowerDiagramBoxMode;

@@ -240,6 +240,7 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   vtkFFRegularTriangulationFilter* const filter = this->Filter;
   vtkInternals* const internals = this->Internals;
   flipflop::Triangulation& triangulation = this->Triangulation;
+  this->WarnOfNoneInside();
   this->AddSplitPoints();
   if (this->NeedsHeight() && triangulation.dimension >= 0)
   {

@@ -116,14 +116,17 @@ protected:
 private:
   //@{
   /**
-   * Constraints of the filter's second input, if it has some; the run with these; split them; have
-   * the points at which they were split.
+   * Constraints of the filter's second input, if it has some; the run with these; split them; leave
+   * out what is outside their polygons, and warn if that is all; have the points at which they were
+   * split.
    *
    * @throw std::runtime_error for weights beside them
    */
   void TakeConstraints(vtkDataArray* weights);
   void RunConstrained(const flipflop::Options& options, flipflop::EngineReport& report);
   void SplitConstraints(const flipflop::Options& options);
+  void DropOutside(const flipflop::Options& options);
+  void WarnOfNoneInside();
   void AddSplitPoints();
   //@}
 

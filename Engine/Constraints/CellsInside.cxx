@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Cells that no polygon's side parts are one region, and each side says of the regions beside it
-/// whether they are inside. No coordinate is looked at.
+/// Cells that no polygon's side parts are one region. By the even-odd rule, the sides between a
+/// region and the outside count; by direction, each side says of the regions beside it whether they
+/// are inside. No coordinate is looked at.
 #include <flipflop/ConstrainedTriangulation.h>
 
 #include "PowerDiagram/TriangulationInput.h"
@@ -21,37 +22,52 @@ namespace flipflop
 namespace
 {
 
+/// Cells in regions; of two cells of one region, it is known whether an odd number of sides parts
+/// them.
 class Regions
 {
 public:
   explicit Regions(std::uint32_t cells)
-    : up(cells)
+    : links(cells)
   {
     for (std::uint32_t c = 0; c < cells; ++c)
     {
-      this->up[c] = c;
+      this->links[c] = { c, false };
     }
   }
 
-  /// The lowest cell of the region.
-  std::uint32_t operator()(std::uint32_t cell)
+  /// The lowest cell of the region, and whether an odd number of sides parts this cell from it.
+  std::pair<std::uint32_t, bool> operator()(std::uint32_t cell)
   {
-    for (; this->up[cell] != cell; cell = this->up[cell])
+    bool isOdd = false;
+    while (this->links[cell].up != cell)
     {
-      this->up[cell] = this->up[this->up[cell]];
+      Link& link = this->links[cell];
+      const Link& above = this->links[link.up];
+      link = { above.up, link.isOdd != above.isOdd };
+      isOdd = isOdd != link.isOdd;
+      cell = link.up;
     }
-    return cell;
+    return { cell, isOdd };
   }
 
-  void join(std::uint32_t a, std::uint32_t b)
+  /// @return false: they are of one region, in which they are parted otherwise
+  bool join(std::uint32_t a, std::uint32_t b, bool areParted)
   {
-    a = (*this)(a);
-    b = (*this)(b);
-    this->up[std::max(a, b)] = std::min(a, b);
+    const auto [rootA, oddA] = (*this)(a);
+    const auto [rootB, oddB] = (*this)(b);
+    const bool isOdd = (oddA != oddB) != areParted;
+    this->links[std::max(rootA, rootB)] = { std::min(rootA, rootB), rootA != rootB && isOdd };
+    return rootA != rootB || !isOdd;
   }
 
 private:
-  std::vector<std::uint32_t> up;
+  struct Link
+  {
+    std::uint32_t up;
+    bool isOdd; ///< an odd number of sides parts them
+  };
+  std::vector<Link> links;
 };
 
 /// What an edge says of a cell beside it.
@@ -68,12 +84,12 @@ public:
   InsideFinder(const ConstrainedTriangulation& given, Monitor& toTell)
     : triangulation(given)
     , monitor(toTell)
-    , cells(static_cast<std::size_t>(given.cellCount()))
-    , regions(static_cast<std::uint32_t>(this->cells))
+    , cells(static_cast<std::uint32_t>(given.cellCount()))
   {
     const std::size_t edges = given.constraintOf.size();
     const auto points = static_cast<std::int64_t>(given.pointIds.size());
-    if (given.fixedEdges.size() != 2 * edges || given.balance.size() != edges ||
+    if (given.sides < 0 || given.fixedEdges.size() != 2 * edges || given.balance.size() != edges ||
+      given.sideOf.size() != edges ||
       std::any_of(given.fixedEdges.begin(), given.fixedEdges.end(),
         [points](std::int64_t corner) { return corner < 0 || corner >= points; }))
     {
@@ -81,42 +97,112 @@ public:
     }
   }
 
-  void find(std::uint8_t* inside)
+  void find(PolygonRule rule, std::uint8_t* inside)
   {
     // Below dimension 2 nothing is inside of anything: all stays.
-    if (this->triangulation.dimension == 2)
+    if (this->triangulation.dimension < 2 || this->triangulation.sides == 0)
     {
-      this->lookAtEdges();
+      std::fill_n(inside, this->cells, std::uint8_t(1));
     }
-    constexpr std::uint32_t None = NoIndex;
-    std::vector<std::uint32_t> first(this->cells, None); // vote, by region
-    for (std::size_t i = 0; i < this->votes.size(); ++i)
+    else if (rule == PolygonRule::EvenOdd)
     {
-      std::uint32_t& of = first[this->regions(this->votes[i].cell)];
-      of = of == None ? static_cast<std::uint32_t>(i) : of;
-      if (this->votes[of].isInside != this->votes[i].isInside)
-      {
-        const std::int64_t* const ends =
-          this->triangulation.fixedEdges.data() + 2 * std::size_t(this->votes[i].edge);
-        throw Error(ErrorCode::PolygonsDisagree,
-          this->triangulation.pointIds[static_cast<std::size_t>(ends[0])],
-          this->triangulation.pointIds[static_cast<std::size_t>(ends[1])]);
-      }
+      this->findOdd(inside);
     }
-    for (std::size_t c = 0; c < this->cells; ++c)
+    else
     {
-      const std::uint32_t vote = first[this->regions(static_cast<std::uint32_t>(c))];
-      inside[c] = vote == None || this->votes[vote].isInside ? 1 : 0;
+      this->findLeft(inside);
     }
   }
 
 private:
-  /// Edges and fixed edges are both in lexicographic order, so they are met side by side.
-  void lookAtEdges()
+  /// What an odd number of sides parts from the outside.
+  void findOdd(std::uint8_t* inside)
+  {
+    const std::uint32_t outside = this->cells;
+    Regions regions(this->cells + 1);
+    this->eachEdge(
+      [&](const CellSide* begin, const CellSide* end, std::uint32_t fixed)
+      {
+        const std::uint32_t first = this->cellOf[begin->place];
+        bool fits = end - begin > 1 || regions.join(first, outside, this->isOdd(fixed));
+        for (const CellSide* side = begin + 1; fits && side < end; ++side)
+        {
+          fits = regions.join(first, this->cellOf[side->place], this->isOdd(fixed));
+        }
+        if (!fits)
+        {
+          throw badArgument("the sides of polygons must close: an even number of them ends at each "
+                            "point");
+        }
+      });
+    const auto out = regions(outside);
+    for (std::uint32_t c = 0; c < this->cells; ++c)
+    {
+      const auto own = regions(c);
+      inside[c] = own.first == out.first && own.second != out.second ? 1 : 0;
+    }
+  }
+
+  /// What is on the left of sides.
+  void findLeft(std::uint8_t* inside)
+  {
+    Regions regions(this->cells);
+    std::vector<Vote> votes; // in the order of the edges
+    this->eachEdge(
+      [&](const CellSide* begin, const CellSide* end, std::uint32_t fixed)
+      {
+        const std::int64_t balance = this->balanceOf(fixed);
+        for (const CellSide* side = begin; side != end; ++side)
+        {
+          const std::uint32_t cell = this->cellOf[side->place];
+          if (balance != 0)
+          {
+            // A cell is on the left of its own sides.
+            const bool isAlong = this->corner(side->place) == side->low;
+            votes.push_back({ cell, fixed, isAlong == (balance > 0) });
+          }
+          else
+          {
+            regions.join(this->cellOf[begin->place], cell, false);
+          }
+        }
+      });
+    std::vector<const Vote*> first(this->cells, nullptr); // by region
+    for (const Vote& vote : votes)
+    {
+      const Vote*& known = first[regions(vote.cell).first];
+      known = known ? known : &vote;
+      if (known->isInside != vote.isInside)
+      {
+        this->throwDisagreement(*known, vote);
+      }
+    }
+    for (std::uint32_t c = 0; c < this->cells; ++c)
+    {
+      const Vote* const vote = first[regions(c).first];
+      inside[c] = !vote || vote->isInside ? 1 : 0;
+    }
+  }
+
+  /// Both are of one region, which an even number of sides parts: the even-odd rule says which of
+  /// them is wrong.
+  [[noreturn]] void throwDisagreement(const Vote& one, const Vote& other)
+  {
+    std::vector<std::uint8_t> isOdd(this->cells);
+    this->findOdd(isOdd.data());
+    const bool isOneRight = one.isInside == (isOdd[one.cell] != 0);
+    const auto sideOf = [this](const Vote& vote) { return this->triangulation.sideOf[vote.edge]; };
+    throw Error(ErrorCode::PolygonsDisagree, sideOf(isOneRight ? other : one),
+      sideOf(isOneRight ? one : other));
+  }
+
+  /// use (begin, end of the cells' sides there, fixed edge or NoIndex) for each edge. Edges and
+  /// fixed edges are both in lexicographic order, so they are met side by side.
+  template <class Use>
+  void eachEdge(const Use& use)
   {
     const ConstrainedTriangulation& given = this->triangulation;
-    Buffer<std::uint32_t> cellOf;
-    Buffer<CellSide> sides = sidesOf(given, cellOf);
+    Buffer<CellSide> sides = sidesOf(given, this->cellOf);
     StepPoll poll(this->monitor);
     std::uint32_t fixed = 0;
     const auto isBefore = [&given](std::uint32_t edge, const CellSide& side)
@@ -126,7 +212,7 @@ private:
       return std::make_pair(low, high) < std::make_pair(side.low, side.high);
     };
     const auto count = static_cast<std::uint32_t>(given.constraintOf.size());
-    eachEdge(sides,
+    flipflop::eachEdge(sides,
       [&](const CellSide* begin, const CellSide* end)
       {
         poll.step();
@@ -137,23 +223,16 @@ private:
         const bool isFixed = fixed < count &&
           given.fixedEdges[2 * std::size_t(fixed)] == begin->low &&
           given.fixedEdges[2 * std::size_t(fixed) + 1] == begin->high;
-        const std::int64_t balance = isFixed ? given.balance[fixed] : 0;
-        for (const CellSide* side = begin; side != end; ++side)
-        {
-          const std::uint32_t cell = cellOf[side->place];
-          if (balance != 0)
-          {
-            // A cell is on the left of its own sides.
-            const bool isAlong = this->corner(side->place) == side->low;
-            this->votes.push_back({ cell, fixed, isAlong == (balance > 0) });
-          }
-          else
-          {
-            this->regions.join(cellOf[begin->place], cell);
-          }
-        }
+        use(begin, end, isFixed ? fixed : NoIndex);
       });
   }
+
+  std::int64_t balanceOf(std::uint32_t fixed) const
+  {
+    return fixed == NoIndex ? 0 : this->triangulation.balance[fixed];
+  }
+
+  bool isOdd(std::uint32_t fixed) const { return this->balanceOf(fixed) % 2 != 0; }
 
   std::uint32_t corner(std::size_t i) const
   {
@@ -162,9 +241,8 @@ private:
 
   const ConstrainedTriangulation& triangulation;
   Monitor& monitor;
-  const std::size_t cells;
-  Regions regions;
-  std::vector<Vote> votes; ///< in the order of the edges
+  const std::uint32_t cells;
+  Buffer<std::uint32_t> cellOf; ///< by place of the side
 };
 
 }
@@ -175,13 +253,13 @@ std::int64_t cellsInside(
   const std::int64_t cells = triangulation.cellCount();
   if (cells > 0 && !inside)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("inside has no room for an answer for each cell");
   }
   runOver(static_cast<std::size_t>(cells), options,
     [&](Monitor& monitor)
     {
       checkCells(triangulation);
-      InsideFinder(triangulation, monitor).find(inside);
+      InsideFinder(triangulation, monitor).find(options.polygons, inside);
     });
   return static_cast<std::int64_t>(std::count(inside, inside + cells, std::uint8_t(1)));
 }

@@ -34,6 +34,7 @@ public:
   {
     CpuBuilder<Geometry> engine;
     this->triangulate(engine, result);
+    result.sides = this->constraints.sides;
     if (result.dimension < 2)
     {
       requireFinite(this->constraints, this->source, this->checkFinite);
@@ -82,8 +83,7 @@ private:
   {
     for (FixedEdge& edge : this->edges)
     {
-      edge =
-        FixedEdge(form.rankOf(edge.low), form.rankOf(edge.high), edge.constraint, edge.balance);
+      edge = FixedEdge(form.rankOf(edge.low), form.rankOf(edge.high), edge.constraint, edge.sides);
     }
   }
 

@@ -3,6 +3,7 @@
 #include "Constraints/CrossingPairs.h"
 
 #include "Constraints/Crossing.h"
+#include "Constraints/SegmentBundle.h"
 #include "Query/BoxTree.h"
 #include "Support/Parallel.h"
 
@@ -27,9 +28,11 @@ public:
     , segments(given)
     , monitor(toTell)
     , parts(partsOf(at, given, toTell))
+    , bundle(at, given)
     , tree(
         static_cast<std::uint32_t>(this->parts.size()),
-        [this](std::uint32_t part) { return this->boxOf(part); }, toTell)
+        [this](std::uint32_t part) { return this->boxOf(part); }, toTell,
+        BoxTree::Lengths::AsShares)
     , boxes(this->parts.size())
   {
     eachRun(this->boxes.size(), std::size_t(1) << 12,
@@ -42,7 +45,7 @@ public:
       });
   }
 
-  std::vector<Pair> pairs()
+  std::vector<Pair> pairs(std::int64_t* comparisons)
   {
     // Pairs of nodes on one level that meet: enough of them for all threads.
     constexpr std::size_t WorthTasks = 512;
@@ -56,7 +59,7 @@ public:
       }
       tasks = std::move(below);
     }
-    std::vector<std::vector<Pair>> found(tasks.size());
+    std::vector<Found> found(tasks.size());
     threads::eachAlone(tasks.size(),
       [&](std::size_t i)
       {
@@ -64,16 +67,22 @@ public:
         this->join(tasks[i], poll, found[i]);
       });
     std::size_t count = 0;
-    for (const std::vector<Pair>& some : found)
+    std::int64_t compared = 0;
+    for (const Found& some : found)
     {
-      count += some.size();
+      count += some.pairs.size();
+      compared += some.comparisons;
+    }
+    if (comparisons)
+    {
+      *comparisons = compared;
     }
     std::vector<Pair> all;
     all.reserve(count);
-    for (std::vector<Pair>& some : found)
+    for (Found& some : found)
     {
-      all.insert(all.end(), some.begin(), some.end());
-      some = {};
+      all.insert(all.end(), some.pairs.begin(), some.pairs.end());
+      some.pairs = {};
     }
     threads::sort(all.begin(), all.end(), std::less<Pair>());
     all.erase(std::unique(all.begin(), all.end()), all.end()); // by several parts
@@ -82,6 +91,12 @@ public:
 
 private:
   using NodePair = std::pair<std::size_t, std::size_t>; ///< of one level
+
+  struct Found
+  {
+    std::vector<Pair> pairs;
+    std::int64_t comparisons = 0; ///< of boxes
+  };
 
   /// Part @p number of @p count that are equally long.
   struct Part
@@ -133,29 +148,32 @@ private:
     return result;
   }
 
-  /// A box that the part is in.
+  /// A box that the part is in: x, y, and the offset.
   Box boxOf(std::uint32_t item) const
   {
     const Part& part = this->parts[item];
     const PlaceSegment& segment = this->segments[part.segment];
     const Place &a = this->places[segment.from], &b = this->places[segment.to];
+    const double from[3] = { a.x[0], a.x[1], this->bundle.offsetOf(segment.from) };
+    const double to[3] = { b.x[0], b.x[1], this->bundle.offsetOf(segment.to) };
     Box box;
-    box.low[2] = box.high[2] = 0;
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 3; ++i)
     {
-      const auto ends = std::minmax(a.x[i], b.x[i]);
-      box.low[i] = ends.first;
-      box.high[i] = ends.second;
+      const double most = std::max(std::fabs(from[i]), std::fabs(to[i]));
+      const double error =
+        i < 2 ? 0.0 : SegmentBundle::RelativeError * most + SegmentBundle::AbsoluteError;
+      box.low[i] = std::min(from[i], to[i]) - error;
+      box.high[i] = std::max(from[i], to[i]) + error;
       if (part.count > 1)
       {
         const auto at = [&](std::uint32_t number)
         {
           const double t = static_cast<double>(number) / part.count;
-          return (1 - t) * a.x[i] + t * b.x[i];
+          return (1 - t) * from[i] + t * to[i];
         };
         const double p = at(part.number), q = at(part.number + 1);
         // Four roundings.
-        const double off = 8 * 0x1p-53 * std::max(std::fabs(a.x[i]), std::fabs(b.x[i])) + 0x1p-1070;
+        const double off = 8 * 0x1p-53 * most + 0x1p-1070 + error;
         box.low[i] = std::max(box.low[i], std::min(p, q) - off);
         box.high[i] = std::min(box.high[i], std::max(p, q) + off);
       }
@@ -166,7 +184,7 @@ private:
   static bool meet(const Box& a, const Box& b)
   {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
-      b.low[1] <= a.high[1];
+      b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
   }
 
   /// use (NodePair) for each pair of their halves that meet.
@@ -186,9 +204,10 @@ private:
     }
   }
 
-  void join(const NodePair& pair, StepPoll& poll, std::vector<Pair>& found) const
+  void join(const NodePair& pair, StepPoll& poll, Found& found) const
   {
     poll.step();
+    ++found.comparisons;
     if (!this->tree.isLeaf(pair.first))
     {
       this->eachBelow(pair, [&](const NodePair& next) { this->join(next, poll, found); });
@@ -200,9 +219,10 @@ private:
       for (std::uint32_t q = pair.first == pair.second ? p + 1 : this->tree.begin(pair.second);
            q < end; ++q)
       {
+        ++found.comparisons;
         if (meet(this->boxes[p], this->boxes[q]))
         {
-          this->test(this->tree.item(p), this->tree.item(q), found);
+          this->test(this->tree.item(p), this->tree.item(q), found.pairs);
         }
       }
     }
@@ -223,16 +243,18 @@ private:
   const std::vector<PlaceSegment>& segments;
   Monitor& monitor;
   const std::vector<Part> parts;
+  const SegmentBundle bundle;
   const BoxTree tree;
   Buffer<Box> boxes; ///< of parts, by their place in the tree
 };
 
 }
 
-std::vector<Pair> crossingPairs(
-  const std::vector<Place>& places, const std::vector<PlaceSegment>& segments, Monitor& monitor)
+std::vector<Pair> crossingPairs(const std::vector<Place>& places,
+  const std::vector<PlaceSegment>& segments, Monitor& monitor, std::int64_t* comparisons)
 {
-  return segments.size() < 2 ? std::vector<Pair>() : SelfJoin(places, segments, monitor).pairs();
+  return segments.size() < 2 ? std::vector<Pair>()
+                             : SelfJoin(places, segments, monitor).pairs(comparisons);
 }
 
 }

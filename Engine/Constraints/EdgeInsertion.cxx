@@ -45,12 +45,23 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
   {
     std::swap(u, v);
   }
-  const int sides = !isSide ? 0 : isTurned ? -1 : 1;
+  SidesAlong sides;
+  if (isSide)
+  {
+    sides.balance = isTurned ? -1 : 1;
+    sides.first[isTurned] = constraint;
+  }
+  const Chain chain = { u, this->fixed.size(), 0, SidesAlong() };
   while (u != v)
   {
     const Exit exit = this->exitOf(u, v);
     std::uint32_t edge = exit.along;
     std::uint32_t end = exit.end;
+    if (u == chain.from && edge != NoIndex && end != v && this->mesh.isFixed(edge) &&
+      this->isAgain(u, v, sides))
+    {
+      return;
+    }
     if (edge == NoIndex)
     {
       end = this->cavity.open(u, v, exit.across, meet);
@@ -75,6 +86,43 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
   {
     throw Error(ErrorCode::ConstraintsCross, constraint, crossed);
   }
+  const std::size_t count = this->fixed.size() - chain.begin;
+  if (count > 1)
+  {
+    Chain& known = this->chains.emplace(keyOf(chain.from, v), chain).first->second;
+    known.count = count;
+  }
+}
+
+/// Was a constraint between these two vertices inserted, in several edges? They are not walked
+/// again; it gets the sides.
+bool EdgeInsertion::isAgain(std::uint32_t u, std::uint32_t v, const SidesAlong& sides)
+{
+  const auto found = this->chains.find(keyOf(u, v));
+  if (found == this->chains.end())
+  {
+    return false;
+  }
+  found->second.again.add(found->second.from == u ? sides : sides.reversed());
+  return true;
+}
+
+std::vector<FixedEdge>& EdgeInsertion::fixedEdges()
+{
+  for (auto& entry : this->chains)
+  {
+    Chain& chain = entry.second;
+    std::uint32_t at = chain.from;
+    for (std::size_t i = chain.begin; i < chain.begin + chain.count; ++i)
+    {
+      FixedEdge& edge = this->fixed[i];
+      const bool isAlong = edge.low == at;
+      edge.sides.add(isAlong ? chain.again : chain.again.reversed());
+      at = isAlong ? edge.high : edge.low;
+    }
+  }
+  this->chains.clear();
+  return this->fixed;
 }
 
 /// Have fewer triangles the corner v than u? It takes as many steps as the fewer are.

@@ -18,7 +18,10 @@
 #include "Mesh/Polyhedron.h"
 #include "Support/Monitor.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace flipflop
@@ -43,7 +46,7 @@ public:
   bool tellFlat();
 
   /// The edges that constraints run along, by vertices, some more than once.
-  std::vector<FixedEdge>& fixedEdges() { return this->fixed; }
+  std::vector<FixedEdge>& fixedEdges();
 
   std::int64_t flipCount() const { return this->flips; }
   std::int64_t checkCount() const { return this->checks; }
@@ -57,9 +60,23 @@ private:
     std::uint32_t across; ///< else the half-edge opposite to the vertex that it crosses
   };
 
+  /// The edges of a constraint that runs through points.
+  struct Chain
+  {
+    std::uint32_t from;       ///< where it begins
+    std::size_t begin, count; ///< of its records
+    SidesAlong again;         ///< of constraints between the same two vertices that came later
+  };
+
+  static std::uint64_t keyOf(std::uint32_t u, std::uint32_t v)
+  {
+    return std::uint64_t(std::min(u, v)) << 32 | std::max(u, v);
+  }
+
   const Vertex& vertex(std::uint32_t v) const { return this->mesh.vertices[v]; }
 
   Exit exitOf(std::uint32_t u, std::uint32_t v);
+  bool isAgain(std::uint32_t u, std::uint32_t v, const SidesAlong& sides);
   bool hasSmallerStar(std::uint32_t v, std::uint32_t u);
   void fix(std::uint32_t h);
   void setFlat(std::uint32_t h, bool flat);
@@ -74,8 +91,9 @@ private:
   LeavingHalfEdges leaving;
   Cavity cavity;
   std::vector<FixedEdge> fixed;
-  std::vector<std::uint32_t> waiting; ///< half-edges to be checked
-  std::vector<std::uint32_t> changed; ///< triangles, some more than once
+  std::unordered_map<std::uint64_t, Chain> chains; ///< by their two ends
+  std::vector<std::uint32_t> waiting;              ///< half-edges to be checked
+  std::vector<std::uint32_t> changed;              ///< triangles, some more than once
   std::int64_t flips = 0;
   std::int64_t checks = 0;
 };

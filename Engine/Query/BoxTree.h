@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A balanced binary tree of boxes over items in space: halves of the items, by halves of those,
-/// and so on, each cut across its longer side.
+/// and so on, each cut across its longest side.
 ///
 /// The tree is complete and lies level by level: the children of node k are 2k + 1 and 2k + 2.
 /// Which items a node has follows from its number. (A library's R-tree finds neighbours, but lets
@@ -66,6 +66,14 @@ public:
   {
   };
 
+  /// The lengths of sides are measured in space, or as shares of the whole tree's: then axes may
+  /// have units of their own.
+  enum class Lengths
+  {
+    InSpace,
+    AsShares
+  };
+
   /// @param count 1 or more
   /// @param boxOf Box (std::uint32_t): of an item
   template <class BoxOf>
@@ -81,12 +89,14 @@ public:
   /// @param count 1 or more
   /// @param boxOf Box (std::uint32_t): of an item
   template <class BoxOf>
-  BoxTree(std::uint32_t count, const BoxOf& boxOf, Monitor& monitor)
+  BoxTree(
+    std::uint32_t count, const BoxOf& boxOf, Monitor& monitor, Lengths lengths = Lengths::InSpace)
     : count(count)
     , order(count)
   {
     this->allocateBoxes();
     Buffer<double> middle(std::size_t(3) * count);
+    Box whole;
     for (std::uint32_t item = 0; item < count; ++item)
     {
       const Box box = boxOf(item);
@@ -94,10 +104,17 @@ public:
       {
         middle[3 * std::size_t(item) + i] = 0.5 * box.low[i] + 0.5 * box.high[i];
       }
+      whole.add(middle.data() + 3 * std::size_t(item));
       this->order[item] = item;
     }
-    this->addBoxes(
-      0, 0, boxOf, monitor, [&](std::size_t node, int level) { this->split(node, level, middle); });
+    double units[3] = { 1, 1, 1 };
+    for (int i = 0; lengths == Lengths::AsShares && i < 3; ++i)
+    {
+      const double side = halfSide(whole, i);
+      units[i] = side > 0 ? side : 1;
+    }
+    this->addBoxes(0, 0, boxOf, monitor,
+      [&](std::size_t node, int level) { this->split(node, level, middle, units); });
   }
 
   /// Nodes.
@@ -224,8 +241,14 @@ private:
     box.add(this->boxes[children[1]]);
   }
 
-  /// Cut the items across their longest side.
-  void split(std::size_t node, int level, const Buffer<double>& middle)
+  /// By halves, which do not overflow.
+  static double halfSide(const Box& box, int axis)
+  {
+    return 0.5 * box.high[axis] - 0.5 * box.low[axis];
+  }
+
+  /// Cut the items across their longest side, in units of each axis.
+  void split(std::size_t node, int level, const Buffer<double>& middle, const double* units)
   {
     std::uint32_t* const first = this->order.data() + this->beginOf(node, level);
     std::uint32_t* const last = this->order.data() + this->beginOf(node + 1, level);
@@ -235,7 +258,7 @@ private:
     int axis = 0;
     for (int i = 1; i < 3; ++i)
     {
-      axis = spread.high[i] - spread.low[i] > spread.high[axis] - spread.low[axis] ? i : axis;
+      axis = halfSide(spread, i) / units[i] > halfSide(spread, axis) / units[axis] ? i : axis;
     }
     std::nth_element(first, this->order.data() + this->beginOf(2 * node + 2, level + 1), last,
       [&](std::uint32_t a, std::uint32_t b)

@@ -5,8 +5,8 @@
 ///
 /// An ear is a corner that turns to the inside, if no other corner is in its closed triangle. Each
 /// simple polygon has one, also with corners on straight stretches of its border: the triangulation
-/// uses these, too, and no triangle is without area. So cutting ears ends with all corners used,
-/// unless the polygon crosses or touches itself.
+/// uses these, too, and no triangle is without area. So cutting ears of a simple polygon ends with
+/// all corners used. Of others it may, too: SimplePolygon.h tells which are simple.
 #ifndef flipflop_EarCutter_h
 #define flipflop_EarCutter_h
 
@@ -31,7 +31,7 @@ public:
   /// @param triangles receives two fewer than there are corners, each with its corners in the
   ///                  polygon's order
   /// @param step      called some times, at least once for each corner that is looked at
-  /// @return          false: it crosses or touches itself, or has no area
+  /// @return          false: it is not simple, or has no area; true says nothing of either
   template <class Step>
   bool cut(const std::vector<Place>& places, std::vector<Triangle>& triangles, const Step& step)
   {

@@ -6,6 +6,7 @@
 #include "Support/Monitor.h"
 #include "Support/TypedErrors.h"
 #include "Surface/EarCutter.h"
+#include "Surface/SimplePolygon.h"
 
 #include <algorithm>
 #include <array>
@@ -99,7 +100,9 @@ public:
         this->fan();
         return true;
       }
-      if (this->cutter.cut(this->places, this->triangles, [this] { this->poll.step(); }))
+      const auto step = [this] { this->poll.step(); };
+      if (SimplePolygon(this->places).isSimple(step) &&
+        this->cutter.cut(this->places, this->triangles, step))
       {
         return true;
       }

@@ -7,6 +7,7 @@
 /// constraints.
 #include <flipflop/Validate.h>
 
+#include "Constraints/FixedEdge.h"
 #include "Geometry/LiftedLocator.h"
 #include "Points/ConstraintInput.h"
 #include "Run/TriangulationRun.h"
@@ -14,6 +15,7 @@
 #include "Validate/ValidateSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -58,7 +60,8 @@ private:
   using Edge = std::pair<std::int64_t, std::int64_t>; ///< corners, the lower one first
   using Place = std::pair<double, double>;
 
-  using Along = std::pair<std::int64_t, std::int64_t>; ///< the first constraint, and the balance
+  /// The first constraint, the balance, and the side that decides.
+  using Along = std::array<std::int64_t, 3>;
 
   static Place placeOf(const Vertex& v) { return { v.x[0], v.x[1] }; }
 
@@ -71,7 +74,8 @@ private:
   {
     const std::size_t count = this->result.constraintOf.size();
     const auto points = static_cast<std::int64_t>(this->corner.size());
-    if (this->result.fixedEdges.size() != 2 * count || this->result.balance.size() != count)
+    if (this->result.fixedEdges.size() != 2 * count || this->result.balance.size() != count ||
+      this->result.sideOf.size() != count || this->result.sides != this->constraints.sides)
     {
       return faultAt(Fault::Structure, -1);
     }
@@ -83,7 +87,8 @@ private:
       {
         return faultAt(Fault::Structure, -1);
       }
-      this->fixed.emplace(edge, Along{ this->result.constraintOf[i], this->result.balance[i] });
+      this->fixed.emplace(edge,
+        Along{ this->result.constraintOf[i], this->result.balance[i], this->result.sideOf[i] });
     }
     return this->checkFinite();
   }
@@ -224,7 +229,7 @@ private:
     }
     const Geometry local = this->run.geometry;
     const bool isPlane = this->result.dimension == 2; // else no polygon has an inside
-    std::map<Edge, Along> wanted;
+    std::map<Edge, std::pair<std::int64_t, SidesAlong>> wanted;
     for (std::int64_t c = 0; c < this->constraints.count; ++c)
     {
       std::int64_t at = this->standsFor(this->constraints.ends[2 * c]);
@@ -238,13 +243,27 @@ private:
         {
           return faultAt(Fault::NotFixed, c);
         }
-        Along& along = wanted.emplace(std::minmax(at, *next), Along(c, 0)).first->second;
-        const bool isSide = c >= this->constraints.count - this->constraints.sides;
-        along.second += isPlane && isSide ? (at < *next ? 1 : -1) : 0;
+        SidesAlong own;
+        if (isPlane && c >= this->constraints.count - this->constraints.sides)
+        {
+          own.balance = 1;
+          own.first[0] = static_cast<std::uint32_t>(c);
+        }
+        const auto known =
+          wanted.emplace(std::minmax(at, *next), std::make_pair(c, SidesAlong())).first;
+        known->second.second.add(at < *next ? own : own.reversed());
         at = *next;
       }
     }
-    return wanted == this->fixed ? Validation() : faultAt(Fault::NotFixed, -1);
+    const auto isSame = [](const auto& given, const auto& edge)
+    {
+      const SidesAlong& sides = edge.second.second;
+      return given.first == edge.first &&
+        given.second == Along{ edge.second.first, sides.balance, sides.decisive() };
+    };
+    return std::equal(this->fixed.begin(), this->fixed.end(), wanted.begin(), wanted.end(), isSame)
+      ? Validation()
+      : faultAt(Fault::NotFixed, -1);
   }
 
   std::int64_t standsFor(std::int64_t id) const

@@ -107,14 +107,36 @@ def test_polygons_in_polygons(facets):
         assert sorted(shoelace(GRID, ring) for ring in ours.boundary) == sorted([64, -36, 16, -4][:depth])
         assert np.array_equal(ours.vertices, np.arange(81)) and ours.hidden.size == 0
         assert validate(ours)
+        for other in ({"polygon_rule": "direction"}, {"polygons": [ring[::-1] for ring in rings[:depth]]}):
+            again = regular_triangulation(GRID, **{"polygons": rings[:depth], "facets": facets, **other})
+            assert np.array_equal(again.simplices, ours.simplices) and again.dropped == ours.dropped
+            assert all(map(np.array_equal, again.polygons, ours.polygons))
     assert np.array_equal(np.diff(ours.polygons.offsets), np.full(40, 4))
     assert (ours.vertex_to_simplex == -1).sum() == 1  # in the middle of the innermost hole
     assert set(map(frozenset, ours.convex_hull.tolist())) == {
         edge for edge, cells in edges_of(ours.simplices).items() if len(cells) == 1
     }
     assert ours.within_edge_length(1.5).all() and not ours.within_edge_length(1).any()
-    # Alone, a clockwise polygon is a hole in all.
-    assert regular_triangulation(GRID, polygons=[square(2, 4)[::-1]]).areas.sum() == 60
+    # Alone, a clockwise polygon keeps its inside; by direction, it is a hole in all.
+    for rule, area in (("even-odd", 4), ("direction", 60)):
+        alone = regular_triangulation(GRID, polygons=[square(2, 4)[::-1]], polygon_rule=rule)
+        assert alone.areas.sum() == area
+        assert alone.polygons.offsets[-1] == alone.polygons.connectivity.size == 4 * area
+
+
+def test_rings_as_shapely_gives_them():
+    """Clockwise outside, counter-clockwise holes, closed by their first point again."""
+    angles = np.linspace(0, -2 * np.pi, 65)[:-1]
+    disk = np.column_stack([np.cos(angles), np.sin(angles)])
+    points = np.vstack([disk, 0.5 * disk, RANDOM.uniform(-1.5, 1.5, (500, 2))])
+    outer, hole = [*range(64), 0], [64, *range(127, 63, -1)]
+    assert shoelace(points, outer[:-1]) < 0 < shoelace(points, hole[:-1])
+    whole = regular_triangulation(points, polygons=[outer])
+    assert whole.areas.sum() == pytest.approx(-shoelace(points, outer[:-1]), rel=1e-12)
+    ring = regular_triangulation(points, polygons=[outer, hole])
+    assert ring.areas.sum() == pytest.approx(0.75 * whole.areas.sum(), rel=1e-12)
+    for sides in ([outer, hole[::-1]], [outer[::-1], hole], [hole, outer]):
+        assert np.array_equal(regular_triangulation(points, polygons=sides).simplices, ring.simplices)
 
 
 def test_a_square_with_a_hole_of_any_points():
@@ -130,8 +152,8 @@ def test_a_square_with_a_hole_of_any_points():
 
 def test_all_forms_are_the_same():
     lines, rings = [[0, 40], [40, 44, 80]], [square(0, 8), square(1, 4), square(4, 7)[::-1]]
-    with pytest.raises(InputError, match="disagree"):
-        regular_triangulation(GRID, polygons=rings)
+    with pytest.raises(InputError, match=r"reverse polygons\[[01]\], which disagrees with polygons\[[01]\]"):
+        regular_triangulation(GRID, polygons=rings, polygon_rule="direction")
     rings[1].reverse()
     one = regular_triangulation(GRID, constraints=lines, polygons=rings)
     closed = [[*ring, ring[0]] for ring in rings]
@@ -208,7 +230,11 @@ def test_every_dimension():
 
 
 def test_when_nothing_is_inside():
-    ours = regular_triangulation(GRID, polygons=[square(0, 8)[::-1]])
+    with pytest.warns(UserWarning, match="no cell is inside the polygons, so none is left: what is on the left") as told:
+        ours = regular_triangulation(GRID, polygons=[square(0, 8)[::-1]], polygon_rule="direction")
+    assert [warning.filename for warning in told] == [__file__]
+    with pytest.warns(UserWarning, match="no cell is inside the polygons, so none is left$"):
+        assert regular_triangulation(GRID, polygons=[square(0, 8)] * 2).dropped == 128
     assert ours.simplices.shape == ours.neighbors.shape == (0, 3) and ours.dropped == 128
     assert ours.boundary.offsets.tolist() == ours.polygons.offsets.tolist() == [0]
     assert len(ours.convex_hull) == len(ours.areas) == len(ours.alphas) == 0
@@ -224,7 +250,15 @@ def test_when_nothing_is_inside():
         ({"polygons": [[0, 1, 9], [0, 9, 99]]}, InputError, r"point 99; constraint 4 is of polygons\[1\]$", 4, 99),
         ({"constraints": [[0, 10], [1, 9]]}, InputError, "cross between points: constraint 1, and constraint 0$", 1, 0),
         ({"polygons": [[0, 9, 10], [1, 9, 18]]}, InputError, r"of polygons\[1\]; constraint 2 is of pol", 3, 2),
-        ({"polygons": [square(0, 4), square(1, 3)]}, InputError, "disagree .* from point 10, to point 11$", 10, 11),
+        (
+            {"polygons": [square(0, 4), square(1, 3)], "polygon_rule": "direction"},
+            InputError,
+            r"disagree about what is inside: reverse polygons\[1\], which disagrees with polygons\[0\], or pass polygon_rule='even-odd'$",
+            7,
+            3,
+        ),
+        ({"polygons": [], "polygon_rule": "left"}, ValueError, "polygon_rule is one of 'even-odd', 'direction'", 0, 0),
+        ({"polygons": [], "polygon_rule": 1}, TypeError, "polygon_rule is one of 'even-odd', 'direction'", 0, 0),
         ({"polygons": [[0, 1, 9], [2, 3]]}, InputError, r"polygons\[1\] has 2 id\(s\); it takes 3 or more", 1, 1),
         ({"polygons": [[2, 3, 2]]}, InputError, r"polygons\[0\] has 2 id\(s\)", 0, 1),
         ({"polygons": [[]]}, InputError, r"polygons\[0\] has 0 id\(s\)", 0, 1),
@@ -316,8 +350,10 @@ def test_crossings_are_split():
     # A polygon that crosses itself has no inside that its sides agree about.
     tie = split_crossings(square, polygons=[[0, 1, 3, 2]])
     assert (tie.new_points, tie.sides) == (1, 6)
-    with pytest.raises(InputError, match="the polygons disagree"):
-        regular_triangulation(tie.points, constraints=tie)
+    assert tie.polygon_of.tolist() == [0] * 6
+    with pytest.raises(InputError, match=r"the sides of polygons\[0\] disagree with each other"):
+        regular_triangulation(tie.points, constraints=tie, polygon_rule="direction")
+    assert regular_triangulation(tie.points, constraints=tie).areas.sum() == 2
     with pytest.raises(ValueError, match="leave polygons out"):
         regular_triangulation(tie.points, constraints=tie, polygons=[[0, 1, 2]])
     with pytest.raises(InputError, match="constraint 0, point 4"):

@@ -16,9 +16,12 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
+#include <string>
+#include <vector>
 
 using namespace fftest;
 
@@ -155,6 +158,7 @@ void testAgainstVtk()
   const auto source = makeSource({}, { { 22, 23, 24, 25, 35, 45, 44, 43, 42, 32 } });
   source->SetPoints(input->GetPoints()); // vtkDelaunay2D reads them
   const auto filter = filterOf(input, source);
+  filter->SetPolygonRuleToDirection();
   filter->Update();
   vtkNew<vtkDelaunay2D> delaunay;
   delaunay->SetInputData(input);
@@ -198,6 +202,119 @@ void testAgainstVtk()
   FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(100));
 }
 
+/// Rings in any direction, which nest: a square with a hole, and a part in the hole.
+void testEvenOdd()
+{
+  std::vector<Point> grid;
+  for (int i = 0; i < 36; ++i)
+  {
+    grid.push_back({ double(i % 6), double(i / 6), 0 });
+  }
+  const auto input = makePoints(grid);
+  const std::vector<Ids> rings = { { 0, 5, 35, 30 }, { 7, 25, 28, 10 }, { 14, 15, 21, 20 } };
+  std::set<Ids> expected;
+  for (int turned = 0; turned < 8; ++turned)
+  {
+    std::vector<Ids> given = rings;
+    for (std::size_t i = 0; i < given.size(); ++i)
+    {
+      if (turned & (1 << i))
+      {
+        std::reverse(given[i].begin(), given[i].end());
+      }
+    }
+    const auto filter = filterOf(input, makeSource({}, given));
+    filter->Update();
+    const std::set<Ids> found = cellsOf(filter->GetOutput());
+    expected = turned == 0 ? found : expected;
+    FF_CHECK(found == expected);
+    FF_CHECK_EQUAL(found.size(), std::size_t(2 * (25 - 9 + 1)));
+    FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(2 * 8));
+    FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(36));
+  }
+  // As given, they also nest by direction.
+  const auto filter = filterOf(input, makeSource({}, rings));
+  filter->SetPolygonRuleToDirection();
+  filter->Update();
+  FF_CHECK(cellsOf(filter->GetOutput()) == expected);
+}
+
+/// Where nothing is left, it is said.
+void testNoneInside()
+{
+  const auto filter = filterOf(makePoints(kite), makeSource({}, { { 0, 3, 2, 1 } }));
+  const auto errors = ErrorObserver::Of(filter);
+  filter->Update();
+  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), vtkIdType(2));
+  FF_CHECK(errors->Messages.empty());
+  filter->SetPolygonRuleToDirection();
+  filter->Update();
+  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), vtkIdType(0));
+  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(4));
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK(errors->Has("No cell is inside the polygons of the source"));
+}
+
+/// A source with points: those of the input at the ids that its cells use, or it is an error.
+void testPointsOfTheSource()
+{
+  const auto input = makePoints(kite);
+  const auto foundWith =
+    [&](const std::vector<Point>& points, std::string* message = nullptr, bool fitted = false)
+  {
+    const auto source = makeSource({ { 0, 2 } });
+    source->SetPoints(makePoints(points)->GetPoints());
+    const auto filter = filterOf(input, source);
+    if (fitted)
+    {
+      filter->SetProjectionPlaneModeToBestFittingPlane();
+    }
+    const auto errors = ErrorObserver::Of(filter);
+    filter->Update();
+    if (message)
+    {
+      *message = errors->Messages.empty() ? "" : errors->Messages.front();
+    }
+    return cellsOf(filter->GetOutput());
+  };
+  FF_CHECK(foundWith(kite) == turned);
+  // What no cell uses may be anything, and be missing; in the XY plane, so may z.
+  std::vector<Point> others = kite;
+  others[1] = { 9, 9, 9 };
+  others[2][2] = 5;
+  others.pop_back();
+  FF_CHECK(foundWith(others) == turned);
+  std::string message;
+  FF_CHECK(foundWith(others, &message, true).empty());
+  FF_CHECK(message.find("Point 2 of cell 0 of the source is at (0, 3, 5), and point 2 of the input "
+                        "is at (0, 3, 0).") != std::string::npos);
+  // A line of its own points, as in a file of breaklines, and off by one unit in the last place.
+  const double near = std::nextafter(3.0, 4.0);
+  for (const std::vector<Point>& own :
+    { std::vector<Point>{ { 0.5, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } },
+      std::vector<Point>{ kite[0], kite[1], { 0, near, 0 } } })
+  {
+    FF_CHECK(foundWith(own, &message).empty());
+    FF_CHECK(message.find("its " + std::to_string(own.size()) +
+               " points must be those of the input, of which there are 4; or it has no points.") !=
+      std::string::npos);
+  }
+  FF_CHECK(message.find("is at (0, 3.0000000000000004, 0), and") != std::string::npos);
+  FF_CHECK(foundWith({ kite[0] }, &message).empty());
+  FF_CHECK(
+    message.find("Point 2 of cell 0 of the source is not there: the source has 1 point(s).") !=
+    std::string::npos);
+  // Before the transform.
+  vtkNew<vtkTransform> transform;
+  transform->RotateZ(30);
+  const auto source = makeSource({ { 0, 2 } });
+  source->SetPoints(input->GetPoints());
+  const auto filter = filterOf(input, source);
+  filter->SetTransform(transform);
+  filter->Update();
+  FF_CHECK(cellsOf(filter->GetOutput()) == turned);
+}
+
 void expectError(vtkDataObject* input, vtkDataObject* source, const std::string& message,
   const std::function<void(Filter*)>& change = {})
 {
@@ -233,9 +350,25 @@ void testErrors()
   {
     grid.push_back({ double(i % 4), double(i / 4), 0 });
   }
-  expectError(makePoints(grid), makeSource({}, { { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }),
-    "The polygons disagree about what is inside, by the edge between the points 5 and 6 and "
-    "another: what is on the left of a side is inside, and holes run clockwise.");
+  const auto byDirection = [](Filter* filter) { filter->SetPolygonRuleToDirection(); };
+  const std::string rule = "The polygons disagree about what is inside: what is on the left of a "
+                           "side is inside, and holes run clockwise. ";
+  expectError(makePoints(grid), makeSource({ { 0, 1 } }, { { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }),
+    rule +
+      "Reverse cell 2 of the source, which disagrees with cell 1 of the source, or set Polygon "
+      "Rule to Even-Odd.",
+    byDirection);
+  // Where they are split, their cells are named.
+  expectError(makePoints(grid),
+    makeSource({ { 0, 15 }, { 1, 4 } }, { { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }),
+    rule +
+      "Reverse cell 3 of the source, which disagrees with cell 2 of the source, or set Polygon "
+      "Rule to Even-Odd.",
+    [](Filter* filter)
+    {
+      filter->SetPolygonRuleToDirection();
+      filter->SplitCrossingConstraintsOn();
+    });
   expectError(makeWeighted(kite, { 0, 1, 2, 3 }), line,
     "Constraints take no weights. Choose no weights' array, or take the source away.",
     [](Filter* filter) { useWeights(filter); });
@@ -272,6 +405,9 @@ int TestFFConstraints(int, char*[])
   testLines();
   testPlanesAndGhosts();
   testAgainstVtk();
+  testEvenOdd();
+  testNoneInside();
+  testPointsOfTheSource();
   testErrors();
   return result();
 }

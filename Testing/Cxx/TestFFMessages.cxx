@@ -80,8 +80,9 @@ void testErrorsOfTheEngine()
     "Constraint 2 crosses constraint 1, and there is no point where they do. Add one, and end or "
     "begin both there.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::PolygonsDisagree, 5, 6),
-    "The polygons disagree about what is inside, by the edge between the points 5 and 6 and "
-    "another: what is on the left of a side is inside, and holes run clockwise.");
+    "The polygons disagree about what is inside: what is on the left of a side is inside, and "
+    "holes run clockwise. Reverse the polygon of constraint 5, which disagrees with that of "
+    "constraint 6.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::NotConvex),
     "The domain is no convex polygon with finite corners, counter-clockwise.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::DuplicateSites, 3, 7),

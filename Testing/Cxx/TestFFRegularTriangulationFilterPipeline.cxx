@@ -284,7 +284,7 @@ void testPrint()
   for (const char* name : { "Engine", "CUDAThreshold", "FacetMode", "Dimension",
          "NumberOfInputPoints", "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor",
          "Alpha", "AlphaLines", "AlphaVerts", "GenerateAlphas", "GenerateBoundary",
-         "MaximumEdgeLength", "SplitCrossingConstraints", "NumberOfSplitPoints",
+         "MaximumEdgeLength", "SplitCrossingConstraints", "PolygonRule", "NumberOfSplitPoints",
          "NumberOfDroppedCells", "GeneratePowerDiagram", "GenerateCellMeasures",
          "PowerDiagramBoxMode", "PowerDiagramBounds", "NumberOfHiddenPoints" })
   {

@@ -183,6 +183,12 @@ def constrained(lines, polygons=(), points="0 -3 0; 1 0 0; 0 3 0; -1 0 0", **set
     return algorithm
 
 
+def constrained_with_points(points):
+    algorithm = constrained([[0, 2]])
+    algorithm.GetSource().SetPoints(poly_data(points).GetPoints())
+    return algorithm
+
+
 def constrained_by_a_table():
     algorithm = constrained([])
     algorithm.SetSourceData(vtkTable())
@@ -273,6 +279,7 @@ FITTING = vtkFFRegularTriangulationFilter.BEST_FITTING_PLANE
 RADII = vtkFFRegularTriangulationFilter.RADII
 IGNORE = vtkFFRegularTriangulationFilter.NON_FINITE_IGNORE
 BOUNDS = vtkFFRegularTriangulationFilter.BOX_OF_BOUNDS
+DIRECTION = vtkFFRegularTriangulationFilter.DIRECTION
 CUDA = vtkFFHullFilter.ENGINE_CUDA
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
@@ -357,10 +364,17 @@ FAILURES = {
         [],
         [[0, 1, 2, 3], [4, 5, 6, 7]],
         points="0 0 0; 9 0 0; 9 9 0; 0 9 0; 3 3 0; 6 3 0; 6 6 0; 3 6 0",
+        PolygonRule=DIRECTION,
     ),
-    "the same where constraints were split": lambda: constrained(
-        [], [[0, 1, 3, 2]], points="0 0 0; 2 0 0; 2 2 0; 0 2 0", SplitCrossingConstraints=True
+    "a polygon that crosses itself, by direction": lambda: constrained(
+        [],
+        [[0, 1, 3, 2]],
+        points="0 0 0; 2 0 0; 2 2 0; 0 2 0",
+        SplitCrossingConstraints=True,
+        PolygonRule=DIRECTION,
     ),
+    "constraints with points of their own": lambda: constrained_with_points("0 -3 0; 1 0 0; 0 3.5 0; -1 0 0"),
+    "constraints with too few points": lambda: constrained_with_points("0 -3 0"),
     "constraints and weights": constrained_with_weights,
     "constraints and a power diagram": lambda: constrained([[0, 1]], GeneratePowerDiagram=True),
     "constraints for two blocks": constrained_in_blocks,
@@ -369,5 +383,7 @@ FAILURES = {
     "the CUDA engine for constraints": lambda: constrained([[0, 1]], Engine=CUDA),
 }
 WARNINGS = {
+    "polygons with no inside": lambda: constrained([], [[0, 1, 2], [0, 1, 2]]),
+    "the same by direction": lambda: constrained([], [[0, 3, 2, 1]], PolygonRule=DIRECTION),
     "points in one vertical plane": lambda: triangulation_of("0 0 0; 1 1 0; 0 0 1"),
 }

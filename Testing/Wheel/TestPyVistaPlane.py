@@ -133,6 +133,7 @@ def test_constraints():
     found = regular_triangulation(mesh, constraints=rings)
     assert found.n_points == 8
     assert found.area == 8
+    assert (regular_triangulation(mesh, constraints=rings, polygon_rule="direction").points == found.points).all()
     edge = regular_triangulation(mesh, constraints=pv.PolyData(SQUARE, lines=[2, 0, 2]))
     assert any({4, 0} <= set(cell) for cell in edge.regular_faces)
     assert (edge.regular_faces == regular_triangulation(mesh, constraints=[[0, 2], [2, 0]]).regular_faces).all()
@@ -145,8 +146,39 @@ def test_constraints():
     assert any({5, 7} <= set(ids[cell]) for cell in found.regular_faces)
     with pytest.raises(InputError, match="constraint 1 ends at point 4, which is not there or is left out"):
         regular_triangulation(ghosts, constraints=[[5, 7], [4, 6]])
-    with pytest.raises(InputError, match="from point 5, to point 6"):
-        regular_triangulation(ghosts, constraints=pv.PolyData(SQUARE, faces=[3, 5, 7, 6, 3, 0, 5, 7]))
+    both = pv.PolyData(SQUARE, faces=[3, 5, 7, 6, 3, 0, 5, 7])
+    assert regular_triangulation(ghosts, constraints=both).n_cells == 2
+    with pytest.raises(InputError, match=r"reverse polygons\[0\], which disagrees with polygons\[1\], or pass"):
+        regular_triangulation(ghosts, constraints=both, polygon_rule="direction")
+    # Clockwise outside: by direction it is a hole, and nothing is left.
+    outside = pv.PolyData(SQUARE, faces=[4, 3, 2, 1, 0])
+    assert regular_triangulation(mesh, constraints=outside).n_cells == regular_triangulation(mesh).n_cells
+    for call in (regular_triangulation, lambda mesh, **given: mesh.flipflop.regular_triangulation(**given)):
+        with pytest.warns(UserWarning, match="no cell is inside the polygons") as told:
+            assert call(mesh, constraints=outside, polygon_rule="direction").n_cells == 0
+        assert [warning.filename for warning in told] == [__file__]
+
+
+def test_constraints_with_points_of_their_own():
+    mesh = pv.PolyData(SQUARE)
+    lines = [2, 4, 6]
+    own = SQUARE.copy()
+    own[[0, 5], 0] += 1  # of no line
+    own[4, 2] = 7  # left out in the plane
+    expected = regular_triangulation(mesh, constraints=[[4, 6]])
+    found = regular_triangulation(mesh, constraints=pv.PolyData(own, lines=lines))
+    assert np.array_equal(found.regular_faces, expected.regular_faces)
+    with pytest.raises(InputError, match="point 4 of constraints is at .*7.0.*, and point 4 of the mesh is at"):
+        regular_triangulation(
+            mesh, constraints=pv.PolyData(own, lines=lines), projection_plane_mode="best_fitting_plane"
+        )
+    own[6, 1] = np.nextafter(own[6, 1], 9)
+    with pytest.raises(InputError, match="their 8 points must be those of the mesh, of which there are 8") as caught:
+        regular_triangulation(mesh, constraints=pv.PolyData(own, lines=lines))
+    assert (caught.value.code, caught.value.index, caught.value.count) == ("constraint_point", 0, 6)
+    breaklines = pv.PolyData(np.array([[0.5, 0.5, 0], [1.5, 1.5, 0]]), lines=[2, 0, 1])
+    with pytest.raises(InputError, match=r"point 0 of constraints is at \(0.5, 0.5, 0.0\)"):
+        regular_triangulation(mesh, constraints=breaklines)
 
 
 def test_constraints_that_cannot_be_used():

@@ -89,14 +89,16 @@ Triangulation withCells(const Triangulation& given, const std::uint8_t* kept)
   return some;
 }
 
-Constrained constrained(
-  const InputArray& points, const Ends& ends, std::int64_t polygonSides, const Settings& settings)
+Constrained constrained(const InputArray& points, const Ends& ends, std::int64_t polygonSides,
+  bool byDirection, const Settings& settings)
 {
   const PointView places = pointView(points, 2);
   const ConstraintView constraints = constraintView(ends, polygonSides);
   return settings.run(
-    [&](const Options& options)
+    [&](const Options& given)
     {
+      Options options = given;
+      options.polygons = byDirection ? PolygonRule::Direction : PolygonRule::EvenOdd;
       const double shareOfInside = polygonSides > 0 ? 0.2 : 0.0;
       Part making(options, 0.0, 1.0 - shareOfInside);
       Constrained made;

@@ -40,6 +40,7 @@ class ConstrainedTriangulation(RegularTriangulation):
     dropped: int
     _whole: Any
     _sides: int
+    _by_direction: bool
     _call: ClassVar[str] = "regular_triangulation(points, constraints=...)"
 
     def __getstate__(self) -> dict[str, Any]:
@@ -68,7 +69,9 @@ class ConstrainedTriangulation(RegularTriangulation):
         if core.cell_size == 3:
             as_polygons = _core.Settings(0, True, self._ignores, 1, None)
             with unchanged():
-                whole = _core.constrained_triangulation(self.points, self.constraints, self._sides, as_polygons)
+                whole = _core.constrained_triangulation(
+                    self.points, self.constraints, self._sides, self._by_direction, as_polygons
+                )
             core = whole.inside()
             if not np.array_equal(core.triangles().corners(), self._core.corners()):
                 raise changed()
@@ -140,9 +143,10 @@ def constrained_triangulation(
 ) -> ConstrainedTriangulation:
     """With the settings that are chosen."""
     try:
-        core = run(chosen, _core.constrained_triangulation, points, given.ends, given.sides)
+        core = run(chosen, _core.constrained_triangulation, points, given.ends, given.sides, given.by_direction)
     except InputError as error:
         raise given.of_error(error) from None
+    given.warn_if_none(core)
     return ConstrainedTriangulation._of(
         points=points,
         weights=None,
@@ -152,4 +156,5 @@ def constrained_triangulation(
         _ignores=ignores,
         _whole=core,
         _sides=given.sides,
+        _by_direction=given.by_direction,
     )

@@ -4,13 +4,17 @@
 
 from __future__ import annotations
 
+import sys
+import warnings
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple, cast
+from pathlib import Path
+from typing import Any, Literal, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arguments import choice_of
 from ._errors import InputError
 from ._input import ids_of, is_array_like, points_of, refuse_geometry
 from ._results import Floats, Ids, NonFinite, Polygons, Progress, frozen, ignores, run, settings
@@ -31,6 +35,8 @@ class SplitConstraints(NamedTuple):
         sides of polygons
     sides : int
         the last so many are sides of polygons
+    polygon_of : ndarray
+        the caller's polygon that each of these is of
     """
 
     points: Floats
@@ -38,8 +44,10 @@ class SplitConstraints(NamedTuple):
     constraints: Ids
     constraint_of: Ids
     sides: int
+    polygon_of: Ids
 
 
+PolygonRule = Literal["even-odd", "direction"]
 Chains = ArrayLike | Sequence[ArrayLike] | Polygons
 
 
@@ -52,14 +60,23 @@ class Constraints:
         the ids of the points that each joins
     sides : int
         the last so many are sides of polygons
+    by_direction : bool
+        whether polygons tell what is inside by their direction, or by the even-odd rule
+    points : ndarray, optional
+        the coordinates that ids are said to have
     """
 
-    def __init__(self, polylines: Chains | SplitConstraints | None, polygons: Chains | None) -> None:
+    points: NDArray[Any] | None = None
+
+    def __init__(
+        self, polylines: Chains | SplitConstraints | None, polygons: Chains | None, rule: PolygonRule = "even-odd"
+    ) -> None:
+        self.by_direction = choice_of("polygon_rule", rule, ("even-odd", "direction")) == "direction"
         if isinstance(polylines, SplitConstraints):
             if polygons is not None:
                 raise ValueError("constraints that were split have their polygons: leave polygons out")
             self.ends, self.sides = polylines.constraints, polylines.sides
-            self._lines, self._polygons = np.arange(len(self.ends)), np.arange(0)
+            self._lines, self._polygons = np.arange(len(self.ends) - self.sides), polylines.polygon_of
             self._are_pairs = True
             return
         lines, self._lines = _joined("constraints", polylines, False)
@@ -70,9 +87,34 @@ class Constraints:
 
     def of_error(self, error: InputError) -> InputError:
         """The engine's error, which tells rows of all constraints; and where these are in the caller's own lists."""
+        if error.code == "polygons_disagree":
+            wrong, right = map(self._place, (error.index, error.count))
+            sentence = "the polygons disagree about what is inside: " + (
+                f"the sides of {wrong} disagree with each other, as where a ring crosses itself: pass "
+                if wrong == right
+                else f"reverse {wrong}, which disagrees with {right}, or pass "
+            )
+            return InputError(sentence + "polygon_rule='even-odd'", error.code, error.index, error.count)
         rows = {"constraint_point": [error.index], "constraints_cross": [error.index, error.count]}.get(error.code, [])
         names = [f"constraint {row} is of {self._place(row)}" for row in rows if not self._is_pair(row)]
         return InputError("; ".join([str(error), *names]), error.code, error.index, error.count)
+
+    def polygon_of(self, rows: Ids) -> Ids:
+        """The caller's polygons that these sides are of."""
+        return self._polygons[rows - len(self._lines)]
+
+    def warn_if_none(self, core: Any) -> None:
+        """A warning where there are cells, and none is inside the polygons."""
+        if core.dropped == 0 or core.inside().cell_count > 0:
+            return
+        hint = ""
+        if self.by_direction:
+            hint = ": what is on the left of a side is inside; reverse the polygons, or pass polygon_rule='even-odd'"
+        level, frame = 1, sys._getframe()
+        here = Path(__file__).parent
+        while frame.f_back is not None and Path(frame.f_code.co_filename).parent == here:
+            level, frame = level + 1, frame.f_back
+        warnings.warn("no cell is inside the polygons, so none is left" + hint, stacklevel=level)
 
     def _is_pair(self, row: int) -> bool:
         return self._are_pairs and row < len(self._lines)
@@ -181,4 +223,5 @@ def split_crossings(
     except InputError as error:
         raise given.of_error(error) from None
     whole = frozen(np.vstack([np.asarray(array)[:, :2].astype(np.float64), places]))
-    return SplitConstraints(whole, len(places), pieces, constraint_of, sides)
+    polygon_of = frozen(given.polygon_of(constraint_of[len(constraint_of) - sides :]))
+    return SplitConstraints(whole, len(places), pieces, constraint_of, sides, polygon_of)

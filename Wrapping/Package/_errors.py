@@ -15,8 +15,8 @@ class FlipFlopError(Exception):
         there are
     count : int
         how many are at fault, or the size asked for; 0 if that tells nothing. Of constraint_point, the point; of
-        constraints_cross, the other constraint; of polygons_disagree, the other end of the edge; of
-        duplicate_sites, the other site
+        constraints_cross, the other constraint; of polygons_disagree, a side of the other polygon, where the index is
+        one of that to be reversed; of duplicate_sites, the other site
     """
 
     __module__ = "vtkflipflop.arrays"  # where users import it from
@@ -70,7 +70,7 @@ _CODES = (
     ("no_kernel", InputError, "", ""),
     ("constraint_point", InputError, "constraint {}", "point {}"),
     ("constraints_cross", InputError, "constraint {}", "and constraint {}"),
-    ("polygons_disagree", InputError, "by the edge from point {}", "to point {}"),
+    ("polygons_disagree", InputError, "reverse that of constraint {}", "which disagrees with that of constraint {}"),
     ("not_convex", InputError, "at corner {}", ""),
     ("duplicate_sites", InputError, "sites {}", "and {}"),
     ("bad_area", InputError, "first at site {}", "{} such site(s) in all"),

@@ -8,14 +8,15 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ._constraints import Constraints
+from ._constraints import Constraints, PolygonRule
 from ._errors import InputError
 from ._meshes import Cloud, values_of
 from ._results import Polygons
 
 
-def constraints_of_call(value: Any, composite: bool, weighted: bool) -> Constraints | None:
+def constraints_of_call(value: Any, rule: PolygonRule, composite: bool, weighted: bool) -> Constraints | None:
     """What the argument of this name tells; None: nothing."""
     if value is None:
         return None
@@ -24,10 +25,13 @@ def constraints_of_call(value: Any, composite: bool, weighted: bool) -> Constrai
     if weighted:
         raise ValueError("constraints take no weights and no radii")
     if not hasattr(value, "IsA"):
-        return Constraints(value, None)
+        return Constraints(value, None, rule)
     if not value.IsA("vtkPolyData"):
         raise TypeError(f"constraints are a PolyData, or sequences of ids, not a {value.GetClassName()}")
-    return Constraints(_chains(value.GetLines()), _chains(value.GetPolys()))
+    given = Constraints(_chains(value.GetLines()), _chains(value.GetPolys()), rule)
+    if value.GetNumberOfPoints() > 0:
+        given.points = values_of(value.GetPoints().GetData()).reshape(-1, 3)
+    return given
 
 
 class CloudConstraints:
@@ -41,11 +45,14 @@ class CloudConstraints:
         the last so many are sides of polygons
     """
 
-    def __init__(self, given: Constraints, cloud: Cloud) -> None:
+    def __init__(self, given: Constraints, cloud: Cloud, flat: bool) -> None:
         self._given = given
         self._cloud = cloud
         self.ends = given.ends
         self.sides = given.sides
+        self.by_direction = given.by_direction
+        if given.points is not None:
+            self._require_points(given.points, 2 if flat else 3)
         ids = cloud.ids(np.arange(len(cloud.array)))
         if len(ids) < cloud.count:
             rows = np.searchsorted(ids, self.ends)
@@ -57,6 +64,30 @@ class CloudConstraints:
                 raise given.of_error(InputError(sentence, "constraint_point", int(row), point))
             self.ends = rows
 
+    def _require_points(self, points: NDArray[Any], dimensions: int) -> None:
+        """The constraints' own points are those of the mesh, at all ids."""
+        ends = self.ends.reshape(-1)
+        known = (ends >= 0) & (ends < self._cloud.count)  # of others, the engine tells
+        ids = ends[known]
+        there = ids < len(points)
+        own = np.full((len(ids), dimensions), np.inf)
+        own[there] = points[ids[there], :dimensions]
+        given = self._cloud.rows(ids)[:, :dimensions]
+        width = given.shape[1]
+        differ = ~there | ~((own[:, :width] == given) | (np.isnan(own[:, :width]) & np.isnan(given))).all(axis=1)
+        if not differ.any():
+            return
+        at = int(differ.argmax())
+        point, row = int(ids[at]), int(np.flatnonzero(known)[at]) // 2
+        where = f"at {tuple(points[point].tolist())}" if there[at] else "not there"
+        sentence = (
+            f"point {point} of constraints is {where}, and point {point} of the mesh is at "
+            f"{tuple(self._cloud.rows(ids[at : at + 1])[0].tolist())}. The ids of constraints are those of the mesh's "
+            f"points, so at these ids their {len(points)} points must be those of the mesh, of which there are "
+            f"{self._cloud.count}; or pass constraints as sequences of ids"
+        )
+        raise self._given.of_error(InputError(sentence, "constraint_point", row, point))
+
     def engine(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """The engine's result; its errors about constraints tell the caller's points."""
         try:
@@ -64,16 +95,14 @@ class CloudConstraints:
         except InputError as error:
             raise self._told(error) from None
 
+    def warn_if_none(self, core: Any) -> None:
+        self._given.warn_if_none(core)
+
     def _told(self, error: InputError) -> InputError:
         message, index, count = str(error), error.index, error.count
         if error.code == "constraint_point" and count < len(self._cloud.array):
             (point,) = self._ids(count)
             message, count = message.replace(f"point {count}", f"point {point}"), point
-        elif error.code == "polygons_disagree":
-            first, second = self._ids(index, count)
-            message = message.replace(f"from point {index}", f"from point {first}")
-            message = message.replace(f"to point {count}", f"to point {second}")
-            index, count = first, second
         return self._given.of_error(InputError(message, error.code, index, count))
 
     def _ids(self, *rows: int) -> list[int]:

@@ -84,7 +84,8 @@ class Run:
         if constraints is None:
             core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
         else:
-            core = self._constrained(cloud, places, constraints, settings)
+            given = CloudConstraints(constraints, cloud, projection.is_xy)
+            core = self._constrained(cloud, places, given, settings)
         within = None
         if alpha > 0:
             within = cloud.engine(_core.alpha_complex, places, heavy, core, alpha, QUIET)[0].view(np.bool_)
@@ -98,11 +99,12 @@ class Run:
             set_cells(found[1], 0, 1, None, np.arange(len(ids)))
         return found
 
-    def _constrained(self, cloud: Cloud, places: NDArray[Any], constraints: Constraints, settings: Any) -> Any:
+    def _constrained(self, cloud: Cloud, places: NDArray[Any], given: CloudConstraints, settings: Any) -> Any:
         if self._engine == ENGINES["cuda"]:
             raise ValueError("the CUDA engine was asked for, but constraints are the CPU's")
-        given = CloudConstraints(constraints, cloud)
-        found = cloud.engine(given.engine, _core.constrained_triangulation, places, given.ends, given.sides, settings)
+        arguments = places, given.ends, given.sides, given.by_direction, settings
+        found = cloud.engine(given.engine, _core.constrained_triangulation, *arguments)
+        given.warn_if_none(found)
         return found.inside()
 
     def diagram(

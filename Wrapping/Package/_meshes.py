@@ -273,6 +273,11 @@ class Cloud:
         except FlipFlopError as error:
             raise self._told(error, self._places) from None
 
+    def rows(self, ids: Ids) -> NDArray[Any]:
+        """The coordinates of these of the caller's points."""
+        rows = [part.rows for part in self._parts]
+        return (rows[0] if len(rows) == 1 else np.concatenate(rows))[ids]
+
     def ids(self, found: Ids) -> Ids:
         """The ids of the caller's points."""
         return found if self._places is None else self._places[found]

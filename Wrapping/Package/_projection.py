@@ -21,6 +21,7 @@ _MODES = ("xy_plane", "best_fitting_plane", "transform")
 class Projection:
     """To x and y as they are, and back to the lowest z of what was triangulated."""
 
+    is_xy = True
     _height: float = 0.0
 
     def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
@@ -47,6 +48,7 @@ class Projection:
 class _BestFitting(Projection):
     """To the plane with the least sum of squared distances to the points."""
 
+    is_xy = False
     _plane: tuple[Floats, Floats, Floats]
 
     def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
@@ -67,6 +69,8 @@ class _BestFitting(Projection):
 
 class _ByMatrix(Projection):
     """By a matrix of 4 by 4."""
+
+    is_xy = False
 
     def __init__(self, matrix: Floats) -> None:
         self._matrix = matrix

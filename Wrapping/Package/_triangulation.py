@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
 from ._arguments import choice_of, float_of, length_of
-from ._constraints import Chains, Constraints, SplitConstraints
+from ._constraints import Chains, Constraints, PolygonRule, SplitConstraints
 from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
@@ -374,6 +374,7 @@ def regular_triangulation(
     *,
     constraints: None = ...,
     polygons: None = ...,
+    polygon_rule: PolygonRule = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -389,6 +390,7 @@ def regular_triangulation(
     *,
     constraints: Chains | SplitConstraints,
     polygons: Chains | None = ...,
+    polygon_rule: PolygonRule = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -404,6 +406,7 @@ def regular_triangulation(
     *,
     constraints: None = ...,
     polygons: Chains,
+    polygon_rule: PolygonRule = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -418,6 +421,7 @@ def regular_triangulation(
     *,
     constraints: Chains | SplitConstraints | None = None,
     polygons: Chains | None = None,
+    polygon_rule: PolygonRule = "even-odd",
     facets: Facets = "triangles",
     threads: int = 0,
     non_finite: NonFinite = "error",
@@ -437,9 +441,12 @@ def regular_triangulation(
         polygons, the result is a ConstrainedTriangulation. There are no weights then, and the CPU does the work. Also
         what split_crossings() gives, with its points.
     polygons : a sequence of rings of ids, or Polygons, optional
-        their sides are constraints, and what is on the left of a side is inside: a counter-clockwise ring keeps its
-        inside, a clockwise one in it is a hole, to any depth. Cells outside are left out. A ring is closed without its
-        first id again at its end, or with it.
+        their sides are constraints, and cells outside are left out; if that is all, a warning says so. A ring is closed
+        without its first id again at its end, or with it. All points stay, also those that no cell has any more.
+    polygon_rule : {"even-odd", "direction"}
+        what is inside polygons. By nesting: a ring keeps its inside, one in it is a hole, to any depth, whatever their
+        directions; each side counts, so what two rings have in common is outside. Or by direction: what is on the left
+        of a side; a clockwise ring is a hole.
     facets : {"triangles", "polygons"}
         which form of the facets is made at once; the other is made when it is asked for
     threads, non_finite, engine, progress
@@ -461,9 +468,10 @@ def regular_triangulation(
             raise InputError(
                 "the CUDA engine was asked for, but constraints are the CPU's: leave engine out", "bad_argument"
             )
+        given = Constraints(constraints, polygons, polygon_rule)
         from ._constrained import constrained_triangulation  # which needs this module
 
-        return constrained_triangulation(array, Constraints(constraints, polygons), chosen, left_out)
+        return constrained_triangulation(array, given, chosen, left_out)
     if weights is not None:
         heavy, masked = weights_of(weights, ignore)
         left_out = left_out or masked

@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike
 
 from ._arguments import choice_of, flag_of, length_of, numbers_of, weights_of_call
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
+from ._constraints import PolygonRule
 from ._mesh_constraints import constraints_of_call
 from ._mesh_runs import Output, Report, Run, bar_of, each_block
 from ._mesh_transport import centroidal_cells, prescribed_areas
@@ -176,6 +177,7 @@ def regular_triangulation(
     radii: ArrayLike | str | None = ...,
     weight_factor: float = ...,
     constraints: Any = ...,
+    polygon_rule: PolygonRule = ...,
     alpha: float = ...,
     maximum_edge_length: float = ...,
     facet_mode: FacetMode = ...,
@@ -199,6 +201,7 @@ def regular_triangulation(
     radii: ArrayLike | str | None = ...,
     weight_factor: float = ...,
     constraints: Any = ...,
+    polygon_rule: PolygonRule = ...,
     alpha: float = ...,
     maximum_edge_length: float = ...,
     facet_mode: FacetMode = ...,
@@ -221,6 +224,7 @@ def regular_triangulation(
     radii: ArrayLike | str | None = None,
     weight_factor: float = 1.0,
     constraints: Any = None,
+    polygon_rule: PolygonRule = "even-odd",
     alpha: float = 0.0,
     maximum_edge_length: float = 0.0,
     facet_mode: FacetMode = "triangles",
@@ -248,8 +252,12 @@ def regular_triangulation(
         by which weights, or radii, are multiplied. Products and squares are rounded to double; with 1, weights are not.
     constraints : PolyData, or sequences of ids, optional
         lines and polygons, by the ids of the mesh's points, that are to be edges: the constrained Delaunay
-        triangulation. What is on the left of a polygon's sides is kept: a clockwise polygon in another one is a hole.
-        Or m by 2 ids, or polylines of ids. With constraints there are no weights, and the mesh is no composite.
+        triangulation. If it has points, they are the mesh's at these ids (x and y alone in the xy plane). Or m by 2 ids,
+        or polylines of ids. With constraints there are no weights, and the mesh is no composite.
+    polygon_rule : {"even-odd", "direction"}
+        what is inside the polygons of constraints; cells outside are left out, and a warning says so if that is all.
+        By nesting: a polygon keeps its inside, one in it is a hole, whatever their directions. Or by direction, as VTK
+        has it: what is on the left of a side; holes run clockwise.
     alpha : float
         leave out cells whose circumcircle has a larger radius, compared exactly; by default, 0, none. With weights, it
         is the circle of power distance 0 from the corners. All points stay.
@@ -296,7 +304,7 @@ def regular_triangulation(
     radius = length_of("alpha", alpha)
     data = data_of(mesh)
     heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
-    given = constraints_of_call(constraints, is_tree(data), heavy.values is not None)
+    given = constraints_of_call(constraints, polygon_rule, is_tree(data), heavy.values is not None)
 
     def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
         return run.triangulation(block, heavy, given, projection, radius, limit, report, both)
@@ -425,6 +433,7 @@ class Accessor:
         radii: ArrayLike | str | None = None,
         weight_factor: float = 1.0,
         constraints: Any = None,
+        polygon_rule: PolygonRule = "even-odd",
         alpha: float = 0.0,
         maximum_edge_length: float = 0.0,
         facet_mode: FacetMode = "triangles",
@@ -445,6 +454,7 @@ class Accessor:
             radii=radii,
             weight_factor=weight_factor,
             constraints=constraints,
+            polygon_rule=polygon_rule,
             alpha=alpha,
             maximum_edge_length=maximum_edge_length,
             facet_mode=facet_mode,

@@ -25,7 +25,8 @@ struct ConstraintView
 {
   const std::int64_t* ends = nullptr; ///< null only if count is 0
   std::int64_t count = 0;             ///< constraints
-  /// The last so many are sides of polygons, whose insides are on their left.
+  /// The last so many are sides of polygons: see PolygonRule. They close: at each position, an even
+  /// number of them ends.
   std::int64_t sides = 0;
 
   /// No constraint.
@@ -54,6 +55,13 @@ struct ConstrainedTriangulation : Triangulation
   /// For each of these edges, how many sides of polygons run along it from its lower corner to the
   /// other, less those that run back. In dimension 1, where nothing is inside, 0.
   Buffer<std::int64_t> balance;
+
+  /// For each of these edges the first constraint that is a side of a polygon and runs along it the
+  /// way of which there are more; -1 where the balance is 0.
+  Buffer<std::int64_t> sideOf;
+
+  /// How many constraints are sides of polygons.
+  std::int64_t sides = 0;
 };
 
 /// The constrained Delaunay triangulation of all points, whatever their number and position.
@@ -76,18 +84,25 @@ struct ConstrainedTriangulation : Triangulation
 ConstrainedTriangulation constrainedTriangulation(
   const PointView& points, const ConstraintView& constraints, const Options& options = Options());
 
-/// Which cells are inside the polygons whose sides were among the constraints. As vtkDelaunay2D has
-/// it: what is on the left of a side is inside, what is on its right is not. So a counter-clockwise
-/// polygon keeps its inside, and a clockwise one in it is a hole, to any depth; and a clockwise one
-/// alone is a hole in all. Edges with a balance of 0 part nothing: two polygons that share a side
-/// are as one. Without polygons all is inside.
+/// Which cells are inside the polygons whose sides were among the constraints. Without polygons,
+/// and where all points are on one line, all cells are inside.
+///
+/// By PolygonRule::EvenOdd, a way from outside of the convex hull to a cell that is inside crosses
+/// an odd number of sides, whatever their direction. So a polygon keeps its inside, and one in it
+/// is a hole, to any depth. Each side counts, so a polygon that is there twice keeps nothing, and
+/// two that share a side are as one.
+///
+/// By PolygonRule::Direction, as vtkDelaunay2D has it, what is on the left of a side is inside,
+/// what is on its right is not. So a counter-clockwise polygon keeps its inside, and a clockwise
+/// one in it is a hole, to any depth; and a clockwise one alone is a hole in all. Edges with a
+/// balance of 0 part nothing.
 ///
 /// @param triangulation as constrainedTriangulation gave it
 /// @param inside        room for one answer a cell: 1 if it is inside
-/// @param options       see Options; only the threads and the progress count
+/// @param options       see Options; only the rule, the threads and the progress count
 /// @return              how many cells are inside
-/// @throw Error         PolygonsDisagree, BadArgument (no room for the answers, indices out of
-///                      range), OutOfMemory, Aborted
+/// @throw Error         PolygonsDisagree (by direction), BadArgument (no room for the answers,
+///                      indices out of range, sides that do not close), OutOfMemory, Aborted
 std::int64_t cellsInside(const ConstrainedTriangulation& triangulation, std::uint8_t* inside,
   const Options& options = Options());
 

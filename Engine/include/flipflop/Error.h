@@ -34,8 +34,9 @@ enum class ErrorCode
                     ///< out; count: the id of that end
   ConstraintsCross, ///< index: first constraint that crosses an earlier one between points; count:
                     ///< the first that it crosses
-  PolygonsDisagree, ///< index, count: the ids of both ends of an edge; by a polygon's side there,
-                    ///< a cell beside it is inside, by another edge it is not, or the reverse
+  PolygonsDisagree, ///< of two polygons one says that a cell is inside, the other that it is not;
+                    ///< index: a constraint that is a side of the polygon to be reversed, by the
+                    ///< even-odd rule; count: a constraint that is a side of the other
   NotConvex,        ///< a domain; index: first corner that is not finite, is there twice, or turns
                     ///< right; -1: fewer than three corners, or not once around
   DuplicateSites,   ///< index, count: the ids of two sites at one place

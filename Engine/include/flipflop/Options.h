@@ -22,6 +22,13 @@ enum class NonFinitePolicy
   Ignore ///< leave it out, and count it in Statistics::nonFinite
 };
 
+/// How polygons tell what is inside.
+enum class PolygonRule
+{
+  EvenOdd,  ///< what an odd number of their sides parts from the outside; no direction counts
+  Direction ///< what is on the left of their sides: holes run clockwise
+};
+
 /// Called with the progress of the run (0 to 1), on the calling thread only. Returns false to stop
 /// the run, which then throws ErrorCode::Aborted.
 using ProgressFunction = bool (*)(double fraction, void* context);
@@ -36,6 +43,7 @@ struct Options
   int threads = 0; ///< 1 or more; 0: as many as the machine has. The output never depends on it.
   FacetMode facets = FacetMode::Triangles;            ///< how facets are given
   NonFinitePolicy nonFinite = NonFinitePolicy::Error; ///< what NaN and infinity lead to
+  PolygonRule polygons = PolygonRule::EvenOdd; ///< how polygons tell what is inside: cellsInside
   /// The V-biased Flip-Flop (paper, end of section 2.3): vertices are labelled only if no other
   /// flip is left. The output is the same. Without it, a label may cause very many flips.
   bool vBiased = true;

@@ -3,6 +3,7 @@
 /// @file
 /// Crossing constraints in pieces: beside rationals and a brute force of all pairs, on grids, on
 /// doubles, and where so few doubles are near that pieces cross anew.
+#include "Constraints/CrossingPairs.h"
 #include "Testing/Engine/Conformance/ProgressWatch.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
 #include "Testing/Engine/Constraints/SplitCases.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -212,6 +214,58 @@ TEST(ConstraintCrossings, OfBentPiecesAreSplitAnew)
     EXPECT_EQ(faultOfOrder(bundle, result, random), "") << seed;
   }
   EXPECT_GE(rounds, 2);
+}
+
+/// How many boxes are compared for each piece of a bundle that has been split: lines whose ends are
+/// in any order on either side, units in the last place apart.
+double comparisonsOf(int lines, double slope)
+{
+  Random random(7);
+  std::vector<int> order(static_cast<std::size_t>(lines));
+  std::iota(order.begin(), order.end(), 0);
+  for (int i = lines - 1; i > 0; --i)
+  {
+    std::swap(
+      order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>(random.integer(0, i))]);
+  }
+  Case given;
+  for (int i = 0; i < lines; ++i)
+  {
+    const double unit = 0x1p-52;
+    given.cloud.push_back({ 1, 1 + i * unit, 0 });
+    given.cloud.push_back({ 1.9, 1 + 0.9 * slope + order[static_cast<std::size_t>(i)] * unit, 0 });
+    given.segments.push_back({ 2 * i, 2 * i + 1 });
+  }
+  const SplitConstraints result = split(given, 1);
+  std::vector<Place> places;
+  for (const Point& p : given.cloud)
+  {
+    places.push_back({ { p[0], p[1] } });
+  }
+  for (std::size_t k = 0; k < result.places.size(); k += 2)
+  {
+    places.push_back({ { result.places[k], result.places[k + 1] } });
+  }
+  std::vector<PlaceSegment> pieces;
+  for (std::size_t k = 0; k < result.ends.size(); k += 2)
+  {
+    pieces.push_back({ static_cast<std::uint32_t>(result.ends[k]),
+      static_cast<std::uint32_t>(result.ends[k + 1]) });
+  }
+  EXPECT_GT(pieces.size(), static_cast<std::size_t>(lines * lines / 3));
+  Monitor monitor{ Options() };
+  std::int64_t comparisons = 0;
+  EXPECT_TRUE(crossingPairs(places, pieces, monitor, &comparisons).empty());
+  return static_cast<double>(comparisons) / static_cast<double>(pieces.size());
+}
+
+/// The work for a piece does not grow with the number of lines that are as near.
+TEST(ConstraintCrossings, OfBundlesTakeTheTimeOfTheirPieces)
+{
+  for (const double slope : { 0.0, 1.0, -0.3 })
+  {
+    EXPECT_LT(comparisonsOf(300, slope), 100) << slope;
+  }
 }
 
 TEST(ConstraintCrossings, AreNoCommonEndsNorOverlaps)

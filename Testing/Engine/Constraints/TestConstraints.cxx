@@ -130,6 +130,33 @@ TEST(Constraints, FollowTheLowestDuplicate)
   EXPECT_EQ(cellsOf(result), (std::vector<Cell>{ { 0, 1, 2 }, { 0, 2, 3 } }));
 }
 
+/// The same constraint again and again takes no more time for the points on it.
+TEST(Constraints, ThroughManyPointsAgainAndAgain)
+{
+  constexpr std::int64_t Count = 20000;
+  Cloud cloud;
+  for (std::int64_t i = 0; i < Count; ++i)
+  {
+    cloud.push_back({ double(i), 0, 0 });
+  }
+  cloud.push_back({ 7, 1, 0 });
+  cloud.push_back({ 7, -1, 0 });
+  std::vector<Segment> constraints = { { 5, 9 }, { Count - 1, 0 } };
+  constraints.resize(Count, { 0, Count - 1 });
+  // The first of the sides runs back, all others forth.
+  const ConstraintView view(constraints[0].data(), Count, Count - 1);
+  const ConstrainedTriangulation result = constrainedTriangulation(viewOf(cloud), view);
+  ASSERT_EQ(result.constraintOf.size(), std::size_t(Count - 1));
+  for (std::int64_t i = 0; i + 1 < Count; ++i)
+  {
+    const auto k = static_cast<std::size_t>(i);
+    ASSERT_EQ(result.fixedEdges[2 * k], i);
+    ASSERT_EQ(result.constraintOf[k], 5 <= i && i < 9 ? 0 : 1);
+    ASSERT_EQ(result.balance[k], Count - 3);
+    ASSERT_EQ(result.sideOf[k], 2);
+  }
+}
+
 TEST(Constraints, OfLowerDimensions)
 {
   EXPECT_EQ(run({}, {}).dimension, -1);
@@ -318,6 +345,7 @@ TEST(Constraints, FaultsAreFound)
   loose.fixedEdges.allocate(0);
   loose.constraintOf.allocate(0);
   loose.balance.allocate(0);
+  loose.sideOf.allocate(0);
   EXPECT_EQ(faultOf(loose), Fault::NotConvex);
   ConstrainedTriangulation another = run(kite, constraints);
   another.constraintOf[0] = 1;
@@ -326,9 +354,16 @@ TEST(Constraints, FaultsAreFound)
   away.fixedEdges.allocate(2);
   away.constraintOf.allocate(1);
   away.balance.allocate(1);
+  away.sideOf.allocate(1);
   away.fixedEdges[0] = away.constraintOf[0] = away.balance[0] = 0;
   away.fixedEdges[1] = 2;
+  away.sideOf[0] = -1;
   EXPECT_EQ(faultOf(away), Fault::NotFixed);
+  ConstrainedTriangulation side = run(kite, constraints);
+  side.sideOf[0] = 0;
+  EXPECT_EQ(faultOf(side), Fault::NotFixed);
+  side.sideOf.allocate(0);
+  EXPECT_EQ(faultOf(side), Fault::Structure);
   Cloud more = kite;
   more.push_back({ 0, 0, 0 });
   EXPECT_EQ(

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is inside polygons: by their orientation, to any depth, beside a count of the rectangles
-/// around each cell.
+/// What is inside polygons: by either rule, to any depth, beside a count of the rectangles around
+/// each cell.
 #include "Testing/Engine/Conformance/ProgressWatch.h"
 #include "Testing/Engine/Constraints/ConstrainedCases.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
@@ -60,14 +60,16 @@ std::vector<std::uint8_t> insideOf(
 }
 
 /// The cells that are inside, by ids.
-std::vector<Cell> keptBy(const Cloud& cloud, const Sides& sides)
+std::vector<Cell> keptBy(
+  const Cloud& cloud, const Sides& sides, PolygonRule rule = PolygonRule::Direction)
 {
   Options options;
+  options.polygons = rule;
   options.facets = FacetMode::Polygons;
   const ConstrainedTriangulation result =
     constrainedTriangulation(viewOf(cloud), sides.view(), options);
   EXPECT_TRUE(validate(viewOf(cloud), sides.view(), result));
-  const std::vector<std::uint8_t> inside = insideOf(result);
+  const std::vector<std::uint8_t> inside = insideOf(result, options);
   const std::vector<Cell> all = cellsOf(result);
   std::vector<Cell> kept;
   for (std::size_t c = 0; c < all.size(); ++c)
@@ -80,13 +82,19 @@ std::vector<Cell> keptBy(const Cloud& cloud, const Sides& sides)
   return kept;
 }
 
+/// By direction; by the even-odd rule there is an answer.
+/// @param wrong a side of the polygon to be reversed
+/// @param right a side of the other
 void expectDisagreement(
-  const Cloud& cloud, const Sides& sides, std::int64_t first, std::int64_t second)
+  const Cloud& cloud, const Sides& sides, std::int64_t wrong, std::int64_t right)
 {
   const ConstrainedTriangulation result = constrainedTriangulation(viewOf(cloud), sides.view());
+  Options options;
+  insideOf(result, options);
+  options.polygons = PolygonRule::Direction;
   std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
-  expectError(
-    [&] { cellsInside(result, inside.data()); }, ErrorCode::PolygonsDisagree, first, second);
+  expectError([&] { cellsInside(result, inside.data(), options); }, ErrorCode::PolygonsDisagree,
+    wrong, right);
 }
 
 /// 0 to 15, in rows of four.
@@ -116,26 +124,75 @@ TEST(PolygonsInside, SharedSidesPartNothing)
   EXPECT_EQ(keptBy(grid, Sides({ { 0, 5, 10 } })).size(), 11u);
 }
 
-TEST(PolygonsInside, DisagreementNamesAnEdge)
+/// The direction of rings does not count, nor where they begin; each side does.
+TEST(PolygonsInside, EvenOddCountsSides)
 {
-  // Two around each other that run alike: between them, the outer says inside, the inner not.
-  expectDisagreement(grid, Sides({ { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }), 5, 6);
-  // A hole beside a part.
-  expectDisagreement(grid, Sides({ { 0, 1, 5, 4 }, { 14, 15, 11, 10 } }), 10, 11);
-  // Sides that close no polygon.
-  std::vector<Segment> open = { { 5, 6 } };
+  const auto kept = [](const std::vector<Loop>& loops)
+  {
+    const std::vector<Cell> found = keptBy(grid, Sides(loops), PolygonRule::EvenOdd);
+    for (std::size_t reversed = 0; reversed < loops.size(); ++reversed)
+    {
+      std::vector<Loop> others = loops;
+      std::reverse(others[reversed].begin(), others[reversed].end());
+      EXPECT_EQ(keptBy(grid, Sides(others), PolygonRule::EvenOdd), found);
+    }
+    return found;
+  };
+  const Loop around = { 0, 3, 15, 12 }, middle = { 5, 6, 10, 9 };
+  EXPECT_EQ(kept({ middle }), (std::vector<Cell>{ { 5, 6, 10, 9 } }));
+  EXPECT_EQ(kept({ around }).size(), 9u);
+  EXPECT_EQ(kept({ around, middle }).size(), 8u);
+  // Beside each other with a common side, and with a common corner.
+  EXPECT_EQ(kept({ { 0, 1, 5, 4 }, { 1, 2, 6, 5 } }),
+    (std::vector<Cell>{ { 0, 1, 5, 4 }, { 1, 2, 6, 5 } }));
+  EXPECT_EQ(kept({ { 0, 1, 5, 4 }, middle }).size(), 2u);
+  // A hole that touches the ring from inside, in a corner and along a side.
+  EXPECT_EQ(kept({ around, { 0, 1, 5, 4 } }).size(), 8u);
+  // The same twice is nothing; three times, it is there. A ring without an inside has none.
+  EXPECT_EQ(kept({ middle, middle }).size(), 0u);
+  EXPECT_EQ(kept({ middle, middle, middle }).size(), 1u);
+  EXPECT_EQ(kept({ { 0, 5, 10 } }).size(), 0u);
+  // Those that overlap along lines of the grid: what both have is outside.
+  EXPECT_EQ(kept({ { 0, 2, 10, 8 }, { 5, 7, 15, 13 } }),
+    keptBy(grid, Sides({ { 0, 2, 6, 5, 9, 8 }, { 6, 7, 15, 13, 9, 10 } }), PolygonRule::EvenOdd));
+  EXPECT_EQ(keptBy(grid, Sides({}), PolygonRule::EvenOdd).size(), 9u);
+}
+
+TEST(PolygonsInside, DisagreementNamesThePolygonToReverse)
+{
+  // Two around each other that run alike: the inner should run the other way.
+  expectDisagreement(grid, Sides({ { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }), 4, 0);
+  expectDisagreement(grid, Sides({ { 5, 6, 10, 9 }, { 0, 3, 15, 12 } }), 0, 4);
+  // Both clockwise: the outer should.
+  expectDisagreement(grid, Sides({ { 0, 12, 15, 3 }, { 5, 9, 10, 6 } }), 3, 7);
+  // A hole beside a part, behind constraints that are no sides.
+  expectDisagreement(
+    grid, Sides({ { 0, 1, 5, 4 }, { 14, 15, 11, 10 } }, { { 4, 0 }, { 10, 11 } }), 8, 3);
+}
+
+TEST(PolygonsInside, SidesMustClose)
+{
+  const std::vector<Segment> open = { { 5, 6 } };
   const ConstrainedTriangulation result =
     constrainedTriangulation(viewOf(grid), ConstraintView(open[0].data(), 1, 1));
   std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
-  expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::PolygonsDisagree, 5, 6);
+  for (const PolygonRule rule : { PolygonRule::EvenOdd, PolygonRule::Direction })
+  {
+    Options options;
+    options.polygons = rule;
+    expectError([&] { cellsInside(result, inside.data(), options); }, ErrorCode::BadArgument);
+  }
 }
 
 TEST(PolygonsInside, OfLowerDimensionsAllIs)
 {
   const Cloud line = { { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } };
-  EXPECT_EQ(keptBy(line, Sides({ { 0, 2, 1 } })).size(), 2u);
-  EXPECT_EQ(keptBy({ { 1, 1, 0 } }, Sides({ { 0, 0, 0 } })).size(), 1u);
-  EXPECT_EQ(keptBy({}, Sides({})).size(), 0u);
+  for (const PolygonRule rule : { PolygonRule::EvenOdd, PolygonRule::Direction })
+  {
+    EXPECT_EQ(keptBy(line, Sides({ { 0, 2, 1 } }), rule).size(), 2u);
+    EXPECT_EQ(keptBy({ { 1, 1, 0 } }, Sides({ { 0, 0, 0 } }), rule).size(), 1u);
+    EXPECT_EQ(keptBy({}, Sides({}), rule).size(), 0u);
+  }
 }
 
 TEST(PolygonsInside, BadArguments)
@@ -153,6 +210,12 @@ TEST(PolygonsInside, BadArguments)
   result.fixedEdges[1] = 16;
   expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::BadArgument);
   result.fixedEdges[1] = 1;
+  result.sides = -1;
+  expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::BadArgument);
+  result.sides = 0;
+  result.sideOf.allocate(0);
+  expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::BadArgument);
+  result.sideOf.allocate(1);
   result.balance.allocate(0);
   expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::BadArgument);
 }
@@ -195,11 +258,20 @@ TEST(PolygonsInside, IsThatOfTheDepth)
     {
       continue;
     }
-    const Sides sides(loops);
-    for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+    std::vector<Loop> turned = loops;
+    for (Loop& loop : turned)
+    {
+      if (random.integer(0, 1))
+      {
+        std::reverse(loop.begin(), loop.end());
+      }
+    }
+    for (const int kind : { 0, 1, 2, 3 })
     {
       Options options;
-      options.facets = facets;
+      options.facets = kind < 2 ? FacetMode::Triangles : FacetMode::Polygons;
+      options.polygons = kind % 2 ? PolygonRule::Direction : PolygonRule::EvenOdd;
+      const Sides sides(kind % 2 ? loops : turned);
       const ConstrainedTriangulation result =
         constrainedTriangulation(viewOf(cloud), sides.view(), options);
       options.threads = 2;

@@ -231,6 +231,90 @@ TEST(SurfacePolygons, NotSimple)
   expectNotSimple({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 2, 0, 0 }, { 0, 4, 0 } },
     { { 0, 1, 2, 3, 4 } }, 0, 1);
   expectNotSimple({ { 0, 0, 0 }, { 4, 0, 0 }, { 2, 0, 0 }, { 2, 4, 0 } }, { { 0, 1, 2, 3 } }, 0, 1);
+  // It winds over itself: cutting ears would end with triangles that overlap.
+  expectNotSimple({ { 2, 2, 0 }, { 0, 3, 0 }, { 3, 2, 0 }, { 0, 0, 0 }, { 2, 3, 0 }, { 1, 1, 0 } },
+    { { 0, 1, 2, 3, 4, 5 } }, 0, 1);
+}
+
+using Corner = std::array<std::int64_t, 2>;
+
+std::int64_t turnOf(const Corner& a, const Corner& b, const Corner& c)
+{
+  const std::int64_t turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  return (turn > 0) - (turn < 0);
+}
+
+bool isOn(const Corner& p, const Corner& a, const Corner& b)
+{
+  return turnOf(a, b, p) == 0 && std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
+    std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
+}
+
+/// By all pairs of sides: none has a place in common with another but the corner between them.
+bool isSimple(const std::vector<Corner>& p)
+{
+  const std::size_t count = p.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Corner &a = p[i], &b = p[(i + 1) % count];
+    for (std::size_t j = 0; j < count; ++j)
+    {
+      const Corner &c = p[j], &d = p[(j + 1) % count];
+      const bool isNext = j == (i + 1) % count, isBefore = i == (j + 1) % count;
+      const bool crosses =
+        turnOf(a, b, c) * turnOf(a, b, d) < 0 && turnOf(c, d, a) * turnOf(c, d, b) < 0;
+      if (i != j && (crosses || (!isNext && isOn(c, a, b)) || (!isBefore && isOn(d, a, b))))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Polygons of few places, and larger ones that are nearly stars, by all pairs of their sides.
+TEST(SurfacePolygons, AllPairsOfSidesTellWhichAreSimple)
+{
+  Random random(93);
+  int taken[2] = { 0, 0 };
+  for (int run = 0; run < effort(20000); ++run)
+  {
+    const bool isLarge = run % 8 == 0;
+    const int count = isLarge ? random.integer(17, 60) : random.integer(4, 9);
+    std::vector<Corner> corners;
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 2 * 3.14159265358979 * i / count;
+      const double radius = random.integer(200, 400);
+      corners.push_back(isLarge ? Corner{ { static_cast<std::int64_t>(radius * std::cos(angle)),
+                                    static_cast<std::int64_t>(radius * std::sin(angle)) } }
+                                : Corner{ { random.integer(0, 3), random.integer(0, 3) } });
+    }
+    if (isLarge && run % 16 == 0)
+    {
+      const int first = random.integer(0, count - 3);
+      std::swap(corners[static_cast<std::size_t>(first)],
+        corners[static_cast<std::size_t>(first + random.integer(1, 2))]);
+    }
+    Cloud points;
+    for (const Corner& corner : corners)
+    {
+      points.push_back({ { double(corner[0]), double(corner[1]), 0 } });
+    }
+    const bool isTaken = isSimple(corners);
+    ++taken[isTaken];
+    if (isTaken)
+    {
+      expectCut(points, idsOf(points));
+    }
+    else
+    {
+      expectError([&] { triangulated(points, { idsOf(points) }); }, ErrorCode::NotSimple, 0, 1);
+    }
+    ASSERT_FALSE(HasFailure()) << "run " << run;
+  }
+  EXPECT_GT(taken[0], taken[1]);
+  EXPECT_GT(taken[1], effort(20000) / 20);
 }
 
 TEST(SurfacePolygons, Errors)

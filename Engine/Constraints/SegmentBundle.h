@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The direction that most of many segments have, and how far places are off a line along it.
+///
+/// Of nearly parallel segments that are units in the last place apart, boxes along the axes meet
+/// where the segments slant. Their offsets from one line do not. They are computed in double-double
+/// and rounded once, so they are right to far less than such a unit.
+#ifndef flipflop_SegmentBundle_h
+#define flipflop_SegmentBundle_h
+
+#include "Constraints/CrossingPairs.h"
+#include "Constraints/Place.h"
+#include "Predicates/DoubleDouble.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace flipflop
+{
+
+class SegmentBundle
+{
+public:
+  /// How far offsets are off, as a share of themselves, and beyond that: coordinates are at most 1.
+  static constexpr double RelativeError = 0x1p-50;
+  static constexpr double AbsoluteError = 0x1p-90;
+
+  SegmentBundle(const std::vector<Place>& places, const std::vector<PlaceSegment>& segments)
+  {
+    double most = 0;
+    for (const Place& place : places)
+    {
+      most = std::max({ most, std::fabs(place.x[0]), std::fabs(place.x[1]) });
+    }
+    this->scale = most > 0 ? -std::ilogb(most) - 1 : 0;
+    // Angles are doubled, so that both directions of a segment are one.
+    double sum = 0, cosine = 0, sine = 0;
+    for (const PlaceSegment& segment : segments)
+    {
+      const double x = this->scaled(places[segment.to], 0) - this->scaled(places[segment.from], 0);
+      const double y = this->scaled(places[segment.to], 1) - this->scaled(places[segment.from], 1);
+      const double length = std::hypot(x, y);
+      if (length > 0)
+      {
+        sum += length;
+        cosine += (x + y) * ((x - y) / length);
+        sine += 2 * x * (y / length);
+      }
+    }
+    constexpr double LeastShare = 0.9;
+    if (std::hypot(cosine, sine) < LeastShare * sum || places.empty())
+    {
+      return;
+    }
+    const double angle = 0.5 * std::atan2(sine, cosine);
+    const DoubleDouble normal[2] = { { -std::sin(angle), 0 }, { std::cos(angle), 0 } };
+    this->offsets.reserve(places.size());
+    for (const Place& place : places)
+    {
+      const auto along = [&](int i)
+      { return doubleDifference(this->scaled(place, i), this->scaled(places[0], i)) * normal[i]; };
+      this->offsets.push_back((along(0) + along(1)).high);
+    }
+  }
+
+  /// Of a place; 0 for all if the segments have no common direction.
+  double offsetOf(std::size_t place) const
+  {
+    return this->offsets.empty() ? 0.0 : this->offsets[place];
+  }
+
+private:
+  double scaled(const Place& place, int axis) const
+  {
+    return std::ldexp(place.x[axis], this->scale);
+  }
+
+  int scale = 0;               ///< a power of two, with which coordinates are at most 1
+  std::vector<double> offsets; ///< by place
+};
+
+}
+
+#endif
