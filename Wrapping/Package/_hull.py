@@ -169,17 +169,17 @@ class ConvexHull(Cells):
         -------
         array of m, or one number
         """
-        return answers(self._upright.contains, points, (self.ndim,), threads, non_finite, progress)
+        return answers(self._queries.contains, points, (self.ndim,), threads, non_finite, progress)
 
     def distance(
         self, points: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
     ) -> Any:
         """The distance of each point from the surface: negative inside, 0 on it, positive outside.
 
-        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex (in the plane 1e-13). Infinity: the hull is
-        empty. NaN: the point is not finite and ignored. Parameters and the result's form are those of contains().
+        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex. Infinity: the hull is empty,
+        or no double is so large. NaN: the point is not finite and ignored. Parameters and the result's form are those of contains().
         """
-        return answers(self._upright.distance, points, (self.ndim,), threads, non_finite, progress)
+        return answers(self._queries.distance, points, (self.ndim,), threads, non_finite, progress)
 
     def support(
         self, directions: ArrayLike, *, threads: int = 0, non_finite: str = "error", progress: Progress = None
@@ -189,11 +189,7 @@ class ConvexHull(Cells):
         Directions are vectors of any length. -1: the hull is empty, or the direction is not finite and ignored. The
         result's form is that of contains().
         """
-        found = answers(self._upright.support, directions, (self.ndim,), threads, non_finite, progress)
-        if not self._planar or self.dimension < 0:
-            return found
-        ids = self._core.vertices()
-        return np.where(found < 0, found, ids[found % len(ids)])[()]
+        return answers(self._queries.support, directions, (self.ndim,), threads, non_finite, progress)
 
     def diameter(self) -> Diameter:
         """The two vertices that are farthest apart, found by exact comparison."""
@@ -209,8 +205,7 @@ class ConvexHull(Cells):
         center, axes, lengths = places[:3], places[3:12].reshape(3, 3), places[12:]
         if not self._planar:
             return OrientedBox(center, axes, lengths, volume, lower_bound)
-        area = float(lengths[0] * lengths[1])
-        return OrientedBox(center[:2], axes[:2, :2], lengths[:2], area, area)
+        return OrientedBox(center[:2], axes[:2, :2], lengths[:2], volume, lower_bound)
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the convex hull of the points."""
@@ -227,23 +222,6 @@ class ConvexHull(Cells):
     @cached_property
     def _queries(self) -> Any:
         return _core.hull_queries(self.points, self._triangles, QUIET)
-
-    @cached_property
-    def _upright(self) -> Any:
-        """What answers questions about places. In the plane, a prism over the polygon, asked at half its height.
-
-        There it is inside and on the prism what is inside and on the polygon, and the lids are farther away than the
-        polygon is wide, so farther than any side of it.
-        """
-        if not self._planar or self.dimension < 0:
-            return self._queries
-        corners = self._corners()
-        with np.errstate(over="ignore"):
-            width = min(np.ptp(corners, axis=0).sum(), np.finfo(np.float64).max / 4)
-        height = np.full(len(corners), 2.0 ** np.ceil(np.log2(width)) if width > 0 else 1.0)
-        floor, ceiling = np.column_stack([corners, -height]), np.column_stack([corners, height])
-        prism = np.vstack([floor, ceiling])
-        return _core.hull_queries(prism, _core.convex_hull(prism, QUIET), QUIET)
 
     def _ring(self) -> Ids:
         """The corners of the one cell, in order."""
