@@ -41,20 +41,6 @@ struct Box
     this->add(other.low);
     this->add(other.high);
   }
-
-  /// The square of the distance to a point; rounded.
-  double squaredDistance(const double* x) const
-  {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double below = this->low[i] - x[i];
-      const double beyond = x[i] - this->high[i];
-      const double gap = std::max(0.0, std::max(below, beyond));
-      sum += gap * gap;
-    }
-    return sum;
-  }
 };
 
 class BoxTree

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The plane of a triangle, its normal a unit vector: rounded, but from exact minors, so that it is
-/// right in each component however thin the triangle is.
+/// right in each component however thin the triangle is: where expansions lose bits to underflow,
+/// in integers of any size.
 #ifndef flipflop_FacetPlane_h
 #define flipflop_FacetPlane_h
 
@@ -38,6 +39,9 @@ struct FacetPlane
       }
       largest = std::max(largest, std::fabs(this->normal[i]));
     }
+    // Both edges are about one. What products lose to underflow is less than 2^-1060.
+    constexpr double Thinnest = 0x1p-120;
+    largest = largest < Thinnest ? wideNormal(a, b, c, this->normal) : largest;
     double square = 0;
     for (double& n : this->normal)
     {
@@ -63,15 +67,20 @@ struct FacetPlane
   }
 
 private:
+  /// The normal, of any length.
+  /// @return its largest component; 0: the points are on a line
+  static double wideNormal(const double* a, const double* b, const double* c, double* normal);
+
   /// From a to b, times a power of two that makes it about as long as one.
   static void edge(const double* a, const double* b, Expansion<2>* result)
   {
     double longest = 0;
     for (int i = 0; i < 3; ++i)
     {
-      longest = std::max(longest, std::fabs(0.5 * b[i] - 0.5 * a[i]));
+      longest = std::max(longest, std::fabs(b[i] - a[i]));
     }
     const double scale = longest > 0x1p1000 ? 0.5 : 1.0; // against overflow
+    longest = std::isfinite(longest) ? longest : 0x1p1023;
     const int exponent = longest > 0 ? -std::ilogb(longest) : 0;
     for (int i = 0; i < 3; ++i)
     {

@@ -1,12 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/FacetPlane.h"
+
+#include "Predicates/WideIntegers.h"
 #include "Query/GivenHull.h"
 #include "Query/QueryRun.h"
 #include <flipflop/HullQueries.h>
 
 namespace flipflop
 {
+
+double FacetPlane::wideNormal(const double* a, const double* b, const double* c, double* normal)
+{
+  WideInteger exact[3];
+  unsigned bits = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int p = (i + 1) % 3;
+    const int q = (i + 2) % 3;
+    exact[i] =
+      wideOffset(b, a, p) * wideOffset(c, a, q) - wideOffset(b, a, q) * wideOffset(c, a, p);
+    bits =
+      exact[i].is_zero() ? bits : std::max<unsigned>(bits, msb(WideInteger(abs(exact[i]))) + 1);
+  }
+  constexpr unsigned Most = 1000; // that a double's range holds
+  double largest = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    normal[i] = WideInteger(exact[i] >> (bits > Most ? bits - Most : 0)).convert_to<double>();
+    largest = std::max(largest, std::fabs(normal[i]));
+  }
+  return largest;
+}
 
 Buffer<double> facetPlanes(const PointView& points, const Hull& hull, const Options& options)
 {

@@ -16,16 +16,18 @@
 namespace flipflop
 {
 
+/// @param axes 3: points in space; 2: in the plane, where z is not read, and zero in what is
+/// returned
 /// @return three coordinates a corner
 /// @throw Error BadArgument, TooManyPoints, OutOfMemory
-inline Buffer<double> cornersOf(const PointView& points, const Hull& hull)
+inline Buffer<double> cornersOf(const PointView& points, const Hull& hull, int axes = 3)
 {
-  requireValid(points, 3);
+  requireValid(points, axes);
   if (!checkHullStructure(points.count, hull))
   {
     throw Error(ErrorCode::BadArgument);
   }
-  const PointSource source(points);
+  const PointSource source = axes == 3 ? PointSource(points) : PointSource(points, WeightView());
   Buffer<double> corners(3 * hull.pointIds.size());
   for (std::size_t i = 0; i < hull.pointIds.size(); ++i)
   {

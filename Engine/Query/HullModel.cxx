@@ -29,9 +29,16 @@ double leastThatFits(const Arithmetic& arithmetic)
 
 }
 
-HullModel::HullModel(const PointView& points, const Hull& hull, const Options& options)
+HullModel::HullModel(
+  const PointView& points, const Hull& hull, const Options& options, PointSpace space)
+  : inPlane(space == PointSpace::Plane)
 {
-  const Buffer<double> given = withTypedErrors([&] { return cornersOf(points, hull); });
+  const Buffer<double> given =
+    withTypedErrors([&] { return cornersOf(points, hull, this->axisCount()); });
+  if (this->inPlane && hull.dimension > 2)
+  {
+    throw badArgument("the hull of points in the plane must be of dimension 2 or less");
+  }
   if (hull.dimension < 0)
   {
     return;
@@ -130,7 +137,7 @@ const SurfaceTree& HullModel::surface(Monitor& monitor) const
     [&]
     {
       return std::make_unique<SurfaceTree>(
-        this->solid, this->around, this->arithmetic.scaleExponent, monitor);
+        this->solid, this->around, this->inPlane, this->arithmetic.scaleExponent, monitor);
     });
 }
 
@@ -191,11 +198,17 @@ int HullModel::sideInPlane(const HullGeometry& local, const Vertex* corners, con
     case 1:
       return local.isBetween(corners[0], corners[1], p) ? 0 : -1;
     default:
-      return local.above(at(0), at(1), at(2), p) == 0 &&
-          fanTriangleOf(this->around.size(), turn) != 0
-        ? 0
-        : -1;
+      break;
   }
+  const std::size_t i =
+    local.above(at(0), at(1), at(2), p) == 0 ? fanTriangleOf(this->around.size(), turn) : 0;
+  if (i == 0 || !this->inPlane)
+  {
+    return i == 0 ? -1 : 0;
+  }
+  const bool onBorder = turn(i, i + 1) == 0 || (i == 1 && turn(0, 1) == 0) ||
+    (i + 2 == this->around.size() && turn(0, i + 1) == 0);
+  return onBorder ? 0 : 1;
 }
 
 Placed HullModel::place(

@@ -43,9 +43,13 @@ class HullModel
 {
 public:
   /// @throw Error BadArgument, OutOfMemory, Aborted
-  HullModel(const PointView& points, const Hull& hull, const Options& options);
+  HullModel(const PointView& points, const Hull& hull, const Options& options, PointSpace space);
 
   int dimension() const { return this->spans; }
+  /// Is it the hull of points in the plane? Then z is zero, and a polygon has an inside.
+  bool isInPlane() const { return this->inPlane; }
+  /// How many coordinates a point has.
+  int axisCount() const { return this->inPlane ? 2 : 3; }
   std::uint32_t size() const { return this->solid.vertexCount(); }
 
   /// Corner @p i, scaled; its id is i.
@@ -94,16 +98,18 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       centre[i] = 0.5 * this->low[i] + 0.5 * this->high[i];
-      half[i] = 0.5 * x[i] - 0.5 * centre[i];
+      half[i] = 0.5 * x[i] - 0.5 * centre[i]; // the whole may be more than a double holds
       const double side = std::max(
         0.5 * this->high[i] - 0.5 * this->low[i], std::numeric_limits<double>::denorm_min());
       away = std::max(away, std::fabs(half[i]) / side);
     }
     const double share = away > Far ? Far / away : 1.0;
+    const int exponent = this->arithmetic.scaleExponent;
     double towards[3];
     for (int i = 0; i < 3; ++i)
     {
-      towards[i] = std::ldexp(centre[i] + 2 * (share * half[i]), this->arithmetic.scaleExponent);
+      // Scaled first: as given, the sum may be more than a double holds.
+      towards[i] = std::ldexp(centre[i], exponent) + std::ldexp(share * half[i], exponent + 1);
     }
     return locator.near(Vertex(), locator.cellOf(towards));
   }
@@ -123,6 +129,7 @@ private:
   bool fits(const double* x) const;
   int sideInPlane(const HullGeometry& local, const Vertex* corners, const Vertex& p) const;
 
+  bool inPlane = false;
   int spans = -1; ///< the dimension
   Buffer<std::int64_t> ids;
   Polyhedron solid; ///< its triangles only in dimension 3

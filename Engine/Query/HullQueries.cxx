@@ -14,8 +14,10 @@
 namespace flipflop
 {
 
-HullQueries::HullQueries(const PointView& points, const Hull& hull, const Options& options)
-  : model(withTypedErrors([&] { return std::make_unique<const HullModel>(points, hull, options); }))
+HullQueries::HullQueries(
+  const PointView& points, const Hull& hull, const Options& options, PointSpace space)
+  : model(withTypedErrors(
+      [&] { return std::make_unique<const HullModel>(points, hull, options, space); }))
 {
 }
 
@@ -114,7 +116,8 @@ void HullQueries::contains(
   const HullModel& hull = *this->model;
   const HullLocator* locator = nullptr;
   eachQuery(
-    queries, 3, sides, options, [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
+    queries, hull.axisCount(), sides, options,
+    [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
     [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
     {
       eachPlaced(hull, run, locator, begin, end,
@@ -147,7 +150,7 @@ void HullQueries::distance(
     return placed.side == Side::Inside ? -distance : distance;
   };
   eachQuery(
-    queries, 3, distances, options,
+    queries, hull.axisCount(), distances, options,
     [&](QueryRun& run)
     {
       locator = locatorOf(hull, run.monitor);
@@ -168,7 +171,7 @@ void HullQueries::support(
   const HullModel& hull = *this->model;
   const DirectionMap* map = nullptr;
   eachQuery(
-    directions, 3, ids, options,
+    directions, hull.axisCount(), ids, options,
     [&](QueryRun& run)
     {
       run.monitor.stage(0.1, 0.3, 1);

@@ -445,7 +445,8 @@ double leastVolume(const HullModel& hull)
   return std::ldexp(std::max(0.0, std::max(byHull, largest / 2 - 10 * slack)), exponent);
 }
 
-/// The axes for a hull below dimension 3, where the least box is no matter of search.
+/// The axes for a hull below dimension 3, where the least box is no matter of search. In the plane,
+/// the third one is z.
 Candidate flatAxes(const HullModel& hull, const UnitFrame& frame)
 {
   Candidate result = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
@@ -453,7 +454,14 @@ Candidate flatAxes(const HullModel& hull, const UnitFrame& frame)
   {
     subtract(frame.at(1), frame.at(0), result.axis[0]);
     normalise(result.axis[0]);
-    complete(result.axis[0], result.axis[1], result.axis[2]);
+    if (hull.isInPlane())
+    {
+      cross(result.axis[2], result.axis[0], result.axis[1]);
+    }
+    else
+    {
+      complete(result.axis[0], result.axis[1], result.axis[2]);
+    }
     square(result.axis);
   }
   if (hull.dimension() == 2)
@@ -509,10 +517,17 @@ OrientedBox minimalBoxOf(const HullModel& hull, Monitor& monitor)
       middle[0] * found.axis[0][i] + middle[1] * found.axis[1][i] + middle[2] * found.axis[2][i];
     box.center[i] = frame.toCorners(x, i, hull.scaleExponent());
   }
+  // In the plane the third axis stays as it is.
   const bool leftHanded = (order[1] - order[0] + 3) % 3 == 2;
-  for (double& x : box.axes[2])
+  for (double& x : box.axes[hull.isInPlane() ? 1 : 2])
   {
-    x = leftHanded ? -x : x;
+    x = leftHanded ? 0.0 - x : x;
+  }
+  if (hull.isInPlane())
+  {
+    box.volume = std::ldexp(length[0] * length[1], 2 * unit);
+    box.lowerBound = box.volume;
+    return box;
   }
   box.volume = solid ? std::ldexp(length[0] * length[1] * length[2], 3 * unit) : 0.0;
   box.lowerBound = solid ? std::min(leastVolume(hull), box.volume) : 0.0;

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/SurfaceTree.h"
 
-#include "Geometry/ConvexPolygon.h"
-#include "Geometry/Extents.h"
 #include "Geometry/HullCones.h"
+#include "Query/FacetPlane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,80 +14,118 @@ namespace flipflop
 namespace
 {
 
-/// n . ((b - a) x (x - a)): how far x is on the left of the edge from a to b, times its length.
-double leftOf(const double* normal, const double* a, const double* b, const double* x)
+using detail::cross;
+using detail::dot;
+
+/// Units of the last place, as a share.
+constexpr double Unit = 0x1p-53;
+
+double sumOf(const double* v)
 {
-  double edge[3], offset[3], turn[3];
-  detail::subtract(b, a, edge);
-  detail::subtract(x, a, offset);
-  detail::cross(edge, offset, turn);
-  return detail::dot(normal, turn);
+  return std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]);
 }
 
-/// The point of a segment that is nearest to another.
+/// How high the frame's point is above the plane through a corner.
+double heightOver(const double* normal, const double* offset)
+{
+  return -dot(normal, offset);
+}
+
+/// n . (edge x (x - a)): how far the frame's point x is on the left of an edge from a, times its
+/// length. It is off by less than 32 Unit |edge| |offset|: 4 for a difference and two products, 9
+/// for the normal, 3 for the last product and sums, twice as large a sum of terms.
+double leftOf(const double* normal, const double* edge, const double* offset)
+{
+  double turn[3];
+  cross(offset, edge, turn);
+  return dot(normal, turn);
+}
+
+/// The point of a segment that is nearest to the frame's.
 struct OnSegment
 {
   double square; ///< of the distance
   int end;       ///< that it is at: 0 or 1; -1: none
 };
 
-OnSegment nearestOnSegment(const double* a, const double* b, const double* x)
+/// @param edge the segment's direction, of any length
+/// @param from, to where its ends are
+OnSegment nearestOnSegment(const double* edge, const double* from, const double* to)
 {
-  double edge[3], offset[3];
-  detail::subtract(b, a, edge);
-  detail::subtract(x, a, offset);
-  const double length = detail::dot(edge, edge);
-  const double along = detail::dot(edge, offset);
-  const int end = !(along > 0) ? 0 : along < length ? -1 : 1;
+  const double along = -dot(edge, from);
+  const int end = !(along > 0) ? 0 : dot(edge, to) > 0 ? -1 : 1;
+  const double part = end < 0 ? along / dot(edge, edge) : 0;
+  const double* const origin = end == 1 ? to : from;
   double sum = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const double gap = end == 1 ? x[i] - b[i]
-      : end == 0                ? offset[i]
-                                : offset[i] - along / length * edge[i];
+    const double gap = origin[i] + part * edge[i];
     sum += gap * gap;
   }
   return { sum, end };
 }
 
-double heightOver(const double* normal, const double* a, const double* x)
+/// A convex polygon as triangles, the large ones in its middle: so few boxes are large.
+void halve(const std::vector<std::uint32_t>& ring, std::size_t first, std::size_t last,
+  std::vector<std::array<std::uint32_t, 3>>& cells)
 {
-  double offset[3];
-  detail::subtract(x, a, offset);
-  return detail::dot(normal, offset);
-}
-
-}
-
-SurfaceTree::SurfaceTree(
-  const Polyhedron& solid, const std::vector<std::uint32_t>& ring, int exponent, Monitor& monitor)
-  : triangles(solid.triangles.data())
-{
-  double largest = 0;
-  for (const Vertex& v : solid.vertices)
+  if (last - first < 2)
   {
-    largest = std::max(largest, largestOf(v.x[0], v.x[1], v.x[2]));
+    return;
   }
-  const int toFrame = largest > 0 ? -std::ilogb(largest) - 1 : 0;
-  this->shift = exponent + toFrame;
-  const std::uint32_t count = solid.vertexCount();
-  this->corners.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i)
+  const std::size_t middle = first + (last - first) / 2;
+  cells.push_back({ ring[first], ring[middle], ring[last] });
+  halve(ring, first, middle, cells);
+  halve(ring, middle, last, cells);
+}
+
+}
+
+/// The surface below dimension 3.
+std::vector<SurfaceTree::Cell> SurfaceTree::flatCells(
+  const std::vector<std::uint32_t>& ring, bool isBorder, std::uint32_t count)
+{
+  std::vector<Cell> cells;
+  if (ring.empty())
   {
-    const Vertex& v = solid.vertices[ring.empty() ? i : ring[i]];
-    for (int k = 0; k < 3; ++k)
+    cells.push_back({ 0, count - 1, count - 1 });
+  }
+  else if (isBorder)
+  {
+    for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      this->corners[i].x[k] = std::ldexp(v.x[k], toFrame);
+      const std::uint32_t next = ring[i + 1 < ring.size() ? i + 1 : 0];
+      cells.push_back({ ring[i], next, next });
     }
   }
+  else
+  {
+    halve(ring, 0, ring.size() - 1, cells);
+  }
+  return cells;
+}
 
-  // Below dimension 3: a segment from each corner to the next.
-  const std::uint32_t items = this->triangles ? solid.triangleCount() : count;
+SurfaceTree::SurfaceTree(const Polyhedron& solid, const std::vector<std::uint32_t>& ring,
+  bool isBorder, int exponent, Monitor& monitor)
+  : triangles(solid.triangles.data())
+{
+  const std::uint32_t count = solid.vertexCount();
+  std::vector<Corner> corners(count); // as they were given: a scale for all could lose some
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[i].x[k] = std::ldexp(solid.vertices[i].x[k], -exponent);
+    }
+  }
+  const std::vector<Cell> flat =
+    this->triangles ? std::vector<Cell>() : flatCells(ring, isBorder, count);
+  const std::uint32_t items =
+    this->triangles ? solid.triangleCount() : static_cast<std::uint32_t>(flat.size());
   const auto cornerOf = [&](std::uint32_t item, int k) -> const Corner&
   {
-    return this->corners[this->triangles ? solid.triangles[item].v[k]
-        : k == 0                         ? item
-                                         : (item + 1) % count];
+    return corners[this->triangles ? solid.triangles[item].v[k]
+                                   : flat[item][static_cast<std::size_t>(k)]];
   };
   this->tree.emplace(
     items,
@@ -102,6 +139,8 @@ SurfaceTree::SurfaceTree(
       return box;
     },
     monitor);
+  const Box& box = this->tree->box(0);
+  this->hullExponent = OffsetFrame::exponentFor(OffsetFrame::reachOf(box.low, box));
   this->elements.allocate(items);
   this->placeOf.allocate(items);
   eachRun(items, std::size_t(1) << 12,
@@ -111,13 +150,9 @@ SurfaceTree::SurfaceTree(
       for (auto place = static_cast<std::uint32_t>(begin); place < end; ++place)
       {
         const std::uint32_t item = this->tree->item(place);
-        Element& element = this->elements[place];
-        for (int k = 0; k < 3; ++k)
-        {
-          element.corner[k] = cornerOf(item, k);
-        }
-        const FacetPlane plane(element.corner[0].x, element.corner[1].x, element.corner[2].x);
-        std::copy(plane.normal, plane.normal + 3, element.normal);
+        const Corner corner[3] = { cornerOf(item, 0), cornerOf(item, 1), cornerOf(item, 2) };
+        const bool isFlat = !this->triangles && flat[item][1] == flat[item][2];
+        this->elements[place] = this->makeElement(corner, isFlat);
         this->placeOf[item] = place;
       }
     });
@@ -125,11 +160,26 @@ SurfaceTree::SurfaceTree(
   {
     this->makeSlabs();
   }
-  if (!ring.empty())
+}
+
+SurfaceTree::Element SurfaceTree::makeElement(const Corner* corner, bool isFlat) const
+{
+  Element element = { { corner[0], corner[1], corner[2] }, { 0, 0, 0 }, true };
+  if (isFlat)
   {
-    const FacetPlane plane(this->corners[0].x, this->corners[1].x, this->corners[2].x);
-    std::copy(plane.normal, plane.normal + 3, this->polygonNormal);
+    return element;
   }
+  const FacetPlane plane(corner[0].x, corner[1].x, corner[2].x);
+  std::copy(plane.normal, plane.normal + 3, element.normal);
+  double u[3], v[3], w[3], turn[3];
+  const OffsetFrame frame(corner[0].x, this->hullExponent);
+  frame.offset(corner[1].x, u);
+  frame.offset(corner[2].x, v);
+  detail::subtract(v, u, w);
+  cross(u, v, turn);
+  const double longest = std::max({ dot(u, u), dot(v, v), dot(w, w) });
+  element.isThin = !(dot(turn, turn) >= 0x1p-32 * longest * longest && longest >= 0x1p-120);
+  return element;
 }
 
 void SurfaceTree::makeSlabs()
@@ -152,53 +202,69 @@ void SurfaceTree::makeSlabs()
           slab.normal[i] += this->elements[place].normal[i];
         }
       }
-      const double length = std::sqrt(detail::dot(slab.normal, slab.normal));
+      const double length = std::sqrt(dot(slab.normal, slab.normal));
       for (double& n : slab.normal)
       {
         n = length > 1e-3 ? n / length : 0.0;
       }
+      const OffsetFrame frame(slab.origin.x, this->hullExponent);
       for (std::uint32_t place = begin; place < end; ++place)
       {
         for (const Corner& corner : this->elements[place].corner)
         {
-          slab.least = std::min(slab.least, heightOver(slab.normal, slab.origin.x, corner.x));
+          double offset[3];
+          frame.offset(corner.x, offset);
+          slab.least = std::min(slab.least, dot(slab.normal, offset));
         }
       }
     });
 }
 
-SurfaceTree::Nearest SurfaceTree::nearestOf(const Element& element, const double* x)
+SurfaceTree::Nearest SurfaceTree::nearestOf(const Element& element, const OffsetFrame& frame)
 {
   const Corner* const c = element.corner;
-  Nearest nearest = { HUGE_VAL, -1, -1 };
+  double offset[3][3];
   for (int i = 0; i < 3; ++i)
   {
-    const double* const a = c[i].x;
-    const double* const b = c[nextCorner(i)].x;
-    if (leftOf(element.normal, a, b, x) < 0)
+    frame.offset(c[i].x, offset[i]);
+  }
+  // Over the triangle is only what certainly is. What is nearly over a side's line, and over the
+  // triangle, is as near to a side as that: so the sides do.
+  Nearest nearest = { HUGE_VAL, -1, -1 };
+  bool isOver = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int next = nextCorner(i);
+    double edge[3];
+    frame.edge(c[i].x, c[next].x, edge);
+    const double left = leftOf(element.normal, edge, offset[i]);
+    if (left > 128 * Unit * sumOf(edge) * sumOf(offset[i]))
     {
-      const OnSegment on = nearestOnSegment(a, b, x);
-      if (on.square < nearest.square)
-      {
-        nearest = { on.square, i, on.end < 0 ? -1 : on.end == 0 ? i : nextCorner(i) };
-      }
+      continue;
+    }
+    isOver = isOver &&
+      left > 32 * Unit * std::sqrt(dot(edge, edge)) * std::sqrt(dot(offset[i], offset[i]));
+    const OnSegment on = nearestOnSegment(edge, offset[i], offset[next]);
+    if (on.square < nearest.square)
+    {
+      nearest = { on.square, i, on.end < 0 ? -1 : on.end == 0 ? i : next };
     }
   }
-  if (nearest.edge < 0)
+  if (isOver)
   {
-    const double height = heightOver(element.normal, c[0].x, x);
-    nearest.square = height * height;
+    const double height = heightOver(element.normal, offset[0]);
+    nearest = { height * height, -1, -1 };
   }
   return nearest;
 }
 
-// The triangle at a corner along whose first edge the way to x is steepest; NoIndex: no edge leads
-// nearer.
-std::uint32_t SurfaceTree::uphill(std::uint32_t t, int corner, const double* x) const
+// The triangle at a corner along whose first edge the way to the point is steepest; NoIndex: no
+// edge leads nearer.
+std::uint32_t SurfaceTree::uphill(std::uint32_t t, int corner, const OffsetFrame& frame) const
 {
-  const Element& element = this->elementOf(t);
-  double toX[3];
-  detail::subtract(x, element.corner[corner].x, toX);
+  const double* const at = this->elementOf(t).corner[corner].x;
+  double offset[3];
+  frame.offset(at, offset);
   const std::uint32_t first = halfEdge(t, corner);
   std::uint32_t spoke = first;
   std::uint32_t found = NoIndex;
@@ -207,9 +273,9 @@ std::uint32_t SurfaceTree::uphill(std::uint32_t t, int corner, const double* x) 
   {
     const Element& other = this->elementOf(triangleOf(spoke));
     double edge[3];
-    detail::subtract(other.corner[nextCorner(cornerOf(spoke))].x, element.corner[corner].x, edge);
-    const double along = detail::dot(edge, toX);
-    const double slope = along > 0 ? along / std::sqrt(detail::dot(edge, edge)) : 0.0;
+    frame.edge(at, other.corner[nextCorner(cornerOf(spoke))].x, edge);
+    const double along = -dot(edge, offset);
+    const double slope = along > 0 ? along / std::sqrt(dot(edge, edge)) : 0.0;
     if (slope > steepest)
     {
       steepest = slope;
@@ -221,33 +287,40 @@ std::uint32_t SurfaceTree::uphill(std::uint32_t t, int corner, const double* x) 
   return found;
 }
 
-// The square of the distance from outside; negative: the walk is lost.
-double SurfaceTree::squareByWalk(const double* x, std::uint32_t start) const
+// The square of the distance from outside; negative: the walk is lost, or came to a thin triangle.
+double SurfaceTree::squareByWalk(const OffsetFrame& frame, std::uint32_t start) const
 {
   constexpr int MostSteps = 400;
   std::uint32_t t = start;
-  for (int step = 0; step < MostSteps; ++step)
+  for (int step = 0; step < MostSteps && !this->elementOf(t).isThin; ++step)
   {
     const Element& element = this->elementOf(t);
-    const Nearest nearest = nearestOf(element, x);
+    const Nearest nearest = nearestOf(element, frame);
     if (nearest.edge < 0)
     {
+      double offset[3];
+      frame.offset(element.corner[0].x, offset);
       // On the far side of the hull, what is nearest around is not what is nearest.
-      return heightOver(element.normal, element.corner[0].x, x) > 0 ? nearest.square : -1;
+      return heightOver(element.normal, offset) > 0 ? nearest.square : -1;
     }
     std::uint32_t next = NoIndex;
     if (nearest.corner >= 0)
     {
-      next = this->uphill(t, nearest.corner, x);
+      next = this->uphill(t, nearest.corner, frame);
     }
     else
     {
       const std::uint32_t twin = this->triangles[t].twin[nearest.edge];
       const Element& other = this->elementOf(triangleOf(twin));
       const int from = cornerOf(twin);
-      const bool left =
-        leftOf(other.normal, other.corner[from].x, other.corner[nextCorner(from)].x, x) > 0;
-      next = left ? triangleOf(twin) : NoIndex;
+      double edge[3], offset[3];
+      frame.edge(other.corner[from].x, other.corner[nextCorner(from)].x, edge);
+      frame.offset(other.corner[from].x, offset);
+      next = leftOf(other.normal, edge, offset) > 0 ? triangleOf(twin) : NoIndex;
+      if (other.isThin)
+      {
+        return -1;
+      }
     }
     if (next == NoIndex)
     {
@@ -262,86 +335,46 @@ double SurfaceTree::squareByWalk(const double* x, std::uint32_t start) const
   return -1;
 }
 
-double SurfaceTree::squareByTree(const double* x, bool inside, double best) const
+double SurfaceTree::squareByTree(const OffsetFrame& frame, bool inside) const
 {
   const BoxTree& nodes = *this->tree;
-  if (!this->triangles)
+  double best = HUGE_VAL;
+  if (!inside || !this->triangles)
   {
     nodes.nearest(
-      best, [&](std::size_t node) { return nodes.box(node).squaredDistance(x); },
-      [&](std::uint32_t place)
-      {
-        const Element& segment = this->elements[place];
-        return nearestOnSegment(segment.corner[0].x, segment.corner[1].x, x).square;
-      });
+      best, [&](std::size_t node) { return frame.squareFrom(nodes.box(node)); },
+      [&](std::uint32_t place) { return nearestOf(this->elements[place], frame).square; });
+    return best;
   }
-  else if (!inside)
-  {
-    nodes.nearest(
-      best, [&](std::size_t node) { return nodes.box(node).squaredDistance(x); },
-      [&](std::uint32_t place) { return nearestOf(this->elements[place], x).square; });
-  }
-  else
-  {
-    nodes.nearest(
-      best,
-      [&](std::size_t node)
-      {
-        const Slab& slab = this->slabs[node];
-        const double depth = std::max(0.0, slab.least - heightOver(slab.normal, slab.origin.x, x));
-        return std::max(depth * depth, nodes.box(node).squaredDistance(x));
-      },
-      [&](std::uint32_t place)
-      {
-        const Element& triangle = this->elements[place];
-        const double height = heightOver(triangle.normal, triangle.corner[0].x, x);
-        return height * height;
-      });
-  }
+  double offset[3];
+  nodes.nearest(
+    best,
+    [&](std::size_t node)
+    {
+      const Slab& slab = this->slabs[node];
+      frame.offset(slab.origin.x, offset);
+      const double depth = std::max(0.0, slab.least - heightOver(slab.normal, offset));
+      return std::max(depth * depth, frame.squareFrom(nodes.box(node)));
+    },
+    [&](std::uint32_t place)
+    {
+      const Element& triangle = this->elements[place];
+      frame.offset(triangle.corner[0].x, offset);
+      const double height = heightOver(triangle.normal, offset);
+      return height * height;
+    });
   return best;
 }
 
-bool SurfaceTree::isOverPolygon(const double* x) const
+double SurfaceTree::distance(const double* x, bool inside, std::uint32_t start) const
 {
-  const auto turn = [&](std::size_t i, std::size_t j)
-  { return leftOf(this->polygonNormal, this->corners[i].x, this->corners[j].x, x); };
-  return fanTriangleOf(this->corners.size(), turn) != 0;
-}
-
-double SurfaceTree::distance(const double* given, bool inside, std::uint32_t start) const
-{
-  // Far away all of the hull is at one place, as far as the result's bits can tell.
-  constexpr int FarAway = 60;
-  const double most = largestOf(given[0], given[1], given[2]);
-  const int top = most > 0 ? std::ilogb(most) + 1 : -2000;
-  const int scale = top + this->shift > FarAway ? -top : this->shift;
-  double x[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    x[i] = std::ldexp(given[i], scale);
-  }
-  double best = HUGE_VAL;
-  if (scale != this->shift)
-  {
-    best = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double gap = x[i] - std::ldexp(this->corners[0].x[i], scale - this->shift);
-      best += gap * gap;
-    }
-  }
-  else if (this->polygonNormal[0] != 0 || this->polygonNormal[1] != 0 ||
-    this->polygonNormal[2] != 0)
-  {
-    const double height = heightOver(this->polygonNormal, this->corners[0].x, x);
-    best = this->isOverPolygon(x) ? height * height : best;
-  }
-  if (best == HUGE_VAL)
-  {
-    best = this->triangles && !inside ? this->squareByWalk(x, start) : -1;
-    best = best < 0 ? this->squareByTree(x, inside, HUGE_VAL) : best;
-  }
-  return std::ldexp(std::sqrt(best), -scale);
+  const bool isDeep = inside && this->triangles;
+  const OffsetFrame frame(x,
+    isDeep ? this->hullExponent
+           : OffsetFrame::exponentFor(OffsetFrame::reachOf(x, this->tree->box(0))));
+  double square = this->triangles && !inside ? this->squareByWalk(frame, start) : -1;
+  square = square < 0 ? this->squareByTree(frame, inside) : square;
+  return frame.lengthOf(std::sqrt(square));
 }
 
 }

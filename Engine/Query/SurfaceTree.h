@@ -10,18 +10,22 @@
 /// near as the triangle, and no plane is nearer than the surface, so heights above planes are all
 /// that is asked of triangles there.
 ///
-/// Where the walk gets lost in rounding, and in lower dimensions, the tree tells, too; it is one of
-/// a polygon's sides, or of the segment, or the point, then. Coordinates are in a frame in which
-/// the largest of the hull is about one, so that squares neither overflow nor underflow.
+/// Where the walk comes to a thin triangle or gets lost in rounding, and in lower dimensions, the
+/// tree gives the distance, too. A polygon is cut into triangles there; the border of a polygon in
+/// the plane, a segment and a point are triangles without area.
+///
+/// All is computed from offsets to the query, in a frame in which the farthest corner is one or two
+/// away: squares neither overflow, nor underflow where that counts (OffsetFrame.h).
 #ifndef flipflop_SurfaceTree_h
 #define flipflop_SurfaceTree_h
 
 #include "Mesh/Polyhedron.h"
 #include "Query/BoxTree.h"
-#include "Query/FacetPlane.h"
+#include "Query/OffsetFrame.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -34,9 +38,10 @@ class SurfaceTree
 public:
   /// @param solid    the hull; only its corners below dimension 3
   /// @param ring     the corners in their order, in dimension 2; else empty
+  /// @param isBorder the surface of a polygon is its border, and not the polygon
   /// @param exponent the corners are scaled by 2^ this
-  SurfaceTree(const Polyhedron& solid, const std::vector<std::uint32_t>& ring, int exponent,
-    Monitor& monitor);
+  SurfaceTree(const Polyhedron& solid, const std::vector<std::uint32_t>& ring, bool isBorder,
+    int exponent, Monitor& monitor);
 
   /// The distance of a point that is not on the surface; rounded.
   /// @param x      as it was given
@@ -50,11 +55,12 @@ private:
     double x[3];
   };
 
-  /// A triangle, or a segment of two corners.
+  /// A triangle; without area, its normal is zero.
   struct Element
   {
     Corner corner[3];
     double normal[3];
+    bool isThin; ///< walks over it are not to be trusted
   };
 
   /// No point of a node is lower than this along a direction, above one of its corners.
@@ -62,7 +68,7 @@ private:
   {
     double normal[3];
     Corner origin;
-    double least;
+    double least; ///< in the hull's own frame
   };
 
   /// The point of a triangle that is nearest to another.
@@ -73,21 +79,23 @@ private:
     int corner;    ///< that it is at; -1: none
   };
 
-  void makeSlabs();
-  static Nearest nearestOf(const Element& element, const double* x);
-  double squareByWalk(const double* x, std::uint32_t start) const;
-  std::uint32_t uphill(std::uint32_t t, int corner, const double* x) const;
-  double squareByTree(const double* x, bool inside, double best) const;
-  const Element& elementOf(std::uint32_t t) const { return this->elements[this->placeOf[t]]; }
-  bool isOverPolygon(const double* x) const;
+  using Cell = std::array<std::uint32_t, 3>;
 
-  int shift = 0;                         ///< from given coordinates to the frame's: times 2^shift
-  std::vector<Corner> corners;           ///< in the frame; of a polygon, in their order
-  Buffer<Element> elements;              ///< by place in the tree
-  Buffer<std::uint32_t> placeOf;         ///< by triangle
-  Buffer<Slab> slabs;                    ///< by node, in dimension 3
-  const Triangle* triangles;             ///< of the hull; null: the elements are segments
-  double polygonNormal[3] = { 0, 0, 0 }; ///< zero: there is no polygon
+  static std::vector<Cell> flatCells(
+    const std::vector<std::uint32_t>& ring, bool isBorder, std::uint32_t count);
+  Element makeElement(const Corner* corner, bool isFlat) const;
+  void makeSlabs();
+  static Nearest nearestOf(const Element& element, const OffsetFrame& frame);
+  double squareByWalk(const OffsetFrame& frame, std::uint32_t start) const;
+  std::uint32_t uphill(std::uint32_t t, int corner, const OffsetFrame& frame) const;
+  double squareByTree(const OffsetFrame& frame, bool inside) const;
+  const Element& elementOf(std::uint32_t t) const { return this->elements[this->placeOf[t]]; }
+
+  Buffer<Element> elements;      ///< by place in the tree; corners as they were given
+  Buffer<std::uint32_t> placeOf; ///< by triangle
+  Buffer<Slab> slabs;            ///< by node, in dimension 3
+  const Triangle* triangles;     ///< of the hull; null below dimension 3
+  int hullExponent = 0;          ///< of the frame about the hull's own size
   std::optional<BoxTree> tree;
 };
 

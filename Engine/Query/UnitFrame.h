@@ -29,29 +29,35 @@ public:
     double high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      for (std::size_t k = 0; k < 3; ++k)
+      for (int k = 0; k < 3; ++k)
       {
-        // Halves, against overflow. No corner is so small that they lose a bit that counts.
-        const double x = 0.5 * corners[i].x[k];
-        this->place[3 * std::size_t(i) + k] = x;
-        low[k] = std::min(low[k], x);
-        high[k] = std::max(high[k], x);
+        low[k] = std::min(low[k], corners[i].x[k]);
+        high[k] = std::max(high[k], corners[i].x[k]);
       }
     }
-    double longest = 0;
+    int longest = -Nothing;
     for (int k = 0; k < 3; ++k)
     {
-      this->centre[k] = 0.5 * low[k] + 0.5 * high[k];
-      longest = std::max(longest, high[k] - low[k]);
+      // Halves, against overflow, along the axis that asks for them: elsewhere they could lose the
+      // last bit of what is all there is.
+      this->halvings[k] = high[k] - low[k] > 0x1p1000 ? 1 : 0;
+      low[k] = std::ldexp(low[k], -this->halvings[k]);
+      high[k] = std::ldexp(high[k], -this->halvings[k]);
+      this->centre[k] = low[k] + 0.5 * (high[k] - low[k]);
+      const double extent = high[k] - low[k];
+      this->exponent[k] = extent > 0 ? std::ilogb(extent) + this->halvings[k] : -Nothing;
+      longest = std::max(longest, this->exponent[k]);
     }
-    for (int k = 0; k < 3; ++k)
+    for (int& e : this->exponent)
     {
-      const double extent = eachAxis ? high[k] - low[k] : longest;
-      this->exponent[k] = extent > 0 ? -std::ilogb(extent) : 0;
+      e = eachAxis ? e : longest;
+      e = e == -Nothing ? 0 : e;
     }
     for (std::size_t i = 0; i < this->place.size(); ++i)
     {
-      this->place[i] = std::ldexp(this->place[i] - this->centre[i % 3], this->exponent[i % 3]);
+      const std::size_t k = i % 3;
+      const double x = std::ldexp(corners[i / 3].x[k], -this->halvings[k]);
+      this->place[i] = std::ldexp(x - this->centre[k], this->halvings[k] - this->exponent[k]);
     }
   }
 
@@ -59,19 +65,23 @@ public:
   const double* at(std::uint32_t i) const { return this->place.data() + 3 * std::size_t(i); }
 
   /// What a length of one along an axis of the frame is to the corners, as a power of two.
-  int lengthExponent(int axis) const { return 1 - this->exponent[axis]; }
+  int lengthExponent(int axis) const { return this->exponent[axis]; }
 
   /// From the frame back to the corners' coordinates times 2^-exponent.
   double toCorners(double x, int axis, int cornersExponent) const
   {
+    const int halves = this->halvings[axis];
     return std::ldexp(
-      std::ldexp(x, -this->exponent[axis]) + this->centre[axis], 1 - cornersExponent);
+      std::ldexp(x, this->exponent[axis] - halves) + this->centre[axis], halves - cornersExponent);
   }
 
 private:
+  static constexpr int Nothing = 10000; ///< negated, the exponent of nothing
+
   Buffer<double> place; ///< three coordinates a corner
-  double centre[3];     ///< of the corners' halves
-  int exponent[3];
+  int halvings[3];      ///< 1: of corners along an axis, the halves are meant; else 0
+  double centre[3];     ///< of the corners, or of their halves
+  int exponent[3];      ///< of what a length of one is
 };
 
 }

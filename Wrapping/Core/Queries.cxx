@@ -145,8 +145,9 @@ void bindQueries(nb::module_& module)
     [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)
     {
       const SpacePoints input(points);
-      return settings.run(
-        [&](const Options& options) { return HullQueries(input.view(), *hull.result, options); });
+      const PointSpace space = points.shape(1) == 2 ? PointSpace::Plane : PointSpace::Space;
+      return settings.run([&](const Options& options)
+        { return HullQueries(input.view(), *hull.result, options, space); });
     });
   module.def("facet_planes",
     [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)

@@ -178,7 +178,7 @@ class ConvexHull(Cells):
         -------
         array of shape (...); of one point, of shape (ndim,), its answer
         """
-        return answers(self._upright.contains, points, (self.ndim,), threads, non_finite, progress) >= 0  # type: ignore
+        return answers(self._queries.contains, points, (self.ndim,), threads, non_finite, progress) >= 0  # type: ignore
 
     def side(
         self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
@@ -188,7 +188,7 @@ class ConvexHull(Cells):
         Below the dimension of the space, a hull has no inside. A point that is not finite and ignored is outside.
         Parameters and the result's form are those of contains().
         """
-        found: Sides = answers(self._upright.contains, points, (self.ndim,), threads, non_finite, progress)
+        found: Sides = answers(self._queries.contains, points, (self.ndim,), threads, non_finite, progress)
         return found
 
     def distance(
@@ -196,11 +196,11 @@ class ConvexHull(Cells):
     ) -> Lengths:
         """The distance of each point from the surface: negative inside, 0 on it, positive outside.
 
-        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex (in the plane 1e-13).
-        Infinity: the hull is empty. NaN: the point is not finite and ignored. Parameters and the result's form are
-        those of contains().
+        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex. Infinity: the hull is empty,
+        or no double is so large. NaN: the point is not finite and ignored. Parameters and the result's form are those
+        of contains().
         """
-        found: Lengths = answers(self._upright.distance, points, (self.ndim,), threads, non_finite, progress)
+        found: Lengths = answers(self._queries.distance, points, (self.ndim,), threads, non_finite, progress)
         return found
 
     def support(
@@ -212,13 +212,9 @@ class ConvexHull(Cells):
         result's form is that of contains().
         """
         found: Numbers = answers(
-            self._upright.support, directions, (self.ndim,), threads, non_finite, progress, what="directions"
+            self._queries.support, directions, (self.ndim,), threads, non_finite, progress, what="directions"
         )
-        if not self._planar or self.dimension < 0:
-            return found
-        ids = self._core.vertices()
-        vertices: Numbers = np.where(found < 0, found, ids[found % len(ids)])[()]
-        return vertices
+        return found
 
     def diameter(self) -> Diameter:
         """The two vertices that are farthest apart, found by exact comparison."""
@@ -234,8 +230,7 @@ class ConvexHull(Cells):
         center, axes, lengths = places[:3], places[3:12].reshape(3, 3), places[12:]
         if not self._planar:
             return OrientedBox(center, axes, lengths, volume, lower_bound)
-        area = float(lengths[0] * lengths[1])
-        return OrientedBox(center[:2], axes[:2, :2], lengths[:2], area, area)
+        return OrientedBox(center[:2], axes[:2, :2], lengths[:2], volume, lower_bound)
 
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the convex hull of the points."""
@@ -253,23 +248,6 @@ class ConvexHull(Cells):
     def _queries(self) -> Any:
         with unchanged():
             return _core.hull_queries(self.points, self._triangles, QUIET)
-
-    @cached_property
-    def _upright(self) -> Any:
-        """What answers questions about places. In the plane, a prism over the polygon, asked at half its height.
-
-        There it is inside and on the prism what is inside and on the polygon, and the lids are farther away than the
-        polygon is wide, so farther than any side of it.
-        """
-        if not self._planar or self.dimension < 0:
-            return self._queries
-        corners = self._corners()
-        with np.errstate(over="ignore"):
-            width = min(np.ptp(corners, axis=0).sum(), np.finfo(np.float64).max / 4)
-        height = np.full(len(corners), 2.0 ** np.ceil(np.log2(width)) if width > 0 else 1.0)
-        floor, ceiling = np.column_stack([corners, -height]), np.column_stack([corners, height])
-        prism = np.vstack([floor, ceiling])
-        return _core.hull_queries(prism, _core.convex_hull(prism, QUIET), QUIET)
 
     def _ring(self) -> Ids:
         """The corners of the one cell, in order."""

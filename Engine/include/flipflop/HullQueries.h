@@ -17,11 +17,19 @@
 namespace flipflop
 {
 
-/// On which side of a hull's surface a point is. Below dimension 3 a hull has no inside.
+/// Which coordinates count, of a hull's points and of those that are asked about.
+enum class PointSpace : std::uint8_t
+{
+  Space, ///< x, y and z
+  Plane  ///< x and y: z is not read. A polygon has an inside, and its border is the surface
+};
+
+/// On which side of a hull's surface a point is. Of points in space, a hull below dimension 3 has
+/// no inside; of points in the plane, one below dimension 2.
 enum class Side : std::int8_t
 {
   Outside = -1, ///< not in the hull
-  On = 0,       ///< on the surface; below dimension 3, in the hull
+  On = 0,       ///< on the surface; of a hull without an inside, in the hull
   Inside = 1    ///< in the hull, not on its surface
 };
 
@@ -40,9 +48,10 @@ struct OrientedBox
   double center[3] = { 0, 0, 0 }; ///< the middle of the box
   /// Orthonormal up to rounding, right-handed; the direction of the longest side first.
   double axes[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  double lengths[3] = { 0, 0, 0 }; ///< of the sides, descending; 0 from the hull's dimension on
-  double volume = 0;               ///< the product of the lengths; 0 below dimension 3
-  double lowerBound = 0;           ///< no box that holds the hull has less volume
+  /// Of the sides, descending; 0 from the hull's dimension on. Infinity: no double is so large.
+  double lengths[3] = { 0, 0, 0 };
+  double volume = 0;     ///< the product of the lengths; of points in the plane, of two
+  double lowerBound = 0; ///< no box that holds the hull has less volume
 };
 
 class HullModel;
@@ -60,10 +69,13 @@ public:
   /// @param hull   as convexHull() or flipFlop() give it, in triangles or polygons; of any
   ///               dimension. That it is convex is not checked: see validate().
   /// @param options threads, progress
+  /// @param space  Plane: the points are in the plane. The hull is that of the same points with one
+  ///               z for all; then all questions are about the plane
   /// @throw Error  BadArgument (also for a hull that has not the form which Hull promises, or is
   /// not
   ///               one of these points), TooManyPoints, OutOfMemory, Aborted
-  HullQueries(const PointView& points, const Hull& hull, const Options& options = Options());
+  HullQueries(const PointView& points, const Hull& hull, const Options& options = Options(),
+    PointSpace space = PointSpace::Space);
   HullQueries(const HullQueries&) = delete;
   HullQueries& operator=(const HullQueries&) = delete;
   /// Takes all over; @p other may then only be destroyed or assigned to.
@@ -76,7 +88,7 @@ public:
   ///
   /// Points outside the bounding box take a few comparisons each, and nearly all that are deep
   /// inside a look into a table. The others take a short walk over the triangles.
-  /// @param queries points in space
+  /// @param queries points
   /// @param sides   room for one value a point: those of Side. Outside, for a point that is not
   ///                finite and ignored
   /// @param options threads, progress, nonFinite
@@ -84,14 +96,15 @@ public:
   void contains(
     const PointView& queries, std::int8_t* sides, const Options& options = Options()) const;
 
-  /// The distance of each point from the surface; below dimension 3, from the hull. It is negative
-  /// inside, 0 on the surface and positive outside; this sign is exact. The distance itself is
-  /// rounded: it is off by no more than 1e-14 times the distance to the farthest vertex.
+  /// The distance of each point from the surface; of a hull without an inside, from the hull. It is
+  /// negative inside, 0 on the surface and positive outside; this sign is exact. The distance
+  /// itself is rounded: it is off by no more than 1e-14 times the distance to the farthest vertex,
+  /// and 5e-324, whatever the size and the shape of the hull.
   ///
   /// Branch and bound over a tree of the triangles, from one near the point. It takes about as long
   /// as the logarithm of their number, but for points that very many triangles are about as near
   /// to, such as the centre of a sphere.
-  /// @param queries   points in space
+  /// @param queries   points
   /// @param distances room for one value a point, in the unit of the coordinates. Infinity: the
   /// hull
   ///                  is empty, or no double is so large. NaN: the point is not finite and ignored
@@ -106,7 +119,7 @@ public:
   ///
   /// A table of directions tells a vertex near the answer, or the answer where a vertex is extreme
   /// in many directions. From there on the way leads uphill over the edges.
-  /// @param directions vectors in space
+  /// @param directions vectors
   /// @param ids     room for one id a direction: a position in the hull's points. -1: the hull is
   ///                empty, or the direction is not finite and ignored
   /// @param options threads, progress, nonFinite
@@ -133,7 +146,8 @@ public:
   /// boxes with two sides, next to each other, that run along an edge each, as a least box has:
   /// these are sampled and improved. The best ones are improved by keeping each axis in turn and
   /// choosing the others anew. A hull of dimension 2 gets its rectangle of least area, up to
-  /// rounding.
+  /// rounding. Of points in the plane, that is the box: its third axis is z, and volume and
+  /// lowerBound are the rectangle's area.
   ///
   /// No vertex is farther outside the box than 1e-14 times the hull's largest coordinate or length.
   /// (So a side of less than 1e-300 times the longest may be zero.)
