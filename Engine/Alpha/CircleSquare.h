@@ -27,11 +27,6 @@ struct SquareFraction
   Number denominator; ///< positive
 };
 
-/// Of sites of at most so many bits, the formulas here, of degree six, fit integers on the stack:
-/// they have less than 6 * (bits + 2) + 2.
-constexpr int BitsOfSites = 160;
-static_assert(6 * (BitsOfSites + 2) + 2 < int(StackBits), "the integers are too short");
-
 /// The exponents of some sites.
 template <class... Sites>
 ExponentRange rangeOf(const Sites&... sites)
@@ -39,22 +34,6 @@ ExponentRange rangeOf(const Sites&... sites)
   ExponentRange range;
   (addSite(range, sites), ...);
   return range;
-}
-
-/// The sign of a formula of sites.
-/// @param formula   bool (arithmetic, int& sign): false where it cannot tell
-/// @param findRange ExponentRange (): of its sites and lengths; seldom asked for
-/// @throw Error     BadArgument where integers cannot tell: the sites are not as they should be
-template <class Formula, class FindRange>
-int exactSign(const Formula& formula, const FindRange& findRange)
-{
-  int sign = 0;
-  if (!formula(BoundedArithmetic<double>(), sign) && !formula(BoundedArithmetic<>(), sign) &&
-    !inIntegers(findRange(), BitsOfSites, [&](const auto& k) { return formula(k, sign); }))
-  {
-    throw Error(ErrorCode::BadArgument);
-  }
-  return sign;
 }
 
 /// A place and its offset from a site, as numbers.

@@ -42,15 +42,20 @@ constexpr std::size_t MostTried = 256;
 class CellRepair
 {
 public:
-  CellRepair(RoundedCells& cells, const double* box, Monitor& monitor, bool isCut)
+  CellRepair(
+    RoundedCells& cells, const double* box, Monitor& monitor, const std::vector<double>* polygon)
     : cells(cells)
-    , isCut(isCut)
+    , isCut(polygon != nullptr)
     , plane(cells.positions)
     , box(box)
     , scale(box)
     , monitor(monitor)
     , rings(cells)
   {
+    for (std::size_t i = 0; polygon && i < polygon->size(); i += 2)
+    {
+      this->fixed.insert({ { (*polygon)[i] + 0.0, (*polygon)[i + 1] + 0.0 } }); // -0 is 0
+    }
   }
 
   /// @param broken the cells that are not convex
@@ -193,9 +198,19 @@ private:
     return found == this->merged.end() ? Bounds{ { x[0], x[0], x[1], x[1] } } : found->second;
   }
 
+  bool isFixed(Index v) const
+  {
+    const double* const x = this->plane.position(v);
+    return this->fixed.count({ { x[0], x[1] } }) != 0;
+  }
+
   /// May @p from be moved to @p to, with all that was merged into it? On a side it stays there.
   bool mayMove(Index from, Index to) const
   {
+    if (this->isFixed(from))
+    {
+      return false;
+    }
     const double limit = MostUnits * std::max(this->unit(from), this->unit(to));
     const int sides = this->sides(from);
     if (this->length(from, to) > limit || (sides & this->sides(to)) != sides)
@@ -513,7 +528,8 @@ private:
   std::unordered_map<Index, Bounds> merged;
   std::unordered_map<Index, Index> movedTo;
   std::unordered_map<Index, std::size_t> cutsLeft;
-  std::set<Ring> given; ///< sorted pieces, lest one go round and round
+  std::set<std::array<double, 2>> fixed; ///< the polygon's corners
+  std::set<Ring> given;                  ///< sorted pieces, lest one go round and round
 };
 
 /// Those that are not convex.
@@ -562,12 +578,13 @@ bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor)
   return brokenCells(cells, box, monitor).empty();
 }
 
-void repairCells(RoundedCells& cells, const double* box, Monitor& monitor, bool isCut)
+void repairCells(
+  RoundedCells& cells, const double* box, Monitor& monitor, const std::vector<double>* polygon)
 {
   const std::vector<Index> broken = brokenCells(cells, box, monitor);
   if (!broken.empty())
   {
-    CellRepair(cells, box, monitor, isCut).run(broken);
+    CellRepair(cells, box, monitor, polygon).run(broken);
   }
 }
 

@@ -33,11 +33,12 @@ bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor);
 /// are numbered anew, in order of first use.
 ///
 /// @param cells    as rounded, also those without an inside
-/// @param box      x least, x greatest, y least, y greatest
+/// @param box      x least, x greatest, y least, y greatest; around the polygon
 /// @param monitor  is asked whether to stop
-/// @param isCut    the cells fill a polygon whose border is rounded: one without an inside that no
-///                 other can take is left out
-void repairCells(RoundedCells& cells, const double* box, Monitor& monitor, bool isCut = false);
+/// @param polygon  what the cells fill, if not the box: its corners stay. Its border is rounded: a
+///                 cell without an inside that no other can take is left out
+void repairCells(RoundedCells& cells, const double* box, Monitor& monitor,
+  const std::vector<double>* polygon = nullptr);
 
 }
 

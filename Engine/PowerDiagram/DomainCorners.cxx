@@ -25,21 +25,35 @@ namespace
 
 std::vector<double> boxCorners(const double* box)
 {
-  if (!std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) ||
-    !(box[0] < box[1] && box[2] < box[3]))
-  {
-    throw Error(ErrorCode::BadArgument);
-  }
+  requireBox(box);
   return { box[0], box[2], box[1], box[2], box[1], box[3], box[0], box[3] };
 }
 
+}
+
+void requireBox(const double* box)
+{
+  if (!box)
+  {
+    throw badArgument("the box must have four numbers: a null pointer was given");
+  }
+  if (!std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }))
+  {
+    throw badArgument("the box's bounds must be finite");
+  }
+  if (!(box[0] < box[1] && box[2] < box[3]))
+  {
+    throw badArgument("the box must have an inside: the least x below the greatest x, the least y "
+                      "below the greatest y");
+  }
 }
 
 std::vector<double> domainCorners(const ConvexDomain& domain)
 {
   if (!domain.data || domain.corners < 0 || domain.corners >= NoIndex)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("a domain must have the x and y of each corner, and a count of corners from "
+                      "3 to 4294967294; or the four bounds of a box, and the count 0");
   }
   if (domain.corners == 0)
   {

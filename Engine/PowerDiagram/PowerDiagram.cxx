@@ -12,8 +12,9 @@
 #include "PowerDiagram/CornerNumbers.h"
 #include "PowerDiagram/DomainCorners.h"
 #include "PowerDiagram/FacetRings.h"
-#include "PowerDiagram/PolygonCut.h"
+#include "PowerDiagram/PolygonCells.h"
 #include "PowerDiagram/PowerCorners.h"
+#include "PowerDiagram/SiteNeighbours.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Support/BufferCopy.h"
 #include "Support/Monitor.h"
@@ -78,18 +79,7 @@ void addBox(CellRun& run, std::int64_t id, const double* box)
 void addStrips(CellRun& run, const CellComplex& t, const std::uint8_t* wanted,
   const Buffer<PowerSite>& sites, const double* box, Monitor& monitor)
 {
-  Buffer<std::array<Index, 2>> neighbours(sites.size());
-  std::fill(neighbours.begin(), neighbours.end(), std::array<Index, 2>{ NoIndex, NoIndex });
-  for (std::size_t h = 0; h < t.connectivity.size(); ++h)
-  {
-    auto& mine = neighbours[static_cast<std::size_t>(t.connectivity[h])];
-    const Index other = static_cast<Index>(t.connectivity[h ^ 1]);
-    if (mine[1] != NoIndex)
-    {
-      refuse();
-    }
-    mine[mine[0] == NoIndex ? 0 : 1] = other;
-  }
+  const LineNeighbours neighbours = lineNeighbours(t);
   CellClipper clipper(sites, box);
   CellPolygon cell;
   for (std::size_t i = 0; i < sites.size(); ++i)
@@ -255,47 +245,71 @@ void copyCells(const RoundedCells& cells, PowerDiagram& result)
   copyTo(cells.ids, result.siteIds);
 }
 
-/// @param wanted by site: is its cell wanted? null: all are
-/// @return false: some are wanted, and one of these is not convex
-bool diagramInBox(const PointView& points, const WeightView& weights, const CellComplex& complex,
-  const std::uint8_t* wanted, const double* box, const Options& options, PowerDiagram& result)
+/// work(monitor, sites) on the run's threads, then copy what it returns.
+/// @param work bool (Monitor&, const Buffer<PowerSite>&, RoundedCells&): false: there is no result
+template <class Work>
+bool makeCells(const PointView& points, const WeightView& weights, const CellComplex& complex,
+  const Options& options, PowerDiagram& result, const Work& work)
 {
   Monitor monitor(options);
   monitor.stage(0.0, 0.8, complex.cellCount() + static_cast<std::int64_t>(complex.pointIds.size()),
     "making cells");
-  if (!box || !(box[0] < box[1] && box[2] < box[3]))
-  {
-    refuse();
-  }
-  for (int k = 0; k < 4; ++k)
-  {
-    if (!std::isfinite(box[k]))
-    {
-      refuse();
-    }
-  }
-  bool isWhole = true;
+  bool isMade = true;
   ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(complex.pointIds.size())));
   arena.execute(
     [&]
     {
       const Buffer<PowerSite> sites = loadSites(points, weights, complex);
       checkCells(complex);
-      RoundedCells cells = roundedCells(complex, wanted, sites, box, monitor);
-      monitor.stage(0.9, 1.0, 1, "finishing");
-      isWhole = !wanted || areConvex(cells, box, monitor);
-      if (!isWhole)
+      RoundedCells cells;
+      isMade = work(monitor, sites, cells);
+      if (isMade)
       {
-        return;
+        copyCells(cells, result);
+        monitor.stage(1.0, 1.0, 1);
       }
-      if (!wanted)
-      {
-        repairCells(cells, box, monitor);
-      }
-      copyCells(cells, result);
-      monitor.stage(1.0, 1.0, 1);
     });
-  return isWhole;
+  return isMade;
+}
+
+/// @param wanted by site: is its cell wanted? null: all are
+/// @return false: some are wanted, and one of these is not convex
+bool diagramInBox(const PointView& points, const WeightView& weights, const CellComplex& complex,
+  const std::uint8_t* wanted, const double* box, const Options& options, PowerDiagram& result)
+{
+  requireBox(box);
+  return makeCells(points, weights, complex, options, result,
+    [&](Monitor& monitor, const Buffer<PowerSite>& sites, RoundedCells& cells)
+    {
+      cells = roundedCells(complex, wanted, sites, box, monitor);
+      monitor.stage(0.9, 1.0, 1, "finishing");
+      if (wanted)
+      {
+        return areConvex(cells, box, monitor);
+      }
+      repairCells(cells, box, monitor);
+      return true;
+    });
+}
+
+void diagramInPolygon(const PointView& points, const WeightView& weights,
+  const CellComplex& complex, const std::vector<double>& polygon, const Options& options,
+  PowerDiagram& result)
+{
+  makeCells(points, weights, complex, options, result,
+    [&](Monitor& monitor, const Buffer<PowerSite>& sites, RoundedCells& cells)
+    {
+      if (sites.empty())
+      {
+        return true;
+      }
+      cells = cellsInPolygon(complex, sites,
+        complex.dimension == 2 ? facetCenters(complex, sites, monitor) : Buffer<Position>(),
+        polygon, monitor);
+      monitor.stage(0.9, 1.0, 1, "finishing");
+      repairCells(cells, boundingBox(polygon).data(), monitor, &polygon);
+      return true;
+    });
 }
 
 }
@@ -303,13 +317,7 @@ bool diagramInBox(const PointView& points, const WeightView& weights, const Cell
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options)
 {
-  return withTypedErrors(
-    [&]
-    {
-      PowerDiagram result;
-      diagramInBox(points, weights, triangulation, nullptr, box, options, result);
-      return result;
-    });
+  return powerDiagram(points, weights, triangulation, ConvexDomain(box), options);
 }
 
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
@@ -318,25 +326,15 @@ PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   return withTypedErrors(
     [&]
     {
-      const std::vector<double> polygon = domainCorners(domain);
-      const std::array<double, 4> box = boundingBox(polygon);
       PowerDiagram result;
-      diagramInBox(points, weights, triangulation, nullptr, box.data(), options, result);
-      if (domain.corners == 0 || result.siteIds.empty())
+      if (domain.corners == 0)
       {
-        return result;
+        diagramInBox(points, weights, triangulation, nullptr, domain.data, options, result);
       }
-      Monitor monitor(options);
-      ArenaLoan arena(
-        threadCount(options.threads, static_cast<std::int64_t>(result.siteIds.size())));
-      arena.execute(
-        [&]
-        {
-          monitor.stage(1.0, 1.0, 1);
-          RoundedCells cells = cutAtPolygon(result, polygon, monitor);
-          repairCells(cells, box.data(), monitor, true);
-          copyCells(cells, result);
-        });
+      else
+      {
+        diagramInPolygon(points, weights, triangulation, domainCorners(domain), options, result);
+      }
       return result;
     });
 }

@@ -23,9 +23,13 @@ namespace flipflop
 constexpr std::size_t SitesPerTask = 1 << 12;
 constexpr std::size_t FacetsPerTask = 1 << 13;
 
+/// What must hold of a triangulation, its points and its weights.
+constexpr const char* NotATriangulation =
+  "the triangulation must be one of these points and weights";
+
 [[noreturn]] inline void refuse(std::int64_t index = -1)
 {
-  throw Error(ErrorCode::BadArgument, index);
+  throw badArgument(NotATriangulation, index);
 }
 
 /// The visible sites, by their index in the triangulation.

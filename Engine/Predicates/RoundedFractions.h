@@ -294,8 +294,29 @@ void decide(const ExponentRange& range, const Recipe& recipe)
 {
   if (!inIntegers(range, MostBitsToRound, recipe))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the triangulation must be one of these points: its cells turn left");
   }
+}
+
+/// Of lengths of at most so many bits, formulas of degree six fit integers on the stack:
+/// they have less than 6 * (bits + 2) + 2.
+constexpr int BitsOfSites = 160;
+static_assert(6 * (BitsOfSites + 2) + 2 < int(StackBits), "the integers are too short");
+
+/// The sign of a formula.
+/// @param formula   bool (arithmetic, int& sign): false where it cannot tell
+/// @param findRange ExponentRange (): of its lengths; seldom asked for
+/// @throw Error     BadArgument where integers cannot tell: the sites are not as they should be
+template <class Formula, class FindRange>
+int exactSign(const Formula& formula, const FindRange& findRange)
+{
+  int sign = 0;
+  if (!formula(BoundedArithmetic<double>(), sign) && !formula(BoundedArithmetic<>(), sign) &&
+    !inIntegers(findRange(), BitsOfSites, [&](const auto& k) { return formula(k, sign); }))
+  {
+    throw badArgument("the triangulation must be one of these points: its cells turn left");
+  }
+  return sign;
 }
 
 }

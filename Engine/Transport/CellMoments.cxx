@@ -5,15 +5,13 @@
 #include "Points/Vertex.h"
 #include "PowerDiagram/DomainCorners.h"
 #include "PowerDiagram/FacetRings.h"
+#include "PowerDiagram/SiteNeighbours.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <utility>
 
 namespace flipflop
 {
@@ -23,57 +21,6 @@ namespace
 using Index = std::uint32_t;
 
 constexpr std::size_t CellsPerTask = 1 << 11;
-
-/// The neighbours of each site, as indices of the triangulation's points.
-class NeighbourLists
-{
-public:
-  explicit NeighbourLists(const Triangulation& triangulation)
-    : t(triangulation)
-  {
-    if (this->t.dimension == 2)
-    {
-      this->rings.emplace(this->t);
-    }
-    else if (this->t.dimension == 1)
-    {
-      this->onLine.assign(this->t.pointIds.size(), { { NoIndex, NoIndex } });
-      for (std::size_t h = 0; h < this->t.connectivity.size(); ++h)
-      {
-        auto& mine = this->onLine[static_cast<std::size_t>(this->t.connectivity[h])];
-        mine[mine[0] == NoIndex ? 0 : 1] = static_cast<Index>(this->t.connectivity[h ^ 1]);
-      }
-    }
-  }
-
-  /// @param ring is room for work
-  void of(Index site, FacetRings::Ring& ring, std::vector<Index>& found) const
-  {
-    found.clear();
-    if (this->rings)
-    {
-      this->rings->walk(site, ring);
-      for (const Index h : ring.halfEdges)
-      {
-        found.push_back(this->rings->destination(h));
-      }
-      if (!ring.closed)
-      {
-        found.push_back(this->rings->source(ring.halfEdges.back()));
-      }
-    }
-    else if (!this->onLine.empty())
-    {
-      std::copy_if(this->onLine[site].begin(), this->onLine[site].end(), std::back_inserter(found),
-        [](Index other) { return other != NoIndex; });
-    }
-  }
-
-private:
-  const Triangulation& t;
-  std::optional<FacetRings> rings;
-  std::vector<std::array<Index, 2>> onLine;
-};
 
 /// A way and its exponent: over a power of two, so that products neither overflow nor vanish.
 struct ScaledWay
@@ -234,7 +181,7 @@ void measureCells(const std::vector<double>& sites, const double* weights,
     [&]
     {
       monitor.stage(0, 1, static_cast<std::int64_t>(ids.size()));
-      const NeighbourLists lists(triangulation);
+      const SiteNeighbours lists(triangulation);
       eachRun(ids.size(), CellsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t run)
         {
@@ -245,7 +192,7 @@ void measureCells(const std::vector<double>& sites, const double* weights,
           {
             const auto id = static_cast<std::size_t>(ids[i]);
             const double* const site = sites.data() + 2 * id;
-            lists.of(static_cast<Index>(i), ring, neighbours);
+            lists.find(static_cast<Index>(i), ring, neighbours);
             cell.begin(polygon, site);
             for (const Index j : neighbours)
             {

@@ -76,13 +76,16 @@ struct PowerDiagram
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options = Options());
 
-/// The same in a convex polygon: the diagram in the polygon's bounding box, cut at each side of the
-/// polygon. Exact signs decide on which side of a line each rounded corner is. Where an edge
-/// crosses the line, the new corner is rounded; the two cells beside the edge share it. Corners of
-/// the polygon are corners of cells, as they are, unless its cells had to be mended there.
+/// The same in a convex polygon of any size. Every corner is a true corner with each coordinate
+/// rounded to the nearest double, also where an edge between cells meets a side. So corners of the
+/// polygon are corners of cells, bit for bit, and a cell that is all of the polygon has its corners
+/// alone.
 ///
 /// As in a box, cells are simple polygons that meet edge to edge, and an edge inside the polygon is
 /// in two cells. Their outer edges are on the sides of the polygon but for the rounding of corners.
+/// Corners of the polygon are not moved where cells have to be mended. A cell that has the lowest
+/// facet's corner outside of the polygon starts at the first corner after it; one that no other
+/// meets starts at the polygon's first corner.
 ///
 /// @param points, weights, triangulation, options as above
 /// @param domain   a polygon, or a box

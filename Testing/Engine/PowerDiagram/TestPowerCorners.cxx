@@ -3,6 +3,7 @@
 /// @file
 /// Corners of power diagrams are the doubles next to the exact ones.
 #include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/PowerDiagram/ExactPolygons.h"
 
 #include "PowerDiagram/PowerCorners.h"
 #include <flipflop/Error.h>
@@ -22,28 +23,6 @@ namespace test
 
 namespace
 {
-
-/// Is @p rounded the double next to @p exact?
-void expectRounded(double rounded, const mpq_class& exact)
-{
-  const double most = std::numeric_limits<double>::max();
-  if (!std::isfinite(rounded))
-  {
-    ASSERT_FALSE(std::isnan(rounded));
-    EXPECT_TRUE(rounded > 0 ? exact > mpq_class(most) : exact < mpq_class(-most));
-    return;
-  }
-  for (const double towards : { -HUGE_VAL, HUGE_VAL })
-  {
-    const double next = std::nextafter(rounded, towards);
-    if (std::isfinite(next))
-    {
-      const mpq_class half = (mpq_class(rounded) + mpq_class(next)) / 2;
-      EXPECT_TRUE(towards > 0 ? exact <= half : exact >= half)
-        << rounded << " for " << exact.get_d();
-    }
-  }
-}
 
 struct Rational
 {

@@ -105,6 +105,10 @@ TEST(PowerDiagramErrors, OtherWeights)
     }
     const double box[] = { 0, 1, 0, 1 };
     expectError(ErrorCode::BadArgument, viewOf(sites), weightsOf(sites), triangulation, box);
+    const double polygon[] = { 0, 0, 1, 0, 1, 1, 0, 1 };
+    test::expectError([&]
+      { powerDiagram(viewOf(sites), weightsOf(sites), triangulation, ConvexDomain(polygon, 4)); },
+      ErrorCode::BadArgument);
   }
 }
 

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PowerDiagram/CellLines.h"
+
+#include "PowerDiagram/SiteRange.h"
+
+#include <cmath>
+
+namespace flipflop
+{
+
+namespace
+{
+
+template <class Arithmetic>
+struct LineNumbers
+{
+  using Number = typename Arithmetic::Number;
+
+  Number n[2];
+  Number c;
+
+  LineNumbers(const Arithmetic& k, const PowerSite& site, const CellLine& line)
+    : LineNumbers(
+        line.other ? LineNumbers(k, site, *line.other) : LineNumbers(k, site, line.from, line.to))
+  {
+  }
+
+private:
+  LineNumbers(const Arithmetic& k, const PowerSite& site, const PowerSite& other)
+    : n{ k.difference(other.x[0], site.x[0]), k.difference(other.x[1], site.x[1]) }
+    , c(n[0] * n[0] + n[1] * n[1] - k.difference(other.weight, site.weight, 2))
+  {
+    this->n[0] = this->n[0] + this->n[0];
+    this->n[1] = this->n[1] + this->n[1];
+  }
+
+  LineNumbers(const Arithmetic& k, const PowerSite& site, const double* from, const double* to)
+    : n{ k.difference(to[1], from[1]), k.difference(from[0], to[0]) }
+    , c(n[0] * k.difference(from[0], site.x[0]) + n[1] * k.difference(from[1], site.x[1]))
+  {
+  }
+};
+
+/// Two lines' meeting: the place times the denominator, which is positive.
+template <class Arithmetic>
+struct Meeting
+{
+  using Number = typename Arithmetic::Number;
+  using Line = LineNumbers<Arithmetic>;
+
+  Number place[2];
+  Number denominator;
+
+  Meeting(const Line& a, const Line& b)
+    : place{ a.c * b.n[1] - b.c * a.n[1], b.c * a.n[0] - a.c * b.n[0] }
+    , denominator(a.n[0] * b.n[1] - a.n[1] * b.n[0])
+  {
+  }
+};
+
+template <class Arithmetic>
+bool meeting(
+  const Arithmetic& k, const PowerSite& site, const CellLine& a, const CellLine& b, double* result)
+{
+  using Line = LineNumbers<Arithmetic>;
+  const Meeting<Arithmetic> found(Line(k, site, a), Line(k, site, b));
+  return k.positive(found.denominator) &&
+    k.round(site.x[0], found.place[0], found.denominator, result[0]) &&
+    k.round(site.x[1], found.place[1], found.denominator, result[1]);
+}
+
+void addLine(ExponentRange& range, const CellLine& line)
+{
+  if (line.other)
+  {
+    addSite(range, *line.other);
+    return;
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    range.add(line.from[k]);
+    range.add(line.to[k]);
+  }
+}
+
+template <class... Lines>
+ExponentRange rangeOfLines(const PowerSite& site, const Lines&... lines)
+{
+  ExponentRange range;
+  addSite(range, site);
+  (addLine(range, lines), ...);
+  return range;
+}
+
+}
+
+void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* place)
+{
+  if (!meeting(BoundedArithmetic<>(), site, a, b, place))
+  {
+    decide(rangeOfLines(site, a, b), [&](const auto& k) { return meeting(k, site, a, b, place); });
+  }
+  place[0] += 0.0; // -0 is 0
+  place[1] += 0.0;
+}
+
+CellCutter::CellCutter(const PowerSite& site, const PowerSite& other)
+  : center(site)
+  , own{ &other, nullptr, nullptr }
+  , normal{ 2 * (other.x[0] - site.x[0]), 2 * (other.x[1] - site.x[1]) }
+  , level(0.25 * (normal[0] * normal[0] + normal[1] * normal[1]) - (other.weight - site.weight))
+  , levelSize(0.25 * (normal[0] * normal[0] + normal[1] * normal[1]) + std::fabs(other.weight) +
+      std::fabs(site.weight))
+{
+}
+
+int CellCutter::signOfRounded(const double* x) const
+{
+  double sum = this->level;
+  double size = this->levelSize;
+  for (int k = 0; k < 2; ++k)
+  {
+    const double way = x[k] - this->center.x[k];
+    sum -= this->normal[k] * way;
+    // The place itself is off by half a unit, and that by no less than of the least normal number.
+    size += std::fabs(this->normal[k]) * (std::fabs(way) + std::fabs(x[k]) + 0x1p-1022);
+  }
+  const double error = 0x1p-49 * size;
+  // What underflows is less by far; what overflows or is NaN is not certain.
+  const bool isCertain = error > 0x1p-900 && error < 0x1p1000 && std::fabs(sum) > error;
+  return isCertain ? (sum > 0 ? 1 : -1) : 0;
+}
+
+int CellCutter::sign(const CellLine& a, const CellLine& b) const
+{
+  return exactSign(
+    [&](const auto& k, int& sign)
+    {
+      using Arithmetic = std::decay_t<decltype(k)>;
+      using Line = LineNumbers<Arithmetic>;
+      const Meeting<Arithmetic> found(Line(k, this->center, a), Line(k, this->center, b));
+      const Line cut(k, this->center, this->own);
+      return k.sign(
+        cut.c * found.denominator - cut.n[0] * found.place[0] - cut.n[1] * found.place[1], sign);
+    },
+    [&] { return rangeOfLines(this->center, a, b, this->own); });
+}
+
+int CellCutter::rise(const CellLine& edge) const
+{
+  // An edge's way is its normal, turned to the left.
+  return exactSign(
+    [&](const auto& k, int& sign)
+    {
+      using Line = LineNumbers<std::decay_t<decltype(k)>>;
+      const Line along(k, this->center, edge);
+      const Line cut(k, this->center, this->own);
+      return k.sign(cut.n[1] * along.n[0] - cut.n[0] * along.n[1], sign);
+    },
+    [&] { return rangeOfLines(this->center, edge, this->own); });
+}
+
+}

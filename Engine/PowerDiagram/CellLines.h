@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The lines that bound a power cell in a polygon, and on which side of one a corner of two others
+/// is: exact at any scale.
+///
+/// A line is n.x = c for places x relative to the cell's site, and the cell has n.x <= c. Two lines
+/// that turn left, D = n1 x n2 > 0, meet at (c1 n2y - c2 n1y, c2 n1x - c1 n2x) / D. That place is
+/// within a third line where
+///
+///     | n1x n1y c1 |
+///     | n2x n2y c2 |
+///     | n3x n3y c3 |
+///
+/// is positive.
+#ifndef flipflop_CellLines_h
+#define flipflop_CellLines_h
+
+#include "PowerDiagram/PowerCorners.h"
+
+namespace flipflop
+{
+
+/// The line of equal power to a cell's site and another, or the line through two places.
+struct CellLine
+{
+  const PowerSite* other; ///< null: through two places
+  const double* from;     ///< with the cell on the left of the way from one to the other
+  const double* to;
+};
+
+/// Where two lines of the cell of @p site meet, each coordinate rounded to nearest. They turn left.
+void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* place);
+
+/// A line of equal power that cuts the cell of a site.
+class CellCutter
+{
+public:
+  CellCutter(const PowerSite& site, const PowerSite& other);
+
+  /// Is a place certainly within the line: 1, or beyond: -1? Else 0.
+  /// @param x the place, each coordinate rounded to nearest
+  int signOfRounded(const double* x) const;
+
+  /// The meeting of two lines, which turn left, is within the line: 1, on it: 0, beyond: -1.
+  int sign(const CellLine& a, const CellLine& b) const;
+
+  /// Does the way along an edge, counter-clockwise, come nearer to what is beyond: 1, or leave it:
+  /// -1? 0: neither.
+  int rise(const CellLine& edge) const;
+
+private:
+  const PowerSite& center;
+  const CellLine own;
+  double normal[2]; ///< rounded, twice the way to the other site
+  double level;
+  double levelSize; ///< of what the level is summed from
+};
+
+}
+
+#endif

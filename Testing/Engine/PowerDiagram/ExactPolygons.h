@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Power cells in convex polygons by brute force, in rationals; and what their corners round to.
+#ifndef flipflop_test_ExactPolygons_h
+#define flipflop_test_ExactPolygons_h
+
+#include "Testing/Engine/PowerDiagram/PowerPolygons.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <gmpxx.h>
+
+namespace flipflop
+{
+namespace test
+{
+
+/// Is @p rounded the double next to @p exact?
+inline bool isNext(double rounded, const mpq_class& exact)
+{
+  const double most = std::numeric_limits<double>::max();
+  if (!std::isfinite(rounded))
+  {
+    return rounded > 0 ? exact > mpq_class(most) : exact < mpq_class(-most);
+  }
+  for (const double towards : { -HUGE_VAL, HUGE_VAL })
+  {
+    const double next = std::nextafter(rounded, towards);
+    if (std::isfinite(next))
+    {
+      const mpq_class half = (mpq_class(rounded) + mpq_class(next)) / 2;
+      if (towards > 0 ? exact > half : exact < half)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+inline void expectRounded(double rounded, const mpq_class& exact)
+{
+  EXPECT_TRUE(isNext(rounded, exact)) << rounded << " for " << exact.get_d();
+}
+
+using ExactPolygon = std::vector<std::array<mpq_class, 2>>;
+
+/// The part of a convex polygon where a x + b y <= c; empty where that has no inside.
+inline ExactPolygon exactPart(
+  const ExactPolygon& polygon, const mpq_class& a, const mpq_class& b, const mpq_class& c)
+{
+  ExactPolygon part;
+  bool hasInside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const auto& p = polygon[i];
+    const auto& q = polygon[(i + 1) % polygon.size()];
+    const mpq_class atP = a * p[0] + b * p[1] - c;
+    const mpq_class atQ = a * q[0] + b * q[1] - c;
+    hasInside = hasInside || atP < 0;
+    if (atP <= 0)
+    {
+      part.push_back(p);
+    }
+    if (atP * atQ < 0)
+    {
+      const mpq_class share = atP / (atP - atQ);
+      part.push_back({ p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]) });
+    }
+  }
+  return hasInside ? part : ExactPolygon();
+}
+
+/// The cell of site @p i; empty where it has no inside.
+inline ExactPolygon exactCell(const std::vector<double>& sites, const std::vector<double>& weights,
+  const std::vector<double>& polygon, std::size_t i)
+{
+  ExactPolygon cell;
+  for (std::size_t v = 0; v < polygon.size(); v += 2)
+  {
+    cell.push_back({ mpq_class(polygon[v]), mpq_class(polygon[v + 1]) });
+  }
+  const auto liftOf = [&](std::size_t s)
+  {
+    const mpq_class x(sites[2 * s]);
+    const mpq_class y(sites[2 * s + 1]);
+    return mpq_class(x * x + y * y - (weights.empty() ? mpq_class(0) : mpq_class(weights[s])));
+  };
+  for (std::size_t j = 0; 2 * j < sites.size(); ++j)
+  {
+    if (j != i)
+    {
+      cell = exactPart(cell, 2 * (mpq_class(sites[2 * j]) - mpq_class(sites[2 * i])),
+        2 * (mpq_class(sites[2 * j + 1]) - mpq_class(sites[2 * i + 1])), liftOf(j) - liftOf(i));
+    }
+  }
+  return cell;
+}
+
+/// Is @p cell the polygon @p exact with every corner rounded to nearest; what rounds to one place
+/// is one? Each is from its lowest corner on, or from any.
+inline bool isRoundingOf(const Polygon& cell, const ExactPolygon& exact)
+{
+  if (cell.empty())
+  {
+    return exact.empty();
+  }
+  const std::size_t count = exact.size();
+  const auto isAt = [&](std::size_t corner, std::size_t i)
+  { return isNext(cell[corner][0], exact[i][0]) && isNext(cell[corner][1], exact[i][1]); };
+  for (std::size_t start = 0; start < count; ++start)
+  {
+    std::size_t corner = 0;
+    std::size_t i = 0;
+    for (; i < count; ++i)
+    {
+      const std::size_t at = (start + i) % count;
+      if (i > 0 && corner + 1 < cell.size() && isAt(corner + 1, at))
+      {
+        ++corner;
+      }
+      else if (!isAt(corner, at))
+      {
+        break;
+      }
+    }
+    if (i == count && corner + 1 == cell.size())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+}
+
+#endif

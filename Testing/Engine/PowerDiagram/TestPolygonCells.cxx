@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Cells in convex polygons of any size are the true ones, each corner rounded to nearest: as
+/// brute force in rationals has them.
+#include "Testing/Engine/PowerDiagram/ExactPolygons.h"
+#include "Testing/Engine/PowerDiagram/PolygonCells.h"
+#include "Testing/Engine/PowerDiagram/PowerPolygons.h"
+#include "Testing/Engine/Transport/TransportCases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace
+{
+
+using namespace flipflop;
+using namespace flipflop::test;
+
+ConvexDomain domainOf(const Numbers& polygon)
+{
+  return ConvexDomain(polygon.data(), static_cast<std::int64_t>(polygon.size() / 2));
+}
+
+Numbers scaled(Numbers numbers, double factor)
+{
+  for (double& x : numbers)
+  {
+    x *= factor;
+  }
+  return numbers;
+}
+
+const Numbers pentagon = { 0, 0, 2, 0, 3, 1, 1, 3, -0.5, 1 };
+
+/// Some corners on a circle, stretched and moved.
+Numbers randomPolygon(std::size_t corners, unsigned seed)
+{
+  Numbers angles = randomNumbers(corners, 0, 6.28, seed);
+  std::sort(angles.begin(), angles.end());
+  const Numbers frame = randomNumbers(4, 0.2, 3, seed + 1);
+  Numbers polygon;
+  for (const double angle : angles)
+  {
+    polygon.push_back(frame[0] * std::cos(angle) + frame[2]);
+    polygon.push_back(frame[1] * std::sin(angle) - frame[3]);
+  }
+  return polygon;
+}
+
+/// In the polygon's bounding box.
+Numbers randomSites(std::size_t count, const Numbers& polygon, unsigned seed)
+{
+  Numbers sites = randomNumbers(2 * count, 0, 1, seed);
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    double least = polygon[i % 2];
+    double most = least;
+    for (std::size_t v = i % 2; v < polygon.size(); v += 2)
+    {
+      least = std::min(least, polygon[v]);
+      most = std::max(most, polygon[v]);
+    }
+    sites[i] = least + sites[i] * (most - least);
+  }
+  return sites;
+}
+
+/// All that brute force knows of a diagram.
+void expectExact(const Numbers& sites, const Numbers& weights, const Numbers& polygon)
+{
+  const PowerDiagram diagram = cellsOf(sites, numbersView(weights), domainOf(polygon));
+  const auto cells = polygonsOf(diagram);
+  for (std::size_t i = 0; 2 * i < sites.size(); ++i)
+  {
+    const auto found = cells.find(static_cast<std::int64_t>(i));
+    EXPECT_TRUE(isRoundingOf(
+      found == cells.end() ? Polygon() : found->second, exactCell(sites, weights, polygon, i)))
+      << "site " << i;
+  }
+  std::set<std::array<double, 2>> places;
+  for (std::size_t v = 0; v < diagram.corners.size(); v += 2)
+  {
+    EXPECT_TRUE(places.insert({ diagram.corners[v], diagram.corners[v + 1] }).second);
+  }
+  for (std::size_t v = 0; v < polygon.size(); v += 2)
+  {
+    EXPECT_EQ(places.count({ polygon[v], polygon[v + 1] }), 1u);
+  }
+}
+
+void expectFilled(const Numbers& sites, const Numbers& polygon)
+{
+  const PowerDiagram diagram = cellsOf(sites, WeightView(), domainOf(polygon));
+  expectFills(diagram, polygon);
+  expectNearest(diagram, sites, {}, polygon);
+}
+
+/// A cell that is all of the polygon has its corners, bit for bit.
+void expectWhole(const Numbers& polygon)
+{
+  const PowerDiagram diagram = cellsOf({ polygon[0], polygon[1] }, WeightView(), domainOf(polygon));
+  EXPECT_EQ(Numbers(diagram.corners.begin(), diagram.corners.end()), polygon);
+  EXPECT_EQ(diagram.connectivity.size(), polygon.size() / 2);
+}
+
+TEST(PolygonCells, OneSiteHasAllOfThePolygon)
+{
+  expectWhole(scaled(pentagon, 1.134364244112401));
+  const Numbers factors = randomNumbers(2000, -5, 5, 3);
+  for (const double factor : factors)
+  {
+    expectWhole(scaled(pentagon, std::exp(factor)));
+  }
+  for (unsigned seed = 1; seed <= 2000; ++seed)
+  {
+    expectWhole(randomPolygon(3 + seed % 12, seed));
+  }
+}
+
+TEST(PolygonCells, CornersAreTheTrueOnesRounded)
+{
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Numbers polygon =
+      seed % 2 ? scaled(pentagon, 0.37 * seed) : randomPolygon(3 + seed % 9, seed);
+    const std::size_t count = seed % 10 == 0 ? 60 : 2 + seed % 7;
+    expectExact(randomSites(count, polygon, seed), {}, polygon);
+    const Numbers sites = randomSites(count, polygon, seed + 1);
+    Numbers weights = randomNumbers(count, 0, 0.1 * (polygon[2] - polygon[0]), seed);
+    expectExact(sites, weights, polygon);
+  }
+}
+
+TEST(PolygonCells, EdgesThroughCornersOfTheDomain)
+{
+  // Sites on a grid: edges along sides, and through corners of the polygon.
+  Numbers sites;
+  for (int i = 0; i < 36; ++i)
+  {
+    sites.insert(sites.end(), { 1.0 * (i % 6), 1.0 * (i / 6) });
+  }
+  expectExact(sites, {}, { 0.5, 0.5, 4.5, 0.5, 4.5, 4.5, 2.5, 5.5 });
+  expectExact(sites, {}, { 0, 2.5, 2.5, 0, 5, 2.5, 2.5, 5 });
+  expectExact(sites, {}, { 0.5, 0.5, 3.5, 0.5, 4.5, 1.5, 4.5, 4.5, 2.5, 4.5, 0.5, 2.5 });
+  // Of decimals, where some of that is so but for rounding.
+  expectFilled(scaled(sites, 0.1), { 0.05, 0.05, 0.45, 0.05, 0.45, 0.45, 0.25, 0.55 });
+  expectFilled(scaled(sites, 0.1), { 0, 0.25, 0.25, 0, 0.5, 0.25, 0.25, 0.5 });
+  expectExact({ 0, 0, 1, 0, 2, 0, 5, 0 }, {}, { 0.5, -1, 2.5, -0.5, 3.5, 0, 2, 3, 1.5, 3 });
+  // Mirrored at the axis, on which two corners are.
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    Numbers mirrored = randomNumbers(20, 0.1, 1, seed);
+    for (std::size_t i = 0; i < 20; i += 2)
+    {
+      mirrored.insert(mirrored.end(), { -mirrored[i], mirrored[i + 1] });
+    }
+    expectExact(mirrored, {}, { 0, -0.1, 0.7, 0.3, 0.5, 0.9, 0, 1.1, -0.5, 0.9, -0.7, 0.3 });
+  }
+}
+
+TEST(PolygonCells, AnySize)
+{
+  const Numbers sites = { 0.1, 0.2, 1, 1, 0.3, 0.9 };
+  for (const double size :
+    { 5e-322, 1e-300, 1e-200, 1e-162, 1e-154, 1e-77, 1e77, 1e154, 1e200, 1e300, 5e307 })
+  {
+    SCOPED_TRACE(size);
+    expectWhole(scaled(pentagon, size));
+    expectExact(scaled(sites, size), {}, scaled(pentagon, size));
+    EXPECT_EQ(
+      cellsOf(scaled(sites, size), WeightView(), domainOf(scaled(pentagon, size))).siteIds.size(),
+      3u);
+  }
+  // Weights have the square of the size.
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    const Numbers polygon = randomPolygon(3 + seed, seed);
+    const Numbers many = randomSites(40, polygon, seed);
+    const Numbers weights = randomNumbers(40, 0, 0.1, seed);
+    const PowerDiagram one = cellsOf(many, numbersView(weights), domainOf(polygon));
+    const PowerDiagram plain = cellsOf(many, WeightView(), domainOf(polygon));
+    for (const int exponent : { -990, -500, -400, 100, 480, 500, 990 })
+    {
+      const double size = std::ldexp(1, exponent);
+      const Numbers here = scaled(polygon, size);
+      PowerDiagram other = cellsOf(scaled(many, size), WeightView(), domainOf(here));
+      const auto back = [&]
+      {
+        for (double& x : other.corners)
+        {
+          x /= size;
+        }
+      };
+      back();
+      EXPECT_EQ(bitDifference(plain, other), "") << exponent;
+      if (std::abs(exponent) <= 500)
+      {
+        other = cellsOf(
+          scaled(many, size), numbersView(scaled(scaled(weights, size), size)), domainOf(here));
+        back();
+        EXPECT_EQ(bitDifference(one, other), "") << exponent;
+      }
+    }
+  }
+}
+
+TEST(PolygonCells, TheWholeRangeOfDoubles)
+{
+  const double most = std::numeric_limits<double>::max();
+  const Numbers polygon = { -most, -most, most, -most / 2, most, most, -most / 3, most };
+  expectWhole(polygon);
+  expectExact({ most, most, -most, most, most, -most, -most, -most }, {}, polygon);
+  expectExact({ 0, 0, 5e-324, 5e-324, most, 1 }, {}, polygon);
+  expectExact({ 0, 0, 1e-300, 0, 1e300, 1e-300 }, {}, pentagon);
+}
+
+TEST(PolygonCells, ManySidesAndManyNeighbours)
+{
+  // A site with many neighbours, all of whose edges are in a polygon of many sides, or few.
+  Numbers sites = { 0, 0 };
+  const Numbers circle = regularPolygon(3000, 0.1);
+  sites.insert(sites.end(), circle.begin(), circle.end());
+  for (const int corners : { 3, 7, 5000 })
+  {
+    const Numbers polygon = scaled(regularPolygon(corners, 0.3), 0.7);
+    expectFilled(sites, polygon);
+  }
+}
+
+}
