@@ -4,6 +4,7 @@
 
 #include "FlipFlop/Builder.h"
 #include "FlipFlop/InsertionBuilder.h"
+#include "FlipFlop/PartsBuilder.h"
 #include "Geometry/GeometryConcept.h"
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
@@ -25,8 +26,9 @@ template <class Geometry>
 Polyhedron CpuBuilder<Geometry>::build(
   const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
 {
-  using Chosen =
-    std::conditional_t<Geometry::InsertsAtOnce, InsertionBuilder<Geometry>, Builder<Geometry>>;
+  using Inserting = std::conditional_t<std::is_same_v<Geometry, LiftedGeometry<false>>,
+    PartsBuilder, InsertionBuilder<Geometry>>;
+  using Chosen = std::conditional_t<Geometry::InsertsAtOnce, Inserting, Builder<Geometry>>;
   return Chosen::build(task, std::move(start), tally, statistics);
 }
 

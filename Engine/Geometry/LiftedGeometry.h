@@ -329,6 +329,11 @@ public:
 
   bool isWide() const { return this->wide; }
 
+  /// Error of the determinant of above(), rounded, against the sum of its terms' magnitudes.
+  double heightError() const { return this->termError; }
+  /// A bound that is smaller is none.
+  double leastHeightError() const { return this->leastError; }
+
 private:
   using Signs = LiftedSigns<Weighted>;
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Points/InsertionOrder.h"
 
+#include "Points/HilbertCurve.h"
 #include "Support/Parallel.h"
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace flipflop
@@ -25,116 +25,6 @@ struct Keyed
   /// What they are sorted by.
   std::uint64_t digits() const { return static_cast<std::uint64_t>(this->key) << 32 | this->id; }
   bool operator<(const Keyed& other) const { return this->digits() < other.digits(); }
-};
-
-/// Steps of Hilbert's curve, four bits of x and of y at once. A quadrant's curve is the whole one
-/// with x and y exchanged (bit 0 of the state), or mirrored as well (bit 1).
-struct HilbertTable
-{
-  static constexpr int Bits = 4;
-  static constexpr int Side = 1 << Bits;
-
-  struct Step
-  {
-    std::uint8_t key;
-    std::uint8_t state;
-  };
-
-  constexpr HilbertTable()
-  {
-    for (int state = 0; state < 4; ++state)
-    {
-      for (int place = 0; place < Side * Side; ++place)
-      {
-        int turned = state;
-        int key = 0;
-        for (int bit = Bits - 1; bit >= 0; --bit)
-        {
-          const int mirrored = turned >> 1;
-          const int u = (place >> (Bits + bit) & 1) ^ mirrored;
-          const int v = (place >> bit & 1) ^ mirrored;
-          const int right = turned & 1 ? v : u;
-          const int upper = turned & 1 ? u : v;
-          key = key << 2 | ((3 * right) ^ upper);
-          turned ^= upper ? 0 : (right ? 3 : 1);
-        }
-        this->step[state][place] = { static_cast<std::uint8_t>(key),
-          static_cast<std::uint8_t>(turned) };
-      }
-    }
-  }
-
-  Step step[4][Side * Side] = {};
-};
-
-constexpr HilbertTable Hilbert;
-
-/// The curve through a box: Hilbert's, of 2^16 steps along the longer side.
-class Curve
-{
-public:
-  Curve()
-  {
-    std::fill(this->low, this->low + 2, std::numeric_limits<double>::infinity());
-    std::fill(this->high, this->high + 2, -std::numeric_limits<double>::infinity());
-  }
-
-  /// Let the box hold a place.
-  void add(const double* uv)
-  {
-    for (int i = 0; i < 2; ++i)
-    {
-      this->low[i] = std::min(this->low[i], uv[i]);
-      this->high[i] = std::max(this->high[i], uv[i]);
-    }
-  }
-
-  /// Let the box hold another's.
-  void add(const Curve& other)
-  {
-    this->add(other.low);
-    this->add(other.high);
-  }
-
-  /// The box is known.
-  void prepare()
-  {
-    // Halved: the whole may overflow. One scale for both axes: in a thin box the points' order
-    // along it is what tells who is near.
-    const double half =
-      std::max(0.5 * this->high[0] - 0.5 * this->low[0], 0.5 * this->high[1] - 0.5 * this->low[1]);
-    this->scale = half > 0 ? 0.5 * Steps / half : 0;
-  }
-
-  std::uint32_t at(const double* uv) const
-  {
-    const std::uint32_t x = this->step(0, uv[0]);
-    const std::uint32_t y = this->step(1, uv[1]);
-    std::uint32_t key = 0;
-    std::uint32_t state = 0;
-    for (int bit = 16 - HilbertTable::Bits; bit >= 0; bit -= HilbertTable::Bits)
-    {
-      constexpr std::uint32_t Mask = HilbertTable::Side - 1;
-      const HilbertTable::Step& step =
-        Hilbert.step[state][(x >> bit & Mask) << HilbertTable::Bits | (y >> bit & Mask)];
-      key = key << 2 * HilbertTable::Bits | step.key;
-      state = step.state;
-    }
-    return key;
-  }
-
-private:
-  static constexpr double Steps = 65535;
-
-  std::uint32_t step(int axis, double p) const
-  {
-    const double s = (p - this->low[axis]) * this->scale;
-    return static_cast<std::uint32_t>(s > 0 ? (s < Steps ? s : Steps) : 0);
-  }
-
-  double low[2];
-  double high[2];
-  double scale = 0;
 };
 
 constexpr std::size_t PointsPerTask = 1 << 14;
@@ -205,7 +95,7 @@ public:
 
   void sort(Keyed* keyed, std::size_t count) const
   {
-    const Curve curve = this->curveThrough(keyed, count);
+    const HilbertCurve curve = this->curveThrough(keyed, count);
     eachRun(count, this->monitor,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
@@ -231,9 +121,9 @@ private:
     this->unfolding.place(x, uv);
   }
 
-  Curve curveThrough(const Keyed* keyed, std::size_t count) const
+  HilbertCurve curveThrough(const Keyed* keyed, std::size_t count) const
   {
-    std::vector<Curve> parts(runCount(count, PointsPerTask));
+    std::vector<HilbertCurve> parts(runCount(count, PointsPerTask));
     eachRun(count, this->monitor,
       [&](std::size_t begin, std::size_t end, std::size_t number)
       {
@@ -244,8 +134,8 @@ private:
           parts[number].add(uv);
         }
       });
-    Curve whole;
-    for (const Curve& part : parts)
+    HilbertCurve whole;
+    for (const HilbertCurve& part : parts)
     {
       whole.add(part);
     }
@@ -324,21 +214,6 @@ Buffer<Keyed> sortedAlongCurve(const PointSource& source, const PointSubset& sub
   return keyed;
 }
 
-constexpr std::uint32_t Levels = 9;
-
-/// Of 8 points 7 are in the last level, of the others as many in the one before, and so on.
-std::uint32_t levelOf(std::uint32_t id)
-{
-  std::uint64_t hash = (id + std::uint64_t(1)) * 0x9E3779B97F4A7C15ull;
-  hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
-  std::uint32_t level = Levels - 1;
-  for (hash >>= 40; level > 0 && (hash & 7) == 0; hash >>= 3)
-  {
-    --level;
-  }
-  return level;
-}
-
 }
 
 Unfolding::Unfolding(const double* kernel, const double (*basis)[3])
@@ -399,7 +274,8 @@ InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subs
   InsertionOrder order;
   order.ids.allocate(count);
   order.levelEnds = distribute(
-    count, Levels, monitor, [&](std::size_t i) -> std::size_t { return levelOf(keyed[i].id); },
+    count, InsertionLevels, monitor,
+    [&](std::size_t i) -> std::size_t { return insertionLevelOf(keyed[i].id); },
     [&](std::size_t i, std::uint32_t place) { order.ids[place] = keyed[i].id; });
   order.levelEnds.erase(order.levelEnds.begin()); // one begins where the one before ends
   return order;

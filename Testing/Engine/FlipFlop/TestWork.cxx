@@ -191,7 +191,7 @@ TEST_F(PatchesAsUsersHaveThem, ItCostsFewFlipsMore)
   {
     Options options;
     options.threads = threads;
-    const Statistics s = regularTriangulation(viewOf(cloud), WeightView(), options).statistics;
+    const Statistics s = regularTriangulation(viewOf(cloud), weightsOf(cloud), options).statistics;
     return static_cast<double>(s.flips22) / static_cast<double>(s.points);
   };
   const std::vector<std::string> names = withShuffled(shapesInUse(false));
@@ -218,13 +218,35 @@ TEST_F(PatchesAsUsersHaveThem, NoneAreTriedWhereLinesCross)
     Options options;
     options.threads = threads;
     return static_cast<double>(
-      regularTriangulation(viewOf(cloud), WeightView(), options).statistics.moves);
+      regularTriangulation(viewOf(cloud), weightsOf(cloud), options).statistics.moves);
   };
   for (const char* name : { "two-lines", "parabola-shuffled" })
   {
     EXPECT_EQ(walked(name, 4), walked(name, 1)) << name;
   }
   EXPECT_GT(walked("jittered-grid", 4), 1.2 * walked("jittered-grid", 1));
+}
+
+/// Without weights, parts are merged in pairs.
+TEST_F(PatchesAsUsersHaveThem, ThreadsAddNoWorkToParts)
+{
+  for (const std::string& name : withShuffled(shapesInUse(false)))
+  {
+    SCOPED_TRACE(name);
+    const Cloud cloud = shape(name, 60000);
+    const auto worked = [&cloud](int threads)
+    {
+      Options options;
+      options.threads = threads;
+      return regularTriangulation(viewOf(cloud), WeightView(), options).statistics;
+    };
+    const Statistics alone = worked(1);
+    const Statistics shared = worked(4);
+    EXPECT_EQ(shared.flips22, alone.flips22);
+    EXPECT_EQ(shared.edgeChecks, alone.edgeChecks);
+    EXPECT_EQ(shared.moves, alone.moves);
+    EXPECT_EQ(shared.exactCalls, alone.exactCalls);
+  }
 }
 
 }

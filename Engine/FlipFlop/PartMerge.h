@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Merge two triangulated parts that a vertical or a horizontal line separates: the rising bubble
+/// (L. Guibas, J. Stolfi: Primitives for the manipulation of general subdivisions, 1985), on
+/// triangles with the virtual vertex.
+///
+/// From the lower common tangent up, the next corner of the seam is the one whose circle through
+/// the ends of the last edge is empty. An edge inside a part that loses is flipped with the virtual
+/// triangle beside it, and so comes to the border; the virtual triangle of a border edge that the
+/// seam reaches becomes the seam's triangle. Two free triangles close the border at the tangents.
+#ifndef flipflop_PartMerge_h
+#define flipflop_PartMerge_h
+
+#include "FlipFlop/PlanePart.h"
+#include "FlipFlop/Tally.h"
+#include "Geometry/LiftedGeometry.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace flipflop
+{
+
+class PartMerge
+{
+public:
+  using Geometry = LiftedGeometry<false>;
+
+  PartMerge(const Geometry& geometryToAsk, const Mesh& meshToChange)
+    : geometry(geometryToAsk)
+    , mesh(meshToChange)
+    , ring(meshToChange)
+  {
+  }
+
+  /// The triangulation of both parts' points. Their order does not matter.
+  PlanePart merge(const PlanePart& first, const PlanePart& second);
+
+  void addTo(Tally& tally) const;
+
+private:
+  /// One part's side of the seam.
+  struct Shore
+  {
+    std::uint32_t vertex; ///< where the seam is
+    std::uint32_t spoke;  ///< of the next border edge that the seam reaches; NoIndex: there is none
+    std::uint32_t edges;  ///< so many are still to be reached
+    std::uint32_t reached;
+
+    void advance()
+    {
+      --this->edges;
+      ++this->reached;
+    }
+  };
+
+  struct Candidate
+  {
+    std::uint32_t vertex = NoIndex;
+    bool isAbove = false; ///< the seam's last edge
+    bool isFlat = false;  ///< its circle goes through the corner behind its border edge, too
+  };
+
+  void countEdgesAbove();
+  void findLowerTangent();
+  PlanePart join(const PlanePart& lower, const PlanePart& upper);
+  Candidate leftCandidate();
+  Candidate rightCandidate();
+  void uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t d);
+  void uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t d);
+  void rise();
+  void reachLeft(const Candidate& next);
+  void reachRight(const Candidate& next);
+  void closeTriangle(std::uint32_t onBase, std::uint32_t outer, const Candidate& next);
+
+  int orient(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+  {
+    const Vertex* const v = this->mesh.vertices;
+    return this->geometry.orient(v[a], v[b], v[c]);
+  }
+  int inCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p)
+  {
+    const Vertex* const v = this->mesh.vertices;
+    ++this->checks;
+    const int sign = this->geometry.above(v[a], v[b], v[c], v[p]);
+    this->ties += sign == 0 ? 1 : 0;
+    return sign;
+  }
+  void setTriangle(std::uint32_t t, std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+  {
+    this->mesh.triangles[t].v[0] = a;
+    this->mesh.triangles[t].v[1] = b;
+    this->mesh.triangles[t].v[2] = c;
+    this->mesh.triangles[t].flags = 0;
+    this->mesh.triangles[t].note = 0;
+  }
+
+  const Geometry& geometry;
+  const Mesh mesh;
+  const BorderRing ring;
+  Shore left{};
+  Shore right{};
+  std::uint32_t base = NoIndex;  ///< the seam's last edge: a half-edge from right to left
+  std::uint32_t below = NoIndex; ///< the corner beneath it; NoIndex at the start
+  std::int64_t flips = 0;
+  std::int64_t checks = 0;
+  std::int64_t ties = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Points of the plane, cut into parts of a few thousand: the leaves of a binary tree.
+///
+/// The cut goes along Hilbert's curve at cells of a quadtree, so a vertical or a horizontal line
+/// separates the two halves of every node. That is exact: the cell of a point is a monotone
+/// function of each of its coordinates. Where a cell has too many points for a part, it is cut in
+/// the same way, along the curve through the box of its own points. Points at one position are one
+/// part, however many.
+#ifndef flipflop_PartTree_h
+#define flipflop_PartTree_h
+
+#include "Points/PointSource.h"
+#include "Points/PointSubset.h"
+#include "Support/Monitor.h"
+#include <flipflop/Buffer.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+/// A point of the plane, scaled.
+struct PlanePoint
+{
+  double x[2];
+  std::uint32_t id;
+};
+
+struct PartNode
+{
+  std::uint32_t begin = 0; ///< its points are those from here
+  std::uint32_t end = 0;   ///< up to here
+  std::uint32_t left = 0;  ///< a node; 0: this one is a part
+  std::uint32_t right = 0;
+};
+
+struct PartTree
+{
+  Buffer<PlanePoint> points;
+  std::vector<PartNode> nodes; ///< the root is the first
+};
+
+/// @param most points of a part, but for points at one position
+/// @throw Error Aborted, OutOfMemory
+PartTree cutIntoParts(
+  const PointSource& source, const PointSubset& subset, std::uint32_t most, Monitor& monitor);
+
+}
+
+#endif

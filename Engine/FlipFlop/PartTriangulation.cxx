@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlipFlop/PartTriangulation.h"
+
+#include <algorithm>
+
+namespace flipflop
+{
+
+PlanePart PartTriangulation::build()
+{
+  if (!this->start())
+  {
+    return this->chain();
+  }
+  for (std::uint32_t v = this->begin + 3; v < this->end; ++v)
+  {
+    this->insert(v);
+  }
+  PlanePart part;
+  part.firstFree = this->next;
+  std::uint32_t spoke = halfEdge(this->firstTriangle, 0);
+  while (this->mesh.origin(spoke) != PlaneVirtual)
+  {
+    spoke = cornerOf(spoke) == 2 ? halfEdge(triangleOf(spoke) + 1, 0) : spoke + 1;
+  }
+  findFarthest(this->mesh, spoke, part);
+  return part;
+}
+
+void PartTriangulation::addTo(Tally& tally) const
+{
+  tally.duplicates.insert(tally.duplicates.end(), this->duplicates.begin(), this->duplicates.end());
+  tally.ties += this->ties;
+  Statistics& statistics = tally.statistics;
+  statistics.insertions += this->insertions;
+  statistics.moves += this->walked;
+  statistics.flips22 += this->flips;
+  statistics.flipsV += this->flips;
+  statistics.edgeChecks += this->checks;
+}
+
+/// Make the first triangle, of the first points that are not collinear, and the virtual ones.
+/// @return false: there are none
+bool PartTriangulation::start()
+{
+  Vertex* const v = this->mesh.vertices;
+  std::uint32_t second = this->begin + 1;
+  while (second < this->end && samePosition(v[second], v[this->begin]))
+  {
+    ++second;
+  }
+  std::uint32_t third = second + 1;
+  while (third < this->end && this->geometry.orient(v[this->begin], v[second], v[third]) == 0)
+  {
+    ++third;
+  }
+  if (third >= this->end)
+  {
+    return false;
+  }
+  std::swap(v[this->begin + 1], v[second]);
+  std::swap(v[this->begin + 2], v[third]);
+  if (this->geometry.orient(v[this->begin], v[this->begin + 1], v[this->begin + 2]) < 0)
+  {
+    std::swap(v[this->begin + 1], v[this->begin + 2]);
+  }
+  const std::uint32_t inner = this->firstTriangle;
+  this->mesh.triangles[inner] = { { this->begin, this->begin + 1, this->begin + 2 }, 0,
+    { NoIndex, NoIndex, NoIndex }, 0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::uint32_t outer = inner + 1 + static_cast<std::uint32_t>(i);
+    const std::uint32_t* const corner = this->mesh.triangles[inner].v;
+    this->mesh.triangles[outer] = { { corner[nextCorner(i)], corner[i], PlaneVirtual }, 0,
+      { NoIndex, NoIndex, NoIndex }, 0 };
+    this->mesh.link(halfEdge(inner, i), halfEdge(outer, 0));
+    v[corner[i]].flags = VertexAlive;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto outerOf = [inner](int side) { return inner + 1 + static_cast<std::uint32_t>(side); };
+    this->mesh.link(halfEdge(outerOf(i), 1), halfEdge(outerOf(previousCorner(i)), 2));
+  }
+  this->next = inner + 4;
+  this->last = inner;
+  this->insertions = 3;
+  return true;
+}
+
+/// The virtual triangles of collinear points, on both sides of the edges between neighbours.
+PlanePart PartTriangulation::chain()
+{
+  Vertex* const v = this->mesh.vertices;
+  std::sort(v + this->begin, v + this->end,
+    [](const Vertex& p, const Vertex& q) {
+      return p.x[0] != q.x[0] ? p.x[0] < q.x[0] : p.x[1] != q.x[1] ? p.x[1] < q.x[1] : p.id < q.id;
+    });
+  std::uint32_t stays = this->begin;
+  for (std::uint32_t i = this->begin + 1; i < this->end; ++i)
+  {
+    if (!samePosition(v[stays], v[i]))
+    {
+      std::swap(v[++stays], v[i]);
+    }
+  }
+  for (std::uint32_t i = this->begin; i <= stays; ++i)
+  {
+    v[i].flags = VertexAlive;
+  }
+  this->insertions = stays + 1 - this->begin;
+  PlanePart part;
+  for (std::uint32_t i = this->begin; i < stays; ++i)
+  {
+    const std::uint32_t right = this->next;
+    const std::uint32_t left = this->next + 1;
+    this->mesh.triangles[right] = { { i, i + 1, PlaneVirtual }, 0, { NoIndex, NoIndex, NoIndex },
+      0 };
+    this->mesh.triangles[left] = { { i + 1, i, PlaneVirtual }, 0, { NoIndex, NoIndex, NoIndex },
+      0 };
+    this->mesh.link(halfEdge(right, 0), halfEdge(left, 0));
+    if (i == this->begin)
+    {
+      this->mesh.link(halfEdge(right, 2), halfEdge(left, 1));
+    }
+    else
+    {
+      this->mesh.link(halfEdge(right - 2, 1), halfEdge(right, 2));
+      this->mesh.link(halfEdge(left, 1), halfEdge(left - 2, 2));
+    }
+    this->next += 2;
+  }
+  part.firstFree = this->next;
+  if (stays == this->begin)
+  {
+    std::fill_n(part.vertex, 4, stays);
+    return part;
+  }
+  this->mesh.link(halfEdge(this->next - 2, 1), halfEdge(this->next - 1, 2));
+  findFarthest(this->mesh, halfEdge(this->firstTriangle, 2), part);
+  return part;
+}
+
+void PartTriangulation::insert(std::uint32_t v)
+{
+  const Vertex q = this->mesh.vertices[v];
+  Place place;
+  const bool isInside = this->locate(q, place);
+  this->last = place.triangle;
+  if (isInside && this->isDuplicate(q, place))
+  {
+    return;
+  }
+  this->mesh.vertices[v].flags = VertexAlive;
+  const std::uint32_t child[3] = { place.triangle, this->next, this->next + 1 };
+  this->next += 2;
+  ++this->insertions;
+  splitTriangle(this->mesh, child, v);
+  if (isInside && place.isPlain)
+  {
+    this->flipIn(q, child, place);
+  }
+  else
+  {
+    this->flipInExactly(q, child);
+  }
+}
+
+/// Walk to the triangle of a point: one of points that it is not outside of, or the virtual one of
+/// a border edge that it is strictly outside of. In a Delaunay triangulation, a walk by exact signs
+/// meets no triangle twice.
+/// @return whether it is one of points
+bool PartTriangulation::locate(const Vertex& q, Place& place)
+{
+  const Triangle* const triangles = this->mesh.triangles;
+  const Vertex* const vertices = this->mesh.vertices;
+  std::uint32_t t = this->last;
+  place.isPlain = true;
+  place.side = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const std::uint32_t* const v = triangles[t].v;
+    if (v[k] == PlaneVirtual)
+    {
+      if (this->geometry.orient(vertices[v[nextCorner(k)]], vertices[v[previousCorner(k)]], q) > 0)
+      {
+        place.triangle = t;
+        return false;
+      }
+      t = triangleOf(triangles[t].twin[nextCorner(k)]);
+      break;
+    }
+  }
+  const std::uint32_t* v = triangles[t].v;
+  place.a = this->rowOf(v[0], q);
+  place.b = this->rowOf(v[1], q);
+  place.ab = this->cross(q, place.a, place.b, v[0], v[1], place.isPlain);
+  if (place.ab < 0)
+  {
+    const std::uint32_t twin = triangles[t].twin[0];
+    t = triangleOf(twin);
+    place.side = cornerOf(twin);
+    std::swap(place.a, place.b);
+    place.ab = -place.ab;
+  }
+  while (true)
+  {
+    ++this->walked;
+    place.triangle = t;
+    v = triangles[t].v;
+    const int side = place.side;
+    const std::uint32_t apex = v[previousCorner(side)];
+    if (apex == PlaneVirtual)
+    {
+      return false;
+    }
+    place.c = this->rowOf(apex, q);
+    place.bc = this->cross(q, place.b, place.c, v[nextCorner(side)], apex, place.isPlain);
+    place.ca = this->cross(q, place.c, place.a, apex, v[side], place.isPlain);
+    if (!(place.bc < 0) && !(place.ca < 0))
+    {
+      return true;
+    }
+    const bool throughBc = place.bc < 0;
+    const std::uint32_t twin =
+      triangles[t].twin[throughBc ? nextCorner(side) : previousCorner(side)];
+    place.a = throughBc ? place.c : place.a;
+    place.b = throughBc ? place.b : place.c;
+    place.ab = throughBc ? -place.bc : -place.ca;
+    place.side = cornerOf(twin);
+    t = triangleOf(twin);
+  }
+}
+
+/// On which side of the edge from a to b is q? The cross product where its sign is certain; else
+/// the sign alone.
+double PartTriangulation::cross(const Vertex& q, const Row& a, const Row& b, std::uint32_t va,
+  std::uint32_t vb, bool& isPlain) const
+{
+  const double left = a.x * b.y;
+  const double right = a.y * b.x;
+  const double value = left - right;
+  const double most = std::fabs(left) + std::fabs(right);
+  if (std::fabs(value) > PlaneError * most && most > 1e-290)
+  {
+    return value;
+  }
+  isPlain = false;
+  return this->geometry.orient(this->mesh.vertices[va], this->mesh.vertices[vb], q);
+}
+
+/// Is q at a corner of its triangle? Then the lower id is noted.
+bool PartTriangulation::isDuplicate(const Vertex& q, const Place& place)
+{
+  const Row rows[3] = { place.a, place.b, place.c };
+  int corner = place.side;
+  for (const Row& row : rows)
+  {
+    if (row.x == 0 && row.y == 0)
+    {
+      const std::uint32_t id =
+        this->mesh.vertices[this->mesh.triangles[place.triangle].v[corner]].id;
+      if (q.id < id)
+      {
+        this->duplicates.push_back({ id, q.id });
+      }
+      return true;
+    }
+    corner = nextCorner(corner);
+  }
+  return false;
+}
+
+/// Test and flip the edges opposite to the new vertex, at the corner 2 of three triangles of
+/// points, until none is reflex.
+void PartTriangulation::flipIn(const Vertex& q, const std::uint32_t* child, const Place& place)
+{
+  Triangle* const triangles = this->mesh.triangles;
+  const Row a = squared(place.a);
+  const Row b = squared(place.b);
+  const Row c = squared(place.c);
+  this->waiting[0] = { child[previousCorner(place.side)], c, a, place.ca };
+  this->waiting[1] = { child[nextCorner(place.side)], b, c, place.bc };
+  std::size_t count = 2;
+  Waiting w = { child[place.side], a, b, place.ab };
+  while (true)
+  {
+    Triangle& near = triangles[w.triangle];
+    const std::uint32_t h = near.twin[0];
+    Triangle& far = triangles[triangleOf(h)];
+    const int g = cornerOf(h);
+    const std::uint32_t d = far.v[previousCorner(g)];
+    ++this->checks;
+    bool flips = false;
+    Row row{};
+    double bd = 0;
+    double da = 0;
+    if (d != PlaneVirtual)
+    {
+      row = squared(this->rowOf(d, q));
+      bd = w.b.x * row.y - w.b.y * row.x;
+      da = row.x * w.a.y - row.y * w.a.x;
+      const double det = w.a.square * bd + w.b.square * da + row.square * w.cross;
+      const double bound =
+        this->error * (w.a.square * w.b.square + row.square * (w.a.square + w.b.square));
+      flips = det < -bound;
+      if (!(std::fabs(det) > bound && bound >= this->leastError))
+      {
+        flips = this->wantsFlip(q, halfEdge(w.triangle, 0));
+      }
+    }
+    if (!flips)
+    {
+      if (count == 0)
+      {
+        return;
+      }
+      w = this->waiting[--count];
+      continue;
+    }
+    ++this->flips;
+    // abq and bad become adq and dbq. No edge at q is marked: none is flat.
+    const std::uint32_t b1 = near.v[1];
+    const std::uint32_t bq = near.twin[1];
+    const std::uint32_t ad = far.twin[nextCorner(g)];
+    const std::uint32_t db = far.twin[previousCorner(g)];
+    const std::uint32_t flags = far.flags;
+    near.v[1] = d;
+    near.flags = flags >> nextCorner(g) & EdgeTied;
+    far.v[0] = d;
+    far.v[1] = b1;
+    far.v[2] = near.v[2];
+    far.flags = flags >> previousCorner(g) & EdgeTied;
+    near.twin[1] = halfEdge(triangleOf(h), 2);
+    far.twin[2] = halfEdge(w.triangle, 1);
+    near.twin[0] = ad;
+    triangles[triangleOf(ad)].twin[cornerOf(ad)] = halfEdge(w.triangle, 0);
+    far.twin[0] = db;
+    triangles[triangleOf(db)].twin[cornerOf(db)] = halfEdge(triangleOf(h), 0);
+    far.twin[1] = bq;
+    triangles[triangleOf(bq)].twin[cornerOf(bq)] = halfEdge(triangleOf(h), 1);
+    if (count == this->waiting.size())
+    {
+      this->waiting.resize(2 * count);
+    }
+    this->waiting[count++] = { triangleOf(h), row, w.b, -bd };
+    w.b = row;
+    w.cross = -da;
+  }
+}
+
+/// The same by exact signs, also outside and on an edge.
+void PartTriangulation::flipInExactly(const Vertex& q, const std::uint32_t* child)
+{
+  this->triangles.assign(child, child + 3);
+  while (!this->triangles.empty())
+  {
+    const std::uint32_t h = halfEdge(this->triangles.back(), 0);
+    this->triangles.pop_back();
+    const std::uint32_t twin = this->mesh.twin(h);
+    ++this->checks;
+    if (this->wantsFlip(q, h))
+    {
+      ++this->flips;
+      flip(this->mesh, planFlip22(this->mesh, h));
+      this->triangles.push_back(triangleOf(twin));
+      this->triangles.push_back(triangleOf(h));
+    }
+  }
+}
+
+/// Is the edge of h reflex, of the triangle abq? A flat one is marked, and stays.
+bool PartTriangulation::wantsFlip(const Vertex& q, std::uint32_t h)
+{
+  const Vertex* const v = this->mesh.vertices;
+  const std::uint32_t* const near = this->mesh.triangles[triangleOf(h)].v;
+  const std::uint32_t opposite = this->mesh.origin(previousHalfEdge(this->mesh.twin(h)));
+  const Vertex& a = v[near[0]];
+  const Vertex& b = v[near[1]];
+  const Vertex& d = v[opposite];
+  if (near[0] == PlaneVirtual)
+  {
+    return this->geometry.orient(d, b, q) > 0;
+  }
+  if (near[1] == PlaneVirtual)
+  {
+    return this->geometry.orient(a, d, q) > 0;
+  }
+  if (opposite == PlaneVirtual)
+  {
+    return this->geometry.orient(a, b, q) == 0; // on the border
+  }
+  const int sign = this->geometry.above(a, b, q, d);
+  if (sign == 0)
+  {
+    ++this->ties;
+    this->mesh.markTied(h);
+  }
+  return sign > 0;
+}
+
+}

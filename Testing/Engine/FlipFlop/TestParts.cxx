@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The plane by parts: how points are cut, and what the merged mesh is before the finish. Parts are
+/// as small as they can be, where merges take all edges of a side, and of ordinary size.
+#include "FlipFlop/PartTree.h"
+#include "FlipFlop/PartsBuilder.h"
+#include "Run/TriangulationRun.h"
+#include "Support/Threads.h"
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+#include <flipflop/Validate.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+using Plane = LiftedGeometry<false>;
+
+/// The builder of the plane, with a look at what it makes: a closed mesh of triangles with area,
+/// Delaunay, convex, its flat edges marked.
+class WatchedBuilder : public PolyhedronBuilder<Plane>
+{
+public:
+  Polyhedron build(
+    const BuildTask<Plane>& task, Polyhedron&& start, Tally& tally, Statistics& statistics) override
+  {
+    Polyhedron made = PartsBuilder::build(task, std::move(start), tally, statistics);
+    EXPECT_TRUE(made.tiesMarked);
+    const Mesh mesh = made.mesh();
+    made.eachTriangle([&](std::uint32_t t, std::size_t) { this->look(task.geometry, mesh, t); });
+    return made;
+  }
+
+  std::size_t triangles = 0;
+
+private:
+  void look(const Plane& geometry, const Mesh& mesh, std::uint32_t t)
+  {
+    const std::uint32_t* const v = mesh.triangles[t].v;
+    bool isVirtual = false;
+    for (int e = 0; e < 3; ++e)
+    {
+      const std::uint32_t h = halfEdge(t, e);
+      const std::uint32_t twin = mesh.twin(h);
+      ASSERT_EQ(mesh.twin(twin), h);
+      ASSERT_FALSE(mesh.triangles[triangleOf(twin)].flags & TriangleDead);
+      ASSERT_EQ(mesh.origin(twin), mesh.origin(nextHalfEdge(h)));
+      ASSERT_TRUE(mesh.vertices[v[e]].flags & VertexAlive);
+      isVirtual = isVirtual || (mesh.vertices[v[e]].flags & VertexVirtual);
+    }
+    const Vertex& a = mesh.vertices[v[0]];
+    const Vertex& b = mesh.vertices[v[1]];
+    const Vertex& c = mesh.vertices[v[2]];
+    if (!isVirtual)
+    {
+      ++this->triangles;
+      ASSERT_GT(geometry.orient(a, b, c), 0);
+    }
+    for (int e = 0; e < 3; ++e)
+    {
+      const std::uint32_t twin = mesh.twin(halfEdge(t, e));
+      const Vertex& d = mesh.vertices[mesh.origin(previousHalfEdge(twin))];
+      const int sign = geometry.above(a, b, c, d);
+      ASSERT_LE(sign, 0);
+      const bool isInside = !isVirtual && !(d.flags & VertexVirtual);
+      if (isInside && sign == 0)
+      {
+        ASSERT_TRUE(mesh.triangles[t].flags >> e & EdgeTied);
+      }
+    }
+  }
+};
+
+/// Triangulate, with the mesh looked at, by parts of @p points each at most.
+Triangulation triangulateWatched(const Cloud& cloud, std::int64_t points, int threads)
+{
+  Options options;
+  options.threads = threads;
+  TriangulationRun<false> run(viewOf(cloud), WeightView(), options);
+  WatchedBuilder engine;
+  pointsPerThread() = (points + 1) / 2;
+  Triangulation result =
+    run.execute<Triangulation>([&](Triangulation& made) { run.triangulate(engine, made); });
+  pointsPerThread() = 1;
+  return result;
+}
+
+void expectRight(const Cloud& cloud, const Triangulation& expected)
+{
+  for (const std::int64_t points : { 2, 4, 6, 10, 20, 200 })
+  {
+    EXPECT_EQ(bitDifference(triangulateWatched(cloud, points, 1), expected), "")
+      << "parts of " << points;
+  }
+  EXPECT_EQ(bitDifference(triangulateWatched(cloud, 4, 3), expected), "");
+}
+
+class PartsFamily : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(PartsFamily, MergeToTheSameTriangulation)
+{
+  for (int count = 3; count <= effort(400); count += 1 + count / 4)
+  {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    {
+      SCOPED_TRACE("count " + std::to_string(count) + " seed " + std::to_string(seed));
+      const Cloud cloud = fromWeightedFamily(GetParam(), count, seed).make();
+      const Triangulation one =
+        triangulateWatched(cloud, static_cast<std::int64_t>(cloud.size()), 1);
+      const Validation valid = validate(viewOf(cloud), WeightView(), one);
+      ASSERT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
+      expectRight(cloud, one);
+    }
+  }
+}
+
+std::vector<const char*> names()
+{
+  std::vector<const char*> all;
+  for (const Family& family : weightedFamilies())
+  {
+    all.push_back(family.name);
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, PartsFamily, ::testing::ValuesIn(names()),
+  [](const auto& given) { return std::string(given.param); });
+
+TEST(Parts, SmallIntegersMerge)
+{
+  // Ties everywhere: collinear parts, cocircular seams, duplicates, single points.
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(effort(600)); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const int side = random.integer(1, 9);
+    const Cloud cloud = smallIntegerSites(random.integer(3, 60), 0, side, 0, 0, random);
+    const Triangulation one = triangulateWatched(cloud, static_cast<std::int64_t>(cloud.size()), 1);
+    const Validation valid = validate(viewOf(cloud), WeightView(), one);
+    ASSERT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
+    expectRight(cloud, one);
+  }
+}
+
+/// What a node's halves are separated by, and what its parts hold.
+class TreeLook
+{
+public:
+  explicit TreeLook(const PartTree& treeToLookAt, std::uint32_t mostPoints)
+    : tree(treeToLookAt)
+    , most(mostPoints)
+  {
+  }
+
+  void look(std::uint32_t index)
+  {
+    const PartNode& node = this->tree.nodes[index];
+    ASSERT_LT(node.begin, node.end);
+    if (node.left == 0)
+    {
+      const PlanePoint* const first = this->tree.points.begin() + node.begin;
+      const bool onePosition = std::all_of(first, this->tree.points.begin() + node.end,
+        [first](const PlanePoint& p) { return p.x[0] == first->x[0] && p.x[1] == first->x[1]; });
+      EXPECT_TRUE(onePosition || node.end - node.begin <= this->most);
+      ++this->parts;
+      return;
+    }
+    const PartNode& left = this->tree.nodes[node.left];
+    const PartNode& right = this->tree.nodes[node.right];
+    ASSERT_EQ(left.begin, node.begin);
+    ASSERT_EQ(left.end, right.begin);
+    ASSERT_EQ(right.end, node.end);
+    bool separated = false;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      separated = separated || this->high(left, axis) < this->low(right, axis) ||
+        this->high(right, axis) < this->low(left, axis);
+    }
+    EXPECT_TRUE(separated);
+    this->look(node.left);
+    this->look(node.right);
+  }
+
+  int parts = 0;
+
+private:
+  double low(const PartNode& node, int axis) const
+  {
+    double least = this->tree.points[node.begin].x[axis];
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+    {
+      least = std::min(least, this->tree.points[i].x[axis]);
+    }
+    return least;
+  }
+  double high(const PartNode& node, int axis) const
+  {
+    double most = this->tree.points[node.begin].x[axis];
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+    {
+      most = std::max(most, this->tree.points[i].x[axis]);
+    }
+    return most;
+  }
+
+  const PartTree& tree;
+  const std::uint32_t most;
+};
+
+TEST(PartTree, ALineSeparatesTheHalvesOfEachNode)
+{
+  for (const char* family :
+    { "uniform", "grid", "clusters", "circle", "smallIntegers", "doubled", "lineAlongX" })
+  {
+    SCOPED_TRACE(family);
+    const Cloud cloud = fromWeightedFamily(family, 3000, 7).make();
+    Options options;
+    Monitor monitor(options);
+    PointSubset subset;
+    subset.count = static_cast<std::uint32_t>(cloud.size());
+    for (const std::uint32_t most : { 1u, 3u, 50u, 5000u })
+    {
+      const PartTree tree =
+        cutIntoParts(PointSource(viewOf(cloud), WeightView()), subset, most, monitor);
+      std::vector<std::uint32_t> ids;
+      for (const PlanePoint& point : tree.points)
+      {
+        ids.push_back(point.id);
+      }
+      std::sort(ids.begin(), ids.end());
+      ASSERT_EQ(ids.size(), cloud.size());
+      EXPECT_EQ(std::unique(ids.begin(), ids.end()), ids.end());
+      TreeLook look(tree, most);
+      look.look(0);
+      EXPECT_EQ(look.parts == 1, most >= cloud.size());
+    }
+  }
+}
+
+}
+}
+}
