@@ -146,6 +146,15 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   }
   const std::uint32_t count = std::accumulate(counts.begin(), counts.end(), 0u);
   pointIds.allocate(count);
+  if (count == pointCount && duplicates.empty())
+  {
+    eachRun(count, ItemsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t) {
+        std::iota(
+          pointIds.begin() + begin, pointIds.begin() + end, static_cast<std::int64_t>(begin));
+      });
+    return rank; // each is its id
+  }
 
   // A result that is a small part of the input is sorted; else no sort is needed.
   if (count < pointCount / 64)

@@ -24,86 +24,101 @@ public:
     : tree(treeToFill)
     , mostPoints(most)
     , monitor(monitorToTell)
-    , aside(treeToFill.points.size())
   {
   }
 
-  /// Cut a node's points. The node exists, and has them.
-  void cut(std::uint32_t node)
+  /// Cut all points, and write their vertices.
+  /// @param pointAt Vertex (i): of the points, in any order
+  template <class PointAt>
+  void cutAll(const HilbertCurve& curve, const PointAt& pointAt)
   {
-    const std::uint32_t begin = this->tree.nodes[node].begin;
-    const std::uint32_t end = this->tree.nodes[node].end;
-    if (end - begin <= this->mostPoints)
+    const auto count = static_cast<std::uint32_t>(this->tree.vertices.size() - 1);
+    this->tree.nodes.push_back({ 1, 1 + count, 0, 0 });
+    if (count <= this->mostPoints || curve.isPoint())
     {
+      this->eachRun(count,
+        [&](std::uint32_t from, std::uint32_t to, std::size_t)
+        {
+          for (std::uint32_t i = from; i < to; ++i)
+          {
+            this->tree.vertices[1 + i] = pointAt(i);
+          }
+        });
       return;
     }
-    const HilbertCurve curve = this->curveThrough(begin, end);
-    if (curve.isPoint())
-    {
-      return;
-    }
-    this->divide(node, this->sortIntoCells(curve, begin, end));
+    this->divide(0, this->sortIntoCells(curve, 1, count, pointAt));
   }
 
 private:
-  /// Points lie about eight to a cell that is a part.
+  /// Cells are so small that few parts are cut from within one.
   static constexpr std::uint32_t CellsPerPart = 8;
   static constexpr int LeastCellBits = 4;
   static constexpr int MostCellBits = 14;
 
   template <class Use>
-  void eachRun(std::uint32_t begin, std::uint32_t end, Use&& use)
+  void eachRun(std::uint32_t count, Use&& use)
   {
-    flipflop::eachRun(end - begin, PointsPerTask,
+    flipflop::eachRun(count, PointsPerTask,
       [&](std::size_t from, std::size_t to, std::size_t run)
       {
         this->monitor.poll();
-        use(begin + static_cast<std::uint32_t>(from), begin + static_cast<std::uint32_t>(to), run);
+        use(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), run);
       });
   }
 
-  HilbertCurve curveThrough(std::uint32_t begin, std::uint32_t end)
+  /// Cut a node along the curve through the box of its own vertices.
+  void cut(std::uint32_t node)
   {
-    std::vector<HilbertCurve> parts(runCount(end - begin, PointsPerTask));
-    this->eachRun(begin, end,
+    const std::uint32_t begin = this->tree.nodes[node].begin;
+    const std::uint32_t count = this->tree.nodes[node].end - begin;
+    Buffer<Vertex> points(count);
+    std::vector<HilbertCurve> boxes(runCount(count, PointsPerTask));
+    this->eachRun(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
-        HilbertCurve part;
+        HilbertCurve box;
         for (std::uint32_t i = from; i < to; ++i)
         {
-          part.add(this->tree.points[i].x);
+          points[i] = this->tree.vertices[begin + i];
+          box.add(points[i].x);
         }
-        parts[run] = part;
+        boxes[run] = box;
       });
-    HilbertCurve whole;
-    for (const HilbertCurve& part : parts)
+    HilbertCurve curve;
+    for (const HilbertCurve& box : boxes)
     {
-      whole.add(part);
+      curve.add(box);
     }
-    whole.prepare();
-    return whole;
+    curve.prepare();
+    if (!curve.isPoint())
+    {
+      this->divide(node,
+        this->sortIntoCells(curve, begin, count, [&points](std::uint32_t i) { return points[i]; }));
+    }
   }
 
-  /// Bring points into the order of their cells, which are stretches of the curve.
+  /// Write vertices in the order of their cells, which are stretches of the curve.
+  /// @param begin where
   /// @return where the cells begin, and where the last one ends
+  template <class PointAt>
   std::vector<std::uint32_t> sortIntoCells(
-    const HilbertCurve& curve, std::uint32_t begin, std::uint32_t end)
+    const HilbertCurve& curve, std::uint32_t begin, std::uint32_t count, const PointAt& pointAt)
   {
     int bits = LeastCellBits;
-    while (bits < MostCellBits && (end - begin) >> bits > this->mostPoints / CellsPerPart)
+    while (bits < MostCellBits && count >> bits > this->mostPoints / CellsPerPart)
     {
       ++bits;
     }
     const std::size_t cells = std::size_t(1) << bits;
-    Buffer<std::uint16_t> cellOf(end - begin);
-    std::vector<std::uint32_t> cursor(runCount(end - begin, PointsPerTask) * cells);
-    this->eachRun(begin, end,
+    Buffer<std::uint16_t> cellOf(count);
+    std::vector<std::uint32_t> cursor(runCount(count, PointsPerTask) * cells);
+    this->eachRun(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
         {
-          const std::uint32_t cell = curve.at(this->tree.points[i].x) >> (32 - bits);
-          cellOf[i - begin] = static_cast<std::uint16_t>(cell);
+          const std::uint32_t cell = curve.at(pointAt(i).x) >> (32 - bits);
+          cellOf[i] = static_cast<std::uint16_t>(cell);
           ++cursor[run * cells + cell];
         }
       });
@@ -119,24 +134,13 @@ private:
       }
     }
     cellBegin.push_back(total);
-    this->eachRun(begin, end,
+    this->eachRun(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
         {
-          this->aside[cursor[run * cells + cellOf[i - begin]]++] = this->tree.points[i];
+          this->tree.vertices[cursor[run * cells + cellOf[i]]++] = pointAt(i);
         }
-      });
-    if (begin == 0 && end == this->tree.points.size())
-    {
-      std::swap(this->tree.points, this->aside);
-      return cellBegin;
-    }
-    this->eachRun(begin, end,
-      [&](std::uint32_t from, std::uint32_t to, std::size_t)
-      {
-        std::copy(
-          this->aside.begin() + from, this->aside.begin() + to, this->tree.points.begin() + from);
       });
     return cellBegin;
   }
@@ -183,15 +187,26 @@ private:
   PartTree& tree;
   const std::uint32_t mostPoints;
   Monitor& monitor;
-  Buffer<PlanePoint> aside;
 };
 
 }
 
-PartTree cutIntoParts(
-  const PointSource& source, const PointSubset& subset, std::uint32_t most, Monitor& monitor)
+PartTree cutIntoParts(const PointSource& source, const PointSubset& subset,
+  const CoordinateRange& box, std::uint32_t most, Monitor& monitor)
 {
+  HilbertCurve curve;
+  curve.add(box.low);
+  curve.add(box.high);
+  curve.prepare();
   PartTree tree;
+  Cutter cutter(tree, most, monitor);
+  if (!subset.checkFinite)
+  {
+    tree.vertices.allocate(std::size_t(subset.count) + 1);
+    cutter.cutAll(curve, [&source](std::uint32_t i) { return source.vertex(i); });
+    return tree;
+  }
+  Buffer<std::uint32_t> ids;
   numberFound(
     subset.count, PointsPerTask,
     [&](std::size_t begin, std::size_t end, const auto& tell)
@@ -200,15 +215,10 @@ PartTree cutIntoParts(
       subset.eachWanted(
         source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), tell);
     },
-    [&](std::size_t wanted) { tree.points.allocate(wanted); },
-    [&](std::size_t at, std::uint32_t id)
-    {
-      double x[3];
-      source.load(id, x);
-      tree.points[at] = { { x[0], x[1] }, id };
-    });
-  tree.nodes.push_back({ 0, static_cast<std::uint32_t>(tree.points.size()), 0, 0 });
-  Cutter(tree, most, monitor).cut(0);
+    [&](std::size_t wanted) { ids.allocate(wanted); },
+    [&](std::size_t at, std::uint32_t id) { ids[at] = id; });
+  tree.vertices.allocate(ids.size() + 1);
+  cutter.cutAll(curve, [&](std::uint32_t i) { return source.vertex(ids[i]); });
   return tree;
 }
 

@@ -11,8 +11,10 @@
 #ifndef flipflop_PartTree_h
 #define flipflop_PartTree_h
 
+#include "Points/CoordinateRange.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
+#include "Points/Vertex.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
 
@@ -22,16 +24,9 @@
 namespace flipflop
 {
 
-/// A point of the plane, scaled.
-struct PlanePoint
-{
-  double x[2];
-  std::uint32_t id;
-};
-
 struct PartNode
 {
-  std::uint32_t begin = 0; ///< its points are those from here
+  std::uint32_t begin = 0; ///< its vertices are those from here
   std::uint32_t end = 0;   ///< up to here
   std::uint32_t left = 0;  ///< a node; 0: this one is a part
   std::uint32_t right = 0;
@@ -39,14 +34,15 @@ struct PartNode
 
 struct PartTree
 {
-  Buffer<PlanePoint> points;
+  Buffer<Vertex> vertices;     ///< the first is left to the caller; then all points, part by part
   std::vector<PartNode> nodes; ///< the root is the first
 };
 
+/// @param box  of the points, scaled
 /// @param most points of a part, but for points at one position
 /// @throw Error Aborted, OutOfMemory
-PartTree cutIntoParts(
-  const PointSource& source, const PointSubset& subset, std::uint32_t most, Monitor& monitor);
+PartTree cutIntoParts(const PointSource& source, const PointSubset& subset,
+  const CoordinateRange& box, std::uint32_t most, Monitor& monitor);
 
 }
 

@@ -27,16 +27,17 @@ class PartsRun
 public:
   using Geometry = LiftedGeometry<false>;
 
-  PartsRun(const BuildTask<Geometry>& taskToDo, const PartTree& treeToBuild, Polyhedron& polyhedron)
+  PartsRun(const BuildTask<Geometry>& taskToDo, const std::vector<PartNode>& nodesToBuild,
+    Polyhedron& polyhedron)
     : task(taskToDo)
-    , tree(treeToBuild)
+    , nodes(nodesToBuild)
     , mesh(polyhedron.mesh())
   {
   }
 
   PlanePart build(std::uint32_t nodeIndex, Tally& tally) const
   {
-    const PartNode& node = this->tree.nodes[nodeIndex];
+    const PartNode& node = this->nodes[nodeIndex];
     if (node.left == 0)
     {
       return this->triangulate(node, tally);
@@ -68,12 +69,11 @@ private:
   PlanePart triangulate(const PartNode& node, Tally& tally) const
   {
     const std::uint32_t count = node.end - node.begin;
-    this->putInOrder(
-      this->tree.points.begin() + node.begin, count, this->mesh.vertices + 1 + node.begin);
+    putInOrder(this->mesh.vertices + node.begin, count);
     const Geometry local = this->task.geometry;
-    PartTriangulation triangulation(local, this->mesh, 1 + node.begin, count);
+    PartTriangulation triangulation(local, this->mesh, node.begin, count);
     const PlanePart part = triangulation.build();
-    for (std::uint32_t t = part.firstFree; t < 2 * node.end; ++t)
+    for (std::uint32_t t = part.firstFree; t < 2 * (node.end - 1); ++t)
     {
       this->mesh.triangles[t].flags = TriangleDead;
     }
@@ -83,34 +83,34 @@ private:
     return part;
   }
 
-  /// Make vertices of a part's points, in the order of insertion: in random levels, each along the
-  /// curve through the part's box.
-  static void putInOrder(const PlanePoint* points, std::uint32_t count, Vertex* vertices)
+  /// Bring a part's vertices into the order of insertion: random levels, each along the curve
+  /// through the part's box.
+  static void putInOrder(Vertex* vertices, std::uint32_t count)
   {
     constexpr int CurveBits = 18; // of cells, 32 a point
     HilbertCurve curve;
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      curve.add(points[i].x);
+      curve.add(vertices[i].x);
     }
     curve.prepare();
+    const std::vector<Vertex> unordered(vertices, vertices + count);
     std::vector<std::uint64_t> keys(count);
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      const std::uint64_t key = std::uint64_t(insertionLevelOf(points[i].id)) << CurveBits |
-        curve.at(points[i].x) >> (32 - CurveBits);
+      const std::uint64_t key = std::uint64_t(insertionLevelOf(unordered[i].id)) << CurveBits |
+        curve.at(unordered[i].x) >> (32 - CurveBits);
       keys[i] = key << 32 | i;
     }
     boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      const PlanePoint& point = points[static_cast<std::uint32_t>(keys[i])];
-      vertices[i] = { { point.x[0], point.x[1], 0.0 }, point.id, 0 };
+      vertices[i] = unordered[static_cast<std::uint32_t>(keys[i])];
     }
   }
 
   const BuildTask<Geometry>& task;
-  const PartTree& tree;
+  const std::vector<PartNode>& nodes;
   const Mesh mesh;
 };
 
@@ -127,17 +127,18 @@ Polyhedron PartsBuilder::build(
   // Parts of this many points and their triangles fit a core's cache.
   const auto most =
     static_cast<std::uint32_t>(2 * pointsPerThread().load(std::memory_order_relaxed));
-  const PartTree tree = cutIntoParts(task.source, subset, most, task.monitor);
+  PartTree tree = cutIntoParts(task.source, subset, task.range, most, task.monitor);
   statistics.secondsLocate += watch.lap();
-  const std::size_t count = tree.points.size();
+  const std::size_t count = tree.vertices.size() - 1;
   if (8 * count >= NoIndex)
   {
     throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
   }
   task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count), "inserting");
-  Polyhedron result(count + 1, 2 * count);
+  Polyhedron result(0, 2 * count);
+  result.vertices = std::move(tree.vertices);
   result.vertices[PlaneVirtual] = virtualVertex();
-  PartsRun(task, tree, result).build(0, tally);
+  PartsRun(task, tree.nodes, result).build(0, tally);
   result.tiesMarked = true;
   statistics.secondsFlip += watch.lap();
   return result;

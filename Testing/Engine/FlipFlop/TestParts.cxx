@@ -169,9 +169,9 @@ public:
     ASSERT_LT(node.begin, node.end);
     if (node.left == 0)
     {
-      const PlanePoint* const first = this->tree.points.begin() + node.begin;
-      const bool onePosition = std::all_of(first, this->tree.points.begin() + node.end,
-        [first](const PlanePoint& p) { return p.x[0] == first->x[0] && p.x[1] == first->x[1]; });
+      const Vertex* const first = this->tree.vertices.begin() + node.begin;
+      const bool onePosition = std::all_of(first, this->tree.vertices.begin() + node.end,
+        [first](const Vertex& p) { return p.x[0] == first->x[0] && p.x[1] == first->x[1]; });
       EXPECT_TRUE(onePosition || node.end - node.begin <= this->most);
       ++this->parts;
       return;
@@ -197,19 +197,19 @@ public:
 private:
   double low(const PartNode& node, int axis) const
   {
-    double least = this->tree.points[node.begin].x[axis];
+    double least = this->tree.vertices[node.begin].x[axis];
     for (std::uint32_t i = node.begin; i < node.end; ++i)
     {
-      least = std::min(least, this->tree.points[i].x[axis]);
+      least = std::min(least, this->tree.vertices[i].x[axis]);
     }
     return least;
   }
   double high(const PartNode& node, int axis) const
   {
-    double most = this->tree.points[node.begin].x[axis];
+    double most = this->tree.vertices[node.begin].x[axis];
     for (std::uint32_t i = node.begin; i < node.end; ++i)
     {
-      most = std::max(most, this->tree.points[i].x[axis]);
+      most = std::max(most, this->tree.vertices[i].x[axis]);
     }
     return most;
   }
@@ -229,14 +229,22 @@ TEST(PartTree, ALineSeparatesTheHalvesOfEachNode)
     Monitor monitor(options);
     PointSubset subset;
     subset.count = static_cast<std::uint32_t>(cloud.size());
+    CoordinateRange box{};
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const auto ends = std::minmax_element(cloud.begin(), cloud.end(),
+        [axis](const auto& p, const auto& q) { return p[axis] < q[axis]; });
+      box.low[axis] = (*ends.first)[axis];
+      box.high[axis] = (*ends.second)[axis];
+    }
     for (const std::uint32_t most : { 1u, 3u, 50u, 5000u })
     {
       const PartTree tree =
-        cutIntoParts(PointSource(viewOf(cloud), WeightView()), subset, most, monitor);
+        cutIntoParts(PointSource(viewOf(cloud), WeightView()), subset, box, most, monitor);
       std::vector<std::uint32_t> ids;
-      for (const PlanePoint& point : tree.points)
+      for (std::size_t i = 1; i < tree.vertices.size(); ++i)
       {
-        ids.push_back(point.id);
+        ids.push_back(tree.vertices[i].id);
       }
       std::sort(ids.begin(), ids.end());
       ASSERT_EQ(ids.size(), cloud.size());
