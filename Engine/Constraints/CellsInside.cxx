@@ -77,7 +77,7 @@ public:
       std::any_of(given.fixedEdges.begin(), given.fixedEdges.end(),
         [points](std::int64_t corner) { return corner < 0 || corner >= points; }))
     {
-      refuse();
+      throw badArgument("the fixed edges must be as constrainedTriangulation() returned them");
     }
   }
 
@@ -175,7 +175,7 @@ std::int64_t cellsInside(
   const std::int64_t cells = triangulation.cellCount();
   if (cells > 0 && !inside)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("inside must have room for one byte a cell: a null pointer was given");
   }
   runOver(static_cast<std::size_t>(cells), options,
     [&](Monitor& monitor)

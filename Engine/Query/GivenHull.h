@@ -23,7 +23,7 @@ inline Buffer<double> cornersOf(const PointView& points, const Hull& hull)
   requireValid(points, 3);
   if (!checkHullStructure(points.count, hull))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the hull must be one of these points");
   }
   const PointSource source(points);
   Buffer<double> corners(3 * hull.pointIds.size());
@@ -33,7 +33,7 @@ inline Buffer<double> cornersOf(const PointView& points, const Hull& hull)
     source.load(static_cast<std::uint32_t>(hull.pointIds[i]), x);
     if (!isFinite(x))
     {
-      throw Error(ErrorCode::BadArgument);
+      throw badArgument("a hull's points must be finite", hull.pointIds[i]);
     }
   }
   return corners;

@@ -72,7 +72,7 @@ def test_a_set_at_fault():
 
 def test_offsets_at_fault():
     for wrong in ([0, 5, 3], [0, 10**6], [-1, 5]):
-        with pytest.raises(InputError, match="at set [01]"):
+        with pytest.raises(InputError, match="at index [01]"):
             convex_hulls(POINTS[:20], wrong)
     with pytest.raises(TypeError, match="offsets are integers"):
         convex_hulls(POINTS[:20], [0.0, 5.0])

@@ -96,7 +96,7 @@ def test_errors():
     assert caught.value.code == "weight_count"
     with pytest.raises(InputError, match="NaN"):
         centroidal_cells([[0, 0], [np.nan, 1]], domain=BOX)
-    with pytest.raises(InputError, match="an argument is invalid"):
+    with pytest.raises(InputError, match="box must have an inside"):
         centroidal_cells(points, domain=(0, 0, 0, 1))
     with pytest.raises(ValueError, match="areas are n numbers"):
         prescribed_areas(points, np.ones((4, 1)))

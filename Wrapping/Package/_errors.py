@@ -11,7 +11,8 @@ class FlipFlopError(Exception):
     code : str
         what went wrong, in snake_case: "non_finite"
     index : int
-        the first point, triangle, constraint or set at fault; -1 if there is none
+        the first point, triangle, constraint or set at fault; -1 if there is none. Of weight_count, how many points
+        there are
     count : int
         how many are at fault, or the size asked for; 0 if that tells nothing. Of constraint_point, the point; of
         constraints_cross, the other constraint; of polygons_disagree, the other end of the edge; of
@@ -58,8 +59,8 @@ _CODES = (
     ("too_many_points", InputError, "", "{} points"),
     ("out_of_memory", OutOfMemoryError, "", "{} bytes were asked for"),
     ("aborted", AbortedError, "", ""),
-    ("bad_argument", InputError, "at set {}", ""),
-    ("weight_count", InputError, "", "{} weights"),
+    ("bad_argument", InputError, "at index {}", ""),
+    ("weight_count", InputError, "{} points", "{} weights"),
     ("bad_triangle", InputError, "first at triangle {}", "{} such triangle(s) in all"),
     ("not_simple", InputError, "first at cell {}", "{} such polygon(s) in all"),
     ("not_closed", InputError, "first at triangle {}", "{} edge(s) in all"),
@@ -79,7 +80,7 @@ _CODES = (
     ("internal", FlipFlopError, "", ""),
 )
 # Of these, the count is a number of its own kind, which may be 0.
-_COUNT_IS_ID = {"constraint_point", "constraints_cross", "polygons_disagree", "duplicate_sites"}
+_COUNT_IS_ID = {"constraint_point", "constraints_cross", "polygons_disagree", "duplicate_sites", "weight_count"}
 
 
 def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:

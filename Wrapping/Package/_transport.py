@@ -157,7 +157,7 @@ def centroidal_cells(
         as regular_triangulation() takes them; they stay. By default none: Voronoi cells.
     domain : 4 numbers, or m by 2, optional
         where cells end: a box (x least, x greatest, y least, y greatest), or the corners of a convex polygon,
-        counter-clockwise. By default the box of the points.
+        counter-clockwise. By default the box of the points. Its area must be a normal double, 2.3e-308 to 1.7e308.
     iterations : int
         at most so many, 0 or more
     tolerance : float
