@@ -230,7 +230,7 @@ AlphaComplex alphaComplex(const PointView& points, const WeightView& weights,
 {
   if (std::isnan(alpha))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("alpha must not be NaN");
   }
   AlphaComplex complex;
   const auto cells = static_cast<std::size_t>(triangulation.cellCount());
@@ -258,7 +258,7 @@ void cellAlphas(const PointView& points, const WeightView& weights,
 {
   if (triangulation.cellCount() > 0 && !alphas)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("alphas must have room for one number a cell: a null pointer was given");
   }
   runOver(static_cast<std::size_t>(triangulation.cellCount()), options,
     [&](Monitor& monitor)

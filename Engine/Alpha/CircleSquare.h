@@ -8,13 +8,11 @@
 #define flipflop_CircleSquare_h
 
 #include "PowerDiagram/SiteRange.h"
+#include "PowerDiagram/TriangulationInput.h"
 #include <flipflop/Error.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <limits>
 
 namespace flipflop
 {
@@ -92,9 +90,7 @@ public:
              },
              [&]
              {
-               ExponentRange range;
-               std::for_each(this->site, this->site + this->count,
-                 [&range](const PowerSite* one) { addSite(range, *one); });
+               ExponentRange range = this->range();
                range.add(alpha);
                return range;
              }) > 0;
@@ -103,20 +99,27 @@ public:
   /// The least double that it does not exceed.
   double leastAlpha() const
   {
-    const BoundedArithmetic<> k;
-    SquareFraction<Number<decltype(k)>> square;
-    const bool found = this->find(k, square);
-    const auto isExceeded = [&](double alpha)
+    double alpha = 0.0;
+    if (this->quickLeastAlpha(alpha))
     {
-      int sign = 0;
-      return found && std::isfinite(alpha) && this->compare(k, square, alpha, sign)
-        ? sign > 0
-        : this->exceeds(alpha);
-    };
-    const double guess =
-      found ? leading(square.numerator.value) / leading(square.denominator.value) : 0.0;
-    const double root = std::copysign(std::sqrt(std::fabs(guess)), guess);
-    return leastOf(std::isnan(root) ? 0.0 : root, isExceeded);
+      return alpha;
+    }
+    const bool isFound = inIntegers(this->range(), BitsOfSites,
+      [&](const auto& k)
+      {
+        SquareFraction<Number<decltype(k)>> square;
+        if (!this->find(k, square))
+        {
+          return false;
+        }
+        alpha = k.leastRoot(square.numerator, square.denominator);
+        return true;
+      });
+    if (!isFound)
+    {
+      throw badArgument(NotATriangulation);
+    }
+    return alpha;
   }
 
 private:
@@ -162,54 +165,39 @@ private:
     return k.sign(alpha < 0 ? square.numerator + limit : square.numerator - limit, sign);
   }
 
-  /// @param isExceeded bool (double): of all doubles up to some one
-  template <class IsExceeded>
-  static double leastOf(double guess, const IsExceeded& isExceeded)
+  /// @return false: it cannot tell
+  bool quickLeastAlpha(double& alpha) const
   {
-    const std::int64_t last = orderOf(std::numeric_limits<double>::infinity());
-    std::int64_t low = orderOf(guess);
-    std::int64_t high = low;
-    // A guess that is far off, such as one for a radius that is no double, takes steps of any size.
-    constexpr std::int64_t longest = std::int64_t(1) << 60;
-    if (isExceeded(guess))
+    const BoundedArithmetic<> k;
+    SquareFraction<Number<decltype(k)>> square;
+    if (!this->find(k, square))
     {
-      for (std::int64_t step = 1; high == low || isExceeded(atOrder(high));
-           step = std::min(2 * step, longest))
-      {
-        low = high;
-        high = high < last - step ? high + step : last;
-      }
+      return false;
     }
-    else
+    const double guess = leading(square.numerator.value) / leading(square.denominator.value);
+    const double root = std::copysign(std::sqrt(std::fabs(guess)), guess);
+    int sign = 0;
+    if (!std::isfinite(root) || !this->compare(k, square, root, sign))
     {
-      for (std::int64_t step = 1; high == low || !isExceeded(atOrder(low));
-           step = std::min(2 * step, longest))
-      {
-        high = low;
-        low = low > step - last ? low - step : -last;
-      }
+      return false;
     }
-    while (high - low > 1)
+    // The guess and the double beside it: one is exceeded, the other is not.
+    const double next = std::nextafter(root, sign > 0 ? HUGE_VAL : -HUGE_VAL);
+    int other = 0;
+    if (!std::isfinite(next) || !this->compare(k, square, next, other) || other == sign)
     {
-      const std::int64_t middle = low + (high - low) / 2;
-      (isExceeded(atOrder(middle)) ? low : high) = middle;
+      return false;
     }
-    return atOrder(high);
+    alpha = sign > 0 ? next : root;
+    return true;
   }
 
-  /// The place of a double among all; that of 0 is 0.
-  static std::int64_t orderOf(double value)
+  ExponentRange range() const
   {
-    std::int64_t bits;
-    std::memcpy(&bits, &value, sizeof(bits));
-    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
-  }
-  static double atOrder(std::int64_t order)
-  {
-    const std::int64_t bits = order < 0 ? std::numeric_limits<std::int64_t>::min() - order : order;
-    double value;
-    std::memcpy(&value, &bits, sizeof(value));
-    return value;
+    ExponentRange range;
+    std::for_each(this->site, this->site + this->count,
+      [&range](const PowerSite* one) { addSite(range, *one); });
+    return range;
   }
 
   const PowerSite* site[3];

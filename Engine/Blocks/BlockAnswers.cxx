@@ -112,7 +112,7 @@ std::unique_ptr<BlockAnswers> BlockAnswers::make(
     case BlockShape::RegularTriangulation:
       return std::make_unique<AnswersOf<LiftedGeometry<true>>>(std::move(sites), frame, options);
   }
-  throw Error(ErrorCode::BadArgument);
+  throw badArgument("a block's shape must be one of BlockShape");
 }
 
 }

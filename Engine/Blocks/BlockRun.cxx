@@ -152,7 +152,7 @@ std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points, cons
 {
   if (points.places.size() != 3 * points.ids.size())
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("a block's points must have three coordinates for each id");
   }
   std::vector<BlockSite> sites(points.ids.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
@@ -160,7 +160,7 @@ std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points, cons
     const double* const x = points.places.data() + 3 * i;
     if (i > 0 && points.ids[i - 1] >= points.ids[i])
     {
-      throw Error(ErrorCode::BadArgument, static_cast<std::int64_t>(i));
+      throw badArgument("the ids of a block's points must ascend", static_cast<std::int64_t>(i));
     }
     const double third = shape == BlockShape::Delaunay ? 0.0 : x[2];
     sites[i] = { { x[0], x[1], third }, points.ids[i], NoBlock, static_cast<std::uint32_t>(i) };

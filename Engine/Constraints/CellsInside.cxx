@@ -93,7 +93,7 @@ public:
       std::any_of(given.fixedEdges.begin(), given.fixedEdges.end(),
         [points](std::int64_t corner) { return corner < 0 || corner >= points; }))
     {
-      refuse();
+      throw badArgument("the fixed edges must be as constrainedTriangulation() returned them");
     }
   }
 
@@ -253,7 +253,7 @@ std::int64_t cellsInside(
   const std::int64_t cells = triangulation.cellCount();
   if (cells > 0 && !inside)
   {
-    throw badArgument("inside has no room for an answer for each cell");
+    throw badArgument("inside must have room for one byte a cell: a null pointer was given");
   }
   runOver(static_cast<std::size_t>(cells), options,
     [&](Monitor& monitor)

@@ -29,7 +29,8 @@ inline void requireValid(const ConstraintView& constraints, std::int64_t pointCo
   if (constraints.count < 0 || (constraints.count > 0 && !constraints.ends) ||
     constraints.sides < 0 || constraints.sides > constraints.count)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("constraints must have a count of 0 or more, two ends each, and as many "
+                      "sides of polygons as constraints or fewer");
   }
   if (constraints.count >= static_cast<std::int64_t>(NoIndex))
   {

@@ -23,9 +23,19 @@ namespace flipflop
 /// @throw Error BadArgument
 inline void requireArray(const PointView& points, std::int64_t least)
 {
-  if (points.count < 0 || (points.count > 0 && (!points.data || points.stride < least)))
+  if (points.count < 0)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("a count of points must be 0 or more", -1, points.count);
+  }
+  if (points.count > 0 && !points.data)
+  {
+    throw badArgument("points must be in memory: a null pointer was given");
+  }
+  if (points.count > 0 && points.stride < least)
+  {
+    throw badArgument(least == 2 ? "the stride of points must be 2 scalars or more: x and y"
+                                 : "the stride of points must be 3 scalars or more: x, y and z",
+      -1, points.stride);
   }
 }
 
@@ -43,13 +53,21 @@ inline void requireValid(const PointView& points, std::int64_t least)
 /// @throw Error BadArgument, WeightCount
 inline void requireValid(const WeightView& weights, std::int64_t pointCount)
 {
-  if (weights.count < 0 || (weights.data ? weights.stride < 1 : weights.count > 0))
+  if (weights.count < 0)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("a count of weights must be 0 or more", -1, weights.count);
+  }
+  if (!weights.data && weights.count > 0)
+  {
+    throw badArgument("weights must be in memory: a null pointer was given");
+  }
+  if (weights.data && weights.stride < 1)
+  {
+    throw badArgument("the stride of weights must be 1 or more", -1, weights.stride);
   }
   if (weights.data && weights.count != pointCount)
   {
-    throw Error(ErrorCode::WeightCount, -1, weights.count);
+    throw Error(ErrorCode::WeightCount, pointCount, weights.count);
   }
 }
 

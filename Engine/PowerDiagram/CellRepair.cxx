@@ -12,6 +12,7 @@
 #include "PowerDiagram/BoxScale.h"
 #include "PowerDiagram/ChangedRings.h"
 #include "PowerDiagram/PlanarRings.h"
+#include "PowerDiagram/TriangulationInput.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -447,7 +448,7 @@ private:
     else if (!this->isPiece(l) && !this->isCut)
     {
       // All that is left, and yet not the box.
-      throw Error(ErrorCode::BadArgument, this->cells.ids[l]);
+      throw badArgument(NotATriangulation, this->cells.ids[l]);
     }
     this->rings[l].clear();
   }
@@ -557,7 +558,7 @@ std::vector<Index> brokenCells(const RoundedCells& cells, const double* box, Mon
           if (scale.turnsTooFar(plane.position(ring[i]), plane.position(ring[(i + 1) % count]),
                 plane.position(ring[(i + 2) % count])))
           {
-            throw Error(ErrorCode::BadArgument, cells.ids[c]);
+            throw badArgument(NotATriangulation, cells.ids[c]);
           }
         }
         found[run].push_back(static_cast<Index>(c));

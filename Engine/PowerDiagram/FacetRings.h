@@ -173,7 +173,8 @@ private:
 
   [[noreturn]] void refuse(std::uint32_t site) const
   {
-    throw Error(ErrorCode::BadArgument, this->t.pointIds[site]);
+    throw badArgument(
+      "the triangulation must be one: facets form one ring around a site", this->t.pointIds[site]);
   }
 
   std::uint32_t site(std::int64_t h) const

@@ -299,10 +299,6 @@ void diagramInPolygon(const PointView& points, const WeightView& weights,
   makeCells(points, weights, complex, options, result,
     [&](Monitor& monitor, const Buffer<PowerSite>& sites, RoundedCells& cells)
     {
-      if (sites.empty())
-      {
-        return true;
-      }
       cells = cellsInPolygon(complex, sites,
         complex.dimension == 2 ? facetCenters(complex, sites, monitor) : Buffer<Position>(),
         polygon, monitor);
@@ -352,7 +348,7 @@ bool powerCells(const PointView& points, const WeightView& weights, const CellCo
       }
       if (!wanted)
       {
-        refuse();
+        throw badArgument("wanted must have one flag for each of the facets' points");
       }
       return diagramInBox(points, weights, facets, wanted, box, options, diagram);
     });

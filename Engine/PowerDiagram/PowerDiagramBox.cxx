@@ -64,7 +64,7 @@ std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulati
   requireValid(points, 2);
   if (triangulation.pointIds.empty())
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the triangulation must have a point");
   }
   const PointSource source(points, WeightView());
   PlaneBox box = emptyBox();
@@ -73,7 +73,8 @@ std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulati
     const std::int64_t id = triangulation.pointIds[i];
     if (id < 0 || id >= points.count)
     {
-      throw Error(ErrorCode::BadArgument, static_cast<std::int64_t>(i));
+      throw badArgument(
+        "the triangulation's ids must be positions of points", static_cast<std::int64_t>(i));
     }
     add(box, source, id);
   }

@@ -22,6 +22,7 @@
 #include <climits>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 namespace flipflop
@@ -208,6 +209,29 @@ public:
     return true;
   }
 
+  /// The least double a with a |a| >= numerator / denominator, a fraction of degree two.
+  /// @param denominator positive
+  double leastRoot(const Integer& numerator, const Integer& denominator) const
+  {
+    if (numerator == 0)
+    {
+      return 0.0;
+    }
+    // Of a quotient of 126 to 128 bits the root has 63 or 64.
+    Integer n = abs(numerator);
+    Integer d = denominator;
+    int shift = 126 - static_cast<int>(msb(n)) + static_cast<int>(msb(d));
+    shift += shift % 2 != 0 ? 1 : 0;
+    shift >= 0 ? n <<= shift : d <<= -shift;
+    Integer quotient, remainder;
+    divide_qr(n, d, quotient, remainder);
+    const Integer root = sqrt(quotient);
+    const bool isExact = remainder == 0 && root * root == quotient;
+    const int binary = this->exponent - shift / 2;
+    const auto bits = static_cast<std::uint64_t>(root);
+    return numerator > 0 ? ceilingOf(bits, binary, isExact) : 0.0 - floorOf(bits, binary);
+  }
+
   static Integer whole(int value) { return value; }
 
   static bool positive(const Integer& a) { return a > 0; }
@@ -219,6 +243,30 @@ public:
   }
 
 private:
+  /// How many of 63 or 64 bits no double keeps of bits * 2^binary; 64: all.
+  static int dropped(std::uint64_t bits, int binary)
+  {
+    return std::min(std::max(bits >> 63 ? 11 : 10, -1074 - binary), 64);
+  }
+
+  /// The greatest finite double up to bits * 2^binary.
+  static double floorOf(std::uint64_t bits, int binary)
+  {
+    const int drop = dropped(bits, binary);
+    const std::uint64_t kept = drop < 64 ? bits >> drop : 0;
+    return std::min(
+      std::ldexp(static_cast<double>(kept), binary + drop), std::numeric_limits<double>::max());
+  }
+
+  /// The least double from bits * 2^binary on, or from what is greater by less than 2^binary.
+  static double ceilingOf(std::uint64_t bits, int binary, bool isExact)
+  {
+    const int drop = dropped(bits, binary);
+    const std::uint64_t kept = drop < 64 ? bits >> drop : 0;
+    const bool isKept = isExact && drop < 64 && kept << drop == bits;
+    return std::ldexp(static_cast<double>(isKept ? kept : kept + 1), binary + drop);
+  }
+
   Integer integer(double value, int degree) const
   {
     int binary = 0;

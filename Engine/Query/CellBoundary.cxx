@@ -40,7 +40,8 @@ public:
         if (other - side > 1 ||
           (other != side && this->corner(side->place) == this->corner(other->place)))
         {
-          throw Error(ErrorCode::BadArgument, this->cellOf[side->place]);
+          throw badArgument("cells must share each edge by two at most, once in either direction",
+            this->cellOf[side->place]);
         }
         this->twin[side->place] = other == side ? NoIndex : other->place;
         this->twin[other->place] = other == side ? NoIndex : side->place;
@@ -164,7 +165,7 @@ CellBoundary cellBoundary(const CellComplex& cells, const Options& options)
     {
       if (!checkStructure(std::numeric_limits<std::int64_t>::max(), cells, 2, true))
       {
-        throw Error(ErrorCode::BadArgument);
+        throw badArgument("cells must be of dimension -1 to 2, with corners in range");
       }
       if (cells.dimension < 2)
       {

@@ -79,9 +79,13 @@ std::int64_t cellsWithinEdgeLength(const PointView& points, const CellComplex& t
   double limit, std::uint8_t* within, const Options& options)
 {
   // A NaN is not 0 or more.
-  if (!(limit >= 0) || (triangulation.cellCount() > 0 && !within))
+  if (!(limit >= 0))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the limit of edge lengths must be 0 or more");
+  }
+  if (triangulation.cellCount() > 0 && !within)
+  {
+    throw badArgument("within must have room for one byte a cell: a null pointer was given");
   }
   std::int64_t count = 0;
   const auto cells = static_cast<std::size_t>(triangulation.cellCount());

@@ -25,7 +25,7 @@ inline Buffer<double> cornersOf(const PointView& points, const Hull& hull, int a
   requireValid(points, axes);
   if (!checkHullStructure(points.count, hull))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the hull must be one of these points");
   }
   const PointSource source = axes == 3 ? PointSource(points) : PointSource(points, WeightView());
   Buffer<double> corners(3 * hull.pointIds.size());
@@ -35,7 +35,7 @@ inline Buffer<double> cornersOf(const PointView& points, const Hull& hull, int a
     source.load(static_cast<std::uint32_t>(hull.pointIds[i]), x);
     if (!isFinite(x))
     {
-      throw Error(ErrorCode::BadArgument);
+      throw badArgument("a hull's points must be finite", hull.pointIds[i]);
     }
   }
   return corners;

@@ -85,7 +85,7 @@ void HullModel::build(QueryRun& run, const Hull& hull)
       this->around.assign(ring.begin(), ring.end());
       if (this->around.size() != count)
       {
-        throw Error(ErrorCode::BadArgument);
+        throw badArgument("the hull must be one that convexHull() returned");
       }
       this->axes = planeAxes(
         this->space, corners[this->around[0]], corners[this->around[1]], corners[this->around[2]]);
@@ -95,7 +95,7 @@ void HullModel::build(QueryRun& run, const Hull& hull)
   CellMesh mesh = meshOfCells(hull, corners, false);
   if (!mesh.any || mesh.fault.any)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the hull must be one that convexHull() returned");
   }
   this->solid = std::move(mesh.polyhedron);
   std::vector<std::uint32_t> all(count);
@@ -104,7 +104,7 @@ void HullModel::build(QueryRun& run, const Hull& hull)
     placeKernel(this->space, run.source, all.data(), count, this->solid, run.monitor);
   if (span.dimension < 3)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the hull must be one that convexHull() returned");
   }
   std::copy(span.ids, span.ids + 4, this->independent);
   // From the middle, rays lead near what is nearest, and the locator dismisses most.

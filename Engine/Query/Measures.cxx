@@ -92,6 +92,8 @@ void onThreads(const Options& options, std::size_t count, const Body& body)
     });
 }
 
+constexpr const char* NotADiagram = "the diagram must be one that powerDiagram() returned";
+
 double* at(double* array, std::size_t i)
 {
   return array ? array + i : nullptr;
@@ -133,7 +135,7 @@ void cellMeasures(
       if (diagram.offsets.size() != (cells ? cells + 1 : diagram.offsets.size()) ||
         (cells && (diagram.offsets[0] != 0 || diagram.offsets[cells] != size)))
       {
-        refuse();
+        throw badArgument(NotADiagram);
       }
       eachCheckedRun(cells, FacetsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
@@ -144,7 +146,7 @@ void cellMeasures(
             const std::int64_t next = diagram.offsets[c + 1];
             if (first < 0 || next <= first || next > size)
             {
-              refuse(diagram.siteIds[c]);
+              throw badArgument(NotADiagram, diagram.siteIds[c]);
             }
             for (std::int64_t i = first; i < next; ++i)
             {
@@ -153,7 +155,7 @@ void cellMeasures(
                 !std::isfinite(diagram.corners[static_cast<std::size_t>(2 * corner)]) ||
                 !std::isfinite(diagram.corners[static_cast<std::size_t>(2 * corner) + 1]))
               {
-                refuse(diagram.siteIds[c]);
+                throw badArgument(NotADiagram, diagram.siteIds[c]);
               }
             }
           }

@@ -26,7 +26,7 @@ Buffer<std::int64_t> cellNeighbors(const CellComplex& complex, const Options& op
     {
       if (!checkStructure(std::numeric_limits<std::int64_t>::max(), complex, 3, true))
       {
-        throw Error(ErrorCode::BadArgument);
+        throw badArgument("cells must be of dimension -1 to 3, with corners in range");
       }
       monitor.stage(0.1, 0.3, 1);
       neighbors.allocate(entries);
@@ -51,7 +51,7 @@ Buffer<std::int64_t> cellNeighbors(const CellComplex& complex, const Options& op
         });
       if (crowded != NoIndex)
       {
-        throw Error(ErrorCode::BadArgument, std::int64_t(crowded));
+        throw badArgument("cells must share each edge by two at most", std::int64_t(crowded));
       }
     });
   return neighbors;

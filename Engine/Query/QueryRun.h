@@ -76,7 +76,7 @@ void eachQuery(const PointView& queries, int dimension, const void* answers, con
   QueryRun run(queries, dimension, options);
   if (queries.count > 0 && !answers)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("there must be room for one answer a query: a null pointer was given");
   }
   run.execute<QueryResult>(
     [&](QueryResult& result)

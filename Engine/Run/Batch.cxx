@@ -22,7 +22,8 @@ void requireValid(const SetView& sets, std::int64_t pointCount)
 {
   if (sets.count < 0 || (sets.count > 0 && !sets.offsets))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument(
+      "a batch must have a count of sets of 0 or more, and one offset more than sets");
   }
   for (std::int64_t i = 0; i < sets.count; ++i)
   {
@@ -30,7 +31,8 @@ void requireValid(const SetView& sets, std::int64_t pointCount)
     const std::int64_t end = sets.offsets[i + 1];
     if (first < 0 || end < first || end > pointCount)
     {
-      throw Error(ErrorCode::BadArgument, i);
+      throw badArgument(
+        "the offsets of a batch must ascend, from 0 or more to the number of points or less", i);
     }
   }
 }

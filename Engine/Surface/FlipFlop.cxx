@@ -178,10 +178,13 @@ Hull flipFlop(const PointView& points, const TriangleView& triangles, const doub
 {
   // Checks the arguments before anything is read.
   HullRun checked(points, options);
-  if (triangles.count < 0 || (triangles.count > 0 && !triangles.corners) ||
-    (kernel && !isFinite(kernel)))
+  if (triangles.count < 0 || (triangles.count > 0 && !triangles.corners))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("triangles must have a count of 0 or more, and three corners each");
+  }
+  if (kernel && !isFinite(kernel))
+  {
+    throw badArgument("the kernel point must be finite");
   }
   if (triangles.count > static_cast<std::int64_t>(NoIndex / 8))
   {

@@ -165,7 +165,8 @@ void checkOffsets(const PolygonView& polygons)
     (polygons.count > 0 && !std::is_sorted(offsets, offsets + polygons.count + 1)) ||
     (polygons.count > 0 && offsets[polygons.count] > offsets[0] && !polygons.corners))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("polygons must have a count of 0 or more, offsets that ascend from 0 or "
+                      "more, one more than polygons, and corners up to the last offset");
   }
 }
 

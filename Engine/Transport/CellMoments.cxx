@@ -104,12 +104,12 @@ public:
   /// @return the area
   double measure(double* centroid) const
   {
-    double twice = 0;
+    double whole = 0;
     for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
     {
-      twice += this->twiceArea(i);
+      whole += this->areaOf(i);
     }
-    if (!(twice > 0))
+    if (!(whole > 0))
     {
       return 0;
     }
@@ -117,7 +117,7 @@ public:
     double mean[2] = { 0, 0 };
     for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
     {
-      const double share = this->twiceArea(i) / twice;
+      const double share = this->areaOf(i) / whole;
       for (int k = 0; k < 2; ++k)
       {
         mean[k] += share * (this->fromFirst(i, k) + this->fromFirst(i + 1, k));
@@ -127,7 +127,7 @@ public:
     {
       centroid[k] = this->corners[0].x[k] + mean[k] / 3;
     }
-    return 0.5 * twice;
+    return whole;
   }
 
   /// use(line, length) for each edge.
@@ -149,10 +149,10 @@ private:
   }
 
   /// Of the fan's triangle at corner @p i.
-  double twiceArea(std::size_t i) const
+  double areaOf(std::size_t i) const
   {
-    return this->fromFirst(i, 0) * this->fromFirst(i + 1, 1) -
-      this->fromFirst(i, 1) * this->fromFirst(i + 1, 0);
+    return 0.5 * this->fromFirst(i, 0) * this->fromFirst(i + 1, 1) -
+      0.5 * this->fromFirst(i, 1) * this->fromFirst(i + 1, 0);
   }
 
   std::vector<Corner> corners;
@@ -234,9 +234,14 @@ MeasuredDomain::MeasuredDomain(const ConvexDomain& given)
   ClippedCell whole;
   whole.begin(this->polygon, first);
   this->area = whole.measure(this->centroid.data());
-  if (!std::isnormal(2 * this->area))
+  const std::array<double, 4> box = boundingBox(this->polygon);
+  if (!std::isfinite(box[1] - box[0]) || !std::isfinite(box[3] - box[2]))
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument("the domain's width and height must be 1.7e308 or less");
+  }
+  if (!std::isnormal(this->area))
+  {
+    throw badArgument("the domain's area must be a normal double, from 2.3e-308 to 1.7e308");
   }
   this->centroid[0] += first[0];
   this->centroid[1] += first[1];

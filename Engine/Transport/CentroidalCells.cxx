@@ -31,10 +31,7 @@ public:
     , tolerance(greatestMove)
     , watch(options)
   {
-    if (this->most < 0 || !(this->tolerance >= 0))
-    {
-      throw Error(ErrorCode::BadArgument);
-    }
+    requireLimits(this->most, this->tolerance);
   }
 
   CentroidalCells run()

@@ -15,6 +15,19 @@
 namespace flipflop
 {
 
+/// @throw Error BadArgument
+inline void requireLimits(std::int64_t iterations, double tolerance)
+{
+  if (iterations < 0)
+  {
+    throw badArgument("the most iterations must be 0 or more", -1, iterations);
+  }
+  if (!(tolerance >= 0)) // or NaN
+  {
+    throw badArgument("the tolerance must be 0 or more");
+  }
+}
+
 class IterationWatch
 {
 public:

@@ -102,10 +102,7 @@ public:
     , most(mostIterations)
     , watch(options)
   {
-    if (this->most < 0 || !(this->tolerance >= 0))
-    {
-      throw Error(ErrorCode::BadArgument);
-    }
+    requireLimits(this->most, this->tolerance);
     this->prescribe();
   }
 
@@ -162,18 +159,20 @@ private:
     {
       area *= this->domain.area / sum;
     }
-    this->refuseAreas([](double area) { return !std::isnormal(area); });
+    this->refuseAreas([](double area) { return !std::isnormal(area); },
+      "an area that is prescribed must be a normal double, 2.3e-308 or more, as its share of the "
+      "domain's area");
   }
 
   /// @param isBad bool (double area)
   template <class IsBad>
-  void refuseAreas(const IsBad& isBad) const
+  void refuseAreas(const IsBad& isBad, const char* text = nullptr) const
   {
     const auto first = std::find_if(this->prescribed.begin(), this->prescribed.end(), isBad);
     if (first != this->prescribed.end())
     {
       throw Error(ErrorCode::BadArea, first - this->prescribed.begin(),
-        std::count_if(first, this->prescribed.end(), isBad));
+        std::count_if(first, this->prescribed.end(), isBad), text);
     }
   }
 

@@ -103,7 +103,7 @@ def test_power_diagram_s_box_is_that_of_the_points():
 
 def test_weights_at_fault_are_named():
     weights = np.zeros(20)
-    with pytest.raises(InputError, match="not as many weights as points: 19 weights") as caught:
+    with pytest.raises(InputError, match="not as many weights as points: 20 points, 19 weights") as caught:
         regular_triangulation(GRID, weights[1:])
     assert caught.value.code == "weight_count"
     with pytest.raises(InputError, match="not as many weights"):

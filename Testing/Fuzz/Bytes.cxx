@@ -36,7 +36,7 @@ double Bytes::number()
     case 14:
       return this->raw<double>();
     case 15:
-      switch (this->below(4))
+      switch (this->below(6))
       {
         case 1:
           return std::numeric_limits<double>::quiet_NaN();
@@ -44,6 +44,10 @@ double Bytes::number()
           return std::numeric_limits<double>::infinity();
         case 3:
           return -std::numeric_limits<double>::infinity();
+        case 4:
+          return std::numeric_limits<double>::max();
+        case 5:
+          return std::numeric_limits<double>::lowest();
         default:
           return -0.0;
       }

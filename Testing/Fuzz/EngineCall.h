@@ -120,6 +120,8 @@ void expectOutcome(
       known = known || code == outcome.error->code();
     }
     demand(known, std::string("an error out of place: ") + outcome.error->what());
+    demand(std::string(Error(ErrorCode::BadArgument).what()) != outcome.error->what(),
+      "a bad argument without a text of its own");
   }
 }
 

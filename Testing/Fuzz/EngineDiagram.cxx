@@ -49,6 +49,24 @@ Box drawBox(Bytes& bytes, const Cloud& cloud)
   return box;
 }
 
+/// Sites and their box in any unit.
+void stretch(Bytes& bytes, Cloud& cloud, Box& box)
+{
+  if (!bytes.oneOf(4))
+  {
+    return;
+  }
+  const double factor = std::ldexp(1 + bytes.byte() / 177.0, 8 * bytes.raw<std::int8_t>());
+  for (Point& p : cloud)
+  {
+    p = { p[0] * factor, p[1] * factor, p[2] * factor * factor };
+  }
+  for (double& x : box)
+  {
+    x *= factor;
+  }
+}
+
 bool isBox(const Box& box)
 {
   return std::all_of(box.begin(), box.end(), [](double x) { return std::isfinite(x); }) &&
@@ -105,7 +123,8 @@ void fuzzPowerDiagram(Bytes& bytes)
   const bool weighted = bytes.flag();
   Cloud cloud = drawCloud(bytes, 400);
   drawWeights(bytes, cloud);
-  const Box box = drawBox(bytes, cloud);
+  Box box = drawBox(bytes, cloud);
+  stretch(bytes, cloud, box);
   const PointView points = test::viewOf(cloud);
   const WeightView weights = weighted ? test::weightsOf(cloud) : WeightView();
 

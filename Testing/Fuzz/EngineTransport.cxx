@@ -5,6 +5,8 @@
 #include "EngineCalls.h"
 #include "EngineQueries.h"
 
+#include "PowerDiagram/PlanarRings.h"
+#include "Testing/Engine/PowerDiagram/ExactPolygons.h"
 #include "Testing/Engine/PowerDiagram/PowerPolygons.h"
 #include "Testing/Engine/Query/PlaneQueries.h"
 #include <flipflop/CellBoundary.h>
@@ -16,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -72,6 +75,44 @@ struct Domain
       : ConvexDomain(this->numbers.data(), static_cast<std::int64_t>(this->numbers.size() / 2));
   }
 
+  /// In a unit of any size, rounded. Rounding may make a polygon's corner turn right.
+  void stretch(double factor)
+  {
+    for (double& x : this->numbers)
+    {
+      x *= factor;
+    }
+    const Numbers& x = this->numbers;
+    this->isRight = this->isRight && areFinite(x.data(), x.data() + x.size()) &&
+      (this->isBox ? x[0] < x[1] && x[2] < x[3] : this->turnsLeft());
+    this->measure();
+  }
+
+  /// Counter-clockwise from any corner; some may be no bend.
+  Numbers corners() const
+  {
+    const Numbers& x = this->numbers;
+    return this->isBox ? Numbers{ x[0], x[2], x[1], x[2], x[1], x[3], x[0], x[3] } : x;
+  }
+
+  /// The corners that are a bend.
+  Numbers bends() const
+  {
+    const Numbers all = this->corners();
+    Numbers found;
+    for (std::size_t i = 0; i < all.size(); i += 2)
+    {
+      if (turnAt(all, i) > 0)
+      {
+        found.insert(found.end(), { all[i], all[i + 1] });
+      }
+    }
+    return found;
+  }
+
+  /// Is its area a normal double, and each side as long as a double can be?
+  bool isMeasurable() const { return std::isnormal(this->area) && std::isfinite(this->perimeter); }
+
   /// Are areas in it sums of normal doubles, and not of rounding alone?
   bool isThick() const
   {
@@ -118,15 +159,38 @@ private:
     this->isRight = hull.dimension == 2;
   }
 
+  /// The turn from a corner to the next but one; negative also for one that goes back.
+  static test::Rational turnAt(const Numbers& x, std::size_t i)
+  {
+    const std::size_t size = x.size();
+    const double* const a = &x[(i + size - 2) % size];
+    const double* const b = &x[i];
+    const double* const c = &x[(i + 2) % size];
+    const test::Rational u[2] = { test::Rational(b[0]) - a[0], test::Rational(b[1]) - a[1] };
+    const test::Rational v[2] = { test::Rational(c[0]) - b[0], test::Rational(c[1]) - b[1] };
+    const test::Rational turn = u[0] * v[1] - u[1] * v[0];
+    return turn == 0 && u[0] * v[0] + u[1] * v[1] <= 0 ? test::Rational(-1) : turn;
+  }
+
+  /// As all of the true corners do, or are no bend.
+  bool turnsLeft() const
+  {
+    bool isLeft = true;
+    for (std::size_t i = 0; i < this->numbers.size(); i += 2)
+    {
+      isLeft = isLeft && turnAt(this->numbers, i) >= 0;
+    }
+    return isLeft;
+  }
+
   void measure()
   {
+    this->area = this->magnitude = this->perimeter = 0;
     if (!this->isRight)
     {
       return;
     }
-    const Numbers& x = this->numbers;
-    const Numbers corners =
-      this->isBox ? Numbers{ x[0], x[2], x[1], x[2], x[1], x[3], x[0], x[3] } : x;
+    const Numbers corners = this->corners();
     test::Rational twice = 0;
     for (std::size_t i = 0; i < corners.size(); i += 2)
     {
@@ -162,6 +226,16 @@ struct Sites
     this->faults = findNonFinite(this->cloud, this->isWeighted ? 3 : 2);
   }
 
+  /// @param areWeights the numbers, which go with the square of lengths
+  void stretch(double factor, bool areWeights)
+  {
+    for (Point& p : this->cloud)
+    {
+      p = { p[0] * factor, p[1] * factor, areWeights ? p[2] * factor * factor : p[2] };
+    }
+    this->faults = findNonFinite(this->cloud, this->isWeighted ? 3 : 2);
+  }
+
   PointView points() const { return test::viewOf(this->cloud); }
   WeightView numbers() const
   {
@@ -176,6 +250,68 @@ struct Sites
       [&](const Point& p) { return std::fabs(p[0]) <= far && std::fabs(p[1]) <= far; });
   }
 };
+
+/// Sites and their domain in any unit, mostly one in which nothing stays a small integer.
+/// @param areWeights the sites' numbers
+void stretch(Bytes& bytes, Sites& sites, Domain& domain, bool areWeights = true)
+{
+  if (bytes.flag())
+  {
+    const int exponent = bytes.flag() ? 8 * bytes.raw<std::int8_t>() : 0;
+    const double factor = std::ldexp(1 + bytes.byte() / 177.0, exponent);
+    sites.stretch(factor, areWeights);
+    domain.stretch(factor);
+  }
+}
+
+/// Up to so many sites, brute force in rationals is quick.
+constexpr std::size_t FewSites = 12;
+
+/// Sites at different places, all finite, and few?
+bool isForBruteForce(const Sites& sites)
+{
+  std::set<std::pair<double, double>> places;
+  for (const Point& p : sites.cloud)
+  {
+    places.emplace(p[0], p[1]);
+  }
+  return sites.count <= FewSites && sites.faults.count == 0 && places.size() == sites.count;
+}
+
+/// The cells are those of brute force, unless rounding has broken one.
+void demandCells(const PowerDiagram& diagram, const Sites& sites, const Domain& domain)
+{
+  Numbers places;
+  Numbers weights;
+  for (const Point& p : sites.cloud)
+  {
+    places.insert(places.end(), { p[0], p[1] });
+    weights.push_back(sites.isWeighted ? p[2] : 0);
+  }
+  std::map<std::int64_t, test::Polygon> expected;
+  for (std::size_t i = 0; i < sites.count; ++i)
+  {
+    const test::Polygon cell =
+      test::roundingOf(test::exactCell(places, weights, domain.bends(), i));
+    if (cell.size() < 3)
+    {
+      continue;
+    }
+    Numbers positions;
+    Ring ring;
+    for (const auto& corner : cell)
+    {
+      ring.push_back(static_cast<std::uint32_t>(ring.size()));
+      positions.insert(positions.end(), corner.begin(), corner.end());
+    }
+    if (!PlanarRings(positions).isConvex(ring.data(), ring.size()))
+    {
+      return;
+    }
+    expected[static_cast<std::int64_t>(i)] = cell;
+  }
+  demand(test::polygonsOf(diagram) == expected, "not the cells of brute force");
+}
 
 bool isCode(const std::optional<Error>& error, ErrorCode code)
 {
@@ -217,8 +353,9 @@ void fuzzDomains(Bytes& bytes)
 {
   Watch watch;
   const Options options = drawOptions(bytes, watch);
-  const Sites sites(bytes, 400);
-  const Domain domain(bytes, sites.cloud);
+  Sites sites(bytes, 400);
+  Domain domain(bytes, sites.cloud);
+  stretch(bytes, sites, domain);
   Options making = unwatched(options);
   making.facets = options.facets;
   const auto made =
@@ -253,6 +390,10 @@ void fuzzDomains(Bytes& bytes)
   demand(areFinite(diagram.corners.begin(), diagram.corners.end()), "a corner is not finite");
   demand(
     areFinite(centroids.data(), centroids.data() + centroids.size()), "a centroid is not finite");
+  if (domain.isRight && isForBruteForce(sites))
+  {
+    demandCells(diagram, sites, domain);
+  }
   if (domain.isRight && domain.isThick() && !made.result->pointIds.empty())
   {
     demand(std::all_of(areas.begin(), areas.end(), [](double area) { return area > 0; }),
@@ -265,10 +406,11 @@ void fuzzCentroidal(Bytes& bytes)
 {
   Watch watch;
   const Options options = drawOptions(bytes, watch);
-  const Sites sites(bytes, 150);
-  const Domain domain(bytes, sites.cloud);
+  Sites sites(bytes, 150);
+  Domain domain(bytes, sites.cloud);
   const std::int64_t iterations = bytes.oneOf(16) ? -1 : bytes.below(5);
   const double tolerance = bytes.flag() ? 0.0 : bytes.number();
+  stretch(bytes, sites, domain);
   const auto cellsOn = [&](const Options& chosen)
   {
     return attempt(
@@ -284,7 +426,7 @@ void fuzzCentroidal(Bytes& bytes)
   if (!watch.stopped)
   {
     expectDomainError(
-      outcome, domain, iterations < 0 || !(tolerance >= 0) || !std::isnormal(domain.area));
+      outcome, domain, iterations < 0 || !(tolerance >= 0) || !domain.isMeasurable());
     demand(!isCode(outcome.error, ErrorCode::NonFinite) ||
         (outcome.error->index() == sites.faults.first &&
           outcome.error->count() == sites.faults.count),
@@ -325,9 +467,10 @@ void fuzzPrescribed(Bytes& bytes)
       p[2] = std::isfinite(p[2]) && p[2] != 0 ? std::fabs(p[2]) : 1.0;
     }
   }
-  const Domain domain(bytes, sites.cloud);
+  Domain domain(bytes, sites.cloud);
   const std::int64_t iterations = bytes.oneOf(16) ? -1 : bytes.below(5);
   const double tolerance = bytes.flag() ? 1e-6 : bytes.number();
+  stretch(bytes, sites, domain, false);
   const auto areasOn = [&](const Options& chosen)
   {
     return attempt(
@@ -358,7 +501,7 @@ void fuzzPrescribed(Bytes& bytes)
   if (!watch.stopped)
   {
     expectDomainError(
-      outcome, domain, iterations < 0 || !(tolerance >= 0) || !std::isnormal(domain.area));
+      outcome, domain, iterations < 0 || !(tolerance >= 0) || !domain.isMeasurable());
     demand(!isCode(outcome.error, ErrorCode::NonFinite) ||
         (outcome.error->index() == faults.first && outcome.error->count() == faults.count),
       "NonFinite where all are finite, or of another site");

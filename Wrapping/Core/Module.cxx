@@ -92,7 +92,8 @@ nb::tuple trianglesOf(const InputArray& points, const IdArray& offsets, const Id
   const auto size = static_cast<std::int64_t>(corners.shape(0));
   if (polygons.count > 0 && offsets.data()[polygons.count] > size)
   {
-    throw Error(ErrorCode::BadArgument);
+    throw badArgument(
+      "the last offset must not exceed the number of corners", -1, offsets.data()[polygons.count]);
   }
   PolygonTriangles found = settings.run(
     [&](const Options& options) { return triangulatePolygons(input.view(), polygons, options); });

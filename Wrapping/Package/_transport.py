@@ -163,7 +163,8 @@ def centroidal_cells(
         as regular_triangulation() takes them; they stay. By default none: Voronoi cells.
     domain : 4 numbers, 2 by 2, or m by 2, optional
         where cells end, as RegularTriangulation.power_diagram() takes it: a box (x0, x1, y0, y1), two corners
-        ((x0, y0), (x1, y1)), or the corners of a convex polygon. By default the box of the points.
+        ((x0, y0), (x1, y1)), or the corners of a convex polygon. By default the box of the points. Its area must be a
+        normal double, 2.3e-308 to 1.7e308.
     iterations : int
         at most so many, 0 or more
     tolerance : float

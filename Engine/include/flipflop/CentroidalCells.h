@@ -47,7 +47,8 @@ struct CentroidalCells
 /// @param points     the sites at first, at any places; x and y are read
 /// @param weights    one for each site, as regularTriangulation() takes them; they stay. Without:
 ///                   Voronoi cells.
-/// @param domain     where cells end. Its area must be a normal double.
+/// @param domain     where cells end. Its area must be a normal double, its width and
+///                   its height no infinite ones.
 /// @param iterations at most so many; 0 or more. With 0, the cells of the sites as given.
 /// @param tolerance  a length, 0 or more: it ends when no site moved further in an iteration
 /// @param options    the threads, the progress function and the step function are used

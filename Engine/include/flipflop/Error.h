@@ -18,9 +18,9 @@ enum class ErrorCode
   TooManyPoints, ///< count: points given (or left after culling); 32-bit indices end here
   OutOfMemory,   ///< count: bytes asked for
   Aborted,       ///< the progress function asked to stop
-  BadArgument,   ///< a null array, a negative count, a stride too short; index: the first set of a
-                 ///< batch whose offsets descend or leave the array
-  WeightCount,   ///< count: weights given, which is not the number of points
+  BadArgument,   ///< what() names the argument and what is allowed; index: where it is at fault,
+                 ///< as a set of a batch, a site, a cell
+  WeightCount,   ///< index: the number of points; count: the weights given, which are not as many
   BadTriangle, ///< index: first triangle with a corner out of range or used twice; count: how many
   NotSimple,   ///< index: first polygon that crosses or touches itself; count: how many
   NotClosed,   ///< index: first triangle with an edge that no other triangle shares; count: edges

@@ -16,10 +16,10 @@ namespace flipflop
 /// The area and the centroid of each cell of a triangulation, in triangles or polygons.
 ///
 /// Both are taken of the true corners and rounded last. An area is off by at most 2^-50 of itself,
-/// however flat the cell is (beyond the range of normal doubles: by as much as those numbers are
-/// apart). A centroid's coordinate is off by at most 2^-50 of the largest magnitude of that
-/// coordinate among the cell's corners. A cell of dimension 1 or 0 has area 0, and its middle for a
-/// centroid. The same bits for any number of threads.
+/// however flat the cell is (below the normal doubles: by as much as those numbers are apart;
+/// beyond the greatest double it is infinite). A centroid's coordinate is off by at most 2^-50 of
+/// the largest magnitude of that coordinate among the cell's corners. A cell of dimension 1 or 0
+/// has area 0, and its middle for a centroid. The same bits for any number of threads.
 /// @param points        as they were triangulated; x and y are read
 /// @param triangulation of these points; dimension -1 to 2, cells convex and counter-clockwise
 /// @param areas         receives one number a cell; null: they are not wanted

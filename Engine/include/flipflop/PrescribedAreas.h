@@ -53,7 +53,8 @@ struct PrescribedAreas
 /// @param areas      one for each site, positive: shares, which are scaled such that they sum to
 ///                   the domain's area. What each becomes must be a normal double, else it is a
 ///                   BadArea. Without (no data): all equal.
-/// @param domain     where cells end. Its area must be a normal double.
+/// @param domain     where cells end. Its area must be a normal double, its width and
+///                   its height no infinite ones.
 /// @param tolerance  0 or more: it ends when each area is met to that, relative to itself
 /// @param iterations at most so many steps; 0 or more
 /// @param options    the threads, the progress function and the step function are used

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -151,6 +152,59 @@ TEST(Alpha, FarFromTheFirstGuess)
     const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
     ASSERT_EQ(triangulation.cellCount(), 1);
     EXPECT_EQ(alphasOf(sites, triangulation)[0], infinite);
+  }
+}
+
+/// At the ends of the doubles numbers of a triangulation have thousands of bits. Each cell's is
+/// found without a search among the doubles.
+TEST(Alpha, PointsAtTheEndsOfTheDoubles)
+{
+  const double most = std::numeric_limits<double>::max();
+  const Cloud sites = { { most, most, 0 }, { -most, most, 0 }, { most, -most, 0 },
+    { -most, -most, 0 }, { most / 2, 0.1, 0 }, { 0, most, 0 }, { -most, 0.3, 0 },
+    { 1e-300, most / 3, 0 } };
+  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<double> alphas;
+  const int times = effort(50);
+  for (int i = 0; i < times; ++i)
+  {
+    alphas = alphasOf(sites, triangulation);
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(seconds.count(), 0.03 * times); // with a search: 0.1 s each
+  EXPECT_EQ(std::count(alphas.begin(), alphas.end(), infinite), 2);
+  for (std::size_t cell = 0; cell < alphas.size(); ++cell)
+  {
+    const double alpha = alphas[cell];
+    const auto isIn = [&](double limit)
+    { return alphaComplex(viewOf(sites), WeightView(), triangulation, limit).cells[cell] != 0; };
+    EXPECT_TRUE(isIn(alpha));
+    EXPECT_FALSE(isIn(std::nextafter(alpha, -infinite)));
+  }
+}
+
+/// Of every size of the square, the least number whose square is not less.
+TEST(Alpha, RootsAreRoundedUp)
+{
+  Random random(9);
+  for (int exponent = -1080; exponent < 1000; exponent += 40)
+  {
+    // Without weights positive; of one site with a weight, any sign; of few bits, exact.
+    const double x = std::ldexp(1 + random.uniform(), exponent);
+    const double weight = std::ldexp(random.uniform() - 0.5, std::max(-1070, exponent));
+    for (const Cloud& sites : { Cloud{ { 0, 0, 0 }, { x, 0, 0 } },
+           Cloud{ { 0, 0, 0 }, { std::ldexp(3.0, exponent), std::ldexp(4.0, exponent), 0 } },
+           Cloud{ { 0, 0, weight } } })
+    {
+      const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+      const double alpha = alphasOf(sites, triangulation)[0];
+      const auto isIn = [&](double limit) {
+        return alphaComplex(viewOf(sites), weightsOf(sites), triangulation, limit).cellCount == 1;
+      };
+      EXPECT_TRUE(isIn(alpha)) << exponent;
+      EXPECT_FALSE(isIn(std::nextafter(alpha, -infinite))) << exponent;
+    }
   }
 }
 

@@ -314,6 +314,7 @@ void expectError(
   {
     EXPECT_EQ(error.code(), code) << error.what();
     EXPECT_STRNE(error.what(), "");
+    EXPECT_STRNE(error.what(), Error(ErrorCode::BadArgument).what());
     EXPECT_TRUE(index == -2 || error.index() == index) << error.index() << " for " << index;
     EXPECT_TRUE(count == -2 || error.count() == count) << error.count() << " for " << count;
   }

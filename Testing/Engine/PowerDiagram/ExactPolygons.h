@@ -51,6 +51,21 @@ inline void expectRounded(double rounded, const mpq_class& exact)
   EXPECT_TRUE(isNext(rounded, exact)) << rounded << " for " << exact.get_d();
 }
 
+/// The double next to @p exact.
+inline double roundingOf(const mpq_class& exact)
+{
+  const double near = exact.get_d();
+  for (const double towards : { -HUGE_VAL, HUGE_VAL })
+  {
+    const double next = std::nextafter(near, towards);
+    if (!isNext(near, exact) && isNext(next, exact))
+    {
+      return next;
+    }
+  }
+  return near;
+}
+
 using ExactPolygon = std::vector<std::array<mpq_class, 2>>;
 
 /// The part of a convex polygon where a x + b y <= c; empty where that has no inside.
@@ -103,6 +118,23 @@ inline ExactPolygon exactCell(const std::vector<double>& sites, const std::vecto
     }
   }
   return cell;
+}
+
+/// A polygon with its corners rounded; what rounds to one place is one. From its lowest corner on.
+inline Polygon roundingOf(const ExactPolygon& exact)
+{
+  Polygon polygon;
+  for (const auto& corner : exact)
+  {
+    polygon.push_back({ roundingOf(corner[0]) + 0.0, roundingOf(corner[1]) + 0.0 });
+  }
+  polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+  while (polygon.size() > 1 && polygon.front() == polygon.back())
+  {
+    polygon.pop_back();
+  }
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  return polygon;
 }
 
 /// Is @p cell the polygon @p exact with every corner rounded to nearest; what rounds to one place

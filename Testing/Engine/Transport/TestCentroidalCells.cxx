@@ -202,6 +202,42 @@ TEST(CentroidalCells, AnyUnit)
   }
 }
 
+/// The least and the greatest domain whose area is a normal double.
+TEST(CentroidalCells, ToTheEndsOfAreas)
+{
+  const Numbers polygon = { 0, 0, 2, 0, 3, 1, 1, 3, -0.5, 1 };
+  const Numbers sites = { 0.1, 0.2, 1, 1, 0.3, 0.9 };
+  const auto lloydAt = [&](int exponent)
+  {
+    Numbers domain = polygon;
+    Numbers places = sites;
+    for (double& x : domain)
+    {
+      x = std::ldexp(x, exponent);
+    }
+    for (double& x : places)
+    {
+      x = std::ldexp(x, exponent);
+    }
+    return lloyd(places, {}, ConvexDomain(domain.data(), 5), 10);
+  };
+  const CentroidalCells plain = lloydAt(0);
+  for (const int exponent : { -512, -511, -200, 200, 509, 510 })
+  {
+    const CentroidalCells found = lloydAt(exponent);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(std::ldexp(found.areas[i], -2 * exponent), plain.areas[i], 1e-9) << exponent;
+      for (std::size_t k = 2 * i; k < 2 * i + 2; ++k)
+      {
+        EXPECT_NEAR(std::ldexp(found.sites[k], -exponent), plain.sites[k], 1e-9) << exponent;
+      }
+    }
+  }
+  expectError([&] { lloydAt(-513); }, ErrorCode::BadArgument);
+  expectError([&] { lloydAt(511); }, ErrorCode::BadArgument);
+}
+
 TEST(CentroidalCells, StopsWhenAsked)
 {
   const Numbers sites = randomNumbers(2000, 0, 1, 16);
@@ -219,8 +255,16 @@ TEST(CentroidalCells, Errors)
   const Numbers sites{ 0.2, 0.2, 0.5, 0.7, 0.8, 0.3 };
   expectError([&] { lloyd({ 0.1, 0.1, nan, 0.3 }, {}, unitBox, 3); }, ErrorCode::NonFinite, 1, 1);
   expectError([&] { lloyd(sites, { 0, 0, nan }, unitBox, 3); }, ErrorCode::NonFinite, 2, 1);
-  expectError([&] { lloyd(sites, { 0, 0 }, unitBox, 3); }, ErrorCode::WeightCount, -1, 2);
+  expectError([&] { lloyd(sites, { 0, 0 }, unitBox, 3); }, ErrorCode::WeightCount, 3, 2);
   expectError([&] { lloyd(sites, {}, nullptr, 3); }, ErrorCode::BadArgument);
+  // An area that is no normal double, and one that is, of a width that is none.
+  for (const double size : { 1e-200, 1e-162, 1e155, 1e200 })
+  {
+    const double box[] = { 0, size, 0, size };
+    expectError([&] { lloyd(sites, {}, box, 3); }, ErrorCode::BadArgument);
+  }
+  const double wide[] = { -1e308, 1e308, 0, 1e-300 };
+  expectError([&] { lloyd(sites, {}, wide, 3); }, ErrorCode::BadArgument);
   expectError([&] { lloyd(sites, {}, unitBox, -1); }, ErrorCode::BadArgument);
   expectError([&] { lloyd(sites, {}, unitBox, 3, -1); }, ErrorCode::BadArgument);
   expectError([&] { lloyd(sites, {}, unitBox, 3, nan); }, ErrorCode::BadArgument);

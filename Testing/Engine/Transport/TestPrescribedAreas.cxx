@@ -264,7 +264,7 @@ TEST(PrescribedAreas, Errors)
   expect(three, { 1, 2, nan }, unitBox, ErrorCode::BadArea, 2, 1);
   expect(three, { infinity, 2, 1 }, unitBox, ErrorCode::BadArea, 0, 1);
   expect(three, { 1, 1e-320, 1 }, unitBox, ErrorCode::BadArea, 1, 1);
-  expect(three, { 1, 2 }, unitBox, ErrorCode::WeightCount, -1, 2);
+  expect(three, { 1, 2 }, unitBox, ErrorCode::WeightCount, 3, 2);
   expect(three, {}, nullptr, ErrorCode::BadArgument);
   const double flat[] = { 0, 1, 1, 1 };
   expect(three, {}, flat, ErrorCode::BadArgument);
