@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The engine on this machine's threads. It is compiled once a geometry, in CpuBuilder.cxx.
+/// The engine on this machine's threads. CpuBuilderBody.h has its member, which
+/// is compiled once a geometry.
 #ifndef flipflop_CpuBuilder_h
 #define flipflop_CpuBuilder_h
 

@@ -13,7 +13,8 @@
 #ifndef flipflop_StdThreads_h
 #define flipflop_StdThreads_h
 
-#include <algorithm>
+#include "Support/SortByHalves.h"
+
 #include <cstddef>
 #include <functional>
 
@@ -82,16 +83,8 @@ void invoke(const First& first, const Second& second)
 template <class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {
-  constexpr std::ptrdiff_t AtOnce = 1 << 14;
-  if (last - first <= AtOnce)
-  {
-    std::sort(first, last, less);
-    return;
-  }
-  const Iterator middle = first + (last - first) / 2;
-  std::nth_element(first, middle, last, less);
-  invoke(
-    [&] { stdThreads::sort(first, middle, less); }, [&] { stdThreads::sort(middle, last, less); });
+  sortByHalves(
+    first, last, less, [](const auto& low, const auto& high) { stdThreads::invoke(low, high); });
 }
 
 }

@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The threads that Parallel.h asks for, by oneTBB.
+/// The threads that Parallel.h asks for, by oneTBB. Its headers are TbbThreads.cxx's alone: they
+/// take half a second to compile, and nearly every source has loops.
 #ifndef flipflop_TbbThreads_h
 #define flipflop_TbbThreads_h
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/parallel_sort.h>
-#include <tbb/task_arena.h>
+#include "Support/SortByHalves.h"
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 
 namespace flipflop
 {
@@ -19,48 +18,65 @@ namespace flipflop
 namespace tbbThreads
 {
 
-using Arena = tbb::task_arena;
-
-inline int allowed()
+class Arena
 {
-  return static_cast<int>(
-    tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-}
+public:
+  explicit Arena(int threads);
+  ~Arena();
+
+  template <class Body>
+  void execute(Body&& body)
+  {
+    this->run(std::ref(body));
+  }
+
+private:
+  void run(const std::function<void()>& body);
+
+  struct Inner;
+  const std::unique_ptr<Inner> inner;
+};
+
+int allowed();
 
 class Allowance
 {
 public:
-  explicit Allowance(int threads)
-    : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))
-  {
-  }
+  explicit Allowance(int threads);
+  ~Allowance();
 
 private:
-  tbb::global_control control;
+  struct Inner;
+  const std::unique_ptr<Inner> inner;
 };
+
+void forEach(std::size_t count, const std::function<void(std::size_t)>& body);
+void forEachAlone(std::size_t count, const std::function<void(std::size_t)>& body);
+void invokeBoth(const std::function<void()>& first, const std::function<void()>& second);
 
 template <class Body>
 void each(std::size_t count, const Body& body)
 {
-  tbb::parallel_for(std::size_t(0), count, body);
+  forEach(count, std::cref(body));
 }
 
 template <class Body>
 void eachAlone(std::size_t count, const Body& body)
 {
-  tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner());
+  forEachAlone(count, std::cref(body));
 }
 
 template <class First, class Second>
 void invoke(const First& first, const Second& second)
 {
-  tbb::parallel_invoke(first, second);
+  invokeBoth(std::cref(first), std::cref(second));
 }
 
 template <class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {
-  tbb::parallel_sort(first, last, less);
+  sortByHalves(
+    first, last, less, [](const auto& low, const auto& high) { tbbThreads::invoke(low, high); });
 }
 
 }

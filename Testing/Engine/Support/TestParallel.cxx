@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -305,6 +306,29 @@ TEST(Parallel, Sorts)
     }
     ArenaLoan(4).execute([&] { threads::sort(numbers.begin(), numbers.end(), std::less<>()); });
     EXPECT_EQ(numbers, wanted);
+  }
+}
+
+TEST(Parallel, SortsInOrderReversedAndEqual)
+{
+  std::uint64_t calls = 0;
+  const auto less = [&](std::uint32_t a, std::uint32_t b) { return ++calls, a < b; };
+  constexpr std::uint32_t Count = 100000;
+  for (const std::uint32_t distinct : { 1u, 2u, 100u, Count })
+  {
+    for (const bool isReversed : { false, true })
+    {
+      std::vector<std::uint32_t> numbers(Count);
+      for (std::uint32_t i = 0; i < Count; ++i)
+      {
+        const std::uint64_t at = isReversed ? Count - 1 - i : i;
+        numbers[i] = static_cast<std::uint32_t>(at * distinct / Count);
+      }
+      calls = 0;
+      ArenaLoan(1).execute([&] { threads::sort(numbers.begin(), numbers.end(), less); });
+      EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
+      EXPECT_LT(calls, 50u * Count) << distinct; // n log n, not n^2
+    }
   }
 }
 

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/TbbThreads.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+namespace flipflop
+{
+
+namespace tbbThreads
+{
+
+struct Arena::Inner
+{
+  tbb::task_arena arena;
+};
+
+Arena::Arena(int threads)
+  : inner(new Inner{ tbb::task_arena(threads) })
+{
+}
+
+Arena::~Arena() = default;
+
+void Arena::run(const std::function<void()>& body)
+{
+  this->inner->arena.execute(body);
+}
+
+int allowed()
+{
+  return static_cast<int>(
+    tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+struct Allowance::Inner
+{
+  explicit Inner(int threads)
+    : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))
+  {
+  }
+
+  tbb::global_control control;
+};
+
+Allowance::Allowance(int threads)
+  : inner(new Inner(threads))
+{
+}
+
+Allowance::~Allowance() = default;
+
+void forEach(std::size_t count, const std::function<void(std::size_t)>& body)
+{
+  tbb::parallel_for(std::size_t(0), count, body);
+}
+
+void forEachAlone(std::size_t count, const std::function<void(std::size_t)>& body)
+{
+  tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner());
+}
+
+void invokeBoth(const std::function<void()>& first, const std::function<void()>& second)
+{
+  tbb::parallel_invoke(first, second);
+}
+
+}
+
+}
