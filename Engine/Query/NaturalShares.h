@@ -18,7 +18,9 @@
 /// (half of that), where I is how high a point is above t, times A, and A is twice the area. For
 /// along the axis of ab, which all these centers are on, the power of a third point changes against
 /// that of a and b by twice its distance from ab for each step. All these multiples are positive,
-/// so they lose no bits. The polygon's area is the sum of the crosses of its sides.
+/// so they lose no bits. The polygon's area is the sum of the crosses of its sides: these are of
+/// one sign, but each is a difference, small where edges are nearly parallel (thin triangles). So
+/// it is compared with its terms.
 ///
 /// Why the shares reproduce linear functions, whatever the weights: the least power to the sites,
 /// less that to the query, is zero around the query's cell, so its gradient has the integral zero
@@ -47,6 +49,7 @@ class StolenAreas
 {
 public:
   using Number = typename Values::Number;
+  using Size = typename Values::Size;
 
   /// @param triangles of the region, not empty
   StolenAreas(const FanMesh& fans, const TriangleSet& triangles, const Space& querySpace, Values& v)
@@ -77,6 +80,7 @@ public:
     Number all = this->values.number(0.0);
     for (const Part& part : this->parts)
     {
+      this->values.checkSum(part.area, part.terms);
       all = all + part.area;
     }
     if (!this->values.isPositive(all))
@@ -105,6 +109,7 @@ private:
   {
     std::uint32_t site;
     Number area; ///< eight times
+    Size terms;  ///< the sum of the sizes of what it is a sum of
   };
 
   /// Those of an inner edge are the same from both its triangles.
@@ -173,9 +178,10 @@ private:
   void begin(std::uint32_t h)
   {
     const Number none = this->values.number(0.0);
-    this->parts.push_back({ this->mesh.origin(h), none });
+    this->parts.push_back({ this->mesh.origin(h), none, Size(0) });
     this->site = this->space.site(this->mesh.origin(h));
     this->sum[0] = this->sum[1] = none;
+    this->way[0] = this->way[1] = Size(0);
   }
 
   /// The sides from the triangle of @p first on, counter-clockwise around its origin, until the
@@ -203,10 +209,15 @@ private:
     const Vertex to = this->space.site(neighbour);
     const Number x = multiple * this->values.difference(to.x[0], this->site.x[0]);
     const Number y = multiple * this->values.difference(to.x[1], this->site.x[1]);
-    Number& area = this->parts.back().area;
-    area = area + (this->sum[0] * y - this->sum[1] * x);
+    const Size width = Values::sizeOf(x);
+    const Size height = Values::sizeOf(y);
+    Part& part = this->parts.back();
+    part.area = part.area + (this->sum[0] * y - this->sum[1] * x);
+    part.terms = part.terms + this->way[0] * height + this->way[1] * width;
     this->sum[0] = this->sum[0] + x;
     this->sum[1] = this->sum[1] + y;
+    this->way[0] = this->way[0] + width;
+    this->way[1] = this->way[1] + height;
   }
 
   /// How deep the corner beyond a half-edge is below its triangle, times twice the area.
@@ -239,6 +250,7 @@ private:
   std::vector<Part> parts;
   Vertex site;   ///< of the last part
   Number sum[2]; ///< of its sides so far, before they are turned
+  Size way[2];   ///< of their sizes
 };
 
 /// For one task: it keeps its memory from query to query.

@@ -3,10 +3,12 @@
 /// @file
 /// Areas and heights above circles, not only their signs: to far more places than a double has.
 ///
-/// They are taken in double-double, with a bound for the error. Where that does not tell enough
-/// (flat triangles, extreme ranges), all of a computation is done again, from exact integers, in
-/// floating-point numbers of 50 digits and any range. What is made of these values by products,
-/// quotients and sums of one sign is then right to the last places of a double.
+/// They are taken in double-double, with a bound for the error; a value that is small beside its
+/// terms (flat triangles, points nearly on a circle) comes from exact integers. Where the range is
+/// too wide, or a sum cancels (see checkSum()), all of a computation is done again in
+/// floating-point numbers of 50 digits and any range, and where that is too vague, too, in numbers
+/// of 4,400 bits. What is made of these values by products, quotients and sums of one sign is then
+/// right to the last places of a double.
 #ifndef flipflop_PlaneValues_h
 #define flipflop_PlaneValues_h
 
@@ -37,11 +39,37 @@ inline double toDouble(const DoubleDouble& a)
   return a.high;
 }
 
+/// value * 2^exponent.
+struct ExactValue
+{
+  WideInteger value;
+  int exponent;
+};
+
+///@{
+/// Exactly, in integers of few bits, where coordinates have few in common.
+ExactValue exactDifference(double a, double b);
+ExactValue exactArea(const double* a, const double* b, const double* c);
+ExactValue exactHeight(const double* a, const double* b, const double* c, const double* p);
+///@}
+
+using LongNumber = boost::multiprecision::cpp_bin_float_50;
+using LongestNumber = boost::multiprecision::number<
+  boost::multiprecision::cpp_bin_float<4400, boost::multiprecision::digit_base_2>>;
+
+///@{
+/// Rounded.
+void roundTo(const ExactValue& exact, DoubleDouble& result);
+void roundTo(const ExactValue& exact, LongNumber& result);
+void roundTo(const ExactValue& exact, LongestNumber& result);
+///@}
+
 /// Values in double-double. A computation that finds isVague set is worth nothing.
 class NearValues
 {
 public:
   using Number = DoubleDouble;
+  using Size = double; ///< how large a number is, roughly
 
   bool isVague() const { return this->vague; }
 
@@ -49,6 +77,13 @@ public:
   static bool isZero(const Number& x) { return x.high == 0.0; }
   /// And in range.
   static bool isPositive(const Number& x) { return x.high > 0.0 && std::isfinite(x.high); }
+  static Size sizeOf(const Number& x) { return std::fabs(x.high); }
+
+  /// A sum of products of computed numbers, beside the sum of its terms' sizes: is it vague?
+  void checkSum(const Number& sum, Size terms)
+  {
+    this->vague = this->vague || (terms > 0 && !(std::fabs(sum.high) >= 0x1p-40 * terms));
+  }
 
   /// a - b.
   Number difference(double a, double b)
@@ -64,7 +99,8 @@ public:
     const Number ux = this->difference(b[0], a[0]), uy = this->difference(b[1], a[1]);
     const Number vx = this->difference(c[0], a[0]), vy = this->difference(c[1], a[1]);
     const Number left = ux * vy, right = uy * vx;
-    return this->checked(left - right, std::fabs(left.high) + std::fabs(right.high));
+    return this->checked(left - right, std::fabs(left.high) + std::fabs(right.high),
+      [&] { return exactArea(a, b, c); });
   }
 
   /// How high p is above the plane of abc, which turns left, times twice the area; positive in the
@@ -93,16 +129,23 @@ public:
       det = det + (left - right) * u[i][2];
       most += (std::fabs(left.high) + std::fabs(right.high)) * size[i];
     }
-    return this->checked(det, most);
+    return this->checked(det, most, [&] { return exactHeight(a, b, c, p); });
   }
 
 private:
-  /// It is off by less than 2^-94 of its terms.
-  Number checked(const Number& value, double most)
+  /// The value is off by less than 2^-94 of its terms.
+  template <class Exact>
+  Number checked(const Number& value, double most, const Exact& exact)
   {
-    const double size = std::fabs(value.high);
-    this->vague = this->vague || size < 0x1p-34 * most;
-    return value;
+    if (this->vague || std::fabs(value.high) >= 0x1p-34 * most)
+    {
+      return value;
+    }
+    Number result;
+    roundTo(exact(), result);
+    const double size = std::fabs(result.high);
+    this->vague = !(size == 0.0 || size >= 0x1p-480);
+    return result;
   }
 
   /// Products of four neither overflow nor lose their low parts.
@@ -115,62 +158,67 @@ private:
 };
 
 /// The same in numbers of any range, from exact integers.
+template <class Float, int Spare>
 class FarValues
 {
 public:
-  using Number = boost::multiprecision::cpp_bin_float_50;
+  using Number = Float;
+  using Size = Float;
 
-  static constexpr bool isVague() { return false; }
+  bool isVague() const { return this->vague; }
 
   static Number number(double x) { return Number(x); }
   static bool isZero(const Number& x) { return x.is_zero(); }
   static bool isPositive(const Number& x) { return x > 0; }
+  static Size sizeOf(const Number& x) { return abs(x); }
 
-  Number difference(double a, double b) const
-  {
-    return ldexp(Number(toInteger(a) - toInteger(b)), -1074);
-  }
-
+  Number difference(double a, double b) const { return rounded(exactDifference(a, b)); }
   Number area(const double* a, const double* b, const double* c) const
   {
-    const WideInteger det =
-      wideOffset(b, a, 0) * wideOffset(c, a, 1) - wideOffset(b, a, 1) * wideOffset(c, a, 0);
-    return ldexp(Number(det), -2 * 1074);
+    return rounded(exactArea(a, b, c));
   }
-
   Number heightAbove(const double* a, const double* b, const double* c, const double* p) const
   {
-    const double* const row[3] = { b, c, p };
-    WideInteger u[3][3];
-    for (int i = 0; i < 3; ++i)
-    {
-      u[i][0] = wideOffset(row[i], a, 0);
-      u[i][1] = wideOffset(row[i], a, 1);
-      u[i][2] = (wideOffset(row[i], a, 2) << 1074) - u[i][0] * u[i][0] - u[i][1] * u[i][1];
-    }
-    const WideInteger det = (u[0][0] * u[1][1] - u[0][1] * u[1][0]) * u[2][2] +
-      (u[1][0] * u[2][1] - u[1][1] * u[2][0]) * u[0][2] +
-      (u[2][0] * u[0][1] - u[2][1] * u[0][0]) * u[1][2];
-    return ldexp(Number(det), -4 * 1074);
+    return rounded(exactHeight(a, b, c, p));
   }
+
+  /// See NearValues.
+  void checkSum(const Number& sum, const Size& terms)
+  {
+    this->vague = this->vague || (terms > 0 && abs(sum) < ldexp(terms, -Spare));
+  }
+
+private:
+  static Number rounded(const ExactValue& exact)
+  {
+    Number result;
+    roundTo(exact, result);
+    return result;
+  }
+
+  bool vague = false;
 };
 
-inline double toDouble(const FarValues::Number& a)
+/// Of 50 digits.
+using LongValues = FarValues<LongNumber, 100>;
+
+/// Of so many bits that no sum of terms along edges can be vague: the sine of an angle between two
+/// differences of doubles is 2^-4197 or more.
+using LongestValues = FarValues<LongestNumber, 4300>;
+
+template <class Backend, boost::multiprecision::expression_template_option Option>
+double toDouble(const boost::multiprecision::number<Backend, Option>& a)
 {
-  return a.convert_to<double>();
+  return a.template convert_to<double>();
 }
 
-/// In double-double; again in numbers of any range where that is too vague.
+/// In double-double; again in numbers of any range where that is too vague, and in longer ones.
 /// @param compute bool (values): false if what is made of the values is no result
 template <class Compute>
 void withValues(const Compute& compute)
 {
-  NearValues nearby;
-  if (!compute(nearby) || nearby.isVague())
-  {
-    FarValues far;
-    compute(far);
-  }
+  const auto isDone = [&](auto values) { return compute(values) && !values.isVague(); };
+  isDone(NearValues()) || isDone(LongValues()) || isDone(LongestValues());
 }
 
 }

@@ -217,16 +217,9 @@ public:
             this->sharesAt(signs, place, isNatural ? &natural : nullptr, shares);
           }
           double* const to = result + static_cast<std::int64_t>(i) * components;
-          std::fill(
-            to, to + components, shares.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0);
-          for (const PlaneShare& share : shares)
+          for (std::int64_t c = 0; c < components; ++c)
           {
-            const double* from =
-              values + static_cast<std::int64_t>(this->sites[share.site].id) * components;
-            for (std::int64_t c = 0; c < components; ++c)
-            {
-              to[c] += share.share * from[c];
-            }
+            to[c] = this->blended(shares, values + c, components);
           }
         };
       });
@@ -286,6 +279,23 @@ private:
         });
     }
     return lowest;
+  }
+
+  /// Of shares that only nearly sum to 1; but never beyond the values, and of one value that value.
+  double blended(const PlaneShares& shares, const double* values, std::int64_t components) const
+  {
+    double sum = shares.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const PlaneShare& share : shares)
+    {
+      const double value =
+        values[static_cast<std::int64_t>(this->sites[share.site].id) * components];
+      sum += share.share * value;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    return sum < low ? low : sum > high ? high : sum; // NaN stays
   }
 
   /// From the linear shares to the natural ones, where these are others.

@@ -3,6 +3,8 @@
 """Questions to hulls and triangulations of arrays, beside scipy and beside brute force."""
 
 import itertools
+import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -11,6 +13,8 @@ import scipy.spatial
 from vtkflipflop.arrays import InputError, Side, convex_hull, power_diagram, regular_triangulation
 
 RANDOM = np.random.default_rng(9)
+LARGEST = np.finfo(np.float64).max
+EPSILON = np.finfo(np.float64).eps
 CUBE = np.array(list(itertools.product((0.0, 2.0), repeat=3)))
 SQUARE = CUBE[:4, 1:]
 LATTICE = np.stack(np.meshgrid(*3 * [np.arange(-1, 4)], indexing="ij"), -1).reshape(-1, 3)
@@ -70,12 +74,44 @@ def test_distances(ndim):
     assert (found[~inside] <= near + 1e-13).all() and np.allclose(found[~inside], near, atol=0.1)
 
 
-def test_a_prism_of_any_size_stands_for_a_polygon():
-    for size in (1e-300, 1e-3, 1.0, 1e150, 8e307):
-        hull = convex_hull(SQUARE / 2 * size)
-        assert hull.side([[0.5 * size, 0.5 * size], [0, 0.5 * size], [-0.5 * size, 0]]).tolist() == [1, 0, -1]
-        assert hull.distance([0.5 * size, 0.25 * size]) == pytest.approx(-0.25 * size, rel=1e-12)
-        assert hull.support([1, 1]) == 3
+def test_polygons_of_any_size():
+    """Also where the sides are the largest numbers, and the least."""
+    for size in (5e-324 * 4, 1e-300, 1e-3, 1.0, 1e150, 8e307, LARGEST):
+        hull = convex_hull((SQUARE - 1) * size)
+        places = np.array([[0, 0], [0.5, 0], [1, 0.25], [-0.75, 0.75]]) * size
+        assert hull.side(places).tolist() == [1, 1, 0, 1]
+        assert hull.distance(places) == pytest.approx([-size, -size / 2, 0, -size / 4], rel=1e-14, abs=5e-324)
+        assert hull.support([[1, 1], [-1, 0], [0, 0]]).tolist() == [3, 0, 0]
+
+
+def exact_distance(corner, place):
+    """Between two points, as an integer: the root of an exact square, in units of 2^-1100."""
+    square = sum((Fraction(float(a)) - Fraction(float(b))) ** 2 for a, b in zip(corner, place))
+    return math.isqrt(int(square * 4**1100))
+
+
+@pytest.mark.parametrize(
+    ("points", "place", "nearest"),
+    [
+        ([[0, 0], [-1e308, 0], [0, -1e308]], [1.2e308, 1.2e308], [0, 0]),
+        ([[0, 0, 0], [1e308, 0, 0], [0, -1e308, 0], [0, 0, 1e308]], [-1.2e308, 1.2e308, 0], [0, 0, 0]),
+        ([[0, 0, 0]], [1e-165, 0, 0], [0, 0, 0]),
+        ([[1e200, 0, 0]], [1e200, 1e38, 0], [1e200, 0, 0]),
+        ([[1, 0, 0], [1 + EPSILON, 0, 0], [1, 0, 5e-324], [1, EPSILON, 0]], [1 - EPSILON, -EPSILON, 0], [1, 0, 0]),
+    ],
+    ids=range(5),
+)
+def test_distances_at_any_magnitude(points, place, nearest):
+    hull = convex_hull(points)
+    assert hull.side(place) == Side.OUTSIDE
+    wanted, farthest = exact_distance(nearest, place), max(exact_distance(p, place) for p in points)
+    found = int(Fraction(float(hull.distance(place))) * 2**1100)
+    assert abs(found - wanted) <= farthest // 10**14 + 2**26
+
+
+def test_distances_that_no_double_holds():
+    hull = convex_hull([[0, 0], [-1e308, 0], [0, -1e308]])
+    assert hull.distance([LARGEST, LARGEST]) == np.inf and hull.side([LARGEST, LARGEST]) == Side.OUTSIDE
 
 
 @pytest.mark.parametrize("ndim", [2, 3])
@@ -122,6 +158,27 @@ def test_minimal_box_holds_the_points(ndim):
     assert hull.volume <= box.lower_bound * (1 + 1e-11)
     assert box.lower_bound <= box.volume <= np.ptp(points, axis=0).prod() * (1 + 1e-13)
     assert (np.diff(box.lengths) <= 0).all()
+
+
+@pytest.mark.parametrize(
+    "points",
+    [[[5, 7]], [[0, 0], [2, 0]], [[0, 0], [0, 2]], [[0, 0], [-3, 4]], SQUARE * [2, 1], SQUARE * [1, 2]],
+    ids=range(6),
+)
+def test_axes_in_the_plane_are_right_handed(points):
+    box = convex_hull(points).minimal_box()
+    assert np.allclose(box.axes @ box.axes.T, np.eye(2), rtol=0, atol=1e-15)
+    assert np.linalg.det(box.axes) == pytest.approx(1, rel=1e-15)
+    assert box.lengths[0] >= box.lengths[1] and box.volume == box.lower_bound == box.lengths.prod()
+    assert (np.abs((points - box.center) @ box.axes.T) <= box.lengths / 2 + 1e-14).all()
+
+
+def test_minimal_box_of_a_nearly_flat_hull_of_the_largest_numbers():
+    box = convex_hull(
+        [[LARGEST, 0, 0], [LARGEST / 2, -LARGEST, -LARGEST], [0, 5e-324, 5e-324], [-LARGEST, 0, 0]]
+    ).minimal_box()
+    assert np.allclose(box.axes @ box.axes.T, np.eye(3), rtol=0, atol=1e-15)
+    assert box.lengths[1] == pytest.approx(LARGEST / 2 * 2**1.5, rel=1e-14)
 
 
 @pytest.mark.parametrize(
@@ -337,6 +394,22 @@ def test_find_simplex_names_what_it_has_not():
     for wrong in ({"tol": 1e-9}, {"bruteforce": True}):
         with pytest.raises(TypeError, match=r"find_simplex\(\) takes no .*tol: it is exact, and needs no tolerance"):
             regular_triangulation(SQUARE).find_simplex([1, 1], **wrong)
+
+
+@pytest.mark.parametrize("method", ["linear", "natural"])
+@pytest.mark.parametrize("value", [LARGEST, -LARGEST, 0.1, 1 / 3])
+def test_a_constant_is_that_constant(method, value):
+    triangulation = regular_triangulation(RANDOM.random((100, 2)))
+    found = triangulation.interpolate(np.full(100, value), RANDOM.random((1000, 2)), method)
+    assert set(found[~np.isnan(found)]) == {value}
+
+
+@pytest.mark.parametrize("height", [1e-30, 1e-44, 1e-50, 1e-52, 1e-300, 5e-324])
+def test_natural_neighbours_in_a_thin_triangle(height):
+    triangulation = regular_triangulation([(0.55, 1.65), (0, height), (0, -height)])
+    found = triangulation.interpolate([0.55, 0, 0], [0.275, 0.825], "natural")
+    share = Fraction(0.825) / Fraction(1.65)
+    assert found == pytest.approx(float(share * Fraction(0.55)), rel=1e-15)
 
 
 def test_natural_neighbours_by_power_diagrams():

@@ -36,21 +36,14 @@ double Bytes::number()
     case 14:
       return this->raw<double>();
     case 15:
-      switch (this->below(6))
-      {
-        case 1:
-          return std::numeric_limits<double>::quiet_NaN();
-        case 2:
-          return std::numeric_limits<double>::infinity();
-        case 3:
-          return -std::numeric_limits<double>::infinity();
-        case 4:
-          return std::numeric_limits<double>::max();
-        case 5:
-          return std::numeric_limits<double>::lowest();
-        default:
-          return -0.0;
-      }
+    {
+      using Limits = std::numeric_limits<double>;
+      const int which = this->byte();
+      static const double special[] = { -0.0, Limits::quiet_NaN(), Limits::infinity(),
+        -Limits::infinity(), Limits::max(), -Limits::max(), Limits::denorm_min(),
+        Limits::max() / 2 };
+      return special[which < 128 ? which % 4 : 4 + which % 4];
+    }
     default:
       return this->raw<std::int8_t>();
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flipflop
 {
@@ -137,6 +138,40 @@ Cloud drawNumbers(Bytes& bytes, bool any)
   return cloud;
 }
 
+/// To where differences overflow, or are a unit of the last place, or the least that there is.
+void toExtremes(Cloud& cloud, int kind, std::size_t axis)
+{
+  using Limits = std::numeric_limits<double>;
+  double most = 0;
+  for (const Point& p : cloud)
+  {
+    most = std::isfinite(p[axis]) ? std::max(most, std::fabs(p[axis])) : most;
+  }
+  for (Point& p : cloud)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      double& x = p[k];
+      const double share = most > 0 ? std::clamp(x / most, -1.0, 1.0) : 0;
+      switch (kind)
+      {
+        case 0: // as large as numbers get
+          x = share * Limits::max();
+          break;
+        case 1: // units of the last place beside one
+          x = 1 + std::floor(4 * share) * Limits::epsilon();
+          break;
+        case 2: // the least numbers along one axis
+          x = k == axis ? std::floor(4 * share) * Limits::denorm_min() : x;
+          break;
+        default: // a plane of the largest numbers, nearly
+          x = k == axis ? std::floor(2 * share) * Limits::denorm_min() : share * Limits::max();
+          break;
+      }
+    }
+  }
+}
+
 /// Some changes to a cloud that is there. Numbers of very different sizes are for small ones only:
 /// a large one would keep the widest integers busy for minutes.
 void change(Bytes& bytes, Cloud& cloud, int most)
@@ -146,7 +181,16 @@ void change(Bytes& bytes, Cloud& cloud, int most)
   {
     const std::size_t at = bytes.raw<std::uint16_t>() % cloud.size();
     const auto axis = static_cast<std::size_t>(bytes.below(3));
-    switch (bytes.below(8))
+    const int kind = bytes.byte();
+    if (kind >= 192)
+    {
+      if (cloud.size() <= small)
+      {
+        toExtremes(cloud, kind % 4, axis);
+      }
+      continue;
+    }
+    switch (kind % 8)
     {
       case 1: // the same point again
         cloud[bytes.raw<std::uint16_t>() % cloud.size()] = cloud[at];

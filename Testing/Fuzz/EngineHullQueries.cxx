@@ -4,6 +4,7 @@
 #include "EngineQueries.h"
 
 #include "Testing/Engine/Query/QueryCases.h"
+#include "Testing/Engine/Query/ReferenceDistance.h"
 #include <flipflop/HullQueries.h>
 #include <flipflop/Neighbors.h>
 
@@ -43,6 +44,93 @@ void demandIds(const std::vector<std::int64_t>& ids, const Hull& hull)
   }
 }
 
+void demandBox(const OrientedBox& box, int dimension)
+{
+  demand(box.lowerBound <= box.volume, "the box is less than a box can be");
+  demand((box.lengths[0] > 0) == (dimension > 0), "a box without a length, or a length of nothing");
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* const a = box.axes[i];
+    const double* const b = box.axes[(i + 1) % 3];
+    const double* const c = box.axes[(i + 2) % 3];
+    double square = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double third = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+      demand(std::fabs(third - c[k]) < 1e-14, "axes that are not right-handed");
+      square += a[k] * a[k];
+    }
+    demand(std::fabs(square - 1) < 1e-14, "an axis whose length is not one");
+    demand(i == 0 || box.lengths[i] <= box.lengths[i - 1], "a longer side after a shorter one");
+  }
+}
+
+/// By every cell.
+void demandDistances(const Hull& polygons, const Cloud& cloud, const Cloud& queries,
+  const std::vector<double>& distances)
+{
+  constexpr std::size_t Most = 60; // the last ones: the first are any points
+  const auto cells = test::cornersOf(polygons, cloud);
+  for (std::size_t i = queries.size() - std::min(Most, queries.size()); i < queries.size(); ++i)
+  {
+    test::Real least, farthest;
+    test::squaresFromCells(cells, test::exactly(queries[i]), least, farthest);
+    demand((polygons.dimension == 3 && distances[i] == 0) ||
+        test::isDistance(distances[i], least, farthest),
+      "a distance is off by more than is promised");
+  }
+}
+
+/// The questions about the plane: of the points as places.
+void judgePlane(const Cloud& cloud, const Cloud& queries, const Options& options)
+{
+  Cloud flat = cloud;
+  Cloud places = queries;
+  for (Cloud* points : { &flat, &places })
+  {
+    for (Point& p : *points)
+    {
+      p[2] = 0;
+    }
+  }
+  const Options plain = unwatched(options);
+  const Hull polygon = test::hullOf(flat, FacetMode::Polygons);
+  const HullQueries plane(test::viewOf(cloud), polygon, plain, PointSpace::Plane);
+  demandBox(plane.minimalBox(plain), polygon.dimension);
+  std::vector<std::int8_t> sides(queries.size());
+  std::vector<double> distances(queries.size());
+  const auto asked = attempt(
+    [&]
+    {
+      plane.contains(test::viewOf(queries), sides.data(), plain);
+      plane.distance(test::viewOf(queries), distances.data(), plain);
+      return 0;
+    });
+  if (!asked.result || cloud.empty() || cloud.size() > FewPoints ||
+    queries.size() > 10 * FewPoints || findNonFinite(places).count > 0)
+  {
+    return;
+  }
+  const std::vector<std::int8_t> inHull = test::sidesByBruteForce(flat, polygon, places);
+  std::vector<std::vector<test::Vector>> edges;
+  const std::vector<test::Vector> ring = test::cornersOf(polygon, flat)[0];
+  for (std::size_t k = 0; k < ring.size(); ++k)
+  {
+    edges.push_back({ ring[k], ring[(k + 1) % ring.size()] });
+  }
+  for (std::size_t i = 0; i < queries.size(); ++i)
+  {
+    test::Real least, farthest;
+    test::squaresFromCells(edges, test::exactly(places[i]), least, farthest);
+    const int side = inHull[i] < 0 ? -1 : least == 0 ? 0 : 1;
+    demand(sides[i] == side, "on another side in the plane");
+    demand((side == 0) == (distances[i] == 0) && (side > 0) == (distances[i] < 0),
+      "the distance is not on the side of the place");
+    demand(test::isDistance(distances[i], least, farthest),
+      "a distance in the plane is off by more than is promised");
+  }
+}
+
 /// Every answer about the hull of some finite points, beside brute force where points are few.
 /// @param options with somebody who watches one kind of question
 void judgeQueries(const HullQueries& asked, const Hull& hull, const Cloud& cloud,
@@ -70,7 +158,7 @@ void judgeQueries(const HullQueries& asked, const Hull& hull, const Cloud& cloud
     "the diameter depends on the number of threads");
   demand(!box.result || std::memcmp(&*box.result, &least, sizeof least) == 0,
     "the box depends on the number of threads");
-  demand(least.lowerBound <= least.volume, "the box is less than a box can be");
+  demandBox(least, hull.dimension);
 
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
@@ -91,6 +179,7 @@ void judgeQueries(const HullQueries& asked, const Hull& hull, const Cloud& cloud
   const Hull polygons = test::hullOf(cloud, FacetMode::Polygons);
   demand(sides == test::sidesByBruteForce(cloud, polygons, queries), "on another side");
   demand(farthest == test::farthestByBruteForce(cloud, hull, queries), "not the farthest");
+  demandDistances(polygons, cloud, queries, distances);
   const test::FarthestIds pair = test::farthestPairByBruteForce(cloud, hull);
   demand(longest.first == pair.first && longest.second == pair.second, "not the diameter");
 }
@@ -164,6 +253,7 @@ void fuzzHullQueries(Bytes& bytes)
     return;
   }
   demand(planes.result && neighbors.result, "a hull is refused");
+  judgePlane(cloud, queries, options);
   demandNeighbors(hull, *neighbors.result);
   if (asked.result)
   {

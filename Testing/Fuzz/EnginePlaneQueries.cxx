@@ -8,7 +8,9 @@
 #include <flipflop/Measures.h>
 #include <flipflop/TriangulationQueries.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flipflop
 {
@@ -20,7 +22,7 @@ namespace
 
 /// Up to so many sites, brute force in rationals is quick.
 constexpr std::size_t FewPoints = 20;
-constexpr std::size_t Components = 2;
+constexpr std::size_t Components = 4;
 
 /// Every answer about a triangulation, beside brute force where sites are few.
 /// @param options with somebody who watches one kind of question
@@ -37,12 +39,19 @@ void judgeQueries(const TriangulationQueries& asked, const Triangulation& triang
   const auto ids = answersTo<std::int64_t>(queries, 2, 1, of(1), watchOf(1),
     [&](std::int64_t* to, const Options& chosen) { asked.nearest(places, to, chosen); });
 
-  // Values between 0 and 1, and one for all.
+  // Values between 0 and 1, the largest and one that no double holds for all, and a linear
+  // function.
+  const double most = std::numeric_limits<double>::max();
+  const double third = 1.0 / 3;
+  double widest = 0;
   std::vector<double> values;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     values.push_back(static_cast<double>(i % 7) / 6);
-    values.push_back(1);
+    values.push_back(most);
+    values.push_back(third);
+    values.push_back(sites[i][0]);
+    widest = std::max(widest, std::fabs(sites[i][0]));
   }
   const auto linear = answersTo<double>(queries, 2, Components, of(2), watchOf(2),
     [&](double* to, const Options& chosen)
@@ -59,11 +68,14 @@ void judgeQueries(const TriangulationQueries& asked, const Triangulation& triang
       "an id that is not visible");
     for (const auto* interpolated : { &linear, &natural })
     {
-      const double value = (*interpolated)[Components * i];
-      const double one = (*interpolated)[Components * i + 1];
-      const bool between = value >= -1e-12 && value <= 1 + 1e-12 && std::abs(one - 1) <= 1e-12;
-      demand(cells[i] < 0 ? std::isnan(value) && std::isnan(one) : between,
+      const double* const value = interpolated->data() + Components * i;
+      const bool isWithin = value[0] >= 0 && value[0] <= 1 && value[1] == most && value[2] == third;
+      demand(cells[i] < 0 ? std::isnan(value[0]) && std::isnan(value[1]) : isWithin,
         "a value outside, or not between those of the sites");
+      // A share may be too small for a double.
+      const double slack = 1e-13 * widest + std::ldexp(widest, -1000) + 1e-300;
+      demand(cells[i] < 0 || std::fabs(0.5 * value[3] - 0.5 * queries[i][0]) <= slack,
+        "a linear function is not reproduced");
     }
   }
   if (sites.size() > FewPoints || queries.size() > 10 * FewPoints)

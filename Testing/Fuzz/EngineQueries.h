@@ -9,7 +9,9 @@
 #include "EngineCall.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace flipflop
@@ -17,7 +19,8 @@ namespace flipflop
 namespace fuzz
 {
 
-/// Any points, then some of the cloud's, and the middles between two of these.
+/// Any points, then some of the cloud's, the middles between two of these, and what is far beyond
+/// them or beside them along an axis.
 inline Cloud drawQueries(Bytes& bytes, const Cloud& cloud)
 {
   constexpr std::size_t Most = 24;
@@ -30,6 +33,19 @@ inline Cloud drawQueries(Bytes& bytes, const Cloud& cloud)
     const Point& b = cloud[bytes.byte() % cloud.size()];
     queries.push_back(a);
     queries.push_back({ a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2 });
+  }
+  using Limits = std::numeric_limits<double>;
+  for (int more = bytes.below(8); more > 0 && !cloud.empty(); --more)
+  {
+    Point p = cloud[bytes.byte() % cloud.size()];
+    for (double& x : p)
+    {
+      const double steps[] = { x, Limits::max(), -Limits::max(), std::nextafter(x, Limits::max()),
+        std::nextafter(x, -Limits::max()), x + std::ldexp(1.0, 9 * bytes.raw<std::int8_t>()),
+        x - std::ldexp(1.0, 9 * bytes.raw<std::int8_t>()), Limits::denorm_min() };
+      x = steps[bytes.below(8)];
+    }
+    queries.push_back(p);
   }
   return queries;
 }

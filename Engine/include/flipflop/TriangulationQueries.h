@@ -101,7 +101,8 @@ public:
   /// ends; so values are continuous, and NaN outside the convex hull.
   ///
   /// The share of each corner is rounded last: it is off by a few units in its last place, also
-  /// where a triangle is almost flat.
+  /// where a triangle is almost flat. A value is never beyond those that it is made of: where they
+  /// are equal, it is the same.
   /// @param values     of each point of the input: values[id * components + c]. Those of hidden
   ///                   points are not read.
   /// @param components of a value: 1 or more
@@ -120,9 +121,10 @@ public:
   /// The query has the weight that is linear over its triangle, from the corners' weights
   /// (rounded); without weights, none, as Sibson's has. So it is never hidden, and values pass
   /// through those of the sites. Shares are positive and sum to 1. Linear functions are reproduced,
-  /// with weights, too. Values are continuous, and without weights smooth but at the sites. At a
-  /// site the value is the site's, exactly; on the hull's border it is linear between the two ends
-  /// of the edge; it is NaN outside. In dimension 1 and 0, it is that of interpolateLinear().
+  /// with weights, too. No value is beyond those that it is made of. Values are continuous, and
+  /// without weights smooth but at the sites. At a site the value is the site's, exactly; on the
+  /// hull's border it is linear between the two ends of the edge; it is NaN outside. In dimension 1
+  /// and 0, it is that of interpolateLinear().
   ///
   /// Which sites have a share is exact; shares are rounded, mostly to a few units in the last place
   /// (of the greatest, where many triangles meet). A query costs the triangles that it would

@@ -55,6 +55,53 @@ inline std::vector<std::pair<std::string, Cloud>> queryClouds()
   return clouds;
 }
 
+/// Hulls of the largest numbers and the smallest, of one unit of the last place, and thin ones of
+/// all three.
+inline std::vector<std::pair<std::string, Cloud>> extremeClouds()
+{
+  const double most = std::numeric_limits<double>::max();
+  const double least = std::numeric_limits<double>::denorm_min();
+  const double ulp = std::numeric_limits<double>::epsilon();
+  std::vector<std::pair<std::string, Cloud>> clouds;
+  clouds.emplace_back("the origin", Cloud{ { 0, 0, 0 } });
+  clouds.emplace_back("a far point", Cloud{ { 1e200, 0, 0 } });
+  clouds.emplace_back(
+    "largest cube", scaled(moved(integerGrid(2), -0.5, -0.5, -0.5), most, most, most));
+  clouds.emplace_back("largest box", scaled(integerGrid(2), 2, 2, 2));
+  for (Point& p : clouds.back().second)
+  {
+    p = { p[0] > 0 ? most : -most, p[1] > 0 ? most : -most, p[2] > 0 ? most : -most };
+  }
+  clouds.emplace_back(
+    "triangle at the largest", Cloud{ { 0, 0, 0 }, { -1e308, 0, 0 }, { 0, -1e308, 0 } });
+  clouds.emplace_back("tetrahedron at the largest",
+    Cloud{ { 0, 0, 0 }, { 1e308, 0, 0 }, { 0, -1e308, 0 }, { 0, 0, 1e308 } });
+  clouds.emplace_back("nearly flat at the largest",
+    Cloud{ { most, 0, 0 }, { most / 2, -most, -most }, { 0, least, least }, { -most, 0, 0 } });
+  clouds.emplace_back("a needle at the largest",
+    Cloud{ { most, 0, 0 }, { -most, least, 0 }, { 0, 1, 0 }, { 1, 0, 1e-300 } });
+  clouds.emplace_back("one unit and a denormal",
+    Cloud{ { 1, 0, 0 }, { 1 + ulp, 0, 0 }, { 1, 0, least }, { 1, ulp, 0 } });
+  clouds.emplace_back("one unit beside the largest",
+    Cloud{ { most, most, 0 }, { std::nextafter(most, 0), most, 0 },
+      { most, std::nextafter(most, 0), 0 }, { most, most, least } });
+  clouds.emplace_back("one unit far away", moved(scaled(integerGrid(2), ulp, ulp, ulp), 1, 1, 1));
+  clouds.emplace_back(
+    "a denormal segment beside the largest", Cloud{ { most, 0, 0 }, { most, 0, least } });
+  clouds.emplace_back("denormal cube", scaled(integerGrid(2), least, least, least));
+  clouds.emplace_back("a thin triangle", Cloud{ { 0, 0, 0 }, { 1, 1e-200, 0 }, { 2, 0, 1e-250 } });
+  clouds.emplace_back("a thin tetrahedron",
+    Cloud{ { 0, 0, 0 }, { 1, 1e-200, 0 }, { 2, 0, 1e-250 }, { 1, -1e-290, 1e-100 } });
+  return clouds;
+}
+
+inline std::vector<std::pair<std::string, Cloud>> joined(
+  std::vector<std::pair<std::string, Cloud>> a, const std::vector<std::pair<std::string, Cloud>>& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 /// Points on the hull and near it: corners, points between two, three and four of them, and what is
 /// some units of the last place beside these; others about the box, and far away.
 inline Cloud queriesAbout(const Cloud& cloud, std::uint64_t seed, int count)
@@ -113,6 +160,28 @@ inline Cloud queriesAbout(const Cloud& cloud, std::uint64_t seed, int count)
     {
       queries.push_back(q);
     }
+  }
+  return queries;
+}
+
+/// The same, and points of any magnitude, up to the largest, along each axis from corners.
+inline Cloud extremeQueries(const Cloud& cloud, std::uint64_t seed, int count)
+{
+  const double most = std::numeric_limits<double>::max();
+  Cloud queries = queriesAbout(cloud, seed, count);
+  Random random(seed + 1);
+  for (int i = 0; i < count; ++i)
+  {
+    Point q =
+      cloud[static_cast<std::size_t>(random.integer(0, static_cast<int>(cloud.size()) - 1))];
+    for (double& x : q)
+    {
+      const double size = std::ldexp(1 + random.uniform(0, 1), random.integer(-1074, 1022));
+      const double given[] = { x, size, -size, x + size, x - size, most, -most, 0, 0.5 * x };
+      const double chosen = given[random.integer(0, 8)];
+      x = std::isfinite(chosen) ? chosen : x;
+    }
+    queries.push_back(q);
   }
   return queries;
 }

@@ -4,9 +4,8 @@
 /// Distances from the surface have the right sign, and the value that all triangles, one after
 /// another, give in numbers of many bits.
 #include "Testing/Engine/Query/QueryCases.h"
+#include "Testing/Engine/Query/ReferenceDistance.h"
 #include <flipflop/HullQueries.h>
-
-#include <array>
 
 namespace flipflop
 {
@@ -16,68 +15,11 @@ namespace test
 namespace
 {
 
-constexpr int Bits = 6000; // any two doubles' product, and some
-using Real = mpf_class;
-using Vector = std::array<Real, 3>;
-
-Vector exactly(const Point& p)
+void expectDistance(
+  double found, const Real& square, const Real& farthestSquare, const std::string& what)
 {
-  return { Real(p[0], Bits), Real(p[1], Bits), Real(p[2], Bits) };
-}
-Vector operator-(const Vector& a, const Vector& b)
-{
-  return { Real(a[0] - b[0]), Real(a[1] - b[1]), Real(a[2] - b[2]) };
-}
-Real dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector cross(const Vector& a, const Vector& b)
-{
-  return { Real(a[1] * b[2] - a[2] * b[1]), Real(a[2] * b[0] - a[0] * b[2]),
-    Real(a[0] * b[1] - a[1] * b[0]) };
-}
-
-Real squareFromSegment(const Vector& a, const Vector& b, const Vector& x)
-{
-  const Vector edge = b - a;
-  const Real length = dot(edge, edge);
-  const Real along = dot(edge, x - a);
-  if (along <= 0 || length == 0)
-  {
-    return dot(x - a, x - a);
-  }
-  if (along >= length)
-  {
-    return dot(x - b, x - b);
-  }
-  return dot(x - a, x - a) - along * along / length;
-}
-
-/// The square of the distance from a polygon, its border included.
-Real squareFromCell(const std::vector<Vector>& cell, const Vector& x)
-{
-  bool over = cell.size() > 2;
-  Vector normal;
-  Real least(-1, Bits);
-  for (std::size_t i = 0; i < cell.size(); ++i)
-  {
-    const Vector& a = cell[i];
-    const Vector& b = cell[(i + 1) % cell.size()];
-    if (over)
-    {
-      normal = i == 0 ? cross(cell[1] - cell[0], cell[2] - cell[0]) : normal;
-      over = dot(normal, cross(b - a, x - a)) >= 0;
-    }
-    const Real square = squareFromSegment(a, b, x);
-    least = least < 0 || square < least ? square : least;
-  }
-  if (over)
-  {
-    const Real height = dot(normal, x - cell[0]);
-    least = height * height / dot(normal, normal);
-  }
-  return least;
+  EXPECT_TRUE(isDistance(found, square, farthestSquare))
+    << what << ": " << found << ", not " << Real(sqrt(square)).get_d();
 }
 
 std::vector<double> distancesOf(const HullQueries& hull, const Cloud& queries, int threads)
@@ -91,15 +33,7 @@ void expectDistances(const std::string& name, const Cloud& cloud, const Cloud& q
 {
   const Hull polygons = hullOf(cloud, FacetMode::Polygons);
   const std::vector<std::int8_t> sides = sidesByBruteForce(cloud, polygons, queries);
-  std::vector<std::vector<Vector>> cells;
-  for (const Cell& cell : cellsOf(polygons))
-  {
-    cells.emplace_back();
-    for (const std::int64_t id : cell)
-    {
-      cells.back().push_back(exactly(cloud[static_cast<std::size_t>(id)]));
-    }
-  }
+  const std::vector<std::vector<Vector>> cells = cornersOf(polygons, cloud);
   for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
   {
     const std::vector<double> found =
@@ -107,23 +41,11 @@ void expectDistances(const std::string& name, const Cloud& cloud, const Cloud& q
     for (std::size_t i = 0; i < queries.size(); ++i)
     {
       const Vector x = exactly(queries[i]);
-      Real least(-1, Bits);
-      Real farthest(0, Bits);
-      for (const std::vector<Vector>& cell : cells)
-      {
-        const Real square = squareFromCell(cell, x);
-        least = least < 0 || square < least ? square : least;
-        for (const Vector& corner : cell)
-        {
-          const Real far = dot(x - corner, x - corner);
-          farthest = far > farthest ? far : farthest;
-        }
-      }
+      Real least, farthest;
+      squaresFromCells(cells, x, least, farthest);
       EXPECT_EQ(found[i] < 0 ? 1 : found[i] > 0 ? -1 : 0, sides[i]) << name;
-      const Real wanted = sides[i] == 0 ? Real(0, Bits) : Real(sqrt(least));
-      const Real off = abs(Real(std::fabs(found[i]), Bits) - wanted);
-      EXPECT_LE(off, 1e-14 * Real(sqrt(farthest)) + Real(5e-324, Bits))
-        << name << ", query " << i << ": " << found[i] << ", not " << wanted.get_d();
+      expectDistance(found[i], sides[i] == 0 ? Real(0, Bits) : least, farthest,
+        name + ", query " + std::to_string(i));
     }
   }
 }
@@ -132,15 +54,62 @@ TEST(Distance, AgreesWithAllTrianglesEverywhere)
 {
   for (const auto& [name, cloud] : queryClouds())
   {
-    Cloud queries = queriesAbout(cloud, 31, effort(60));
-    // No double holds some distances from the largest numbers.
-    const double most = name == "largest" ? 1.2e308 : 1e301;
-    queries.erase(std::remove_if(queries.begin(), queries.end(),
-                    [most](const Point& p) {
-                      return std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) }) > most;
-                    }),
-      queries.end());
-    expectDistances(name, cloud, queries);
+    expectDistances(name, cloud, queriesAbout(cloud, 31, effort(60)));
+  }
+}
+
+TEST(Distance, AtAnyMagnitude)
+{
+  for (const auto& [name, cloud] : extremeClouds())
+  {
+    expectDistances(name, cloud, extremeQueries(cloud, 34, effort(40)));
+  }
+}
+
+/// z of the points and of the queries is not read.
+TEST(Distance, OfPolygonsInThePlane)
+{
+  for (const auto& [name, solid] : joined(queryClouds(), extremeClouds()))
+  {
+    Cloud cloud = solid;
+    for (Point& p : cloud)
+    {
+      p[2] = 0;
+    }
+    Cloud queries = extremeQueries(cloud, 35, effort(40));
+    for (Point& q : queries)
+    {
+      q[2] = 0;
+    }
+    const Hull hull = hullOf(cloud, FacetMode::Polygons);
+    const std::vector<std::int8_t> inHull = sidesByBruteForce(cloud, hull, queries);
+    const std::vector<Vector> ring = cornersOf(hull, cloud)[0];
+    std::vector<std::vector<Vector>> edges;
+    for (std::size_t k = 0; k < ring.size(); ++k)
+    {
+      edges.push_back({ ring[k], ring[(k + 1) % ring.size()] });
+    }
+    for (Cloud* points : { &cloud, &queries })
+    {
+      for (Point& p : *points)
+      {
+        p[2] = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+    const HullQueries plane(viewOf(cloud), hull, Options(), PointSpace::Plane);
+    const std::vector<double> found = distancesOf(plane, queries, 1);
+    std::vector<std::int8_t> sides(queries.size());
+    plane.contains(viewOf(queries), sides.data());
+    for (std::size_t i = 0; i < queries.size(); ++i)
+    {
+      const Vector x = exactly({ queries[i][0], queries[i][1], 0 });
+      Real least, farthest;
+      squaresFromCells(edges, x, least, farthest);
+      const int side = inHull[i] < 0 ? -1 : least == 0 ? 0 : 1;
+      EXPECT_EQ(sides[i], side) << name;
+      EXPECT_EQ(found[i] < 0 ? 1 : found[i] > 0 ? -1 : 0, side) << name;
+      expectDistance(found[i], least, farthest, name + ", query " + std::to_string(i));
+    }
   }
 }
 

@@ -202,6 +202,85 @@ TEST(MinimalBox, OfAPolygon)
   EXPECT_NEAR(turned.lengths[1], 2, 1e-14);
 }
 
+/// Right-handed within the plane, the longest side first.
+TEST(MinimalBox, InThePlane)
+{
+  const std::vector<Cloud> clouds = { { { 5, 7, 0 } }, { { 0, 0, 0 }, { 2, 0, 0 } },
+    { { 0, 0, 0 }, { 0, 2, 0 } }, { { 0, 0, 0 }, { -3, -4, 0 } }, scaled(integerGrid(2), 2, 1, 0),
+    scaled(integerGrid(2), 1, 2, 0), scaled(integerGrid(2), 1, 1e-300, 0),
+    scaled(integerGrid(2), 5e-324, 1e-323, 0), scaled(integerGrid(2), 1.7e308, 1e308, 0),
+    { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 } } };
+  for (const Cloud& cloud : clouds)
+  {
+    const HullQueries plane(
+      viewOf(cloud), hullOf(cloud, FacetMode::Triangles), Options(), PointSpace::Plane);
+    const OrientedBox box = plane.minimalBox();
+    const double* const a = box.axes[0];
+    const double* const b = box.axes[1];
+    EXPECT_NEAR(a[0] * b[1] - a[1] * b[0], 1, 1e-15) << toString(cloud);
+    EXPECT_NEAR(dot(a, a), 1, 1e-15);
+    EXPECT_NEAR(dot(a, b), 0, 1e-15);
+    EXPECT_EQ(std::fabs(a[2]) + std::fabs(b[2]) + std::fabs(box.axes[2][2] - 1), 0);
+    EXPECT_GE(box.lengths[0], box.lengths[1]);
+    EXPECT_EQ(box.lengths[2], 0);
+    EXPECT_EQ(box.volume, box.lowerBound);
+    for (const Point& p : cloud)
+    {
+      for (int i = 0; i < 2; ++i)
+      {
+        const double x = 0.5 * p[0] - 0.5 * box.center[0];
+        const double y = 0.5 * p[1] - 0.5 * box.center[1];
+        EXPECT_LE(std::fabs(box.axes[i][0] * x + box.axes[i][1] * y),
+          0.25 * box.lengths[i] + 1e-14 * box.lengths[0] + 5e-324)
+          << toString(cloud);
+      }
+    }
+  }
+  const Cloud rectangle = scaled(integerGrid(2), 3, 2, 0);
+  EXPECT_EQ(HullQueries(viewOf(rectangle), hullOf(rectangle, FacetMode::Triangles), Options(),
+              PointSpace::Plane)
+              .minimalBox()
+              .volume,
+    6);
+}
+
+TEST(MinimalBox, AtAnyMagnitude)
+{
+  for (const auto& [name, cloud] : extremeClouds())
+  {
+    const Hull hull = hullOf(cloud, FacetMode::Triangles);
+    const OrientedBox box = HullQueries(viewOf(cloud), hull).minimalBox();
+    EXPECT_EQ(box.lengths[0] > 0, hull.dimension > 0) << name;
+    EXPECT_LE(box.lowerBound, box.volume) << name;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_NEAR(dot(box.axes[i], box.axes[k]), i == k ? 1 : 0, 1e-15) << name;
+      }
+    }
+    // In quarters, which do not overflow.
+    const double largest = std::max(0.25 * box.lengths[0], 0x1p-1000);
+    for (const std::int64_t id : hull.pointIds)
+    {
+      const Point& p = cloud[static_cast<std::size_t>(id)];
+      double offset[3];
+      double size = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        offset[k] = 0.25 * p[k] - 0.25 * box.center[k];
+        size = std::max(size, std::fabs(0.25 * p[k]));
+      }
+      for (int i = 0; i < 3 && std::isfinite(box.lengths[i]); ++i)
+      {
+        EXPECT_LE(std::fabs(dot(box.axes[i], offset)),
+          0.125 * box.lengths[i] + 1e-14 * std::max(size, std::min(largest, 1e308)) + 5e-324)
+          << name;
+      }
+    }
+  }
+}
+
 TEST(MinimalBox, OfNothing)
 {
   const OrientedBox box = HullQueries(PointView(), Hull()).minimalBox();

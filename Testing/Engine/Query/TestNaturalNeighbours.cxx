@@ -278,6 +278,34 @@ TEST(NaturalNeighbours, AreContinuous)
   }
 }
 
+/// Shares sum to one but for rounding: values stay within those that are blended all the same.
+TEST(Interpolation, StaysWithinTheValues)
+{
+  Random random(5);
+  for (const double weight : { 0.0, 0.01 })
+  {
+    const Cloud sites = randomSites(100, weight, 8);
+    const TriangulationQueries queries(
+      viewOf(sites), weightsOf(sites), triangulationOf(sites, FacetMode::Triangles));
+    const Cloud places = placesAmong(sites, 100, random);
+    for (const double value :
+      { std::numeric_limits<double>::max(), -1.7e308, 0.1, 1.0 / 3, 5e-324 })
+    {
+      const std::vector<double> values(sites.size(), value);
+      for (const bool isNatural : { false, true })
+      {
+        std::vector<double> found(places.size());
+        isNatural ? queries.interpolateNatural(values.data(), 1, viewOf(places), found.data())
+                  : queries.interpolateLinear(values.data(), 1, viewOf(places), found.data());
+        for (const double x : found)
+        {
+          EXPECT_TRUE(x == value || std::isnan(x)) << x;
+        }
+      }
+    }
+  }
+}
+
 /// In every arithmetic: scaled, and in integers of any size.
 TEST(NaturalNeighbours, AreTheSameAtEveryScale)
 {
@@ -316,6 +344,60 @@ TEST(NaturalNeighbours, AreTheSameAtEveryScale)
       }
     }
     EXPECT_GT(shared, 15 * 4);
+  }
+}
+
+/// In one triangle the shares are those of the corners, however thin it is.
+TEST(NaturalNeighbours, InThinTriangles)
+{
+  for (const double height : { 1e-30, 1e-44, 1e-50, 1e-52, 1e-100, 1e-300, 5e-324 })
+  {
+    for (const double length : { 0.55, 1e-200, 1e200, 1.5e308 })
+    {
+      const Cloud sites = { { length, length, 0 }, { 0, height, 0 }, { 0, -height, 0 } };
+      const Coordinates coordinates(sites, FacetMode::Triangles);
+      for (const Point& place : { Point{ length / 2, length / 2, 0 },
+             Point{ length / 4, length / 4, 0 }, Point{ 0, 0, 0 } })
+      {
+        const Rational ofFirst = Rational(place[0]) / Rational(length);
+        const std::vector<double> shares = coordinates.at(place);
+        EXPECT_LE(abs(Rational(Rational(shares[0]) - ofFirst)), Rational(ofFirst * 1e-15))
+          << height << ", " << length << ": " << shares[0];
+        EXPECT_NEAR(shares[1], (1 - ofFirst.get_d()) / 2, 1e-15) << height << ", " << length;
+        EXPECT_NEAR(shares[2], (1 - ofFirst.get_d()) / 2, 1e-15) << height << ", " << length;
+      }
+    }
+  }
+}
+
+/// The shares of thin fans, from rationals: Sibson's areas by clipping no diagram, but by the
+/// linear functions that they reproduce.
+TEST(NaturalNeighbours, AtAHubOfManyNeighbours)
+{
+  constexpr int Count = 3000;
+  Cloud sites = { { 0, 0, 0 } };
+  for (int i = 0; i < Count; ++i)
+  {
+    const double t = 2.0 * i / Count - 1; // the rational circle, of both halves
+    const double s = std::fabs(t) < 0.5 ? 2 * t : 2 * (std::fabs(t) - 1) * (t < 0 ? -1 : 1);
+    const double side = std::fabs(t) < 0.5 ? 1 : -1;
+    sites.push_back({ side * (1 - s * s) / (1 + s * s), 2 * s / (1 + s * s), 0 });
+  }
+  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+  const TriangulationQueries queries(viewOf(sites), weightsOf(sites), triangulation);
+  std::vector<double> values;
+  for (const Point& site : sites)
+  {
+    values.push_back(site[0]);
+    values.push_back(1.0);
+  }
+  for (const Point& place : { Point{ 1e-5, 2e-6, 0 }, Point{ -1e-9, 1e-7, 0 } })
+  {
+    const Cloud one = { place };
+    double found[2];
+    queries.interpolateNatural(values.data(), 2, viewOf(one), found);
+    EXPECT_NEAR(found[0], place[0], 1e-15);
+    EXPECT_EQ(found[1], 1.0);
   }
 }
 
