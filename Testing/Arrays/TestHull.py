@@ -161,6 +161,13 @@ def test_results_are_frozen_and_own_their_memory():
     assert all(np.array_equal(array, copy) for array, copy in zip(arrays, copies))
 
 
+def test_one_point_is_a_row():
+    assert convex_hull([[1, 2, 3]]).dimension == 0 and convex_hull([]).npoints == 0
+    for one in ([1, 2, 3], np.arange(3.0), (1, 2)):
+        with pytest.raises(ValueError, match="points are an array of n by 3 or n by 2 coordinates, not of shape"):
+            convex_hull(one)
+
+
 def test_convexify():
     sphere = RANDOM.standard_normal((300, 3))
     sphere /= np.linalg.norm(sphere, axis=1)[:, None]
