@@ -54,7 +54,7 @@ flipflop::Options vtkFFAheadRuns::OptionsOf(RunType& run, const flipflop::Option
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAheadRuns::Gather(std::unique_ptr<vtkFFBlockWork> work, const flipflop::Options& options,
+void vtkFFAheadRuns::Gather(std::unique_ptr<vtkFFBlockWork> work, const flipflop::Options& options,
   std::vector<vtkIdType>& places)
 {
   this->Runs.push_back(std::make_unique<RunType>());
@@ -70,7 +70,6 @@ bool vtkFFAheadRuns::Gather(std::unique_ptr<vtkFFBlockWork> work, const flipflop
     run.Thrown = std::current_exception();
   }
   run.Places = std::exchange(places, {});
-  return !run.Thrown;
 }
 
 //------------------------------------------------------------------------------

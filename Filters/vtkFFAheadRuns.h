@@ -6,7 +6,7 @@
  *
  * vtkFFAheadRuns gathers the points of some blocks, and runs the engine on all of them side by
  * side. It keeps each run's result, progress and error until its block's turn comes. So users see
- * the same progress and the same error as for one run after another.
+ * the same progress and the same errors as for one run after another.
  */
 
 #ifndef vtkFFAheadRuns_h
@@ -41,10 +41,10 @@ public:
   ~vtkFFAheadRuns();
 
   /**
-   * Gather a block's points. The work sets @p places meanwhile; this object takes them over. False
-   * after an exception: no later block need be added.
+   * Gather a block's points. The work sets @p places meanwhile; this object takes them over. An
+   * exception is kept until the block's turn.
    */
-  bool Gather(std::unique_ptr<vtkFFBlockWork> work, const flipflop::Options& options,
+  void Gather(std::unique_ptr<vtkFFBlockWork> work, const flipflop::Options& options,
     std::vector<vtkIdType>& places);
 
   /**

@@ -207,7 +207,7 @@ void vtkFFAlgorithm::vtkInternals::MarkAborted()
 void vtkFFAlgorithm::vtkInternals::NoteNonFinite(vtkIdType count)
 {
   this->NonFinitePointsOfFailure = count;
-  this->Statistics.nonFinite = count;
+  this->Statistics.nonFinite += count;
 }
 
 //------------------------------------------------------------------------------

@@ -33,7 +33,11 @@
  * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
  * vtkDataObjectTrees) gives a result for each block, in a composite of the same structure on every
  * port (get it with GetOutputDataObject()). A vtkPartitionedDataSet is one block: its partitions
- * are pieces of one data set, appended in their order, and the result has a single partition.
+ * are pieces of one data set, appended in their order, and the result has a single partition. A
+ * block at fault has no result (its place stays empty), and all others have theirs. One error then
+ * describes the first such block, and names up to eight by their flat indices. GetErrorCode()
+ * differs from vtkErrorCode::NoError, and what is downstream runs. The update fails only where no
+ * block has a result.
  *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
@@ -258,11 +262,10 @@ public:
   //@{
   /**
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
-   * each. All are 0 before a run, and after a run that failed or was aborted, also if some blocks
-   * had results. From CulledPoints on, the numbers differ between engines, which work in different
-   * orders. If the CPU engine inserts points one at a time (in triangulations, and in hulls whose
-   * vertices are most of the points), they also depend on the number of threads. The output is the
-   * same.
+   * each. All are 0 before a run, and after a run without a result. From CulledPoints on, the
+   * numbers differ between engines, which work in different orders. If the CPU engine inserts
+   * points one at a time (in triangulations, and in hulls whose vertices are most of the points),
+   * they also depend on the number of threads. The output is the same.
    *
    * - InputPoints: points given, without ghosts that are left out
    * - NonFinitePoints: points left out (or, after an error, found)

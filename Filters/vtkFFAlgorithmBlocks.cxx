@@ -5,6 +5,7 @@
 #include "vtkFFAlgorithmInternals.h"
 
 #include "vtkFFAheadRuns.h"
+#include "vtkFFBlockFailures.h"
 #include "vtkFFBlockIterator.h"
 #include "vtkFFBlockWork.h"
 #include "vtkFFFailure.h"
@@ -24,7 +25,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -35,6 +35,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -46,6 +47,22 @@ constexpr std::int64_t pointsOfARun = 512;
 
 /// What is run ahead, for each thread: some hundredths of a second's work.
 constexpr std::int64_t pointsAhead = 1 << 16;
+
+/// What a block's results become: with its field data, and nothing else yet.
+std::vector<vtkSmartPointer<vtkPolyData>> makeResults(const vtkFFBlock& block, std::size_t count)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> results;
+  for (std::size_t port = 0; port < count; ++port)
+  {
+    results.push_back(vtkSmartPointer<vtkPolyData>::New());
+    if (!block.Pieces.empty())
+    {
+      results.back()->GetFieldData()->PassData(block.Pieces[0]->GetFieldData());
+      vtkFFOutput::RemoveReport(results.back()->GetFieldData());
+    }
+  }
+  return results;
+}
 
 }
 
@@ -149,22 +166,23 @@ bool vtkFFAlgorithm::vtkInternals::RunFilter(
   {
     this->TakeBlocks(input, blocks, failure);
   }
-  bool done = this->SelectBlocks(blocks, failure);
-  if (done && vtkDataObjectTree::SafeDownCast(outputs[0]))
+  this->SelectBlocks(blocks, failure);
+  bool hasResult = failure.Kind == vtkFFFailure::None;
+  if (hasResult && vtkDataObjectTree::SafeDownCast(outputs[0]))
   {
-    done = this->ExecuteEachBlock(blocks, input, outputs);
+    hasResult = this->ExecuteEachBlock(blocks, input, outputs, failure);
   }
-  else if (done)
+  else if (hasResult)
   {
     std::vector<vtkPolyData*> results;
     for (vtkDataObject* output : outputs)
     {
       results.push_back(vtkPolyData::SafeDownCast(output));
     }
-    this->CurrentBlocks = blocks;
-    done = this->Execute(blocks, results);
+    this->ExecuteBlocks(blocks, results, failure);
+    hasResult = failure.Kind == vtkFFFailure::None;
   }
-  return this->FinishRun(done, outputs);
+  return this->FinishRun(failure, hasResult, outputs);
 }
 
 //------------------------------------------------------------------------------
@@ -176,10 +194,12 @@ void vtkFFAlgorithm::vtkInternals::ForgetInput()
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::vtkInternals::FinishRun(bool done, const std::vector<vtkDataObject*>& outputs)
+bool vtkFFAlgorithm::vtkInternals::FinishRun(
+  const vtkFFFailure& failure, bool hasResult, const std::vector<vtkDataObject*>& outputs)
 {
+  this->ReportFailure(failure, this->IsSpeaker());
   this->ForgetInput();
-  if (!done)
+  if (!hasResult)
   {
     for (vtkDataObject* output : outputs)
     {
@@ -187,12 +207,11 @@ bool vtkFFAlgorithm::vtkInternals::FinishRun(bool done, const std::vector<vtkDat
     }
     this->ReduceReportToFailure();
   }
-  return done;
+  return hasResult;
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::vtkInternals::AddBlock(
-  vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure)
+void vtkFFAlgorithm::vtkInternals::AddPieces(vtkDataObject* data, Block& block)
 {
   std::vector<vtkDataObject*> pieces{ data };
   if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(data))
@@ -203,9 +222,8 @@ void vtkFFAlgorithm::vtkInternals::AddBlock(
       pieces.push_back(partitions->GetPartitionAsDataObject(k));
     }
   }
-  const std::string which = "block of flat index " + std::to_string(flatIndex);
+  const unsigned int flatIndex = block.FlatIndex;
   const std::vector<std::string> types = this->GetLeafTypes();
-  Block block{ {}, flatIndex, 0 };
   for (vtkDataObject* piece : pieces)
   {
     if (!piece)
@@ -215,13 +233,13 @@ void vtkFFAlgorithm::vtkInternals::AddBlock(
     if (std::none_of(types.begin(), types.end(),
           [&](const std::string& type) { return piece->IsA(type.c_str()); }))
     {
-      failure.Say((flatIndex ? "The " + which : std::string("The input")) +
+      throw std::runtime_error(
+        (flatIndex ? "The block of flat index " + std::to_string(flatIndex) : "The input") +
         (piece == data ? " is a " : " has a partition that is a ") + piece->GetClassName() +
         ". It must be a " + List(types) +
         (flatIndex || piece != data ? "." : ", or a composite of such (vtkDataObjectTree)."));
-      return;
     }
-    const std::string ofWhat = flatIndex ? " of the " + which : std::string();
+    const std::string ofWhat = vtkFFGuard::OfBlockAt(flatIndex);
     const vtkSmartPointer<vtkPointSet> points = vtkFFGridPoints::PointsOf(piece, ofWhat);
     if (points != piece)
     {
@@ -231,25 +249,28 @@ void vtkFFAlgorithm::vtkInternals::AddBlock(
       points->GetPoints() ? points->GetPoints()->GetData()->GetNumberOfComponents() : 3;
     if (size != 3)
     {
-      failure.Say("The points" + ofWhat + " have " + std::to_string(size) +
+      throw std::runtime_error("The points" + ofWhat + " have " + std::to_string(size) +
         " coordinates each; a point has 3.");
-      return;
     }
     block.Pieces.push_back(points);
     block.NumberOfPoints += points->GetNumberOfPoints();
   }
-  blocks.push_back(block);
+}
+
+//------------------------------------------------------------------------------
+vtkFFBlock vtkFFAlgorithm::vtkInternals::MakeBlock(vtkDataObject* data, unsigned int flatIndex)
+{
+  Block block{ {}, flatIndex, 0 };
+  vtkFFFailure failure;
+  if (!this->Try([&] { this->AddPieces(data, block); }, failure))
+  {
+    block = { {}, flatIndex, 0, this->DescribeFailure(failure) };
+  }
+  return block;
 }
 
 //------------------------------------------------------------------------------
 void vtkFFAlgorithm::vtkInternals::TakeBlocks(
-  vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
-{
-  this->Try([&] { this->CollectBlocks(input, blocks, failure); }, failure);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFAlgorithm::vtkInternals::CollectBlocks(
   vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   if (!input)
@@ -257,19 +278,31 @@ void vtkFFAlgorithm::vtkInternals::CollectBlocks(
     failure.Say("There is no input. Set one.");
     return;
   }
-  vtkFFBlockIterator iterator(input);
-  for (; !iterator.IsDone() && failure.Kind == vtkFFFailure::None; iterator.GoToNext())
-  {
-    this->AddBlock(iterator.GetData(), iterator.GetFlatIndex(), blocks, failure);
-  }
+  this->Try(
+    [&]
+    {
+      for (vtkFFBlockIterator iterator(input); !iterator.IsDone(); iterator.GoToNext())
+      {
+        blocks.push_back(this->MakeBlock(iterator.GetData(), iterator.GetFlatIndex()));
+      }
+      if (blocks.size() == 1 && blocks[0].FlatIndex == 0 && !blocks[0].Fault.empty())
+      {
+        throw std::runtime_error(blocks[0].Fault);
+      }
+    },
+    failure);
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::vtkInternals::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
+void vtkFFAlgorithm::vtkInternals::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure&)
 {
-  const auto isMissing = [](const Block& block) { return block.Pieces.empty(); };
+  const auto isMissing = [](const Block& block) { return !block.HasData(); };
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isMissing), blocks.end());
-  this->ReportFailure(failure);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFAlgorithm::vtkInternals::IsWell(vtkFFFailure& failure)
+{
   return failure.Kind == vtkFFFailure::None;
 }
 
@@ -302,24 +335,25 @@ std::unique_ptr<vtkFFBlockWork> vtkFFAlgorithm::vtkInternals::NewBlockWork(const
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::vtkInternals::ExecuteWork(
-  vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs)
+void vtkFFAlgorithm::vtkInternals::ExecuteWork(
+  vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
 {
-  return this->RunEngine(
+  this->TryEngine(
     [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
       flipflop::EngineReport& report)
     {
       work.Gather(options);
       work.Run(options, engine, report);
       work.Write(options, report, outputs);
-    });
+    },
+    failure);
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFAlgorithm::vtkInternals::RunAhead(
-  const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs)
+void vtkFFAlgorithm::vtkInternals::RunAhead(
+  const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs, vtkFFFailure& failure)
 {
-  return this->RunEngine(
+  this->TryEngine(
     [&](const flipflop::Options& options, const flipflop::EngineOptions& engine,
       flipflop::EngineReport&)
     {
@@ -345,20 +379,60 @@ bool vtkFFAlgorithm::vtkInternals::RunAhead(
       }
       for (std::size_t i = first; i < end; ++i)
       {
+        if (!blocks[i].Fault.empty())
+        {
+          continue; // it has no turn
+        }
         this->CurrentBlocks = { blocks[i] };
         auto next = this->NewBlockWork(blocks[i]);
-        if (!next || !runs.Gather(std::move(next), options, this->PlacesOfPoints))
+        if (!next)
         {
           break;
         }
+        runs.Gather(std::move(next), options, this->PlacesOfPoints);
       }
       runs.Run(threads, options, engine);
-    });
+    },
+    failure);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::vtkInternals::ExecuteBlocks(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
+{
+  this->CurrentBlocks = blocks;
+  for (const Block& block : blocks)
+  {
+    if (!block.Fault.empty() && failure.Kind == vtkFFFailure::None)
+    {
+      failure.Say(block.Fault);
+    }
+  }
+  if (this->IsWell(failure))
+  {
+    this->Execute(blocks, outputs, failure);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::vtkInternals::ExecuteBlock(const Block& block, vtkFFAheadRuns& ahead,
+  const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
+{
+  if (!block.Fault.empty() || !ahead.HasNext())
+  {
+    this->ExecuteBlocks({ block }, outputs, failure);
+    return;
+  }
+  this->CurrentBlocks = { block };
+  this->TryEngine([&](const flipflop::Options& options, const flipflop::EngineOptions&,
+                    flipflop::EngineReport& report)
+    { ahead.WriteNext(options, report, this->PlacesOfPoints, outputs); },
+    failure);
 }
 
 //------------------------------------------------------------------------------
 bool vtkFFAlgorithm::vtkInternals::ExecuteEachBlock(const std::vector<Block>& blocks,
-  vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
+  vtkDataObject* input, const std::vector<vtkDataObject*>& outputs, vtkFFFailure& failure)
 {
   auto* inputTree = vtkDataObjectTree::SafeDownCast(input);
   double total = 1.0; // avoids 0 / 0 for blocks without a point
@@ -372,9 +446,10 @@ bool vtkFFAlgorithm::vtkInternals::ExecuteEachBlock(const std::vector<Block>& bl
   }
 
   vtkFFBlockIterator iterator(input);
+  vtkFFBlockFailures failures(*this);
   double sum = 0.0;
-  std::unique_ptr<vtkFFAheadRuns> ahead;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  auto ahead = std::make_unique<vtkFFAheadRuns>([this] { return this->IsAbortRequested(); });
+  for (std::size_t i = 0; i < blocks.size() && !failures.IsAborted(); ++i)
   {
     const Block& block = blocks[i];
     while (iterator.GetFlatIndex() != block.FlatIndex)
@@ -384,38 +459,28 @@ bool vtkFFAlgorithm::vtkInternals::ExecuteEachBlock(const std::vector<Block>& bl
     const double begin = sum / total;
     sum += static_cast<double>(block.NumberOfPoints);
     this->SetProgressRange(begin, sum / total);
-
-    std::vector<vtkPolyData*> results;
-    for (vtkDataObject* output : outputs)
-    {
-      vtkNew<vtkPolyData> result;
-      if (!block.Pieces.empty())
-      {
-        result->GetFieldData()->PassData(block.Pieces[0]->GetFieldData());
-        vtkFFOutput::RemoveReport(result->GetFieldData());
-      }
-      iterator.SetData(output, result);
-      results.push_back(result);
-    }
-    if (!ahead || !ahead->HasNext())
+    if (!ahead->HasNext())
     {
       ahead = std::make_unique<vtkFFAheadRuns>([this] { return this->IsAbortRequested(); });
-      if (!this->RunAhead(blocks, i, *ahead))
+      this->RunAhead(blocks, i, *ahead, failure);
+      if (failure.Kind != vtkFFFailure::None)
       {
         return false;
       }
     }
-    this->CurrentBlocks = { block };
-    const bool done = ahead->HasNext()
-      ? this->RunEngine([&](const flipflop::Options& options, const flipflop::EngineOptions&,
-                          flipflop::EngineReport& report)
-          { ahead->WriteNext(options, report, this->PlacesOfPoints, results); })
-      : this->Execute({ block }, results);
-    if (!done)
+
+    const auto results = makeResults(block, outputs.size());
+    vtkFFFailure failureOfBlock;
+    this->ExecuteBlock(block, *ahead, { results.begin(), results.end() }, failureOfBlock);
+    if (failureOfBlock.Kind == vtkFFFailure::None)
     {
-      return false;
+      for (std::size_t port = 0; port < outputs.size(); ++port)
+      {
+        iterator.SetData(outputs[port], results[port]);
+      }
     }
+    failures.Add(block.FlatIndex, failureOfBlock);
   }
-  return true;
+  return failures.Join(blocks.size(), failure);
 }
 VTK_ABI_NAMESPACE_END

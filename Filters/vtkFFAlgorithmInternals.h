@@ -62,8 +62,8 @@ public:
   virtual int GetNumberOfDivisions() { return 1; }
 
   /**
-   * A whole run, from the input to the outputs. False when there was an error or an abort: the
-   * outputs are empty then. By default the first piece is all.
+   * A whole run, from the input to the outputs. False when nothing has a result, after an error or
+   * an abort: the outputs are empty then. By default the first piece is all.
    */
   virtual bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs);
 
@@ -79,10 +79,10 @@ public:
 
   /**
    * What a filter does: one result from the points of @p blocks (of a single one, unless
-   * CombinesBlocks()), on all its ports. False when there was an error or an abort.
+   * CombinesBlocks()), on all its ports. An error or an abort is a failure.
    */
-  virtual bool Execute(
-    const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) = 0;
+  virtual void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    vtkFFFailure& failure) = 0;
 
   /**
    * The work that Execute() would do on @p block alone, for small blocks to be run side by side.
@@ -91,10 +91,10 @@ public:
   virtual std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block);
 
   /**
-   * Do all of some work here and now, guarded as RunEngine() is. False when there was an error or
-   * an abort.
+   * Do all of some work here and now, guarded as TryEngine() is.
    */
-  bool ExecuteWork(vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs);
+  void ExecuteWork(
+    vtkFFBlockWork& work, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure);
 
   /**
    * Whether one result is made of all blocks, which is no composite then.
@@ -116,10 +116,20 @@ public:
   virtual void CheckSettings(vtkFFFailure&) {}
 
   /**
-   * Leave the blocks that are to be worked on: by default, those with data. False where there is
-   * a failure, here or already: it is reported.
+   * Leave the blocks that are to be worked on: by default, those with data. There may be a failure
+   * already.
    */
-  virtual bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure);
+  virtual void SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure);
+
+  /**
+   * Whether there is no failure. Several processes share theirs.
+   */
+  virtual bool IsWell(vtkFFFailure& failure);
+
+  /**
+   * Whether it is for this process to report errors, of which all know.
+   */
+  virtual bool IsSpeaker() { return true; }
 
   /**
    * Forget what the last run reported. The first act of a run.
@@ -189,7 +199,8 @@ public:
 
 protected:
   /**
-   * Take the input apart into blocks. What is wrong with it is a failure.
+   * Take the input apart into blocks. What is wrong with one is its fault, what is wrong with the
+   * whole is a failure.
    */
   void TakeBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
 
@@ -199,21 +210,27 @@ protected:
   void ForgetInput();
 
   /**
-   * The last act of a run: unless it is done, outputs and report are of nothing. Returns @p done.
+   * The last act of a run: the failure is reported; without a result, outputs and report are of
+   * nothing. Returns @p hasResult.
    */
-  bool FinishRun(bool done, const std::vector<vtkDataObject*>& outputs);
+  bool FinishRun(
+    const vtkFFFailure& failure, bool hasResult, const std::vector<vtkDataObject*>& outputs);
 
   void SetErrorCode(unsigned long code) override;
   void MarkAborted() override;
   void NoteNonFinite(vtkIdType count) override;
 
 private:
-  void CollectBlocks(vtkDataObject* input, std::vector<Block>& blocks, vtkFFFailure& failure);
-  void AddBlock(
-    vtkDataObject* data, unsigned int flatIndex, std::vector<Block>& blocks, vtkFFFailure& failure);
+  Block MakeBlock(vtkDataObject* data, unsigned int flatIndex);
+  void AddPieces(vtkDataObject* data, Block& block);
   bool ExecuteEachBlock(const std::vector<Block>& blocks, vtkDataObject* input,
-    const std::vector<vtkDataObject*>& outputs);
-  bool RunAhead(const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs);
+    const std::vector<vtkDataObject*>& outputs, vtkFFFailure& failure);
+  void ExecuteBlock(const Block& block, vtkFFAheadRuns& ahead,
+    const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure);
+  void ExecuteBlocks(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    vtkFFFailure& failure);
+  void RunAhead(const std::vector<Block>& blocks, std::size_t first, vtkFFAheadRuns& runs,
+    vtkFFFailure& failure);
   void ReduceReportToFailure(); // blocks that went well before it are forgotten
 
   std::vector<vtkSmartPointer<vtkPointSet>> LaidOutPoints; // of blocks, while these are worked on

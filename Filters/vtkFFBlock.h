@@ -14,6 +14,7 @@
 #include "vtkFFMarks.h"
 #include "vtkType.h"
 
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -24,6 +25,12 @@ struct vtkFFBlock
   std::vector<vtkPointSet*> Pieces; ///< those here
   unsigned int FlatIndex;           ///< 0 where the input itself is the only block
   vtkIdType NumberOfPoints;         ///< wherever they are
+  std::string Fault{};              ///< why it has no pieces, though it has data: a sentence
+
+  /**
+   * Whether there is something to work on here, right or wrong.
+   */
+  bool HasData() const { return !this->Pieces.empty() || !this->Fault.empty(); }
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFConvexifyFilter.h"
 
+#include "vtkFFFailure.h"
 #include "vtkFFHullInternals.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
@@ -33,14 +34,15 @@ public:
   using vtkFFHullAlgorithm::vtkInternals::vtkInternals;
 
   std::vector<std::string> GetLeafTypes() override { return { "vtkPolyData" }; }
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    vtkFFFailure& failure) override;
   std::string DescribeError(const flipflop::Error& error) override;
 
 protected:
   const char* GetProgressTitle() override { return "Convexify"; }
 
 private:
-  bool Convexify(vtkPolyData* input, vtkPolyData* output);
+  void Convexify(vtkPolyData* input, vtkPolyData* output, vtkFFFailure& failure);
 };
 
 //------------------------------------------------------------------------------
@@ -79,8 +81,8 @@ void vtkFFConvexifyFilter::StoreKernelPoint(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFConvexifyFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
+void vtkFFConvexifyFilter::vtkInternals::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
 {
   vtkPolyData* input = vtkPolyData::SafeDownCast(blocks[0].Pieces.front());
   std::size_t count = 0;
@@ -94,37 +96,38 @@ bool vtkFFConvexifyFilter::vtkInternals::Execute(
   }
   if (count == 0 && blocks[0].NumberOfPoints > 0)
   {
-    this->ReportError("The surface" + this->OfBlock() + " has no cells, but " +
+    failure.Say("The surface" + this->OfBlock() + " has no cells, but " +
       std::to_string(blocks[0].NumberOfPoints) +
       " point(s). It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) "
       "gives the hull of points.");
-    return false;
+    return;
   }
   if (count > 1)
   {
-    this->ReportError("The surface is spread over " + std::to_string(count) +
+    failure.Say("The surface" + this->OfBlock() + " is spread over " + std::to_string(count) +
       " partitions. Make one data set of them, such that they share the points where they meet: "
       "Append Geometry (vtkAppendPolyData) and Clean (vtkCleanPolyData) can do that.");
-    return false;
+    return;
   }
   const std::string fault = vtkFFSurfaceCells::DescribeFault(input, this->OfBlock());
   if (!fault.empty())
   {
-    this->ReportError(fault);
-    return false;
+    failure.Say(fault);
+    return;
   }
-  return this->Convexify(input, outputs[0]);
+  this->Convexify(input, outputs[0], failure);
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFConvexifyFilter::vtkInternals::Convexify(vtkPolyData* input, vtkPolyData* output)
+void vtkFFConvexifyFilter::vtkInternals::Convexify(
+  vtkPolyData* input, vtkPolyData* output, vtkFFFailure& failure)
 {
   const auto* filter = static_cast<vtkFFConvexifyFilter*>(this->GetFilter());
   if (filter->Engine == ENGINE_CUDA)
   {
-    this->ReportError("The CUDA engine was asked for, but this filter runs on the CPU. Set "
-                      "Engine to Automatic or CPU.");
-    return false;
+    failure.Say("The CUDA engine was asked for, but this filter runs on the CPU. Set Engine to "
+                "Automatic or CPU.");
+    return;
   }
   const double* kernel = filter->UseKernelPoint ? filter->KernelPoint : nullptr;
   if (kernel && !std::all_of(kernel, kernel + 3, [](double x) { return vtkMath::IsFinite(x); }))
@@ -132,8 +135,8 @@ bool vtkFFConvexifyFilter::vtkInternals::Convexify(vtkPolyData* input, vtkPolyDa
     std::ostringstream message;
     message << "The kernel point (" << kernel[0] << ", " << kernel[1] << ", " << kernel[2]
             << ") is not finite.";
-    this->ReportError(message.str());
-    return false;
+    failure.Say(message.str());
+    return;
   }
 
   const auto work = [&](const flipflop::Options& chosen, const flipflop::EngineOptions&,
@@ -155,16 +158,15 @@ bool vtkFFConvexifyFilter::vtkInternals::Convexify(vtkPolyData* input, vtkPolyDa
     {
       hull = cells.FlipFlop(source.GetView(), kernel, options);
     }
-    this->AddToReport(hull, report, output);
-
     std::vector<vtkFFOutput::Source> data;
     if (filter->PassPointData)
     {
       data.push_back({ input->GetPointData(), input->GetNumberOfPoints() });
     }
     vtkFFOutput::Adopt(hull, source, data, filter->VisiblePointIds, output);
+    this->AddToReport(hull, report, output);
   };
-  return this->RunEngine(work);
+  this->TryEngine(work, failure);
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ struct vtkFFFailure
 
   KindType Kind = None;
   vtkIdType Place = -1; ///< NonFinite: of the first such point, among all of the current blocks
-  vtkIdType Count = 0;  ///< NonFinite: how many there are
+  vtkIdType Count = 0;  ///< of points that are not finite, where these are at fault
   std::string Message;  ///< Other: a sentence
 
   /**

@@ -125,17 +125,19 @@ void vtkFFGuard::ReportFailure(const vtkFFFailure& failure, bool aloud)
   if (!aloud)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
+    return;
   }
-  else if (failure.Kind == vtkFFFailure::NonFinite)
-  {
-    this->NoteNonFinite(failure.Count);
-    this->ReportError(this->DescribeError(
-      flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count)));
-  }
-  else
-  {
-    this->ReportError(failure.Message);
-  }
+  this->NoteNonFinite(failure.Count);
+  this->ReportError(this->DescribeFailure(failure));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFGuard::DescribeFailure(const vtkFFFailure& failure)
+{
+  return failure.Kind == vtkFFFailure::NonFinite
+    ? this->DescribeError(
+        flipflop::Error(flipflop::ErrorCode::NonFinite, failure.Place, failure.Count))
+    : failure.Message;
 }
 
 //------------------------------------------------------------------------------

@@ -65,6 +65,11 @@ public:
   bool Try(const std::function<void()>& work, vtkFFFailure& failure);
 
   /**
+   * A failure that is no abort, as a sentence.
+   */
+  std::string DescribeFailure(const vtkFFFailure& failure);
+
+  /**
    * A failure becomes an error, unless it is an abort. Where it is not for this process to say it,
    * only the error code tells.
    */

@@ -126,11 +126,11 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool vtkFFHullFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
+void vtkFFHullFilter::vtkInternals::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
 {
   Work work(this, blocks);
-  return this->ExecuteWork(work, outputs);
+  this->ExecuteWork(work, outputs, failure);
 }
 
 //------------------------------------------------------------------------------

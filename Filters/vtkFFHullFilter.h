@@ -121,7 +121,8 @@ public:
    *   piece. They and the numbers of points can be beyond 2^32.
    * - An error in a piece ends the run: no further one is asked for. Of
    *   points that are not finite, it names the first of all, and counts
-   *   those of the block so far.
+   *   those of the block so far. For HULL_OF_EACH_BLOCK, a block at
+   *   fault has no hull, and the run goes on for the others.
    * - Dimension, volume, area and the numbers of points are of all
    *   pieces. The other statistics are sums over the runs.
    *

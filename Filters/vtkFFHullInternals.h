@@ -54,7 +54,8 @@ public:
 
   int GetNumberOfDivisions() override;
   bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    vtkFFFailure& failure) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   bool CombinesBlocks() override;
   vtkIdType GetPlaceOfPoint(vtkIdType index) override;
@@ -125,12 +126,22 @@ private:
   void TakePiece(vtkFFInputPieces& pieces, int number, std::vector<StreamedBlock>& streamed,
     vtkFFFailure& failure);
   void TakeBlockOfPiece(Block block, StreamedBlock& streamed, vtkFFFailure& failure);
+  void NamePiece(int number, vtkFFFailure& failure);
+
+  /**
+   * Whether more pieces can give a result: not after a fault of all blocks, or of one where there
+   * is one hull of all.
+   */
+  bool CanGoOn(const std::vector<StreamedBlock>& streamed);
 
   /**
    * The hulls of all pieces become the output: one for each block of the structure, or one of all.
+   * Returns whether there is a result.
    */
-  void WriteHulls(std::vector<StreamedBlock>& streamed, vtkDataObjectTree* structure,
+  bool WriteHulls(std::vector<StreamedBlock>& streamed, vtkDataObjectTree* structure,
     vtkDataObject* output, vtkFFFailure& failure);
+  void WriteHullOfAll(
+    std::vector<StreamedBlock>& streamed, vtkPolyData* output, vtkFFFailure& failure);
 
   int CountOfPieces = 1; // in which the input comes in this run
 

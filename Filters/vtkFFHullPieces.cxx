@@ -3,6 +3,7 @@
 // The hull of an input that comes piece after piece: only one of them is in memory at a time.
 #include "vtkFFHullResult.h"
 
+#include "vtkFFBlockFailures.h"
 #include "vtkFFBlockIterator.h"
 #include "vtkFFFailure.h"
 #include "vtkFFInputPieces.h"
@@ -30,6 +31,7 @@ struct vtkFFHullFilter::vtkInternals::StreamedBlock
   bool HasData = false;         // in some piece
   Result Hull;                  // whose ids count the block's points
   vtkNew<vtkFieldData> FieldData;
+  vtkFFFailure Failure; // in the piece that was the last for it; described already
 };
 
 //------------------------------------------------------------------------------
@@ -67,23 +69,39 @@ bool vtkFFHullFilter::vtkInternals::RunFilter(
   }
   this->CountOfPieces = pieces.GetCount();
   std::vector<StreamedBlock> streamed;
-  for (int k = 0; k < this->CountOfPieces && failure.Kind == vtkFFFailure::None; ++k)
+  for (int k = 0;
+       k < this->CountOfPieces && failure.Kind == vtkFFFailure::None && this->CanGoOn(streamed);
+       ++k)
   {
     this->SetProgressRange(k / static_cast<double>(this->CountOfPieces),
       (k + 1) / static_cast<double>(this->CountOfPieces));
     this->TakePiece(pieces, k, streamed, failure);
     this->NoteAbort(failure);
-    if (failure.Kind == vtkFFFailure::None)
-    {
-      this->ForgetInput(); // else it is to be told where in it
-    }
+    this->ForgetInput();
   }
-  if (failure.Kind == vtkFFFailure::None)
-  {
+  const bool hasResult = failure.Kind == vtkFFFailure::None &&
     this->WriteHulls(streamed, structure, outputs[0], failure);
+  return this->FinishRun(failure, hasResult, outputs);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFHullFilter::vtkInternals::CanGoOn(const std::vector<StreamedBlock>& streamed)
+{
+  const auto isAtFault = [](const StreamedBlock& block)
+  { return block.Failure.Kind != vtkFFFailure::None; };
+  return streamed.empty() ||
+    (this->CombinesBlocks() ? std::none_of(streamed.begin(), streamed.end(), isAtFault)
+                            : !std::all_of(streamed.begin(), streamed.end(), isAtFault));
+}
+
+//------------------------------------------------------------------------------
+void vtkFFHullFilter::vtkInternals::NamePiece(int number, vtkFFFailure& failure)
+{
+  if (failure.Kind == vtkFFFailure::Other && this->CountOfPieces > 1)
+  {
+    failure.Say("Piece " + std::to_string(number + 1) + " of " +
+      std::to_string(this->CountOfPieces) + ": " + failure.Message);
   }
-  this->ReportFailure(failure);
-  return this->FinishRun(failure.Kind == vtkFFFailure::None, outputs);
 }
 
 //------------------------------------------------------------------------------
@@ -112,6 +130,7 @@ void vtkFFHullFilter::vtkInternals::TakePiece(
       std::to_string(streamed.size()) +
       ". Give all the same, without data where there is none, or merge the blocks.");
   }
+  this->NamePiece(number, failure);
   for (std::size_t b = 0; b < blocks.size() && failure.Kind == vtkFFFailure::None; ++b)
   {
     if (b == streamed.size())
@@ -121,15 +140,23 @@ void vtkFFHullFilter::vtkInternals::TakePiece(
     }
     const auto count = static_cast<double>(blocks.size());
     this->SetProgressPart(static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
-    if (!blocks[b].Pieces.empty())
+    if (!blocks[b].HasData() || streamed[b].Failure.Kind != vtkFFFailure::None)
     {
-      this->TakeBlockOfPiece(blocks[b], streamed[b], failure);
+      continue;
     }
-  }
-  if (failure.Kind == vtkFFFailure::Other && this->CountOfPieces > 1)
-  {
-    failure.Say("Piece " + std::to_string(number + 1) + " of " +
-      std::to_string(this->CountOfPieces) + ": " + failure.Message);
+    vtkFFFailure failureOfBlock;
+    this->TakeBlockOfPiece(blocks[b], streamed[b], failureOfBlock);
+    this->NamePiece(number, failureOfBlock);
+    if (failureOfBlock.Kind == vtkFFFailure::Aborted)
+    {
+      failure = failureOfBlock;
+    }
+    else if (failureOfBlock.Kind != vtkFFFailure::None)
+    {
+      streamed[b].Failure.Say(this->DescribeFailure(failureOfBlock));
+      streamed[b].Failure.Count = failureOfBlock.Count;
+      streamed[b].Hull = Result(); // it has no use any more
+    }
   }
 }
 
@@ -137,6 +164,11 @@ void vtkFFHullFilter::vtkInternals::TakePiece(
 void vtkFFHullFilter::vtkInternals::TakeBlockOfPiece(
   Block block, StreamedBlock& streamed, vtkFFFailure& failure)
 {
+  if (!block.Fault.empty())
+  {
+    failure.Say(block.Fault);
+    return;
+  }
   const bool isFirst = !streamed.HasData;
   if (isFirst)
   {
@@ -183,34 +215,51 @@ void vtkFFHullFilter::vtkInternals::TakeBlockOfPiece(
 }
 
 //------------------------------------------------------------------------------
-void vtkFFHullFilter::vtkInternals::WriteHulls(std::vector<StreamedBlock>& streamed,
+bool vtkFFHullFilter::vtkInternals::WriteHulls(std::vector<StreamedBlock>& streamed,
   vtkDataObjectTree* structure, vtkDataObject* output, vtkFFFailure& failure)
 {
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(output))
+  auto* tree = vtkDataObjectTree::SafeDownCast(output);
+  if (!tree)
   {
-    tree->CopyStructure(structure);
-    vtkFFBlockIterator iterator(structure);
-    for (auto block = streamed.begin();
-         block != streamed.end() && failure.Kind == vtkFFFailure::None; ++block)
-    {
-      if (block->HasData)
-      {
-        vtkNew<vtkPolyData> result;
-        result->GetFieldData()->PassData(block->FieldData);
-        iterator.SetData(tree, result);
-        std::vector<Result> hull(1);
-        hull[0] = std::move(block->Hull);
-        this->CurrentBlocks = { { {}, block->FlatIndex, block->NumberOfPoints } };
-        this->ReportHull(hull, result, failure);
-      }
-      iterator.GoToNext();
-    }
-    return;
+    this->WriteHullOfAll(streamed, vtkPolyData::SafeDownCast(output), failure);
+    return failure.Kind == vtkFFFailure::None;
   }
+  tree->CopyStructure(structure);
+  vtkFFBlockIterator iterator(structure);
+  vtkFFBlockFailures failures(*this);
+  std::size_t count = 0; // of blocks with data
+  for (StreamedBlock& block : streamed)
+  {
+    const bool isWell = block.Failure.Kind == vtkFFFailure::None;
+    if (isWell && block.HasData && !failures.IsAborted())
+    {
+      vtkNew<vtkPolyData> result;
+      result->GetFieldData()->PassData(block.FieldData);
+      std::vector<Result> hull(1);
+      hull[0] = std::move(block.Hull);
+      this->CurrentBlocks = { { {}, block.FlatIndex, block.NumberOfPoints } };
+      this->ReportHull(hull, result, block.Failure);
+      if (block.Failure.Kind == vtkFFFailure::None)
+      {
+        iterator.SetData(tree, result);
+      }
+    }
+    count += block.HasData || !isWell;
+    failures.Add(block.FlatIndex, block.Failure);
+    iterator.GoToNext();
+  }
+  return failures.Join(count, failure);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFHullFilter::vtkInternals::WriteHullOfAll(
+  std::vector<StreamedBlock>& streamed, vtkPolyData* output, vtkFFFailure& failure)
+{
   std::vector<Result> hulls;
   vtkIdType begin = 0;
   for (StreamedBlock& block : streamed)
   {
+    failure.Add(block.Failure);
     if (block.HasData)
     {
       vtkFFOutput::Renumber(
@@ -220,6 +269,9 @@ void vtkFFHullFilter::vtkInternals::WriteHulls(std::vector<StreamedBlock>& strea
       hulls.push_back(std::move(block.Hull));
     }
   }
-  this->ReportHull(hulls, vtkPolyData::SafeDownCast(output), failure);
+  if (failure.Kind == vtkFFFailure::None)
+  {
+    this->ReportHull(hulls, output, failure);
+  }
 }
 VTK_ABI_NAMESPACE_END

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFQueryAlgorithm.h"
 
-#include "vtkFFFailure.h"
+#include "vtkFFBlockFailures.h"
 #include "vtkFFGridPoints.h"
 #include "vtkFFPieces.h"
 #include "vtkFFPointSource.h"
@@ -231,14 +231,21 @@ vtkFFQueryAlgorithm::vtkInternals::Leaf vtkFFQueryAlgorithm::vtkInternals::MakeL
   vtkDataObject* data, unsigned int flatIndex, const std::string& name)
 {
   const std::string ofName = name == "input" ? "" : " of the " + name;
+  Leaf leaf{ vtkDataSet::SafeDownCast(data), OfBlockAt(flatIndex) + ofName, flatIndex };
+  this->Try([&] { this->TakePoints(data, name, leaf); }, leaf.Failure);
+  return leaf;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFQueryAlgorithm::vtkInternals::TakePoints(
+  vtkDataObject* data, const std::string& name, Leaf& leaf)
+{
   if (!isLeaf(data))
   {
-    const std::string what =
-      flatIndex ? "block of flat index " + std::to_string(flatIndex) + ofName : name;
+    const std::string what = leaf.FlatIndex ? leaf.OfWhat.substr(std::strlen(" of the ")) : name;
     throw std::runtime_error("The " + what + " is a " + data->GetClassName() + ". It must be a " +
-      List(leafTypes) + (flatIndex ? "." : ", or a composite of such (vtkDataObjectTree)."));
+      List(leafTypes) + (leaf.FlatIndex ? "." : ", or a composite of such (vtkDataObjectTree)."));
   }
-  Leaf leaf{ vtkDataSet::SafeDownCast(data), OfBlockAt(flatIndex) + ofName, nullptr };
   leaf.Points = vtkFFGridPoints::PointsOf(data, leaf.OfWhat);
   vtkPoints* points = leaf.Points->GetPoints();
   const int size = points ? points->GetData()->GetNumberOfComponents() : 3;
@@ -247,7 +254,6 @@ vtkFFQueryAlgorithm::vtkInternals::Leaf vtkFFQueryAlgorithm::vtkInternals::MakeL
     throw std::runtime_error("The points" + leaf.OfWhat + " have " + std::to_string(size) +
       " coordinates each; a point has 3.");
   }
-  return leaf;
 }
 
 //------------------------------------------------------------------------------
@@ -282,6 +288,10 @@ void vtkFFQueryAlgorithm::vtkInternals::TakeSecond(vtkDataObject* second)
   std::vector<vtkPointSet*> pieces;
   for (const Leaf& leaf : this->Current)
   {
+    if (leaf.Failure.Kind != vtkFFFailure::None)
+    {
+      throw std::runtime_error(this->DescribeFailure(leaf.Failure));
+    }
     pieces.push_back(leaf.Points);
   }
   std::vector<vtkSmartPointer<vtkPointSet>> counted;
@@ -295,13 +305,14 @@ void vtkFFQueryAlgorithm::vtkInternals::TakeSecond(vtkDataObject* second)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFQueryAlgorithm::vtkInternals::AnswerAll(vtkDataObject* input, vtkDataObject* output)
+bool vtkFFQueryAlgorithm::vtkInternals::AnswerAll(
+  vtkDataObject* input, vtkDataObject* output, vtkFFFailure& failure)
 {
-  const std::vector<Leaf> leaves = this->LeavesOf(input, "input");
+  std::vector<Leaf> leaves = this->LeavesOf(input, "input");
   double total = 1.0; // avoids 0 / 0
   for (const Leaf& leaf : leaves)
   {
-    total += static_cast<double>(leaf.Points->GetNumberOfPoints());
+    total += static_cast<double>(leaf.GetNumberOfPoints());
   }
 
   auto* tree = vtkDataObjectTree::SafeDownCast(input);
@@ -314,34 +325,63 @@ void vtkFFQueryAlgorithm::vtkInternals::AnswerAll(vtkDataObject* input, vtkDataO
     nodes->InitTraversal();
   }
   double sum = 0.0;
-  for (const Leaf& leaf : leaves)
+  vtkFFBlockFailures failures(*this);
+  for (Leaf& leaf : leaves)
   {
     const double begin = sum / total;
-    sum += static_cast<double>(leaf.Points->GetNumberOfPoints());
+    sum += static_cast<double>(leaf.GetNumberOfPoints());
     this->SetProgressRange(shareOfPreparing + (1.0 - shareOfPreparing) * begin,
       shareOfPreparing + (1.0 - shareOfPreparing) * sum / total);
     vtkSmartPointer<vtkDataSet> result = vtkDataSet::SafeDownCast(output);
-    if (tree)
+    if (tree && leaf.Data)
     {
       result.TakeReference(leaf.Data->NewInstance());
-      vtkDataObjectTree::SafeDownCast(output)->SetDataSet(nodes, result);
+    }
+    this->AnswerLeaf(leaf, result);
+    if (tree)
+    {
+      if (leaf.Failure.Kind == vtkFFFailure::None)
+      {
+        vtkDataObjectTree::SafeDownCast(output)->SetDataSet(nodes, result);
+      }
       nodes->GoToNextItem();
     }
-    result->ShallowCopy(leaf.Data);
-    this->Current = { leaf };
-    const vtkFFPointSource points(ArraysOf({ leaf.Points }));
-    this->Answer(points.GetView(), this->GetOptions(), result);
+    failures.Add(leaf.FlatIndex, leaf.Failure);
+    if (failures.IsAborted())
+    {
+      break;
+    }
   }
+  return failures.Join(leaves.size(), failure);
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFQueryAlgorithm::vtkInternals::Run(const std::function<void()>& work)
+void vtkFFQueryAlgorithm::vtkInternals::AnswerLeaf(Leaf& leaf, vtkDataSet* result)
+{
+  if (leaf.Failure.Kind != vtkFFFailure::None)
+  {
+    return;
+  }
+  this->Current = { leaf };
+  this->Try(
+    [&]
+    {
+      result->ShallowCopy(leaf.Data);
+      const vtkFFPointSource points(ArraysOf({ leaf.Points }));
+      this->Answer(points.GetView(), this->GetOptions(), result);
+    },
+    leaf.Failure);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFQueryAlgorithm::vtkInternals::Run(const std::function<bool(vtkFFFailure&)>& work)
 {
   this->Forget();
   this->Filter->Dimension = -1;
   this->Filter->SetErrorCode(vtkErrorCode::NoError);
   vtkFFFailure failure;
-  const bool done = this->Try(work, failure);
+  bool done = false;
+  this->Try([&] { done = work(failure); }, failure);
   this->ReportFailure(failure);
   this->Current.clear();
   this->PlacesOfPoints.clear();
@@ -366,7 +406,12 @@ void vtkFFQueryAlgorithm::vtkInternals::Ask(const std::function<void()>& questio
 bool vtkFFQueryAlgorithm::vtkInternals::RunPrepare(vtkDataObject* second)
 {
   this->Watched = false;
-  const bool done = this->Run([&] { this->TakeSecond(second); });
+  const auto work = [&](vtkFFFailure&)
+  {
+    this->TakeSecond(second);
+    return true;
+  };
+  const bool done = this->Run(work);
   this->Watched = true;
   return done;
 }
@@ -375,7 +420,7 @@ bool vtkFFQueryAlgorithm::vtkInternals::RunPrepare(vtkDataObject* second)
 bool vtkFFQueryAlgorithm::vtkInternals::RunFilter(
   vtkDataObject* input, vtkDataObject* second, vtkDataObject* output)
 {
-  const auto work = [&]()
+  const auto work = [&](vtkFFFailure& failure)
   {
     if (!input)
     {
@@ -383,7 +428,7 @@ bool vtkFFQueryAlgorithm::vtkInternals::RunFilter(
     }
     this->SetProgressRange(0.0, shareOfPreparing);
     this->TakeSecond(second);
-    this->AnswerAll(input, output);
+    return this->AnswerAll(input, output, failure);
   };
   const bool done = this->Run(work);
   if (!done)

@@ -19,6 +19,11 @@
  * fails, so no filter downstream runs. A run reports progress. It stops soon after a request to
  * abort; its output is then empty, too, but the update goes on.
  *
+ * A leaf of a composite on port 0 that is at fault has no result (its place stays empty), and all
+ * others have theirs. One error then describes the first such leaf, and names up to eight by their
+ * flat indices. GetErrorCode() differs from vtkErrorCode::NoError, and what is downstream runs. The
+ * update fails only where no leaf has a result, and after a fault of port 1.
+ *
  * @sa
  * vtkFFSelectEnclosedPoints vtkFFPointInterpolator2D vtkFFAlgorithm
  */

@@ -11,9 +11,11 @@
 #ifndef vtkFFQueryInternals_h
 #define vtkFFQueryInternals_h
 
+#include "vtkFFFailure.h"
 #include "vtkFFGuard.h"
 #include "vtkFFMarks.h"
 #include "vtkFFQueryAlgorithm.h"
+#include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -39,7 +41,8 @@ public:
   vtkFFQueryAlgorithm* GetFilter() const { return this->Filter; }
 
   /**
-   * A whole run. False when there was an error or an abort: the output is empty then.
+   * A whole run. False when nothing has a result, after an error or an abort: the output is empty
+   * then.
    */
   bool RunFilter(vtkDataObject* input, vtkDataObject* second, vtkDataObject* output);
 
@@ -112,15 +115,24 @@ private:
   {
     vtkDataSet* Data;
     std::string OfWhat; // " of the block of flat index 2 of the surface"
-    vtkSmartPointer<vtkPointSet> Points;
+    unsigned int FlatIndex;
+    vtkSmartPointer<vtkPointSet> Points{}; // null: there is a failure
+    vtkFFFailure Failure{};
+
+    vtkIdType GetNumberOfPoints() const
+    {
+      return this->Points ? this->Points->GetNumberOfPoints() : 0;
+    }
   };
 
-  /// Calls work() guarded, and reports what went wrong.
-  bool Run(const std::function<void()>& work);
+  /// Calls work() guarded, and reports what went wrong. Returns what work() returns, or false.
+  bool Run(const std::function<bool(vtkFFFailure&)>& work);
 
   void TakeSecond(vtkDataObject* second);
-  void AnswerAll(vtkDataObject* input, vtkDataObject* output);
+  bool AnswerAll(vtkDataObject* input, vtkDataObject* output, vtkFFFailure& failure);
+  void AnswerLeaf(Leaf& leaf, vtkDataSet* result);
   Leaf MakeLeaf(vtkDataObject* data, unsigned int flatIndex, const std::string& name);
+  void TakePoints(vtkDataObject* data, const std::string& name, Leaf& leaf);
   std::vector<Leaf> LeavesOf(vtkDataObject* data, const std::string& name);
 
   /// What is being worked on, for errors: points of these leaves, one after another.

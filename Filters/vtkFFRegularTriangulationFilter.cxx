@@ -345,13 +345,13 @@ void vtkFFRegularTriangulationFilter::vtkInternals::CheckSource(vtkFFFailure& fa
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
+void vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
   std::vector<Block>& blocks, vtkFFFailure& failure)
 {
-  this->CheckParts(std::count_if(blocks.begin(), blocks.end(),
-                     [](const Block& block) { return !block.Pieces.empty(); }),
+  this->CheckParts(
+    std::count_if(blocks.begin(), blocks.end(), [](const Block& block) { return block.HasData(); }),
     failure);
-  return this->vtkFFAlgorithm::vtkInternals::SelectBlocks(blocks, failure);
+  this->vtkFFAlgorithm::vtkInternals::SelectBlocks(blocks, failure);
 }
 
 //------------------------------------------------------------------------------

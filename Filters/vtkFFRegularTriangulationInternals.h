@@ -29,8 +29,9 @@ public:
   using vtkFFAlgorithm::vtkInternals::vtkInternals;
 
   void CheckSettings(vtkFFFailure& failure) override;
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  void SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
+  void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    vtkFFFailure& failure) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   void ResetReport() override;
   std::string DescribeError(const flipflop::Error& error) override;

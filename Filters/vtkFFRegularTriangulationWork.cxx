@@ -178,11 +178,11 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Run(const flipflop::Op
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFRegularTriangulationFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
+void vtkFFRegularTriangulationFilter::vtkInternals::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
 {
   Work work(this, blocks[0]);
-  return this->ExecuteWork(work, outputs);
+  this->ExecuteWork(work, outputs, failure);
 }
 
 //------------------------------------------------------------------------------
@@ -270,8 +270,8 @@ void vtkFFRegularTriangulationFilter::vtkInternals::Work::Write(const flipflop::
   const std::int64_t dropped = this->CellsOutside +
     this->DropCells(this->Projection->GetView(), this->Weights->GetView(), options, triangulation);
   const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
-  this->Report(report, hidden, dropped, outputs[0]);
   this->WriteCells(options, outputs);
+  this->Report(report, hidden, dropped, outputs[0]);
 }
 
 //------------------------------------------------------------------------------

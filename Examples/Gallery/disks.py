@@ -27,7 +27,7 @@ def reaches_over(disk, corners):
 
 
 scene = plotter(2, (1000, 520))
-square = {"power_diagram_bounds": (0, 1, 0, 1)}
+square = {"box": (0, 1, 0, 1)}
 for panel, (name, weights) in enumerate((("Voronoi", None), ("power", radii**2))):
     cells = power_diagram(centres, weights, **square)
     areas = cells.compute_cell_sizes()["Area"]

@@ -8,7 +8,7 @@ from _common import BLUE, ORANGE, look, plotter, read, write
 from vtkflipflop.pyvista import convex_hull
 
 figure = read("spot.vtp")
-hull = convex_hull(figure, facet_mode="polygons")
+hull = convex_hull(figure, facets="polygons")
 ids = hull.point_data["vtkOriginalPointIds"]
 assert np.array_equal(figure.points[ids], hull.points)
 

@@ -15,7 +15,7 @@ places = np.stack(np.mgrid[0:11, 0:11, 0:11], axis=-1).reshape(-1, 3)
 for offset in (0, 2**20, 2**30, 2**40):
     grid = pv.PolyData((places @ rotation + offset).astype(float))
     grid["place"] = places
-    hull = convex_hull(grid, facet_mode="polygons")
+    hull = convex_hull(grid, facets="polygons")
     assert (hull.n_cells, hull.n_points) == (6, 8)
     assert np.isin(hull["place"], (0, 10)).all()
 

@@ -133,6 +133,10 @@ void vtkFFProcesses::PassOn(std::vector<double>& values, const std::function<voi
 //------------------------------------------------------------------------------
 bool vtkFFProcesses::Share(vtkFFFailure& failure)
 {
+  if (this->Count == 1)
+  {
+    return failure.Kind == vtkFFFailure::None;
+  }
   const std::vector<std::vector<vtkIdType>> all = this->GatherLists(
     { failure.Kind, failure.Place, failure.Count, static_cast<vtkIdType>(failure.Message.size()) });
   vtkFFFailure together;
@@ -168,7 +172,7 @@ bool vtkFFProcesses::SelectBlocks(
   for (const vtkFFBlock& block : blocks)
   {
     mine.push_back(block.FlatIndex);
-    mine.push_back(!block.Pieces.empty());
+    mine.push_back(block.HasData());
   }
   const std::vector<std::vector<vtkIdType>> all = this->GatherLists(mine);
   std::size_t most = 0;

@@ -37,8 +37,11 @@ public:
 
   void CheckSettings(vtkFFFailure& failure) override;
   bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs) override;
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  void SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
+  bool IsWell(vtkFFFailure& failure) override;
+  bool IsSpeaker() override;
+  void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    vtkFFFailure& failure) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
 
 protected:
@@ -127,35 +130,46 @@ bool vtkPFFHullFilter::vtkInternals::RunFilter(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
+bool vtkPFFHullFilter::vtkInternals::IsWell(vtkFFFailure& failure)
+{
+  return vtkFFProcesses(this->GetController()).Share(failure);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::vtkInternals::IsSpeaker()
+{
+  return vtkFFProcesses(this->GetController()).GetRank() == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPFFHullFilter::vtkInternals::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   vtkFFProcesses processes(this->GetController());
   if (processes.GetCount() == 1)
   {
-    return this->vtkFFHullFilter::vtkInternals::SelectBlocks(blocks, failure);
+    this->vtkFFHullFilter::vtkInternals::SelectBlocks(blocks, failure);
+    return;
   }
-  const bool done = processes.SelectBlocks(!this->CombinesBlocks(), blocks, failure);
-  this->ReportFailure(failure, processes.GetRank() == 0);
-  return done;
+  processes.SelectBlocks(!this->CombinesBlocks(), blocks, failure);
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
+void vtkPFFHullFilter::vtkInternals::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
 {
   vtkFFProcesses processes(this->GetController());
   this->PlaceOfPiece = 0;
   this->HasShares = false;
   if (processes.GetCount() == 1)
   {
-    return this->vtkFFHullFilter::vtkInternals::Execute(blocks, outputs);
+    this->vtkFFHullFilter::vtkInternals::Execute(blocks, outputs, failure);
+    return;
   }
 
   // The points are counted block by block, and within a block process by process.
   std::vector<vtkSmartPointer<vtkPointSet>> owned;
   std::vector<std::vector<vtkPointSet*>> pieces(blocks.size());
   std::vector<vtkIdType> sizes(blocks.size());
-  vtkFFFailure failure;
   this->TryEngine(
     [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
     {
@@ -171,11 +185,9 @@ bool vtkPFFHullFilter::vtkInternals::Execute(
       }
     },
     failure);
-  const bool isFirst = processes.GetRank() == 0;
   if (!processes.Share(failure))
   {
-    this->ReportFailure(failure, isFirst);
-    return false;
+    return;
   }
   const std::vector<std::vector<vtkIdType>> sizesOfAll = processes.GatherLists(sizes);
   std::vector<vtkIdType> places;
@@ -210,14 +222,12 @@ bool vtkPFFHullFilter::vtkInternals::Execute(
   // All know the same failure by now.
   if (failure.Kind == vtkFFFailure::None)
   {
-    if (isFirst || this->HasShares)
+    if (this->IsSpeaker() || this->HasShares)
     {
       this->ReportHull(hulls, outputs[0], failure);
     }
     processes.Share(failure);
   }
-  this->ReportFailure(failure, isFirst);
-  return failure.Kind == vtkFFFailure::None;
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,8 @@
  * - An error on any process is an error of all processes. Process 0
  *   reports it, and it names the appended points. The other processes
  *   only set their error code. An abort on one process is an abort on
- *   all.
+ *   all. For HULL_OF_EACH_BLOCK, a block at fault on any process has no
+ *   hull, and the other blocks have theirs.
  * - Process 0 reports dimension, volume, area and the numbers of input
  *   points and of points that are not finite for all pieces. All other
  *   statistics are of its own share of the work. The other processes

@@ -51,13 +51,26 @@ vtkPFFRegularTriangulationFilter::~vtkPFFRegularTriangulationFilter()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
+bool vtkPFFRegularTriangulationFilter::vtkInternals::IsWell(vtkFFFailure& failure)
+{
+  return vtkFFProcesses(this->GetController()).Share(failure);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFRegularTriangulationFilter::vtkInternals::IsSpeaker()
+{
+  return vtkFFProcesses(this->GetController()).GetRank() == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
   std::vector<Block>& blocks, vtkFFFailure& failure)
 {
   vtkFFProcesses processes(this->GetController());
   if (processes.GetCount() == 1)
   {
-    return this->vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(blocks, failure);
+    this->vtkFFRegularTriangulationFilter::vtkInternals::SelectBlocks(blocks, failure);
+    return;
   }
   this->CheckParts(processes.GetCount(), failure);
   const vtkPFFRegularTriangulationFilter* const filter = this->GetDistributedFilter();
@@ -69,46 +82,44 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::SelectBlocks(
       "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha "
       "Verts, Generate Alphas and Generate Boundary must be off.");
   }
-  const bool done = processes.SelectBlocks(true, blocks, failure);
-  this->ReportFailure(failure, processes.GetRank() == 0);
-  return done;
+  processes.SelectBlocks(true, blocks, failure);
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFRegularTriangulationFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs)
+void vtkPFFRegularTriangulationFilter::vtkInternals::Execute(
+  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
 {
   this->PlaceOfPiece = 0;
   if (vtkFFProcesses(this->GetController()).GetCount() == 1)
   {
-    return this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(blocks, outputs);
+    this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(blocks, outputs, failure);
+    return;
   }
   std::string reason = vtkFFBlockExchange::FindObstacle(this->GetController());
   if (reason.empty())
   {
     DistributedWork work(this, blocks[0]);
-    const bool done = work.Execute(outputs);
+    work.Execute(outputs, failure);
     if (!work.NeedsAllPoints())
     {
-      return done;
+      return;
     }
     reason = "rounding broke a power cell, and it takes all points to mend it";
     this->PlaceOfPiece = 0;
     this->CurrentBlocks = blocks;
   }
-  return this->ExecuteGathered(blocks, outputs, reason);
+  this->ExecuteGathered(blocks, outputs, reason, failure);
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFRegularTriangulationFilter::vtkInternals::ExecuteGathered(
+void vtkPFFRegularTriangulationFilter::vtkInternals::ExecuteGathered(
   const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
-  const std::string& reason)
+  const std::string& reason, vtkFFFailure& failure)
 {
   vtkFFProcesses processes(this->GetController());
   const bool isFirst = processes.GetRank() == 0;
 
   // What each process has of the points.
-  vtkFFFailure failure;
   std::vector<vtkSmartPointer<vtkPointSet>> owned;
   std::vector<vtkPointSet*> pieces;
   vtkIdType size = 0;
@@ -126,8 +137,7 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::ExecuteGathered(
     failure);
   if (!processes.Share(failure))
   {
-    this->ReportFailure(failure, isFirst);
-    return false;
+    return;
   }
   const std::vector<vtkIdType> sizes = processes.Gather({ size });
   const auto senders =
@@ -149,8 +159,7 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::ExecuteGathered(
   this->NoteAbort(failure);
   if (!processes.Share(failure))
   {
-    this->ReportFailure(failure, isFirst);
-    return false;
+    return;
   }
 
   // Process 0 gathers what has a point.
@@ -172,9 +181,7 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::ExecuteGathered(
     }
   }
 
-  bool done = failure.Kind == vtkFFFailure::None;
-  this->ReportFailure(failure, isFirst);
-  if (isFirst && done)
+  if (isFirst && failure.Kind == vtkFFFailure::None)
   {
     if (senders > 1)
     {
@@ -186,20 +193,10 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::ExecuteGathered(
     const Block whole{ pieces, blocks[0].FlatIndex,
       std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0)) };
     this->CurrentBlocks = { whole };
-    done =
-      this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(this->CurrentBlocks, outputs);
+    this->vtkFFRegularTriangulationFilter::vtkInternals::Execute(
+      this->CurrentBlocks, outputs, failure);
   }
-  // The others learn how it ended.
-  auto* filter = this->GetDistributedFilter();
-  const std::vector<vtkIdType> end =
-    processes.Gather({ done, static_cast<vtkIdType>(filter->GetErrorCode()) });
-  filter->SetErrorCode(static_cast<unsigned long>(end[1]));
-  if (end[0] == 0 && end[1] == vtkErrorCode::NoError)
-  {
-    failure.Kind = vtkFFFailure::Aborted;
-    this->ReportFailure(failure, isFirst);
-  }
-  return end[0] != 0;
+  processes.Share(failure); // the others learn how it ended
 }
 
 //------------------------------------------------------------------------------

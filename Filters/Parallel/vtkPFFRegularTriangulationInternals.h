@@ -26,8 +26,11 @@ class vtkPFFRegularTriangulationFilter::vtkInternals
 public:
   using vtkFFRegularTriangulationFilter::vtkInternals::vtkInternals;
 
-  bool SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs) override;
+  void SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
+  bool IsWell(vtkFFFailure& failure) override;
+  bool IsSpeaker() override;
+  void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    vtkFFFailure& failure) override;
   std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
   vtkIdType GetPlaceOfPoint(vtkIdType index) override;
 
@@ -40,8 +43,8 @@ private:
   /**
    * Execute() on process 0, which gathers all points, for this reason.
    */
-  bool ExecuteGathered(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
-    const std::string& reason);
+  void ExecuteGathered(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
+    const std::string& reason, vtkFFFailure& failure);
 
   vtkPFFRegularTriangulationFilter* GetDistributedFilter()
   {

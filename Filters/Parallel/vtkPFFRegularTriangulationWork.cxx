@@ -94,8 +94,8 @@ vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::DistributedWork
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Execute(
-  const std::vector<vtkPolyData*>& outputs)
+void vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Execute(
+  const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
 {
   vtkFFFailure none;
   this->Parallel->TryEngine(
@@ -111,11 +111,9 @@ bool vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Execute(
   if (found)
   {
     this->Write(outputs);
+    this->Exchange.IsWell();
   }
-  const bool done = found && this->Exchange.IsWell();
-  this->Parallel->ReportFailure(
-    this->Exchange.GetFailure(), this->Exchange.GetProcesses().GetRank() == 0);
-  return done;
+  failure = this->Exchange.GetFailure();
 }
 
 //------------------------------------------------------------------------------
@@ -457,8 +455,6 @@ void vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Write(
       std::snprintf(report.reason, sizeof(report.reason), "%s", reasonForCpu);
       this->Triangulation.statistics.points = counts[0];
       this->Triangulation.statistics.nonFinite = counts[1];
-      this->Report(report, counts[2], counts[3], outputs[0]);
-
       if (this->Settings->GeneratePowerDiagram)
       {
         this->WritePowerDiagram(this->Diagram, this->Options, outputs[2]);
@@ -474,6 +470,7 @@ void vtkPFFRegularTriangulationFilter::vtkInternals::DistributedWork::Write(
         mark(outputs[0]->GetPointData(), ghostPoints, vtkDataSetAttributes::DUPLICATEPOINT);
         mark(outputs[0]->GetCellData(), this->GhostCells, vtkDataSetAttributes::DUPLICATECELL);
       }
+      this->Report(report, counts[2], counts[3], outputs[0]);
       this->Options.progress(1.0, this->Options.progressContext);
     });
 }

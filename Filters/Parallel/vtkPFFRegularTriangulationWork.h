@@ -35,9 +35,9 @@ public:
   DistributedWork(vtkInternals* internals, const Block& block);
 
   /**
-   * All of the work. False if there is a failure, on any process; it is reported. Collective.
+   * All of the work. There is a failure if any process has one. Collective.
    */
-  bool Execute(const std::vector<vtkPolyData*>& outputs);
+  void Execute(const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure);
 
   /**
    * Whether the processes could not make the power diagram together: rounding broke a cell, and to

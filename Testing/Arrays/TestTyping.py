@@ -115,9 +115,9 @@ def test_the_functions_for_pyvista(tmp_path):
     (tmp_path / "use.py").write_text(
         "import pyvista as pv\n"
         "from vtkflipflop.pyvista import convex_hull, regular_triangulation\n"
-        "convex_hull(pv.PolyData(), facet_mode='polygons', number_of_threads=2)\n"
+        "convex_hull(pv.PolyData(), facets='polygons', threads=2)\n"
         "shown, hidden = regular_triangulation([[0.0, 0, 0]], return_hidden_points=True)\n"
-        "convex_hull(pv.PolyData(), facet_mode='squares')\n"
+        "convex_hull(pv.PolyData(), facets='squares')\n"
         "convex_hull(pv.PolyData(), colour='red')\n"
     )
     lines = [line for line in said(tmp_path, "use.py").splitlines() if line.startswith("use.py") and "error:" in line]

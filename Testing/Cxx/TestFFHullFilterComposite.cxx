@@ -328,7 +328,7 @@ void testErrors()
   hull->Update();
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
   FF_CHECK(errors->Has("point 2 of the block of flat index 6"));
-  FF_CHECK(isEmptyComposite());
+  FF_CHECK(!isEmptyComposite());
 
   errors->Clear();
   hull->SetCompositeModeToAllBlocks();

@@ -324,6 +324,30 @@ void testBadBlocks()
     auto* output = hull->GetOutputDataObject(0);
     return output->GetNumberOfElements(vtkDataObject::POINT) == 0;
   };
+  /// With a hull of each block, the other one has its hull of all pieces.
+  const auto hasHullOfOther = [&](int mode, unsigned int bad)
+  {
+    FF_CHECK_EQUAL(errors->FailedRequests, mode);
+    FF_CHECK_EQUAL(isEmptyTree(), mode == 1);
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(hull->GetOutputDataObject(0));
+    FF_CHECK_EQUAL(output != nullptr, mode == 0);
+    if (output)
+    {
+      const std::string result = "The block of flat index " + std::to_string(bad) +
+        " has no result; the other one has its own.";
+      FF_CHECK(errors->Has(result));
+      FF_CHECK(output->GetBlock(bad - 1) == nullptr);
+      const unsigned int seed = bad == 1 ? 180 : 170;
+      auto points = randomPoints(50, seed);
+      for (unsigned int k = 1; k < 3; ++k)
+      {
+        const auto more = randomPoints(50, seed + k);
+        points.insert(points.end(), more.begin(), more.end());
+      }
+      FF_CHECK(
+        isSame(vtkPolyData::SafeDownCast(output->GetBlock(2 - bad)), hullOf(makePoints(points))));
+    }
+  };
   const auto more = [](vtkMultiBlockDataSet* blocks)
   { blocks->SetBlock(2, makePoints(cubeCorners())); };
   deliver(1, more);
@@ -348,12 +372,12 @@ void testBadBlocks()
       });
     FF_CHECK(
       errors->Has("first at point 104 of the block of flat index 2, 1 such point(s) so far."));
-    FF_CHECK(isEmptyTree());
     FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 1);
+    hasHullOfOther(mode, 2);
     deliver(1,
       [](vtkMultiBlockDataSet* blocks) { blocks->SetBlock(0, vtkSmartPointer<vtkTable>::New()); });
     FF_CHECK(errors->Has("Piece 2 of 3: The block of flat index 1 is a vtkTable."));
-    FF_CHECK(isEmptyTree());
+    hasHullOfOther(mode, 1);
     deliver(-1, {});
     FF_CHECK(errors->Messages.empty());
     FF_CHECK(!isEmptyTree());

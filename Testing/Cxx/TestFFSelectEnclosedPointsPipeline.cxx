@@ -159,6 +159,23 @@ void testErrors()
     FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfElements(vtkDataObject::POINT), vtkIdType(0));
     FF_CHECK_EQUAL(filter->IsInside(0), 0);
   };
+  /// Block 0 has its answers, the other none.
+  const auto failsInPart = [&](vtkDataObject* input, const char* sentence)
+  {
+    errors->Clear();
+    filter->SetInputDataObject(0, input);
+    filter->SetInputDataObject(1, cube);
+    filter->Update();
+    FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+    FF_CHECK(errors->Has(sentence));
+    FF_CHECK(errors->Has(" The block of flat index 2 has no result; the other one has its own."));
+    FF_CHECK_EQUAL(errors->FailedRequests, 0);
+    FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
+    FF_CHECK_EQUAL(filter->GetDimension(), 3);
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutput());
+    FF_CHECK(output && selected(output->GetBlock(0)) == std::vector<int>(8, 1));
+    FF_CHECK(output && !output->GetBlock(1));
+  };
   fails(nullptr, cube, "There is no input. Set one.");
   fails(cube, nullptr, "There is no surface. Set one.");
   vtkNew<vtkTable> table;
@@ -167,7 +184,7 @@ void testErrors()
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, cube);
   blocks->SetBlock(1, table);
-  fails(blocks, cube, "The block of flat index 2 is a vtkTable.");
+  failsInPart(blocks, "The block of flat index 2 is a vtkTable.");
   fails(cube, blocks, "The block of flat index 2 of the surface is a vtkTable.");
 
   auto corners = cubeCorners();
@@ -177,7 +194,7 @@ void testErrors()
   fails(wrong, cube, "A coordinate is NaN or infinite: first at point 4, 2 such point(s) in all.");
   fails(cube, wrong, "first at point 4 of the surface, 2 such point(s) in all.");
   blocks->SetBlock(1, wrong);
-  fails(blocks, cube, "first at point 4 of the block of flat index 2, 2 such point(s)");
+  failsInPart(blocks, "first at point 4 of the block of flat index 2, 2 such point(s)");
   fails(cube, blocks, "first at point 4 of the block of flat index 2 of the surface, 2 such");
 
   vtkNew<vtkLongLongArray> integers;

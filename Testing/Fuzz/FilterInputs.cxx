@@ -28,6 +28,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace flipflop
 {
@@ -272,13 +273,42 @@ vtkSmartPointer<vtkDataObject> drawLeaf(Bytes& bytes, int most)
   return leaf;
 }
 
+/// Many small blocks, of which some are at fault: with a NaN, or of a wrong type.
+vtkSmartPointer<vtkMultiBlockDataSet> drawFaultyBlocks(Bytes& bytes)
+{
+  constexpr int MostPointsOfBlock = 40;
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  const int count = 2 + bytes.below(19);
+  for (int i = 0; i < count; ++i)
+  {
+    vtkSmartPointer<vtkDataObject> block = drawPolyData(bytes, MostPointsOfBlock);
+    vtkPoints* points = vtkPointSet::SafeDownCast(block)->GetPoints();
+    const int fault = bytes.below(8);
+    if (fault == 0)
+    {
+      block = vtkSmartPointer<vtkTable>::New();
+    }
+    else if (fault <= 2 && points && points->GetNumberOfPoints() > 0)
+    {
+      points->SetPoint(bytes.below(static_cast<int>(points->GetNumberOfPoints())),
+        std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+    }
+    blocks->SetBlock(static_cast<unsigned int>(i), block);
+  }
+  return blocks;
+}
+
 /// @param depth composites that may still be nested
 vtkSmartPointer<vtkDataObject> drawTree(Bytes& bytes, int most, int depth)
 {
-  const int kind = depth > 0 ? bytes.below(8) : 0;
+  const int kind = depth > 0 ? bytes.below(9) : 0;
   if (kind < 5)
   {
     return drawLeaf(bytes, most);
+  }
+  if (kind == 8)
+  {
+    return drawFaultyBlocks(bytes);
   }
   const auto count = static_cast<unsigned int>(bytes.below(4));
   if (kind == 5)

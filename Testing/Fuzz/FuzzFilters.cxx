@@ -252,26 +252,28 @@ private:
     demand(!failed || !points || !hull || !mustHaveHull(hull, points),
       "no hull: " + (failed ? this->Errors->Messages.front() : ""));
     // An abort may come too late: after the last word of the run.
-    if (failed || (this->Abort->Aborted && isNothing(this->Filter->GetOutputDataObject(0))))
+    if (this->Abort->Aborted && isNothing(this->Filter->GetOutputDataObject(0)))
     {
       return;
     }
-    if (points)
+    if (!points)
+    {
+      this->judgeBlocks(failed);
+    }
+    else if (!failed)
     {
       demandResult(this->Filter, points);
     }
-    else
-    {
-      this->judgeBlocks();
-    }
   }
 
-  /// Each block's result is what the block gives alone.
-  void judgeBlocks()
+  /// Each block's result is what the block gives alone: none, if it fails alone.
+  void judgeBlocks(bool failed)
   {
     auto* input = vtkDataObjectTree::SafeDownCast(this->Input);
     auto* output = vtkDataObjectTree::SafeDownCast(this->Filter->GetOutputDataObject(0));
-    if (!input || !output || vtkPartitionedDataSet::SafeDownCast(input))
+    auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(this->Filter);
+    if (!input || !output || vtkPartitionedDataSet::SafeDownCast(input) ||
+      (triangulation && triangulation->GetSource())) // which is for one block alone
     {
       return;
     }
@@ -294,9 +296,14 @@ private:
       const auto errors = fftest::ErrorObserver::Of(alone);
       alone->SetInputDataObject(leaf);
       alone->Update();
-      demand(!demandTold(alone, errors), "a block fails alone, and not with others");
-      demand(
-        fftest::isIdentical(output->GetDataSet(leaves), alone->GetOutputDataObject(0), "block"),
+      const bool failsAlone = demandTold(alone, errors);
+      vtkDataObject* const result = failed ? nullptr : output->GetDataSet(leaves);
+      demand(failsAlone == !result, "a block fails alone, and not with others, or the reverse");
+      if (failsAlone)
+      {
+        continue;
+      }
+      demand(fftest::isIdentical(result, alone->GetOutputDataObject(0), "block"),
         "a block's result depends on the others");
       demandResult(alone, leaf);
     }

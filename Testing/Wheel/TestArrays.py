@@ -168,10 +168,10 @@ def test_what_is_masked_may_be_anything():
 def test_a_number_that_no_double_holds_is_named(wide):
     message = r"^a coordinate is no number that a double holds, .+: first at point 1, 1 such point\(s\) in all$"
     with pytest.raises(InputError, match=message):
-        convex_hull(wide, non_finite_points="ignore")
+        convex_hull(wide, non_finite="ignore")
     with pytest.raises(InputError, match="^a weight is no number that a double holds"):
         column = wide[:, 0] if isinstance(wide, np.ndarray) else [row[0] for row in wide] + [0.5]
-        regular_triangulation(np.zeros((len(column), 3)), column, non_finite_points="ignore")
+        regular_triangulation(np.zeros((len(column), 3)), column, non_finite="ignore")
 
 
 def test_wide_integers_that_doubles_hold():
@@ -244,7 +244,7 @@ def test_data_of_another_vtk():
 def test_the_caller_s_arrays_are_left_alone():
     points, weights = np.ma.array(POINTS, mask=POINTS > 0.9), WEIGHTS.astype(">f8")
     before = points.data.tobytes(), points.mask.tobytes(), weights.tobytes()
-    regular_triangulation(points, weights, non_finite_points="ignore")
+    regular_triangulation(points, weights, non_finite="ignore")
     assert (points.data.tobytes(), points.mask.tobytes(), weights.tobytes()) == before
 
 

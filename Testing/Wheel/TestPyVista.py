@@ -90,7 +90,7 @@ def test_output_outlives_what_made_it():
 
 def test_facets_of_a_box():
     assert convex_hull(pv.Cube()).n_cells == 12
-    assert convex_hull(pv.Cube(), facet_mode="polygons").n_cells == 6
+    assert convex_hull(pv.Cube(), facets="polygons").n_cells == 6
 
 
 def test_points_that_span_less():
@@ -98,7 +98,7 @@ def test_points_that_span_less():
     assert (point.n_points, point.n_verts, point.n_cells) == (1, 1, 1)
     line = convex_hull(np.outer(np.arange(5.0), [1, 2, 3]))
     assert (line.n_points, line.n_lines, line.n_cells) == (2, 1, 1)
-    flat = convex_hull(pv.Plane(), facet_mode="polygons")
+    flat = convex_hull(pv.Plane(), facets="polygons")
     assert (flat.n_points, flat.n_cells, flat.faces[0]) == (4, 1, 4)
     assert convex_hull(pv.Plane()).n_cells == 2
     for nothing in ([], pv.PolyData(), pv.UnstructuredGrid()):
@@ -108,7 +108,7 @@ def test_points_that_span_less():
 
 
 def test_rows_of_two_lie_at_zero():
-    hull = convex_hull(random_points(50)[:, :2], facet_mode="polygons")
+    hull = convex_hull(random_points(50)[:, :2], facets="polygons")
     assert hull.n_cells == 1
     assert not hull.points[:, 2].any()
 
@@ -257,7 +257,7 @@ def test_grids_whose_points_are_implied():
     }
     for name, grid in grids.items():
         grid.point_data["heat"] = np.arange(grid.n_points)
-        hull = convex_hull(grid, facet_mode="polygons")
+        hull = convex_hull(grid, facets="polygons")
         assert name == "turned" or (hull.n_points, hull.n_cells) == (8, 6)  # turned, it is rounded
         ids = np.array(hull.point_data["vtkOriginalPointIds"])
         assert np.array_equal(hull.point_data["heat"], ids)
@@ -269,7 +269,7 @@ def test_grids_whose_points_are_implied():
 
 def test_points_of_an_image_are_vtk_s_own():
     for grid in (image(), image().extract_subset((1, 3, 2, 4, 0, 2))):
-        found = convex_hull(grid, facet_mode="polygons")
+        found = convex_hull(grid, facets="polygons")
         low = grid.GetExtent()[::2]
         size = grid.GetDimensions()
         for i, point in zip(found.point_data["vtkOriginalPointIds"].tolist(), found.points):
@@ -432,13 +432,13 @@ def test_errors_are_the_arrays_own():
         convex_hull(points)
     assert isinstance(raised.value, vtkflipflop.arrays.InputError)
     assert (raised.value.code, raised.value.index, raised.value.count) == ("non_finite", 3, 1)
-    assert convex_hull(points, non_finite_points="ignore").n_points > 0
+    assert convex_hull(points, non_finite="ignore").n_points > 0
 
 
 CHOICES = {
     "engine": "'automatic', 'cpu', 'cuda'",
-    "facet_mode": "'triangles', 'polygons'",
-    "non_finite_points": "'error', 'ignore'",
+    "facets": "'triangles', 'polygons'",
+    "non_finite": "'error', 'ignore'",
     "composite_mode": "'each_block', 'all_blocks'",
     "projection_plane_mode": "'xy_plane', 'best_fitting_plane', 'transform'",
 }
@@ -458,45 +458,55 @@ def test_an_unknown_choice_lists_the_choices(name):
 def test_other_arguments(function):
     mesh = cloud() if function is prescribed_areas else starlike()  # which has two sites at one place
     for value in (-1, -(2**31), 2**31, 2**70):
-        with pytest.raises(ValueError, match="^number_of_threads is 0 .all. or more, not"):
-            function(mesh, number_of_threads=value)
+        with pytest.raises(ValueError, match="^threads is 0 .all. or more, not"):
+            function(mesh, threads=value)
     for value in (1.5, "four", None, [1]):
-        with pytest.raises(TypeError, match="^number_of_threads is an integer, not"):
-            function(mesh, number_of_threads=value)
-    assert function(mesh, number_of_threads=np.int8(2)).n_points > 0
-    for name in ("pass_point_data", "progress_bar"):
-        for value in ("yes", 2, -1, None, []):
-            with pytest.raises(TypeError, match=f"^{name} is True or False, not"):
-                function(mesh, **{name: value})
-        assert function(mesh, **{name: np.False_}).n_points > 0
-    with pytest.raises(TypeError, match="unexpected keyword argument 'facets'"):
-        function(mesh, facets="triangles")
+        with pytest.raises(TypeError, match="^threads is an integer, not"):
+            function(mesh, threads=value)
+    assert function(mesh, threads=np.int8(2)).n_points > 0
+    for value in ("yes", 2, -1, None, []):
+        with pytest.raises(TypeError, match="^pass_point_data is True or False, not"):
+            function(mesh, pass_point_data=value)
+    assert function(mesh, pass_point_data=np.False_).n_points > 0
+    for value in ("yes", 2, []):
+        with pytest.raises(TypeError, match="^progress is a callable, True or None, not"):
+            function(mesh, progress=value)
+    with pytest.raises(TypeError, match="unexpected keyword argument 'facet_mode'"):
+        function(mesh, facet_mode="triangles")
 
 
 def test_numbers_out_of_range():
     surface = pv.Cube().triangulate()
     for value in ((1, 2), (0, 0, np.nan)):
-        with pytest.raises(ValueError, match="^kernel_point is 3 finite numbers, not"):
+        with pytest.raises(ValueError, match="^kernel is 3 finite numbers, not"):
             convexify(surface, value)
-    with pytest.raises(TypeError, match="^kernel_point is 3 numbers, not 'origin'"):
+    with pytest.raises(TypeError, match="^kernel is 3 numbers, not 'origin'"):
         convexify(surface, "origin")
     for value in ((0, 1, 0), (0, 1, 0, np.inf)):
-        with pytest.raises(ValueError, match="^power_diagram_bounds is 4 finite numbers, not"):
-            power_diagram(cloud(), power_diagram_bounds=value)
-    with pytest.raises(ValueError, match="^power_diagram_bounds have no inside"):
-        power_diagram(cloud(), power_diagram_bounds=(0, 1, 1, 0))
+        with pytest.raises(ValueError, match="box"):
+            power_diagram(cloud(), box=value)
+    for value in ((0, 1, 1, 0), ((0, 1), (1, 0))):
+        with pytest.raises(ValueError, match="x0 < x1 and y0 < y1"):
+            power_diagram(cloud(), box=value)
 
 
 def test_threads_and_engines_change_nothing():
     mesh = cloud(20000)
     expected = convex_hull(mesh)
-    for settings in ({"number_of_threads": 1}, {"number_of_threads": 4}, {"engine": "cpu"}):
+    for settings in ({"threads": 1}, {"threads": 4}, {"engine": "cpu"}):
         assert np.array_equal(convex_hull(mesh, **settings).faces, expected.faces)
 
 
-def test_progress_bar(capfd):
+def test_progress(capfd):
+    for function in (regular_triangulation, power_diagram, centroidal_cells):
+        mesh = cloud(20000)
+        fractions = []
+        function(mesh, progress=fractions.append)
+        assert fractions == sorted(fractions) and fractions[-1] > 0.5
+        with pytest.raises(vtkflipflop.arrays.AbortedError):
+            function(mesh, progress=lambda fraction: False)
     for function in OF_POINTS:
-        function(nested(), progress_bar=True)
+        function(nested(), progress=True)
         assert "100%" in capfd.readouterr().err
         function(nested())
         assert not capfd.readouterr().err
@@ -521,12 +531,12 @@ def test_methods_do_what_the_functions_do():
     mesh = starlike()
     mesh.point_data["w"] = np.arange(mesh.n_points) / 1e4
     for name, arguments, settings in (
-        ("convex_hull", (), {"facet_mode": "polygons", "pass_point_data": False}),
-        ("convexify", ((0, 0, 0),), {"facet_mode": "polygons"}),
-        ("regular_triangulation", ("w",), {"transform": rotation(), "number_of_threads": 1}),
+        ("convex_hull", (), {"facets": "polygons", "pass_point_data": False}),
+        ("convexify", ((0, 0, 0),), {"facets": "polygons"}),
+        ("regular_triangulation", ("w",), {"transform": rotation(), "threads": 1}),
         ("centroidal_cells", ("w",), {"domain": (-1, 1, -1, 1), "iterations": 2}),
         ("prescribed_areas", (None,), {"domain": (-1, 1, -1, 1), "iterations": 2}),
-        ("power_diagram", ("w",), {"power_diagram_bounds": (-1, 1, -1, 1), "non_finite_points": "ignore"}),
+        ("power_diagram", ("w",), {"box": (-1, 1, -1, 1), "non_finite": "ignore"}),
     ):
         subject = cloud() if name == "prescribed_areas" else mesh
         expected = getattr(vtkflipflop.pyvista, name)(subject, *arguments, **settings)
@@ -540,7 +550,7 @@ def test_methods_of_meshes_without_an_import():
     program = (
         "import sys, pyvista as pv\n"
         "assert 'vtkflipflop' not in sys.modules\n"
-        "print(pv.Cube().flipflop.convex_hull(facet_mode='polygons').n_cells)\n"
+        "print(pv.Cube().flipflop.convex_hull(facets='polygons').n_cells)\n"
         "print(pv.MultiBlock([pv.Cube()]).flipflop.convex_hull(composite_mode='all_blocks').n_points)\n"
         "print(pv.Plane().flipflop.regular_triangulation().n_points)\n"
     )

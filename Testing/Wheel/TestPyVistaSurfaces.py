@@ -19,7 +19,7 @@ def test_convexify():
         assert np.array_equal(hull.points, expected.points)
         assert np.array_equal(hull.faces, expected.faces)
         assert np.array_equal(hull["heat"], hull["vtkOriginalPointIds"])
-    assert convexify(pv.Cube().triangulate().clean(), facet_mode="polygons").n_cells == 6
+    assert convexify(pv.Cube().triangulate().clean(), facets="polygons").n_cells == 6
     assert convexify(pv.PolyData()).n_points == 0
 
 

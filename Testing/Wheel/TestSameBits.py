@@ -123,11 +123,11 @@ def test_hulls(name, facets):
     algorithm = vtkFFHullFilter()
     getattr(algorithm, f"SetFacetModeTo{facets}")()
     (expected,) = outputs_of(algorithm, mesh)
-    expect_same(convex_hull(mesh, facet_mode=facets.lower()), expected)
+    expect_same(convex_hull(mesh, facets=facets.lower()), expected)
     algorithm.SkipGhostPointsOff()
     algorithm.PassPointDataOff()
     (expected,) = outputs_of(algorithm, mesh)
-    found = convex_hull(mesh, facet_mode=facets.lower(), skip_ghost_points=False, pass_point_data=False)
+    found = convex_hull(mesh, facets=facets.lower(), skip_ghost_points=False, pass_point_data=False)
     expect_same(found, expected)
 
 
@@ -164,7 +164,7 @@ def test_triangulations(name, projection, weights):
     expect_same(power_diagram(mesh, weights, **settings), cells)
     algorithm.SetFacetModeToPolygons()
     expect_same(
-        regular_triangulation(mesh, weights, facet_mode="polygons", **settings), outputs_of(algorithm, mesh)[0]
+        regular_triangulation(mesh, weights, facets="polygons", **settings), outputs_of(algorithm, mesh)[0]
     )
 
 
@@ -197,7 +197,7 @@ def test_long_edges(name, projection, facets):
     for limit in (1e-9, 0.05, 1.0, 2.0**0.5, 30.0, np.inf):
         algorithm.SetMaximumEdgeLength(limit)
         expected = outputs_of(algorithm, mesh)[0]
-        found = regular_triangulation(mesh, maximum_edge_length=limit, facet_mode=facets.lower(), **settings)
+        found = regular_triangulation(mesh, maximum_edge_length=limit, facets=facets.lower(), **settings)
         expect_same(found, expected)
 
 
@@ -227,7 +227,7 @@ def test_constraints(name, facets):
     algorithm.SetSourceData(source)
     algorithm.GeneratePowerDiagramOff()
     expected = outputs_of(algorithm, mesh)[0]
-    expect_same(regular_triangulation(mesh, constraints=source, facet_mode=facets.lower(), **settings), expected)
+    expect_same(regular_triangulation(mesh, constraints=source, facets=facets.lower(), **settings), expected)
 
 
 def test_bounds_of_diagrams():
@@ -236,7 +236,7 @@ def test_bounds_of_diagrams():
         bounds = (-0.25, 0.5, 0.125, 2)
         algorithm, settings = triangulation_filter(projection, "weight", bounds)
         cells = outputs_of(algorithm, mesh)[2]
-        expect_same(power_diagram(mesh, "weight", power_diagram_bounds=bounds, **settings), cells)
+        expect_same(power_diagram(mesh, "weight", box=bounds, **settings), cells)
 
 
 def test_points_that_are_not_finite():
@@ -244,12 +244,12 @@ def test_points_that_are_not_finite():
     mesh.points[[4, 9, 100], [0, 1, 2]] = np.nan, np.inf, np.nan
     hull = vtkFFHullFilter()
     hull.SetNonFinitePointsToIgnore()
-    expect_same(convex_hull(mesh, non_finite_points="ignore"), outputs_of(hull, mesh)[0])
+    expect_same(convex_hull(mesh, non_finite="ignore"), outputs_of(hull, mesh)[0])
     for projection in ("xy_plane", "best_fitting_plane", "transform"):
         algorithm, settings = triangulation_filter(projection, "weight", None)
         algorithm.SetNonFinitePointsToIgnore()
         expected = outputs_of(algorithm, mesh)
-        settings["non_finite_points"] = "ignore"
+        settings["non_finite"] = "ignore"
         found = regular_triangulation(mesh, "weight", return_hidden_points=True, **settings)
         expect_same(found[0], expected[0])
         expect_same(found[1], expected[1])
@@ -294,7 +294,7 @@ def test_surfaces(kernel, facets):
     assert quads.faces[0] == 4 and stripped.n_strips
     for mesh in (surface, pv.PolyData(), pv.MultiBlock({"a": surface, "b": None}), quads, stripped):
         (expected,) = outputs_of(algorithm, mesh)
-        expect_same(convexify(mesh, kernel, facet_mode=facets.lower()), expected)
+        expect_same(convexify(mesh, kernel, facets=facets.lower()), expected)
 
 
 def test_the_filters_are_the_real_ones():

@@ -55,9 +55,9 @@ def threads_of(value: Any) -> int:
     try:
         number = int(value.__index__())
     except (AttributeError, TypeError):
-        raise TypeError(f"number_of_threads is an integer, not {value!r}") from None
+        raise TypeError(f"threads is an integer, not {value!r}") from None
     if not 0 <= number < 2**31:
-        raise ValueError(f"number_of_threads is 0 (all) or more, not {value!r}")
+        raise ValueError(f"threads is 0 (all) or more, not {value!r}")
     return number
 
 

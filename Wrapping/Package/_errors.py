@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the engine throws, as Python's exceptions: its words, and the index."""
 
+from __future__ import annotations
+
+from typing import Any
+
 
 class FlipFlopError(Exception):
     """An error of the engine.
@@ -17,16 +21,24 @@ class FlipFlopError(Exception):
         how many are at fault, or the size asked for; 0 if that tells nothing. Of constraint_point, the point; of
         constraints_cross, the other constraint; of polygons_disagree, a side of the other polygon, where the index is
         one of that to be reversed; of duplicate_sites, the other site
+    result : object
+        of vtkflipflop.pyvista, after faults of some blocks of a composite: what the call would return, with None in the
+        places of these blocks. Otherwise None.
+    errors : dict
+        of flat index to exception, for the blocks at fault
     """
 
     __module__ = "vtkflipflop.arrays"  # where users import it from
     code: str
     index: int
     count: int
+    result: Any
+    errors: dict[int, FlipFlopError]
 
     def __init__(self, message: str, code: str = "", index: int = -1, count: int = 0) -> None:
         super().__init__(message)
         self.code, self.index, self.count = code, index, count
+        self.result, self.errors = None, {}
 
 
 class InputError(FlipFlopError, ValueError):

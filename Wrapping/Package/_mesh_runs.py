@@ -15,37 +15,41 @@ from numpy.typing import NDArray
 from . import _core
 from ._arguments import Weights, choice_of, flag_of, threads_of
 from ._constraints import Constraints
-from ._errors import InputError
+from ._domain import Domain
+from ._errors import AbortedError, FlipFlopError, InputError
 from ._mesh_constraints import CloudConstraints
 from ._meshes import LEAVES, Block, Cloud, blocks_of, composite_of, is_tree, pass_field_data, set_cells
 from ._projection import Projection
-from ._results import ENGINES, QUIET, Bar
+from ._results import ENGINES, QUIET, Bar, Progress
 from ._surfaces import by_cell, surface_of
 
 Output = pv.PolyData | pv.MultiBlock | pv.PartitionedDataSet
 Report = Callable[[float], Any] | None
+# So many blocks at fault are named at most.
+_MOST_NAMED = 8
 
 
 class Run:
     """The choices of a call, and what it makes of one block."""
 
-    block_index: Any  # of the last hull's points
-
     def __init__(
         self, facets: str, threads: int, non_finite: str, engine: str, skip_ghosts: bool, pass_data: bool
     ) -> None:
-        self._polygons = choice_of("facet_mode", facets, ("triangles", "polygons")) == "polygons"
-        self._ignore = choice_of("non_finite_points", non_finite, ("error", "ignore")) == "ignore"
+        self._polygons = choice_of("facets", facets, ("triangles", "polygons")) == "polygons"
+        self._ignore = choice_of("non_finite", non_finite, ("error", "ignore")) == "ignore"
         self._engine = ENGINES[choice_of("engine", engine, tuple(ENGINES))]
         self._threads = threads_of(threads)
         self._skip_ghosts = flag_of("skip_ghost_points", skip_ghosts)
         self._pass_data = flag_of("pass_point_data", pass_data)
 
-    def hull(self, blocks: list[Block], report: Report) -> pv.PolyData:
+    def hull(self, blocks: list[Block], report: Report, with_index: bool = False) -> pv.PolyData:
+        """The hull of all these blocks; on request with the block of each of its points."""
         cloud = Cloud(blocks, self._skip_ghosts, self._ignore)
         core = cloud.engine(_core.convex_hull, cloud.array, self._settings(cloud, report))
-        self.block_index = cloud.block_index(cloud.ids(core.vertices()))
-        return self._cells_of(cloud, core)
+        hull = self._cells_of(cloud, core)
+        if with_index:
+            hull.point_data.set_array(cloud.block_index(cloud.ids(core.vertices())), "BlockIndex")
+        return hull
 
     def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: Report) -> pv.PolyData:
         with_cells = [part for part in block.parts if part.mesh.GetNumberOfCells() > 0]
@@ -72,8 +76,8 @@ class Run:
         weights: Weights,
         constraints: Constraints | None,
         projection: Projection,
-        alpha: float,
-        limit: float,
+        alpha: float | None,
+        limit: float | None,
         report: Report,
         hidden: bool,
     ) -> list[pv.PolyData]:
@@ -87,9 +91,9 @@ class Run:
             given = CloudConstraints(constraints, cloud, projection.is_xy)
             core = self._constrained(cloud, places, given, settings)
         within = None
-        if alpha > 0:
+        if alpha is not None:
             within = cloud.engine(_core.alpha_complex, places, heavy, core, alpha, QUIET)[0].view(np.bool_)
-        if limit > 0:
+        if limit is not None:
             short = cloud.engine(_core.cells_within_edge_length, places, core, limit, QUIET).view(np.bool_)
             within = short if within is None else within & short
         found = [self._cells_of(cloud, core, within)]
@@ -108,7 +112,7 @@ class Run:
         return found.inside()
 
     def diagram(
-        self, block: Block, weights: Weights, projection: Projection, box: tuple[float, ...] | None, report: Report
+        self, block: Block, weights: Weights, projection: Projection, domain: Domain, report: Report
     ) -> pv.PolyData:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
         heavy = cloud.weights(weights, self._ignore)
@@ -116,9 +120,10 @@ class Run:
         settings = self._settings(cloud, first)
         places = projection.to_plane(cloud.array, settings)
         core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
-        domain = None if box is None or core.dimension < 0 else np.array(box)
-        arguments = places, heavy, core, domain, self._settings(cloud, second)
-        found = cloud.engine(_core.power_diagram, *arguments)
+        within = None if core.dimension < 0 else domain.array
+        arguments = places, heavy, core, within, self._settings(cloud, second)
+        with domain.named():
+            found = cloud.engine(_core.power_diagram, *arguments)
         projection.lie_beneath(cloud.array, np.concatenate([core.vertices(), core.hidden()]))
         made = pv.PolyData()
         made.SetPoints(pv.vtk_points(projection.to_space(found.vertices()), deep=False, force_float=False))
@@ -146,34 +151,69 @@ def each_block(
     data: Any,
     make: Callable[[Block, Report], list[pv.PolyData]],
     count: int,
-    progress_bar: bool,
+    progress: Progress,
     leaves: tuple[str, ...] = LEAVES,
 ) -> list[Output]:
-    """What is made of each block: so many meshes, or composites of them."""
+    """What is made of each block: so many meshes, or composites of them.
+
+    If some blocks are at fault, the error of the first one is raised in the end: see errors_of().
+    """
     made: list[list[pv.PolyData | None]] = []
-    with bar_of(progress_bar) as report:
+    errors: dict[int, FlipFlopError] = {}
+    with report_of(progress) as report:
         blocks = blocks_of(data, leaves)
         total = 1 + sum(block.count for block in blocks if block is not None)
         done = 0
         for block in blocks:
+            made.append([None] * count)
             if block is None:
-                made.append([None] * count)
                 continue
-            meshes = make(block, _stretch(report, done / total, (done + block.count) / total))
-            done += block.count
+            try:
+                meshes = make(block.checked(), _stretch(report, done / total, (done + block.count) / total))
+            except AbortedError:
+                raise
+            except FlipFlopError as error:
+                if not is_tree(data):
+                    raise
+                errors[block.flat_index] = error
+                continue
+            finally:
+                done += block.count
             for mesh in meshes if block.parts[0].mesh is not None else ():
                 pass_field_data(block.parts[0].mesh, mesh)
-            made.append([*meshes])
-    if is_tree(data):
-        return [composite_of(data, [meshes[i] for meshes in made]) for i in range(count)]
-    return [mesh for mesh in made[0] if mesh is not None]
+            made[-1] = [*meshes]
+    if not is_tree(data):
+        return [mesh for mesh in made[0] if mesh is not None]
+    composites = [composite_of(data, [meshes[i] for meshes in made]) for i in range(count)]
+    if errors:
+        raise error_of(errors, sum(block is not None for block in blocks), composites)
+    return composites
+
+
+def error_of(errors: dict[int, FlipFlopError], count: int, composites: list[Output]) -> FlipFlopError:
+    """The error of a composite of so many blocks: the first block's, with what the others have as its result."""
+    first = next(iter(errors.values()))
+    if len(errors) == count:
+        sentence = f"; none of the {count} blocks has a result" if count > 1 else ""
+    else:
+        named = ", ".join(map(str, list(errors)[:_MOST_NAMED]))
+        more = f" and {len(errors) - _MOST_NAMED} more" if len(errors) > _MOST_NAMED else ""
+        sentence = f"; no result: {len(errors)} of {count} blocks, of flat index {named}{more}"
+        sentence += "; the others' are the error's attribute result"
+    error = type(first)(str(first) + sentence, first.code, first.index, first.count)
+    error.errors = errors
+    if len(errors) < count:
+        error.result = composites[0] if len(composites) == 1 else tuple(composites)
+    return error
 
 
 @contextmanager
-def bar_of(progress_bar: bool) -> Iterator[Report]:
-    """A callable for progress that shows a bar, or None."""
-    if not flag_of("progress_bar", progress_bar):
-        yield None
+def report_of(progress: Progress) -> Iterator[Report]:
+    """What the engine reports progress to: the caller's, a bar, or nothing."""
+    if progress is not True:
+        if progress is not None and progress is not False and not callable(progress):
+            raise TypeError(f"progress is a callable, True or None, not {progress!r}")
+        yield progress or None
         return
     bar = Bar()
     with bar:

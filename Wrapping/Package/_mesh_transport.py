@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._arguments import Weights, flag_of, threads_of
 from ._mesh_runs import Output, Report, each_block
 from ._meshes import Block, Cloud, data_of, is_tree, set_cells
+from ._results import Progress
 from ._transport import CentroidalCells, PrescribedAreas
 from ._transport import centroidal_cells as cells_of_arrays
 from ._transport import prescribed_areas as areas_of_arrays
@@ -26,10 +27,10 @@ def centroidal_cells(
     domain: ArrayLike | None = None,
     iterations: int = 100,
     tolerance: float = 0.0,
-    number_of_threads: int = 0,
+    threads: int = 0,
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
-    progress_bar: bool = False,
+    progress: Progress = None,
 ) -> Output:
     """Centroidal power cells by Lloyd's algorithm: in each iteration, every point moves to the centroid of its cell.
 
@@ -46,14 +47,15 @@ def centroidal_cells(
         at most so many, 0 or more
     tolerance : float
         a length, 0 or more: it ends when no site moved further in an iteration
-    number_of_threads : int
+    threads : int
         0: as many as the machine has. The result never depends on it.
     skip_ghost_points : bool
         leave out points that "vtkGhostType" marks as another piece's or as blanked
     pass_point_data : bool
         whether the points' data is passed, as cell data
-    progress_bar : bool
-        show progress in the terminal; needs tqdm
+    progress : callable, bool or None
+        called with the fraction that is done, 0 to 1, now and then; if it returns False, the call ends with an
+        AbortedError. True shows tqdm's bar.
 
     Returns
     -------
@@ -62,12 +64,12 @@ def centroidal_cells(
         the site is in the end), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
     """
     sites = _Sites("weights", weights, skip_ghost_points, pass_point_data)
-    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(number_of_threads))
+    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(threads))
 
     def add_site(found: CentroidalCells, cells: pv.PolyData, cloud: Cloud) -> None:
-        _add(cells, "Site", _in_space(cloud, found.sites[found.diagram.sites]))
+        _add(cells.GetCellData(), "Site", _in_space(cloud, found.sites[found.diagram.sites]))
 
-    return sites.cells(mesh, cells_of_arrays, settings, add_site, progress_bar)
+    return sites.cells(mesh, cells_of_arrays, settings, add_site, progress)
 
 
 def prescribed_areas(
@@ -77,10 +79,10 @@ def prescribed_areas(
     domain: ArrayLike | None = None,
     tolerance: float = 1e-6,
     iterations: int = 100,
-    number_of_threads: int = 0,
+    threads: int = 0,
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
-    progress_bar: bool = False,
+    progress: Progress = None,
 ) -> Output:
     """The power cells with which each point has its prescribed area of the domain.
 
@@ -96,7 +98,7 @@ def prescribed_areas(
         domain's area. By default all are equal.
     tolerance : float
         0 or more: it ends when each area is met to that, relative to itself
-    domain, iterations, number_of_threads, skip_ghost_points, pass_point_data, progress_bar
+    domain, iterations, threads, skip_ghost_points, pass_point_data, progress
         as for centroidal_cells()
 
     Returns
@@ -106,12 +108,12 @@ def prescribed_areas(
         power diagram has these cells), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
     """
     sites = _Sites("areas", areas, skip_ghost_points, pass_point_data)
-    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(number_of_threads))
+    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(threads))
 
     def add_weight(found: PrescribedAreas, cells: pv.PolyData, _: Cloud) -> None:
-        _add(cells, "Weight", found.weights[found.diagram.sites])
+        _add(cells.GetCellData(), "Weight", found.weights[found.diagram.sites])
 
-    return sites.cells(mesh, areas_of_arrays, settings, add_weight, progress_bar)
+    return sites.cells(mesh, areas_of_arrays, settings, add_weight, progress)
 
 
 class _Sites:
@@ -129,7 +131,7 @@ class _Sites:
         call: Callable[..., Any],
         settings: dict[str, Any],
         add: Callable[[Any, pv.PolyData, Cloud], None],
-        progress_bar: bool,
+        progress: Progress,
     ) -> Output:
         """The cells that call() of arrays finds for each block, with one more array that add() adds."""
         data = data_of(mesh)
@@ -144,7 +146,7 @@ class _Sites:
             add(found, cells, cloud)
             return [cells]
 
-        return each_block(data, made, 1, progress_bar)[0]
+        return each_block(data, made, 1, progress)[0]
 
 
 def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data: bool) -> pv.PolyData:
@@ -153,10 +155,10 @@ def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data:
     made.SetPoints(pv.vtk_points(_in_space(cloud, diagram.vertices), deep=False, force_float=False))
     set_cells(made, 2, 0, np.array(diagram.cells.offsets), np.array(diagram.cells.connectivity))
     cloud.pass_data(cloud.ids(diagram.sites), made, "cell", pass_data)
-    _add(made, "Area", found.areas[diagram.sites])
-    _add(made, "Centroid", _in_space(cloud, found.centroids[diagram.sites]))
-    made.field_data["Iterations"] = np.array([found.iterations])
-    made.field_data["Converged"] = np.array([found.converged], np.uint8)
+    _add(made.GetCellData(), "Area", found.areas[diagram.sites])
+    _add(made.GetCellData(), "Centroid", _in_space(cloud, found.centroids[diagram.sites]))
+    _add(made.GetFieldData(), "Iterations", np.array([found.iterations]))
+    _add(made.GetFieldData(), "Converged", np.array([found.converged], np.uint8))
     return made
 
 
@@ -166,7 +168,6 @@ def _in_space(cloud: Cloud, places: NDArray[Any]) -> NDArray[np.float64]:
     return np.column_stack([places, np.full(len(places), height, np.float64)])
 
 
-def _add(cells: pv.PolyData, name: str, values: NDArray[Any]) -> None:
-    """As a cell array; also of no cells, which PyVista's own way refuses."""
-    array = pv.convert_array(np.ascontiguousarray(values), name=name, deep=True)
-    cells.GetCellData().AddArray(array)
+def _add(attributes: Any, name: str, values: NDArray[Any]) -> None:
+    """As an array of VTK's attributes; also of no cells, which PyVista's own way refuses, and which is slower."""
+    attributes.AddArray(pv.convert_array(np.ascontiguousarray(values), name=name, deep=True))

@@ -52,10 +52,17 @@ class Block:
     parts: list[Part]
     place: str = ""  # in words: of a composite's block
     flat_index: int = 0
+    fault: FlipFlopError | None = None  # why it has no parts, though it has data
     count: int = field(init=False)
 
     def __post_init__(self) -> None:
         self.count = sum(len(part.rows) for part in self.parts)
+
+    def checked(self) -> Block:
+        """The block; its fault is raised."""
+        if self.fault is not None:
+            raise self.fault
+        return self
 
 
 def values_of(array: Any) -> Any:
@@ -106,16 +113,21 @@ def blocks_of(data: Any, leaves: Sequence[str] = LEAVES) -> list[Block | None]:
     if not is_tree(data):
         return [Block([_part_of(data, "", leaves)])]
     if is_partitioned(data):
-        parts = _partitions_of(data, "", leaves)
-        return [Block(parts) if parts else None]
+        whole = _partitions_of(data, "", leaves)
+        return [Block(whole) if whole else None]
     found: list[Block | None] = []
     for nodes, leaf in _nodes(data):
-        place = _place_of(nodes, data)
-        whole = is_partitioned(leaf)
-        parts = []
-        if leaf is not None:
-            parts = _partitions_of(leaf, place, leaves) if whole else [_part_of(leaf, place, leaves)]
-        found.append(Block(parts, place, nodes.GetCurrentFlatIndex()) if parts else None)
+        place, index = _place_of(nodes, data), nodes.GetCurrentFlatIndex()
+        parts: list[Part] = []
+        fault = None
+        try:
+            if is_partitioned(leaf):
+                parts = _partitions_of(leaf, place, leaves)
+            elif leaf is not None:
+                parts = [_part_of(leaf, place, leaves)]
+        except FlipFlopError as error:
+            fault = error
+        found.append(Block(parts, place, index, fault) if parts or fault else None)
     return found
 
 

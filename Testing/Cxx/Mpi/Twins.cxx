@@ -434,6 +434,15 @@ bool Twins::HasShares() const
 }
 
 //------------------------------------------------------------------------------
+bool Twins::HasResult() const
+{
+  int has = this->Plain->GetErrorCode() == vtkErrorCode::NoError ||
+    !isNothing(this->Plain->GetOutputDataObject(0));
+  vtkMultiProcessController::GetGlobalController()->Broadcast(&has, 1, 0);
+  return has != 0;
+}
+
+//------------------------------------------------------------------------------
 bool Twins::CheckShares(const std::string& what)
 {
   bool good = true;
@@ -460,7 +469,8 @@ bool Twins::CheckShares(const std::string& what)
 bool Twins::CheckOutputs(const std::string& what)
 {
   bool good = true;
-  if (this->HasShares() && this->Distributed->GetErrorCode() == vtkErrorCode::NoError)
+  const bool hasResult = this->HasResult();
+  if (this->HasShares() && hasResult)
   {
     return this->CheckShares(what);
   }
@@ -468,7 +478,7 @@ bool Twins::CheckOutputs(const std::string& what)
   {
     const std::string where = what + ", port " + std::to_string(port);
     vtkDataObject* output = this->Distributed->GetOutputDataObject(port);
-    if (rank() > 0 || this->Distributed->GetErrorCode() != vtkErrorCode::NoError)
+    if (rank() > 0 || !hasResult)
     {
       if (!isNothing(output))
       {
@@ -489,6 +499,7 @@ bool Twins::CheckReports(const std::string& what)
 {
   bool good = true;
   const bool hasShares = this->HasShares();
+  const bool hasResult = this->HasResult();
   std::vector<std::string> expected;
   if (rank() == 0)
   {
@@ -521,7 +532,7 @@ bool Twins::CheckReports(const std::string& what)
   // a share report it.
   const auto report = reportOf(this->Distributed);
   auto expectedReport = reportOf(this->Plain);
-  if (hasShares && this->Distributed->GetErrorCode() == vtkErrorCode::NoError)
+  if (hasShares && hasResult)
   {
     int dimension = this->Plain->GetDimension();
     vtkMultiProcessController::GetGlobalController()->Broadcast(&dimension, 1, 0);

@@ -92,6 +92,9 @@ public:
 private:
   /// Whether each process has a share of the output. Otherwise process 0 has it whole.
   bool HasShares() const;
+
+  /// Whether the plain filter has a result, maybe beside an error. Collective.
+  bool HasResult() const;
   bool CheckShares(const std::string& what);
   bool CheckOutputs(const std::string& what);
   bool CheckReports(const std::string& what);

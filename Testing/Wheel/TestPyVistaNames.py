@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkflipflop.pyvista's arguments: named as those of vtkflipflop.arrays, and with the same meaning."""
+
+import inspect
+import typing
+
+import numpy as np
+import pytest
+
+import vtkflipflop.arrays
+from pyvista_meshes import cloud
+from vtkflipflop.pyvista import (
+    InputError,
+    centroidal_cells,
+    convex_hull,
+    convexify,
+    power_diagram,
+    prescribed_areas,
+    regular_triangulation,
+)
+
+FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram, centroidal_cells, prescribed_areas)
+# Of a mesh, an argument may be a point array's name; and what comes first is not one of arrays.
+OWN_TYPES = {"points", "mesh", "surface", "triangles", "weights", "areas", "constraints", "domain", "box", "kernel"}
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_arguments_have_the_names_of_the_array_layer(function):
+    """What both have is called the same, in the same order, with the same default and the same type."""
+    here = inspect.signature(function).parameters
+    there = inspect.signature(getattr(vtkflipflop.arrays, function.__name__)).parameters
+    common = [name for name in there if name in here]
+    missing = set(there) - set(here)
+    # Lines and polygons come in one mesh; a surface has its triangles.
+    assert missing <= {"points", "polygons", "triangles"}
+    assert "threads" in common and "progress" in common
+    for name in common:
+        assert here[name].default == there[name].default, name
+        if name not in OWN_TYPES:
+            types = [typing.get_type_hints(one)[name] for one in (function, getattr(vtkflipflop.arrays, function.__name__))]
+            assert types[0] == types[1] or types[1] is str, name  # or a Literal of strings
+    # What is called otherwise there: within_edge_length(limit).
+    own = {"composite_mode", "projection_plane_mode", "transform", "radii", "weight_factor", "maximum_edge_length",
+           "return_hidden_points", "skip_ghost_points", "pass_point_data", "alpha"}
+    assert set(here) - set(there) <= {"mesh", "surface", *own}
+
+
+def test_0_is_the_number_and_none_is_off():
+    flat = cloud(100)
+    whole = regular_triangulation(flat).n_cells
+    for name in ("alpha", "maximum_edge_length"):
+        assert regular_triangulation(flat, **{name: None}).n_cells == whole
+        assert regular_triangulation(flat, **{name: 0}).n_cells == 0
+        assert regular_triangulation(flat, **{name: np.inf}).n_cells == whole
+    # Disks of radius 1 and of radius 0.001: at alpha 0, those that meet.
+    flat.point_data["radius"] = np.full(100, 1.0)
+    assert regular_triangulation(flat, radii="radius", alpha=0).n_cells > whole / 2
+    flat.point_data["radius"] = np.full(100, 0.001)
+    assert regular_triangulation(flat, radii="radius", alpha=0).n_cells == 0
+
+
+def test_boxes_and_domains():
+    flat = cloud(50)
+    expected = power_diagram(flat, box=(-1, 2, -3, 4))
+    assert expected.area == pytest.approx(21)
+    for settings in ({"box": ((-1, -3), (2, 4))}, {"domain": (-1, 2, -3, 4)}, {"domain": ((-1, -3), (2, 4))}):
+        assert np.array_equal(power_diagram(flat, **settings).points, expected.points)
+    triangle = [(0, 0), (4, 0), (0, 4)]
+    assert power_diagram(flat, domain=triangle).area == pytest.approx(8)
+    with pytest.raises(TypeError, match="two names of one"):
+        power_diagram(flat, box=(0, 1, 0, 1), domain=triangle)
+    with pytest.raises(InputError, match="no convex polygon.* at corner"):
+        power_diagram(flat, domain=[(0, 0), (4, 0), (1, 1), (0, 4)])
