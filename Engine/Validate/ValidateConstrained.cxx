@@ -7,7 +7,6 @@
 /// constraints.
 #include <flipflop/Validate.h>
 
-#include "Constraints/FixedEdge.h"
 #include "Geometry/LiftedLocator.h"
 #include "Points/ConstraintInput.h"
 #include "Run/TriangulationRun.h"
@@ -62,6 +61,25 @@ private:
 
   /// The first constraint, the balance, and the side that decides.
   using Along = std::array<std::int64_t, 3>;
+
+  /// What runs along an edge.
+  struct Runs
+  {
+    explicit Runs(std::int64_t constraint)
+      : first(constraint)
+    {
+    }
+
+    std::int64_t first;
+    std::int64_t sides[2] = { 0, 0 };       ///< from the lower corner, and back
+    std::int64_t firstSide[2] = { -1, -1 }; ///< likewise
+
+    Along along() const
+    {
+      const std::int64_t balance = this->sides[0] - this->sides[1];
+      return { this->first, balance, balance == 0 ? -1 : this->firstSide[balance < 0] };
+    }
+  };
 
   static Place placeOf(const Vertex& v) { return { v.x[0], v.x[1] }; }
 
@@ -229,7 +247,7 @@ private:
     }
     const Geometry local = this->run.geometry;
     const bool isPlane = this->result.dimension == 2; // else no polygon has an inside
-    std::map<Edge, std::pair<std::int64_t, SidesAlong>> wanted;
+    std::map<Edge, Runs> wanted;
     for (std::int64_t c = 0; c < this->constraints.count; ++c)
     {
       std::int64_t at = this->standsFor(this->constraints.ends[2 * c]);
@@ -243,24 +261,17 @@ private:
         {
           return faultAt(Fault::NotFixed, c);
         }
-        SidesAlong own;
+        Runs& runs = wanted.emplace(std::minmax(at, *next), Runs(c)).first->second;
         if (isPlane && c >= this->constraints.count - this->constraints.sides)
         {
-          own.balance = 1;
-          own.first[0] = static_cast<std::uint32_t>(c);
+          const bool isBack = *next < at;
+          runs.firstSide[isBack] = runs.sides[isBack]++ == 0 ? c : runs.firstSide[isBack];
         }
-        const auto known =
-          wanted.emplace(std::minmax(at, *next), std::make_pair(c, SidesAlong())).first;
-        known->second.second.add(at < *next ? own : own.reversed());
         at = *next;
       }
     }
     const auto isSame = [](const auto& given, const auto& edge)
-    {
-      const SidesAlong& sides = edge.second.second;
-      return given.first == edge.first &&
-        given.second == Along{ edge.second.first, sides.balance, sides.decisive() };
-    };
+    { return given.first == edge.first && given.second == edge.second.along(); };
     return std::equal(this->fixed.begin(), this->fixed.end(), wanted.begin(), wanted.end(), isSame)
       ? Validation()
       : faultAt(Fault::NotFixed, -1);

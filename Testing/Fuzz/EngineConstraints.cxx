@@ -19,61 +19,142 @@ namespace fuzz
 namespace
 {
 
-/// Constraints between points, now and then to what is none.
+/// Constraints between points, now and then to what is none, or some again and again; and rings,
+/// which are closed but in one of some cases.
 struct Constraints
 {
   std::vector<std::int64_t> ends;
+  std::vector<std::int64_t> turned; ///< the same with each ring the other way round
   std::int64_t sides = 0;
   bool arePoints = true; ///< all ends are finite points
+  bool areClosed = true; ///< the sides form rings
 
   Constraints(Bytes& bytes, const Cloud& cloud)
   {
     const auto count = static_cast<std::int64_t>(cloud.size());
     const bool isWild = bytes.oneOf(16);
-    for (int i = 2 * bytes.below(40); i > 0; --i)
+    const auto draw = [&]
     {
       const std::int64_t drawn = bytes.integer();
       const std::int64_t id = isWild ? drawn
         : count > 0                  ? (drawn % count + count) % count
                                      : std::int64_t(0);
-      this->ends.push_back(id);
       this->arePoints = this->arePoints && id >= 0 && id < count &&
         std::isfinite(cloud[static_cast<std::size_t>(id)][0]) &&
         std::isfinite(cloud[static_cast<std::size_t>(id)][1]);
+      return id;
+    };
+    for (int i = 2 * bytes.below(40); i > 0; --i)
+    {
+      this->ends.push_back(draw());
     }
-    this->sides = bytes.below(static_cast<int>(this->ends.size() / 2) + 1);
+    for (int i = bytes.oneOf(4) && !this->ends.empty() ? bytes.below(100) : 0; i > 0; --i)
+    {
+      const std::int64_t from = *(this->ends.end() - 2), to = this->ends.back();
+      this->ends.insert(this->ends.end(), { i % 3 ? from : to, i % 3 ? to : from });
+    }
+    this->turned = this->ends;
+    if (bytes.oneOf(16))
+    {
+      this->sides = bytes.below(static_cast<int>(this->ends.size() / 2) + 1);
+      this->areClosed = this->sides == 0;
+      return;
+    }
+    for (int rings = bytes.below(5); rings > 0; --rings)
+    {
+      const int size = 1 + bytes.below(8);
+      const std::int64_t first = draw();
+      std::int64_t last = first;
+      for (int k = 1; k <= size; ++k)
+      {
+        const std::int64_t next = k < size ? draw() : first;
+        this->ends.insert(this->ends.end(), { last, next });
+        this->turned.insert(this->turned.end(), { next, last });
+        last = next;
+      }
+      this->sides += size;
+    }
   }
 
-  ConstraintView view() const
+  ConstraintView view() const { return this->viewOf(this->ends); }
+  ConstraintView turnedView() const { return this->viewOf(this->turned); }
+
+private:
+  ConstraintView viewOf(const std::vector<std::int64_t>& of) const
   {
-    return { this->ends.data(), static_cast<std::int64_t>(this->ends.size() / 2), this->sides };
+    return { of.data(), static_cast<std::int64_t>(of.size() / 2), this->sides };
   }
 };
 
-/// The answers of cells that polygons part; and all are inside where there is none.
-void demandInside(const ConstrainedTriangulation& triangulation, std::int64_t sides, int threads)
+/// Lines that are nearly parallel, units in the last place apart; their points join the cloud.
+void addBundle(Bytes& bytes, Cloud& cloud)
 {
-  std::vector<std::uint8_t> inside(static_cast<std::size_t>(triangulation.cellCount()) + 1, 7);
+  const double slope = bytes.below(5) / 4.0;
+  for (int i = 2 * bytes.below(20); i > 0; --i)
+  {
+    const double x = 1 + 0.75 * (i % 2);
+    cloud.push_back({ x, 1 + (x - 1) * slope + 0x1p-52 * bytes.below(32), 0 });
+  }
+}
+
+std::vector<std::uint8_t> insideOf(const ConstrainedTriangulation& triangulation, PolygonRule rule,
+  int threads, std::initializer_list<ErrorCode> allowed)
+{
+  const auto cells = static_cast<std::size_t>(triangulation.cellCount());
+  std::vector<std::uint8_t> inside(cells + 1, 7);
   Options options;
   options.threads = threads;
+  options.polygons = rule;
   const auto outcome = attempt([&] { return cellsInside(triangulation, inside.data(), options); });
-  expectOutcome(outcome, Watch(), { ErrorCode::PolygonsDisagree });
+  expectOutcome(outcome, Watch(), allowed);
   demand(inside.back() == 7, "an answer too many");
-  if (outcome.result)
+  inside.pop_back();
+  if (!outcome.result)
   {
-    demand(*outcome.result == std::count(inside.begin(), inside.end(), 1),
-      "the count of cells inside is wrong");
-    demand(sides > 0 || *outcome.result == triangulation.cellCount(),
-      "a cell is outside, and there is no polygon");
+    return {};
+  }
+  demand(*outcome.result == std::count(inside.begin(), inside.end(), 1) &&
+      std::count(inside.begin(), inside.end(), 0) + *outcome.result ==
+        static_cast<std::int64_t>(cells),
+    "the count of cells inside is wrong");
+  return inside;
+}
+
+/// By the even-odd rule there is an answer where sides close. Where no edge has more sides one way
+/// than one, and the directions agree, they part the same cells.
+void demandInside(const ConstrainedTriangulation& triangulation, bool areClosed, int threads)
+{
+  if (!areClosed)
+  {
+    insideOf(triangulation, PolygonRule::EvenOdd, threads, { ErrorCode::BadArgument });
+    insideOf(triangulation, PolygonRule::Direction, threads,
+      { ErrorCode::BadArgument, ErrorCode::PolygonsDisagree });
+    return;
+  }
+  const std::vector<std::uint8_t> odd = insideOf(triangulation, PolygonRule::EvenOdd, threads, {});
+  const std::vector<std::uint8_t> left =
+    insideOf(triangulation, PolygonRule::Direction, threads, { ErrorCode::PolygonsDisagree });
+  demand(triangulation.sides > 0 || std::count(odd.begin(), odd.end(), 0) == 0,
+    "a cell is outside, and there is no polygon");
+  const auto& balance = triangulation.balance;
+  if (left.size() == odd.size() && !left.empty() &&
+    std::any_of(balance.begin(), balance.end(), [](std::int64_t b) { return b != 0; }) &&
+    std::all_of(balance.begin(), balance.end(), [](std::int64_t b) { return -1 <= b && b <= 1; }))
+  {
+    const bool isSame = left.front() == odd.front();
+    for (std::size_t c = 0; c < odd.size(); ++c)
+    {
+      demand((left[c] == odd[c]) == isSame, "the rules part other cells");
+    }
   }
 }
 
 void demandValid(const PointView& points, const ConstraintView& constraints,
-  const ConstrainedTriangulation& result, const Options& options)
+  const ConstrainedTriangulation& result, bool areClosed, const Options& options)
 {
   const Validation verdict = validate(points, constraints, result, options.threads);
   demand(static_cast<bool>(verdict), std::string("not valid: ") + describe(verdict.fault));
-  demandInside(result, constraints.sides, options.threads);
+  demandInside(result, areClosed, options.threads);
 }
 
 }
@@ -84,6 +165,10 @@ void fuzzConstraints(Bytes& bytes)
   const Options options = drawOptions(bytes, watch);
   const Layout layout = drawLayout(bytes);
   Cloud cloud = drawCloud(bytes, 300);
+  if (bytes.oneOf(8))
+  {
+    addBundle(bytes, cloud);
+  }
   const Scalars scalars(cloud, 0, 2, layout);
   const Constraints constraints(bytes, cloud);
   const PointView points = scalars.points();
@@ -98,7 +183,15 @@ void fuzzConstraints(Bytes& bytes)
   demand(watch.stopped || isRight == (whole.result || crosses), "an error without a reason");
   if (whole.result)
   {
-    demandValid(points, view, *whole.result, options);
+    demandValid(points, view, *whole.result, constraints.areClosed, options);
+    if (constraints.areClosed)
+    {
+      const ConstrainedTriangulation turned =
+        constrainedTriangulation(points, constraints.turnedView(), unwatched(options));
+      demand(insideOf(turned, PolygonRule::EvenOdd, options.threads, {}) ==
+          insideOf(*whole.result, PolygonRule::EvenOdd, options.threads, {}),
+        "the direction of rings counts");
+    }
   }
 
   const Options others = unwatched(options);
@@ -116,8 +209,8 @@ void fuzzConstraints(Bytes& bytes)
   }
   const PointView all(
     cloud.empty() ? nullptr : cloud.front().data(), static_cast<std::int64_t>(cloud.size()));
-  demandValid(
-    all, split.result->view(), constrainedTriangulation(all, split.result->view(), others), others);
+  demandValid(all, split.result->view(),
+    constrainedTriangulation(all, split.result->view(), others), constraints.areClosed, others);
 }
 
 }

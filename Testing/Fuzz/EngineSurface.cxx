@@ -4,11 +4,13 @@
 #include "EngineCall.h"
 #include "EngineCalls.h"
 
+#include "Predicates/PlaneOrientation.h"
 #include "Testing/Engine/Conformance/Compare.h"
 #include <flipflop/FlipFlop.h>
 #include <flipflop/SurfacePolygons.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -79,6 +81,57 @@ void fuzzFlipFlop(Bytes& bytes)
   demand(difference.empty(), "not the hull of the points used: " + difference);
 }
 
+/// By all pairs of sides, as seen along an axis: none shares a place with another, but a corner
+/// with the next.
+bool isSimpleAlong(
+  const Cloud& cloud, const std::int64_t* corners, std::size_t count, std::size_t axis)
+{
+  using Place = std::array<double, 2>;
+  const auto at = [&](std::size_t k) -> Place
+  {
+    const Point& p = cloud[static_cast<std::size_t>(corners[k % count])];
+    return { { p[(axis + 1) % 3], p[(axis + 2) % 3] } };
+  };
+  const auto turn = [](const Place& a, const Place& b, const Place& c)
+  { return planeOrientation(a.data(), b.data(), c.data()); };
+  const auto isOn = [&](const Place& p, const Place& a, const Place& b)
+  {
+    return turn(a, b, p) == 0 && std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
+      std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
+  };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Place a = at(i), b = at(i + 1);
+    for (std::size_t j = 0; j < count; ++j)
+    {
+      const Place c = at(j), d = at(j + 1);
+      const bool crosses = turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+      if (i != j &&
+        (crosses || ((i + 1) % count != j && isOn(c, a, b)) ||
+          ((j + 1) % count != i && isOn(d, a, b))))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// What was cut, and is finite, is simple as seen along some axis.
+void demandSimple(const Cloud& cloud, const std::int64_t* corners, std::int64_t size)
+{
+  const auto count = static_cast<std::size_t>(size);
+  const bool isFinite = std::all_of(corners, corners + count,
+    [&](std::int64_t corner)
+    {
+      const Point& p = cloud[static_cast<std::size_t>(corner)];
+      return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
+    });
+  demand(count == 3 || !isFinite || isSimpleAlong(cloud, corners, count, 0) ||
+      isSimpleAlong(cloud, corners, count, 1) || isSimpleAlong(cloud, corners, count, 2),
+    "a polygon that crosses or touches itself was cut");
+}
+
 void fuzzPolygons(Bytes& bytes)
 {
   Watch watch;
@@ -118,6 +171,8 @@ void fuzzPolygons(Bytes& bytes)
   std::size_t t = 0;
   for (std::int64_t p = 0; p < polygons.count; ++p)
   {
+    const std::int64_t first = polygons.offsets[p];
+    demandSimple(cloud, polygons.corners + first, polygons.offsets[p + 1] - first);
     std::vector<std::pair<std::int64_t, std::int64_t>> open;
     for (; t < found.polygonIds.size() && found.polygonIds[t] == p; ++t)
     {

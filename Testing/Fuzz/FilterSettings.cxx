@@ -13,6 +13,7 @@
 #include "vtkGeneralTransform.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -146,6 +147,26 @@ void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
   filter->SetUseKernelPoint(bytes.flag());
 }
 
+/// Points for a source: none, its own, or those that the filter's input has now.
+void givePoints(Bytes& bytes, int kind, vtkAlgorithm* filter, vtkPolyData* source)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(kind % 2 ? VTK_DOUBLE : VTK_FLOAT);
+  auto* input = vtkPointSet::SafeDownCast(filter->GetInputDataObject(0, 0));
+  if (kind > 3 && input)
+  {
+    source->SetPoints(input->GetPoints());
+  }
+  else if (kind > 1)
+  {
+    for (int i = bytes.below(12); i > 0; --i)
+    {
+      points->InsertNextPoint(bytes.raw<std::int8_t>(), bytes.raw<std::int8_t>(), 0);
+    }
+    source->SetPoints(points);
+  }
+}
+
 /// Lines and polygons of small ids, now and then any; or something else, or none.
 vtkSmartPointer<vtkDataObject> drawSource(Bytes& bytes)
 {
@@ -191,12 +212,21 @@ void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
       filter->SetGenerateBoundary(bytes.flag());
       break;
     case 13:
-      filter->SetSplitCrossingConstraints(bytes.flag());
+    {
+      const int choices = bytes.byte();
+      filter->SetSplitCrossingConstraints((choices & 1) != 0);
+      filter->SetPolygonRule((choices >> 1) & 1);
       if (filter->GetNumberOfInputPorts() > 1)
       {
-        filter->SetSourceData(drawSource(bytes));
+        const auto source = drawSource(bytes);
+        if (auto* cells = vtkPolyData::SafeDownCast(source))
+        {
+          givePoints(bytes, (choices >> 2) % 6, filter, cells);
+        }
+        filter->SetSourceData(source);
       }
       break;
+    }
     case 1:
     {
       double box[4];
