@@ -52,6 +52,7 @@ void eachArray(Result& result, Use&& use)
     use(result.fixedEdges);
     use(result.constraintOf);
     use(result.balance);
+    use(result.sideOf);
   }
 }
 
@@ -63,6 +64,10 @@ void eachFigure(Result& result, Use&& use)
   {
     use(result.volume);
     use(result.area);
+  }
+  if constexpr (std::is_same_v<std::remove_const_t<Result>, ConstrainedTriangulation>)
+  {
+    use(result.sides);
   }
   Statistics::eachField([&](const char*, auto field) { use(result.statistics.*field); });
   use(result.statistics.threads);
@@ -125,7 +130,8 @@ bool isSound(const Result& result)
   {
     sound = sound && areBelow(result.fixedEdges, result.pointIds.size()) &&
       result.fixedEdges.size() == 2 * result.constraintOf.size() &&
-      result.balance.size() == result.constraintOf.size();
+      result.balance.size() == result.constraintOf.size() &&
+      result.sideOf.size() == result.constraintOf.size();
   }
   return sound;
 }
