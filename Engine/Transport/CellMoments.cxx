@@ -113,19 +113,20 @@ public:
     {
       return 0;
     }
-    // Of shares: a product of three lengths may be out of range where areas are not.
+    // Of shares: a product of three lengths may be out of range where areas are not; and of
+    // quarters, for the sum of three lengths may be, too.
     double mean[2] = { 0, 0 };
     for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
     {
       const double share = this->areaOf(i) / whole;
       for (int k = 0; k < 2; ++k)
       {
-        mean[k] += share * (this->fromFirst(i, k) + this->fromFirst(i + 1, k));
+        mean[k] += share * (0.25 * this->fromFirst(i, k) + 0.25 * this->fromFirst(i + 1, k));
       }
     }
     for (int k = 0; k < 2; ++k)
     {
-      centroid[k] = this->corners[0].x[k] + mean[k] / 3;
+      centroid[k] = this->corners[0].x[k] + mean[k] / 0.75;
     }
     return whole;
   }

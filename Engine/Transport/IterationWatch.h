@@ -20,7 +20,7 @@ inline void requireLimits(std::int64_t iterations, double tolerance)
 {
   if (iterations < 0)
   {
-    throw badArgument("the most iterations must be 0 or more", -1, iterations);
+    throw badArgument("the most iterations must be 0 or more");
   }
   if (!(tolerance >= 0)) // or NaN
   {

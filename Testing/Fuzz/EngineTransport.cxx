@@ -110,8 +110,12 @@ struct Domain
     return found;
   }
 
-  /// Is its area a normal double, and each side as long as a double can be?
-  bool isMeasurable() const { return std::isnormal(this->area) && std::isfinite(this->perimeter); }
+  /// Is its area a normal double, of more than rounding, and each side as long as a double can be?
+  bool isMeasurable() const
+  {
+    return std::isnormal(this->area) && std::isfinite(this->perimeter) &&
+      this->magnitude * this->perimeter <= 1e12 * this->area;
+  }
 
   /// Are areas in it sums of normal doubles, and not of rounding alone?
   bool isThick() const
@@ -390,14 +394,16 @@ void fuzzDomains(Bytes& bytes)
   demand(areFinite(diagram.corners.begin(), diagram.corners.end()), "a corner is not finite");
   demand(
     areFinite(centroids.data(), centroids.data() + centroids.size()), "a centroid is not finite");
-  if (domain.isRight && isForBruteForce(sites))
+  // In a box, a corner that rounds to a side is taken to be on it.
+  if (domain.isRight && !domain.isBox && isForBruteForce(sites))
   {
     demandCells(diagram, sites, domain);
   }
   if (domain.isRight && domain.isThick() && !made.result->pointIds.empty())
   {
-    demand(std::all_of(areas.begin(), areas.end(), [](double area) { return area > 0; }),
-      "a cell without an area");
+    // That of a small cell may be less than any double.
+    demand(std::all_of(areas.begin(), areas.end(), [](double area) { return area >= 0; }),
+      "a cell has a negative area");
     demandSum(areas, domain);
   }
 }

@@ -13,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -51,19 +53,21 @@ inline void expectRounded(double rounded, const mpq_class& exact)
   EXPECT_TRUE(isNext(rounded, exact)) << rounded << " for " << exact.get_d();
 }
 
-/// The double next to @p exact.
+/// The double next to @p exact; of two, the one whose last bit is 0.
 inline double roundingOf(const mpq_class& exact)
 {
   const double near = exact.get_d();
-  for (const double towards : { -HUGE_VAL, HUGE_VAL })
+  double best = near;
+  for (const double one : { std::nextafter(near, -HUGE_VAL), near, std::nextafter(near, HUGE_VAL) })
   {
-    const double next = std::nextafter(near, towards);
-    if (!isNext(near, exact) && isNext(next, exact))
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &one, sizeof(bits));
+    if (isNext(one, exact) && (bits % 2 == 0 || !isNext(best, exact)))
     {
-      return next;
+      best = one;
     }
   }
-  return near;
+  return best;
 }
 
 using ExactPolygon = std::vector<std::array<mpq_class, 2>>;
