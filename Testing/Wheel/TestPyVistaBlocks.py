@@ -60,7 +60,7 @@ def test_several_blocks_are_at_fault():
         assert raised.value.result is None
     # An abort is none of a block's.
     with pytest.raises(vtkflipflop.arrays.AbortedError) as raised:
-        regular_triangulation(pv.MultiBlock([blocks[0], cloud(20000)]), progress=lambda fraction: False)
+        regular_triangulation(pv.MultiBlock([blocks[0], cloud(200_000)]), progress=lambda fraction: False)
     assert raised.value.result is None
 
 

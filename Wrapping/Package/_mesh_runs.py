@@ -32,8 +32,6 @@ _MOST_NAMED = 8
 class Run:
     """The choices of a call, and what it makes of one block."""
 
-    block_index: Any  # of the last hull's points
-
     def __init__(
         self, facets: str, threads: int, non_finite: str, engine: str, skip_ghosts: bool, pass_data: bool
     ) -> None:
@@ -44,11 +42,14 @@ class Run:
         self._skip_ghosts = flag_of("skip_ghost_points", skip_ghosts)
         self._pass_data = flag_of("pass_point_data", pass_data)
 
-    def hull(self, blocks: list[Block], report: Report) -> pv.PolyData:
+    def hull(self, blocks: list[Block], report: Report, with_index: bool = False) -> pv.PolyData:
+        """The hull of all these blocks; on request with the block of each of its points."""
         cloud = Cloud(blocks, self._skip_ghosts, self._ignore)
         core = cloud.engine(_core.convex_hull, cloud.array, self._settings(cloud, report))
-        self.block_index = cloud.block_index(cloud.ids(core.vertices()))
-        return self._cells_of(cloud, core)
+        hull = self._cells_of(cloud, core)
+        if with_index:
+            hull.point_data.set_array(cloud.block_index(cloud.ids(core.vertices())), "BlockIndex")
+        return hull
 
     def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: Report) -> pv.PolyData:
         with_cells = [part for part in block.parts if part.mesh.GetNumberOfCells() > 0]

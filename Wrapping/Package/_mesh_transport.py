@@ -67,7 +67,7 @@ def centroidal_cells(
     settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(threads))
 
     def add_site(found: CentroidalCells, cells: pv.PolyData, cloud: Cloud) -> None:
-        _add(cells, "Site", _in_space(cloud, found.sites[found.diagram.sites]))
+        _add(cells.GetCellData(), "Site", _in_space(cloud, found.sites[found.diagram.sites]))
 
     return sites.cells(mesh, cells_of_arrays, settings, add_site, progress)
 
@@ -111,7 +111,7 @@ def prescribed_areas(
     settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(threads))
 
     def add_weight(found: PrescribedAreas, cells: pv.PolyData, _: Cloud) -> None:
-        _add(cells, "Weight", found.weights[found.diagram.sites])
+        _add(cells.GetCellData(), "Weight", found.weights[found.diagram.sites])
 
     return sites.cells(mesh, areas_of_arrays, settings, add_weight, progress)
 
@@ -155,10 +155,10 @@ def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data:
     made.SetPoints(pv.vtk_points(_in_space(cloud, diagram.vertices), deep=False, force_float=False))
     set_cells(made, 2, 0, np.array(diagram.cells.offsets), np.array(diagram.cells.connectivity))
     cloud.pass_data(cloud.ids(diagram.sites), made, "cell", pass_data)
-    _add(made, "Area", found.areas[diagram.sites])
-    _add(made, "Centroid", _in_space(cloud, found.centroids[diagram.sites]))
-    made.field_data["Iterations"] = np.array([found.iterations])
-    made.field_data["Converged"] = np.array([found.converged], np.uint8)
+    _add(made.GetCellData(), "Area", found.areas[diagram.sites])
+    _add(made.GetCellData(), "Centroid", _in_space(cloud, found.centroids[diagram.sites]))
+    _add(made.GetFieldData(), "Iterations", np.array([found.iterations]))
+    _add(made.GetFieldData(), "Converged", np.array([found.converged], np.uint8))
     return made
 
 
@@ -168,7 +168,6 @@ def _in_space(cloud: Cloud, places: NDArray[Any]) -> NDArray[np.float64]:
     return np.column_stack([places, np.full(len(places), height, np.float64)])
 
 
-def _add(cells: pv.PolyData, name: str, values: NDArray[Any]) -> None:
-    """As a cell array; also of no cells, which PyVista's own way refuses."""
-    array = pv.convert_array(np.ascontiguousarray(values), name=name, deep=True)
-    cells.GetCellData().AddArray(array)
+def _add(attributes: Any, name: str, values: NDArray[Any]) -> None:
+    """As an array of VTK's attributes; also of no cells, which PyVista's own way refuses, and which is slower."""
+    attributes.AddArray(pv.convert_array(np.ascontiguousarray(values), name=name, deep=True))

@@ -123,9 +123,7 @@ def convex_hull(
         return each_block(data, lambda block, report: [run.hull([block], report)], 1, progress)[0]
     with report_of(progress) as report:
         blocks = [block.checked() for block in blocks_of(data) if block is not None]
-        hull = run.hull(blocks, report)
-    if not is_partitioned(data):
-        hull.point_data.set_array(run.block_index, "BlockIndex")
+        hull = run.hull(blocks, report, not is_partitioned(data))
     pass_field_data(data, hull)
     return hull
 
