@@ -108,7 +108,9 @@ def test_none_and_one():
     for nothing in ([], (), np.empty(0), np.empty((0, 3)), np.empty((0, 2), ">f4"), np.ma.empty((0, 3))):
         assert convex_hull(nothing).n_points == 0
         assert regular_triangulation(nothing, []).n_points == 0
-    assert convex_hull([1, 2, 3]).n_points == 1
+    assert convex_hull([[1, 2, 3]]).n_points == 1
+    with pytest.raises(ValueError, match="n by 3 or n by 2 coordinates"):
+        convex_hull([1, 2, 3])
 
 
 @pytest.mark.parametrize("function", [convex_hull, regular_triangulation, power_diagram])
