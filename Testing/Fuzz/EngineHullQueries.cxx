@@ -121,8 +121,9 @@ void judgePlane(const Cloud& cloud, const Cloud& queries, const Options& options
   for (std::size_t i = 0; i < queries.size(); ++i)
   {
     test::Real least, farthest;
-    test::squaresFromCells(edges, test::exactly(places[i]), least, farthest);
-    const int side = inHull[i] < 0 ? -1 : least == 0 ? 0 : 1;
+    const test::Vector x = test::exactly(places[i]);
+    test::squaresFromCells(edges, x, least, farthest);
+    const int side = inHull[i] < 0 ? -1 : test::isOnBorder(edges, x) ? 0 : 1;
     demand(sides[i] == side, "on another side in the plane");
     demand((side == 0) == (distances[i] == 0) && (side > 0) == (distances[i] < 0),
       "the distance is not on the side of the place");

@@ -85,6 +85,21 @@ inline Real squareFromCell(const std::vector<Vector>& cell, const Vector& x)
   return least;
 }
 
+/// Is a place of a polygon on its border? Exact. (Squares of distances are not: a quotient is in
+/// them.)
+inline bool isOnBorder(const std::vector<std::vector<Vector>>& edges, const Vector& x)
+{
+  for (const std::vector<Vector>& edge : edges)
+  {
+    const Vector turn = cross(edge[1] - edge[0], x - edge[0]);
+    if (turn[0] == 0 && turn[1] == 0 && turn[2] == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// The corners of each cell.
 inline std::vector<std::vector<Vector>> cornersOf(const Hull& hull, const Cloud& cloud)
 {

@@ -105,7 +105,7 @@ TEST(Distance, OfPolygonsInThePlane)
       const Vector x = exactly({ queries[i][0], queries[i][1], 0 });
       Real least, farthest;
       squaresFromCells(edges, x, least, farthest);
-      const int side = inHull[i] < 0 ? -1 : least == 0 ? 0 : 1;
+      const int side = inHull[i] < 0 ? -1 : isOnBorder(edges, x) ? 0 : 1;
       EXPECT_EQ(sides[i], side) << name;
       EXPECT_EQ(found[i] < 0 ? 1 : found[i] > 0 ? -1 : 0, side) << name;
       expectDistance(found[i], least, farthest, name + ", query " + std::to_string(i));
