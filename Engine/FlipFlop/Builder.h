@@ -57,16 +57,10 @@ public:
       subset.count = ids ? static_cast<std::uint32_t>(ids->size()) : task.source.count();
       subset.checkFinite = task.checkFinite;
       subset.leaveOut(taken);
-      bool isDone = false;
-      if (round == task.samples.size() || mostAreOutside(task, current, subset))
-      {
-        isDone = insert(task, current, subset, taken, tally, statistics);
-        subset.leaveOut(taken);
-      }
-      if (!isDone)
-      {
-        current = grow(task, std::move(current), subset, tally, statistics);
-      }
+      const bool isFirst = round == task.samples.size();
+      const bool inserts = isFirst || insertionPays(task, current, subset);
+      current = inserts ? insert(task, std::move(current), subset, tally, statistics)
+                        : grow(task, std::move(current), subset, tally, statistics);
       if (ids)
       {
         current = compact(std::move(current));
@@ -80,11 +74,10 @@ public:
   }
 
 private:
-  /// Steps of a walk. Among slivers, walks grow with the points, where growing does not.
-  static constexpr std::int64_t LongWalk = 64;
-
-  /// Are most of the points outside the hull of a sample, as far as a few of them tell?
-  static bool mostAreOutside(
+  /// Is it faster to insert the points than to grow them? It is where most of them are outside the
+  /// hull of a sample and walks from one to the next are short, as far as some of them tell: two
+  /// for each vertex. Fewer would be far from each other, and have longer ways than all will have.
+  static bool insertionPays(
     const BuildTask<Geometry>& task, Polyhedron& hull, const PointSubset& subset)
   {
     // Where half of the sample is inside, more of the points are. And each that is inserted wants
@@ -93,49 +86,49 @@ private:
     {
       return false;
     }
+    std::vector<std::uint32_t> ids =
+      sample(subset.count, std::min(2 * hull.vertexCount(), subset.count));
+    for (std::uint32_t& id : ids)
+    {
+      id = subset.idAt(id);
+    }
+    PointSubset some = subset;
+    some.ids = ids.data();
+    some.count = static_cast<std::uint32_t>(ids.size());
+    const Buffer<std::uint32_t> inOrder =
+      curveOrder(task.source, some, unfoldingOf(task.geometry, hull), task.monitor);
+
+    // Among slivers, such as those of points on a cylinder, walks get longer with the number of
+    // points. The last ones' are six times as long then, and take as long as growing does.
+    constexpr std::int64_t LongWalk = 14;
     const Geometry local = task.geometry; // its questions are not the run's work
     const Mesh mesh = hull.mesh();
-    constexpr std::uint32_t Asked = 128;
-    std::uint32_t known = 0;
-    std::uint32_t outside = 0;
+    std::size_t outside = 0;
     std::uint32_t t = 0;
     std::int64_t steps = 0;
     std::vector<Duplicate> duplicates;
-    for (const std::uint32_t i : sample(subset.count, Asked))
+    StepPoll poll(task.monitor);
+    for (const std::uint32_t id : inOrder)
     {
-      const Vertex p = task.source.vertex(subset.idAt(i)); // of the sample: not above itself
-      if (isFinite(p.x))
-      {
-        t = locateFrom(local, mesh, t, p, hull.triangleCount(), steps).triangle;
-        ensure(t != NoIndex);
-        const std::uint32_t* const v = mesh.triangles[t].v;
-        ++known;
-        outside += static_cast<std::uint32_t>(isAbove(
-          local, mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]], p, duplicates));
-      }
+      poll.step();
+      const Vertex p = task.source.vertex(id);
+      t = locateFrom(local, mesh, t, p, hull.triangleCount(), steps).triangle;
+      ensure(t != NoIndex);
+      const std::uint32_t* const v = mesh.triangles[t].v;
+      outside += static_cast<std::size_t>(isAbove(
+        local, mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]], p, duplicates));
     }
-    return 4 * outside > 3 * known;
+    return 4 * outside > 3 * inOrder.size() &&
+      steps < LongWalk * static_cast<std::int64_t>(inOrder.size());
   }
 
-  /// Insert points, in levels while the walks are short.
-  /// @param base  a convex polyhedron without gaps; the hull of more points in the end
-  /// @param taken what the subset leaves out; where points remain, also those inserted
-  /// @return were all inserted?
-  static bool insert(const BuildTask<Geometry>& task, Polyhedron& base, const PointSubset& subset,
-    std::vector<std::uint32_t>& taken, Tally& tally, Statistics& statistics)
+  /// @param base a convex polyhedron without gaps
+  static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& base,
+    const PointSubset& subset, Tally& tally, Statistics& statistics)
   {
     const bool last = !subset.ids;
-    std::vector<std::uint32_t> stopped;
-    base = InsertionBuilder<Geometry>::insert(task, std::move(base), subset, last ? 0.15 : 0.1,
-      last ? 0.9 : 0.15, LongWalk, stopped, tally, statistics);
-    if (stopped.empty())
-    {
-      return true;
-    }
-    base = compact(std::move(base));
-    taken.insert(taken.end(), stopped.begin(), stopped.end());
-    std::sort(taken.begin(), taken.end());
-    return false;
+    return InsertionBuilder<Geometry>::insert(
+      task, std::move(base), subset, last ? 0.15 : 0.1, last ? 0.9 : 0.15, tally, statistics);
   }
 
   /// @param base a convex polyhedron without gaps

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -40,22 +39,15 @@ public:
     subset.count = task.source.count();
     subset.checkFinite = task.checkFinite;
     subset.leaveOut(corners);
-    constexpr std::int64_t anyWalk = std::numeric_limits<std::int64_t>::max();
-    std::vector<std::uint32_t> stopped;
-    Polyhedron hull =
-      insert(task, std::move(start), subset, 0.1, 0.9, anyWalk, stopped, tally, statistics);
+    Polyhedron hull = insert(task, std::move(start), subset, 0.1, 0.9, tally, statistics);
     hull.tiesMarked = Geometry::AllExtreme;
     return hull;
   }
 
   /// From a convex polyhedron without gaps to the hull of its vertices and a subset's points.
-  /// @param from, to  which part of the run's progress this is
-  /// @param longWalk  stop after a level whose points took more steps each; further levels would
-  ///                  take more
-  /// @param stopped   is set to the ids inserted where points are left, in no order; else empty
+  /// @param from, to which part of the run's progress this is
   static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& start,
-    const PointSubset& subset, double from, double to, std::int64_t longWalk,
-    std::vector<std::uint32_t>& stopped, Tally& tally, Statistics& statistics)
+    const PointSubset& subset, double from, double to, Tally& tally, Statistics& statistics)
   {
     Stopwatch watch;
     const double ordered = from + (to - from) / 8;
@@ -103,7 +95,6 @@ public:
       const std::uint32_t size = end - begin;
       const std::uint32_t parts =
         std::min(4 * static_cast<std::uint32_t>(task.threads), size / leastPatch);
-      const std::int64_t steps = tally.statistics.moves;
       bool isInserted = false;
       // Half-edges, then border slots, then NoIndex.
       if (joinsPay && parts > 1 && 4 * (triangleCount + inUse) < NoIndex)
@@ -136,11 +127,6 @@ public:
       if (!isInserted)
       {
         inUse = insertAlone(task, result, inUse, begin, end, tally);
-      }
-      if (!isLast && (tally.statistics.moves - steps) / longWalk > size)
-      {
-        stopped.assign(order.ids.begin(), order.ids.begin() + order.levelEnds[l]);
-        break;
       }
       begin = end;
     }

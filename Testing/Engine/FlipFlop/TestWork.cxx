@@ -10,6 +10,7 @@
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -175,6 +176,23 @@ TEST(Work, HullsThatAreGrownInLevelsAreRight)
       EXPECT_EQ(bitDifference(convexHull(viewOf(cloud), options), alone), "") << threads;
     }
   }
+}
+
+/// All points are vertices; most triangles are slivers. At this size the sample's hull has more
+/// vertices than the smaller levels have points.
+TEST(Work, CurvesOfManyPointsAreInserted)
+{
+  constexpr int Count = 560000;
+  Cloud cloud;
+  for (int i = 0; i < Count; ++i)
+  {
+    const double t = 6.283185307179586 * (i + 0.5) / Count;
+    cloud.push_back({ std::cos(t), std::sin(t) + 0.3 * std::sin(2 * t), std::cos(2 * t) });
+  }
+  const Statistics s = hullWork(cloud);
+  // 31 where they are grown.
+  EXPECT_LT(s.flips22, 5 * s.points);
+  EXPECT_LT(s.moves, 12 * s.points);
 }
 
 /// Patches are as large as users have them, not as small as the other tests make them.
