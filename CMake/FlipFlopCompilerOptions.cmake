@@ -21,6 +21,14 @@ function(flipflop_compile_options target)
   endif()
 endfunction()
 
+# flipflop_vtk_standard(<target>): C++17 for what includes VTK's headers where these are no later C++: those of VTK 9.1
+# (vtkSMPTools.h, DIY's) are not.
+function(flipflop_vtk_standard target)
+  if(VTK_VERSION VERSION_LESS 9.3)
+    set_target_properties(${target} PROPERTIES CXX_STANDARD 17)
+  endif()
+endfunction()
+
 if(FLIPFLOP_SANITIZE)
   add_compile_options(-fsanitize=${FLIPFLOP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${FLIPFLOP_SANITIZE})

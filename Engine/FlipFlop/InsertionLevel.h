@@ -61,7 +61,7 @@ public:
     this->count = end - begin;
     this->found.allocate(this->count);
     this->patches.resize(parts);
-    const auto chunkBegin = [=](std::uint32_t k)
+    const auto chunkBegin = [this, begin, parts](std::uint32_t k)
     { return begin + partBegin(this->count, parts, k); };
     eachPart([&](std::uint32_t k) { this->locate(chunkBegin(k), chunkBegin(k + 1), k); });
     for (Patch& patch : this->patches)
