@@ -272,7 +272,8 @@ std::string vtkFFGuard::DescribeError(const flipflop::Error& error)
     case ErrorCode::BadArgument:
       return "The engine refuses an argument: " + std::string(error.what()) + '.';
     case ErrorCode::WeightCount:
-      return "There are " + count + " weights for " + std::to_string(index) + " points.";
+      return "There are not as many weights as points: " + count + " for " + std::to_string(index) +
+        ".";
     case ErrorCode::BadTriangle:
       return "A cell names a point that does not exist, or the same point twice: first at " + cell +
         ", " + count + " such cell(s) in all.";

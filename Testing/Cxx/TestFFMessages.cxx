@@ -72,7 +72,8 @@ void testErrorsOfTheEngine()
     "There is not enough memory for this input: 1073741824 bytes were refused.");
   FF_CHECK_EQUAL(
     saidOf(ErrorCode::BadArgument), "The engine refuses an argument: an argument is invalid.");
-  FF_CHECK_EQUAL(saidOf(ErrorCode::WeightCount, 4, 3), "There are 3 weights for 4 points.");
+  FF_CHECK_EQUAL(
+    saidOf(ErrorCode::WeightCount, 4, 3), "There are not as many weights as points: 3 for 4.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::ConstraintPoint, 2, 9),
     "Constraint 2 ends at point 9, which is not there or is left out.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::ConstraintsCross, 2, 1),
