@@ -149,7 +149,9 @@ Buffer<std::uint32_t> rankVertices(const Polyhedron& polyhedron,
   if (count == pointCount && duplicates.empty())
   {
     eachRun(count, ItemsPerTask,
-      [&](std::size_t begin, std::size_t end, std::size_t) {
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        monitor.poll();
         std::iota(
           pointIds.begin() + begin, pointIds.begin() + end, static_cast<std::int64_t>(begin));
       });

@@ -117,13 +117,7 @@ public:
       this->monitor.poll();
     }
     std::uint32_t twin;
-    const std::int64_t ties = this->tieCount();
     const FlipDecision decision = this->decide(h, twin);
-    const bool flat = this->tieCount() > ties;
-    if (flat)
-    {
-      this->mesh.markTied(h);
-    }
     switch (decision.action)
     {
       case FlipAction::None:
@@ -132,10 +126,6 @@ public:
       {
         std::uint32_t outer[4];
         this->flip22(h, outer);
-        if (flat)
-        {
-          this->mesh.markTied(diagonalAfterFlip22(h));
-        }
         ++this->flips22;
         this->pushConcerned(outer, 4);
         break;
@@ -264,19 +254,9 @@ private:
     const Triangle& second = this->mesh.triangles[triangleOf(twin)];
     const int e = cornerOf(h);
     const Vertex* v = this->mesh.vertices;
-    const std::int64_t ties = this->tieCount();
-    const bool concerned = isOfConcern(this->geometry, v[first.v[e]], v[first.v[nextCorner(e)]],
+    return isOfConcern(this->geometry, v[first.v[e]], v[first.v[nextCorner(e)]],
       v[first.v[previousCorner(e)]], v[second.v[previousCorner(cornerOf(twin))]]);
-    if (this->tieCount() > ties)
-    {
-      this->mesh.markTied(h);
-    }
-    return concerned;
   }
-
-  /// FlipRule asks one sign of "above" for an edge, whether it is reflex. If that adds a tie, the
-  /// edge is flat.
-  std::int64_t tieCount() const { return this->geometry.predicateCounts().ties; }
 
   FlipDecision decide(std::uint32_t h, std::uint32_t& twin) const
   {

@@ -72,26 +72,19 @@ public:
     const Vertex& b = v[triangle.v[1]];
     const Vertex& c = v[triangle.v[2]];
     const bool inside = at.strictly && !((a.flags | b.flags | c.flags) & VertexVirtual);
-    // Where all points are extreme, one inside a triangle of points is above it.
-    if (!(Geometry::AllExtreme && inside) &&
-      !isAbove(this->geometry, a, b, c, p, this->flipper.duplicates))
+    if (!isAbove(this->geometry, a, b, c, p, this->flipper.duplicates))
     {
       return true;
     }
-    const bool flat = !inside && this->geometry.above(a, b, c, p) == 0;
+    if (!inside && this->geometry.above(a, b, c, p) == 0)
+    {
+      ++this->ties; // the edges at the new vertex are flat, and not tested
+    }
     const std::uint32_t child[3] = { at.triangle, this->next, this->next + 1 };
     this->next += 2;
     ++this->insertions;
     this->mesh.vertices[place].flags = VertexAlive;
     splitTriangle(this->mesh, child, place);
-    if (flat)
-    {
-      ++this->ties; // the edges at the new vertex are flat, and not tested
-      for (const std::uint32_t t : child)
-      {
-        this->mesh.markTied(halfEdge(t, 1));
-      }
-    }
     this->flipIn(child, p, inside);
     return true;
   }
@@ -137,29 +130,21 @@ private:
       const Vertex& d = v[opposite.v[previousCorner(cornerOf(twin))]];
       ++this->checks;
       int sign = this->geometry.above(a, b, p, d);
-      const bool flat = sign == 0;
-      if (flat)
+      if (sign == 0)
       {
         ++this->ties;
         sign = this->geometry.tieAbove(a, b, p, d);
       }
       if (sign <= 0)
       {
-        if (flat)
-        {
-          this->mesh.markTied(h);
-        }
         if (!inside && ((a.flags | b.flags) & VertexVirtual))
         {
           this->last = triangleOf(h); // outside, the next point may well be, too
         }
         continue;
       }
-      // In the plane without weights, a quadrilateral whose edge is reflex is convex; one that is
-      // only so by perturbation may have two corners at one place.
-      if (!(Geometry::AllExtreme && inside && !flat && !(d.flags & VertexVirtual)) &&
-        (this->geometry.perturbedKernelBeneath(a, d, p) < 0 ||
-          this->geometry.perturbedKernelBeneath(d, b, p) < 0))
+      if (this->geometry.perturbedKernelBeneath(a, d, p) < 0 ||
+        this->geometry.perturbedKernelBeneath(d, b, p) < 0)
       {
         this->flipper.push(h);
         stuck = true;
@@ -167,10 +152,6 @@ private:
       }
       ++this->flips;
       flip(this->mesh, planFlip22(this->mesh, h));
-      if (flat)
-      {
-        this->mesh.markTied(diagonalAfterFlip22(h));
-      }
       if (count + 2 > this->waiting.size())
       {
         this->waiting.resize(2 * this->waiting.size());

@@ -39,9 +39,7 @@ public:
     subset.count = task.source.count();
     subset.checkFinite = task.checkFinite;
     subset.leaveOut(corners);
-    Polyhedron hull = insert(task, std::move(start), subset, 0.1, 0.9, tally, statistics);
-    hull.tiesMarked = Geometry::AllExtreme;
-    return hull;
+    return insert(task, std::move(start), subset, 0.1, 0.9, tally, statistics);
   }
 
   /// From a convex polyhedron without gaps to the hull of its vertices and a subset's points.

@@ -54,8 +54,8 @@ FF_HD inline std::uint32_t& splitRound(Triangle& triangle)
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;
 
-/// Shifted by e: the edge e came of a flip or a split that only the perturbation decided, or was
-/// found flat when it was tested. Both its half-edges are marked. See Polyhedron::tiesMarked.
+/// Shifted by e: the edge e was found flat when it was tested. Both its half-edges are marked. See
+/// Polyhedron::tiesMarked.
 constexpr std::uint32_t EdgeTied = 8;
 constexpr std::uint32_t EdgesTied = 7 * EdgeTied;
 
@@ -167,12 +167,6 @@ FF_HD FF_INLINE FlipPlan planFlip22(const Mesh& mesh, std::uint32_t h)
   return { 4, { nextHalfEdge(g), previousHalfEdge(h), previousHalfEdge(g), nextHalfEdge(h) },
     { halfEdge(s, 0), halfEdge(s, 2), halfEdge(t, 0), halfEdge(t, 1) }, 2, { s, t, NoIndex },
     { { a, d, c }, { d, b, c } }, NoIndex };
-}
-
-/// The edge dc that it leaves.
-constexpr std::uint32_t diagonalAfterFlip22(std::uint32_t h)
-{
-  return halfEdge(triangleOf(h), 1);
 }
 
 /// The removal of the origin a of h, which has three triangles: abc (of h), bad and acd become dbc,

@@ -33,20 +33,14 @@ struct Polyhedron
   Buffer<Triangle> triangles;
   std::vector<Piece> pieces; ///< of a size that suits a task
 
-  /// Is each flat edge marked EdgeTied, or at a triangle without area that has a marked edge?
+  /// Is each flat edge between triangles of points marked EdgeTied?
   ///
-  /// After every insertion it is, where all points are extreme. An edge that was tested as it is
-  /// now was a tie, and marked. Not tested are the edges at the new vertex v. Say that one, to u,
-  /// is flat, and its triangles have area. Then v joins a facet that was there before, u is a
-  /// corner of it, and v's triangles on it come of flips inside it, which are ties. From v, the
-  /// corners of a convex facet all lie beyond the chord of its outermost two, so the flip that
-  /// brought u between them crossed a chord, and made this very edge, marked. The flips beside it
-  /// keep the mark. A triangle without area comes of a tied flip or split, or one of its edges is
-  /// tested next, and is a tie. Where edges wait for a larger patch (Flipper::deferred), v's edges
-  /// are tested, too, or the mesh but for those that wait is Delaunay, and the same holds.
-  ///
-  /// It does not hold for points with weights. They can hide vertices above a facet that they
-  /// join, so their edges may be flat without a tie.
+  /// It is where all points are extreme, and each was inserted by exact signs without perturbation
+  /// (PartTriangulation.h). An edge that was tested as it is now was a tie, and marked. Not tested
+  /// are the edges at the new vertex v. Before v came, all points of one empty circle were corners
+  /// of one facet. If v is on that circle, it lies beyond a chord between two neighbouring corners,
+  /// whose edge is the border of the facet and is tested, flat, and stays. So v has one triangle on
+  /// the circle, and no edge at v is flat. In a merge, each edge of the seam is tested.
   bool tiesMarked = false;
 
   Polyhedron() = default;

@@ -124,6 +124,13 @@ TEST_P(PartsFamily, MergeToTheSameTriangulation)
   }
 }
 
+TEST_P(PartsFamily, OfOrdinarySizeMerge)
+{
+  const Cloud cloud = fromWeightedFamily(GetParam(), effort(3000), 7).make();
+  const Triangulation one = triangulateWatched(cloud, static_cast<std::int64_t>(cloud.size()), 1);
+  EXPECT_EQ(bitDifference(triangulateWatched(cloud, 200, 4), one), "");
+}
+
 std::vector<const char*> names()
 {
   std::vector<const char*> all;
