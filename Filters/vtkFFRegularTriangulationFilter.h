@@ -351,17 +351,17 @@ public:
    * Set/Get how the source's polygons tell what is inside: see SetSourceData(). Without polygons,
    * this does not matter: all cells stay. So they do where all points are on one line.
    *
-   * - EVEN_ODD (the default): by nesting. A polygon keeps its
-   *   inside, one in it is a hole, to any depth, whatever their
-   *   directions. Each side of each polygon counts: a cell is inside
-   *   if a way to it from outside crosses an odd number of sides. So
-   *   of polygons that overlap, what two have in common is outside.
+   * - EVEN_ODD (the default): by nesting. A polygon keeps its inside,
+   *   one in it is a hole, to any depth, whatever their directions.
+   *   Each side of each polygon counts: a cell is inside if a way to
+   *   it from outside crosses an odd number of sides. So of polygons
+   *   that overlap, what two have in common is outside.
    * - DIRECTION: as in vtkDelaunay2D. What is on the left of a side,
-   *   as seen from the plane's upper side, is inside. So a
-   *   counter-clockwise polygon keeps its inside, and a clockwise
+   *   as seen from the plane's upper side, is inside. So a polygon
+   *   that runs counter-clockwise keeps its inside, and a clockwise
    *   one in it is a hole, to any depth; a clockwise one alone is a
-   *   hole in all. Polygons that say different things of one cell
-   *   are an error that names two of them, and which to reverse.
+   *   hole in all. Polygons that say different things of one cell are
+   *   an error that names two of them, and which to reverse.
    *
    * If holes run clockwise in polygons that run counter-clockwise, both rules give the same.
    */
