@@ -219,7 +219,7 @@ public:
           double* const to = result + static_cast<std::int64_t>(i) * components;
           for (std::int64_t c = 0; c < components; ++c)
           {
-            to[c] = this->blended(shares, values + c, components);
+            to[c] = this->blended(shares, values, components, c);
           }
         };
       });
@@ -282,7 +282,9 @@ private:
   }
 
   /// Of shares that only nearly sum to 1; but never beyond the values, and of one value that value.
-  double blended(const PlaneShares& shares, const double* values, std::int64_t components) const
+  /// @param c of the components
+  double blended(
+    const PlaneShares& shares, const double* values, std::int64_t components, std::int64_t c) const
   {
     double sum = shares.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
     double low = std::numeric_limits<double>::infinity();
@@ -290,7 +292,7 @@ private:
     for (const PlaneShare& share : shares)
     {
       const double value =
-        values[static_cast<std::int64_t>(this->sites[share.site].id) * components];
+        values[static_cast<std::int64_t>(this->sites[share.site].id) * components + c];
       sum += share.share * value;
       low = std::min(low, value);
       high = std::max(high, value);
