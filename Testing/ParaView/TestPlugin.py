@@ -41,7 +41,7 @@ ENGINES = {
 }
 QUERIES = {"NonFinitePoints": "Report an Error", "SkipGhostPoints": 1, "NumberOfThreads": 0}
 WEIGHTS = {"Weights": ["POINTS", "None"], "WeightMode": "Weights", "WeightFactor": 1.0}
-ALPHA = {"SplitCrossingConstraints": 0, "PolygonRule": 0, "Alpha": 0.0, "AlphaLines": 0, "AlphaVerts": 0, "GenerateAlphas": 0}
+ALPHA = {"SplitCrossingConstraints": 0, "PolygonRule": "Even-Odd", "Alpha": 0.0, "AlphaLines": 0, "AlphaVerts": 0, "GenerateAlphas": 0}
 PLANE = {"ProjectionPlaneMode": "XY Plane"}
 # The box is that of the sphere.
 LOW_X, HIGH_X, LOW_Y, HIGH_Y, LOW_Z, HIGH_Z = updated(simple.Sphere()).GetDataInformation().GetBounds()
