@@ -170,8 +170,8 @@ void PartMerge::rise()
 {
   while (this->left.edges > 0 || this->right.edges > 0)
   {
-    const Candidate a = this->leftCandidate();
-    const Candidate c = this->rightCandidate();
+    const Candidate a = this->candidate(true);
+    const Candidate c = this->candidate(false);
     ensure(a.isAbove || c.isAbove);
     const bool goesLeft = a.isAbove &&
       (!c.isAbove ||
@@ -180,21 +180,22 @@ void PartMerge::rise()
   }
 }
 
-/// The next corner on the left, after the edges that lose are flipped out of the way.
-PartMerge::Candidate PartMerge::leftCandidate()
+/// The next corner on one side, after the edges that lose are flipped out of the way.
+PartMerge::Candidate PartMerge::candidate(bool isLeft)
 {
+  const Shore& shore = isLeft ? this->left : this->right;
   Candidate found;
-  if (this->left.edges == 0)
+  if (shore.edges == 0)
   {
     return found;
   }
   const std::uint32_t l = this->left.vertex;
   const std::uint32_t r = this->right.vertex;
-  found.vertex = this->ring.begin(this->left.spoke);
+  found.vertex = isLeft ? this->ring.begin(shore.spoke) : this->ring.end(shore.spoke);
   found.isAbove = this->orient(l, r, found.vertex) > 0;
   while (found.isAbove)
   {
-    const std::uint32_t inner = this->mesh.twin(nextHalfEdge(this->left.spoke));
+    const std::uint32_t inner = this->mesh.twin(nextHalfEdge(shore.spoke));
     const std::uint32_t apex = this->mesh.origin(previousHalfEdge(inner));
     if (apex == PlaneVirtual)
     {
@@ -206,38 +207,8 @@ PartMerge::Candidate PartMerge::leftCandidate()
       found.isFlat = sign == 0;
       break;
     }
-    this->uncoverLeft(inner, found.vertex, apex);
-    found.vertex = apex;
-  }
-  return found;
-}
-
-PartMerge::Candidate PartMerge::rightCandidate()
-{
-  Candidate found;
-  if (this->right.edges == 0)
-  {
-    return found;
-  }
-  const std::uint32_t l = this->left.vertex;
-  const std::uint32_t r = this->right.vertex;
-  found.vertex = this->ring.end(this->right.spoke);
-  found.isAbove = this->orient(l, r, found.vertex) > 0;
-  while (found.isAbove)
-  {
-    const std::uint32_t inner = this->mesh.twin(nextHalfEdge(this->right.spoke));
-    const std::uint32_t apex = this->mesh.origin(previousHalfEdge(inner));
-    if (apex == PlaneVirtual)
-    {
-      break;
-    }
-    const int sign = this->inCircle(l, r, found.vertex, apex);
-    if (sign <= 0)
-    {
-      found.isFlat = sign == 0;
-      break;
-    }
-    this->uncoverRight(inner, found.vertex, apex);
+    isLeft ? this->uncoverLeft(inner, found.vertex, apex)
+           : this->uncoverRight(inner, found.vertex, apex);
     found.vertex = apex;
   }
   return found;

@@ -65,8 +65,7 @@ private:
   void countEdgesAbove();
   void findLowerTangent();
   PlanePart join(const PlanePart& lower, const PlanePart& upper);
-  Candidate leftCandidate();
-  Candidate rightCandidate();
+  Candidate candidate(bool isLeft);
   void uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t d);
   void uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t d);
   void rise();
