@@ -8,11 +8,7 @@ set_property(CACHE FLIPFLOP_THREADS_BACKEND PROPERTY STRINGS TBB STD)
 
 set(FLIPFLOP_THREADS_PACKAGE Threads)
 set(FLIPFLOP_THREADS_LIBRARY Threads::Threads)
-if(FLIPFLOP_RECORD_TASKS)
-  # Tasks are recorded (Documentation/TaskGraph.md).
-  set(FLIPFLOP_THREADS_HEADER "TaskGraph/RecordedThreads.h")
-  include_directories("${CMAKE_CURRENT_LIST_DIR}/../Benchmarks")
-elseif(FLIPFLOP_THREADS_BACKEND STREQUAL "STD")
+if(FLIPFLOP_THREADS_BACKEND STREQUAL "STD")
   set(FLIPFLOP_THREADS_HEADER "Support/StdThreads.h")
 elseif(FLIPFLOP_THREADS_BACKEND STREQUAL "TBB")
   set(FLIPFLOP_THREADS_HEADER "Support/TbbThreads.h")
