@@ -7,7 +7,8 @@
 namespace flipflop
 {
 
-PlanePart PartMerge::merge(const PlanePart& first, const PlanePart& second)
+template <bool Weighted>
+PlanePart PartMerge<Weighted>::merge(const PlanePart& first, const PlanePart& second)
 {
   const auto coordinate = [this](const PlanePart& part, int side)
   { return this->mesh.vertices[part.vertex[side]].x[side / 2]; };
@@ -39,7 +40,8 @@ PlanePart PartMerge::merge(const PlanePart& first, const PlanePart& second)
   return this->join(*lower, *upper);
 }
 
-void PartMerge::addTo(Tally& tally) const
+template <bool Weighted>
+void PartMerge<Weighted>::addTo(Tally& tally) const
 {
   tally.ties += this->ties;
   tally.statistics.flips22 += this->flips;
@@ -48,7 +50,8 @@ void PartMerge::addTo(Tally& tally) const
 }
 
 /// Count the border edges from the facing extremes up to the upper common tangent.
-void PartMerge::countEdgesAbove()
+template <bool Weighted>
+void PartMerge<Weighted>::countEdgesAbove()
 {
   Shore l = this->left;
   Shore r = this->right;
@@ -82,7 +85,8 @@ void PartMerge::countEdgesAbove()
 }
 
 /// Go down from the facing extremes to the lower common tangent, and count the edges, too.
-void PartMerge::findLowerTangent()
+template <bool Weighted>
+void PartMerge<Weighted>::findLowerTangent()
 {
   Shore& l = this->left;
   Shore& r = this->right;
@@ -116,7 +120,8 @@ void PartMerge::findLowerTangent()
 }
 
 /// From the lower tangent up: the seam, and the border around both parts.
-PlanePart PartMerge::join(const PlanePart& lower, const PlanePart& upper)
+template <bool Weighted>
+PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upper)
 {
   const std::uint32_t bottom = lower.firstFree;
   const std::uint32_t top = bottom + 1;
@@ -166,7 +171,8 @@ PlanePart PartMerge::join(const PlanePart& lower, const PlanePart& upper)
   return whole;
 }
 
-void PartMerge::rise()
+template <bool Weighted>
+void PartMerge<Weighted>::rise()
 {
   while (this->left.edges > 0 || this->right.edges > 0)
   {
@@ -181,7 +187,8 @@ void PartMerge::rise()
 }
 
 /// The next corner on one side, after the edges that lose are flipped out of the way.
-PartMerge::Candidate PartMerge::candidate(bool isLeft)
+template <bool Weighted>
+typename PartMerge<Weighted>::Candidate PartMerge<Weighted>::candidate(bool isLeft)
 {
   const Shore& shore = isLeft ? this->left : this->right;
   Candidate found;
@@ -216,7 +223,8 @@ PartMerge::Candidate PartMerge::candidate(bool isLeft)
 
 /// Flip the border edge's triangle, of the half-edge @p inner from l to a and its apex d, with the
 /// virtual triangle: ad and dl are border edges then, and dl the next.
-void PartMerge::uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t d)
+template <bool Weighted>
+void PartMerge<Weighted>::uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t d)
 {
   const std::uint32_t spoke = this->left.spoke;
   const std::uint32_t t = triangleOf(inner);
@@ -235,7 +243,8 @@ void PartMerge::uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t 
 
 /// The same on the right, of the half-edge from c to r: rd and dc are border edges then, and rd the
 /// next.
-void PartMerge::uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t d)
+template <bool Weighted>
+void PartMerge<Weighted>::uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t d)
 {
   const std::uint32_t spoke = this->right.spoke;
   const std::uint32_t t = triangleOf(inner);
@@ -253,7 +262,8 @@ void PartMerge::uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t
 }
 
 /// The virtual triangle of the next border edge on the left becomes the seam's triangle.
-void PartMerge::reachLeft(const Candidate& next)
+template <bool Weighted>
+void PartMerge<Weighted>::reachLeft(const Candidate& next)
 {
   const std::uint32_t spoke = this->left.spoke;
   const std::uint32_t onward = this->ring.previous(spoke);
@@ -265,7 +275,8 @@ void PartMerge::reachLeft(const Candidate& next)
   this->left.advance();
 }
 
-void PartMerge::reachRight(const Candidate& next)
+template <bool Weighted>
+void PartMerge<Weighted>::reachRight(const Candidate& next)
 {
   const std::uint32_t spoke = this->right.spoke;
   const std::uint32_t onward = this->ring.next(spoke);
@@ -280,7 +291,9 @@ void PartMerge::reachRight(const Candidate& next)
 /// Link the seam's new triangle to the one beneath, and mark its flat edges: EdgeTied is for all
 /// (Polyhedron::tiesMarked).
 /// @param onBase, outer its half-edges on the seam's last edge, and on the part's border
-void PartMerge::closeTriangle(std::uint32_t onBase, std::uint32_t outer, const Candidate& next)
+template <bool Weighted>
+void PartMerge<Weighted>::closeTriangle(
+  std::uint32_t onBase, std::uint32_t outer, const Candidate& next)
 {
   this->mesh.triangles[triangleOf(onBase)].flags = 0;
   this->mesh.link(onBase, this->base);
@@ -294,5 +307,7 @@ void PartMerge::closeTriangle(std::uint32_t onBase, std::uint32_t outer, const C
     this->mesh.markTied(onBase);
   }
 }
+
+template class PartMerge<false>;
 
 }

@@ -22,10 +22,12 @@
 namespace flipflop
 {
 
+/// @tparam Weighted false: all weights are zero
+template <bool Weighted>
 class PartMerge
 {
 public:
-  using Geometry = LiftedGeometry<false>;
+  using Geometry = LiftedGeometry<Weighted>;
 
   PartMerge(const Geometry& geometryToAsk, const Mesh& meshToChange)
     : geometry(geometryToAsk)
@@ -106,6 +108,8 @@ private:
   std::int64_t checks = 0;
   std::int64_t ties = 0;
 };
+
+extern template class PartMerge<false>;
 
 }
 

@@ -58,7 +58,7 @@ public:
     }
     this->task.monitor.poll();
     const Geometry local = this->task.geometry; // counts its own exact signs
-    PartMerge merge(local, this->mesh);
+    PartMerge<false> merge(local, this->mesh);
     const PlanePart whole = merge.merge(left, right);
     merge.addTo(tally);
     tally.addPredicates(local, this->task.geometry);
