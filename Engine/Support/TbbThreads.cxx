@@ -7,11 +7,50 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
+#include <utility>
+
 namespace flipflop
 {
 
 namespace tbbThreads
 {
+
+namespace
+{
+
+/// Is this thread in an arena of one thread?
+bool& isAlone()
+{
+  thread_local bool alone = false;
+  return alone;
+}
+
+class Enter
+{
+public:
+  explicit Enter(bool alone)
+    : before(std::exchange(isAlone(), alone))
+  {
+  }
+  Enter(const Enter&) = delete;
+  Enter& operator=(const Enter&) = delete;
+  ~Enter() { isAlone() = this->before; }
+
+private:
+  const bool before;
+};
+
+/// @return false: this thread is not alone
+bool loopAlone(std::size_t count, const std::function<void(std::size_t)>& body)
+{
+  for (std::size_t i = 0; isAlone() && i < count; ++i)
+  {
+    body(i);
+  }
+  return isAlone();
+}
+
+}
 
 struct Arena::Inner
 {
@@ -19,7 +58,7 @@ struct Arena::Inner
 };
 
 Arena::Arena(int threads)
-  : inner(new Inner{ tbb::task_arena(threads) })
+  : inner(threads == 1 ? nullptr : new Inner{ tbb::task_arena(threads) })
 {
 }
 
@@ -27,7 +66,18 @@ Arena::~Arena() = default;
 
 void Arena::run(const std::function<void()>& body)
 {
-  this->inner->arena.execute(body);
+  if (!this->inner)
+  {
+    const Enter enter(true);
+    body();
+    return;
+  }
+  this->inner->arena.execute(
+    [&body]
+    {
+      const Enter enter(false);
+      body();
+    });
 }
 
 int allowed()
@@ -55,16 +105,28 @@ Allowance::~Allowance() = default;
 
 void forEach(std::size_t count, const std::function<void(std::size_t)>& body)
 {
-  tbb::parallel_for(std::size_t(0), count, body);
+  if (!loopAlone(count, body))
+  {
+    tbb::parallel_for(std::size_t(0), count, body);
+  }
 }
 
 void forEachAlone(std::size_t count, const std::function<void(std::size_t)>& body)
 {
-  tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner());
+  if (!loopAlone(count, body))
+  {
+    tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner());
+  }
 }
 
 void invokeBoth(const std::function<void()>& first, const std::function<void()>& second)
 {
+  if (isAlone())
+  {
+    first();
+    second();
+    return;
+  }
   tbb::parallel_invoke(first, second);
 }
 

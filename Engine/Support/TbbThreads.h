@@ -18,6 +18,8 @@ namespace flipflop
 namespace tbbThreads
 {
 
+/// One of a single thread is no arena of oneTBB's: its loops are plain ones. So runs on one thread
+/// do not start oneTBB, which takes half a millisecond.
 class Arena
 {
 public:

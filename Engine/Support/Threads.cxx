@@ -54,21 +54,24 @@ struct Arenas
 
 int threadCount(int asked, std::int64_t points)
 {
-  const std::int64_t most = threads::allowed();
   const std::int64_t worth = points / pointsPerThread().load(std::memory_order_relaxed);
-  const std::int64_t wanted = asked > 0 ? std::min<std::int64_t>(asked, most) : most;
-  return static_cast<int>(std::max<std::int64_t>(1, std::min(wanted, worth)));
+  const std::int64_t wanted = asked > 0 ? std::min<std::int64_t>(asked, worth) : worth;
+  // The limit is asked for only where it matters: that starts the threads' library.
+  return wanted <= 1 ? 1 : static_cast<int>(std::min<std::int64_t>(wanted, threads::allowed()));
 }
 
 ArenaLoan::ArenaLoan(int count)
   : threads(count)
-  , arena(Arenas::all().take(count))
+  , arena(count > 1 ? Arenas::all().take(count) : nullptr)
 {
 }
 
 ArenaLoan::~ArenaLoan()
 {
-  Arenas::all().giveBack(this->threads, this->arena);
+  if (this->arena)
+  {
+    Arenas::all().giveBack(this->threads, this->arena);
+  }
 }
 
 std::size_t ArenaLoan::made()

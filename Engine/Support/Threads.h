@@ -47,7 +47,12 @@ public:
   template <class Body>
   void execute(Body&& body)
   {
-    this->arena->execute(std::forward<Body>(body));
+    if (this->arena)
+    {
+      this->arena->execute(std::forward<Body>(body));
+      return;
+    }
+    threads::Arena(1).execute(std::forward<Body>(body));
   }
 
   /// Arenas that were ever made in this process.
@@ -55,7 +60,7 @@ public:
 
 private:
   const int threads;
-  threads::Arena* const arena;
+  threads::Arena* const arena; ///< null: for one thread, which takes no time to make
 };
 
 /// Calls @p body (i) for each i from 0 up to @p count, in no order, by so many threads: the caller

@@ -182,9 +182,8 @@ TEST(Parallel, NoMoreThreadsThanTheArenaHas)
 }
 
 /// Each of two tasks waits for the other: a busy machine may take a while to start a thread.
-TEST(Parallel, TasksRunAtTheSameTime)
+void expectTwoAtTheSameTime()
 {
-  const threads::Allowance allowed(4);
   std::atomic<int> here{ 0 };
   const auto meet = [&here]
   {
@@ -197,6 +196,42 @@ TEST(Parallel, TasksRunAtTheSameTime)
     EXPECT_EQ(here.load(), 2);
   };
   ArenaLoan(2).execute([&] { threads::invoke(meet, meet); });
+}
+
+TEST(Parallel, TasksRunAtTheSameTime)
+{
+  const threads::Allowance allowed(4);
+  expectTwoAtTheSameTime();
+}
+
+/// An arena of one thread is none: all is done by the caller, one after another. In it there may be
+/// arenas of more.
+TEST(Parallel, OneThreadIsTheCaller)
+{
+  const threads::Allowance allowed(4);
+  const std::size_t arenas = ArenaLoan::made();
+  std::vector<std::size_t> order;
+  const auto note = [&, caller = std::this_thread::get_id()](std::size_t i)
+  {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    order.push_back(i);
+  };
+  ArenaLoan(1).execute(
+    [&]
+    {
+      eachTask(3, note);
+      threads::eachAlone(2, [&](std::size_t i) { note(3 + i); });
+      threads::invoke([&] { note(5); }, [&] { note(6); });
+    });
+  EXPECT_EQ(order, (std::vector<std::size_t>{ 0, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_EQ(ArenaLoan::made(), arenas);
+  ArenaLoan(1).execute(
+    [&]
+    {
+      expectTwoAtTheSameTime();
+      eachTask(3, note);
+    });
+  EXPECT_EQ(order.size(), 10u);
 }
 
 /// An arena in an arena has threads of its own; what is around it is as before.
