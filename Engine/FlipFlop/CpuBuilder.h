@@ -10,6 +10,8 @@
 #include "Geometry/HullGeometry.h"
 #include "Geometry/LiftedGeometry.h"
 
+#include <type_traits>
+
 namespace flipflop
 {
 
@@ -17,6 +19,11 @@ template <class Geometry>
 class CpuBuilder : public PolyhedronBuilder<Geometry>
 {
 public:
+  bool startsFromPoints() const override
+  {
+    return std::is_same_v<Geometry, LiftedGeometry<false>>; // PartsBuilder does
+  }
+
   /// By InsertionBuilder or by Builder, whichever suits the geometry.
   Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override;

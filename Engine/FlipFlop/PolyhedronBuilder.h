@@ -43,6 +43,10 @@ template <class Model>
 class PolyhedronBuilder : public PointScanner
 {
 public:
+  /// Does it start from the points alone? Then it is given no samples and no tetrahedron, and the
+  /// geometry has no kernel point.
+  virtual bool startsFromPoints() const { return false; }
+
   /// @param start a tetrahedron
   /// @return the hull, perhaps with gaps; nothing, where *task.finished is written
   virtual Polyhedron build(

@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace flipflop
 {
@@ -50,7 +51,9 @@ public:
     WriteRest&& writeRest)
   {
     const std::uint32_t count = this->source.count();
-    const auto samples = nestedSamples(count);
+    const bool fromPoints = engine.startsFromPoints();
+    const auto samples =
+      fromPoints ? std::vector<std::vector<std::uint32_t>>() : nestedSamples(count);
     const Span span = samples.empty()
       ? spanOf(nullptr, count)
       : spanOf(samples.back().data(), static_cast<std::uint32_t>(samples.back().size()));
@@ -63,7 +66,8 @@ public:
       return;
     }
     Tally tally;
-    Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
+    Polyhedron start =
+      fromPoints ? Polyhedron() : startingTetrahedron(this->geometry, this->source, span.ids);
     Polyhedron polyhedron =
       engine.build({ this->geometry, this->source, this->range, this->checkFinite, this->options,
                      this->threads, this->monitor, samples, &finished },

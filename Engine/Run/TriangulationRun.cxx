@@ -6,6 +6,8 @@
 #include "Run/Chain.h"
 #include "Support/Parallel.h"
 
+#include <cstdint>
+
 namespace flipflop
 {
 
@@ -43,6 +45,31 @@ Span TriangulationRun<Weighted>::spanOf(const std::uint32_t* ids, std::uint32_t 
 }
 
 template <bool Weighted>
+Span TriangulationRun<Weighted>::firstSpan()
+{
+  const Geometry local = this->geometry;
+  Span span;
+  Vertex corner[3];
+  for (std::uint32_t id = 0; id < this->source.count() && span.dimension < 2; ++id)
+  {
+    if ((id & 0xFFFF) == 0)
+    {
+      this->monitor.poll();
+    }
+    const Vertex p = this->source.vertex(id);
+    if ((!this->checkFinite || isFinite(p.x)) &&
+      (span.dimension < 0 ||
+        (span.dimension == 0 ? !Geometry::samePlace(corner[0], p)
+                             : local.orient(corner[0], corner[1], p) != 0)))
+    {
+      corner[++span.dimension] = p;
+      span.ids[span.dimension] = id;
+    }
+  }
+  return span;
+}
+
+template <bool Weighted>
 void TriangulationRun<Weighted>::triangulate(
   PolyhedronBuilder<Geometry>& engine, Triangulation& result)
 {
@@ -59,7 +86,8 @@ void TriangulationRun<Weighted>::triangulate(
   FinishedCells finished;
   this->build(
     engine, result, 2, watch, finished,
-    [this](const std::uint32_t* ids, std::uint32_t count) { return this->spanOf(ids, count); },
+    [&](const std::uint32_t* ids, std::uint32_t count)
+    { return engine.startsFromPoints() ? this->firstSpan() : this->spanOf(ids, count); },
     chain,
     [&](CanonicalForm& form)
     {

@@ -48,6 +48,9 @@ public:
   void triangulate(PolyhedronBuilder<Geometry>& engine, Triangulation& result);
 
 private:
+  /// The same by the first points that do, or fewer that all points' positions are spanned by.
+  Span firstSpan();
+
   /// Tell more of a result of dimension 2, whose points are known, before its cells are written.
   virtual void describe(const CanonicalForm&) {}
 
