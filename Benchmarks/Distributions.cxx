@@ -173,6 +173,13 @@ Point inPlane(Random& random)
   return { x, y, x + y };
 }
 
+/// Exactly on a line.
+Point onLine(Random& random)
+{
+  const double x = random.uniform();
+  return { x, 2 * x, 0 };
+}
+
 Coordinates repeats(Random& random, std::int64_t count)
 {
   const std::int64_t different = std::max<std::int64_t>(4, count / 2);
@@ -282,7 +289,7 @@ Distribution Distribution::parse(const std::string& text, Family family)
   static const std::vector<std::string> space = { "cube", "ball", "box", "shell", "grid",
     "surface-grid", "rotated-grid", "duplicates", "coplanar" };
   static const std::vector<std::string> plane = { "uniform", "square-grid", "weighted-grid",
-    "circle", "clusters", "scan", "repeats" };
+    "circle", "clusters", "collinear", "scan", "repeats" };
   const std::vector<std::string>& others = family == Family::Space ? space : plane;
   Distribution result;
   result.family = family;
@@ -355,6 +362,10 @@ Coordinates makePoints(const Distribution& distribution, std::int64_t count, std
   if (distribution.name == "clusters")
   {
     return clusters(random, count);
+  }
+  if (distribution.name == "collinear")
+  {
+    return samplePoints(count, [&] { return onLine(random); });
   }
   if (distribution.name == "scan")
   {

@@ -27,6 +27,7 @@
 /// | weighted-grid  | the same, all of weight 1                                               |
 /// | circle         | on a circle of radius 0.5, rounded                                      |
 /// | clusters       | a hundred normal distributions of deviation 0.01                        |
+/// | collinear      | y = 2 x, exactly                                                        |
 /// | scan           | scan lines, noisy, in whole centimetres as airborne LiDAR has them      |
 /// | repeats        | uniform:0, but only n / 2 different points, each drawn about twice      |
 ///

@@ -14,7 +14,7 @@ int main(int argc, char* argv[])
   suite.distributions =
     "uniform:27,uniform:0.19,uniform:0,square-grid,weighted-grid,circle,clusters,scan";
   suite.distributionHelp =
-    R"(of uniform:W, square-grid, weighted-grid, circle, clusters, scan;
+    R"(of uniform:W, square-grid, weighted-grid, circle, clusters, collinear, scan;
                           W: weights in [0, W/n], none if not given
                           (all of them; uniform: 27, 0.19, 0))";
   suite.warmUp = flipflop::Distribution::parse("uniform:1", suite.family);
