@@ -47,12 +47,10 @@ public:
   }
 
 private:
+  bool amends() const override { return this->constraints.count > 0; }
+
   bool amend(Polyhedron& polyhedron, Tally& tally, bool anyFlat) override
   {
-    if (this->constraints.count == 0)
-    {
-      return anyFlat;
-    }
     constexpr std::int64_t ConstraintsPerReport = 1 << 10;
     this->monitor.stage(0.9, 0.98, this->constraints.count, "inserting constraints");
     requireFinite(this->constraints, this->source, this->checkFinite);
@@ -79,11 +77,11 @@ private:
     return anyFlat || flat;
   }
 
-  void describe(const CanonicalForm& form) override
+  void describe(const VertexRanks& rank) override
   {
     for (FixedEdge& edge : this->edges)
     {
-      edge = FixedEdge(form.rankOf(edge.low), form.rankOf(edge.high), edge.constraint, edge.sides);
+      edge = FixedEdge(rank[edge.low], rank[edge.high], edge.constraint, edge.sides);
     }
   }
 

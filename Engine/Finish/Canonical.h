@@ -5,44 +5,45 @@
 #ifndef flipflop_Canonical_h
 #define flipflop_Canonical_h
 
+#include "Finish/FacetPolygons.h"
+#include "Finish/VertexRanks.h"
+#include "Mesh/PlanePolyhedron.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/CoordinateRange.h"
-#include "Points/Duplicate.h"
 #include "Support/Monitor.h"
 #include <flipflop/CellComplex.h>
 #include <flipflop/Hull.h>
 #include <flipflop/Options.h>
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace flipflop
 {
 
-class FacetPolygons;
-
 /// What touches the virtual vertex is left out: it is no facet of the result, and no point.
+/// @tparam Surface Polyhedron, or PlanePolyhedron
+template <class Surface>
 class CanonicalForm
 {
 public:
-  /// @param polyhedron strictly extreme vertices only; flatEdges() tells which edges are flat. It
+  /// @param surface    strictly extreme vertices only; flatEdges() tells which edges are flat. It
   ///                   must outlive this.
-  /// @param anyFlat    whether there is a flat edge at all
+  /// @param anyFlat    whether there may be a flat edge
   /// @param duplicates pairs of ids at one position
   /// @param pointCount ids are below this
   /// @param facets     what writeCells will write
   /// @param monitor    is asked while it works
   /// @param pointIds   is filled in
   /// @throw Error Aborted
-  CanonicalForm(Polyhedron& polyhedron, bool anyFlat, const std::vector<Duplicate>& duplicates,
+  CanonicalForm(Surface& surface, bool anyFlat, const std::vector<Duplicate>& duplicates,
     std::uint32_t pointCount, FacetMode facets, Monitor& monitor, Buffer<std::int64_t>& pointIds);
-  ~CanonicalForm();
 
-  /// Where in the result's points a vertex is; NoIndex: it is none of them.
-  std::uint32_t rankOf(std::uint32_t vertex) const { return this->rank[vertex]; }
+  /// Where in the result's points the vertices are.
+  const VertexRanks& ranks() const { return this->rank; }
 
-  /// The facets, in their order. The last call: the polyhedron's memory becomes theirs.
+  /// The facets, in their order. The last call: the surface's memory becomes theirs.
   /// @throw Error Aborted, between its passes
   void writeCells(Monitor& monitor, CellComplex& complex);
 
@@ -52,11 +53,10 @@ public:
   void writeHull(const CoordinateRange& range, int exponent, Monitor& monitor, Hull& hull);
 
 private:
-  std::uint32_t otherOf(std::uint32_t t) const;
   template <class Use>
-  void useSingle(std::uint32_t t, Use&& use) const;
+  void eachSimpleCell(Use&& use) const;
   template <class Use>
-  void usePair(std::uint32_t t, std::uint32_t other, Use&& use) const;
+  void usePair(std::uint32_t t, Use&& use) const;
   template <class Use>
   void eachFanTriangle(Use&& use) const;
   template <class Use>
@@ -65,10 +65,13 @@ private:
   void write(Monitor& monitor, CellComplex& complex, Use&& useToo);
 
   const FacetMode facets;
-  Polyhedron& polyhedron;
-  Buffer<std::uint32_t> rank;                    ///< by vertex; NoIndex: no point of the result
-  std::unique_ptr<const FacetPolygons> polygons; ///< null: no edge is flat
+  Surface& surface;
+  VertexRanks rank;
+  std::optional<FacetPolygons<Surface>> polygons; ///< none: no edge is flat
 };
+
+extern template class CanonicalForm<Polyhedron>;
+extern template class CanonicalForm<PlanePolyhedron>;
 
 }
 

@@ -37,10 +37,29 @@ public:
   Buffer<Cell> sort()
   {
     return BucketSort::sort(
-      [](std::uint32_t, Cell* begin, Cell* end) {
-        std::sort(
-          begin, end, [](const Cell& a, const Cell& b) { return a.corner[1] < b.corner[1]; });
+      [](std::uint32_t, Cell* begin, Cell* end, std::size_t) { orderBySecond(begin, end); });
+  }
+
+  /// The same of triangles.
+  /// @param connectivity their corners go there, in order
+  void sortTriangles(std::int64_t* connectivity)
+  {
+    BucketSort::sort(
+      [connectivity](std::uint32_t, Cell* begin, Cell* end, std::size_t first)
+      {
+        orderBySecond(begin, end);
+        std::int64_t* out = connectivity + 3 * first;
+        for (const Cell* cell = begin; cell != end; ++cell, out += 3)
+        {
+          std::copy(cell->corner, cell->corner + 3, out);
+        }
       });
+  }
+
+private:
+  static void orderBySecond(Cell* begin, Cell* end)
+  {
+    std::sort(begin, end, [](const Cell& a, const Cell& b) { return a.corner[1] < b.corner[1]; });
   }
 };
 

@@ -9,8 +9,11 @@
 #ifndef flipflop_FacetPolygons_h
 #define flipflop_FacetPolygons_h
 
-#include "Mesh/Polyhedron.h"
+#include "Finish/VertexRanks.h"
+#include "Mesh/Mesh.h"
 #include "Support/Monitor.h"
+#include "Support/Parallel.h"
+#include <flipflop/Buffer.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,91 +24,127 @@ namespace flipflop
 {
 
 /// The flat edge of a triangle that has just one; 3: it has none, or more.
-inline int onlyFlatEdge(const Triangle& triangle)
+template <class Surface>
+int onlyFlatEdge(const Surface& surface, std::uint32_t t)
 {
-  const std::uint32_t flat = flatEdges(triangle);
+  const std::uint32_t flat = surface.flatEdges(t);
   return flat == 1 ? 0 : flat == 2 ? 1 : flat == 4 ? 2 : 3;
 }
 
 /// The other triangle of a true facet that is just two; else NoIndex. Grids are full of them, and
 /// as triangles they need no walk.
-inline std::uint32_t otherOfPair(const Polyhedron& polyhedron, std::uint32_t t)
+template <class Surface>
+std::uint32_t otherOfPair(const Surface& surface, std::uint32_t t)
 {
-  const Triangle& triangle = polyhedron.triangles[t];
-  const int e = onlyFlatEdge(triangle);
+  const int e = onlyFlatEdge(surface, t);
   if (e == 3)
   {
     return NoIndex;
   }
-  const std::uint32_t twin = triangle.twin[e];
-  const bool pair = onlyFlatEdge(polyhedron.triangles[triangleOf(twin)]) == cornerOf(twin);
+  const std::uint32_t twin = surface.triangles[t].twin[e];
+  const bool pair = onlyFlatEdge(surface, triangleOf(twin)) == cornerOf(twin);
   return pair ? triangleOf(twin) : NoIndex;
 }
 
 /// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
 /// first.
+/// @tparam Surface Polyhedron, or PlanePolyhedron; flatEdges() tells which edges are flat
+template <class Surface>
 class FacetPolygons
 {
 public:
   /// @param pairs also those of two triangles?
   /// @throw Error Aborted
   FacetPolygons(
-    const Polyhedron& surface, const Buffer<std::uint32_t>& ranks, bool pairs, Monitor& monitor)
-    : polyhedron(surface)
+    const Surface& surfaceToWalk, const VertexRanks& ranks, bool pairs, Monitor& monitor)
+    : surface(surfaceToWalk)
     , rank(ranks)
   {
-    std::vector<Found> parts(surface.pieces.size());
-    surface.eachTriangle(
+    std::vector<Found> parts(this->surface.pieceCount());
+    this->surface.eachTriangle(
       [&](std::uint32_t t, std::size_t piece)
       {
         if ((t & 0xFFF) == 0)
         {
           monitor.poll();
         }
-        if (flatEdges(surface.triangles[t]) == 0 || (!pairs && otherOfPair(surface, t) != NoIndex))
+        const std::uint32_t flat = this->surface.flatEdges(t);
+        if (flat == 0 || (!pairs && otherOfPair(this->surface, t) != NoIndex))
         {
           return;
         }
         for (int e = 0; e < 3; ++e)
         {
-          if (!isFlat(this->polyhedron.triangles.data(), halfEdge(t, e)))
+          if ((flat >> e & 1) == 0)
           {
             this->walkIfShort(halfEdge(t, e), parts[piece]);
           }
         }
       });
     parts.push_back(this->walkLong(parts, monitor));
-    for (const Found& part : parts)
-    {
-      for (const std::uint32_t size : part.sizes)
-      {
-        this->begin.push_back(this->begin.back() + size);
-      }
-      this->corners.insert(this->corners.end(), part.corners.begin(), part.corners.end());
-    }
+    this->gather(parts);
   }
 
-  std::size_t count() const { return this->begin.size() - 1; }
-  const std::uint32_t* first(std::size_t p) const { return this->corners.data() + this->begin[p]; }
-  std::size_t size(std::size_t p) const { return this->begin[p + 1] - this->begin[p]; }
+  std::size_t count() const { return this->end.size(); }
+  const std::uint32_t* first(std::size_t p) const
+  {
+    return this->corners.data() + (p == 0 ? 0 : this->end[p - 1]);
+  }
+  std::size_t size(std::size_t p) const { return this->end[p] - (p == 0 ? 0 : this->end[p - 1]); }
+
+  /// use(number, run) for every polygon, in parallel by runs: no more than the surface has pieces.
+  template <class Use>
+  void each(Use&& use) const
+  {
+    eachRun(this->count(), 1 + this->count() / this->surface.pieceCount(),
+      [&](std::size_t begin, std::size_t last, std::size_t run)
+      {
+        for (std::size_t p = begin; p < last; ++p)
+        {
+          use(p, run);
+        }
+      });
+  }
 
 private:
   struct Found
   {
     std::vector<std::uint32_t> corners; ///< of the polygons, one after another
-    std::vector<std::uint32_t> sizes;   ///< of each polygon
+    std::vector<std::size_t> ends;      ///< of each polygon, among these
     std::vector<std::uint32_t> starts;  ///< half-edges of long ones, maybe several of one
   };
+
+  /// Put the polygons of all parts one after another.
+  void gather(const std::vector<Found>& parts)
+  {
+    std::vector<std::size_t> polygonBegin{ 0 };
+    std::vector<std::size_t> cornerBegin{ 0 };
+    for (const Found& part : parts)
+    {
+      polygonBegin.push_back(polygonBegin.back() + part.ends.size());
+      cornerBegin.push_back(cornerBegin.back() + part.corners.size());
+    }
+    this->end.allocate(polygonBegin.back());
+    this->corners.allocate(cornerBegin.back());
+    eachTask(parts.size(),
+      [&](std::size_t i)
+      {
+        const Found& part = parts[i];
+        std::copy(part.corners.begin(), part.corners.end(), this->corners.begin() + cornerBegin[i]);
+        std::transform(part.ends.begin(), part.ends.end(), this->end.begin() + polygonBegin[i],
+          [&](std::size_t last) { return cornerBegin[i] + last; });
+      });
+  }
 
   /// The half-edge after h along its facet's border.
   template <class Step>
   std::uint32_t following(std::uint32_t h, const Step& step) const
   {
     h = nextHalfEdge(h);
-    while (isFlat(this->polyhedron.triangles.data(), h))
+    while ((this->surface.flatEdges(triangleOf(h)) >> cornerOf(h) & 1) != 0)
     {
       step();
-      h = nextHalfEdge(this->polyhedron.triangles[triangleOf(h)].twin[cornerOf(h)]);
+      h = nextHalfEdge(this->surface.triangles[triangleOf(h)].twin[cornerOf(h)]);
     }
     return h;
   }
@@ -142,7 +181,7 @@ private:
     {
       for (const std::uint32_t start : part.starts)
       {
-        visited.resize(this->polyhedron.triangleCount());
+        visited.resize(this->surface.triangleCount());
         if (visited[triangleOf(start)] >> cornerOf(start) & 1)
         {
           continue;
@@ -166,28 +205,28 @@ private:
   void close(std::size_t first, Found& found) const
   {
     const auto front = found.corners.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = found.corners.end();
+    const auto back = found.corners.end();
     const auto rankOf = [this](std::uint32_t v) { return this->rank[v]; };
-    if (std::any_of(front, end, [&](std::uint32_t v) { return rankOf(v) == NoIndex; }))
+    if (std::any_of(front, back, [&](std::uint32_t v) { return rankOf(v) == NoIndex; }))
     {
       found.corners.resize(first);
       return;
     }
     const auto lowest = std::min_element(
-      front, end, [&](std::uint32_t a, std::uint32_t b) { return rankOf(a) < rankOf(b); });
-    std::rotate(front, lowest, end);
-    found.sizes.push_back(static_cast<std::uint32_t>(end - front));
+      front, back, [&](std::uint32_t a, std::uint32_t b) { return rankOf(a) < rankOf(b); });
+    std::rotate(front, lowest, back);
+    found.ends.push_back(found.corners.size());
   }
 
   std::uint32_t origin(std::uint32_t h) const
   {
-    return this->polyhedron.triangles[triangleOf(h)].v[cornerOf(h)];
+    return this->surface.triangles[triangleOf(h)].v[cornerOf(h)];
   }
 
-  const Polyhedron& polyhedron;
-  const Buffer<std::uint32_t>& rank;
-  std::vector<std::uint32_t> corners;
-  std::vector<std::size_t> begin{ 0 };
+  const Surface& surface;
+  const VertexRanks& rank;
+  Buffer<std::uint32_t> corners; ///< of the polygons, one after another
+  Buffer<std::size_t> end;       ///< of each polygon, among these
 };
 
 }

@@ -158,14 +158,13 @@ private:
     }
   }
 
-  /// Look at all edges, or where ties are marked, at those. The mark EdgeTied tells then on the
-  /// lower side of each edge whether it is flat; edges of triangles without area may be missed.
+  /// Look at all edges. The mark EdgeTied tells then on the lower side of each edge whether it is
+  /// flat; edges of triangles without area may be missed.
   FlatEdges findFlat()
   {
     const std::size_t pieceCount = this->polyhedron.pieces.size();
     std::vector<FlatEdges> parts(pieceCount);
     std::vector<Geometry> local(pieceCount, this->geometry);
-    const std::uint32_t before = this->polyhedron.tiesMarked ? 0 : EdgesTied;
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t piece)
       {
@@ -174,7 +173,7 @@ private:
           this->monitor.poll();
         }
         std::uint32_t& flags = this->polyhedron.triangles[t].flags;
-        flags |= before;
+        flags |= EdgesTied;
         eachTiedEdge(flags,
           [&](int e)
           {

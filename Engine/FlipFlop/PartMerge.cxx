@@ -128,7 +128,7 @@ PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upp
   const std::uint32_t lowest[2] = { this->left.vertex, this->right.vertex };
   // The border is cut open at the tangent before the seam begins. The seam may take all edges of a
   // part, and comes back to where it began then.
-  this->setTriangle(bottom, this->right.vertex, this->left.vertex, PlaneVirtual);
+  this->mesh.setTriangle(bottom, this->right.vertex, this->left.vertex, PlaneVirtual);
   if (this->left.spoke != NoIndex)
   {
     const std::uint32_t spoke = this->ring.previous(this->left.spoke);
@@ -144,7 +144,7 @@ PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upp
   this->below = NoIndex;
   this->rise();
 
-  this->setTriangle(top, this->left.vertex, this->right.vertex, PlaneVirtual);
+  this->mesh.setTriangle(top, this->left.vertex, this->right.vertex, PlaneVirtual);
   this->mesh.link(this->base, halfEdge(top, 0));
   const auto isConsumed = [&](const PlanePart& part, const Shore& shore, std::uint32_t from)
   { return part.isSingle() || (shore.reached > 0 && shore.vertex == from); };
@@ -158,7 +158,7 @@ PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upp
   whole.firstFree = upper.firstFree;
   for (int side = 0; side < 4; ++side)
   {
-    const Vertex* const v = this->mesh.vertices;
+    const auto* const v = this->mesh.vertices;
     const PlanePart& from =
       isFarther(side, v[lower.vertex[side]].x, v[upper.vertex[side]].x) ? lower : upper;
     const std::uint32_t vertex = from.vertex[side];
@@ -233,7 +233,7 @@ void PartMerge<Weighted>::uncoverLeft(std::uint32_t inner, std::uint32_t a, std:
   const std::uint32_t back = this->mesh.twin(spoke);
   this->mesh.triangles[triangleOf(spoke)].v[nextCorner(cornerOf(spoke))] = d;
   this->mesh.link(nextHalfEdge(spoke), ld);
-  this->setTriangle(t, a, d, PlaneVirtual);
+  this->mesh.setTriangle(t, a, d, PlaneVirtual);
   this->mesh.link(halfEdge(t, 0), da);
   this->mesh.link(halfEdge(t, 1), spoke);
   this->mesh.link(halfEdge(t, 2), back);
@@ -253,7 +253,7 @@ void PartMerge<Weighted>::uncoverRight(std::uint32_t inner, std::uint32_t c, std
   const std::uint32_t onward = this->mesh.twin(previousHalfEdge(spoke));
   this->mesh.triangles[triangleOf(spoke)].v[previousCorner(cornerOf(spoke))] = d;
   this->mesh.link(nextHalfEdge(spoke), dr);
-  this->setTriangle(t, d, c, PlaneVirtual);
+  this->mesh.setTriangle(t, d, c, PlaneVirtual);
   this->mesh.link(halfEdge(t, 0), cd);
   this->mesh.link(halfEdge(t, 1), onward);
   this->mesh.link(halfEdge(t, 2), previousHalfEdge(spoke));
@@ -288,14 +288,13 @@ void PartMerge<Weighted>::reachRight(const Candidate& next)
   this->right.advance();
 }
 
-/// Link the seam's new triangle to the one beneath, and mark its flat edges: EdgeTied is for all
-/// (Polyhedron::tiesMarked).
+/// Link the seam's new triangle to the one beneath, and mark its flat edges (PlanePolyhedron.h).
 /// @param onBase, outer its half-edges on the seam's last edge, and on the part's border
 template <bool Weighted>
 void PartMerge<Weighted>::closeTriangle(
   std::uint32_t onBase, std::uint32_t outer, const Candidate& next)
 {
-  this->mesh.triangles[triangleOf(onBase)].flags = 0;
+  this->mesh.setMarks(triangleOf(onBase), 0);
   this->mesh.link(onBase, this->base);
   if (next.isFlat)
   {

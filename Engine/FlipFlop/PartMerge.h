@@ -28,6 +28,7 @@ class PartMerge
 {
 public:
   using Geometry = LiftedGeometry<Weighted>;
+  using Mesh = PartMesh<Weighted>;
 
   PartMerge(const Geometry& geometryToAsk, const Mesh& meshToChange)
     : geometry(geometryToAsk)
@@ -77,29 +78,20 @@ private:
 
   int orient(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
   {
-    const Vertex* const v = this->mesh.vertices;
-    return this->geometry.orient(v[a], v[b], v[c]);
+    return this->geometry.orient(this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c));
   }
   int inCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p)
   {
-    const Vertex* const v = this->mesh.vertices;
     ++this->checks;
-    const int sign = this->geometry.above(v[a], v[b], v[c], v[p]);
+    const int sign = this->geometry.above(
+      this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c), this->mesh.vertex(p));
     this->ties += sign == 0 ? 1 : 0;
     return sign;
-  }
-  void setTriangle(std::uint32_t t, std::uint32_t a, std::uint32_t b, std::uint32_t c) const
-  {
-    this->mesh.triangles[t].v[0] = a;
-    this->mesh.triangles[t].v[1] = b;
-    this->mesh.triangles[t].v[2] = c;
-    this->mesh.triangles[t].flags = 0;
-    this->mesh.triangles[t].note = 0;
   }
 
   const Geometry& geometry;
   const Mesh mesh;
-  const BorderRing ring;
+  const BorderRing<Mesh> ring;
   Shore left{};
   Shore right{};
   std::uint32_t base = NoIndex;  ///< the seam's last edge: a half-edge from right to left

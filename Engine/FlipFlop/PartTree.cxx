@@ -28,7 +28,7 @@ public:
   }
 
   /// Cut all points, and write their vertices.
-  /// @param pointAt Vertex (i): of the points, in any order
+  /// @param pointAt PlaneVertex (i): of the points, in any order
   template <class PointAt>
   void cutAll(const HilbertCurve& curve, const PointAt& pointAt)
   {
@@ -71,7 +71,7 @@ private:
   {
     const std::uint32_t begin = this->tree.nodes[node].begin;
     const std::uint32_t count = this->tree.nodes[node].end - begin;
-    Buffer<Vertex> points(count);
+    Buffer<PlaneVertex> points(count);
     std::vector<HilbertCurve> boxes(runCount(count, PointsPerTask));
     this->eachRun(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
@@ -203,7 +203,7 @@ PartTree cutIntoParts(const PointSource& source, const PointSubset& subset,
   if (!subset.checkFinite)
   {
     tree.vertices.allocate(std::size_t(subset.count) + 1);
-    cutter.cutAll(curve, [&source](std::uint32_t i) { return source.vertex(i); });
+    cutter.cutAll(curve, [&source](std::uint32_t i) { return withoutWeight(source.vertex(i)); });
     return tree;
   }
   Buffer<std::uint32_t> ids;
@@ -218,7 +218,7 @@ PartTree cutIntoParts(const PointSource& source, const PointSubset& subset,
     [&](std::size_t wanted) { ids.allocate(wanted); },
     [&](std::size_t at, std::uint32_t id) { ids[at] = id; });
   tree.vertices.allocate(ids.size() + 1);
-  cutter.cutAll(curve, [&](std::uint32_t i) { return source.vertex(ids[i]); });
+  cutter.cutAll(curve, [&](std::uint32_t i) { return withoutWeight(source.vertex(ids[i])); });
   return tree;
 }
 

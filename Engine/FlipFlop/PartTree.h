@@ -11,10 +11,10 @@
 #ifndef flipflop_PartTree_h
 #define flipflop_PartTree_h
 
+#include "Mesh/PlaneMesh.h"
 #include "Points/CoordinateRange.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
-#include "Points/Vertex.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
 
@@ -34,8 +34,8 @@ struct PartNode
 
 struct PartTree
 {
-  Buffer<Vertex> vertices;     ///< the first is left to the caller; then all points, part by part
-  std::vector<PartNode> nodes; ///< the root is the first
+  Buffer<PlaneVertex> vertices; ///< the first is left to the caller; then all points, part by part
+  std::vector<PartNode> nodes;  ///< the root is the first
 };
 
 /// @param box  of the points, scaled

@@ -44,14 +44,14 @@ void PartTriangulation::addTo(Tally& tally) const
 /// @return false: there are none
 bool PartTriangulation::start()
 {
-  Vertex* const v = this->mesh.vertices;
+  PlaneVertex* const v = this->mesh.vertices;
   std::uint32_t second = this->begin + 1;
   while (second < this->end && samePosition(v[second], v[this->begin]))
   {
     ++second;
   }
   std::uint32_t third = second + 1;
-  while (third < this->end && this->geometry.orient(v[this->begin], v[second], v[third]) == 0)
+  while (third < this->end && this->orient(this->begin, second, v[third]) == 0)
   {
     ++third;
   }
@@ -61,19 +61,17 @@ bool PartTriangulation::start()
   }
   std::swap(v[this->begin + 1], v[second]);
   std::swap(v[this->begin + 2], v[third]);
-  if (this->geometry.orient(v[this->begin], v[this->begin + 1], v[this->begin + 2]) < 0)
+  if (this->orient(this->begin, this->begin + 1, v[this->begin + 2]) < 0)
   {
     std::swap(v[this->begin + 1], v[this->begin + 2]);
   }
   const std::uint32_t inner = this->firstTriangle;
-  this->mesh.triangles[inner] = { { this->begin, this->begin + 1, this->begin + 2 }, 0,
-    { NoIndex, NoIndex, NoIndex }, 0 };
+  this->mesh.setTriangle(inner, this->begin, this->begin + 1, this->begin + 2);
   for (int i = 0; i < 3; ++i)
   {
     const std::uint32_t outer = inner + 1 + static_cast<std::uint32_t>(i);
     const std::uint32_t* const corner = this->mesh.triangles[inner].v;
-    this->mesh.triangles[outer] = { { corner[nextCorner(i)], corner[i], PlaneVirtual }, 0,
-      { NoIndex, NoIndex, NoIndex }, 0 };
+    this->mesh.setTriangle(outer, corner[nextCorner(i)], corner[i], PlaneVirtual);
     this->mesh.link(halfEdge(inner, i), halfEdge(outer, 0));
     v[corner[i]].flags = VertexAlive;
   }
@@ -91,9 +89,9 @@ bool PartTriangulation::start()
 /// The virtual triangles of collinear points, on both sides of the edges between neighbours.
 PlanePart PartTriangulation::chain()
 {
-  Vertex* const v = this->mesh.vertices;
+  PlaneVertex* const v = this->mesh.vertices;
   std::sort(v + this->begin, v + this->end,
-    [](const Vertex& p, const Vertex& q) {
+    [](const PlaneVertex& p, const PlaneVertex& q) {
       return p.x[0] != q.x[0] ? p.x[0] < q.x[0] : p.x[1] != q.x[1] ? p.x[1] < q.x[1] : p.id < q.id;
     });
   std::uint32_t stays = this->begin;
@@ -114,10 +112,8 @@ PlanePart PartTriangulation::chain()
   {
     const std::uint32_t right = this->next;
     const std::uint32_t left = this->next + 1;
-    this->mesh.triangles[right] = { { i, i + 1, PlaneVirtual }, 0, { NoIndex, NoIndex, NoIndex },
-      0 };
-    this->mesh.triangles[left] = { { i + 1, i, PlaneVirtual }, 0, { NoIndex, NoIndex, NoIndex },
-      0 };
+    this->mesh.setTriangle(right, i, i + 1, PlaneVirtual);
+    this->mesh.setTriangle(left, i + 1, i, PlaneVirtual);
     this->mesh.link(halfEdge(right, 0), halfEdge(left, 0));
     if (i == this->begin)
     {
@@ -143,7 +139,7 @@ PlanePart PartTriangulation::chain()
 
 void PartTriangulation::insert(std::uint32_t v)
 {
-  const Vertex q = this->mesh.vertices[v];
+  const PlaneVertex q = this->mesh.vertices[v];
   Place place;
   const bool isInside = this->locate(q, place);
   this->last = place.triangle;
@@ -170,10 +166,9 @@ void PartTriangulation::insert(std::uint32_t v)
 /// a border edge that it is strictly outside of. In a Delaunay triangulation, a walk by exact signs
 /// meets no triangle twice.
 /// @return whether it is one of points
-bool PartTriangulation::locate(const Vertex& q, Place& place)
+bool PartTriangulation::locate(const PlaneVertex& q, Place& place)
 {
-  const Triangle* const triangles = this->mesh.triangles;
-  const Vertex* const vertices = this->mesh.vertices;
+  const PlaneTriangle* const triangles = this->mesh.triangles;
   std::uint32_t t = this->last;
   place.isPlain = true;
   place.side = 0;
@@ -182,7 +177,7 @@ bool PartTriangulation::locate(const Vertex& q, Place& place)
     const std::uint32_t* const v = triangles[t].v;
     if (v[k] == PlaneVirtual)
     {
-      if (this->geometry.orient(vertices[v[nextCorner(k)]], vertices[v[previousCorner(k)]], q) > 0)
+      if (this->orient(v[nextCorner(k)], v[previousCorner(k)], q) > 0)
       {
         place.triangle = t;
         return false;
@@ -234,7 +229,7 @@ bool PartTriangulation::locate(const Vertex& q, Place& place)
 
 /// On which side of the edge from a to b is q? The cross product where its sign is certain; else
 /// the sign alone.
-double PartTriangulation::cross(const Vertex& q, const Row& a, const Row& b, std::uint32_t va,
+double PartTriangulation::cross(const PlaneVertex& q, const Row& a, const Row& b, std::uint32_t va,
   std::uint32_t vb, bool& isPlain) const
 {
   const double left = a.x * b.y;
@@ -246,11 +241,11 @@ double PartTriangulation::cross(const Vertex& q, const Row& a, const Row& b, std
     return value;
   }
   isPlain = false;
-  return this->geometry.orient(this->mesh.vertices[va], this->mesh.vertices[vb], q);
+  return this->orient(va, vb, q);
 }
 
 /// Is q at a corner of its triangle? Then the lower id is noted.
-bool PartTriangulation::isDuplicate(const Vertex& q, const Place& place)
+bool PartTriangulation::isDuplicate(const PlaneVertex& q, const Place& place)
 {
   const Row rows[3] = { place.a, place.b, place.c };
   int corner = place.side;
@@ -271,11 +266,41 @@ bool PartTriangulation::isDuplicate(const Vertex& q, const Place& place)
   return false;
 }
 
+/// The flip of the edge ab of the triangle abq, with q the new vertex, and of bad, of @p h: they
+/// become adq and dbq. No edge at q is marked: none is flat.
+FF_INLINE void PartTriangulation::flip(std::uint32_t abq, std::uint32_t h)
+{
+  const std::uint32_t bad = triangleOf(h);
+  const int g = cornerOf(h);
+  PlaneTriangle& near = this->mesh.triangles[abq];
+  PlaneTriangle& far = this->mesh.triangles[bad];
+  const std::uint32_t d = far.v[previousCorner(g)];
+  const std::uint32_t b = near.v[1];
+  const std::uint32_t bq = near.twin[1];
+  const std::uint32_t ad = far.twin[nextCorner(g)];
+  const std::uint32_t db = far.twin[previousCorner(g)];
+  near.v[1] = d;
+  far.v[0] = d;
+  far.v[1] = b;
+  far.v[2] = near.v[2];
+  near.twin[1] = halfEdge(bad, 2);
+  far.twin[2] = halfEdge(abq, 1);
+  this->mesh.link(halfEdge(abq, 0), ad);
+  this->mesh.link(halfEdge(bad, 0), db);
+  this->mesh.link(halfEdge(bad, 1), bq);
+  if (this->ties > 0) // else there is no mark
+  {
+    const std::uint32_t marks = this->mesh.marks(bad);
+    this->mesh.setMarks(abq, marks >> nextCorner(g) & 1);
+    this->mesh.setMarks(bad, marks >> previousCorner(g) & 1);
+  }
+}
+
 /// Test and flip the edges opposite to the new vertex, at the corner 2 of three triangles of
 /// points, until none is reflex.
-void PartTriangulation::flipIn(const Vertex& q, const std::uint32_t* child, const Place& place)
+void PartTriangulation::flipIn(const PlaneVertex& q, const std::uint32_t* child, const Place& place)
 {
-  Triangle* const triangles = this->mesh.triangles;
+  const PlaneTriangle* const triangles = this->mesh.triangles;
   const Row a = squared(place.a);
   const Row b = squared(place.b);
   const Row c = squared(place.c);
@@ -285,11 +310,8 @@ void PartTriangulation::flipIn(const Vertex& q, const std::uint32_t* child, cons
   Waiting w = { child[place.side], a, b, place.ab };
   while (true)
   {
-    Triangle& near = triangles[w.triangle];
-    const std::uint32_t h = near.twin[0];
-    Triangle& far = triangles[triangleOf(h)];
-    const int g = cornerOf(h);
-    const std::uint32_t d = far.v[previousCorner(g)];
+    const std::uint32_t h = triangles[w.triangle].twin[0];
+    const std::uint32_t d = triangles[triangleOf(h)].v[previousCorner(cornerOf(h))];
     ++this->checks;
     bool flips = false;
     Row row{};
@@ -319,26 +341,7 @@ void PartTriangulation::flipIn(const Vertex& q, const std::uint32_t* child, cons
       continue;
     }
     ++this->flips;
-    // abq and bad become adq and dbq. No edge at q is marked: none is flat.
-    const std::uint32_t b1 = near.v[1];
-    const std::uint32_t bq = near.twin[1];
-    const std::uint32_t ad = far.twin[nextCorner(g)];
-    const std::uint32_t db = far.twin[previousCorner(g)];
-    const std::uint32_t flags = far.flags;
-    near.v[1] = d;
-    near.flags = flags >> nextCorner(g) & EdgeTied;
-    far.v[0] = d;
-    far.v[1] = b1;
-    far.v[2] = near.v[2];
-    far.flags = flags >> previousCorner(g) & EdgeTied;
-    near.twin[1] = halfEdge(triangleOf(h), 2);
-    far.twin[2] = halfEdge(w.triangle, 1);
-    near.twin[0] = ad;
-    triangles[triangleOf(ad)].twin[cornerOf(ad)] = halfEdge(w.triangle, 0);
-    far.twin[0] = db;
-    triangles[triangleOf(db)].twin[cornerOf(db)] = halfEdge(triangleOf(h), 0);
-    far.twin[1] = bq;
-    triangles[triangleOf(bq)].twin[cornerOf(bq)] = halfEdge(triangleOf(h), 1);
+    this->flip(w.triangle, h);
     if (count == this->waiting.size())
     {
       this->waiting.resize(2 * count);
@@ -350,7 +353,7 @@ void PartTriangulation::flipIn(const Vertex& q, const std::uint32_t* child, cons
 }
 
 /// The same by exact signs, also outside and on an edge.
-void PartTriangulation::flipInExactly(const Vertex& q, const std::uint32_t* child)
+void PartTriangulation::flipInExactly(const PlaneVertex& q, const std::uint32_t* child)
 {
   this->triangles.assign(child, child + 3);
   while (!this->triangles.empty())
@@ -362,7 +365,7 @@ void PartTriangulation::flipInExactly(const Vertex& q, const std::uint32_t* chil
     if (this->wantsFlip(q, h))
     {
       ++this->flips;
-      flip(this->mesh, planFlip22(this->mesh, h));
+      this->flip(triangleOf(h), twin);
       this->triangles.push_back(triangleOf(twin));
       this->triangles.push_back(triangleOf(h));
     }
@@ -370,27 +373,26 @@ void PartTriangulation::flipInExactly(const Vertex& q, const std::uint32_t* chil
 }
 
 /// Is the edge of h reflex, of the triangle abq? A flat one is marked, and stays.
-bool PartTriangulation::wantsFlip(const Vertex& q, std::uint32_t h)
+bool PartTriangulation::wantsFlip(const PlaneVertex& q, std::uint32_t h)
 {
-  const Vertex* const v = this->mesh.vertices;
   const std::uint32_t* const near = this->mesh.triangles[triangleOf(h)].v;
-  const std::uint32_t opposite = this->mesh.origin(previousHalfEdge(this->mesh.twin(h)));
-  const Vertex& a = v[near[0]];
-  const Vertex& b = v[near[1]];
-  const Vertex& d = v[opposite];
-  if (near[0] == PlaneVirtual)
+  const std::uint32_t a = near[0];
+  const std::uint32_t b = near[1];
+  const std::uint32_t d = this->mesh.origin(previousHalfEdge(this->mesh.twin(h)));
+  if (a == PlaneVirtual)
   {
-    return this->geometry.orient(d, b, q) > 0;
+    return this->orient(d, b, q) > 0;
   }
-  if (near[1] == PlaneVirtual)
+  if (b == PlaneVirtual)
   {
-    return this->geometry.orient(a, d, q) > 0;
+    return this->orient(a, d, q) > 0;
   }
-  if (opposite == PlaneVirtual)
+  if (d == PlaneVirtual)
   {
-    return this->geometry.orient(a, b, q) == 0; // on the border
+    return this->orient(a, b, q) == 0; // on the border
   }
-  const int sign = this->geometry.above(a, b, q, d);
+  const int sign = this->geometry.above(
+    this->mesh.vertex(a), this->mesh.vertex(b), q.full(), this->mesh.vertex(d));
   if (sign == 0)
   {
     ++this->ties;

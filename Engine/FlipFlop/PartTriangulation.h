@@ -31,8 +31,8 @@ public:
 
   /// @param first, count the part's vertices, which begin behind the virtual vertex; they are
   ///                     inserted in their order, which may change
-  PartTriangulation(
-    const Geometry& geometryToAsk, const Mesh& meshToFill, std::uint32_t first, std::uint32_t count)
+  PartTriangulation(const Geometry& geometryToAsk, const PlaneMesh& meshToFill, std::uint32_t first,
+    std::uint32_t count)
     : geometry(geometryToAsk)
     , mesh(meshToFill)
     , begin(first)
@@ -77,15 +77,20 @@ private:
   bool start();
   PlanePart chain();
   void insert(std::uint32_t v);
-  bool locate(const Vertex& q, Place& place);
-  double cross(const Vertex& q, const Row& a, const Row& b, std::uint32_t va, std::uint32_t vb,
+  bool locate(const PlaneVertex& q, Place& place);
+  double cross(const PlaneVertex& q, const Row& a, const Row& b, std::uint32_t va, std::uint32_t vb,
     bool& isPlain) const;
-  bool isDuplicate(const Vertex& q, const Place& place);
-  void flipIn(const Vertex& q, const std::uint32_t* child, const Place& place);
-  void flipInExactly(const Vertex& q, const std::uint32_t* child);
-  bool wantsFlip(const Vertex& q, std::uint32_t h);
+  bool isDuplicate(const PlaneVertex& q, const Place& place);
+  void flipIn(const PlaneVertex& q, const std::uint32_t* child, const Place& place);
+  void flipInExactly(const PlaneVertex& q, const std::uint32_t* child);
+  bool wantsFlip(const PlaneVertex& q, std::uint32_t h);
 
-  Row rowOf(std::uint32_t v, const Vertex& q) const
+  void flip(std::uint32_t near, std::uint32_t h);
+  int orient(std::uint32_t a, std::uint32_t b, const PlaneVertex& q) const
+  {
+    return this->geometry.orient(this->mesh.vertex(a), this->mesh.vertex(b), q.full());
+  }
+  Row rowOf(std::uint32_t v, const PlaneVertex& q) const
   {
     const double* const x = this->mesh.vertices[v].x;
     return { x[0] - q.x[0], x[1] - q.x[1], 0.0 };
@@ -93,7 +98,7 @@ private:
   static Row squared(const Row& row) { return { row.x, row.y, row.x * row.x + row.y * row.y }; }
 
   const Geometry& geometry;
-  const Mesh mesh;
+  const PlaneMesh mesh;
   const std::uint32_t begin;
   const std::uint32_t end;
   const std::uint32_t firstTriangle;

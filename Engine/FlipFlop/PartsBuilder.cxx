@@ -28,10 +28,10 @@ public:
   using Geometry = LiftedGeometry<false>;
 
   PartsRun(const BuildTask<Geometry>& taskToDo, const std::vector<PartNode>& nodesToBuild,
-    Polyhedron& polyhedron)
+    const PlaneMesh& meshToFill)
     : task(taskToDo)
     , nodes(nodesToBuild)
-    , mesh(polyhedron.mesh())
+    , mesh(meshToFill)
   {
   }
 
@@ -75,7 +75,7 @@ private:
     const PlanePart part = triangulation.build();
     for (std::uint32_t t = part.firstFree; t < 2 * (node.end - 1); ++t)
     {
-      this->mesh.triangles[t].flags = TriangleDead;
+      this->mesh.removeTriangle(t);
     }
     triangulation.addTo(tally);
     tally.addPredicates(local, this->task.geometry);
@@ -85,7 +85,7 @@ private:
 
   /// Bring a part's vertices into the order of insertion: random levels, each along the curve
   /// through the part's box.
-  static void putInOrder(Vertex* vertices, std::uint32_t count)
+  static void putInOrder(PlaneVertex* vertices, std::uint32_t count)
   {
     constexpr int CurveBits = 18; // of cells, 32 a point
     HilbertCurve curve;
@@ -94,7 +94,7 @@ private:
       curve.add(vertices[i].x);
     }
     curve.prepare();
-    const std::vector<Vertex> unordered(vertices, vertices + count);
+    const std::vector<PlaneVertex> unordered(vertices, vertices + count);
     std::vector<std::uint64_t> keys(count);
     for (std::uint32_t i = 0; i < count; ++i)
     {
@@ -111,7 +111,7 @@ private:
 
   const BuildTask<Geometry>& task;
   const std::vector<PartNode>& nodes;
-  const Mesh mesh;
+  const PlaneMesh mesh;
 };
 
 }
@@ -135,14 +135,16 @@ Polyhedron PartsBuilder::build(
     throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
   }
   task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count), "inserting");
-  Polyhedron result(0, 2 * count);
+  PlanePolyhedron result;
+  result.triangles.allocate(2 * count);
+  result.ties.allocate(2 * count);
   result.vertices = std::move(tree.vertices);
-  result.vertices[PlaneVirtual] = virtualVertex();
-  PartsRun(task, tree.nodes, result).build(0, tally);
+  result.vertices[PlaneVirtual] = withoutWeight(virtualVertex());
+  PartsRun(task, tree.nodes, result.mesh()).build(0, tally);
   tally.statistics.insertions -= 3; // of which the run started
-  result.tiesMarked = true;
   statistics.secondsFlip += watch.lap();
-  return result;
+  *task.plane = std::move(result);
+  return Polyhedron();
 }
 
 }

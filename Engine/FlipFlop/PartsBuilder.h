@@ -16,7 +16,7 @@ namespace flipflop
 class PartsBuilder
 {
 public:
-  /// As PolyhedronBuilder. Of the start, nothing is used.
+  /// As PolyhedronBuilder. Of the start, nothing is used; the result is in *task.plane.
   static Polyhedron build(const BuildTask<LiftedGeometry<false>>& task, Polyhedron&& start,
     Tally& tally, Statistics& statistics);
 };

@@ -12,13 +12,17 @@
 #ifndef flipflop_PlanePart_h
 #define flipflop_PlanePart_h
 
-#include "Mesh/Mesh.h"
+#include "Mesh/PlaneMesh.h"
 
 #include <cstdint>
-#include <vector>
+#include <type_traits>
 
 namespace flipflop
 {
+
+/// What parts are triangulated in.
+template <bool Weighted>
+using PartMesh = std::conditional_t<Weighted, Mesh, PlaneMesh>;
 
 /// The place of the virtual vertex in the array: before all points.
 constexpr std::uint32_t PlaneVirtual = 0;
@@ -46,10 +50,12 @@ struct PlanePart
 
 /// Around a part's border, clockwise: by half-edges from the virtual vertex to a border vertex, in
 /// the virtual triangle of the border edge that begins there.
+/// @tparam AnyMesh a PartMesh
+template <class AnyMesh>
 class BorderRing
 {
 public:
-  explicit BorderRing(const Mesh& meshToWalk)
+  explicit BorderRing(const AnyMesh& meshToWalk)
     : mesh(meshToWalk)
   {
   }
@@ -63,7 +69,7 @@ public:
   std::uint32_t previous(std::uint32_t spoke) const { return nextHalfEdge(this->mesh.twin(spoke)); }
 
 private:
-  const Mesh mesh;
+  const AnyMesh mesh;
 };
 
 /// Is p farther than q to a side?
@@ -78,9 +84,10 @@ inline bool isFarther(int side, const double* p, const double* q)
 }
 
 /// Set the part's farthest vertices by a walk around its border, from any of its spokes.
-inline void findFarthest(const Mesh& mesh, std::uint32_t spoke, PlanePart& part)
+template <class AnyMesh>
+void findFarthest(const AnyMesh& mesh, std::uint32_t spoke, PlanePart& part)
 {
-  const BorderRing ring(mesh);
+  const BorderRing<AnyMesh> ring(mesh);
   for (int side = 0; side < 4; ++side)
   {
     part.spoke[side] = spoke;

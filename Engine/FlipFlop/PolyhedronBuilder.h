@@ -9,6 +9,7 @@
 
 #include "FlipFlop/FinishedCells.h"
 #include "FlipFlop/Tally.h"
+#include "Mesh/PlanePolyhedron.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
 #include "Points/Scan.h"
@@ -37,6 +38,8 @@ struct BuildTask
   const std::vector<std::vector<std::uint32_t>>& samples; ///< as nestedSamples gives them
   /// For an engine that finishes itself; null: the hull is wanted.
   FinishedCells* finished;
+  /// For an engine that makes triangulations in the plane alone; empty, where another has run.
+  PlanePolyhedron* plane = nullptr;
 };
 
 template <class Model>
@@ -48,7 +51,7 @@ public:
   virtual bool startsFromPoints() const { return false; }
 
   /// @param start a tetrahedron
-  /// @return the hull, perhaps with gaps; nothing, where *task.finished is written
+  /// @return the hull, perhaps with gaps; nothing, where *task.finished or *task.plane is written
   virtual Polyhedron build(
     const BuildTask<Model>& task, Polyhedron&& start, Tally& tally, Statistics& statistics) = 0;
 };

@@ -54,8 +54,7 @@ FF_HD inline std::uint32_t& splitRound(Triangle& triangle)
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;
 
-/// Shifted by e: the edge e was found flat when it was tested. Both its half-edges are marked. See
-/// Polyhedron::tiesMarked.
+/// Shifted by e: the edge e was found flat when it was tested. Both its half-edges are marked.
 constexpr std::uint32_t EdgeTied = 8;
 constexpr std::uint32_t EdgesTied = 7 * EdgeTied;
 
@@ -111,6 +110,31 @@ struct Mesh
 
   FF_HD std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
   FF_HD std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
+
+  const Vertex& vertex(std::uint32_t v) const { return this->vertices[v]; }
+
+  /// A triangle with these corners, without marks. Its opposites are left as they are.
+  void setTriangle(std::uint32_t t, std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+  {
+    Triangle& triangle = this->triangles[t];
+    triangle.v[0] = a;
+    triangle.v[1] = b;
+    triangle.v[2] = c;
+    triangle.flags = 0;
+    triangle.note = 0;
+  }
+
+  void removeTriangle(std::uint32_t t) const { this->triangles[t].flags = TriangleDead; }
+
+  /// Bit e: the edge e is marked EdgeTied. To set them ends all waiting.
+  std::uint32_t marks(std::uint32_t t) const
+  {
+    return (this->triangles[t].flags & EdgesTied) / EdgeTied;
+  }
+  void setMarks(std::uint32_t t, std::uint32_t edges) const
+  {
+    this->triangles[t].flags = edges * EdgeTied;
+  }
 
   /// Mark the edge of h, on both sides.
   void markTied(std::uint32_t h) const
@@ -237,19 +261,18 @@ FF_INLINE void flip(const Mesh& mesh, const FlipPlan& plan)
 
 /// Split the triangle abc of @p child[0] by the vertex v into abv, bcv and cav: child[0], [1], [2].
 /// Its edges keep their marks.
-inline void splitTriangle(const Mesh& mesh, const std::uint32_t* child, std::uint32_t v)
+/// @tparam AnyMesh Mesh, or PlaneMesh
+template <class AnyMesh>
+inline void splitTriangle(const AnyMesh& mesh, const std::uint32_t* child, std::uint32_t v)
 {
-  const Triangle parent = mesh.triangles[child[0]];
+  const auto parent = mesh.triangles[child[0]];
+  const std::uint32_t marks = mesh.marks(child[0]);
   for (int i = 0; i < 3; ++i)
   {
-    Triangle& triangle = mesh.triangles[child[i]];
-    triangle.v[0] = parent.v[i];
-    triangle.v[1] = parent.v[nextCorner(i)];
-    triangle.v[2] = v;
-    triangle.flags = parent.flags >> i & EdgeTied;
-    triangle.note = 0;
-    triangle.twin[1] = halfEdge(child[nextCorner(i)], 2);
-    triangle.twin[2] = halfEdge(child[previousCorner(i)], 1);
+    mesh.setTriangle(child[i], parent.v[i], parent.v[nextCorner(i)], v);
+    mesh.setMarks(child[i], marks >> i & 1);
+    mesh.triangles[child[i]].twin[1] = halfEdge(child[nextCorner(i)], 2);
+    mesh.triangles[child[i]].twin[2] = halfEdge(child[previousCorner(i)], 1);
   }
   for (int i = 0; i < 3; ++i)
   {

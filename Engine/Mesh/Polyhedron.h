@@ -33,16 +33,6 @@ struct Polyhedron
   Buffer<Triangle> triangles;
   std::vector<Piece> pieces; ///< of a size that suits a task
 
-  /// Is each flat edge between triangles of points marked EdgeTied?
-  ///
-  /// It is where all points are extreme, and each was inserted by exact signs without perturbation
-  /// (PartTriangulation.h). An edge that was tested as it is now was a tie, and marked. Not tested
-  /// are the edges at the new vertex v. Before v came, all points of one empty circle were corners
-  /// of one facet. If v is on that circle, it lies beyond a chord between two neighbouring corners,
-  /// whose edge is the border of the facet and is tested, flat, and stays. So v has one triangle on
-  /// the circle, and no edge at v is flat. In a merge, each edge of the seam is tested.
-  bool tiesMarked = false;
-
   Polyhedron() = default;
 
   /// Room for a polyhedron without gaps.
@@ -77,6 +67,10 @@ struct Polyhedron
   /// gaps.
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
+  std::size_t pieceCount() const { return this->pieces.size(); }
+
+  /// In the finish: of a triangle.
+  std::uint32_t flatEdges(std::uint32_t t) const { return flipflop::flatEdges(this->triangles[t]); }
 
   /// The ids of the points among the vertices, ascending.
   std::vector<std::uint32_t> pointIds() const

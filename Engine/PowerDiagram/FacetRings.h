@@ -51,7 +51,7 @@ public:
         sort.put(run, { this->site(h), h });
       });
     this->leaving = sort.sort(
-      [this](std::uint32_t site, const Leaving* begin, const Leaving* end) {
+      [this](std::uint32_t site, const Leaving* begin, const Leaving* end, std::size_t) {
         this->ofSite[site] = { begin, end };
       });
   }

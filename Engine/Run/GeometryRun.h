@@ -68,11 +68,20 @@ public:
     Tally tally;
     Polyhedron start =
       fromPoints ? Polyhedron() : startingTetrahedron(this->geometry, this->source, span.ids);
+    PlanePolyhedron plane;
     Polyhedron polyhedron =
       engine.build({ this->geometry, this->source, this->range, this->checkFinite, this->options,
-                     this->threads, this->monitor, samples, &finished },
+                     this->threads, this->monitor, samples, &finished, &plane },
         std::move(start), tally, result.statistics);
     result.dimension = dimension;
+    if constexpr (Model::AllExtreme)
+    {
+      if (plane.vertexCount() > 0)
+      {
+        this->finish(std::move(plane), std::move(tally), result, write);
+        return;
+      }
+    }
     if (!finished.written)
     {
       this->finish(std::move(polyhedron), std::move(tally), result, write);
@@ -95,19 +104,58 @@ public:
   {
     Stopwatch watch;
     this->monitor.stage(0.9, 1.0, 1, "finishing");
-    const bool anyFlat = this->amend(polyhedron, tally,
-      RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove());
-    CanonicalForm form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
-      this->options.facets, this->monitor, result.pointIds);
-    this->monitor.poll();
-    write(form);
-    this->addStatistics(tally, result);
+    const bool anyFlat =
+      RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove();
+    this->amendAndWrite(polyhedron, anyFlat, tally, result, write);
     result.statistics.secondsFinish = watch.lap();
   }
 
 private:
-  /// Change the true result before it is written: what a run may want that is not of its points
-  /// alone.
+  /// The same from a triangulation of the plane, which is the true one.
+  template <class Write>
+  void finish(PlanePolyhedron&& plane, Tally&& tally, CellComplex& result, Write&& write)
+  {
+    Stopwatch watch;
+    this->monitor.stage(0.9, 1.0, 1, "finishing");
+    if (this->amends())
+    {
+      Polyhedron polyhedron = plane.full();
+      plane = PlanePolyhedron();
+      this->amendAndWrite(polyhedron, tally.ties > 0, tally, result, write);
+    }
+    else
+    {
+      this->writeForm(plane, tally.ties > 0, tally, result, write);
+    }
+    result.statistics.secondsFinish = watch.lap();
+  }
+
+  template <class Write>
+  void amendAndWrite(
+    Polyhedron& polyhedron, bool anyFlat, Tally& tally, CellComplex& result, Write&& write)
+  {
+    if (this->amends())
+    {
+      anyFlat = this->amend(polyhedron, tally, anyFlat);
+    }
+    this->writeForm(polyhedron, anyFlat, tally, result, write);
+  }
+
+  template <class Surface, class Write>
+  void writeForm(
+    Surface& surface, bool anyFlat, const Tally& tally, CellComplex& result, Write&& write)
+  {
+    CanonicalForm<Surface> form(surface, anyFlat, tally.duplicates, this->source.count(),
+      this->options.facets, this->monitor, result.pointIds);
+    this->monitor.poll();
+    write(form);
+    this->addStatistics(tally, result);
+  }
+
+  /// Does the run change the true result before it is written?
+  virtual bool amends() const { return false; }
+
+  /// Change it: what a run may want that is not of its points alone.
   /// @param anyFlat whether there is a flat edge
   /// @return        the same, after the change
   virtual bool amend(Polyhedron&, Tally&, bool anyFlat) { return anyFlat; }

@@ -62,7 +62,7 @@ void HullRun::hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull)
   finished.exponent = this->arithmetic.scaleExponent;
   this->build(
     engine, hull, 3, watch, finished, spanOf, lowerHull,
-    [&](CanonicalForm& form) { this->write(form, hull); },
+    [&](CanonicalForm<Polyhedron>& form) { this->write(form, hull); },
     [&]
     {
       hull.volume = finished.volume;
@@ -74,10 +74,10 @@ void HullRun::finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull)
 {
   hull.dimension = 3;
   GeometryRun::finish(std::move(polyhedron), std::move(tally), hull,
-    [&](CanonicalForm& form) { this->write(form, hull); });
+    [&](CanonicalForm<Polyhedron>& form) { this->write(form, hull); });
 }
 
-void HullRun::write(CanonicalForm& form, Hull& hull)
+void HullRun::write(CanonicalForm<Polyhedron>& form, Hull& hull)
 {
   form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull);
 }

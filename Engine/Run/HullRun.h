@@ -37,7 +37,7 @@ public:
   void finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull);
 
 private:
-  void write(CanonicalForm& form, Hull& hull);
+  void write(CanonicalForm<Polyhedron>& form, Hull& hull);
 };
 
 }

@@ -89,11 +89,11 @@ void TriangulationRun<Weighted>::triangulate(
     [&](const std::uint32_t* ids, std::uint32_t count)
     { return engine.startsFromPoints() ? this->firstSpan() : this->spanOf(ids, count); },
     chain,
-    [&](CanonicalForm& form)
+    [&](auto& form)
     {
       this->listHidden(result);
       this->monitor.poll();
-      this->describe(form);
+      this->describe(form.ranks());
       form.writeCells(this->monitor, result);
     },
     [&] { this->listHidden(result); });

@@ -52,7 +52,7 @@ private:
   Span firstSpan();
 
   /// Tell more of a result of dimension 2, whose points are known, before its cells are written.
-  virtual void describe(const CanonicalForm&) {}
+  virtual void describe(const VertexRanks&) {}
 
   /// All finite points that do not appear.
   void listHidden(Triangulation& result);

@@ -68,8 +68,12 @@ public:
     this->items[this->cursor(piece, KeyOf()(item))++] = item;
   }
 
+  /// How many items there are, after counting.
+  std::size_t size() const { return this->items.size(); }
+
   /// After all are put.
-  /// @param use void (key, Item* begin, Item* end): the items of each key below keys, in parallel
+  /// @param use void (key, Item* begin, Item* end, std::size_t first): the items of each key below
+  ///            keys, in parallel, and the number of the first
   /// @return all items, key by key
   template <class Use>
   Buffer<Item> sort(const Use& use)
@@ -108,7 +112,8 @@ private:
     std::uint32_t from = 0;
     for (std::size_t key = 0; key < keys; ++key)
     {
-      use(static_cast<std::uint32_t>(lowest + key), begin + from, begin + place[key]);
+      use(static_cast<std::uint32_t>(lowest + key), begin + from, begin + place[key],
+        this->bucketBegin[bucket] + from);
       from = place[key];
     }
   }

@@ -225,8 +225,8 @@ TEST(Polls, WhileFacetsAreJoinedAndWritten)
   const auto form = [&](Monitor& monitor, bool anyFlat)
   {
     polyhedron = copyOf(marked);
-    return std::make_unique<CanonicalForm>(polyhedron, anyFlat, tally.duplicates, pointCount,
-      FacetMode::Polygons, monitor, complex.pointIds);
+    return std::make_unique<CanonicalForm<Polyhedron>>(polyhedron, anyFlat, tally.duplicates,
+      pointCount, FacetMode::Polygons, monitor, complex.pointIds);
   };
   // Three passes over the points; then one over triangles and facets' corners.
   expectLooks([&](Monitor& monitor) { form(monitor, false); }, 3 * looksIn(cloud.size()));

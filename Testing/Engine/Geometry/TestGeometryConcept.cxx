@@ -184,7 +184,7 @@ public:
           this->geometry.hull, this->source, ids, count, 3, this->checkFinite, this->monitor);
       },
       [](const Span&) { ADD_FAILURE() << "the points span space"; },
-      [&](CanonicalForm& form)
+      [&](CanonicalForm<Polyhedron>& form)
       { form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull); },
       [] { ADD_FAILURE() << "the engine does not finish"; });
   }
