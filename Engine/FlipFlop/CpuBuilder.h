@@ -10,8 +10,6 @@
 #include "Geometry/HullGeometry.h"
 #include "Geometry/LiftedGeometry.h"
 
-#include <type_traits>
-
 namespace flipflop
 {
 
@@ -19,12 +17,9 @@ template <class Geometry>
 class CpuBuilder : public PolyhedronBuilder<Geometry>
 {
 public:
-  bool startsFromPoints() const override
-  {
-    return std::is_same_v<Geometry, LiftedGeometry<false>>; // PartsBuilder does
-  }
+  bool startsFromPoints() const override { return Geometry::InsertsAtOnce; } // by PartsBuilder
 
-  /// By InsertionBuilder or by Builder, whichever suits the geometry.
+  /// By PartsBuilder in the plane, by Builder in space.
   Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override;
 };

@@ -9,7 +9,6 @@
 #include "FlipFlop/CpuBuilder.h"
 
 #include "FlipFlop/Builder.h"
-#include "FlipFlop/InsertionBuilder.h"
 #include "FlipFlop/PartsBuilder.h"
 #include "Geometry/GeometryConcept.h"
 
@@ -24,10 +23,14 @@ Polyhedron CpuBuilder<Geometry>::build(
   const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
 {
   static_assert(isGeometry<Geometry>());
-  using Inserting = std::conditional_t<std::is_same_v<Geometry, LiftedGeometry<false>>,
-    PartsBuilder, InsertionBuilder<Geometry>>;
-  using Chosen = std::conditional_t<Geometry::InsertsAtOnce, Inserting, Builder<Geometry>>;
-  return Chosen::build(task, std::move(start), tally, statistics);
+  if constexpr (Geometry::InsertsAtOnce)
+  {
+    return PartsBuilder<!Geometry::AllExtreme>::build(task, std::move(start), tally, statistics);
+  }
+  else
+  {
+    return Builder<Geometry>::build(task, std::move(start), tally, statistics);
+  }
 }
 
 }

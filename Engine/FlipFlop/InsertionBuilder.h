@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Insertion of all points in random levels along a curve: the CPU's engine for the plane, and for
-/// hulls that most points are vertices of (see Builder).
+/// Insertion of all points in random levels along a curve: the CPU's engine for hulls that most
+/// points are vertices of (see Builder).
 #ifndef flipflop_InsertionBuilder_h
 #define flipflop_InsertionBuilder_h
 

@@ -44,8 +44,10 @@ template <bool Weighted>
 void PartMerge<Weighted>::addTo(Tally& tally) const
 {
   tally.ties += this->ties;
+  tally.duplicates.insert(tally.duplicates.end(), this->duplicates.begin(), this->duplicates.end());
   tally.statistics.flips22 += this->flips;
-  tally.statistics.flipsV += this->flips;
+  tally.statistics.flips31 += this->hidden;
+  tally.statistics.flipsV += this->flips + this->hidden;
   tally.statistics.edgeChecks += this->checks;
 }
 
@@ -147,7 +149,7 @@ PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upp
   this->mesh.setTriangle(top, this->left.vertex, this->right.vertex, PlaneVirtual);
   this->mesh.link(this->base, halfEdge(top, 0));
   const auto isConsumed = [&](const PlanePart& part, const Shore& shore, std::uint32_t from)
-  { return part.isSingle() || (shore.reached > 0 && shore.vertex == from); };
+  { return part.isSingle() || ((Weighted || shore.reached > 0) && shore.vertex == from); };
   this->mesh.link(halfEdge(top, 2),
     isConsumed(lower, this->left, lowest[0]) ? halfEdge(bottom, 1)
                                              : previousHalfEdge(this->left.spoke));
@@ -160,7 +162,7 @@ PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upp
   {
     const auto* const v = this->mesh.vertices;
     const PlanePart& from =
-      isFarther(side, v[lower.vertex[side]].x, v[upper.vertex[side]].x) ? lower : upper;
+      isFarther<Weighted>(side, v[lower.vertex[side]], v[upper.vertex[side]]) ? lower : upper;
     const std::uint32_t vertex = from.vertex[side];
     whole.vertex[side] = vertex;
     // Two border edges are new.
@@ -178,12 +180,16 @@ void PartMerge<Weighted>::rise()
   {
     const Candidate a = this->candidate(true);
     const Candidate c = this->candidate(false);
-    ensure(a.isAbove || c.isAbove);
+    if (!a.isAbove && !c.isAbove)
+    {
+      break; // hidden vertices were left
+    }
     const bool goesLeft = a.isAbove &&
       (!c.isAbove ||
         this->inCircle(this->left.vertex, this->right.vertex, a.vertex, c.vertex) <= 0);
     goesLeft ? this->reachLeft(a) : this->reachRight(c);
   }
+  ensure(this->left.edges == 0 && this->right.edges == 0);
 }
 
 /// The next corner on one side, after the edges that lose are flipped out of the way.
@@ -191,34 +197,105 @@ template <bool Weighted>
 typename PartMerge<Weighted>::Candidate PartMerge<Weighted>::candidate(bool isLeft)
 {
   const Shore& shore = isLeft ? this->left : this->right;
-  Candidate found;
-  if (shore.edges == 0)
-  {
-    return found;
-  }
   const std::uint32_t l = this->left.vertex;
   const std::uint32_t r = this->right.vertex;
-  found.vertex = isLeft ? this->ring.begin(shore.spoke) : this->ring.end(shore.spoke);
-  found.isAbove = this->orient(l, r, found.vertex) > 0;
-  while (found.isAbove)
+  while (shore.edges > 0)
   {
+    Candidate found;
+    found.vertex = isLeft ? this->ring.begin(shore.spoke) : this->ring.end(shore.spoke);
+    found.isAbove = this->orient(l, r, found.vertex) > 0;
+    if (!found.isAbove && !(Weighted && this->isPassed(isLeft, found.vertex)))
+    {
+      return found;
+    }
     const std::uint32_t inner = this->mesh.twin(nextHalfEdge(shore.spoke));
     const std::uint32_t apex = this->mesh.origin(previousHalfEdge(inner));
     if (apex == PlaneVirtual)
     {
-      break;
+      if (found.isAbove)
+      {
+        return found;
+      }
+      this->hideBeyond(isLeft, inner);
+      continue;
     }
-    const int sign = this->inCircle(l, r, found.vertex, apex);
+    const int sign = found.isAbove ? this->inCircle(l, r, found.vertex, apex) : 1;
     if (sign <= 0)
     {
       found.isFlat = sign == 0;
-      break;
+      return found;
     }
     isLeft ? this->uncoverLeft(inner, found.vertex, apex)
            : this->uncoverRight(inner, found.vertex, apex);
-    found.vertex = apex;
   }
-  return found;
+  return Candidate();
+}
+
+/// Is a vertex, not above the seam's last edge, beneath the triangle that is beneath that edge, or
+/// behind its other edge? The seam has passed it then. Else the other side may rise to it yet.
+template <bool Weighted>
+bool PartMerge<Weighted>::isPassed(bool isLeft, std::uint32_t vertex)
+{
+  if (this->below == NoIndex || vertex == this->below)
+  {
+    return false;
+  }
+  return isLeft ? this->orient(this->left.vertex, this->below, vertex) > 0
+                : this->orient(this->right.vertex, this->below, vertex) < 0;
+}
+
+/// The border passes both sides of the next edge, which does not stay: remove it, and all that only
+/// it connects with its side. These vertices are hidden.
+/// @param inner the edge's half-edge on the way back
+template <bool Weighted>
+void PartMerge<Weighted>::hideBeyond(bool isLeft, std::uint32_t inner)
+{
+  Shore& shore = isLeft ? this->left : this->right;
+  const std::uint32_t back = previousHalfEdge(inner);
+  const std::uint32_t onward = isLeft ? this->ring.previous(back) : this->ring.next(back);
+  std::uint32_t edges = 1;
+  for (std::uint32_t s = shore.spoke; triangleOf(s) != triangleOf(inner); ++edges)
+  {
+    ensure(edges < shore.edges);
+    s = isLeft ? this->ring.previous(s) : this->ring.next(s);
+  }
+  this->mesh.removeTriangle(triangleOf(shore.spoke));
+  this->mesh.removeTriangle(triangleOf(inner));
+  const auto remove = [&](std::uint32_t t)
+  {
+    if (!this->mesh.isDead(t))
+    {
+      this->mesh.removeTriangle(t);
+      this->hiding.push_back(t);
+    }
+  };
+  const auto hide = [&](std::uint32_t v)
+  {
+    if (v != PlaneVirtual && (this->mesh.vertices[v].flags & VertexAlive))
+    {
+      ensure(v != this->left.vertex && v != this->right.vertex);
+      this->mesh.vertices[v].flags = 0;
+      ++this->hidden;
+    }
+  };
+  const std::uint32_t first = isLeft ? this->ring.begin(shore.spoke) : this->ring.end(shore.spoke);
+  this->noteIfDuplicates(first, shore.vertex);
+  hide(first);
+  remove(triangleOf(this->mesh.twin(isLeft ? shore.spoke : previousHalfEdge(shore.spoke))));
+  while (!this->hiding.empty())
+  {
+    const std::uint32_t t = this->hiding.back();
+    this->hiding.pop_back();
+    for (int e = 0; e < 3; ++e)
+    {
+      const std::uint32_t v = this->mesh.triangles[t].v[e];
+      this->noteIfDuplicates(v, this->mesh.triangles[t].v[nextCorner(e)]);
+      hide(v);
+      remove(triangleOf(this->mesh.triangles[t].twin[e]));
+    }
+  }
+  shore.spoke = onward;
+  shore.edges -= edges;
 }
 
 /// Flip the border edge's triangle, of the half-edge @p inner from l to a and its apex d, with the
@@ -227,6 +304,7 @@ template <bool Weighted>
 void PartMerge<Weighted>::uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t d)
 {
   const std::uint32_t spoke = this->left.spoke;
+  this->noteIfDuplicates(this->left.vertex, a);
   const std::uint32_t t = triangleOf(inner);
   const std::uint32_t da = this->mesh.twin(nextHalfEdge(inner));
   const std::uint32_t ld = this->mesh.twin(previousHalfEdge(inner));
@@ -247,6 +325,7 @@ template <bool Weighted>
 void PartMerge<Weighted>::uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t d)
 {
   const std::uint32_t spoke = this->right.spoke;
+  this->noteIfDuplicates(this->right.vertex, c);
   const std::uint32_t t = triangleOf(inner);
   const std::uint32_t dr = this->mesh.twin(nextHalfEdge(inner));
   const std::uint32_t cd = this->mesh.twin(previousHalfEdge(inner));
@@ -301,12 +380,13 @@ void PartMerge<Weighted>::closeTriangle(
     this->mesh.markTied(outer);
   }
   if (this->below != NoIndex &&
-    this->inCircle(this->left.vertex, this->right.vertex, next.vertex, this->below) == 0)
+    this->exactInCircle(this->left.vertex, this->right.vertex, next.vertex, this->below) == 0)
   {
     this->mesh.markTied(onBase);
   }
 }
 
 template class PartMerge<false>;
+template class PartMerge<true>;
 
 }

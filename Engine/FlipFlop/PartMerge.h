@@ -9,6 +9,13 @@
 /// the ends of the last edge is empty. An edge inside a part that loses is flipped with the virtual
 /// triangle beside it, and so comes to the border; the virtual triangle of a border edge that the
 /// seam reaches becomes the seam's triangle. Two free triangles close the border at the tangents.
+///
+/// With weights, the circle test is the power test, by perturbed signs, and vertices may be hidden:
+/// the seam triangle passes over them. Seen from the seam's last edge, such a vertex is behind the
+/// triangle beneath, so its edge from there is no edge of the whole. Such edges are flipped away
+/// like those that lose. One that has no triangle on either side is all that connects what is
+/// beyond it, for the border passes it twice: this is hidden, too. Whatever is flipped away, the
+/// points of the other side are above it; the seam's triangles are right for any convex lift.
 #ifndef flipflop_PartMerge_h
 #define flipflop_PartMerge_h
 
@@ -18,6 +25,7 @@
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace flipflop
 {
@@ -69,6 +77,8 @@ private:
   void findLowerTangent();
   PlanePart join(const PlanePart& lower, const PlanePart& upper);
   Candidate candidate(bool isLeft);
+  bool isPassed(bool isLeft, std::uint32_t vertex);
+  void hideBeyond(bool isLeft, std::uint32_t inner);
   void uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t d);
   void uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t d);
   void rise();
@@ -76,17 +86,45 @@ private:
   void reachRight(const Candidate& next);
   void closeTriangle(std::uint32_t onBase, std::uint32_t outer, const Candidate& next);
 
-  int orient(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+  /// With weights, never zero.
+  int orient(std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
-    return this->geometry.orient(this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c));
+    const int sign =
+      this->geometry.orient(this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c));
+    if (Weighted && sign == 0)
+    {
+      ++this->ties; // a facet that is vertical
+      return this->geometry.tieKernelBeneath(
+        this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c));
+    }
+    return sign;
   }
+  /// With weights, the power test, and never zero.
   int inCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p)
+  {
+    const int sign = this->exactInCircle(a, b, c, p);
+    return Weighted && sign == 0
+      ? this->geometry.tieAbove(
+          this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c), this->mesh.vertex(p))
+      : sign;
+  }
+  int exactInCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p)
   {
     ++this->checks;
     const int sign = this->geometry.above(
       this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c), this->mesh.vertex(p));
     this->ties += sign == 0 ? 1 : 0;
     return sign;
+  }
+
+  /// An edge goes: where its ends are at one position, one id stands for both.
+  void noteIfDuplicates(std::uint32_t a, std::uint32_t b)
+  {
+    const auto* const v = this->mesh.vertices;
+    if (Weighted && samePosition(v[a], v[b]))
+    {
+      this->duplicates.push_back({ v[a].id, v[b].id });
+    }
   }
 
   const Geometry& geometry;
@@ -96,12 +134,16 @@ private:
   Shore right{};
   std::uint32_t base = NoIndex;  ///< the seam's last edge: a half-edge from right to left
   std::uint32_t below = NoIndex; ///< the corner beneath it; NoIndex at the start
+  std::vector<Duplicate> duplicates;
+  std::vector<std::uint32_t> hiding; ///< triangles
   std::int64_t flips = 0;
+  std::int64_t hidden = 0;
   std::int64_t checks = 0;
   std::int64_t ties = 0;
 };
 
 extern template class PartMerge<false>;
+extern template class PartMerge<true>;
 
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace flipflop
@@ -17,10 +18,11 @@ namespace
 
 constexpr std::size_t PointsPerTask = 1 << 15;
 
+template <class AnyVertex>
 class Cutter
 {
 public:
-  Cutter(PartTree& treeToFill, std::uint32_t most, Monitor& monitorToTell)
+  Cutter(PartTree<AnyVertex>& treeToFill, std::uint32_t most, Monitor& monitorToTell)
     : tree(treeToFill)
     , mostPoints(most)
     , monitor(monitorToTell)
@@ -28,7 +30,7 @@ public:
   }
 
   /// Cut all points, and write their vertices.
-  /// @param pointAt PlaneVertex (i): of the points, in any order
+  /// @param pointAt AnyVertex (i): of the points, in any order
   template <class PointAt>
   void cutAll(const HilbertCurve& curve, const PointAt& pointAt)
   {
@@ -71,7 +73,7 @@ private:
   {
     const std::uint32_t begin = this->tree.nodes[node].begin;
     const std::uint32_t count = this->tree.nodes[node].end - begin;
-    Buffer<PlaneVertex> points(count);
+    Buffer<AnyVertex> points(count);
     std::vector<HilbertCurve> boxes(runCount(count, PointsPerTask));
     this->eachRun(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
@@ -184,26 +186,38 @@ private:
     this->divide(left + 1, cellBegin, middle, last);
   }
 
-  PartTree& tree;
+  PartTree<AnyVertex>& tree;
   const std::uint32_t mostPoints;
   Monitor& monitor;
 };
 
 }
 
-PartTree cutIntoParts(const PointSource& source, const PointSubset& subset,
+template <class AnyVertex>
+PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& subset,
   const CoordinateRange& box, std::uint32_t most, Monitor& monitor)
 {
   HilbertCurve curve;
   curve.add(box.low);
   curve.add(box.high);
   curve.prepare();
-  PartTree tree;
-  Cutter cutter(tree, most, monitor);
+  PartTree<AnyVertex> tree;
+  const auto vertexOf = [&source](std::uint32_t id)
+  {
+    if constexpr (std::is_same_v<AnyVertex, Vertex>)
+    {
+      return source.vertex(id);
+    }
+    else
+    {
+      return withoutWeight(source.vertex(id));
+    }
+  };
+  Cutter<AnyVertex> cutter(tree, most, monitor);
   if (!subset.checkFinite)
   {
     tree.vertices.allocate(std::size_t(subset.count) + 1);
-    cutter.cutAll(curve, [&source](std::uint32_t i) { return withoutWeight(source.vertex(i)); });
+    cutter.cutAll(curve, vertexOf);
     return tree;
   }
   Buffer<std::uint32_t> ids;
@@ -218,8 +232,13 @@ PartTree cutIntoParts(const PointSource& source, const PointSubset& subset,
     [&](std::size_t wanted) { ids.allocate(wanted); },
     [&](std::size_t at, std::uint32_t id) { ids[at] = id; });
   tree.vertices.allocate(ids.size() + 1);
-  cutter.cutAll(curve, [&](std::uint32_t i) { return withoutWeight(source.vertex(ids[i])); });
+  cutter.cutAll(curve, [&](std::uint32_t i) { return vertexOf(ids[i]); });
   return tree;
 }
+
+template PartTree<PlaneVertex> cutIntoParts(
+  const PointSource&, const PointSubset&, const CoordinateRange&, std::uint32_t, Monitor&);
+template PartTree<Vertex> cutIntoParts(
+  const PointSource&, const PointSubset&, const CoordinateRange&, std::uint32_t, Monitor&);
 
 }

@@ -32,16 +32,19 @@ struct PartNode
   std::uint32_t right = 0;
 };
 
+/// @tparam AnyVertex Vertex, or PlaneVertex
+template <class AnyVertex>
 struct PartTree
 {
-  Buffer<PlaneVertex> vertices; ///< the first is left to the caller; then all points, part by part
-  std::vector<PartNode> nodes;  ///< the root is the first
+  Buffer<AnyVertex> vertices;  ///< the first is left to the caller; then all points, part by part
+  std::vector<PartNode> nodes; ///< the root is the first
 };
 
 /// @param box  of the points, scaled
 /// @param most points of a part, but for points at one position
 /// @throw Error Aborted, OutOfMemory
-PartTree cutIntoParts(const PointSource& source, const PointSubset& subset,
+template <class AnyVertex>
+PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& subset,
   const CoordinateRange& box, std::uint32_t most, Monitor& monitor);
 
 }

@@ -19,12 +19,7 @@ PlanePart PartTriangulation::build()
   }
   PlanePart part;
   part.firstFree = this->next;
-  std::uint32_t spoke = halfEdge(this->firstTriangle, 0);
-  while (this->mesh.origin(spoke) != PlaneVirtual)
-  {
-    spoke = cornerOf(spoke) == 2 ? halfEdge(triangleOf(spoke) + 1, 0) : spoke + 1;
-  }
-  findFarthest(this->mesh, spoke, part);
+  findFarthest<false>(this->mesh, anySpoke(this->mesh, this->firstTriangle), part);
   return part;
 }
 
@@ -65,23 +60,9 @@ bool PartTriangulation::start()
   {
     std::swap(v[this->begin + 1], v[this->begin + 2]);
   }
-  const std::uint32_t inner = this->firstTriangle;
-  this->mesh.setTriangle(inner, this->begin, this->begin + 1, this->begin + 2);
-  for (int i = 0; i < 3; ++i)
-  {
-    const std::uint32_t outer = inner + 1 + static_cast<std::uint32_t>(i);
-    const std::uint32_t* const corner = this->mesh.triangles[inner].v;
-    this->mesh.setTriangle(outer, corner[nextCorner(i)], corner[i], PlaneVirtual);
-    this->mesh.link(halfEdge(inner, i), halfEdge(outer, 0));
-    v[corner[i]].flags = VertexAlive;
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto outerOf = [inner](int side) { return inner + 1 + static_cast<std::uint32_t>(side); };
-    this->mesh.link(halfEdge(outerOf(i), 1), halfEdge(outerOf(previousCorner(i)), 2));
-  }
-  this->next = inner + 4;
-  this->last = inner;
+  startPart(this->mesh, this->begin);
+  this->next = this->firstTriangle + 4;
+  this->last = this->firstTriangle;
   this->insertions = 3;
   return true;
 }
@@ -133,7 +114,7 @@ PlanePart PartTriangulation::chain()
     return part;
   }
   this->mesh.link(halfEdge(this->next - 2, 1), halfEdge(this->next - 1, 2));
-  findFarthest(this->mesh, halfEdge(this->firstTriangle, 2), part);
+  findFarthest<false>(this->mesh, halfEdge(this->firstTriangle, 2), part);
   return part;
 }
 

@@ -37,7 +37,7 @@ public:
     , mesh(meshToFill)
     , begin(first)
     , end(first + count)
-    , firstTriangle(2 * (first - 1))
+    , firstTriangle(firstTriangleOf(first))
     , next(this->firstTriangle)
     , error(1.08 * geometryToAsk.heightError())
     , leastError(geometryToAsk.leastHeightError())

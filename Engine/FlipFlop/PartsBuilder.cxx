@@ -5,6 +5,7 @@
 #include "FlipFlop/PartMerge.h"
 #include "FlipFlop/PartTree.h"
 #include "FlipFlop/PartTriangulation.h"
+#include "FlipFlop/WeightedPart.h"
 #include "Points/HilbertCurve.h"
 #include "Support/Parallel.h"
 #include "Support/Stopwatch.h"
@@ -22,13 +23,14 @@ namespace flipflop
 namespace
 {
 
+template <bool Weighted>
 class PartsRun
 {
 public:
-  using Geometry = LiftedGeometry<false>;
+  using Geometry = LiftedGeometry<Weighted>;
 
   PartsRun(const BuildTask<Geometry>& taskToDo, const std::vector<PartNode>& nodesToBuild,
-    const PlaneMesh& meshToFill)
+    const PartMesh<Weighted>& meshToFill)
     : task(taskToDo)
     , nodes(nodesToBuild)
     , mesh(meshToFill)
@@ -58,7 +60,7 @@ public:
     }
     this->task.monitor.poll();
     const Geometry local = this->task.geometry; // counts its own exact signs
-    PartMerge<false> merge(local, this->mesh);
+    PartMerge<Weighted> merge(local, this->mesh);
     const PlanePart whole = merge.merge(left, right);
     merge.addTo(tally);
     tally.addPredicates(local, this->task.geometry);
@@ -70,22 +72,37 @@ private:
   {
     const std::uint32_t count = node.end - node.begin;
     putInOrder(this->mesh.vertices + node.begin, count);
-    const Geometry local = this->task.geometry;
-    PartTriangulation triangulation(local, this->mesh, node.begin, count);
-    const PlanePart part = triangulation.build();
-    for (std::uint32_t t = part.firstFree; t < 2 * (node.end - 1); ++t)
+    const PlanePart part = this->insertAll(node.begin, count, tally);
+    for (std::uint32_t t = part.firstFree; t < firstTriangleOf(node.end); ++t)
     {
       this->mesh.removeTriangle(t);
     }
-    triangulation.addTo(tally);
-    tally.addPredicates(local, this->task.geometry);
     this->task.monitor.advance(count);
     return part;
   }
 
+  PlanePart insertAll(std::uint32_t begin, std::uint32_t count, Tally& tally) const
+  {
+    if constexpr (Weighted)
+    {
+      return WeightedPart(this->task.geometry, this->mesh, begin, count, this->task.options.vBiased,
+        this->task.monitor)
+        .build(tally);
+    }
+    else
+    {
+      const Geometry local = this->task.geometry;
+      PartTriangulation triangulation(local, this->mesh, begin, count);
+      const PlanePart part = triangulation.build();
+      triangulation.addTo(tally);
+      tally.addPredicates(local, this->task.geometry);
+      return part;
+    }
+  }
+
   /// Bring a part's vertices into the order of insertion: random levels, each along the curve
   /// through the part's box.
-  static void putInOrder(PlaneVertex* vertices, std::uint32_t count)
+  static void putInOrder(PartVertex<Weighted>* vertices, std::uint32_t count)
   {
     constexpr int CurveBits = 18; // of cells, 32 a point
     HilbertCurve curve;
@@ -94,7 +111,7 @@ private:
       curve.add(vertices[i].x);
     }
     curve.prepare();
-    const std::vector<PlaneVertex> unordered(vertices, vertices + count);
+    const std::vector<PartVertex<Weighted>> unordered(vertices, vertices + count);
     std::vector<std::uint64_t> keys(count);
     for (std::uint32_t i = 0; i < count; ++i)
     {
@@ -111,13 +128,14 @@ private:
 
   const BuildTask<Geometry>& task;
   const std::vector<PartNode>& nodes;
-  const PlaneMesh mesh;
+  const PartMesh<Weighted> mesh;
 };
 
 }
 
-Polyhedron PartsBuilder::build(
-  const BuildTask<LiftedGeometry<false>>& task, Polyhedron&&, Tally& tally, Statistics& statistics)
+template <bool Weighted>
+Polyhedron PartsBuilder<Weighted>::build(const BuildTask<LiftedGeometry<Weighted>>& task,
+  Polyhedron&&, Tally& tally, Statistics& statistics)
 {
   Stopwatch watch;
   PointSubset subset;
@@ -127,7 +145,8 @@ Polyhedron PartsBuilder::build(
   // Parts of this many points and their triangles fit a core's cache.
   const auto most =
     static_cast<std::uint32_t>(2 * pointsPerThread().load(std::memory_order_relaxed));
-  PartTree tree = cutIntoParts(task.source, subset, task.range, most, task.monitor);
+  auto tree =
+    cutIntoParts<PartVertex<Weighted>>(task.source, subset, task.range, most, task.monitor);
   statistics.secondsLocate += watch.lap();
   const std::size_t count = tree.vertices.size() - 1;
   if (8 * count >= NoIndex)
@@ -135,16 +154,32 @@ Polyhedron PartsBuilder::build(
     throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
   }
   task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count), "inserting");
-  PlanePolyhedron result;
-  result.triangles.allocate(2 * count);
-  result.ties.allocate(2 * count);
-  result.vertices = std::move(tree.vertices);
-  result.vertices[PlaneVirtual] = withoutWeight(virtualVertex());
-  PartsRun(task, tree.nodes, result.mesh()).build(0, tally);
-  tally.statistics.insertions -= 3; // of which the run started
-  statistics.secondsFlip += watch.lap();
-  *task.plane = std::move(result);
-  return Polyhedron();
+  const auto fill = [&](auto& result, const PartVertex<Weighted>& atInfinity)
+  {
+    result.vertices = std::move(tree.vertices);
+    result.vertices[PlaneVirtual] = atInfinity;
+    PartsRun<Weighted>(task, tree.nodes, result.mesh()).build(0, tally);
+    tally.statistics.insertions -= 3; // of which the run started
+    statistics.secondsFlip += watch.lap();
+  };
+  if constexpr (Weighted)
+  {
+    Polyhedron result(0, 2 * count);
+    fill(result, virtualVertex());
+    return result;
+  }
+  else
+  {
+    PlanePolyhedron result;
+    result.triangles.allocate(2 * count);
+    result.ties.allocate(2 * count);
+    fill(result, withoutWeight(virtualVertex()));
+    *task.plane = std::move(result);
+    return Polyhedron();
+  }
 }
+
+template class PartsBuilder<false>;
+template class PartsBuilder<true>;
 
 }

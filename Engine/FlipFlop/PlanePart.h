@@ -9,6 +9,9 @@
 /// every point on the border is a vertex of it. Virtual triangles join the border's edges to the
 /// virtual vertex, so the triangulation is a closed mesh. Of collinear points, the virtual
 /// triangles are on both sides of the edges between them; one point has none.
+///
+/// With weights, it is the regular triangulation by perturbed signs, of which no three points are
+/// collinear. Hidden points are in the part's range, but not alive, nor are their triangles.
 #ifndef flipflop_PlanePart_h
 #define flipflop_PlanePart_h
 
@@ -23,9 +26,17 @@ namespace flipflop
 /// What parts are triangulated in.
 template <bool Weighted>
 using PartMesh = std::conditional_t<Weighted, Mesh, PlaneMesh>;
+template <bool Weighted>
+using PartVertex = std::conditional_t<Weighted, Vertex, PlaneVertex>;
 
 /// The place of the virtual vertex in the array: before all points.
 constexpr std::uint32_t PlaneVirtual = 0;
+
+/// A part's triangles begin here, if its vertices begin there.
+constexpr std::uint32_t firstTriangleOf(std::uint32_t firstVertex)
+{
+  return 2 * (firstVertex - 1);
+}
 
 /// The directions in which a part keeps its farthest vertex. Of several, the one with the least
 /// other coordinate.
@@ -72,22 +83,57 @@ private:
   const AnyMesh mesh;
 };
 
-/// Is p farther than q to a side?
-inline bool isFarther(int side, const double* p, const double* q)
+/// Is p farther than q to a side? With weights, as the perturbation moves them: the lower id most.
+template <bool Weighted>
+bool isFarther(int side, const PartVertex<Weighted>& p, const PartVertex<Weighted>& q)
 {
   const int axis = side / 2;
-  if (p[axis] != q[axis])
+  const bool isMost = side % 2 == 1;
+  if (p.x[axis] != q.x[axis])
   {
-    return (side % 2 == 1) == (p[axis] > q[axis]);
+    return isMost == (p.x[axis] > q.x[axis]);
   }
-  return p[1 - axis] < q[1 - axis];
+  return Weighted ? isMost == (p.id < q.id) : p.x[1 - axis] < q.x[1 - axis];
+}
+
+/// The first triangle of a part, of its first three vertices, and the three virtual ones.
+template <class AnyMesh>
+void startPart(const AnyMesh& mesh, std::uint32_t firstVertex)
+{
+  const std::uint32_t inner = firstTriangleOf(firstVertex);
+  const auto vertexOf = [firstVertex](int i)
+  { return firstVertex + static_cast<std::uint32_t>(i); };
+  const auto outerOf = [inner](int side) { return inner + 1 + static_cast<std::uint32_t>(side); };
+  mesh.setTriangle(inner, vertexOf(0), vertexOf(1), vertexOf(2));
+  for (int i = 0; i < 3; ++i)
+  {
+    mesh.setTriangle(outerOf(i), vertexOf(nextCorner(i)), vertexOf(i), PlaneVirtual);
+    mesh.link(halfEdge(inner, i), halfEdge(outerOf(i), 0));
+    mesh.vertices[vertexOf(i)].flags = VertexAlive;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    mesh.link(halfEdge(outerOf(i), 1), halfEdge(outerOf(previousCorner(i)), 2));
+  }
+}
+
+/// The first half-edge from the virtual vertex, of the triangles from @p first on.
+template <class AnyMesh>
+std::uint32_t anySpoke(const AnyMesh& mesh, std::uint32_t first)
+{
+  std::uint32_t spoke = halfEdge(first, 0);
+  while (mesh.origin(spoke) != PlaneVirtual || mesh.isDead(triangleOf(spoke)))
+  {
+    spoke = cornerOf(spoke) == 2 ? halfEdge(triangleOf(spoke) + 1, 0) : spoke + 1;
+  }
+  return spoke;
 }
 
 /// Set the part's farthest vertices by a walk around its border, from any of its spokes.
-template <class AnyMesh>
-void findFarthest(const AnyMesh& mesh, std::uint32_t spoke, PlanePart& part)
+template <bool Weighted>
+void findFarthest(const PartMesh<Weighted>& mesh, std::uint32_t spoke, PlanePart& part)
 {
-  const BorderRing<AnyMesh> ring(mesh);
+  const BorderRing<PartMesh<Weighted>> ring(mesh);
   for (int side = 0; side < 4; ++side)
   {
     part.spoke[side] = spoke;
@@ -96,8 +142,8 @@ void findFarthest(const AnyMesh& mesh, std::uint32_t spoke, PlanePart& part)
   {
     for (int side = 0; side < 4; ++side)
     {
-      if (isFarther(
-            side, mesh.vertices[ring.begin(s)].x, mesh.vertices[ring.begin(part.spoke[side])].x))
+      if (isFarther<Weighted>(
+            side, mesh.vertices[ring.begin(s)], mesh.vertices[ring.begin(part.spoke[side])]))
       {
         part.spoke[side] = s;
       }

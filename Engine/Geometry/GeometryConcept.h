@@ -39,8 +39,8 @@ constexpr bool hasSigns()
   using G = const Model&;
   using V = const Vertex&;
 
-  // Are all points vertices but for duplicates? Do threads insert all points one at a time
-  // (InsertionBuilder)? Else they grow first and flip afterwards where that is faster (Builder).
+  // Are all points vertices but for duplicates? Do threads insert all points, part by
+  // part (PartsBuilder)? Else they grow first and flip afterwards where that is faster (Builder).
   FF_GIVES(const bool, Model::AllExtreme);
   FF_GIVES(const bool, Model::InsertsAtOnce);
 
@@ -104,8 +104,6 @@ constexpr bool hasStart()
   FF_GIVES(Polyhedron,
     startingTetrahedron(
       declval<Model&>(), declval<const PointSource&>(), declval<const std::uint32_t*>()));
-  // The curve that points are inserted along.
-  FF_GIVES(Unfolding, unfoldingOf(declval<const Model&>(), declval<const Polyhedron&>()));
   return true;
 }
 
@@ -136,6 +134,8 @@ constexpr bool canGrow()
   using V = const Vertex&;
   using G = const Model&;
 
+  // The curve that points are inserted along.
+  FF_GIVES(Unfolding, unfoldingOf(declval<const Model&>(), declval<const Polyhedron&>()));
   // The kernel point may move to the middle of a convex polyhedron.
   FF_GIVES(void, centerKernel(declval<Model&>(), declval<const Polyhedron&>()));
 

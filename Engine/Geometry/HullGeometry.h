@@ -49,7 +49,7 @@ public:
   /// Are all points vertices but for duplicates?
   static constexpr bool AllExtreme = false;
 
-  /// Do threads of this machine insert all points one at a time (InsertionBuilder)? Else they grow
+  /// Do threads of this machine insert all points, part by part (PartsBuilder)? Else they grow
   /// first and flip afterwards where that is faster (Builder).
   static constexpr bool InsertsAtOnce = false;
 

@@ -71,7 +71,7 @@ public:
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
 
-  /// Do threads of this machine insert all points one at a time (InsertionBuilder)? Else they grow
+  /// Do threads of this machine insert all points, part by part (PartsBuilder)? Else they grow
   /// first and flip afterwards where that is faster (Builder).
   static constexpr bool InsertsAtOnce = true;
 

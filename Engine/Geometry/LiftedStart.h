@@ -14,6 +14,32 @@
 namespace flipflop
 {
 
+/// Set the geometry's kernel point inside a counter-clockwise triangle with area.
+template <bool Weighted>
+void setKernelInside(LiftedGeometry<Weighted>& geometry, const Vertex* corner)
+{
+  // Unequal weights keep the kernel off the lines of a grid.
+  static constexpr double share[3] = { 0.3718281828, 0.3414213562, 0.286750461 };
+  double s[2] = { 0, 0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      s[i] += share[k] * corner[k].x[i];
+    }
+  }
+  geometry.setKernel(s);
+  for (int k = 0; k < 3; ++k)
+  {
+    if (geometry.kernelBeneath(corner[(k + 1) % 3], corner[k], virtualVertex()) <= 0)
+    {
+      const Vertex centroid[4] = { corner[0], corner[1], corner[2], corner[0] };
+      geometry.setSymbolicKernel(centroid);
+      break;
+    }
+  }
+}
+
 /// The tetrahedron of three points that are not collinear and the virtual vertex; the geometry's
 /// kernel point is set inside it.
 template <bool Weighted>
@@ -32,35 +58,8 @@ Polyhedron startingTetrahedron(
   }
   corner[3] = virtualVertex();
   Polyhedron result = makeTetrahedron(corner);
-
-  // Unequal weights keep the kernel off the lines of a grid.
-  static constexpr double share[3] = { 0.3718281828, 0.3414213562, 0.286750461 };
-  double s[2] = { 0, 0 };
-  for (int i = 0; i < 2; ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      s[i] += share[k] * corner[k].x[i];
-    }
-  }
-  geometry.setKernel(s);
-  for (int k = 0; k < 3; ++k)
-  {
-    if (geometry.kernelBeneath(corner[(k + 1) % 3], corner[k], corner[3]) <= 0)
-    {
-      const Vertex centroid[4] = { corner[0], corner[1], corner[2], corner[0] };
-      geometry.setSymbolicKernel(centroid);
-      break;
-    }
-  }
+  setKernelInside(geometry, corner);
   return result;
-}
-
-/// The curve is one of the plane as it is.
-template <bool Weighted>
-Unfolding unfoldingOf(const LiftedGeometry<Weighted>&, const Polyhedron&)
-{
-  return Unfolding();
 }
 
 }

@@ -125,6 +125,7 @@ struct Mesh
   }
 
   void removeTriangle(std::uint32_t t) const { this->triangles[t].flags = TriangleDead; }
+  bool isDead(std::uint32_t t) const { return (this->triangles[t].flags & TriangleDead) != 0; }
 
   /// Bit e: the edge e is marked EdgeTied. To set them ends all waiting.
   std::uint32_t marks(std::uint32_t t) const

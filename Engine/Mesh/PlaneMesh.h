@@ -73,6 +73,7 @@ struct PlaneMesh
   }
 
   void removeTriangle(std::uint32_t t) const { this->triangles[t].v[0] = NoIndex; }
+  bool isDead(std::uint32_t t) const { return this->triangles[t].isDead(); }
 
   /// Bit e: the edge e is marked.
   std::uint32_t marks(std::uint32_t t) const { return this->ties[t]; }

@@ -5,6 +5,7 @@
 /// as small as they can be, where merges take all edges of a side, and of ordinary size.
 #include "FlipFlop/PartTree.h"
 #include "FlipFlop/PartsBuilder.h"
+#include "FlipFlop/PlanePart.h"
 #include "Run/TriangulationRun.h"
 #include "Support/Threads.h"
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
@@ -22,27 +23,39 @@ namespace test
 namespace
 {
 
-using Plane = LiftedGeometry<false>;
-
-/// The builder of the plane, with a look at what it makes: a closed mesh of triangles with area,
-/// Delaunay, convex, its flat edges marked and no others.
-class WatchedBuilder : public PolyhedronBuilder<Plane>
+/// The builder of the plane, with a look at what it makes: a closed, convex mesh. Without weights,
+/// its triangles have area, and its flat edges are marked, and no others; with weights, it is
+/// strictly convex by perturbed signs.
+template <bool Weighted>
+class WatchedBuilder : public PolyhedronBuilder<LiftedGeometry<Weighted>>
 {
 public:
+  using Plane = LiftedGeometry<Weighted>;
+
   Polyhedron build(
     const BuildTask<Plane>& task, Polyhedron&& start, Tally& tally, Statistics& statistics) override
   {
-    Polyhedron none = PartsBuilder::build(task, std::move(start), tally, statistics);
-    const PlaneMesh mesh = task.plane->mesh();
-    task.plane->eachTriangle(
-      [&](std::uint32_t t, std::size_t) { this->look(task.geometry, mesh, t); });
-    return none;
+    Polyhedron made = PartsBuilder<Weighted>::build(task, std::move(start), tally, statistics);
+    const auto look = [&](auto& surface)
+    {
+      surface.eachTriangle([&, mesh = surface.mesh()](std::uint32_t t, std::size_t)
+        { this->look(task.geometry, mesh, t); });
+    };
+    if constexpr (Weighted)
+    {
+      look(made);
+    }
+    else
+    {
+      look(*task.plane);
+    }
+    return made;
   }
 
   std::size_t triangles = 0;
 
 private:
-  void look(const Plane& geometry, const PlaneMesh& mesh, std::uint32_t t)
+  void look(const Plane& geometry, const PartMesh<Weighted>& mesh, std::uint32_t t)
   {
     const std::uint32_t* const v = mesh.triangles[t].v;
     bool isVirtual = false;
@@ -51,7 +64,7 @@ private:
       const std::uint32_t h = halfEdge(t, e);
       const std::uint32_t twin = mesh.twin(h);
       ASSERT_EQ(mesh.twin(twin), h);
-      ASSERT_FALSE(mesh.triangles[triangleOf(twin)].isDead());
+      ASSERT_FALSE(mesh.isDead(triangleOf(twin)));
       ASSERT_EQ(mesh.origin(twin), mesh.origin(nextHalfEdge(h)));
       ASSERT_TRUE(mesh.vertices[v[e]].flags & VertexAlive);
       isVirtual = isVirtual || (mesh.vertices[v[e]].flags & VertexVirtual);
@@ -62,16 +75,19 @@ private:
     if (!isVirtual)
     {
       ++this->triangles;
-      ASSERT_GT(geometry.orient(a, b, c), 0);
+      ASSERT_GT(Weighted ? geometry.perturbedKernelBeneath(a, b, c) : geometry.orient(a, b, c), 0);
     }
     for (int e = 0; e < 3; ++e)
     {
       const std::uint32_t twin = mesh.twin(halfEdge(t, e));
       const Vertex d = mesh.vertex(mesh.origin(previousHalfEdge(twin)));
-      const int sign = geometry.above(a, b, c, d);
+      const int sign = Weighted ? geometry.perturbedAbove(a, b, c, d) : geometry.above(a, b, c, d);
       ASSERT_LE(sign, 0);
-      const bool isInside = !isVirtual && !(d.flags & VertexVirtual);
-      if (isInside)
+      if (Weighted)
+      {
+        ASSERT_NE(sign, 0);
+      }
+      else if (!isVirtual && !(d.flags & VertexVirtual))
       {
         ASSERT_EQ(mesh.marks(t) >> e & 1, sign == 0 ? 1u : 0u);
       }
@@ -80,55 +96,81 @@ private:
 };
 
 /// Triangulate, with the mesh looked at, by parts of @p points each at most.
+template <bool Weighted>
 Triangulation triangulateWatched(const Cloud& cloud, std::int64_t points, int threads)
 {
   Options options;
   options.threads = threads;
-  TriangulationRun<false> run(viewOf(cloud), WeightView(), options);
-  WatchedBuilder engine;
+  TriangulationRun<Weighted> run(
+    viewOf(cloud), Weighted ? weightsOf(cloud) : WeightView(), options);
+  WatchedBuilder<Weighted> engine;
   pointsPerThread() = (points + 1) / 2;
-  Triangulation result =
-    run.execute<Triangulation>([&](Triangulation& made) { run.triangulate(engine, made); });
+  Triangulation result = run.template execute<Triangulation>(
+    [&](Triangulation& made) { run.triangulate(engine, made); });
   pointsPerThread() = 1;
   return result;
 }
 
-void expectRight(const Cloud& cloud, const Triangulation& expected)
+/// By one part, which is right, and by many.
+template <bool Weighted>
+void expectRight(const Cloud& cloud)
 {
+  const Triangulation one =
+    triangulateWatched<Weighted>(cloud, static_cast<std::int64_t>(cloud.size()), 1);
+  const Validation valid = validate(viewOf(cloud), Weighted ? weightsOf(cloud) : WeightView(), one);
+  ASSERT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
   for (const std::int64_t points : { 2, 4, 6, 10, 20, 200 })
   {
-    EXPECT_EQ(bitDifference(triangulateWatched(cloud, points, 1), expected), "")
+    EXPECT_EQ(bitDifference(triangulateWatched<Weighted>(cloud, points, 1), one), "")
       << "parts of " << points;
   }
-  EXPECT_EQ(bitDifference(triangulateWatched(cloud, 4, 3), expected), "");
+  EXPECT_EQ(bitDifference(triangulateWatched<Weighted>(cloud, 4, 3), one), "");
 }
 
 class PartsFamily : public ::testing::TestWithParam<const char*>
 {
+protected:
+  template <bool Weighted>
+  static void expectMerges()
+  {
+    for (int count = 3; count <= effort(400); count += 1 + count / 4)
+    {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed)
+      {
+        SCOPED_TRACE("count " + std::to_string(count) + " seed " + std::to_string(seed));
+        expectRight<Weighted>(fromWeightedFamily(GetParam(), count, seed).make());
+      }
+    }
+  }
+
+  template <bool Weighted>
+  static void expectLargeMerges()
+  {
+    const Cloud cloud = fromWeightedFamily(GetParam(), effort(3000), 7).make();
+    const Triangulation one =
+      triangulateWatched<Weighted>(cloud, static_cast<std::int64_t>(cloud.size()), 1);
+    EXPECT_EQ(bitDifference(triangulateWatched<Weighted>(cloud, 200, 4), one), "");
+  }
 };
 
 TEST_P(PartsFamily, MergeToTheSameTriangulation)
 {
-  for (int count = 3; count <= effort(400); count += 1 + count / 4)
-  {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed)
-    {
-      SCOPED_TRACE("count " + std::to_string(count) + " seed " + std::to_string(seed));
-      const Cloud cloud = fromWeightedFamily(GetParam(), count, seed).make();
-      const Triangulation one =
-        triangulateWatched(cloud, static_cast<std::int64_t>(cloud.size()), 1);
-      const Validation valid = validate(viewOf(cloud), WeightView(), one);
-      ASSERT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
-      expectRight(cloud, one);
-    }
-  }
+  expectMerges<false>();
+}
+
+TEST_P(PartsFamily, MergeWithWeights)
+{
+  expectMerges<true>();
 }
 
 TEST_P(PartsFamily, OfOrdinarySizeMerge)
 {
-  const Cloud cloud = fromWeightedFamily(GetParam(), effort(3000), 7).make();
-  const Triangulation one = triangulateWatched(cloud, static_cast<std::int64_t>(cloud.size()), 1);
-  EXPECT_EQ(bitDifference(triangulateWatched(cloud, 200, 4), one), "");
+  expectLargeMerges<false>();
+}
+
+TEST_P(PartsFamily, OfOrdinarySizeMergeWithWeights)
+{
+  expectLargeMerges<true>();
 }
 
 std::vector<const char*> names()
@@ -153,10 +195,41 @@ TEST(Parts, SmallIntegersMerge)
     Random random(seed);
     const int side = random.integer(1, 9);
     const Cloud cloud = smallIntegerSites(random.integer(3, 60), 0, side, 0, 0, random);
-    const Triangulation one = triangulateWatched(cloud, static_cast<std::int64_t>(cloud.size()), 1);
-    const Validation valid = validate(viewOf(cloud), WeightView(), one);
-    ASSERT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
-    expectRight(cloud, one);
+    expectRight<false>(cloud);
+  }
+}
+
+TEST(Parts, SmallIntegersMergeWithWeights)
+{
+  // Ties, and hidden vertices everywhere: whole sides of parts are.
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(effort(2000)); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const int side = random.integer(1, 12);
+    const int weight = random.integer(0, 1) ? random.integer(0, 4) : random.integer(0, side * side);
+    expectRight<true>(smallIntegerSites(random.integer(3, 60), 0, side, -weight, weight, random));
+  }
+}
+
+TEST(Parts, FewVisiblePointsMerge)
+{
+  // Weights of all sizes, not in one place: few points hide many, also across the parts.
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(effort(2000)); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const double heaviest = std::ldexp(1.0, random.integer(-9, 2));
+    const int rare = random.integer(1, 20);
+    Cloud cloud;
+    for (int left = random.integer(3, 120); left > 0; --left)
+    {
+      const double x = random.uniform();
+      const double y = random.uniform();
+      const bool isHeavy = random.integer(1, rare) == 1;
+      cloud.push_back({ x, y, (isHeavy ? heaviest : heaviest / 64) * random.uniform() });
+    }
+    expectRight<true>(cloud);
   }
 }
 
@@ -164,7 +237,7 @@ TEST(Parts, SmallIntegersMerge)
 class TreeLook
 {
 public:
-  explicit TreeLook(const PartTree& treeToLookAt, std::uint32_t mostPoints)
+  explicit TreeLook(const PartTree<PlaneVertex>& treeToLookAt, std::uint32_t mostPoints)
     : tree(treeToLookAt)
     , most(mostPoints)
   {
@@ -221,7 +294,7 @@ private:
     return most;
   }
 
-  const PartTree& tree;
+  const PartTree<PlaneVertex>& tree;
   const std::uint32_t most;
 };
 
@@ -246,8 +319,8 @@ TEST(PartTree, ALineSeparatesTheHalvesOfEachNode)
     }
     for (const std::uint32_t most : { 1u, 3u, 50u, 5000u })
     {
-      const PartTree tree =
-        cutIntoParts(PointSource(viewOf(cloud), WeightView()), subset, box, most, monitor);
+      const PartTree<PlaneVertex> tree = cutIntoParts<PlaneVertex>(
+        PointSource(viewOf(cloud), WeightView()), subset, box, most, monitor);
       std::vector<std::uint32_t> ids;
       for (std::size_t i = 1; i < tree.vertices.size(); ++i)
       {

@@ -3,6 +3,7 @@
 /// @file
 /// Weighted points whose triangulations flipping by the V-criterion alone cannot make regular, and
 /// Flip-Flop can (paper, section 1: Edelsbrunner and Shah's situation).
+#include "Support/Threads.h"
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 #include "Testing/Engine/References/PlaneFlips.h"
@@ -51,7 +52,8 @@ TEST(RegularTriangulationStuck, StuckIsNotTheRuleOfThisFlipper)
 
 TEST(RegularTriangulationStuck, ManyPointsNeedTheDCriterion)
 {
-  // Among thousands of points such places arise of themselves.
+  // Among thousands of points such places arise of themselves, but not in parts of a few.
+  pointsPerThread() = UsualPointsPerThread;
   for (std::uint64_t seed = 1; seed <= 3; ++seed)
   {
     const Cloud cloud = fromWeightedFamily("uniformHeavy", effort(20000), seed).make();
@@ -63,6 +65,7 @@ TEST(RegularTriangulationStuck, ManyPointsNeedTheDCriterion)
     EXPECT_GT(found.statistics.flipsD, 0) << "seed " << seed;
     EXPECT_GT(found.statistics.flips31, 0) << "seed " << seed;
   }
+  pointsPerThread() = 1;
 }
 
 }
