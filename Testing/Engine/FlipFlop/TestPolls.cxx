@@ -106,10 +106,13 @@ struct Built
         const Span span = spanOf(this->run);
         Polyhedron start = startingTetrahedron(this->run.geometry, this->run.source, span.ids);
         Statistics statistics;
-        this->polyhedron = compact(CpuBuilder<Geometry>().build(
+        PlanePolyhedron plane;
+        this->polyhedron = CpuBuilder<Geometry>().build(
           { this->run.geometry, this->run.source, this->run.range, false, this->run.options, 1,
-            this->run.monitor, nestedSamples(this->run.source.count()), nullptr },
-          std::move(start), this->tally, statistics));
+            this->run.monitor, nestedSamples(this->run.source.count()), nullptr, &plane },
+          std::move(start), this->tally, statistics);
+        this->polyhedron =
+          compact(plane.vertexCount() > 0 ? plane.full() : std::move(this->polyhedron));
       });
   }
 
