@@ -35,7 +35,7 @@ public:
   void cutAll(const HilbertCurve& curve, const PointAt& pointAt)
   {
     const auto count = static_cast<std::uint32_t>(this->tree.vertices.size() - 1);
-    this->tree.nodes.push_back({ 1, 1 + count, 0, 0 });
+    this->tree.nodes.push_back({ 1, 1 + count, 0, 0, 0 });
     if (count <= this->mostPoints || curve.isPoint())
     {
       this->eachRun(count,

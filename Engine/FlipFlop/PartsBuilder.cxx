@@ -29,7 +29,8 @@ class PartsRun
 public:
   using Geometry = LiftedGeometry<Weighted>;
 
-  PartsRun(const BuildTask<Geometry>& taskToDo, const std::vector<PartNode>& nodesToBuild,
+  /// @param nodesToBuild of parts, the end of the triangles in use is set
+  PartsRun(const BuildTask<Geometry>& taskToDo, std::vector<PartNode>& nodesToBuild,
     const PartMesh<Weighted>& meshToFill)
     : task(taskToDo)
     , nodes(nodesToBuild)
@@ -39,7 +40,7 @@ public:
 
   PlanePart build(std::uint32_t nodeIndex, Tally& tally) const
   {
-    const PartNode& node = this->nodes[nodeIndex];
+    PartNode& node = this->nodes[nodeIndex];
     if (node.left == 0)
     {
       return this->triangulate(node, tally);
@@ -68,12 +69,14 @@ public:
   }
 
 private:
-  PlanePart triangulate(const PartNode& node, Tally& tally) const
+  PlanePart triangulate(PartNode& node, Tally& tally) const
   {
     const std::uint32_t count = node.end - node.begin;
     putInOrder(this->mesh.vertices + node.begin, count);
     const PlanePart part = this->insertAll(node.begin, count, tally);
-    for (std::uint32_t t = part.firstFree; t < firstTriangleOf(node.end); ++t)
+    // With weights, most may be hidden: what is not in use is not touched.
+    node.trianglesEnd = Weighted ? part.firstFree + 2 : firstTriangleOf(node.end);
+    for (std::uint32_t t = part.firstFree; t < node.trianglesEnd; ++t)
     {
       this->mesh.removeTriangle(t);
     }
@@ -127,7 +130,7 @@ private:
   }
 
   const BuildTask<Geometry>& task;
-  const std::vector<PartNode>& nodes;
+  std::vector<PartNode>& nodes;
   const PartMesh<Weighted> mesh;
 };
 
@@ -164,8 +167,16 @@ Polyhedron PartsBuilder<Weighted>::build(const BuildTask<LiftedGeometry<Weighted
   };
   if constexpr (Weighted)
   {
-    Polyhedron result(0, 2 * count);
+    Polyhedron result;
+    result.triangles.allocate(2 * count);
     fill(result, virtualVertex());
+    for (const PartNode& node : tree.nodes)
+    {
+      if (node.left == 0)
+      {
+        result.pieces.push_back({ firstTriangleOf(node.begin), node.trianglesEnd });
+      }
+    }
     return result;
   }
   else
