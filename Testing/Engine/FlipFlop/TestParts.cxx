@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace flipflop
 {
@@ -111,7 +112,7 @@ Triangulation triangulateWatched(const Cloud& cloud, std::int64_t points, int th
   return result;
 }
 
-/// By one part, which is right, and by many.
+/// By one part, which is right, and by many: the same, and the same work on several threads.
 template <bool Weighted>
 void expectRight(const Cloud& cloud)
 {
@@ -124,7 +125,17 @@ void expectRight(const Cloud& cloud)
     EXPECT_EQ(bitDifference(triangulateWatched<Weighted>(cloud, points, 1), one), "")
       << "parts of " << points;
   }
-  EXPECT_EQ(bitDifference(triangulateWatched<Weighted>(cloud, 4, 3), one), "");
+  const Triangulation shared = triangulateWatched<Weighted>(cloud, 4, 3);
+  EXPECT_EQ(bitDifference(shared, one), "");
+  const Triangulation alone = triangulateWatched<Weighted>(cloud, 4, 1);
+  Statistics::eachField(
+    [&](const char* name, auto field)
+    {
+      if (name != std::strstr(name, "seconds"))
+      {
+        EXPECT_EQ(shared.statistics.*field, alone.statistics.*field) << name;
+      }
+    });
 }
 
 class PartsFamily : public ::testing::TestWithParam<const char*>
@@ -231,6 +242,18 @@ TEST(Parts, FewVisiblePointsMerge)
     }
     expectRight<true>(cloud);
   }
+}
+
+TEST(Parts, TheLowestIdStandsForTheVertexThatAMergeHides)
+{
+  // In a part of ten, both of two duplicates are vertices, for others are at their place; the merge
+  // hides that of the lower id.
+  const Cloud cloud = { { 2, 3, -15 }, { 3, 3, 5 }, { 3, 0, -13 }, { 0, 3, -22 }, { 3, 0, -13 },
+    { 0, 0, 21 }, { 4, 4, -28 }, { 1, 2, -28 }, { 1, 4, 20 }, { 3, 3, 19 }, { 1, 1, 19 },
+    { 4, 2, 27 }, { 2, 3, -15 }, { 1, 1, 3 }, { 3, 3, 19 }, { 0, 4, -13 }, { 4, 3, -29 },
+    { 1, 1, 3 }, { 0, 4, -13 }, { 1, 0, -31 }, { 2, 3, -4 }, { 3, 3, 5 }, { 3, 3, -17 },
+    { 3, 3, 19 } };
+  expectRight<true>(cloud);
 }
 
 /// What a node's halves are separated by, and what its parts hold.
