@@ -56,8 +56,9 @@ public:
   std::size_t triangles = 0;
 
 private:
-  void look(const Plane& geometry, const PartMesh<Weighted>& mesh, std::uint32_t t)
+  void look(const Plane& shared, const PartMesh<Weighted>& mesh, std::uint32_t t)
   {
+    const Plane geometry = shared; // counts its own signs
     const std::uint32_t* const v = mesh.triangles[t].v;
     bool isVirtual = false;
     for (int e = 0; e < 3; ++e)
