@@ -101,13 +101,22 @@ struct ExpansionSigns
     const double* a, const double* b, const Row<Count>& c, int p, int q)
   {
     int sign;
-    if (Count == 1 &&
-      (filterOrient2(a, b, c.point[0], p, q, sign) ||
-        signOfMinor(doubleDifference(b[p], a[p]), doubleDifference(b[q], a[q]),
-          doubleDifference(c.point[0][p], a[p]), doubleDifference(c.point[0][q], a[q]), 0.0, 0.0,
-          sign)))
+    if (Count == 1)
     {
-      return sign;
+      if (filterOrient2(a, b, c.point[0], p, q, sign))
+      {
+        return sign;
+      }
+      const DoubleDouble x1 = doubleDifference(b[p], a[p]);
+      const DoubleDouble y1 = doubleDifference(b[q], a[q]);
+      const DoubleDouble x2 = doubleDifference(c.point[0][p], a[p]);
+      const DoubleDouble y2 = doubleDifference(c.point[0][q], a[q]);
+      const bool isExact = x1.low == 0 && y1.low == 0 && x2.low == 0 && y2.low == 0;
+      if (isExact ? signOfExactMinor(x1.high, y1.high, x2.high, y2.high, sign)
+                  : signOfMinor(x1, y1, x2, y2, 0.0, 0.0, sign))
+      {
+        return sign;
+      }
     }
     ProductSum det;
     det.add(offset(c, a, q), difference(b[p], a[p]));
@@ -129,6 +138,24 @@ struct ExpansionSigns
       8 * 0x1p-102 * most + 1.01 * (std::fabs(x1.high) * error2 + std::fabs(x2.high) * error1);
     sign = det.high > 0 ? 1 : -1;
     return most > 1e-250 && most < 1e300 && std::fabs(det.high) > bound;
+  }
+
+  /// Sign of x1 * y2 - y1 * x2, exactly: rounding is monotone, so where the rounded products
+  /// differ, they are in the order of the products; where they do not, the errors are.
+  /// @return false: an error may be lost
+  FF_HD static bool signOfExactMinor(double x1, double y1, double x2, double y2, int& sign)
+  {
+    double left, leftError, right, rightError;
+    twoProduct(x1, y2, left, leftError);
+    twoProduct(y1, x2, right, rightError);
+    sign = left > right ? 1 : (left < right ? -1 : 0);
+    if (sign == 0)
+    {
+      sign = leftError > rightError ? 1 : (leftError < rightError ? -1 : 0);
+    }
+    const double most = std::fabs(left) + std::fabs(right);
+    const double least = std::fmin(std::fabs(left), std::fabs(right));
+    return most < 1e300 && (least > 1e-250 || (most > 1e-250 && least == 0.0));
   }
 
   /// The same in double; false when the error bound leaves it open. The sign is that of the rounded
