@@ -197,7 +197,7 @@ bool PartTriangulation::locate(const PlaneVertex& q, Place& place)
     {
       return true;
     }
-    const bool throughBc = place.bc < 0;
+    const bool throughBc = place.bc < place.ca;
     const std::uint32_t twin =
       triangles[t].twin[throughBc ? nextCorner(side) : previousCorner(side)];
     place.a = throughBc ? place.c : place.a;
