@@ -103,13 +103,27 @@ private:
     }
   }
 
-  /// Bring a part's vertices into the order of insertion: random levels, each along the curve
-  /// through the part's box.
+  /// Bring a part's vertices into the order of insertion: the farthest to each side, then random
+  /// levels, each along the curve through the part's box. On a curve that bends ever less, all
+  /// triangles have a corner at its more curved end: each new end before that would flip them all.
   static void putInOrder(PartVertex<Weighted>* vertices, std::uint32_t count)
   {
-    constexpr int CurveBits = 18; // of cells, 32 a point
+    constexpr int CurveBits = 28; // points on a line share few cells
+    std::uint32_t farthest[4] = { 0, 0, 0, 0 };
+    for (std::uint32_t i = 1; i < count; ++i)
+    {
+      for (int side = 0; side < 4; ++side)
+      {
+        const double value = vertices[i].x[side / 2];
+        const double most = vertices[farthest[side]].x[side / 2];
+        if (side % 2 == 0 ? value < most : value > most)
+        {
+          farthest[side] = i;
+        }
+      }
+    }
     HilbertCurve curve;
-    for (std::uint32_t i = 0; i < count; ++i)
+    for (const std::uint32_t i : farthest)
     {
       curve.add(vertices[i].x);
     }
@@ -121,6 +135,10 @@ private:
       const std::uint64_t key = std::uint64_t(insertionLevelOf(unordered[i].id)) << CurveBits |
         curve.at(unordered[i].x) >> (32 - CurveBits);
       keys[i] = key << 32 | i;
+    }
+    for (const std::uint32_t i : farthest)
+    {
+      keys[i] = i;
     }
     boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
     for (std::uint32_t i = 0; i < count; ++i)
