@@ -184,9 +184,8 @@ void PartMerge<Weighted>::rise()
     {
       break; // hidden vertices were left
     }
-    const bool goesLeft = a.isAbove &&
-      (!c.isAbove ||
-        this->inCircle(this->left.vertex, this->right.vertex, a.vertex, c.vertex) <= 0);
+    const bool goesLeft =
+      a.isAbove && (!c.isAbove || this->inCircle(true, a.vertex, c.vertex) <= 0);
     goesLeft ? this->reachLeft(a) : this->reachRight(c);
   }
   ensure(this->left.edges == 0 && this->right.edges == 0);
@@ -197,13 +196,12 @@ template <bool Weighted>
 typename PartMerge<Weighted>::Candidate PartMerge<Weighted>::candidate(bool isLeft)
 {
   const Shore& shore = isLeft ? this->left : this->right;
-  const std::uint32_t l = this->left.vertex;
-  const std::uint32_t r = this->right.vertex;
   while (shore.edges > 0)
   {
     Candidate found;
+    found.isLeft = isLeft;
     found.vertex = isLeft ? this->ring.begin(shore.spoke) : this->ring.end(shore.spoke);
-    found.isAbove = this->orient(l, r, found.vertex) > 0;
+    found.isAbove = this->orient(this->left.vertex, this->right.vertex, found.vertex) > 0;
     if (!found.isAbove && !(Weighted && this->isPassed(isLeft, found.vertex)))
     {
       return found;
@@ -219,7 +217,7 @@ typename PartMerge<Weighted>::Candidate PartMerge<Weighted>::candidate(bool isLe
       this->hideBeyond(isLeft, inner);
       continue;
     }
-    const int sign = found.isAbove ? this->inCircle(l, r, found.vertex, apex) : 1;
+    const int sign = found.isAbove ? this->inCircle(isLeft, found.vertex, apex) : 1;
     if (sign <= 0)
     {
       found.isFlat = sign == 0;
@@ -379,8 +377,7 @@ void PartMerge<Weighted>::closeTriangle(
   {
     this->mesh.markTied(outer);
   }
-  if (this->below != NoIndex &&
-    this->exactInCircle(this->left.vertex, this->right.vertex, next.vertex, this->below) == 0)
+  if (this->below != NoIndex && this->exactInCircle(next.isLeft, next.vertex, this->below) == 0)
   {
     this->mesh.markTied(onBase);
   }

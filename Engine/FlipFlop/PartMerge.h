@@ -69,6 +69,7 @@ private:
   struct Candidate
   {
     std::uint32_t vertex = NoIndex;
+    bool isLeft = false;
     bool isAbove = false; ///< the seam's last edge
     bool isFlat = false;  ///< its circle goes through the corner behind its border edge, too
   };
@@ -99,20 +100,26 @@ private:
     }
     return sign;
   }
-  /// With weights, the power test, and never zero.
-  int inCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p)
+  /// Is p inside the circle through the ends of the seam's last edge and the next corner? With
+  /// weights, the power test, and never zero.
+  int inCircle(bool isLeft, std::uint32_t next, std::uint32_t p)
   {
-    const int sign = this->exactInCircle(a, b, c, p);
+    const int sign = this->exactInCircle(isLeft, next, p);
     return Weighted && sign == 0
-      ? this->geometry.tieAbove(
-          this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c), this->mesh.vertex(p))
+      ? this->geometry.tieAbove(this->mesh.vertex(this->left.vertex),
+          this->mesh.vertex(this->right.vertex), this->mesh.vertex(next), this->mesh.vertex(p))
       : sign;
   }
-  int exactInCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p)
+  /// Relative to the edge's end on the corner's side: the differences are short there, and so is
+  /// the rounding error.
+  int exactInCircle(bool isLeft, std::uint32_t next, std::uint32_t p)
   {
     ++this->checks;
-    const int sign = this->geometry.above(
-      this->mesh.vertex(a), this->mesh.vertex(b), this->mesh.vertex(c), this->mesh.vertex(p));
+    const Vertex l = this->mesh.vertex(this->left.vertex);
+    const Vertex r = this->mesh.vertex(this->right.vertex);
+    const Vertex n = this->mesh.vertex(next);
+    const Vertex q = this->mesh.vertex(p);
+    const int sign = isLeft ? this->geometry.above(l, r, n, q) : this->geometry.above(r, n, l, q);
     this->ties += sign == 0 ? 1 : 0;
     return sign;
   }
