@@ -133,13 +133,23 @@ void PartTriangulation::insert(std::uint32_t v)
   this->next += 2;
   ++this->insertions;
   splitTriangle(this->mesh, child, v);
-  if (isInside && place.isPlain)
+  if (!isInside)
   {
-    this->flipIn(q, child, place);
+    this->flipOutside(q, child);
+  }
+  else if (place.isPlain)
+  {
+    const Row a = squared(place.a);
+    const Row b = squared(place.b);
+    const Row c = squared(place.c);
+    this->waiting[0] = { child[previousCorner(place.side)], c, a, place.ca };
+    this->waiting[1] = { child[nextCorner(place.side)], b, c, place.bc };
+    this->flipIn(q, { child[place.side], a, b, place.ab }, 2);
   }
   else
   {
-    this->flipInExactly(q, child);
+    this->triangles.assign(child, child + 3);
+    this->flipInExactly(q);
   }
 }
 
@@ -277,18 +287,67 @@ FF_INLINE void PartTriangulation::flip(std::uint32_t abq, std::uint32_t h)
   }
 }
 
-/// Test and flip the edges opposite to the new vertex, at the corner 2 of three triangles of
-/// points, until none is reflex.
-void PartTriangulation::flipIn(const PlaneVertex& q, const std::uint32_t* child, const Place& place)
+/// Flip away the border edges that q is outside of, and then what is reflex.
+/// @param child the virtual triangle that q is outside of, split: one has the border edge, two have
+///              the virtual vertex
+void PartTriangulation::flipOutside(const PlaneVertex& q, const std::uint32_t* child)
+{
+  bool isPlain = true;
+  std::size_t count = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    std::uint32_t t = child[i];
+    const std::uint32_t* const v = this->mesh.triangles[t].v;
+    const bool isFirst = v[0] == PlaneVirtual;
+    std::uint32_t end = v[isFirst ? 1 : 0]; // of the border edge before the next
+    Row row = squared(this->rowOf(end, q));
+    if (!isFirst && v[1] != PlaneVirtual)
+    {
+      const Row other = squared(this->rowOf(v[1], q));
+      this->append(count, { t, row, other, this->cross(q, row, other, v[0], v[1], isPlain) });
+      continue;
+    }
+    while (true)
+    {
+      const std::uint32_t h = this->mesh.twin(halfEdge(t, 0));
+      const std::uint32_t d = this->mesh.origin(previousHalfEdge(h));
+      const Row next = squared(this->rowOf(d, q));
+      const double cross = isFirst ? this->cross(q, next, row, d, end, isPlain)
+                                   : this->cross(q, row, next, end, d, isPlain);
+      ++this->checks;
+      if (!(cross > 0))
+      {
+        break;
+      }
+      ++this->flips;
+      this->flip(t, h);
+      this->append(count,
+        isFirst ? Waiting{ triangleOf(h), next, row, cross } : Waiting{ t, row, next, cross });
+      t = isFirst ? t : triangleOf(h);
+      row = next;
+      end = d;
+    }
+  }
+  if (isPlain)
+  {
+    const Waiting last = this->waiting[count - 1];
+    this->flipIn(q, last, count - 1);
+    return;
+  }
+  this->triangles.clear();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    this->triangles.push_back(this->waiting[i].triangle);
+  }
+  this->flipInExactly(q);
+}
+
+/// Test and flip the edges opposite to the new vertex, at the corner 2 of triangles of points,
+/// until none is reflex.
+/// @param w, count a triangle, and how many more wait
+void PartTriangulation::flipIn(const PlaneVertex& q, Waiting w, std::size_t count)
 {
   const PlaneTriangle* const triangles = this->mesh.triangles;
-  const Row a = squared(place.a);
-  const Row b = squared(place.b);
-  const Row c = squared(place.c);
-  this->waiting[0] = { child[previousCorner(place.side)], c, a, place.ca };
-  this->waiting[1] = { child[nextCorner(place.side)], b, c, place.bc };
-  std::size_t count = 2;
-  Waiting w = { child[place.side], a, b, place.ab };
   while (true)
   {
     const std::uint32_t h = triangles[w.triangle].twin[0];
@@ -323,20 +382,15 @@ void PartTriangulation::flipIn(const PlaneVertex& q, const std::uint32_t* child,
     }
     ++this->flips;
     this->flip(w.triangle, h);
-    if (count == this->waiting.size())
-    {
-      this->waiting.resize(2 * count);
-    }
-    this->waiting[count++] = { triangleOf(h), row, w.b, -bd };
+    this->append(count, { triangleOf(h), row, w.b, -bd });
     w.b = row;
     w.cross = -da;
   }
 }
 
-/// The same by exact signs, also outside and on an edge.
-void PartTriangulation::flipInExactly(const PlaneVertex& q, const std::uint32_t* child)
+/// The same by exact signs, also on an edge.
+void PartTriangulation::flipInExactly(const PlaneVertex& q)
 {
-  this->triangles.assign(child, child + 3);
   while (!this->triangles.empty())
   {
     const std::uint32_t h = halfEdge(this->triangles.back(), 0);

@@ -81,8 +81,9 @@ private:
   double cross(const PlaneVertex& q, const Row& a, const Row& b, std::uint32_t va, std::uint32_t vb,
     bool& isPlain) const;
   bool isDuplicate(const PlaneVertex& q, const Place& place);
-  void flipIn(const PlaneVertex& q, const std::uint32_t* child, const Place& place);
-  void flipInExactly(const PlaneVertex& q, const std::uint32_t* child);
+  void flipOutside(const PlaneVertex& q, const std::uint32_t* child);
+  void flipIn(const PlaneVertex& q, Waiting w, std::size_t count);
+  void flipInExactly(const PlaneVertex& q);
   bool wantsFlip(const PlaneVertex& q, std::uint32_t h);
 
   void flip(std::uint32_t near, std::uint32_t h);
@@ -94,6 +95,14 @@ private:
   {
     const double* const x = this->mesh.vertices[v].x;
     return { x[0] - q.x[0], x[1] - q.x[1], 0.0 };
+  }
+  void append(std::size_t& count, const Waiting& w)
+  {
+    if (count == this->waiting.size())
+    {
+      this->waiting.resize(2 * count);
+    }
+    this->waiting[count++] = w;
   }
   static Row squared(const Row& row) { return { row.x, row.y, row.x * row.x + row.y * row.y }; }
 
