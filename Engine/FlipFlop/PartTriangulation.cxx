@@ -35,32 +35,13 @@ void PartTriangulation::addTo(Tally& tally) const
   statistics.edgeChecks += this->checks;
 }
 
-/// Make the first triangle, of the first points that are not collinear, and the virtual ones.
-/// @return false: there are none
+/// @return false: the points are collinear
 bool PartTriangulation::start()
 {
-  PlaneVertex* const v = this->mesh.vertices;
-  std::uint32_t second = this->begin + 1;
-  while (second < this->end && samePosition(v[second], v[this->begin]))
-  {
-    ++second;
-  }
-  std::uint32_t third = second + 1;
-  while (third < this->end && this->orient(this->begin, second, v[third]) == 0)
-  {
-    ++third;
-  }
-  if (third >= this->end)
+  if (!startPart(this->mesh, this->begin, this->end, this->geometry))
   {
     return false;
   }
-  std::swap(v[this->begin + 1], v[second]);
-  std::swap(v[this->begin + 2], v[third]);
-  if (this->orient(this->begin, this->begin + 1, v[this->begin + 2]) < 0)
-  {
-    std::swap(v[this->begin + 1], v[this->begin + 2]);
-  }
-  startPart(this->mesh, this->begin);
   this->next = this->firstTriangle + 4;
   this->last = this->firstTriangle;
   this->insertions = 3;

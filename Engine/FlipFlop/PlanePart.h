@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace flipflop
 {
@@ -96,13 +97,38 @@ bool isFarther(int side, const PartVertex<Weighted>& p, const PartVertex<Weighte
   return Weighted ? isMost == (p.id < q.id) : p.x[1 - axis] < q.x[1 - axis];
 }
 
-/// The first triangle of a part, of its first three vertices, and the three virtual ones.
-template <class AnyMesh>
-void startPart(const AnyMesh& mesh, std::uint32_t firstVertex)
+/// Make the first triangle of a part, of its first vertices that are not collinear, and the three
+/// virtual ones. These vertices come to the front.
+/// @return false: there are none
+template <class AnyMesh, class Geometry>
+bool startPart(
+  const AnyMesh& mesh, std::uint32_t begin, std::uint32_t end, const Geometry& geometry)
 {
-  const std::uint32_t inner = firstTriangleOf(firstVertex);
-  const auto vertexOf = [firstVertex](int i)
-  { return firstVertex + static_cast<std::uint32_t>(i); };
+  auto* const v = mesh.vertices;
+  const auto orient = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
+  { return geometry.orient(mesh.vertex(a), mesh.vertex(b), mesh.vertex(c)); };
+  std::uint32_t second = begin + 1;
+  while (second < end && v[second].x[0] == v[begin].x[0] && v[second].x[1] == v[begin].x[1])
+  {
+    ++second;
+  }
+  std::uint32_t third = second + 1;
+  while (third < end && orient(begin, second, third) == 0)
+  {
+    ++third;
+  }
+  if (third >= end)
+  {
+    return false;
+  }
+  std::swap(v[begin + 1], v[second]);
+  std::swap(v[begin + 2], v[third]);
+  if (orient(begin, begin + 1, begin + 2) < 0)
+  {
+    std::swap(v[begin + 1], v[begin + 2]);
+  }
+  const std::uint32_t inner = firstTriangleOf(begin);
+  const auto vertexOf = [begin](int i) { return begin + static_cast<std::uint32_t>(i); };
   const auto outerOf = [inner](int side) { return inner + 1 + static_cast<std::uint32_t>(side); };
   mesh.setTriangle(inner, vertexOf(0), vertexOf(1), vertexOf(2));
   for (int i = 0; i < 3; ++i)
@@ -115,6 +141,7 @@ void startPart(const AnyMesh& mesh, std::uint32_t firstVertex)
   {
     mesh.link(halfEdge(outerOf(i), 1), halfEdge(outerOf(previousCorner(i)), 2));
   }
+  return true;
 }
 
 /// The first half-edge from the virtual vertex, of the triangles from @p first on.

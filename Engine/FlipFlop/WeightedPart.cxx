@@ -15,43 +15,16 @@ namespace flipflop
 PlanePart WeightedPart::build(Tally& tally)
 {
   const Geometry before = this->geometry;
-  const PlanePart part = this->start() ? this->insertAll(tally) : this->mergeAlongLine(tally);
+  const PlanePart part = startPart(this->mesh, this->begin, this->end, this->geometry)
+    ? this->insertAll(tally)
+    : this->mergeAlongLine(tally);
   tally.addPredicates(this->geometry, before);
   return part;
 }
 
-/// Make the first triangle, of the first points that are not collinear, and the virtual ones.
-/// @return false: there are none
-bool WeightedPart::start()
-{
-  Vertex* const v = this->mesh.vertices;
-  std::uint32_t second = this->begin + 1;
-  while (second < this->end && Geometry::samePlace(v[second], v[this->begin]))
-  {
-    ++second;
-  }
-  std::uint32_t third = second + 1;
-  while (third < this->end && this->geometry.orient(v[this->begin], v[second], v[third]) == 0)
-  {
-    ++third;
-  }
-  if (third >= this->end)
-  {
-    return false;
-  }
-  std::swap(v[this->begin + 1], v[second]);
-  std::swap(v[this->begin + 2], v[third]);
-  if (this->geometry.orient(v[this->begin], v[this->begin + 1], v[this->begin + 2]) < 0)
-  {
-    std::swap(v[this->begin + 1], v[this->begin + 2]);
-  }
-  startPart(this->mesh, this->begin);
-  setKernelInside(this->geometry, v + this->begin);
-  return true;
-}
-
 PlanePart WeightedPart::insertAll(Tally& tally)
 {
+  setKernelInside(this->geometry, this->mesh.vertices + this->begin);
   const auto notShared = [](std::uint32_t) { return false; };
   Flipper<Geometry, decltype(notShared)> flipper(
     this->geometry, this->mesh, notShared, this->vBiased, this->monitor);

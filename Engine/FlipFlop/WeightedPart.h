@@ -42,7 +42,6 @@ public:
   PlanePart build(Tally& tally);
 
 private:
-  bool start();
   PlanePart insertAll(Tally& tally);
   PlanePart mergeAlongLine(Tally& tally);
   PlanePart mergeRange(std::uint32_t from, std::uint32_t to, Tally& tally) const;
