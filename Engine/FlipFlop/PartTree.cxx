@@ -36,6 +36,7 @@ public:
   {
     const auto count = static_cast<std::uint32_t>(this->tree.vertices.size() - 1);
     this->tree.nodes.push_back({ 1, 1 + count, 0, 0, 0 });
+    this->mostPoints *= isAlongCurves(curve, count, pointAt) ? 4 : 1;
     if (count <= this->mostPoints || curve.isPoint())
     {
       this->eachRun(count,
@@ -56,6 +57,27 @@ private:
   static constexpr std::uint32_t CellsPerPart = 8;
   static constexpr int LeastCellBits = 4;
   static constexpr int MostCellBits = 14;
+
+  /// Do the points lie along a few curves, so that few cells have any of a sample? Parts are larger
+  /// then: where triangles reach across the parts, each merge changes many of them, and many of all
+  /// merges are of small parts.
+  template <class PointAt>
+  static bool isAlongCurves(const HilbertCurve& curve, std::uint32_t count, const PointAt& pointAt)
+  {
+    constexpr int Bits = 10;
+    constexpr std::uint32_t SampleSize = 4 << Bits;
+    if (count < SampleSize)
+    {
+      return false;
+    }
+    std::vector<bool> isMet(std::size_t(1) << Bits);
+    const std::uint32_t step = count / SampleSize | 1; // odd: no grid's period
+    for (std::uint32_t i = 0; i < count; i += step)
+    {
+      isMet[curve.at(pointAt(i).x) >> (32 - Bits)] = true;
+    }
+    return std::count(isMet.begin(), isMet.end(), true) < std::ptrdiff_t(isMet.size() / 8);
+  }
 
   template <class Use>
   void eachRun(std::uint32_t count, Use&& use)
@@ -187,7 +209,7 @@ private:
   }
 
   PartTree<AnyVertex>& tree;
-  const std::uint32_t mostPoints;
+  std::uint32_t mostPoints;
   Monitor& monitor;
 };
 

@@ -322,6 +322,25 @@ private:
   const std::uint32_t most;
 };
 
+/// Points of a family, cut.
+PartTree<PlaneVertex> cutFamily(const Cloud& cloud, std::uint32_t most)
+{
+  Options options;
+  Monitor monitor(options);
+  PointSubset subset;
+  subset.count = static_cast<std::uint32_t>(cloud.size());
+  CoordinateRange box{};
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const auto ends = std::minmax_element(cloud.begin(), cloud.end(),
+      [axis](const auto& p, const auto& q) { return p[axis] < q[axis]; });
+    box.low[axis] = (*ends.first)[axis];
+    box.high[axis] = (*ends.second)[axis];
+  }
+  return cutIntoParts<PlaneVertex>(
+    PointSource(viewOf(cloud), WeightView()), subset, box, most, monitor);
+}
+
 TEST(PartTree, ALineSeparatesTheHalvesOfEachNode)
 {
   for (const char* family :
@@ -329,22 +348,9 @@ TEST(PartTree, ALineSeparatesTheHalvesOfEachNode)
   {
     SCOPED_TRACE(family);
     const Cloud cloud = fromWeightedFamily(family, 3000, 7).make();
-    Options options;
-    Monitor monitor(options);
-    PointSubset subset;
-    subset.count = static_cast<std::uint32_t>(cloud.size());
-    CoordinateRange box{};
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      const auto ends = std::minmax_element(cloud.begin(), cloud.end(),
-        [axis](const auto& p, const auto& q) { return p[axis] < q[axis]; });
-      box.low[axis] = (*ends.first)[axis];
-      box.high[axis] = (*ends.second)[axis];
-    }
     for (const std::uint32_t most : { 1u, 3u, 50u, 5000u })
     {
-      const PartTree<PlaneVertex> tree = cutIntoParts<PlaneVertex>(
-        PointSource(viewOf(cloud), WeightView()), subset, box, most, monitor);
+      const PartTree<PlaneVertex> tree = cutFamily(cloud, most);
       std::vector<std::uint32_t> ids;
       for (std::size_t i = 1; i < tree.vertices.size(); ++i)
       {
@@ -358,6 +364,24 @@ TEST(PartTree, ALineSeparatesTheHalvesOfEachNode)
       EXPECT_EQ(look.parts == 1, most >= cloud.size());
     }
   }
+}
+
+TEST(PartTree, PartsAlongCurvesAreLarger)
+{
+  const auto largest = [](const char* family)
+  {
+    const PartTree<PlaneVertex> tree = cutFamily(fromWeightedFamily(family, 8000, 7).make(), 500);
+    std::uint32_t most = 0;
+    for (const PartNode& node : tree.nodes)
+    {
+      most = std::max(most, node.left == 0 ? node.end - node.begin : 0);
+    }
+    return most;
+  };
+  EXPECT_LE(largest("uniform"), 500u);
+  EXPECT_LE(largest("grid"), 500u);
+  EXPECT_GT(largest("circle"), 500u);
+  EXPECT_LE(largest("circle"), 2000u);
 }
 
 }
