@@ -195,75 +195,36 @@ TEST(Work, CurvesOfManyPointsAreInserted)
   EXPECT_LT(s.moves, 12 * s.points);
 }
 
-/// Patches are as large as users have them, not as small as the other tests make them.
-class PatchesAsUsersHaveThem : public ::testing::Test
+/// Parts are as large as users have them, not as small as the other tests make them.
+class PartsAsUsersHaveThem : public ::testing::Test
 {
 public:
-  PatchesAsUsersHaveThem() { pointsPerThread() = UsualPointsPerThread; }
-  ~PatchesAsUsersHaveThem() override { pointsPerThread() = 1; }
+  PartsAsUsersHaveThem() { pointsPerThread() = UsualPointsPerThread; }
+  ~PartsAsUsersHaveThem() override { pointsPerThread() = 1; }
 };
 
-TEST_F(PatchesAsUsersHaveThem, ItCostsFewFlipsMore)
-{
-  const auto worked = [](const Cloud& cloud, int threads)
-  {
-    Options options;
-    options.threads = threads;
-    const Statistics s = regularTriangulation(viewOf(cloud), weightsOf(cloud), options).statistics;
-    return static_cast<double>(s.flips22) / static_cast<double>(s.points);
-  };
-  const std::vector<std::string> names = withShuffled(shapesInUse(false));
-  std::size_t inPatches = 0;
-  for (const std::string& name : names)
-  {
-    SCOPED_TRACE(name);
-    const Cloud cloud = shape(name, 60000);
-    const double alone = worked(cloud, 1);
-    const double patched = worked(cloud, 4);
-    inPatches += patched != alone ? 1 : 0;
-    EXPECT_LT(patched, 1.5 * alone);
-  }
-  // Some have so many triangles across that they go without.
-  EXPECT_GT(2 * inPatches, names.size());
-}
-
-TEST_F(PatchesAsUsersHaveThem, NoneAreTriedWhereLinesCross)
-{
-  // Points of a level that is done in patches walk twice.
-  const auto walked = [](const std::string& name, int threads)
-  {
-    const Cloud cloud = shape(name, 100000);
-    Options options;
-    options.threads = threads;
-    return static_cast<double>(
-      regularTriangulation(viewOf(cloud), weightsOf(cloud), options).statistics.moves);
-  };
-  for (const char* name : { "two-lines", "parabola-shuffled" })
-  {
-    EXPECT_EQ(walked(name, 4), walked(name, 1)) << name;
-  }
-  EXPECT_GT(walked("jittered-grid", 4), 1.2 * walked("jittered-grid", 1));
-}
-
-/// Without weights, parts are merged in pairs.
-TEST_F(PatchesAsUsersHaveThem, ThreadsAddNoWorkToParts)
+TEST_F(PartsAsUsersHaveThem, ThreadsAddNoWork)
 {
   for (const std::string& name : withShuffled(shapesInUse(false)))
   {
     SCOPED_TRACE(name);
     const Cloud cloud = shape(name, 60000);
-    const auto worked = [&cloud](int threads)
+    for (const WeightView& weights : { WeightView(), weightsOf(cloud) })
     {
-      Options options;
-      options.threads = threads;
-      return regularTriangulation(viewOf(cloud), WeightView(), options).statistics;
-    };
-    const Statistics alone = worked(1);
-    const Statistics shared = worked(4);
-    EXPECT_EQ(shared.flips22, alone.flips22);
-    EXPECT_EQ(shared.edgeChecks, alone.edgeChecks);
-    EXPECT_EQ(shared.moves, alone.moves);
-    EXPECT_EQ(shared.exactCalls, alone.exactCalls);
+      const auto worked = [&](int threads)
+      {
+        Options options;
+        options.threads = threads;
+        return regularTriangulation(viewOf(cloud), weights, options).statistics;
+      };
+      const Statistics alone = worked(1);
+      const Statistics shared = worked(4);
+      EXPECT_EQ(shared.flips22, alone.flips22);
+      EXPECT_EQ(shared.flips31, alone.flips31);
+      EXPECT_EQ(shared.edgeChecks, alone.edgeChecks);
+      EXPECT_EQ(shared.moves, alone.moves);
+      EXPECT_EQ(shared.exactCalls, alone.exactCalls);
+    }
   }
 }
 
