@@ -325,9 +325,10 @@ void PartTriangulation::flipOutside(const PlaneVertex& q, const std::uint32_t* c
 
 /// Test and flip the edges opposite to the new vertex, at the corner 2 of triangles of points,
 /// until none is reflex.
-/// @param w, count a triangle, and how many more wait
-void PartTriangulation::flipIn(const PlaneVertex& q, Waiting w, std::size_t count)
+/// @param first, count a triangle, and how many more wait
+void PartTriangulation::flipIn(const PlaneVertex& q, const Waiting& first, std::size_t count)
 {
+  Waiting w = first; // a copy of our own is in registers
   const PlaneTriangle* const triangles = this->mesh.triangles;
   while (true)
   {

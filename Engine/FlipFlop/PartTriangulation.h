@@ -82,7 +82,7 @@ private:
     bool& isPlain) const;
   bool isDuplicate(const PlaneVertex& q, const Place& place);
   void flipOutside(const PlaneVertex& q, const std::uint32_t* child);
-  void flipIn(const PlaneVertex& q, Waiting w, std::size_t count);
+  void flipIn(const PlaneVertex& q, const Waiting& first, std::size_t count);
   void flipInExactly(const PlaneVertex& q);
   bool wantsFlip(const PlaneVertex& q, std::uint32_t h);
 
