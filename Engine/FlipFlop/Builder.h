@@ -6,14 +6,14 @@
 /// A stratified sample of n^(2/3) points has a hull that nearly all other points lie inside of, and
 /// whose cones cut the others into small, even portions. So each round takes the hull of a sample
 /// of its points, built the same way, as the polyhedron to start from: it associates its other
-/// points to the cones, grows, and flips. The innermost sample starts from a tetrahedron. Any
-/// star-shaped start is right; this one makes every cone small enough for the cache, and gives the
-/// threads independent work from the first pass on.
+/// points to the cones, grows, and flips. Any star-shaped start is right; this one makes every cone
+/// small enough for the cache, and gives the threads independent work from the first pass on. The
+/// first round is of few points, a sample's or all: they start from a tetrahedron, by quickhull.
 ///
 /// Growing wins by what it drops, and does without an order. Where the sample's hull leaves most
 /// points outside, most are vertices: these are inserted along a curve (InsertionBuilder), at a few
-/// flips each wherever they lie, as long as the walks are short. Between the two, such as along
-/// curves, the points outside are grown in random levels, or flips would grow with their number.
+/// flips each wherever they lie, as long as the walks are short. Along curves, the points outside
+/// are inserted so, too: growing would cost flips that grow with their number.
 #ifndef flipflop_Builder_h
 #define flipflop_Builder_h
 
@@ -21,6 +21,7 @@
 #include "FlipFlop/InsertionBuilder.h"
 #include "FlipFlop/Patches.h"
 #include "FlipFlop/PolyhedronBuilder.h"
+#include "FlipFlop/Quickhull.h"
 #include "Mesh/Compact.h"
 #include "Points/Samples.h"
 #include "Support/Monitor.h"
@@ -47,26 +48,28 @@ public:
     const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
   {
     const std::vector<std::uint32_t> corners = start.pointIds();
-    Polyhedron current = std::move(start);
-    std::vector<std::uint32_t> taken = corners;
-    for (std::size_t round = task.samples.size() + 1; round-- > 0;)
+    std::size_t round = task.samples.size();
+    while (round > 0 && subsetOf(task, round - 1).count <= FewPoints)
     {
-      const std::vector<std::uint32_t>* const ids = round ? &task.samples[round - 1] : nullptr;
-      PointSubset subset;
-      subset.ids = ids ? ids->data() : nullptr;
-      subset.count = ids ? static_cast<std::uint32_t>(ids->size()) : task.source.count();
-      subset.checkFinite = task.checkFinite;
+      --round;
+    }
+    bool isAlongCurves = false;
+    Polyhedron current = firstHull(task, std::move(start), round, isAlongCurves, tally, statistics);
+    std::vector<std::uint32_t> taken;
+    while (round > 0)
+    {
+      const std::vector<std::uint32_t>& before = task.samples[--round];
+      taken.clear();
+      std::set_union(
+        before.begin(), before.end(), corners.begin(), corners.end(), std::back_inserter(taken));
+      PointSubset subset = subsetOf(task, round);
       subset.leaveOut(taken);
-      const bool isFirst = round == task.samples.size();
-      const bool inserts = isFirst || insertionPays(task, current, subset);
-      current = inserts ? insert(task, std::move(current), subset, tally, statistics)
-                        : grow(task, std::move(current), subset, tally, statistics);
-      if (ids)
+      current = insertionPays(task, current, subset)
+        ? insert(task, std::move(current), subset, round == 0, tally, statistics)
+        : grow(task, std::move(current), subset, isAlongCurves, tally, statistics);
+      if (round > 0)
       {
         current = compact(std::move(current));
-        taken.clear();
-        std::set_union(
-          ids->begin(), ids->end(), corners.begin(), corners.end(), std::back_inserter(taken));
         centerKernel(task.geometry, current);
       }
     }
@@ -74,6 +77,82 @@ public:
   }
 
 private:
+  /// So many are compared with all planes of a polyhedron.
+  static constexpr std::uint32_t FewPoints = 1 << 15;
+
+  /// The points of a round: a sample's, or in round 0 all.
+  static PointSubset subsetOf(const BuildTask<Geometry>& task, std::size_t round)
+  {
+    PointSubset subset;
+    subset.ids = round ? task.samples[round - 1].data() : nullptr;
+    subset.count =
+      round ? static_cast<std::uint32_t>(task.samples[round - 1].size()) : task.source.count();
+    subset.checkFinite = task.checkFinite;
+    return subset;
+  }
+
+  /// The hull of the first round's points, from a start that an eighth of them gives.
+  /// @param[out] isAlongCurves are the vertices nearly a constant share of the points? Of points on
+  ///                           surfaces and in solids there are about sqrt(n) or fewer
+  static Polyhedron firstHull(const BuildTask<Geometry>& task, Polyhedron&& start,
+    std::size_t round, bool& isAlongCurves, Tally& tally, Statistics& statistics)
+  {
+    constexpr std::size_t StartTriangles = 32; // few planes, and most points of a solid inside
+    constexpr std::uint32_t WorthAStart = 2048;
+    const double sharesPower = 4.29; // 8^0.7
+    const PointSubset all = subsetOf(task, round);
+    Polyhedron current = std::move(start);
+    if (round == 0 && all.count <= WorthAStart)
+    {
+      return hullOfFew(task, std::move(current), all, true, tally, statistics);
+    }
+    std::vector<std::uint32_t> ids((all.count + 7) / 8);
+    for (std::uint32_t i = 0; i < ids.size(); ++i)
+    {
+      ids[i] = all.idAt(8 * i);
+    }
+    PointSubset eighth = all;
+    eighth.ids = ids.data();
+    eighth.count = static_cast<std::uint32_t>(ids.size());
+    const std::int64_t culled = tally.statistics.culled; // those of the eighth are compared again
+    if (round == 0)
+    {
+      const std::vector<std::uint32_t> corners = current.pointIds();
+      eighth.leaveOut(corners);
+      quickhull(task, current, eighth, StartTriangles, tally);
+      tally.statistics.culled = culled;
+      return hullOfFew(task, std::move(current), all, true, tally, statistics);
+    }
+    current = compact(hullOfFew(task, std::move(current), eighth, false, tally, statistics));
+    tally.statistics.culled = culled;
+    const std::uint32_t ofEighth = current.vertexCount();
+    current = compact(hullOfFew(task, std::move(current), all, false, tally, statistics));
+    isAlongCurves = current.vertexCount() > sharesPower * ofEighth;
+    centerKernel(task.geometry, current);
+    return current;
+  }
+
+  /// By quickhull; what that leaves is inserted along a curve.
+  /// @param last there is no round to come
+  static Polyhedron hullOfFew(const BuildTask<Geometry>& task, Polyhedron&& start,
+    PointSubset subset, bool last, Tally& tally, Statistics& statistics)
+  {
+    Stopwatch watch;
+    Polyhedron current = std::move(start);
+    std::vector<std::uint32_t> taken = current.pointIds();
+    subset.leaveOut(taken);
+    const std::vector<std::uint32_t> left = quickhull(task, current, subset, SIZE_MAX, tally);
+    statistics.secondsGrow += watch.lap();
+    if (left.empty())
+    {
+      return current;
+    }
+    subset.ids = left.data();
+    subset.count = static_cast<std::uint32_t>(left.size());
+    subset.takenCount = 0;
+    return insert(task, std::move(current), subset, last, tally, statistics);
+  }
+
   /// Is it faster to insert the points than to grow them? It is where most of them are outside the
   /// hull of a sample and walks from one to the next are short, as far as some of them tell: two
   /// for each vertex. Fewer would be far from each other, and have longer ways than all will have.
@@ -123,17 +202,17 @@ private:
   }
 
   /// @param base a convex polyhedron without gaps
+  /// @param last there is no round to come
   static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& base,
-    const PointSubset& subset, Tally& tally, Statistics& statistics)
+    const PointSubset& subset, bool last, Tally& tally, Statistics& statistics)
   {
-    const bool last = !subset.ids;
     return InsertionBuilder<Geometry>::insert(
       task, std::move(base), subset, last ? 0.15 : 0.1, last ? 0.9 : 0.15, tally, statistics);
   }
 
   /// @param base a convex polyhedron without gaps
   static Polyhedron grow(const BuildTask<Geometry>& task, Polyhedron&& base,
-    const PointSubset& subset, Tally& tally, Statistics& statistics)
+    const PointSubset& subset, bool isAlongCurves, Tally& tally, Statistics& statistics)
   {
     const bool last = !subset.ids;
     const double from = last ? 0.15 : 0.1;
@@ -141,61 +220,20 @@ private:
     const double to = last ? 0.9 : 0.15;
     ConflictLists outside = associate(task, base, subset, from, associated, tally, statistics);
     const std::size_t count = outside.vertices.size() - base.vertexCount();
-    if (!isCrowded(base, count, tally.statistics))
+    // Each that is inserted wants room for two triangles, of which there are 2^30.
+    if (!isAlongCurves || count > NoIndex / 16)
     {
       return flipGrown(task, std::move(base), std::move(outside), associated, to, tally);
     }
-
     std::vector<std::uint32_t> ids(count);
     std::transform(outside.vertices.begin() + base.vertexCount(), outside.vertices.end(),
       ids.begin(), [](const Vertex& v) { return v.id; });
     outside = ConflictLists();
     std::sort(ids.begin(), ids.end());
-    return growInLevels(task, std::move(base), ids, associated, to, tally, statistics);
-  }
-
-  /// @param ids      ascending
-  /// @param from, to which part of the run's progress this is
-  static Polyhedron growInLevels(const BuildTask<Geometry>& task, Polyhedron&& base,
-    const std::vector<std::uint32_t>& ids, double from, double to, Tally& tally,
-    Statistics& statistics)
-  {
-    Stopwatch watch;
-    const auto count = static_cast<std::uint32_t>(ids.size());
-    PointSubset level;
-    level.ids = ids.data();
-    level.count = count;
-    const InsertionOrder order =
-      insertionOrder(task.source, level, unfoldingOf(task.geometry, base), task.monitor);
-    statistics.secondsLocate += watch.lap();
-    const auto share = [&](double done) { return from + (to - from) * done / count; };
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : order.levelEnds)
-    {
-      if (end < count && end - begin < base.vertexCount())
-      {
-        continue; // with the next
-      }
-      if (begin > 0)
-      {
-        base = compact(std::move(base));
-      }
-      level.ids = order.ids.data() + begin;
-      level.count = end - begin;
-      const double half = share((begin + end) / 2.0);
-      ConflictLists outside = associate(task, base, level, share(begin), half, tally, statistics);
-      base = flipGrown(task, std::move(base), std::move(outside), half, share(end), tally);
-      begin = end;
-    }
-    return std::move(base);
-  }
-
-  /// Are there many points outside for each triangle, where the rounds before took many flips for
-  /// each vertex? Three or four are usual; along curves they grow with what a triangle has outside.
-  static bool isCrowded(const Polyhedron& base, std::size_t outside, const Statistics& before)
-  {
-    return outside > LeastSampled && outside > 8 * base.vertices.size() &&
-      before.flips22 > 5 * before.insertions;
+    PointSubset crowd;
+    crowd.ids = ids.data();
+    crowd.count = static_cast<std::uint32_t>(count);
+    return insert(task, std::move(base), crowd, last, tally, statistics);
   }
 
   /// @param from, to which part of the run's progress this is

@@ -62,11 +62,13 @@ std::vector<Work> workOf(const Statistics& small, const Statistics& large)
 
 /// How much more a point may cost at eight times the size, shuffled or not. Walks through slivers
 /// are longer the more there are; that the flips of a knot grow shows only in the samples of more
-/// points than these. What that comes to today is the bound.
+/// points than these. Hulls of the smaller size are quickhull's, which takes few exact signs for a
+/// flat cloud, and few flips for a curve. What that comes to today is the bound.
 double mostGrowth(const std::string& name)
 {
   static const std::map<std::string, double> most = { { "helix", 2.5 }, { "knot", 3.5 },
-    { "momentCurve", 2 }, { "near-line", 2 }, { "twoLines", 2 } };
+    { "momentCurve", 8 }, { "thin200", 2 }, { "skewNeedle", 2 }, { "wall", 2 }, { "near-line", 2 },
+    { "twoLines", 2 } };
   const auto known = most.find(name.substr(0, name.find("-shuffled")));
   return known == most.end() ? 1.5 : known->second;
 }
@@ -157,7 +159,7 @@ TEST(Work, TriangulationsOfShapesInUse)
   }
 }
 
-TEST(Work, HullsThatAreGrownInLevelsAreRight)
+TEST(Work, HullsAlongCurvesAreRight)
 {
   for (const char* name : { "strands", "strands-shuffled" })
   {
@@ -166,7 +168,7 @@ TEST(Work, HullsThatAreGrownInLevelsAreRight)
     Options options;
     options.threads = 1;
     const Hull alone = convexHull(viewOf(cloud), options);
-    // Grown at once, 20 and more.
+    // Grown, 20 and more.
     EXPECT_LT(alone.statistics.flips22, 10 * alone.statistics.insertions);
     const Validation valid = validate(viewOf(cloud), alone);
     EXPECT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;

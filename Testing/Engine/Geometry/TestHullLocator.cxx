@@ -5,10 +5,8 @@
 /// the polyhedron's planes in rationals.
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
-#include "Mesh/Polyhedron.h"
 #include "Surface/StarShape.h"
-#include "Surface/Topology.h"
-#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Geometry/Solid.h"
 #include "Testing/Engine/Inputs/Inputs.h"
 
 #include <gtest/gtest.h>
@@ -108,51 +106,6 @@ private:
   mpq_class s[3];
   std::vector<Plane> planes;
 };
-
-/// A convex polyhedron, the hull of a cloud.
-struct Solid
-{
-  Polyhedron polyhedron;
-  CoordinateRange range{};
-};
-
-Solid solidOf(const Cloud& cloud)
-{
-  const Hull hull = convexHull(viewOf(cloud));
-  EXPECT_EQ(hull.dimension, 3);
-  Solid solid{ Polyhedron(hull.pointIds.size(), hull.connectivity.size() / 3), {} };
-  for (int i = 0; i < 3; ++i)
-  {
-    solid.range.low[i] = solid.range.smallest[i] = HUGE_VAL;
-    solid.range.high[i] = -HUGE_VAL;
-  }
-  for (std::size_t v = 0; v < hull.pointIds.size(); ++v)
-  {
-    Vertex& vertex = solid.polyhedron.vertices[v];
-    vertex.id = static_cast<std::uint32_t>(hull.pointIds[v]);
-    vertex.flags = VertexAlive;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double x = vertex.x[i] = cloud[vertex.id][static_cast<std::size_t>(i)];
-      solid.range.low[i] = std::min(solid.range.low[i], x);
-      solid.range.high[i] = std::max(solid.range.high[i], x);
-      solid.range.smallest[i] = std::min(solid.range.smallest[i], x != 0 ? std::fabs(x) : HUGE_VAL);
-    }
-  }
-  for (std::uint32_t t = 0; t < solid.polyhedron.triangleCount(); ++t)
-  {
-    Triangle& triangle = solid.polyhedron.triangles[t];
-    for (std::uint32_t k = 0; k < 3; ++k)
-    {
-      triangle.v[k] = static_cast<std::uint32_t>(hull.connectivity[3 * t + k]);
-    }
-    triangle.flags = triangle.note = 0;
-  }
-  EXPECT_FALSE(linkTriangles(solid.polyhedron.triangles.data(), solid.polyhedron.triangleCount(),
-    solid.polyhedron.vertexCount())
-                 .any);
-  return solid;
-}
 
 /// How near the limits came to the border.
 struct Seen

@@ -4,7 +4,10 @@
 /// The ladder of degenerate inputs, rung by rung, with the cells written out by hand.
 #include "Testing/Engine/Conformance/Kind.h"
 
+#include <algorithm>
 #include <limits>
+#include <map>
+#include <string>
 
 namespace flipflop
 {
@@ -221,6 +224,45 @@ TEST(ConvexHullDegenerate, LowestIdStandsForAll)
       EXPECT_EQ(lowest[id], id) << "seed 6, case " << i;
     }
     expectHull(cloud, bruteForceHull(cloud));
+  }
+}
+
+/// The hull of many points is that of the few which are all that can be extreme.
+void expectHullOfFew(const Cloud& cloud, const Cloud& few)
+{
+  std::map<Point, std::int64_t> lowest;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    lowest.emplace(cloud[i], static_cast<std::int64_t>(i));
+  }
+  std::vector<std::int64_t> ids;
+  for (const std::int64_t id : bruteForceHull(few).ids)
+  {
+    ids.push_back(lowest.at(few[static_cast<std::size_t>(id)]));
+  }
+  std::sort(ids.begin(), ids.end());
+  const Hull hull = convexHull(viewOf(cloud));
+  EXPECT_EQ(std::vector<std::int64_t>(hull.pointIds.begin(), hull.pointIds.end()), ids);
+}
+
+TEST(ConvexHullDegenerate, TheLowestIdStandsForManyDuplicates)
+{
+  // A first polyhedron may be of a part of them, whose ids need not be the lowest.
+  Random random(9);
+  for (const char* family : { "shell0", "smallIntegers", "cube" })
+  {
+    for (const int count : { 300, 3000, 5000 })
+    {
+      SCOPED_TRACE(family + (" " + std::to_string(count)));
+      const Cloud positions = fromFamily(family, 40, 8).make();
+      Cloud cloud = positions;
+      for (int i = 0; i < count; ++i)
+      {
+        cloud.push_back(positions[static_cast<std::size_t>(random.integer(0, 39))]);
+      }
+      random.shuffle(cloud);
+      expectHullOfFew(cloud, positions);
+    }
   }
 }
 
