@@ -23,6 +23,7 @@
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "FlipFlop/Quickhull.h"
 #include "Mesh/Compact.h"
+#include "Points/LineEnds.h"
 #include "Points/Samples.h"
 #include "Support/Monitor.h"
 #include "Support/Stopwatch.h"
@@ -47,6 +48,14 @@ public:
   static Polyhedron build(
     const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
   {
+    const std::vector<std::uint32_t> ends = lineEnds(task.source, task.checkFinite, task.monitor);
+    if (!ends.empty())
+    {
+      PointSubset subset;
+      subset.ids = ends.data();
+      subset.count = static_cast<std::uint32_t>(ends.size());
+      return hullOfFew(task, std::move(start), subset, true, tally, statistics);
+    }
     const std::vector<std::uint32_t> corners = start.pointIds();
     std::size_t round = task.samples.size();
     while (round > 0 && subsetOf(task, round - 1).count <= FewPoints)

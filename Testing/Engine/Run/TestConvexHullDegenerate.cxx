@@ -266,6 +266,35 @@ TEST(ConvexHullDegenerate, TheLowestIdStandsForManyDuplicates)
   }
 }
 
+TEST(ConvexHullDegenerate, ManyPointsOnFewLinesAlongAnAxis)
+{
+  Random random(10);
+  const Cloud feet = fromFamily("shell0", 20, 11).make();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    SCOPED_TRACE(axis);
+    Cloud cloud;
+    Cloud ends;
+    for (Point p : feet)
+    {
+      for (const double end : { -random.uniform(1, 2), random.uniform(1, 2) })
+      {
+        p[axis] = end;
+        ends.push_back(p);
+      }
+      for (int i = 0; i < 300; ++i)
+      {
+        p[axis] = random.uniform(-1, 1);
+        cloud.push_back(p);
+      }
+    }
+    cloud.insert(cloud.end(), ends.begin(), ends.end());
+    cloud.insert(cloud.end(), ends.begin(), ends.end());
+    random.shuffle(cloud);
+    expectHullOfFew(cloud, ends);
+  }
+}
+
 TEST(ConvexHullDegenerate, RaisedByOneUlp)
 {
   // A flat square with one inner point raised, or sunk, by one unit in the last place.

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Points/LineEnds.h"
+
+#include "Points/Samples.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// Lines along an axis, by their place in the other two.
+class Lines
+{
+public:
+  /// @param bits of the number of slots, of which half are for lines
+  Lines(int along, int bits)
+    : axis{ along, (along + 1) % 3, (along + 2) % 3 }
+    , shift(64 - bits)
+    , lines(std::size_t(1) << bits)
+  {
+  }
+
+  std::uint32_t count() const { return this->used; }
+
+  /// Lines of one point.
+  std::uint32_t singles() const
+  {
+    return static_cast<std::uint32_t>(std::count_if(
+      this->lines.begin(), this->lines.end(), [](const Line& line) { return line.points == 1; }));
+  }
+
+  void add(const double* x, std::uint32_t id)
+  {
+    // Zeros of both signs are one place.
+    const double u = x[this->axis[1]] + 0.0;
+    const double v = x[this->axis[2]] + 0.0;
+    const double along = x[this->axis[0]];
+    std::uint64_t bits[2];
+    std::memcpy(&bits[0], &u, sizeof(u));
+    std::memcpy(&bits[1], &v, sizeof(v));
+    std::uint64_t hash = (bits[0] * 0x9E3779B97F4A7C15ull) ^ bits[1];
+    hash = (hash ^ (hash >> 32)) * 0xBF58476D1CE4E5B9ull;
+    for (std::size_t slot = hash >> this->shift;; slot = (slot + 1) % this->lines.size())
+    {
+      Line& line = this->lines[slot];
+      if (line.lowId == NoIndex)
+      {
+        line = { u, v, along, along, id, id, 1 };
+        ++this->used;
+        return;
+      }
+      if (line.u == u && line.v == v)
+      {
+        ++line.points;
+        if (along < line.low || (along == line.low && id < line.lowId))
+        {
+          line.low = along;
+          line.lowId = id;
+        }
+        if (along > line.high || (along == line.high && id < line.highId))
+        {
+          line.high = along;
+          line.highId = id;
+        }
+        return;
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> ends() const
+  {
+    std::vector<std::uint32_t> ids;
+    for (const Line& line : this->lines)
+    {
+      if (line.lowId != NoIndex)
+      {
+        ids.push_back(line.lowId);
+        ids.push_back(line.highId);
+      }
+    }
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    return ids;
+  }
+
+private:
+  struct Line
+  {
+    double u = 0, v = 0;      ///< where it is
+    double low = 0, high = 0; ///< its ends
+    std::uint32_t lowId = NoIndex, highId = NoIndex;
+    std::uint32_t points = 0;
+  };
+
+  int axis[3];
+  int shift;
+  std::vector<Line> lines;
+  std::uint32_t used = 0;
+};
+
+/// The lines along an axis that a sample's points are on.
+Lines linesOfSample(const PointSource& source, int axis, int bits, bool checkFinite)
+{
+  Lines lines(axis, bits);
+  for (const std::uint32_t id : sample(source.count(), 1u << (bits - 1)))
+  {
+    double x[3];
+    source.load(id, x);
+    if (!checkFinite || isFinite(x))
+    {
+      lines.add(x, id);
+    }
+  }
+  return lines;
+}
+
+/// Are there few lines along an axis, as far as samples tell? Most inputs show at a look that no
+/// two of 64 points are on one.
+bool hasFewLines(const PointSource& source, int axis, bool checkFinite)
+{
+  if (linesOfSample(source, axis, 7, checkFinite).count() > 63 ||
+    linesOfSample(source, axis, 11, checkFinite).count() > 683)
+  {
+    return false;
+  }
+  // The share of single points is the share of lines that the sample has not met.
+  return linesOfSample(source, axis, 13, checkFinite).singles() < 170;
+}
+
+}
+
+std::vector<std::uint32_t> lineEnds(const PointSource& source, bool checkFinite, Monitor& monitor)
+{
+  constexpr std::uint32_t Least = 4096; // points
+  constexpr std::uint32_t Most = 2048;  // lines
+  StepPoll poll(monitor);
+  for (int axis = 2; axis >= 0 && source.count() >= Least; --axis)
+  {
+    if (!hasFewLines(source, axis, checkFinite))
+    {
+      continue;
+    }
+    Lines lines(axis, 12);
+    for (std::uint32_t id = 0; id < source.count() && lines.count() <= Most; ++id)
+    {
+      poll.step();
+      double x[3];
+      source.load(id, x);
+      if (!checkFinite || isFinite(x))
+      {
+        lines.add(x, id);
+      }
+    }
+    if (lines.count() <= Most)
+    {
+      return lines.ends();
+    }
+  }
+  return {};
+}
+
+}
