@@ -25,7 +25,6 @@ PlanePart PartTriangulation::build()
 
 void PartTriangulation::addTo(Tally& tally) const
 {
-  tally.duplicates.insert(tally.duplicates.end(), this->duplicates.begin(), this->duplicates.end());
   tally.ties += this->ties;
   Statistics& statistics = tally.statistics;
   statistics.insertions += this->insertions;
@@ -216,7 +215,7 @@ double PartTriangulation::cross(const PlaneVertex& q, const Row& a, const Row& b
   return this->orient(va, vb, q);
 }
 
-/// Is q at a corner of its triangle? Then the lower id is noted.
+/// Is q at a corner of its triangle? Then the corner gets the lower id.
 bool PartTriangulation::isDuplicate(const PlaneVertex& q, const Place& place)
 {
   const Row rows[3] = { place.a, place.b, place.c };
@@ -225,12 +224,8 @@ bool PartTriangulation::isDuplicate(const PlaneVertex& q, const Place& place)
   {
     if (row.x == 0 && row.y == 0)
     {
-      const std::uint32_t id =
-        this->mesh.vertices[this->mesh.triangles[place.triangle].v[corner]].id;
-      if (q.id < id)
-      {
-        this->duplicates.push_back({ id, q.id });
-      }
+      PlaneVertex& vertex = this->mesh.vertices[this->mesh.triangles[place.triangle].v[corner]];
+      vertex.id = std::min(vertex.id, q.id);
       return true;
     }
     corner = nextCorner(corner);

@@ -120,7 +120,6 @@ private:
   const double leastError; ///< a smaller bound may be one of products that lost bits
   std::vector<Waiting> waiting = std::vector<Waiting>(64);
   std::vector<std::uint32_t> triangles; ///< that wait for exact tests
-  std::vector<Duplicate> duplicates;
   std::int64_t insertions = 0;
   std::int64_t walked = 0;
   std::int64_t flips = 0;
