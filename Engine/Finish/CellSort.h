@@ -47,11 +47,27 @@ public:
     BucketSort::sort(
       [connectivity](std::uint32_t, Cell* begin, Cell* end, std::size_t first)
       {
-        orderBySecond(begin, end);
-        std::int64_t* out = connectivity + 3 * first;
-        for (const Cell* cell = begin; cell != end; ++cell, out += 3)
+        constexpr std::ptrdiff_t Few = 16;
+        std::int64_t* const out = connectivity + 3 * first;
+        const std::ptrdiff_t count = end - begin;
+        if (count > Few)
         {
-          std::copy(cell->corner, cell->corner + 3, out);
+          orderBySecond(begin, end);
+        }
+        // Two or three are usual, in random order: to count those before each is faster than to
+        // branch on what is unpredictable.
+        for (std::ptrdiff_t i = 0; i < count; ++i)
+        {
+          std::ptrdiff_t place = i;
+          if (count <= Few)
+          {
+            place = 0;
+            for (std::ptrdiff_t k = 0; k < count; ++k)
+            {
+              place += begin[k].corner[1] < begin[i].corner[1] ? 1 : 0;
+            }
+          }
+          std::copy(begin[i].corner, begin[i].corner + 3, out + 3 * place);
         }
       });
   }
