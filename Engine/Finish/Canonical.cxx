@@ -67,12 +67,35 @@ void writeMixed(const Buffer<Cell>& cells, const VertexRanks& rank,
     });
 }
 
-/// The corner of lowest rank.
-int lowestOf(const std::uint32_t* r)
+/// Turns three corners such that the one of lowest rank is the first: by masks, since nothing could
+/// predict a branch.
+class Turn
 {
-  const int lower = r[1] < r[0] ? 1 : 0;
-  return r[2] < r[lower] ? 2 : lower;
-}
+public:
+  explicit Turn(const Cell& ranks)
+  {
+    const std::uint32_t* const r = ranks.corner;
+    const std::uint32_t low = std::min(std::min(r[0], r[1]), r[2]);
+    this->toSecond = 0u - static_cast<std::uint32_t>(low == r[1]);
+    this->toThird = 0u - static_cast<std::uint32_t>(low == r[2]);
+    this->toFirst = ~(this->toSecond | this->toThird);
+  }
+
+  Cell operator()(const Cell& cell) const
+  {
+    const std::uint32_t* const x = cell.corner;
+    return { { this->choose(x[0], x[1], x[2]), this->choose(x[1], x[2], x[0]),
+      this->choose(x[2], x[0], x[1]) } };
+  }
+
+private:
+  std::uint32_t choose(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+  {
+    return (a & this->toFirst) | (b & this->toSecond) | (c & this->toThird);
+  }
+
+  std::uint32_t toFirst, toSecond, toThird;
+};
 
 }
 
@@ -86,85 +109,37 @@ CanonicalForm<Surface>::CanonicalForm(Surface& surfaceToWrite, bool anyFlat,
 {
   if (anyFlat)
   {
-    this->polygons.emplace(this->surface, this->rank, facetMode == FacetMode::Polygons, monitor);
+    this->polygons.emplace(this->surface, this->rank, facetMode == FacetMode::Triangles, monitor);
   }
 }
 
-// A facet is of one of three kinds:
-// - one triangle;
-// - a pair of triangles, where triangles are asked for. Grids are full of them, and they need
-//   no walk around the facet. They become two triangles again, from the corner of lowest rank;
-// - a polygon (FacetPolygons): of more triangles, or of a pair where polygons are asked for. As
-//   triangles it is a fan from its corner of lowest rank.
-// A facet with a corner that is no point of the result (at the virtual vertex) is left out.
+// A facet is one triangle or a polygon (FacetPolygons). As triangles, a polygon is a fan from its
+// corner of lowest rank. A facet with a corner that is no point of the result (at the virtual
+// vertex) is left out.
 
-/// use(vertices, cell, piece) for each cell of the facets that are one triangle or a pair: three
-/// vertices, that of lowest rank first, and their ranks.
+/// use(vertices, cell, piece) for each facet that is one triangle: three vertices, that of lowest
+/// rank first, and their ranks.
 template <class Surface>
 template <class Use>
-void CanonicalForm<Surface>::eachSimpleCell(Use&& use) const
+void CanonicalForm<Surface>::eachTriangle(Use&& use) const
 {
+  const bool anyFlat = this->polygons.has_value();
   this->surface.eachTriangle(
     [&](std::uint32_t t, std::size_t piece)
     {
-      if (this->polygons && this->surface.flatEdges(t) != 0)
+      if (anyFlat && this->surface.flatEdges(t) != 0)
       {
-        if (this->facets == FacetMode::Triangles)
-        {
-          this->usePair(t, [&](const std::uint32_t* v, const Cell& cell) { use(v, cell, piece); });
-        }
         return;
       }
-      const std::uint32_t* const v = this->surface.triangles[t].v;
-      const std::uint32_t r[3] = { this->rank[v[0]], this->rank[v[1]], this->rank[v[2]] };
-      if (r[0] != NoIndex && r[1] != NoIndex && r[2] != NoIndex)
+      const std::uint32_t* const corner = this->surface.triangles[t].v;
+      const Cell vertices{ { corner[0], corner[1], corner[2] } };
+      const Cell cell{ { this->rank[corner[0]], this->rank[corner[1]], this->rank[corner[2]] } };
+      if (std::max(std::max(cell.corner[0], cell.corner[1]), cell.corner[2]) != NoIndex)
       {
-        const int e = lowestOf(r);
-        const int f = nextCorner(e);
-        const int g = previousCorner(e);
-        const std::uint32_t vertices[3] = { v[e], v[f], v[g] };
-        use(vertices, Cell{ { r[e], r[f], r[g] } }, piece);
+        const Turn turn(cell);
+        use(turn(vertices).corner, turn(cell), piece);
       }
     });
-}
-
-/// use(vertices, cell) for the two cells of a facet that is a pair, if t is the lower one of such.
-template <class Surface>
-template <class Use>
-void CanonicalForm<Surface>::usePair(std::uint32_t t, Use&& use) const
-{
-  const std::uint32_t other = otherOfPair(this->surface, t);
-  if (other == NoIndex || other < t)
-  {
-    return;
-  }
-  // The flat edge is ab; around the facet: a, d, b, c.
-  const auto& triangle = this->surface.triangles[t];
-  const int e = onlyFlatEdge(this->surface, t);
-  const std::uint32_t d =
-    this->surface.triangles[other].v[previousCorner(cornerOf(triangle.twin[e]))];
-  const std::uint32_t ring[4] = { triangle.v[e], d, triangle.v[nextCorner(e)],
-    triangle.v[previousCorner(e)] };
-  int lowest = 0;
-  for (int i = 0; i < 4; ++i)
-  {
-    if (this->rank[ring[i]] == NoIndex)
-    {
-      return;
-    }
-    lowest = this->rank[ring[i]] < this->rank[ring[lowest]] ? i : lowest;
-  }
-  std::uint32_t v[4];
-  std::uint32_t r[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    v[i] = ring[(lowest + i) % 4];
-    r[i] = this->rank[v[i]];
-  }
-  use(v, Cell{ { r[0], r[1], r[2] } });
-  v[1] = v[2];
-  v[2] = v[3];
-  use(v, Cell{ { r[0], r[2], r[3] } });
 }
 
 /// use(vertices, piece) for each triangle of the polygons' fans.
@@ -223,7 +198,7 @@ void CanonicalForm<Surface>::write(Monitor& monitor, CellComplex& complex, Use&&
   CellSort sort(pointCount, this->surface.pieceCount());
 
   // First pass: count.
-  this->eachSimpleCell(
+  this->eachTriangle(
     [&](const std::uint32_t* v, const Cell& cell, std::size_t piece)
     {
       useToo(v, piece);
@@ -236,7 +211,7 @@ void CanonicalForm<Surface>::write(Monitor& monitor, CellComplex& complex, Use&&
 
   // Second pass: put the cells where the counts say.
   sort.endCounting(std::move(this->surface.vertices));
-  this->eachSimpleCell(
+  this->eachTriangle(
     [&](const std::uint32_t*, const Cell& cell, std::size_t piece) { sort.put(piece, cell); });
   this->eachPolygonCell(
     pointCount, [&](const Cell& cell, std::size_t piece) { sort.put(piece, cell); });

@@ -54,9 +54,7 @@ public:
 
 private:
   template <class Use>
-  void eachSimpleCell(Use&& use) const;
-  template <class Use>
-  void usePair(std::uint32_t t, Use&& use) const;
+  void eachTriangle(Use&& use) const;
   template <class Use>
   void eachFanTriangle(Use&& use) const;
   template <class Use>

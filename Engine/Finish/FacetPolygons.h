@@ -6,6 +6,9 @@
 /// Every half-edge of a facet's border could start the walk; the lowest does. So threads look for
 /// facets piece by piece, and each walk ends where it meets a lower half-edge. Few facets are long,
 /// and of these every half-edge may walk far: one thread walks around them at last, once each.
+///
+/// Grids are full of facets of two triangles. Where triangles are asked for, these need no walk:
+/// the diagonal from the corner of lowest rank parts them, and they are two facets from then on.
 #ifndef flipflop_FacetPolygons_h
 #define flipflop_FacetPolygons_h
 
@@ -23,29 +26,6 @@
 namespace flipflop
 {
 
-/// The flat edge of a triangle that has just one; 3: it has none, or more.
-template <class Surface>
-int onlyFlatEdge(const Surface& surface, std::uint32_t t)
-{
-  const std::uint32_t flat = surface.flatEdges(t);
-  return flat == 1 ? 0 : flat == 2 ? 1 : flat == 4 ? 2 : 3;
-}
-
-/// The other triangle of a true facet that is just two; else NoIndex. Grids are full of them, and
-/// as triangles they need no walk.
-template <class Surface>
-std::uint32_t otherOfPair(const Surface& surface, std::uint32_t t)
-{
-  const int e = onlyFlatEdge(surface, t);
-  if (e == 3)
-  {
-    return NoIndex;
-  }
-  const std::uint32_t twin = surface.triangles[t].twin[e];
-  const bool pair = onlyFlatEdge(surface, triangleOf(twin)) == cornerOf(twin);
-  return pair ? triangleOf(twin) : NoIndex;
-}
-
 /// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
 /// first.
 /// @tparam Surface Polyhedron, or PlanePolyhedron; flatEdges() tells which edges are flat
@@ -53,32 +33,52 @@ template <class Surface>
 class FacetPolygons
 {
 public:
-  /// @param pairs also those of two triangles?
+  /// @param partPairs those of two triangles are no polygons, but parted in the surface
   /// @throw Error Aborted
-  FacetPolygons(
-    const Surface& surfaceToWalk, const VertexRanks& ranks, bool pairs, Monitor& monitor)
+  FacetPolygons(Surface& surfaceToWalk, const VertexRanks& ranks, bool partPairs, Monitor& monitor)
     : surface(surfaceToWalk)
     , rank(ranks)
   {
     std::vector<Found> parts(this->surface.pieceCount());
-    this->surface.eachTriangle(
+    this->surface.eachFlatTriangle(
       [&](std::uint32_t t, std::size_t piece)
       {
         if ((t & 0xFFF) == 0)
         {
           monitor.poll();
         }
-        const std::uint32_t flat = this->surface.flatEdges(t);
-        if (flat == 0 || (!pairs && otherOfPair(this->surface, t) != NoIndex))
+        const std::uint32_t other = partPairs ? this->otherOfPair(t) : NoIndex;
+        if (other != NoIndex && triangleOf(other) < t)
         {
+          return;
+        }
+        if (other != NoIndex)
+        {
+          // What is in another piece, waits: its thread may look at it now.
+          if (triangleOf(other) < this->surface.pieceEnd(piece))
+          {
+            this->partPair(t, other);
+          }
+          else
+          {
+            parts[piece].pairs.push_back(t);
+          }
           return;
         }
         for (int e = 0; e < 3; ++e)
         {
-          if ((flat >> e & 1) == 0)
+          if ((this->surface.flatEdges(t) >> e & 1) == 0)
           {
             this->walkIfShort(halfEdge(t, e), parts[piece]);
           }
+        }
+      });
+    eachTask(parts.size(),
+      [&](std::size_t piece)
+      {
+        for (const std::uint32_t t : parts[piece].pairs)
+        {
+          this->partPair(t, this->otherOfPair(t));
         }
       });
     parts.push_back(this->walkLong(parts, monitor));
@@ -112,7 +112,57 @@ private:
     std::vector<std::uint32_t> corners; ///< of the polygons, one after another
     std::vector<std::size_t> ends;      ///< of each polygon, among these
     std::vector<std::uint32_t> starts;  ///< half-edges of long ones, maybe several of one
+    std::vector<std::uint32_t> pairs;   ///< the lower triangles of those that are in two pieces
   };
+
+  /// The flat edge of a triangle that has just one; 3: it has none, or more.
+  int onlyFlatEdge(std::uint32_t t) const
+  {
+    static constexpr std::int8_t Edge[8] = { 3, 0, 1, 3, 2, 3, 3, 3 };
+    return Edge[this->surface.flatEdges(t)];
+  }
+
+  /// Of a facet that is just two triangles: the half-edge of the other one on the edge between
+  /// them; else NoIndex.
+  std::uint32_t otherOfPair(std::uint32_t t) const
+  {
+    const int e = this->onlyFlatEdge(t);
+    if (e == 3)
+    {
+      return NoIndex;
+    }
+    const std::uint32_t twin = this->surface.triangles[t].twin[e];
+    return this->onlyFlatEdge(triangleOf(twin)) == cornerOf(twin) ? twin : NoIndex;
+  }
+
+  /// Part the facet of abc, of triangle t, and bad, of @p ba, by the diagonal from its corner of
+  /// lowest rank, unless one is no point: they stay, or become cad and dbc.
+  void partPair(std::uint32_t t, std::uint32_t ba)
+  {
+    const std::uint32_t u = triangleOf(ba);
+    std::uint32_t* const near = this->surface.triangles[t].v;
+    std::uint32_t* const far = this->surface.triangles[u].v;
+    const int e = this->onlyFlatEdge(t);
+    const std::uint32_t a = near[e];
+    const std::uint32_t b = near[nextCorner(e)];
+    const std::uint32_t c = near[previousCorner(e)];
+    const std::uint32_t d = far[previousCorner(cornerOf(ba))];
+    const std::uint32_t ab = std::min(this->rank[a], this->rank[b]);
+    const std::uint32_t cd = std::min(this->rank[c], this->rank[d]);
+    const bool turns = cd < ab;
+    near[0] = turns ? c : a;
+    near[1] = turns ? a : b;
+    near[2] = turns ? d : c;
+    far[0] = turns ? d : b;
+    far[1] = turns ? b : a;
+    far[2] = turns ? c : d;
+    const auto isPoint = [this](std::uint32_t v) { return this->rank[v] != NoIndex; };
+    if (isPoint(a) && isPoint(b) && isPoint(c) && isPoint(d))
+    {
+      this->surface.forgetFlat(t);
+      this->surface.forgetFlat(u);
+    }
+  }
 
   /// Put the polygons of all parts one after another.
   void gather(const std::vector<Found>& parts)
@@ -223,7 +273,7 @@ private:
     return this->surface.triangles[triangleOf(h)].v[cornerOf(h)];
   }
 
-  const Surface& surface;
+  Surface& surface;
   const VertexRanks& rank;
   Buffer<std::uint32_t> corners; ///< of the polygons, one after another
   Buffer<std::size_t> end;       ///< of each polygon, among these

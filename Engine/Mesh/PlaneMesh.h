@@ -20,7 +20,7 @@ namespace flipflop
 struct PlaneVertex
 {
   double x[2];         ///< NaN for the virtual vertex
-  std::uint32_t id;    ///< position in the input
+  std::uint32_t id;    ///< position in the input, the lowest of all points here
   std::uint32_t flags; ///< VertexFlags
 
   /// As the predicates take it.
@@ -72,7 +72,11 @@ struct PlaneMesh
     this->ties[t] = 0;
   }
 
-  void removeTriangle(std::uint32_t t) const { this->triangles[t].v[0] = NoIndex; }
+  void removeTriangle(std::uint32_t t) const
+  {
+    this->triangles[t].v[0] = NoIndex;
+    this->ties[t] = 0;
+  }
   bool isDead(std::uint32_t t) const { return this->triangles[t].isDead(); }
 
   /// Bit e: the edge e is marked.

@@ -37,26 +37,25 @@ struct PlanePolyhedron
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
   std::uint32_t flatEdges(std::uint32_t t) const { return this->ties[t]; }
+  void forgetFlat(std::uint32_t t) { this->ties[t] = 0; }
 
   PlaneMesh mesh() { return { this->triangles.data(), this->vertices.data(), this->ties.data() }; }
 
   std::size_t pieceCount() const { return runCount(this->triangles.size(), PieceSize); }
+  std::size_t pieceEnd(std::size_t piece) const { return (piece + 1) * PieceSize; }
 
   /// use(triangle, piece) for every triangle, in parallel by pieces.
   template <class Use>
   void eachTriangle(Use&& use) const
   {
-    eachRun(this->triangles.size(), PieceSize,
-      [&](std::size_t begin, std::size_t end, std::size_t piece)
-      {
-        for (std::size_t t = begin; t < end; ++t)
-        {
-          if (!this->triangles[t].isDead())
-          {
-            use(static_cast<std::uint32_t>(t), piece);
-          }
-        }
-      });
+    this->eachOf([this](std::size_t t) { return !this->triangles[t].isDead(); }, use);
+  }
+
+  /// The same for those that have a flat edge.
+  template <class Use>
+  void eachFlatTriangle(Use&& use) const
+  {
+    this->eachOf([this](std::size_t t) { return this->ties[t] != 0; }, use);
   }
 
   /// The same as a Polyhedron, for algorithms that change it. The numbers of vertices and triangles
@@ -88,6 +87,22 @@ struct PlanePolyhedron
 
 private:
   static constexpr std::size_t PieceSize = 1 << 13;
+
+  template <class IsWanted, class Use>
+  void eachOf(const IsWanted& isWanted, Use&& use) const
+  {
+    eachRun(this->triangles.size(), PieceSize,
+      [&](std::size_t begin, std::size_t end, std::size_t piece)
+      {
+        for (std::size_t t = begin; t < end; ++t)
+        {
+          if (isWanted(t))
+          {
+            use(static_cast<std::uint32_t>(t), piece);
+          }
+        }
+      });
+  }
 };
 
 }

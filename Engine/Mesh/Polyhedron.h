@@ -68,9 +68,11 @@ struct Polyhedron
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
   std::size_t pieceCount() const { return this->pieces.size(); }
+  std::size_t pieceEnd(std::size_t piece) const { return this->pieces[piece].end; }
 
   /// In the finish: of a triangle.
   std::uint32_t flatEdges(std::uint32_t t) const { return flipflop::flatEdges(this->triangles[t]); }
+  void forgetFlat(std::uint32_t t) { flipflop::flatEdges(this->triangles[t]) = 0; }
 
   /// The ids of the points among the vertices, ascending.
   std::vector<std::uint32_t> pointIds() const
@@ -109,6 +111,20 @@ struct Polyhedron
           {
             use(t, piece);
           }
+        }
+      });
+  }
+
+  /// The same for those that have a flat edge, in the finish.
+  template <class Use>
+  void eachFlatTriangle(Use&& use) const
+  {
+    this->eachTriangle(
+      [&](std::uint32_t t, std::size_t piece)
+      {
+        if (this->flatEdges(t) != 0)
+        {
+          use(t, piece);
         }
       });
   }
