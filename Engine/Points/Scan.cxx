@@ -230,48 +230,126 @@ ScanResult PointScanner::scan(const PointSource& source, Monitor& monitor)
   return sum.result();
 }
 
-double commonUnit(
-  const PointSource& source, double least, double most, bool checkFinite, Monitor& monitor)
+namespace
 {
-  const auto isMultiple = [](double x, double unit)
+
+constexpr int UnitBlock = 256;
+
+/// Are all of a block's coordinates along an axis multiples of a unit? False also where one is so
+/// large that it takes another look.
+FF_VECTOR_CLONES
+bool areMultiples(const double* x, double perUnit)
+{
+  constexpr double round = 0x1.8p52;
+  double off = 0;
+  for (int i = 0; i < UnitBlock; ++i)
+  {
+    const double units = x[i] * perUnit;
+    const double away = (units + round) - round - units;
+    const double lost = units == 0.0 ? x[i] : 0.0; // underflow
+    const double large = std::fabs(units) < 0x1p50 ? 0.0 : 1.0;
+    off = away != 0.0 || lost != 0.0 || large != 0.0 ? 1.0 : off;
+  }
+  return off == 0.0;
+}
+
+/// The largest unit of which more and more coordinates are multiples.
+class CommonUnit
+{
+public:
+  CommonUnit(const PointSource& source, double least, double most, bool checkFinite)
+    : source(source)
+    , least(least)
+    , checkFinite(checkFinite)
+  {
+    this->set(most);
+  }
+
+  double unit() const { return this->units[0]; }
+
+  /// False: the unit would be less than the least.
+  bool add(std::uint32_t id)
+  {
+    double x[3];
+    this->source.load(id, x);
+    if (this->checkFinite && !isFinite(x))
+    {
+      return true;
+    }
+    while (!isMultiple(x[0], this->units[0]) || !isMultiple(x[1], this->units[1]) ||
+      !isMultiple(x[2], this->units[2]))
+    {
+      if (this->unit() / 2 < this->least)
+      {
+        return false;
+      }
+      this->set(this->unit() / 2);
+    }
+    return true;
+  }
+
+  /// Does a block of points ask for no smaller unit? False also where that takes another look.
+  bool holdsBlock(std::uint32_t first) const
+  {
+    double x[3][UnitBlock];
+    this->source.load(first, UnitBlock, x[0], x[1], x[2]);
+    return areMultiples(x[0], 1 / this->units[0]) && areMultiples(x[1], 1 / this->units[1]) &&
+      areMultiples(x[2], 1 / this->units[2]);
+  }
+
+private:
+  static bool isMultiple(double x, double unit)
   {
     const double units = x / unit;
     // No larger double has a fraction.
     const bool whole =
       std::fabs(units) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(units)) == units;
     return whole && (units != 0 || x == 0);
-  };
-  StepPoll poll(monitor);
-  const std::uint32_t count = source.count();
-  double unit = most;
-  double units[3] = { unit, unit, source.isWeighted() ? unit * unit : unit };
-  // A few points spread over the input tell nearly always.
-  for (int pass = 0; pass < 2; ++pass)
+  }
+
+  void set(double unit)
   {
-    const std::uint32_t step = pass ? 1 : std::max(1u, count / 64);
-    for (std::uint64_t id = 0; id < count; id += step)
+    this->units[0] = this->units[1] = unit;
+    this->units[2] = this->source.isWeighted() ? unit * unit : unit;
+  }
+
+  const PointSource& source;
+  double least;
+  bool checkFinite;
+  double units[3];
+};
+
+}
+
+double commonUnit(
+  const PointSource& source, double least, double most, bool checkFinite, Monitor& monitor)
+{
+  const std::uint32_t count = source.count();
+  CommonUnit common(source, least, most, checkFinite);
+  // A few points spread over the input tell nearly always.
+  const std::uint32_t step = std::max(1u, count / 64);
+  for (std::uint64_t id = 0; id < count; id += step)
+  {
+    if (!common.add(static_cast<std::uint32_t>(id)))
     {
-      poll.step();
-      double x[3];
-      source.load(static_cast<std::uint32_t>(id), x);
-      if (checkFinite && !isFinite(x))
+      return 0;
+    }
+  }
+  for (std::uint64_t first = 0; first < count; first += UnitBlock)
+  {
+    monitor.poll();
+    const std::uint64_t end = std::min<std::uint64_t>(count, first + UnitBlock);
+    const bool holds =
+      end - first == UnitBlock && common.holdsBlock(static_cast<std::uint32_t>(first));
+    for (std::uint64_t id = holds ? end : first; id < end; ++id)
+    {
+      if (!common.add(static_cast<std::uint32_t>(id)))
       {
-        continue;
-      }
-      while (
-        !isMultiple(x[0], units[0]) || !isMultiple(x[1], units[1]) || !isMultiple(x[2], units[2]))
-      {
-        unit /= 2;
-        if (unit < least)
-        {
-          return 0;
-        }
-        units[0] = units[1] = unit;
-        units[2] = source.isWeighted() ? unit * unit : unit;
+        return 0;
       }
     }
   }
-  return unit;
+  return common.unit();
 }
 
 }

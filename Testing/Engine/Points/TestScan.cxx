@@ -158,6 +158,39 @@ TEST(CommonUnit, SkipsWhatIsNotFinite)
   EXPECT_EQ(unitOf({ { 1, 2, 3 }, { nan, 0.1, 0 }, { 0.5, 0, 0 } }, 0.25, 1, true), 0.5);
 }
 
+TEST(CommonUnit, OfManyPointsOneAsksForLess)
+{
+  // Blocks of points are looked at together.
+  Random random(32);
+  Cloud lattice;
+  for (int i = 0; i < 1000; ++i)
+  {
+    lattice.push_back({ 1.0 * random.integer(-999, 999), 1.0 * random.integer(0, 9), -0.0 });
+  }
+  EXPECT_EQ(unitOf(lattice, 0x1p-10, 1), 1);
+  const std::size_t at[] = { 0, 1, 255, 256, 300, 767, 768, 999 };
+  for (const std::size_t odd : at)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      SCOPED_TRACE(odd);
+      Cloud cloud = lattice;
+      cloud[odd][axis] = 0.375;
+      EXPECT_EQ(unitOf(cloud, 0x1p-10, 1), 0.125);
+      cloud[odd][axis] = 0.1;
+      EXPECT_EQ(unitOf(cloud, 0x1p-10, 1), 0);
+      cloud[odd][axis] = 1e-320;
+      EXPECT_EQ(unitOf(cloud, 0x1p-10, 1), 0);
+      cloud[odd][axis] = 0x1p52 + 1;
+      EXPECT_EQ(unitOf(cloud, 0x1p-10, 1), 1);
+      cloud[odd][axis] = 0x1p51 + 0.5;
+      EXPECT_EQ(unitOf(cloud, 0x1p-10, 1), 0.5);
+      cloud[odd][axis] = std::numeric_limits<double>::quiet_NaN();
+      EXPECT_EQ(unitOf(cloud, 0x1p-10, 1, true), 1);
+    }
+  }
+}
+
 TEST(CommonUnit, OfWeightsIsItsSquare)
 {
   const Options options;
