@@ -4,22 +4,27 @@
 /// Associate points to the cones of a convex polyhedron (paper, Algorithm 2, line 3), and drop
 /// those inside.
 ///
-/// Runs over the points block by block: the locator dismisses what is certainly inside, the others
-/// walk to their cone and stay if they are strictly above its triangle. Each chunk of points keeps
-/// its own list; a counting sort by triangle then lays all points out as the growing wants them.
+/// Runs over the points block by block: the locator dismisses what is certainly inside, and where
+/// that is little, as of flat bodies, so do a few planes. The others walk to their cone and stay if
+/// they are strictly above its triangle. Each chunk of points keeps its own list; a counting sort
+/// by triangle then lays all points out as the growing wants them.
 #ifndef flipflop_Associate_h
 #define flipflop_Associate_h
 
 #include "FlipFlop/ConflictLists.h"
 #include "FlipFlop/GrowthRule.h"
 #include "FlipFlop/Tally.h"
+#include "Geometry/HullPlanes.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
+#include "Points/Samples.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace flipflop
@@ -43,13 +48,16 @@ public:
   }
 
   /// The polyhedron's vertices and, by triangle, the points outside it.
-  ConflictLists run(const PointSubset& subset, Tally& tally)
+  /// @param fewPlanes HullPlanes (): of a polyhedron inside the base
+  template <class FewPlanes>
+  ConflictLists run(const PointSubset& subset, const FewPlanes& fewPlanes, Tally& tally)
   {
     const std::uint32_t wanted =
       this->threads == 1 ? 1 : 4 * static_cast<std::uint32_t>(this->threads);
     // Chunks worth a task, whose cursors take no more memory than their points.
     const std::uint32_t least = std::max<std::uint32_t>(16384, this->base.triangleCount());
     this->chunks.resize(std::max(1u, std::min(wanted, subset.count / least)));
+    this->tryPlanes(subset, fewPlanes);
     eachTask(this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
     for (Chunk& chunk : this->chunks)
     {
@@ -119,6 +127,10 @@ private:
         }
       }
       this->locator.classify(block, n);
+      if (this->few)
+      {
+        this->compareWithPlanes(block, n);
+      }
       for (int k = 0; k < n; ++k)
       {
         if (block.inside[k])
@@ -133,6 +145,86 @@ private:
       this->monitor.advance(i - blockBegin);
     }
     chunk.tally.addPredicates(local, this->geometry);
+  }
+
+  /// Take few planes to help where the locator leaves many points, and they dismiss a good part of
+  /// these, as far as a sample tells.
+  template <class FewPlanes>
+  void tryPlanes(const PointSubset& subset, const FewPlanes& fewPlanes)
+  {
+    constexpr std::uint32_t Blocks = 4;
+    constexpr std::uint32_t Asked = Blocks * Locator::BlockSize;
+    if (subset.count < LeastSampled)
+    {
+      return;
+    }
+    std::vector<typename Locator::Block> blocks(Blocks);
+    const std::vector<std::uint32_t> asked = sample(subset.count, Asked);
+    std::ptrdiff_t left = 0;
+    for (std::uint32_t i = 0; i < Asked; ++i)
+    {
+      double x[3];
+      this->source.load(subset.idAt(asked[i]), x);
+      typename Locator::Block& block = blocks[i / Locator::BlockSize];
+      for (int k = 0; k < 3; ++k)
+      {
+        block.x[k][i % Locator::BlockSize] = isFinite(x) ? x[k] : this->base.vertices[0].x[k];
+      }
+    }
+    for (typename Locator::Block& block : blocks)
+    {
+      this->locator.classify(block, Locator::BlockSize);
+      left += std::count(block.inside, block.inside + Locator::BlockSize, 0);
+    }
+    if (left > Locator::BlockSize)
+    {
+      this->few.emplace(fewPlanes());
+      std::ptrdiff_t dismissed = 0;
+      for (typename Locator::Block& block : blocks)
+      {
+        dismissed +=
+          this->few->isReliable() ? this->compareWithPlanes(block, Locator::BlockSize) : 0;
+      }
+      if (3 * dismissed < left)
+      {
+        this->few.reset();
+      }
+    }
+  }
+
+  /// Dismiss what is below the few planes.
+  /// @return how many
+  int compareWithPlanes(typename Locator::Block& block, int n) const
+  {
+    static_assert(Locator::BlockSize <= HullPlanes::BlockSize);
+    double x[3][HullPlanes::BlockSize];
+    int at[HullPlanes::BlockSize];
+    int left = 0;
+    for (int k = 0; k < n; ++k)
+    {
+      at[left] = k;
+      for (int i = 0; i < 3; ++i)
+      {
+        x[i][left] = block.x[i][k];
+      }
+      left += block.inside[k] ? 0 : 1;
+    }
+    for (int k = left; k % HullPlanes::Lanes != 0; ++k)
+    {
+      x[0][k] = x[1][k] = x[2][k] = 0;
+    }
+    double height[HullPlanes::BlockSize];
+    double plane[HullPlanes::BlockSize];
+    this->few->highest(x[0], x[1], x[2], left, height, plane);
+    int dismissed = 0;
+    for (int k = 0; k < left; ++k)
+    {
+      const double p[3] = { x[0][k], x[1][k], x[2][k] };
+      const bool inside = height[k] < 0 && !this->few->mayBeVertex(height[k], p);
+      block.inside[at[k]] = inside ? 1 : 0;
+      dismissed += inside ? 1 : 0;
+    }
+    return dismissed;
   }
 
   /// Fill a block with the finite, not yet taken points of the subset from place @p i on.
@@ -246,6 +338,7 @@ private:
   int threads;
   Monitor& monitor;
   Locator locator;
+  std::optional<HullPlanes> few;
   std::vector<Chunk> chunks;
 };
 

@@ -62,8 +62,8 @@ public:
     {
       --round;
     }
-    bool isAlongCurves = false;
-    Polyhedron current = firstHull(task, std::move(start), round, isAlongCurves, tally, statistics);
+    First first{ task.geometry, copyOf(start) };
+    Polyhedron current = firstHull(task, std::move(start), round, first, tally, statistics);
     std::vector<std::uint32_t> taken;
     while (round > 0)
     {
@@ -75,7 +75,7 @@ public:
       subset.leaveOut(taken);
       current = insertionPays(task, current, subset)
         ? insert(task, std::move(current), subset, round == 0, tally, statistics)
-        : grow(task, std::move(current), subset, isAlongCurves, tally, statistics);
+        : grow(task, std::move(current), subset, first, tally, statistics);
       if (round > 0)
       {
         current = compact(std::move(current));
@@ -89,6 +89,16 @@ private:
   /// So many are compared with all planes of a polyhedron.
   static constexpr std::uint32_t FewPoints = 1 << 15;
 
+  /// What later rounds need of the first.
+  struct First
+  {
+    Geometry geometry; ///< its kernel point is inside the tetrahedron
+    Polyhedron tetrahedron;
+    /// Are the vertices nearly a constant share of the points? Of points on surfaces and in solids
+    /// there are about sqrt(n) or fewer.
+    bool isAlongCurves = false;
+  };
+
   /// The points of a round: a sample's, or in round 0 all.
   static PointSubset subsetOf(const BuildTask<Geometry>& task, std::size_t round)
   {
@@ -101,10 +111,8 @@ private:
   }
 
   /// The hull of the first round's points, from a start that an eighth of them gives.
-  /// @param[out] isAlongCurves are the vertices nearly a constant share of the points? Of points on
-  ///                           surfaces and in solids there are about sqrt(n) or fewer
   static Polyhedron firstHull(const BuildTask<Geometry>& task, Polyhedron&& start,
-    std::size_t round, bool& isAlongCurves, Tally& tally, Statistics& statistics)
+    std::size_t round, First& first, Tally& tally, Statistics& statistics)
   {
     constexpr std::size_t StartTriangles = 32; // few planes, and most points of a solid inside
     constexpr std::uint32_t WorthAStart = 2048;
@@ -136,9 +144,37 @@ private:
     tally.statistics.culled = culled;
     const std::uint32_t ofEighth = current.vertexCount();
     current = compact(hullOfFew(task, std::move(current), all, false, tally, statistics));
-    isAlongCurves = current.vertexCount() > sharesPower * ofEighth;
+    first.isAlongCurves = current.vertexCount() > sharesPower * ofEighth;
     centerKernel(task.geometry, current);
     return current;
+  }
+
+  static Polyhedron copyOf(const Polyhedron& polyhedron)
+  {
+    Polyhedron result(polyhedron.vertexCount(), polyhedron.triangleCount());
+    std::copy(polyhedron.vertices.begin(), polyhedron.vertices.end(), result.vertices.begin());
+    std::copy(polyhedron.triangles.begin(), polyhedron.triangles.end(), result.triangles.begin());
+    return result;
+  }
+
+  /// The planes of a polyhedron of few of the base's vertices.
+  static HullPlanes fewPlanes(
+    const BuildTask<Geometry>& task, const First& first, const Polyhedron& base)
+  {
+    constexpr std::size_t FewTriangles = 64;
+    Geometry local = first.geometry; // its questions are not the run's work
+    Polyhedron few = copyOf(first.tetrahedron);
+    const std::vector<std::uint32_t> ids = base.pointIds();
+    const std::vector<std::uint32_t> corners = few.pointIds();
+    PointSubset subset;
+    subset.ids = ids.data();
+    subset.count = static_cast<std::uint32_t>(ids.size());
+    subset.leaveOut(corners);
+    Tally tally;
+    quickhull({ local, task.source, task.range, task.checkFinite, task.options, task.threads,
+                task.monitor, task.samples, nullptr, nullptr },
+      few, subset, FewTriangles, tally);
+    return HullPlanes(local, few, task.range);
   }
 
   /// By quickhull; what that leaves is inserted along a curve.
@@ -221,16 +257,17 @@ private:
 
   /// @param base a convex polyhedron without gaps
   static Polyhedron grow(const BuildTask<Geometry>& task, Polyhedron&& base,
-    const PointSubset& subset, bool isAlongCurves, Tally& tally, Statistics& statistics)
+    const PointSubset& subset, const First& first, Tally& tally, Statistics& statistics)
   {
     const bool last = !subset.ids;
     const double from = last ? 0.15 : 0.1;
     const double associated = last ? 0.5 : 0.15;
     const double to = last ? 0.9 : 0.15;
-    ConflictLists outside = associate(task, base, subset, from, associated, tally, statistics);
+    ConflictLists outside =
+      associate(task, base, subset, first, from, associated, tally, statistics);
     const std::size_t count = outside.vertices.size() - base.vertexCount();
     // Each that is inserted wants room for two triangles, of which there are 2^30.
-    if (!isAlongCurves || count > NoIndex / 16)
+    if (!first.isAlongCurves || count > NoIndex / 16)
     {
       return flipGrown(task, std::move(base), std::move(outside), associated, to, tally);
     }
@@ -247,12 +284,14 @@ private:
 
   /// @param from, to which part of the run's progress this is
   static ConflictLists associate(const BuildTask<Geometry>& task, const Polyhedron& base,
-    const PointSubset& subset, double from, double to, Tally& tally, Statistics& statistics)
+    const PointSubset& subset, const First& first, double from, double to, Tally& tally,
+    Statistics& statistics)
   {
     Stopwatch watch;
     task.monitor.stage(from, to, subset.count, "locating");
     Association<Geometry> association(task.geometry, task.source, base, task.threads, task.monitor);
-    ConflictLists outside = association.run(subset, tally);
+    ConflictLists outside = association.run(
+      subset, [&] { return fewPlanes(task, first, base); }, tally);
     statistics.secondsLocate += watch.lap();
     return outside;
   }

@@ -180,6 +180,30 @@ TEST(Work, HullsAlongCurvesAreRight)
   }
 }
 
+/// Seen from inside, all points of a slab are near one plane, and no map of directions tells them
+/// apart.
+TEST(Work, PointsOfAFlatBodyAreDismissed)
+{
+  Random random(12);
+  Cloud cloud;
+  for (int i = 0; i < 60000; ++i)
+  {
+    const double x = random.uniform(0, 5);
+    const double y = random.uniform(0, 3);
+    const double z = random.uniform(-0.002, 0.002);
+    cloud.push_back({ 0.6 * x - 0.8 * z, y, 0.8 * x + 0.6 * z });
+  }
+  Options options;
+  options.threads = 1;
+  const Hull alone = convexHull(viewOf(cloud), options);
+  EXPECT_GT(alone.statistics.culled, 30000);
+  EXPECT_TRUE(validate(viewOf(cloud), alone));
+  options.threads = 4;
+  const Hull shared = convexHull(viewOf(cloud), options);
+  EXPECT_EQ(bitDifference(shared, alone), "");
+  EXPECT_EQ(shared.statistics.culled, alone.statistics.culled);
+}
+
 /// All points are vertices; most triangles are slivers. At this size the sample's hull has more
 /// vertices than the smaller levels have points.
 TEST(Work, CurvesOfManyPointsAreInserted)
