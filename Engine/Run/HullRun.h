@@ -18,9 +18,10 @@ namespace flipflop
 class HullRun : public GeometryRun<HullGeometry>
 {
 public:
+  /// Most points of most inputs are dismissed at once: a thread takes some ten thousand of them.
   /// @throw Error BadArgument, TooManyPoints
   HullRun(const PointView& points, const Options& options)
-    : GeometryRun(points, 3, PointSource(points), options)
+    : GeometryRun(points, 3, PointSource(points), options, 0.25)
   {
   }
 

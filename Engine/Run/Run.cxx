@@ -8,10 +8,11 @@
 namespace flipflop
 {
 
-Run::Run(
-  const PointView& points, std::int64_t least, const PointSource& read, const Options& chosen)
+Run::Run(const PointView& points, std::int64_t least, const PointSource& read,
+  const Options& chosen, double pointCost)
   : options(chosen)
-  , threads(threadCount(chosen.threads, points.count))
+  , threads(threadCount(
+      chosen.threads, static_cast<std::int64_t>(pointCost * static_cast<double>(points.count))))
   , monitor(chosen)
   , source(read)
 {

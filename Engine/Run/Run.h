@@ -23,10 +23,12 @@ namespace flipflop
 class Run
 {
 public:
-  /// @param least the shortest stride that holds a point
+  /// @param least     the shortest stride that holds a point
+  /// @param pointCost a thread more is worth waking for fewer points the more one costs; 1: as
+  /// usual
   /// @throw Error BadArgument, TooManyPoints
-  Run(
-    const PointView& points, std::int64_t least, const PointSource& source, const Options& options);
+  Run(const PointView& points, std::int64_t least, const PointSource& source,
+    const Options& options, double pointCost = 1);
 
   /// Run @p body (Result&) on the run's threads; see withTypedErrors.
   template <class Result, class Body>
