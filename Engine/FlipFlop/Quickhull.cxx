@@ -56,52 +56,34 @@ struct Furthest
   std::uint32_t place = 0;
 };
 
-/// Points that may be outside, axis by axis.
+/// Points that may be outside, axis by axis. Those of the subset are read when they are compared
+/// first: what is dropped then is never written.
 class Remaining
 {
 public:
-  Remaining(const PointSource& source, const PointSubset& subset)
+  Remaining(const PointSource& points, const PointSubset& pointsToCompare)
+    : source(points)
+    , subset(pointsToCompare)
+    , ids(subset.count)
   {
-    if (subset.ids || subset.checkFinite)
-    {
-      this->ids.reserve(subset.count);
-      subset.eachWanted(
-        source, 0, subset.count, [this](std::uint32_t id) { this->ids.push_back(id); });
-    }
-    else
-    {
-      this->ids.resize(subset.count);
-      std::iota(this->ids.begin(), this->ids.end(), 0u);
-    }
-    const std::size_t count = this->ids.size();
     for (Buffer<double>& axis : this->x)
     {
-      axis.allocate(count + HullPlanes::Lanes);
-      std::fill(axis.begin() + count, axis.end(), 0.0);
-    }
-    if (count == source.count())
-    {
-      source.load(
-        0, static_cast<int>(count), this->x[0].data(), this->x[1].data(), this->x[2].data());
-      for (std::uint32_t i = 0; i < subset.takenCount; ++i)
-      {
-        this->drop(subset.taken[i]);
-      }
-      return;
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      source.load(this->ids[i], 1, &this->x[0][i], &this->x[1][i], &this->x[2][i]);
+      axis.allocate(std::size_t(subset.count) + HullPlanes::Lanes);
     }
   }
 
-  std::size_t count() const { return this->ids.size(); }
+  std::size_t count() const { return this->isRead ? this->used : this->subset.count; }
 
   /// The ids of those that were not dropped, ascending.
   std::vector<std::uint32_t> idsLeft() const
   {
     std::vector<std::uint32_t> result;
-    for (std::size_t i = 0; i < this->ids.size(); ++i)
+    if (!this->isRead)
+    {
+      this->subset.eachWanted(
+        this->source, 0, this->subset.count, [&](std::uint32_t id) { result.push_back(id); });
+    }
+    for (std::uint32_t i = 0; i < this->used; ++i)
     {
       if (this->x[0][i] == this->x[0][i])
       {
@@ -125,57 +107,113 @@ public:
   {
     Positions positions(vertices);
     std::vector<Furthest> furthest(planes.count() + 1);
-    double height[HullPlanes::BlockSize];
-    double plane[HullPlanes::BlockSize];
-    std::uint32_t kept = 0;
-    std::int64_t culled = 0;
-    const auto all = static_cast<std::uint32_t>(this->ids.size());
+    if (!this->isRead)
+    {
+      this->isRead = true;
+      this->eachBlock(
+        [&](Block& block, int n) { this->keep(planes, positions, block, n, furthest, tally); });
+      return furthest;
+    }
+    const std::uint32_t all = std::exchange(this->used, 0);
     for (std::uint32_t begin = 0; begin < all; begin += HullPlanes::BlockSize)
     {
       const std::uint32_t n = std::min<std::uint32_t>(HullPlanes::BlockSize, all - begin);
-      planes.highest(&this->x[0][begin], &this->x[1][begin], &this->x[2][begin],
-        static_cast<int>(n), height, plane);
-      for (std::uint32_t i = 0; i < n; ++i)
+      Block block;
+      std::copy_n(this->ids.begin() + begin, n, block.ids);
+      for (int k = 0; k < 3; ++k)
       {
-        const std::uint32_t at = begin + i;
-        const double p[3] = { this->x[0][at], this->x[1][at], this->x[2][at] };
-        if (p[0] != p[0])
-        {
-          continue;
-        }
-        if (height[i] < 0 && !planes.mayBeVertex(height[i], p))
-        {
-          ++culled;
-          continue;
-        }
-        const auto which = static_cast<std::size_t>(plane[i]);
-        const bool above = planes.isAbove(height[i], which);
-        if (!above && (this->isAtVertex(positions, at, tally) || height[i] <= 0))
-        {
-          ++culled;
-          continue;
-        }
-        if (above && height[i] > furthest[which].height)
-        {
-          furthest[which] = { height[i], kept };
-        }
-        for (int k = 0; k < 3; ++k)
-        {
-          this->x[k][kept] = p[k];
-        }
-        this->ids[kept++] = this->ids[at];
+        std::copy_n(this->x[k].begin() + begin, n, block.x[k]);
       }
+      this->keep(planes, positions, block, static_cast<int>(n), furthest, tally);
     }
-    this->ids.resize(kept);
-    tally.statistics.culled += culled;
     return furthest;
   }
 
 private:
-  /// Is the point at the position of a vertex? A lower id is noted.
-  bool isAtVertex(Positions& positions, std::uint32_t at, Tally& tally) const
+  struct Block
   {
-    const Vertex p = this->vertex(at);
+    double x[3][HullPlanes::BlockSize];
+    std::uint32_t ids[HullPlanes::BlockSize];
+  };
+
+  /// use(block, n) for the subset's points.
+  template <class Use>
+  void eachBlock(const Use& use) const
+  {
+    Block block;
+    if (this->subset.ids || this->subset.checkFinite)
+    {
+      int n = 0;
+      this->subset.eachWanted(this->source, 0, this->subset.count,
+        [&](std::uint32_t id)
+        {
+          block.ids[n] = id;
+          this->source.load(id, 1, &block.x[0][n], &block.x[1][n], &block.x[2][n]);
+          if (++n == HullPlanes::BlockSize)
+          {
+            use(block, std::exchange(n, 0));
+          }
+        });
+      use(block, n);
+      return;
+    }
+    const std::uint32_t* taken = this->subset.taken;
+    const std::uint32_t* const takenEnd = taken + this->subset.takenCount;
+    for (std::uint32_t begin = 0; begin < this->subset.count; begin += HullPlanes::BlockSize)
+    {
+      const std::uint32_t n =
+        std::min<std::uint32_t>(HullPlanes::BlockSize, this->subset.count - begin);
+      this->source.load(begin, static_cast<int>(n), block.x[0], block.x[1], block.x[2]);
+      std::iota(block.ids, block.ids + n, begin);
+      for (; taken != takenEnd && *taken < begin + n; ++taken)
+      {
+        block.x[0][*taken - begin] = std::numeric_limits<double>::quiet_NaN();
+      }
+      use(block, static_cast<int>(n));
+    }
+  }
+
+  /// Compare a block, and append those that may be outside.
+  void keep(const HullPlanes& planes, Positions& positions, Block& block, int n,
+    std::vector<Furthest>& furthest, Tally& tally)
+  {
+    for (int i = n; i % HullPlanes::Lanes != 0; ++i)
+    {
+      block.x[0][i] = block.x[1][i] = block.x[2][i] = 0;
+    }
+    double height[HullPlanes::BlockSize];
+    double plane[HullPlanes::BlockSize];
+    planes.highest(block.x[0], block.x[1], block.x[2], n, height, plane);
+    for (int i = 0; i < n; ++i)
+    {
+      const Vertex p = { { block.x[0][i], block.x[1][i], block.x[2][i] }, block.ids[i], 0 };
+      if (p.x[0] != p.x[0])
+      {
+        continue; // taken, or dropped
+      }
+      const auto which = static_cast<std::size_t>(plane[i]);
+      const bool inside = height[i] < 0 && !planes.mayBeVertex(height[i], p.x);
+      const bool above = !inside && planes.isAbove(height[i], which);
+      if (inside || (!above && (isAtVertex(positions, p, tally) || height[i] <= 0)))
+      {
+        ++tally.statistics.culled;
+        continue;
+      }
+      if (above && height[i] > furthest[which].height)
+      {
+        furthest[which] = { height[i], this->used };
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        this->x[k][this->used] = p.x[k];
+      }
+      this->ids[this->used++] = p.id;
+    }
+  }
+
+  /// Is the point at the position of a vertex? A lower id is noted.
+  static bool isAtVertex(Positions& positions, const Vertex& p, Tally& tally)
+  {
     const Vertex* const v = positions.at(p);
     if (v && p.id < v->id)
     {
@@ -184,8 +222,12 @@ private:
     return v != nullptr;
   }
 
-  std::vector<std::uint32_t> ids; ///< ascending
-  Buffer<double> x[3];            ///< not a number: dropped
+  const PointSource& source;
+  const PointSubset& subset;
+  bool isRead = false;
+  std::uint32_t used = 0;
+  Buffer<std::uint32_t> ids; ///< ascending
+  Buffer<double> x[3];       ///< not a number: dropped
 };
 
 /// Insert the furthest points that are certainly above their planes.

@@ -103,11 +103,16 @@ private:
   std::uint32_t used = 0;
 };
 
-/// The lines along an axis that a sample's points are on.
-Lines linesOfSample(const PointSource& source, int axis, int bits, bool checkFinite)
+constexpr std::uint32_t MostLines = 2048;
+constexpr int SlotBits = 12;
+
+/// Are the points of a sample on so few lines along an axis, and few of them alone on one?
+/// @param bits of the number of slots, more than @p most
+bool hasFewLines(const PointSource& source, int axis, bool checkFinite, std::uint32_t asked,
+  std::uint32_t most, std::uint32_t mostSingles, int bits)
 {
   Lines lines(axis, bits);
-  for (const std::uint32_t id : sample(source.count(), 1u << (bits - 1)))
+  for (const std::uint32_t id : sample(source.count(), asked))
   {
     double x[3];
     source.load(id, x);
@@ -115,21 +120,22 @@ Lines linesOfSample(const PointSource& source, int axis, int bits, bool checkFin
     {
       lines.add(x, id);
     }
+    if (lines.count() > most)
+    {
+      return false;
+    }
   }
-  return lines;
+  return lines.singles() <= mostSingles;
 }
 
-/// Are there few lines along an axis, as far as samples tell? Most inputs show at a look that no
-/// two of 64 points are on one.
+/// Most inputs show at a look that no two of 64 points are on one. In the last look, the share of
+/// single points is the share of lines that the sample has not met.
 bool hasFewLines(const PointSource& source, int axis, bool checkFinite)
 {
-  if (linesOfSample(source, axis, 7, checkFinite).count() > 63 ||
-    linesOfSample(source, axis, 11, checkFinite).count() > 683)
-  {
-    return false;
-  }
-  // The share of single points is the share of lines that the sample has not met.
-  return linesOfSample(source, axis, 13, checkFinite).singles() < 170;
+  const std::uint32_t many = std::min(4096u, source.count() / 4);
+  return hasFewLines(source, axis, checkFinite, 64, 63, 64, 7) &&
+    hasFewLines(source, axis, checkFinite, 1024, 683, 1024, 10) &&
+    hasFewLines(source, axis, checkFinite, many, MostLines, many / 24, SlotBits);
 }
 
 }
@@ -137,7 +143,6 @@ bool hasFewLines(const PointSource& source, int axis, bool checkFinite)
 std::vector<std::uint32_t> lineEnds(const PointSource& source, bool checkFinite, Monitor& monitor)
 {
   constexpr std::uint32_t Least = 4096; // points
-  constexpr std::uint32_t Most = 2048;  // lines
   StepPoll poll(monitor);
   for (int axis = 2; axis >= 0 && source.count() >= Least; --axis)
   {
@@ -145,8 +150,8 @@ std::vector<std::uint32_t> lineEnds(const PointSource& source, bool checkFinite,
     {
       continue;
     }
-    Lines lines(axis, 12);
-    for (std::uint32_t id = 0; id < source.count() && lines.count() <= Most; ++id)
+    Lines lines(axis, SlotBits);
+    for (std::uint32_t id = 0; id < source.count() && lines.count() <= MostLines; ++id)
     {
       poll.step();
       double x[3];
@@ -156,7 +161,7 @@ std::vector<std::uint32_t> lineEnds(const PointSource& source, bool checkFinite,
         lines.add(x, id);
       }
     }
-    if (lines.count() <= Most)
+    if (lines.count() <= MostLines)
     {
       return lines.ends();
     }
