@@ -118,7 +118,7 @@ private:
   /// inequality a cross product's terms sum to |a| |b| at most, and xy + yz + zx <= xx + yy + zz.
   const double error;
   const double leastError; ///< a smaller bound may be one of products that lost bits
-  std::vector<Waiting> waiting = std::vector<Waiting>(64);
+  std::vector<Waiting> waiting = std::vector<Waiting>(16);
   std::vector<std::uint32_t> triangles; ///< that wait for exact tests
   std::int64_t insertions = 0;
   std::int64_t walked = 0;

@@ -108,6 +108,11 @@ private:
   /// triangles have a corner at its more curved end: each new end before that would flip them all.
   static void putInOrder(PartVertex<Weighted>* vertices, std::uint32_t count)
   {
+    constexpr std::uint32_t Few = 32; // so few are near each other in any order
+    if (count <= Few)
+    {
+      return;
+    }
     constexpr int CurveBits = 28; // points on a line share few cells
     std::uint32_t farthest[4] = { 0, 0, 0, 0 };
     for (std::uint32_t i = 1; i < count; ++i)

@@ -87,7 +87,7 @@ public:
   /// @param lattice    that they are on
   LiftedGeometry(
     const CoordinateRange& range, const Arithmetic& arithmetic, const Lattice& lattice = Lattice())
-    : exactWithin(std::ldexp(lattice.unit, LatticeBits))
+    : exactWithin(lattice.unit * (1 << LatticeBits))
     , exactHeight(2 * latticeWeights(lattice.unit))
     , wide(arithmetic.wide)
     , exactInDouble(lattice.everywhere)

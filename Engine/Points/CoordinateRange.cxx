@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Points/CoordinateRange.h"
 
+#include "Support/PowersOfTwo.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -33,9 +35,9 @@ bool bitsOf(const CoordinateRange& range, int firstAxis, int endAxis, Bits& bits
   {
     return false;
   }
-  bits.top = std::ilogb(largest) + 1;
+  bits.top = exponentOf(largest) + 1;
   // A value's lowest bit is at most 52 places below its highest, and never below 2^-1074.
-  bits.bottom = std::max(std::ilogb(smallest) - 52, -1074);
+  bits.bottom = std::max(exponentOf(smallest) - 52, -1074);
   return true;
 }
 

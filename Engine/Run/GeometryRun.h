@@ -44,9 +44,8 @@ public:
   /// @param write        see finish
   /// @param writeRest    void (): fill in what the result has beside points and cells, which the
   ///                     engine has written
-  /// @param watch        since the run began
   template <class SpanOf, class LowerResult, class Write, class WriteRest>
-  void build(PolyhedronBuilder<Model>& engine, CellComplex& result, int dimension, Stopwatch& watch,
+  void build(PolyhedronBuilder<Model>& engine, CellComplex& result, int dimension,
     FinishedCells& finished, SpanOf&& spanOf, LowerResult&& lowerResult, Write&& write,
     WriteRest&& writeRest)
   {
@@ -57,12 +56,12 @@ public:
     const Span span = samples.empty()
       ? spanOf(nullptr, count)
       : spanOf(samples.back().data(), static_cast<std::uint32_t>(samples.back().size()));
-    result.statistics.secondsScan = watch.lap();
+    result.statistics.secondsScan = this->watch.lap();
     if (span.dimension < dimension)
     {
       lowerResult(span);
       result.statistics.exactCalls = this->geometry.predicateCounts().exact;
-      result.statistics.secondsFinish = watch.lap();
+      result.statistics.secondsFinish = this->watch.lap();
       return;
     }
     Tally tally;
@@ -73,6 +72,7 @@ public:
       engine.build({ this->geometry, this->source, this->range, this->checkFinite, this->options,
                      this->threads, this->monitor, samples, &finished, &plane },
         std::move(start), tally, result.statistics);
+    this->watch.lap();
     result.dimension = dimension;
     if constexpr (Model::AllExtreme)
     {
@@ -87,13 +87,12 @@ public:
       this->finish(std::move(polyhedron), std::move(tally), result, write);
       return;
     }
-    watch.lap();
     result.pointIds = std::move(finished.pointIds);
     result.connectivity = std::move(finished.connectivity);
     result.cellSize = 3;
     writeRest();
     this->addStatistics(tally, result);
-    result.statistics.secondsFinish += watch.lap();
+    result.statistics.secondsFinish += this->watch.lap();
   }
 
   /// From a hull of perturbed points to the true one, in canonical form.
@@ -102,12 +101,11 @@ public:
   template <class Write>
   void finish(Polyhedron&& polyhedron, Tally&& tally, CellComplex& result, Write&& write)
   {
-    Stopwatch watch;
     this->monitor.stage(0.9, 1.0, 1, "finishing");
     const bool anyFlat =
       RedundantVertices<Model>(this->geometry, polyhedron, tally, this->monitor).remove();
     this->amendAndWrite(polyhedron, anyFlat, tally, result, write);
-    result.statistics.secondsFinish = watch.lap();
+    result.statistics.secondsFinish = this->watch.lap();
   }
 
 private:
@@ -115,7 +113,6 @@ private:
   template <class Write>
   void finish(PlanePolyhedron&& plane, Tally&& tally, CellComplex& result, Write&& write)
   {
-    Stopwatch watch;
     this->monitor.stage(0.9, 1.0, 1, "finishing");
     if (this->amends())
     {
@@ -127,7 +124,7 @@ private:
     {
       this->writeForm(plane, tally.ties > 0, tally, result, write);
     }
-    result.statistics.secondsFinish = watch.lap();
+    result.statistics.secondsFinish = this->watch.lap();
   }
 
   template <class Write>

@@ -44,7 +44,6 @@ bool HullRun::inspect(Hull& hull, const double* kernel, PointScanner* scanner)
 
 void HullRun::hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull)
 {
-  Stopwatch watch;
   if (!this->inspect(hull, nullptr, &engine))
   {
     return;
@@ -61,7 +60,7 @@ void HullRun::hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull)
   finished.measured = true;
   finished.exponent = this->arithmetic.scaleExponent;
   this->build(
-    engine, hull, 3, watch, finished, spanOf, lowerHull,
+    engine, hull, 3, finished, spanOf, lowerHull,
     [&](CanonicalForm<Polyhedron>& form) { this->write(form, hull); },
     [&]
     {

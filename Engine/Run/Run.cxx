@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Run/Run.h"
 
+#include "Support/PowersOfTwo.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,7 +67,7 @@ Lattice Run::findLattice(int axes, int bits)
   {
     // With smaller units, exact differences are so small that few neighbours are that near.
     constexpr double small = 0x1p-10;
-    const double most = std::ldexp(1.0, std::ilogb(extent) + 1 - bits);
+    const double most = powerOfTwo(exponentOf(extent) + 1 - bits);
     lattice.unit = commonUnit(this->source, small * most, most, this->checkFinite, this->monitor);
     lattice.everywhere = lattice.unit == most;
   }

@@ -38,7 +38,6 @@ public:
       [&]
       {
         Result result;
-        Stopwatch watch;
         ArenaLoan arena(this->threads);
         arena.execute(
           [&]
@@ -46,13 +45,14 @@ public:
             body(result);
             this->monitor.stage(1.0, 1.0, 1);
           });
-        result.statistics.secondsTotal = watch.lap();
+        result.statistics.secondsTotal = this->watch.total();
         return result;
       });
   }
 
   const Options options;
   const int threads;
+  Stopwatch watch;
   Monitor monitor;
   PointSource source;
   CoordinateRange range{}; ///< of the scaled coordinates

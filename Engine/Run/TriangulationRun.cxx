@@ -73,7 +73,6 @@ template <bool Weighted>
 void TriangulationRun<Weighted>::triangulate(
   PolyhedronBuilder<Geometry>& engine, Triangulation& result)
 {
-  Stopwatch watch;
   if (!this->inspect(result.statistics, &engine))
   {
     return;
@@ -85,7 +84,7 @@ void TriangulationRun<Weighted>::triangulate(
   };
   FinishedCells finished;
   this->build(
-    engine, result, 2, watch, finished,
+    engine, result, 2, finished,
     [&](const std::uint32_t* ids, std::uint32_t count)
     { return engine.startsFromPoints() ? this->firstSpan() : this->spanOf(ids, count); },
     chain,

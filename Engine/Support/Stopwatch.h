@@ -22,9 +22,17 @@ public:
     return seconds;
   }
 
+  /// Seconds since construction.
+  double total()
+  {
+    this->lap();
+    return std::chrono::duration<double>(this->last - this->first).count();
+  }
+
 private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point last = Clock::now();
+  const Clock::time_point first = Clock::now();
+  Clock::time_point last = this->first;
 };
 
 }

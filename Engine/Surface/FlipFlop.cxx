@@ -216,6 +216,7 @@ Hull flipFlop(const PointView& points, const TriangleView& triangles, const doub
       Patches<HullGeometry> patches(
         run.geometry, std::move(polyhedron), std::move(nothing), options.vBiased, run.monitor);
       Tally tally = patches.run();
+      run.watch.lap();
       run.finish(patches.take(), std::move(tally), result);
     });
   for (std::int64_t& id : hull.pointIds)

@@ -169,7 +169,6 @@ public:
 
   void hullOfPoints(Hull& hull)
   {
-    Stopwatch watch;
     ASSERT_TRUE(this->look(hull.statistics));
     this->setArithmetic(chooseArithmetic(this->range));
     ASSERT_FALSE(this->arithmetic.wide);
@@ -177,7 +176,7 @@ public:
     RationalBuilder engine;
     FinishedCells finished;
     this->build(
-      engine, hull, 3, watch, finished,
+      engine, hull, 3, finished,
       [this](const std::uint32_t* ids, std::uint32_t count)
       {
         return findSpan(

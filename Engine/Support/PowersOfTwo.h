@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Binary exponents from a double's bits. The mathematical library's functions do the same, but to
+/// bind it and to page it in takes longer than the first triangulation of few points.
+#ifndef flipflop_PowersOfTwo_h
+#define flipflop_PowersOfTwo_h
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace flipflop
+{
+
+/// std::ilogb of a finite number above zero.
+inline int exponentOf(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  const int biased = static_cast<int>(bits >> 52);
+  return biased > 0 ? biased - 1023 : std::ilogb(x); // a subnormal's bits begin lower
+}
+
+/// 2^exponent, from -1022 to 1023.
+inline double powerOfTwo(int exponent)
+{
+  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
+  double x;
+  std::memcpy(&x, &bits, sizeof(x));
+  return x;
+}
+
+}
+
+#endif
