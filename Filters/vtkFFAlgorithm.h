@@ -264,8 +264,8 @@ public:
    * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
    * each. All are 0 before a run, and after a run without a result. From CulledPoints on, the
    * numbers differ between engines, which work in different orders. If the CPU engine inserts
-   * points one at a time (in triangulations, and in hulls whose vertices are most of the points),
-   * they also depend on the number of threads. The output is the same.
+   * points one at a time (in hulls whose vertices are most of the points), they also depend on the
+   * number of threads. The output is the same.
    *
    * - InputPoints: points given, without ghosts that are left out
    * - NonFinitePoints: points left out (or, after an error, found)
