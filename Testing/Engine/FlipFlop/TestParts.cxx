@@ -53,8 +53,6 @@ public:
     return made;
   }
 
-  std::size_t triangles = 0;
-
 private:
   void look(const Plane& shared, const PartMesh<Weighted>& mesh, std::uint32_t t)
   {
@@ -76,7 +74,6 @@ private:
     const Vertex c = mesh.vertex(v[2]);
     if (!isVirtual)
     {
-      ++this->triangles;
       ASSERT_GT(Weighted ? geometry.perturbedKernelBeneath(a, b, c) : geometry.orient(a, b, c), 0);
     }
     for (int e = 0; e < 3; ++e)
