@@ -80,7 +80,7 @@ class TestHull(unittest.TestCase):
 
     def test_same_for_any_number_of_threads(self):
         rng = np.random.default_rng(1)
-        source = cloud(rng.standard_normal((30000, 3)))
+        source = cloud(rng.standard_normal((40000, 3)))
         one = hull_of(source, NumberOfThreads=1)
         two = hull_of(source, NumberOfThreads=2, VBiased=1)
         self.assertEqual(cells_by_ids(fetch(one)), cells_by_ids(fetch(two)))
