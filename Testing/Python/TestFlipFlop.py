@@ -120,7 +120,7 @@ class TestHull(unittest.TestCase):
 
     def test_any_number_of_threads(self):
         rng = np.random.default_rng(4)
-        xyz = rng.standard_normal((30000, 3))
+        xyz = rng.standard_normal((40000, 3))
         xyz /= np.linalg.norm(xyz, axis=1)[:, None]
         reference = None
         for threads in (1, 2, 4, 0):
