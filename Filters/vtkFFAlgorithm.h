@@ -14,10 +14,9 @@
  * output. So there is no tolerance, and none can be set. The output is a function of the input
  * alone. It does not depend on the engine, nor on the number of threads.
  *
- * Errors are reported with vtkErrorMacro, in a sentence that names what is wrong and where. After
- * an error, the output is empty, GetErrorCode() differs from vtkErrorCode::NoError, and the update
- * fails, so no filter downstream runs. A run reports progress. It stops soon after a request to
- * abort; its output is then empty, too, but the update goes on.
+ * An error is one message, of vtkErrorMacro: a sentence that names what is wrong and where. After
+ * it, the output is empty, and GetErrorCode() is one of vtkFFErrorCode. A run reports progress. It
+ * stops soon after a request to abort; its output is then empty, too.
  *
  * The algorithm is that of
  *
@@ -25,19 +24,15 @@
  * Construction via Star-Shaped Polyhedron in 3D". Proceedings of the ACM SIGGRAPH Symposium on
  * Interactive 3D Graphics and Games (I3D), 2013.
  *
- * Input is any vtkPointSet, vtkImageData or vtkRectilinearGrid, or a composite of these. The points
- * of the latter two are first copied to an array of double, 24 bytes each (of float, if all
- * coordinates of a rectilinear grid are float). vtkFFConvexifyFilter accepts a vtkPolyData. Any
- * other input, and no input, is an error.
+ * Input is any vtkDataSet. The points of a vtkImageData or a vtkRectilinearGrid are first copied to
+ * an array of double, 24 bytes each (of float, if all coordinates of a rectilinear grid are float).
+ * vtkFFConvexifyFilter accepts a vtkPolyData.
  *
- * Composite input (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection and other
- * vtkDataObjectTrees) gives a result for each block, in a composite of the same structure on every
- * port (get it with GetOutputDataObject()). A vtkPartitionedDataSet is one block: its partitions
- * are pieces of one data set, appended in their order, and the result has a single partition. A
- * block at fault has no result (its place stays empty), and all others have theirs. One error then
- * describes the first such block, and names up to eight by their flat indices. GetErrorCode()
- * differs from vtkErrorCode::NoError, and what is downstream runs. The update fails only where no
- * block has a result.
+ * Composite input gives a result for each data set in it, in a composite of the same structure on
+ * every port (get it with GetOutputDataObject()): the executive runs the filter once for each, as
+ * it does for VTK's own filters. A data set at fault has an empty result and one error, which
+ * counts the data sets from 0 on; all others have theirs. GetErrorCode() is that of the last one at
+ * fault, and what the filter reports are sums.
  *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
@@ -50,19 +45,19 @@
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * The engines that can do the work. ENGINE_NONE is what GetEngineUsed() returns before a run.
@@ -93,7 +88,7 @@ public:
     NON_FINITE_IGNORE = 1
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get the engine. Whatever engine runs, the output is the same, bit for bit.
    *
@@ -120,9 +115,9 @@ public:
   void SetEngineToCPU() { this->SetEngine(ENGINE_CPU); }
   void SetEngineToCUDA() { this->SetEngine(ENGINE_CUDA); }
   const char* GetEngineAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the number of points from which on ENGINE_AUTOMATIC uses the CUDA engine. The crossover
    * has not been measured. The default is VTK_ID_MAX: the CPU engine does all inputs. Every value
@@ -130,9 +125,9 @@ public:
    */
   vtkSetClampMacro(CUDAThreshold, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(CUDAThreshold, vtkIdType);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Get whether this build has a CUDA engine and this machine has a device that can run it; the
    * device's name (empty if there is none); and why there is none (empty if there is one). It
@@ -141,9 +136,9 @@ public:
   static bool IsCUDAAvailable();
   static const char* GetCUDADeviceName();
   static const char* GetCUDAProblem();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE if there was no result),
    * and the reason for it, in words. For several blocks with a result each: ENGINE_CUDA if any
@@ -151,20 +146,20 @@ public:
    */
   vtkGetMacro(EngineUsed, int);
   const char* GetEngineUsedAsString();
-  const char* GetEngineReason();
-  //@}
+  const char* GetEngineReason() { return this->EngineReason.c_str(); }
+  ///@}
 
-  //@{
+  ///@{
   /**
-   * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools would use. If its
-   * backend is Sequential, as in Debian's ParaView and the wheels of VTK, 0 means all that the
+   * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools uses: one, if its
+   * backend is Sequential, as in Debian's ParaView and the wheels of VTK. -1 means all that the
    * machine has. The output does not depend on it.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how facets are given: as triangles (the default), or as one polygon a facet. As
    * triangles, a facet of more than three corners is a fan from the corner of lowest id.
@@ -174,9 +169,9 @@ public:
   void SetFacetModeToTriangles() { this->SetFacetMode(FACETS_AS_TRIANGLES); }
   void SetFacetModeToPolygons() { this->SetFacetMode(FACETS_AS_POLYGONS); }
   const char* GetFacetModeAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what to do with points that have a NaN or infinite coordinate or weight: report an
    * error that names the first one (the default), or leave them out and count them in
@@ -187,9 +182,9 @@ public:
   void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
   void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
   const char* GetNonFinitePointsAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether ghost points are left out. On by default. Ghost points are those that the
    * input's point array vtkGhostType marks as another piece's
@@ -202,9 +197,9 @@ public:
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
   vtkBooleanMacro(SkipGhostPoints, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the input's point data arrays are passed to the output, in their full type and
    * precision. On by default. Attributes that describe the input's own surface (normals, tangents,
@@ -213,9 +208,9 @@ public:
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
   vtkBooleanMacro(PassPointData, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the output's array vtkOriginalPointIds is given a second time under the name
    * OriginalPointIds: some applications hide the first name from their users. Off by default.
@@ -223,24 +218,29 @@ public:
   vtkSetMacro(VisiblePointIds, bool);
   vtkGetMacro(VisiblePointIds, bool);
   vtkBooleanMacro(VisiblePointIds, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the figures of a run are also given as field data of its output (of the first
-   * port, in each block), since some applications show their users nothing else. Off by default.
-   * The arrays have one value each: FlipFlopDimension, FlipFlopInputPoints,
-   * FlipFlopNonFinitePoints, FlipFlopEngine and FlipFlopEngineReason (strings), FlipFlopThreads and
-   * FlipFlopSeconds; for a hull also FlipFlopVolume and FlipFlopArea; for a triangulation also
-   * FlipFlopHiddenPoints. An input's field data is passed, except arrays whose names begin with
-   * FlipFlop, since they describe another run.
+   * port, in each block). Off by default. The arrays have one value each. An input's field data is
+   * passed, except arrays whose names begin with FlipFlop, since they describe another run.
+   *
+   * - FlipFlopDimension, FlipFlopEngine, FlipFlopEngineReason (the
+   *   latter two are strings): as the Get functions tell
+   * - FlipFlopVolume, FlipFlopArea of a hull; FlipFlopHiddenPoints,
+   *   FlipFlopDroppedCells of a triangulation
+   * - the paper's statistics, an array for each member of
+   *   flipflop::Statistics: FlipFlopPoints, FlipFlopFlips22,
+   *   FlipFlopSecondsTotal and so on. Documentation/Statistics.md says
+   *   how to read them
    */
   vtkSetMacro(ReportAsFieldData, bool);
   vtkGetMacro(ReportAsFieldData, bool);
   vtkBooleanMacro(ReportAsFieldData, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
    * 2.3). It flips by the volume criterion alone as long as it can, and only then labels a vertex.
@@ -250,7 +250,7 @@ public:
   vtkSetMacro(VBiased, bool);
   vtkGetMacro(VBiased, bool);
   vtkBooleanMacro(VBiased, bool);
-  //@}
+  ///@}
 
   /**
    * Get the dimension of what the last run's points span: -1 for no point, 0 for one position, 1
@@ -259,124 +259,49 @@ public:
    */
   vtkGetMacro(Dimension, int);
 
-  //@{
+  ///@{
   /**
-   * Get the statistics of the last run, in the paper's terms; sums for several blocks with a result
-   * each. All are 0 before a run, and after a run without a result. From CulledPoints on, the
-   * numbers differ between engines, which work in different orders. If the CPU engine inserts
-   * points one at a time (in hulls whose vertices are most of the points), they also depend on the
-   * number of threads. The output is the same.
-   *
-   * - InputPoints: points given, without ghosts that are left out
-   * - NonFinitePoints: points left out (or, after an error, found)
-   *   with a NaN or infinite coordinate or weight
-   * - CulledPoints: points found inside without being associated to a
-   *   triangle (none by the CUDA engine)
-   * - Insertions: vertices inserted while growing (1-3 flips), over
-   *   all levels
-   * - PointMoves: how often a point was handed on: by growing, to
-   *   a child cone; on a walk, to the next triangle (none by the CUDA
-   *   engine)
-   * - Flips22, Flips31: 2-2 flips and 3-1 flips
-   * - FlipsByVolume, FlipsByDegree: flips by the V-criterion (volume)
-   *   and the D-criterion (degree)
-   * - LabelledVertices: vertices labelled non-extreme
-   * - RedundantVertices: vertices removed from true facets and edges
-   *   at the end, and duplicates
-   * - EdgeChecks: edges examined for a flip
-   * - ExactPredicates: predicates that the floating-point filter left
-   *   undecided
-   * - ThreadsUsed: CPU threads that the run was given
+   * Get the number of points that the last run was given, without ghosts that are left out; and of
+   * those, how many have a NaN or infinite coordinate or weight.
    */
-  vtkIdType GetNumberOfInputPoints();
-  vtkIdType GetNumberOfNonFinitePoints();
-  vtkIdType GetNumberOfCulledPoints();
-  vtkIdType GetNumberOfInsertions();
-  vtkIdType GetNumberOfPointMoves();
-  vtkIdType GetNumberOfFlips22();
-  vtkIdType GetNumberOfFlips31();
-  vtkIdType GetNumberOfFlipsByVolume();
-  vtkIdType GetNumberOfFlipsByDegree();
-  vtkIdType GetNumberOfLabelledVertices();
-  vtkIdType GetNumberOfRedundantVertices();
-  vtkIdType GetNumberOfEdgeChecks();
-  vtkIdType GetNumberOfExactPredicates();
-  int GetNumberOfThreadsUsed();
-  //@}
-
-  //@{
-  /**
-   * Get the seconds that the last run took, by stage; sums for several blocks with a result each,
-   * whose runs may have been side by side. Scan, Locate, Finish and Total are wall time of a run.
-   * Grow and Flip are summed over the threads. They are wall time for the CUDA engine, and if each
-   * insertion is followed by its flips.
-   *
-   * - Scan: ranges, points that are not finite, the first polyhedron
-   * - Locate: culling, associating points to triangles. The CUDA
-   *   engine does that while it grows; its Locate is the time to copy
-   *   its result to the host
-   * - Grow: growing the star-shaped polyhedron (the paper's Algorithm
-   *   2)
-   * - Flip: flipping it to convexity (the paper's Algorithm 1)
-   * - Finish: true facets and the canonical order
-   * - Total: the whole run of the engine
-   */
-  double GetSecondsToScan();
-  double GetSecondsToLocate();
-  double GetSecondsToGrow();
-  double GetSecondsToFlip();
-  double GetSecondsToFinish();
-  double GetSecondsTotal();
-  //@}
-
-  /**
-   * The output's type follows the input's.
-   */
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  vtkGetMacro(NumberOfInputPoints, vtkIdType);
+  vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
+  ///@}
 
 protected:
   vtkFFAlgorithm();
   ~vtkFFAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  virtual int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector);
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
 
   /**
-   * What the filters do and how they differ in that. Only this module and
-   * FlipFlop::FiltersParallelFlipFlop know it; no installed header defines it.
+   * Forget what a subclass reports of its last run, for the next one.
    */
-  class vtkInternals;
+  virtual void ForgetReport() {}
 
-  /**
-   * What a subclass does its own way, in the place of what its superclass does.
-   */
-  void SetInternals(std::unique_ptr<vtkInternals> internals);
-  vtkInternals* GetInternals() { return this->Internals.get(); }
-
-  int Engine;
-  vtkIdType CUDAThreshold;
-  int NumberOfThreads;
-  int FacetMode;
-  int NonFinitePoints;
-  bool SkipGhostPoints;
-  bool PassPointData;
-  bool VisiblePointIds;
-  bool ReportAsFieldData;
-  bool VBiased;
+  int Engine = ENGINE_AUTOMATIC;
+  vtkIdType CUDAThreshold = VTK_ID_MAX;
+  int NumberOfThreads = 0;
+  int FacetMode = FACETS_AS_TRIANGLES;
+  int NonFinitePoints = NON_FINITE_ERROR;
+  bool SkipGhostPoints = true;
+  bool PassPointData = true;
+  bool VisiblePointIds = false;
+  bool ReportAsFieldData = false;
+  bool VBiased = true;
 
 private:
   vtkFFAlgorithm(const vtkFFAlgorithm&) = delete;
   void operator=(const vtkFFAlgorithm&) = delete;
 
-  std::unique_ptr<vtkInternals> Internals;
+  friend class vtkFFRun; // sets what the last run reports
 
-  int EngineUsed;
-  int Dimension;
+  int EngineUsed = ENGINE_NONE;
+  std::string EngineReason = "no engine has run";
+  int Dimension = -1;
+  vtkIdType NumberOfInputPoints = 0;
+  vtkIdType NumberOfNonFinitePoints = 0;
+  vtkIdType LastBlock = -1; ///< of a composite, which the executive had the filter work on
 };
 VTK_ABI_NAMESPACE_END
 

@@ -5,9 +5,9 @@
 #include "vtkFFSurfaceCells.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -51,17 +51,13 @@ std::string toText(const double* point)
 }
 
 //------------------------------------------------------------------------------
-vtkFFConstraints::vtkFFConstraints(vtkPolyData* source, const std::vector<vtkPointSet*>& pieces,
-  const std::vector<vtkIdType>& places, bool withHeight)
+vtkFFConstraints::vtkFFConstraints(
+  vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& places, bool withHeight)
   : Source(source)
-  , Pieces(pieces)
+  , Input(input)
   , Dimensions(withHeight ? 3 : 2)
   , Places(places)
 {
-  for (vtkPointSet* const piece : pieces)
-  {
-    this->Count += piece->GetNumberOfPoints();
-  }
   for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
   {
     const std::string fault = vtkFFSurfaceCells::DescribeOffsets(cells, "source's cells");
@@ -98,11 +94,12 @@ void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, bool areCl
 //------------------------------------------------------------------------------
 std::int64_t vtkFFConstraints::GetId(vtkIdType point, vtkIdType cell) const
 {
-  if (point < 0 || point >= this->Count)
+  const vtkIdType count = this->Input->GetNumberOfPoints();
+  if (point < 0 || point >= count)
   {
     throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
       " is not there: its ids are those of the input's points, of which there are " +
-      std::to_string(this->Count) + ".");
+      std::to_string(count) + ".");
   }
   this->CheckPoint(point, cell);
   if (this->Places.empty())
@@ -131,15 +128,9 @@ void vtkFFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
     throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
       " is not there: the source has " + std::to_string(own) + " point(s).");
   }
-  vtkIdType begin = 0;
-  std::size_t i = 0;
-  for (; point >= begin + this->Pieces[i]->GetNumberOfPoints(); ++i)
-  {
-    begin += this->Pieces[i]->GetNumberOfPoints();
-  }
   double ours[3], given[3];
   this->Source->GetPoint(point, ours);
-  this->Pieces[i]->GetPoint(point - begin, given);
+  this->Input->GetPoint(point, given);
   const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
   if (!std::equal(ours, ours + this->Dimensions, given, isSame))
   {
@@ -147,7 +138,7 @@ void vtkFFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
       " is at " + toText(ours) + ", and point " + std::to_string(point) + " of the input is at " +
       toText(given) + ". The source's cells name points of the input by id, so at these ids its " +
       std::to_string(own) + " points must be those of the input, of which there are " +
-      std::to_string(this->Count) + "; or it has no points.");
+      std::to_string(this->Input->GetNumberOfPoints()) + "; or it has no points.");
   }
 }
 
@@ -160,6 +151,6 @@ flipflop::ConstraintView vtkFFConstraints::GetView() const
 //------------------------------------------------------------------------------
 std::string vtkFFConstraints::DescribeCell(std::int64_t constraint) const
 {
-  return describe(this->CellIds[static_cast<std::size_t>(constraint)]);
+  return describe(this->GetCellId(constraint));
 }
 VTK_ABI_NAMESPACE_END

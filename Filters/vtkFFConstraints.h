@@ -17,13 +17,14 @@
 
 #include <flipflop/ConstrainedTriangulation.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
-class vtkPointSet;
+class vtkDataSet;
 class vtkPolyData;
 
 class vtkFFConstraints
@@ -31,15 +32,15 @@ class vtkFFConstraints
 public:
   /**
    * @param source     whose cells are read
-   * @param pieces     the data sets whose points ids name, one after another
+   * @param input      the data set whose points ids name
    * @param places     of those of these points that the engine was given, ascending; empty: it was
    *                   given all
    * @param withHeight whether z matters, where points are compared
    * @throw std::runtime_error where a cell names a point that is not there, or that has other
    *                           coordinates in the source, if it has points
    */
-  vtkFFConstraints(vtkPolyData* source, const std::vector<vtkPointSet*>& pieces,
-    const std::vector<vtkIdType>& places, bool withHeight);
+  vtkFFConstraints(
+    vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& places, bool withHeight);
 
   vtkFFConstraints(const vtkFFConstraints&) = delete;
   void operator=(const vtkFFConstraints&) = delete;
@@ -54,15 +55,22 @@ public:
    */
   std::string DescribeCell(std::int64_t constraint) const;
 
+  /**
+   * Its id.
+   */
+  vtkIdType GetCellId(std::int64_t constraint) const
+  {
+    return this->CellIds[static_cast<std::size_t>(constraint)];
+  }
+
 private:
   void Take(vtkCellArray* cells, vtkIdType firstCell, bool areClosed);
   std::int64_t GetId(vtkIdType point, vtkIdType cell) const;
   void CheckPoint(vtkIdType point, vtkIdType cell) const;
 
   vtkPolyData* const Source; // while it is read
-  const std::vector<vtkPointSet*>& Pieces;
+  vtkDataSet* const Input;
   const int Dimensions; // that are compared
-  vtkIdType Count = 0;  // of points that ids name
   const std::vector<vtkIdType>& Places;
   std::vector<std::int64_t> Ends;
   std::vector<vtkIdType> CellIds; // of each constraint

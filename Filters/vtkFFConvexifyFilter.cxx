@@ -2,59 +2,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFConvexifyFilter.h"
 
-#include "vtkFFFailure.h"
-#include "vtkFFHullInternals.h"
+#include "vtkFFHullResult.h"
+#include "vtkFFInput.h"
 #include "vtkFFOutput.h"
-#include "vtkFFPointSource.h"
+#include "vtkFFRun.h"
 #include "vtkFFSurfaceCells.h"
 
-#include <flipflop/Engines.h>
-#include <flipflop/Error.h>
-#include <flipflop/Hull.h>
-
-#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFConvexifyFilter);
 
-//------------------------------------------------------------------------------
-class vtkFFConvexifyFilter::vtkInternals : public vtkFFHullAlgorithm::vtkInternals
+namespace
 {
-public:
-  using vtkFFHullAlgorithm::vtkInternals::vtkInternals;
 
-  std::vector<std::string> GetLeafTypes() override { return { "vtkPolyData" }; }
-  void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
-    vtkFFFailure& failure) override;
-  std::string DescribeError(const flipflop::Error& error) override;
-
-protected:
-  const char* GetProgressTitle() override { return "Convexify"; }
-
-private:
-  void Convexify(vtkPolyData* input, vtkPolyData* output, vtkFFFailure& failure);
-};
-
-//------------------------------------------------------------------------------
-vtkFFConvexifyFilter::vtkFFConvexifyFilter()
-  : KernelPoint{ 0.0, 0.0, 0.0 }
-  , UseKernelPoint(false)
+void checkSettings(int engine, const double* kernel)
 {
-  this->SetInternals(std::make_unique<vtkInternals>(this));
+  if (engine == vtkFFAlgorithm::ENGINE_CUDA)
+  {
+    throw vtkFFBadSetting("The CUDA engine was asked for, but this filter runs on the CPU. Set "
+                          "Engine to Automatic or CPU.");
+  }
+  if (kernel && !std::all_of(kernel, kernel + 3, [](double x) { return vtkMath::IsFinite(x); }))
+  {
+    std::ostringstream message;
+    message << "The kernel point (" << kernel[0] << ", " << kernel[1] << ", " << kernel[2]
+            << ") is not finite.";
+    throw vtkFFBadSetting(message.str());
+  }
+}
+
+void checkSurface(vtkPolyData* surface, const std::string& ofWhat)
+{
+  if (surface->GetNumberOfCells() == 0 && surface->GetNumberOfPoints() > 0)
+  {
+    throw std::runtime_error("The surface" + ofWhat + " has no cells, but " +
+      std::to_string(surface->GetNumberOfPoints()) +
+      " point(s). It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) "
+      "gives the hull of points.");
+  }
+  const std::string fault = vtkFFSurfaceCells::DescribeFault(surface, ofWhat);
+  if (!fault.empty())
+  {
+    throw std::runtime_error(fault);
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
+vtkFFConvexifyFilter::vtkFFConvexifyFilter() = default;
+
+//------------------------------------------------------------------------------
 vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
+
+//------------------------------------------------------------------------------
+int vtkFFConvexifyFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
 
 //------------------------------------------------------------------------------
 void vtkFFConvexifyFilter::SetKernelPoint(double x, double y, double z)
@@ -81,103 +99,38 @@ void vtkFFConvexifyFilter::StoreKernelPoint(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFConvexifyFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
+int vtkFFConvexifyFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::SafeDownCast(blocks[0].Pieces.front());
-  std::size_t count = 0;
-  for (vtkPointSet* piece : blocks[0].Pieces)
-  {
-    if (piece->GetNumberOfCells() > 0)
+  vtkFFRun run(this, "Convexify", outputVector);
+  run.NonFiniteAdvice = "They are corners of the surface, which has to be mended.";
+  run.Options.nonFinite = flipflop::NonFinitePolicy::Error;
+  run.Report.used = flipflop::EngineChoice::CPU;
+  std::snprintf(run.Report.reason, sizeof(run.Report.reason), "%s",
+    this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "this filter runs on the CPU");
+  run.Do(
+    [&]
     {
-      input = vtkPolyData::SafeDownCast(piece);
-      ++count;
-    }
-  }
-  if (count == 0 && blocks[0].NumberOfPoints > 0)
-  {
-    failure.Say("The surface" + this->OfBlock() + " has no cells, but " +
-      std::to_string(blocks[0].NumberOfPoints) +
-      " point(s). It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) "
-      "gives the hull of points.");
-    return;
-  }
-  if (count > 1)
-  {
-    failure.Say("The surface" + this->OfBlock() + " is spread over " + std::to_string(count) +
-      " partitions. Make one data set of them, such that they share the points where they meet: "
-      "Append Geometry (vtkAppendPolyData) and Clean (vtkCleanPolyData) can do that.");
-    return;
-  }
-  const std::string fault = vtkFFSurfaceCells::DescribeFault(input, this->OfBlock());
-  if (!fault.empty())
-  {
-    failure.Say(fault);
-    return;
-  }
-  this->Convexify(input, outputs[0], failure);
-}
+      vtkPolyData* const surface = vtkPolyData::GetData(inputVector[0]);
+      const double* const kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
+      checkSettings(this->Engine, kernel);
+      checkSurface(surface, run.OfWhat());
 
-//------------------------------------------------------------------------------
-void vtkFFConvexifyFilter::vtkInternals::Convexify(
-  vtkPolyData* input, vtkPolyData* output, vtkFFFailure& failure)
-{
-  const auto* filter = static_cast<vtkFFConvexifyFilter*>(this->GetFilter());
-  if (filter->Engine == ENGINE_CUDA)
-  {
-    failure.Say("The CUDA engine was asked for, but this filter runs on the CPU. Set Engine to "
-                "Automatic or CPU.");
-    return;
-  }
-  const double* kernel = filter->UseKernelPoint ? filter->KernelPoint : nullptr;
-  if (kernel && !std::all_of(kernel, kernel + 3, [](double x) { return vtkMath::IsFinite(x); }))
-  {
-    std::ostringstream message;
-    message << "The kernel point (" << kernel[0] << ", " << kernel[1] << ", " << kernel[2]
-            << ") is not finite.";
-    failure.Say(message.str());
-    return;
-  }
-
-  const auto work = [&](const flipflop::Options& chosen, const flipflop::EngineOptions&,
-                      flipflop::EngineReport& report)
-  {
-    report.used = flipflop::EngineChoice::CPU;
-    std::snprintf(report.reason, sizeof(report.reason), "%s",
-      filter->Engine == ENGINE_CPU ? "the CPU engine was asked for"
-                                   : "this filter runs on the CPU");
-
-    flipflop::Options options = chosen;
-    options.nonFinite = flipflop::NonFinitePolicy::Error;
-
-    vtkPoints* points = input->GetPoints();
-    const vtkFFPointSource source(points ? points->GetData() : nullptr);
-    const vtkFFSurfaceCells cells(input, source.GetView(), options);
-    flipflop::Hull hull;
-    if (cells.GetView().count > 0)
-    {
-      hull = cells.FlipFlop(source.GetView(), kernel, options);
-    }
-    std::vector<vtkFFOutput::Source> data;
-    if (filter->PassPointData)
-    {
-      data.push_back({ input->GetPointData(), input->GetNumberOfPoints() });
-    }
-    vtkFFOutput::Adopt(hull, source, data, filter->VisiblePointIds, output);
-    this->AddToReport(hull, report, output);
-  };
-  this->TryEngine(work, failure);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFFConvexifyFilter::vtkInternals::DescribeError(const flipflop::Error& error)
-{
-  if (error.code() == flipflop::ErrorCode::NonFinite)
-  {
-    return this->DescribeNonFinite("A coordinate", error) +
-      " They are corners of the surface, which has to be mended.";
-  }
-  return this->vtkFFHullAlgorithm::vtkInternals::DescribeError(error);
+      vtkFFInput input;
+      input.Take(vtkFFInput::PiecesOf(surface), false, run);
+      const vtkFFSurfaceCells cells(surface, input.GetView(), run.Options);
+      vtkFFHullResult result;
+      result.Engine = run.Report;
+      if (cells.GetView().count > 0)
+      {
+        result.Hull = cells.FlipFlop(input.GetView(), kernel, run.Options);
+      }
+      vtkFFOutput::Adopt(result.Hull, input.GetPoints(),
+        this->PassPointData ? input.GetPointData() : std::vector<vtkFFOutput::Source>(),
+        result.Data);
+      this->WriteHull(result, run, vtkPolyData::GetData(outputVector));
+    });
+  return run.Finish();
 }
 
 //------------------------------------------------------------------------------

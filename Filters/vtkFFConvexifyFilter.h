@@ -20,8 +20,6 @@
  * filter search for one (the default). An exact test decides whether the surface is star-shaped
  * from it.
  *
- * Only one partition of a vtkPartitionedDataSet may have cells: it is the input.
- *
  * The output is the exact hull in the same canonical form as vtkFFHullFilter's, with the same
  * arrays. How polygons were cut does not show in it. Points that no cell uses are ignored. An input
  * without points gives an empty output.
@@ -52,16 +50,16 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFConvexifyFilter* New();
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the kernel point, which strictly sees the inside of every triangle. (0, 0, 0) by
    * default. SetKernelPoint() also turns UseKernelPoint on; you can turn it off later.
@@ -73,9 +71,9 @@ public:
   virtual void SetKernelPoint(const double point[3]);
   void StoreKernelPoint(double x, double y, double z);
   vtkGetVector3Macro(KernelPoint, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether KernelPoint is used. Off by default: the filter searches for a kernel point.
    * SetKernelPoint() turns it on.
@@ -83,16 +81,18 @@ public:
   vtkSetMacro(UseKernelPoint, bool);
   vtkGetMacro(UseKernelPoint, bool);
   vtkBooleanMacro(UseKernelPoint, bool);
-  //@}
+  ///@}
 
 protected:
   vtkFFConvexifyFilter();
   ~vtkFFConvexifyFilter() override;
 
-  class vtkInternals;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
-  double KernelPoint[3];
-  bool UseKernelPoint;
+  double KernelPoint[3] = { 0.0, 0.0, 0.0 };
+  bool UseKernelPoint = false;
 
 private:
   vtkFFConvexifyFilter(const vtkFFConvexifyFilter&) = delete;

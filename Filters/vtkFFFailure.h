@@ -4,17 +4,20 @@
  * @class   vtkFFFailure
  * @brief   why a run gave no result
  *
- * vtkFFFailure says why a guarded run gave no result. It is separate from the error that users see,
- * so that several processes can agree on one error before it is reported.
+ * vtkFFFailure says why a run gave no result. It is separate from the error that users see, so that
+ * several processes can agree on one error before it is reported. vtkFFBadSetting is thrown for
+ * settings that do not go together, vtkFFBadConstraint for constraints that do not.
  */
 
 #ifndef vtkFFFailure_h
 #define vtkFFFailure_h
 
+#include "vtkFFErrorCode.h"
 #include "vtkFFMarks.h"
 #include "vtkType.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -30,16 +33,20 @@ struct vtkFFFailure
   };
 
   KindType Kind = None;
-  vtkIdType Place = -1; ///< NonFinite: of the first such point, among all of the current blocks
-  vtkIdType Count = 0;  ///< of points that are not finite, where these are at fault
-  std::string Message;  ///< Other: a sentence
+  vtkIdType Place = -1;                               ///< NonFinite: the id of the first such point
+  vtkIdType Count = 0;                                ///< NonFinite: of such points
+  unsigned long Code = vtkFFErrorCode::InternalError; ///< Other
+  std::string Message;                                ///< Other: a sentence
+
+  explicit operator bool() const { return this->Kind != None; }
 
   /**
    * A failure of the kind Other.
    */
-  void Say(const std::string& message)
+  void Say(const std::string& message, unsigned long code = vtkFFErrorCode::InputError)
   {
     this->Kind = Other;
+    this->Code = code;
     this->Message = message;
   }
 
@@ -59,6 +66,18 @@ struct vtkFFFailure
       *this = other;
     }
   }
+};
+
+class vtkFFBadSetting : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class vtkFFBadConstraint : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -158,8 +158,14 @@ vtkSmartPointer<vtkPointSet> vtkFFGridPoints::PointsOf(
     return points;
   }
   auto* image = vtkImageData::SafeDownCast(data);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(data);
+  if (!image && !grid)
+  {
+    throw std::runtime_error("The data" + ofWhat + " is a " + data->GetClassName() +
+      ". It must be a vtkPointSet, vtkImageData or vtkRectilinearGrid.");
+  }
   auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(image ? layOut(image) : layOut(vtkRectilinearGrid::SafeDownCast(data), ofWhat));
+  result->SetPoints(image ? layOut(image) : layOut(grid, ofWhat));
   result->GetPointData()->ShallowCopy(vtkDataSet::SafeDownCast(data)->GetPointData());
   result->GetFieldData()->ShallowCopy(data->GetFieldData());
   return result;

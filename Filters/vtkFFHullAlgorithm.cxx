@@ -2,64 +2,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullAlgorithm.h"
 
-#include "vtkFFHullInternals.h"
+#include "vtkFFHullResult.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointSource.h"
+#include "vtkFFRun.h"
+
 #include <flipflop/HullQueries.h>
-#include <flipflop/Options.h>
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPlanes.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-//------------------------------------------------------------------------------
-vtkFFHullAlgorithm::vtkFFHullAlgorithm()
-  : Volume(0.0)
-  , Area(0.0)
+namespace
 {
-}
 
-//------------------------------------------------------------------------------
-vtkFFHullAlgorithm::~vtkFFHullAlgorithm() = default;
-
-//------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::vtkInternals::ResetReport()
+/// Adds the array BlockIndex to the hull of the points of a composite.
+void addBlockIndex(const std::vector<vtkFFRun::PartType>& parts, vtkPolyData* hull)
 {
-  auto* filter = static_cast<vtkFFHullAlgorithm*>(this->GetFilter());
-  this->vtkFFAlgorithm::vtkInternals::ResetReport();
-  filter->Volume = 0.0;
-  filter->Area = 0.0;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::vtkInternals::AddToReport(
-  const flipflop::Hull& hull, const flipflop::EngineReport& engine, vtkPolyData* output)
-{
-  auto* filter = static_cast<vtkFFHullAlgorithm*>(this->GetFilter());
-  this->vtkFFAlgorithm::vtkInternals::AddToReport(hull, engine, output);
-  filter->Volume += hull.volume;
-  filter->Area += hull.area;
-  if (filter->ReportAsFieldData)
+  auto* ids = vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
+  const vtkIdType count = hull->GetNumberOfPoints();
+  vtkNew<vtkUnsignedIntArray> indices;
+  indices->SetName("BlockIndex");
+  indices->SetNumberOfValues(count);
+  std::size_t part = 0;
+  vtkIdType end = parts[0].NumberOfPoints;
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopVolume", hull.volume);
-    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopArea", hull.area);
+    while (ids->GetValue(i) >= end)
+    {
+      end += parts[++part].NumberOfPoints;
+    }
+    indices->SetValue(i, parts[part].FlatIndex);
   }
+  hull->GetPointData()->AddArray(indices);
 }
 
-//------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::vtkInternals::SetPlanes(
-  vtkPolyData* output, const flipflop::Options& options, vtkPlanes* planes)
+/// Sets the planes to those of a hull of dimension 3.
+void setPlanes(vtkPolyData* output, const flipflop::Options& options, vtkPlanes* planes)
 {
   flipflop::Hull hull;
   hull.dimension = 3;
@@ -97,39 +92,81 @@ void vtkFFHullAlgorithm::vtkInternals::SetPlanes(
   planes->SetNormals(normals);
 }
 
+}
+
+//------------------------------------------------------------------------------
+vtkFFHullAlgorithm::vtkFFHullAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+vtkFFHullAlgorithm::~vtkFFHullAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkFFHullAlgorithm::ForgetReport()
+{
+  this->Volume = 0.0;
+  this->Area = 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFHullAlgorithm::WriteHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output)
+{
+  vtkNew<vtkFieldData> fieldData; // of the output stays
+  fieldData->ShallowCopy(output->GetFieldData());
+  output->ShallowCopy(hull.Data);
+  output->SetFieldData(fieldData);
+  if (this->VisiblePointIds)
+  {
+    vtkFFOutput::ShowIds(output->GetPointData());
+  }
+  if (!run.Parts.empty())
+  {
+    addBlockIndex(run.Parts, output);
+  }
+  run.Report = hull.Engine;
+  run.AddToReport(hull.Hull, output);
+  this->Volume += hull.Hull.volume;
+  this->Area += hull.Hull.area;
+  if (this->ReportAsFieldData)
+  {
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopVolume", hull.Hull.volume);
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopArea", hull.Hull.area);
+  }
+}
+
 //------------------------------------------------------------------------------
 bool vtkFFHullAlgorithm::GetPlanes(vtkPlanes* planes)
 {
-  auto* const internals = this->GetInternals();
-  if (!planes)
-  {
-    internals->ReportError(
-      "There is nothing to give the planes to: GetPlanes() takes a vtkPlanes.");
-    return false;
-  }
-  planes->SetPoints(nullptr);
-  planes->SetNormals(nullptr);
-  vtkDataObject* const output = this->GetOutputDataObject(0);
-  auto* const hull = vtkPolyData::SafeDownCast(output);
-  if (output && !hull)
-  {
-    internals->ReportError(std::string("The output is a ") + output->GetClassName() +
-      ", which has no planes of its own. Take the hull of one block, or one hull of all blocks.");
-    return false;
-  }
-  if (!hull || this->GetDimension() != 3 || hull->GetNumberOfPolys() == 0)
-  {
-    internals->ReportError("There is no hull of dimension 3 that planes could bound: update the "
-                           "filter first; its points must not lie in one plane.");
-    return false;
-  }
-  return internals->RunEngine(
-    [&](const flipflop::Options& chosen, const flipflop::EngineOptions&, flipflop::EngineReport&)
+  vtkFFRun run(this, "Planes", nullptr);
+  run.Options.progress = nullptr; // the filter's own run is over
+  run.Options.step = nullptr;
+  run.Do(
+    [&]
     {
-      flipflop::Options options = chosen;
-      options.progress = nullptr; // the filter's own run is over
-      vtkInternals::SetPlanes(hull, options, planes);
+      if (!planes)
+      {
+        throw std::runtime_error(
+          "There is nothing to give the planes to: GetPlanes() takes a vtkPlanes.");
+      }
+      planes->SetPoints(nullptr);
+      planes->SetNormals(nullptr);
+      vtkDataObject* const output = this->GetOutputDataObject(0);
+      auto* const hull = vtkPolyData::SafeDownCast(output);
+      if (output && !hull)
+      {
+        throw std::runtime_error(std::string("The output is a ") + output->GetClassName() +
+          ", which has no planes of its own. Take the hull of one block, or one hull of all "
+          "blocks.");
+      }
+      if (!hull || this->GetDimension() != 3 || hull->GetNumberOfPolys() == 0)
+      {
+        throw std::runtime_error(
+          "There is no hull of dimension 3 that planes could bound: update the filter first; its "
+          "points must not lie in one plane.");
+      }
+      setPlanes(hull, run.Options, planes);
     });
+  run.Finish();
+  return !run.Failure;
 }
 
 //------------------------------------------------------------------------------

@@ -20,27 +20,29 @@
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkFFRun;
+struct vtkFFHullResult;
 class vtkPlanes;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFHullAlgorithm, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Get the volume of the last run's result (0 below dimension 3), and the area of its surface (of
    * the polygon, once, in dimension 2; 0 below). For several blocks with a result each: the sums.
    */
   vtkGetMacro(Volume, double);
   vtkGetMacro(Area, double);
-  //@}
+  ///@}
 
   /**
    * Give @p planes the planes of the last output's cells, in the cells' order: the first corner of
@@ -60,14 +62,19 @@ protected:
   vtkFFHullAlgorithm();
   ~vtkFFHullAlgorithm() override;
 
-  class vtkInternals;
+  void ForgetReport() override;
+
+  /**
+   * The end of a run: the hull becomes the output, and is reported.
+   */
+  void WriteHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output);
 
 private:
   vtkFFHullAlgorithm(const vtkFFHullAlgorithm&) = delete;
   void operator=(const vtkFFHullAlgorithm&) = delete;
 
-  double Volume;
-  double Area;
+  double Volume = 0.0;
+  double Area = 0.0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,27 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullFilter.h"
 
-#include "vtkFFBlockWork.h"
-#include "vtkFFHullInternals.h"
+#include "vtkFFHullResult.h"
+#include "vtkFFInput.h"
 #include "vtkFFInputPieces.h"
-#include "vtkFFOutput.h"
-#include "vtkFFPointSource.h"
+#include "vtkFFRun.h"
 
-#include <flipflop/Engines.h>
+#include <flipflop/Error.h>
 
-#include "vtkIdTypeArray.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedIntArray.h"
 
-#include <cstddef>
-#include <optional>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFHullFilter);
@@ -30,165 +30,110 @@ vtkStandardNewMacro(vtkFFHullFilter);
 namespace
 {
 
-/// The coordinates of each piece; null where it has none.
-std::vector<vtkDataArray*> arraysOf(const std::vector<vtkPointSet*>& pieces)
+/// Adds a piece of a streamed input to the hull of those before it.
+void addPiece(vtkFFHullFilter* filter, vtkDataObject* piece, vtkFFRun& run, vtkFFHullResult& whole)
 {
-  std::vector<vtkDataArray*> arrays;
-  for (vtkPointSet* piece : pieces)
+  vtkFFInput input;
+  const vtkIdType size = input.Take(vtkFFInput::PiecesOf(piece), filter->GetSkipGhostPoints(), run);
+  const auto& parts = input.GetPieces();
+  const bool isFirst = whole.Data->GetPoints() == nullptr;
+  if (!isFirst &&
+    std::none_of(parts.begin(), parts.end(), [](vtkPointSet* part) { return part->GetPoints(); }))
   {
-    vtkPoints* points = piece->GetPoints();
-    arrays.push_back(points ? points->GetData() : nullptr);
+    return; // nothing here, not even a type of points
   }
-  return arrays;
+  std::vector<vtkFFHullResult> hulls(2);
+  hulls[1].Take(input, filter->GetPassPointData(), run);
+  run.FirstId += size;
+  std::swap(hulls[isFirst ? 1 : 0], whole);
+  if (!isFirst)
+  {
+    whole.Join(hulls, run);
+  }
+}
+
+/// The hull of a streamed input, of which one piece is in memory at a time.
+void takePieces(
+  vtkFFHullFilter* filter, vtkFFInputPieces& pieces, vtkFFRun& run, vtkFFHullResult& whole)
+{
+  const int count = pieces.GetCount();
+  run.NonFiniteReach = count > 1 ? "so far" : "in all";
+  run.Do(
+    [&]
+    {
+      if (filter->GetCompositeMode() == vtkFFHullFilter::HULL_OF_EACH_BLOCK &&
+        vtkCompositeDataSet::SafeDownCast(pieces.GetFirst()))
+      {
+        throw vtkFFBadSetting("A composite that is streamed has one hull. Set Composite Mode to "
+                              "Hull of All Blocks, or Number Of Stream Divisions to 1.");
+      }
+    });
+  for (int number = 0; number < count && !run.Failure; ++number)
+  {
+    const auto work = [&]
+    {
+      vtkDataObject* const piece = number == 0 ? pieces.GetFirst() : pieces.GetNext(number);
+      if (pieces.AreAborted())
+      {
+        throw flipflop::Error(flipflop::ErrorCode::Aborted);
+      }
+      if (!piece)
+      {
+        throw std::runtime_error("The input did not deliver it. Its own error says why.");
+      }
+      run.SetPart(number / static_cast<double>(count), (number + 1) / static_cast<double>(count));
+      addPiece(filter, piece, run, whole);
+    };
+    if (!run.Do(work) && run.Failure.Kind == vtkFFFailure::Other && count > 1)
+    {
+      run.Failure.Message = "Piece " + std::to_string(number + 1) + " of " + std::to_string(count) +
+        ": " + run.Failure.Message;
+    }
+  }
 }
 
 }
 
 //------------------------------------------------------------------------------
-vtkFFHullFilter::vtkFFHullFilter()
-  : CompositeMode(HULL_OF_EACH_BLOCK)
-  , NumberOfStreamDivisions(1)
-{
-  this->SetInternals(std::make_unique<vtkInternals>(this));
-}
+vtkFFHullFilter::vtkFFHullFilter() = default;
 
 //------------------------------------------------------------------------------
 vtkFFHullFilter::~vtkFFHullFilter() = default;
 
 //------------------------------------------------------------------------------
-const char* vtkFFHullFilter::vtkInternals::GetProgressTitle()
+void vtkFFHullFilter::SetCompositeMode(int mode)
 {
-  return "Convex hull";
-}
-
-//------------------------------------------------------------------------------
-vtkFFHullFilter* vtkFFHullFilter::vtkInternals::GetHullFilter()
-{
-  return static_cast<vtkFFHullFilter*>(this->GetFilter());
-}
-
-//------------------------------------------------------------------------------
-bool vtkFFHullFilter::vtkInternals::CombinesBlocks()
-{
-  return this->GetHullFilter()->CompositeMode == HULL_OF_ALL_BLOCKS;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkFFHullFilter::vtkInternals::GetPlaceOfPoint(vtkIdType index)
-{
-  return this->PlaceOfPiece + this->vtkFFAlgorithm::vtkInternals::GetPlaceOfPoint(index);
-}
-
-//------------------------------------------------------------------------------
-class vtkFFHullFilter::vtkInternals::Work : public vtkFFBlockWork
-{
-public:
-  Work(vtkInternals* filter, const std::vector<Block>& blocks)
-    : Filter(filter)
+  const int clamped = vtkMath::ClampValue<int>(mode, HULL_OF_EACH_BLOCK, HULL_OF_ALL_BLOCKS);
+  if (this->CompositeMode != clamped)
   {
-    for (const Block& block : blocks)
-    {
-      this->Pieces.insert(this->Pieces.end(), block.Pieces.begin(), block.Pieces.end());
-    }
+    this->CompositeMode = clamped;
+    this->FillInputPortInformation(0, this->GetInputPortInformation(0));
+    this->Modified();
   }
-
-  void Gather(const flipflop::Options&) override
-  {
-    this->Counted = this->Filter->TakePoints(this->Pieces, this->Filter->PlacesOfPoints);
-    this->Pieces.assign(this->Counted.begin(), this->Counted.end());
-    this->Points.emplace(arraysOf(this->Pieces));
-  }
-
-  void Run(const flipflop::Options& options, const flipflop::EngineOptions& engine,
-    flipflop::EngineReport& report) override
-  {
-    this->Hull = flipflop::convexHull(this->Points->GetView(), options, engine, report);
-  }
-
-  void Write(const flipflop::Options&, const flipflop::EngineReport& report,
-    const std::vector<vtkPolyData*>& outputs) override
-  {
-    this->Filter->AdoptHull(this->Hull, *this->Points, this->Pieces, outputs[0]);
-    this->Filter->RestoreIds(outputs[0]->GetPointData());
-    if (this->Filter->CombinesBlocks())
-    {
-      this->Filter->AddBlockIndex(outputs[0]);
-    }
-    this->Filter->AddToReport(this->Hull, report, outputs[0]);
-  }
-
-private:
-  vtkInternals* Filter;
-  std::vector<vtkPointSet*> Pieces;
-  std::vector<vtkSmartPointer<vtkPointSet>> Counted;
-  std::optional<vtkFFPointSource> Points;
-  flipflop::Hull Hull;
-};
-
-//------------------------------------------------------------------------------
-void vtkFFHullFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
-{
-  Work work(this, blocks);
-  this->ExecuteWork(work, outputs, failure);
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkFFHullFilter::vtkInternals::NewBlockWork(const Block& block)
+void vtkFFHullFilter::SetNumberOfStreamDivisions(int number)
 {
-  return std::make_unique<Work>(this, std::vector<Block>{ block });
+  if (this->NumberOfStreamDivisions != std::max(number, 1))
+  {
+    this->NumberOfStreamDivisions = std::max(number, 1);
+    this->FillInputPortInformation(0, this->GetInputPortInformation(0));
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
-flipflop::Hull vtkFFHullFilter::vtkInternals::TakeHull(const std::vector<vtkPointSet*>& pieces,
-  const flipflop::Options& options, const flipflop::EngineOptions& engine,
-  flipflop::EngineReport& report, vtkPolyData* output)
+int vtkFFHullFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  const vtkFFPointSource points(arraysOf(pieces));
-  flipflop::Hull hull = flipflop::convexHull(points.GetView(), options, engine, report);
-  this->AdoptHull(hull, points, pieces, output);
-  return hull;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFHullFilter::vtkInternals::AdoptHull(flipflop::Hull& hull, const vtkFFPointSource& points,
-  const std::vector<vtkPointSet*>& pieces, vtkPolyData* output)
-{
-  std::vector<vtkFFOutput::Source> data;
-  if (this->GetHullFilter()->PassPointData)
+  // The executive takes a composite apart unless that is the first type asked for.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  if (this->CompositeMode == HULL_OF_ALL_BLOCKS || this->NumberOfStreamDivisions > 1)
   {
-    for (vtkPointSet* piece : pieces)
-    {
-      data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
-    }
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
-  vtkFFOutput::Adopt(hull, points, data, this->GetHullFilter()->VisiblePointIds, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFHullFilter::vtkInternals::AddBlockIndex(vtkPolyData* output)
-{
-  const std::vector<Block>& blocks = this->CurrentBlocks;
-  if (blocks.size() == 1 && blocks[0].FlatIndex == 0)
-  {
-    return;
-  }
-  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetArray("vtkOriginalPointIds"));
-  const vtkIdType count = output->GetNumberOfPoints();
-  vtkNew<vtkUnsignedIntArray> indices;
-  indices->SetName("BlockIndex");
-  indices->SetNumberOfValues(count);
-  std::size_t block = 0;
-  vtkIdType end = blocks.empty() ? 0 : blocks[0].NumberOfPoints;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    while (ids->GetValue(i) >= end)
-    {
-      end += blocks[++block].NumberOfPoints;
-    }
-    indices->SetValue(i, blocks[block].FlatIndex);
-  }
-  output->GetPointData()->AddArray(indices);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -196,16 +141,39 @@ int vtkFFHullFilter::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  if (vtkInformation* input = inputVector[0]->GetInformationObject(0))
+  vtkFFInputPieces pieces(inputVector[0]->GetInformationObject(0),
+    outputVector->GetInformationObject(0), this->NumberOfStreamDivisions);
+  if (pieces.AreStreamed())
   {
-    vtkFFInputPieces pieces(
-      input, outputVector->GetInformationObject(0), this->NumberOfStreamDivisions);
-    if (pieces.AreStreamed())
-    {
-      pieces.Request(0);
-    }
+    pieces.Request(0);
   }
   return done;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFHullFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkFFRun run(this, "Convex hull", outputVector);
+  vtkFFHullResult hull;
+  vtkFFInputPieces pieces(inputVector[0]->GetInformationObject(0),
+    outputVector->GetInformationObject(0), this->NumberOfStreamDivisions);
+  if (pieces.AreStreamed())
+  {
+    takePieces(this, pieces, run, hull);
+  }
+  else
+  {
+    run.Do(
+      [&]
+      {
+        vtkFFInput input;
+        input.Take(vtkFFInput::PiecesOf(pieces.GetFirst()), this->SkipGhostPoints, run);
+        hull.Take(input, this->PassPointData, run);
+      });
+  }
+  run.Do([&] { this->WriteHull(hull, run, vtkPolyData::GetData(outputVector)); });
+  return run.Finish();
 }
 
 //------------------------------------------------------------------------------

@@ -43,10 +43,9 @@
  * - ghost points: left out, unless SkipGhostPoints is off
  * - too many points, no memory: an error, and empty output
  *
- * Composite input gives a hull of each block (see vtkFFAlgorithm), or one hull of all blocks; see
- * SetCompositeMode(). For one hull, ids count the points of all blocks in order, and the point
- * array BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's block. A
- * vtkPartitionedDataSet by itself is a single block; its hull has no such array.
+ * Composite input gives a hull of each data set (see vtkFFAlgorithm), or one hull of all; see
+ * SetCompositeMode(). For one hull, ids count the points of all data sets in order, and the point
+ * array BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's data set.
  *
  * Points that do not fit in memory can be streamed: see SetNumberOfStreamDivisions().
  *
@@ -69,14 +68,14 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFHullFilter* New();
   vtkTypeMacro(vtkFFHullFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * What a composite input gives.
@@ -87,19 +86,19 @@ public:
     HULL_OF_ALL_BLOCKS = 1
   };
 
-  //@{
+  ///@{
   /**
-   * Set/Get what a composite input gives: a hull of each block (the default), or one hull of the
-   * points of all blocks. It has no effect on other inputs.
+   * Set/Get what a composite input gives: a hull of each data set in it (the default), or one hull
+   * of the points of all. It has no effect on other inputs.
    */
-  vtkSetClampMacro(CompositeMode, int, HULL_OF_EACH_BLOCK, HULL_OF_ALL_BLOCKS);
+  virtual void SetCompositeMode(int mode);
   vtkGetMacro(CompositeMode, int);
   void SetCompositeModeToEachBlock() { this->SetCompositeMode(HULL_OF_EACH_BLOCK); }
   void SetCompositeModeToAllBlocks() { this->SetCompositeMode(HULL_OF_ALL_BLOCKS); }
   const char* GetCompositeModeAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the number of pieces that the input is streamed in. The default is 1: the input is
    * taken as a whole. With more, the filter asks its input for one piece after another, as
@@ -114,36 +113,35 @@ public:
    *   (CAN_HANDLE_PIECE_REQUEST, or CAN_PRODUCE_SUB_EXTENT). If none
    *   does, or the data was set (SetInputData()), the first piece has
    *   all, and no other is asked for.
-   * - Blocks of a composite that have the same place in the pieces
-   *   belong together. For HULL_OF_EACH_BLOCK, all pieces must have the
-   *   same number of blocks, with or without data in them.
-   * - Ids count the points of all pieces: of a block, piece after
-   *   piece. They and the numbers of points can be beyond 2^32.
+   * - A composite can be streamed if it has one hull: see
+   *   SetCompositeMode().
+   * - Ids count the points of all pieces, piece after piece. They and
+   *   the numbers of points can be beyond 2^32.
    * - An error in a piece ends the run: no further one is asked for. Of
-   *   points that are not finite, it names the first of all, and counts
-   *   those of the block so far. For HULL_OF_EACH_BLOCK, a block at
-   *   fault has no hull, and the run goes on for the others.
+   *   points that are not finite, it names the first, and counts those
+   *   so far.
    * - Dimension, volume, area and the numbers of points are of all
    *   pieces. The other statistics are sums over the runs.
    *
    * If the output itself is asked for in pieces, each is divided. Several processes can not stream:
    * vtkPFFHullFilter reports an error.
    */
-  vtkSetClampMacro(NumberOfStreamDivisions, int, 1, VTK_INT_MAX);
+  virtual void SetNumberOfStreamDivisions(int number);
   vtkGetMacro(NumberOfStreamDivisions, int);
-  //@}
+  ///@}
 
 protected:
   vtkFFHullFilter();
   ~vtkFFHullFilter() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
-  class vtkInternals;
-
-  int CompositeMode;
-  int NumberOfStreamDivisions;
+  int CompositeMode = HULL_OF_EACH_BLOCK;
+  int NumberOfStreamDivisions = 1;
 
 private:
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFInputPieces.h"
 
-#include "vtkFFGuard.h"
+#include "vtkFFRun.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"

@@ -159,15 +159,14 @@ struct Share
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkIdTypeArray> vtkFFOutput::Adopt(flipflop::CellComplex& cells,
-  const vtkFFPointSource& points, const std::vector<Source>& data, bool visibleIds,
-  vtkPolyData* output)
+  const vtkFFPointSource& points, const std::vector<Source>& data, vtkPolyData* output)
 {
   output->SetPoints(
     points.Gather(cells.pointIds.data(), static_cast<vtkIdType>(cells.pointIds.size())));
   AdoptCells(cells, output);
   const auto ids = AdoptIds(cells.pointIds);
   PassPointData(data, ids, output->GetPointData());
-  AddIds(ids, visibleIds, output->GetPointData());
+  AddIds(ids, output->GetPointData());
   return ids;
 }
 
@@ -178,11 +177,16 @@ vtkSmartPointer<vtkIdTypeArray> vtkFFOutput::AdoptIds(flipflop::Buffer<std::int6
 }
 
 //------------------------------------------------------------------------------
-void vtkFFOutput::AddIds(vtkIdTypeArray* ids, bool visible, vtkDataSetAttributes* output)
+void vtkFFOutput::AddIds(vtkIdTypeArray* ids, vtkDataSetAttributes* output)
 {
   ids->SetName("vtkOriginalPointIds");
   output->AddArray(ids);
-  if (visible)
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::ShowIds(vtkDataSetAttributes* output)
+{
+  if (vtkDataArray* ids = output->GetArray("vtkOriginalPointIds"))
   {
     vtkNew<vtkIdTypeArray> copy; // shares the memory
     copy->ShallowCopy(ids);
@@ -330,7 +334,6 @@ void vtkFFOutput::PassPointData(
 void vtkFFOutput::Renumber(
   vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf)
 {
-  // The visible array of ids shares the memory.
   auto* ids = vtkIdTypeArray::SafeDownCast(output->GetAbstractArray("vtkOriginalPointIds"));
   const vtkIdType count = ids ? ids->GetNumberOfValues() : 0;
   for (vtkIdType i = 0; i < count; ++i)

@@ -55,8 +55,7 @@ public:
    * data is passed. Returns the ids.
    */
   static vtkSmartPointer<vtkIdTypeArray> Adopt(flipflop::CellComplex& cells,
-    const vtkFFPointSource& points, const std::vector<Source>& data, bool visibleIds,
-    vtkPolyData* output);
+    const vtkFFPointSource& points, const std::vector<Source>& data, vtkPolyData* output);
 
   /**
    * Ids as an array, which takes them over.
@@ -64,10 +63,14 @@ public:
   static vtkSmartPointer<vtkIdTypeArray> AdoptIds(flipflop::Buffer<std::int64_t>& ids);
 
   /**
-   * Add the ids to the output's point (or cell) data as vtkOriginalPointIds and, if @p visible, a
-   * second time as OriginalPointIds.
+   * Add the ids to the output's point (or cell) data as vtkOriginalPointIds.
    */
-  static void AddIds(vtkIdTypeArray* ids, bool visible, vtkDataSetAttributes* output);
+  static void AddIds(vtkIdTypeArray* ids, vtkDataSetAttributes* output);
+
+  /**
+   * Give the array vtkOriginalPointIds a second time, as OriginalPointIds.
+   */
+  static void ShowIds(vtkDataSetAttributes* output);
 
   /**
    * Make the cells vertices, lines or polygons of @p output, which takes them over.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFProjection.h"
 
-#include "vtkFFGuard.h"
+#include "vtkFFRun.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkHomogeneousTransform.h"
@@ -67,7 +67,7 @@ void vtkFFProjection::InStretches(vtkIdType count, vtkIdType length, const Work&
 {
   for (vtkIdType begin = 0; begin < count; begin += length)
   {
-    vtkFFGuard::Look(this->Options);
+    vtkFFRun::Look(this->Options);
     work(begin, std::min(count, begin + length));
   }
 }

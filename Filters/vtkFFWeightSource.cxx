@@ -7,11 +7,11 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 
 #include <cmath>
 #include <cstddef>
@@ -115,7 +115,7 @@ void vtkFFWeightSource::Compute(vtkDataArray* array, const Rule& rule)
 
 //------------------------------------------------------------------------------
 vtkDataArray* vtkFFWeightSource::FindArray(
-  vtkAlgorithm* filter, vtkPointSet* points, const std::string& ofWhat, const std::string& owner)
+  vtkAlgorithm* filter, vtkDataSet* points, const std::string& ofWhat, const std::string& owner)
 {
   vtkInformationVector* chosen =
     filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());

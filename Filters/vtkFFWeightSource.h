@@ -29,7 +29,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkDataArray;
-class vtkPointSet;
+class vtkDataSet;
 
 /**
  * Thrown for a value of which no weight can be made.
@@ -95,7 +95,7 @@ public:
    * @throw std::runtime_error where it does not fit.
    */
   static vtkDataArray* FindArray(
-    vtkAlgorithm* filter, vtkPointSet* points, const std::string& ofWhat, const std::string& owner);
+    vtkAlgorithm* filter, vtkDataSet* points, const std::string& ofWhat, const std::string& owner);
 
 private:
   template <class T>

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFConstrainedDelaunayFilter
+ * @brief   the exact Delaunay triangulation of points that has given edges
+ *
+ * vtkFFConstrainedDelaunayFilter computes the Delaunay triangulation of points in the plane, with
+ * constraints: lines, polylines and polygons of a second input that are to be edges of it. All
+ * other edges are Delaunay as far as the constraints let points see each other. Cells of the first
+ * input are ignored, and there are no weights. Without a second input, it is the Delaunay
+ * triangulation.
+ *
+ * - Port 0, the triangulation, in the form that
+ *   vtkFFRegularTriangulationFilter gives it. As polygons (see
+ *   SetFacetMode()), a cell is all points of one circle that no
+ *   constraint parts.
+ * - Port 1, the fixed edges: a line for each edge of the triangulation
+ *   that a constraint runs along, with the points of port 0. The cell
+ *   array ConstraintCellIds (a vtkIdTypeArray) has the id of the first
+ *   cell of the source that does. The edges are by ascending ids.
+ *
+ * The result does not depend on the order of the constraints. A constraint through points is parted
+ * there, and one that ends at a duplicate ends at the lowest id of that position. Constraints that
+ * cross between points are an error that names both cells, unless they are to be split: see
+ * SetSplitCrossingConstraints(). So is a constraint whose point is not there or is left out.
+ *
+ * Polygons also tell what is inside: see SetPolygonRule(). Cells that are not inside are left out
+ * and counted; if no cell is inside, a warning says so. All points stay in the output, also those
+ * that no cell has any more.
+ *
+ * The input must be one data set, which the ids of the source name. This filter runs on the CPU
+ * engine. Asking it for the CUDA engine is an error, and so is an array of weights.
+ *
+ * @sa
+ * vtkFFPlanarAlgorithm vtkFFRegularTriangulationFilter vtkDelaunay2D
+ */
+
+#ifndef vtkFFConstrainedDelaunayFilter_h
+#define vtkFFConstrainedDelaunayFilter_h
+
+#include "vtkFFMarks.h" // For VTK_MARSHALAUTO
+#include "vtkFFPlanarAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithmOutput;
+
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConstrainedDelaunayFilter
+  : public vtkFFPlanarAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
+  static vtkFFConstrainedDelaunayFilter* New();
+  vtkTypeMacro(vtkFFConstrainedDelaunayFilter, vtkFFPlanarAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  /**
+   * How the source's polygons tell what is inside.
+   */
+  enum PolygonRuleType
+  {
+    EVEN_ODD = 0,
+    DIRECTION = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get the second input, on port 1: the constraints. None by default. Their point ids are
+   * those of the input, as in vtkDelaunay2D. The source has no points, or at the ids that its cells
+   * name the very coordinates of the input (x and y alone, for XY_PLANE): points of its own are an
+   * error that names the first id at which they differ, with both coordinates. Points are compared
+   * as given, before a transform.
+   */
+  void SetSourceData(vtkPolyData* source);
+  void SetSourceConnection(vtkAlgorithmOutput* output);
+  void RemoveSource() { this->SetSourceConnection(nullptr); }
+  vtkPolyData* GetSource();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether constraints are split where they cross between points. Off by default: they
+   * are an error.
+   *
+   * The output then has a new point at each crossing, after the others. Its place in the plane of
+   * the triangulation is the crossing with each coordinate rounded to the nearest double, so
+   * constraints bend there, by half a unit in the last place at most. Where bent constraints cross
+   * anew, which is rare, they are split once more. A crossing that is the position of a point, as
+   * rounded, takes that point.
+   *
+   * Positions in space and point data are interpolated along the first of the constraints that
+   * cross there, by their order in the source: lines, then polygons. Data that cannot be
+   * interpolated, such as global ids, is not passed then. The points of the output are double. In
+   * vtkOriginalPointIds, new points have -1.
+   */
+  vtkSetMacro(SplitCrossingConstraints, bool);
+  vtkGetMacro(SplitCrossingConstraints, bool);
+  vtkBooleanMacro(SplitCrossingConstraints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how the source's polygons tell what is inside. Without polygons, all
+   * cells stay. So they do where all points are on one line.
+   *
+   * - EVEN_ODD (the default): by nesting. A polygon keeps its inside,
+   *   one in it is a hole, to any depth, whatever their directions.
+   *   Each side of each polygon counts: a cell is inside if a way to
+   *   it from outside crosses an odd number of sides. So of polygons
+   *   that overlap, what two have in common is outside.
+   * - DIRECTION: as in vtkDelaunay2D. What is on the left of a side,
+   *   as seen from the plane's upper side, is inside. So a polygon
+   *   that runs counter-clockwise keeps its inside, and a clockwise
+   *   one in it is a hole, to any depth; a clockwise one alone is a
+   *   hole in all. Polygons that say different things of one cell are
+   *   an error that names two of them, and which to reverse.
+   *
+   * If holes run clockwise in polygons that run counter-clockwise, both rules give the same.
+   */
+  vtkSetClampMacro(PolygonRule, int, EVEN_ODD, DIRECTION);
+  vtkGetMacro(PolygonRule, int);
+  void SetPolygonRuleToEvenOdd() { this->SetPolygonRule(EVEN_ODD); }
+  void SetPolygonRuleToDirection() { this->SetPolygonRule(DIRECTION); }
+  const char* GetPolygonRuleAsString();
+  ///@}
+
+  /**
+   * Get the output of port 1: the fixed edges.
+   */
+  vtkPolyData* GetFixedEdgesOutput();
+
+  ///@{
+  /**
+   * Get the number of cells that the last run left out, since they are not inside polygons; and of
+   * points that it added where constraints cross.
+   */
+  vtkGetMacro(NumberOfDroppedCells, vtkIdType);
+  vtkGetMacro(NumberOfSplitPoints, vtkIdType);
+  ///@}
+
+protected:
+  vtkFFConstrainedDelaunayFilter();
+  ~vtkFFConstrainedDelaunayFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void ForgetReport() override;
+
+  bool SplitCrossingConstraints = false;
+  int PolygonRule = EVEN_ODD;
+  vtkIdType NumberOfDroppedCells = 0;
+  vtkIdType NumberOfSplitPoints = 0;
+
+private:
+  vtkFFConstrainedDelaunayFilter(const vtkFFConstrainedDelaunayFilter&) = delete;
+  void operator=(const vtkFFConstrainedDelaunayFilter&) = delete;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

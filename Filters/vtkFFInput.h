@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFInput
+ * @brief   the points of a filter's input, as the engine takes them
+ *
+ * vtkFFInput has the points of a data set, or those of several, one after another: without ghost
+ * points, if these are to be skipped. It tells the run which points they are.
+ */
+
+#ifndef vtkFFInput_h
+#define vtkFFInput_h
+
+#include "vtkFFMarks.h"
+#include "vtkFFOutput.h"
+#include "vtkFFPointSource.h"
+#include "vtkSmartPointer.h"
+
+#include <flipflop/PointView.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class vtkFFRun;
+class vtkPointSet;
+
+class vtkFFInput
+{
+public:
+  /**
+   * A data set of an input, and its flat index in a composite; 0: it is the input.
+   */
+  struct PieceType
+  {
+    vtkDataObject* Data;
+    unsigned int FlatIndex;
+  };
+
+  /**
+   * The data sets of an input: itself, or all of a composite, by ascending flat index.
+   */
+  static std::vector<PieceType> PiecesOf(vtkDataObject* input);
+
+  /**
+   * Become the points of these data sets. Returns how many these have, with ghosts.
+   *
+   * @throw std::runtime_error for another type, or points that are no points in space; all that
+   *        vtkFFPointSource throws.
+   */
+  vtkIdType Take(const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run);
+
+  const flipflop::PointView& GetView() const { return this->Points->GetView(); }
+  const vtkFFPointSource& GetPoints() const { return *this->Points; }
+
+  /**
+   * The pieces, without the ghosts.
+   */
+  const std::vector<vtkSmartPointer<vtkPointSet>>& GetPieces() const { return this->Pieces; }
+
+  /**
+   * Their point data.
+   */
+  std::vector<vtkFFOutput::Source> GetPointData() const;
+
+private:
+  std::vector<vtkSmartPointer<vtkPointSet>> Pieces;
+  std::optional<vtkFFPointSource> Points;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFPowerCells.h"
+
+#include "vtkFFCellMeasures.h"
+#include "vtkFFOutput.h"
+#include "vtkFFPlanarInput.h"
+#include "vtkFFPowerDiagramFilter.h"
+#include "vtkFFRun.h"
+
+#include <flipflop/Measures.h>
+
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+void vtkFFPowerCells::CheckBox(vtkFFPowerDiagramFilter* filter)
+{
+  const double* box = filter->GetPowerDiagramBounds();
+  const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
+    box[0] < box[1] && box[2] < box[3];
+  if (filter->GetPowerDiagramBoxMode() == vtkFFPowerDiagramFilter::BOX_OF_BOUNDS && !isBox)
+  {
+    std::ostringstream message;
+    message << "The power diagram's box has no inside or is not finite: it is (xmin, xmax, ymin, "
+               "ymax) = ("
+            << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
+    throw vtkFFBadSetting(message.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 4> vtkFFPowerCells::FindBox(vtkFFPowerDiagramFilter* filter,
+  const flipflop::PointView& points, const flipflop::Triangulation& triangulation)
+{
+  if (filter->GetPowerDiagramBoxMode() != vtkFFPowerDiagramFilter::BOX_OF_BOUNDS)
+  {
+    return flipflop::powerDiagramBox(points, triangulation);
+  }
+  std::array<double, 4> box;
+  std::copy_n(filter->GetPowerDiagramBounds(), 4, box.begin());
+  return box;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPowerCells::Write(vtkFFPowerDiagramFilter* filter, vtkFFPlanarInput& input,
+  flipflop::PowerDiagram& diagram, vtkFFRun& run, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(vtkFFCellMeasures::ToSpace(
+    input.GetProjection(), diagram.corners, "The power diagram's corners"));
+  output->SetPoints(points);
+  std::optional<vtkFFCellMeasures> measures;
+  if (filter->GetGenerateCellMeasures())
+  {
+    measures.emplace(static_cast<std::int64_t>(diagram.siteIds.size()), input.GetProjection(),
+      [&](double* areas, double* centroids)
+      { flipflop::cellMeasures(diagram, areas, centroids, run.Options); });
+  }
+
+  flipflop::CellComplex cells;
+  cells.dimension = 2;
+  cells.connectivity = std::move(diagram.connectivity);
+  cells.offsets = std::move(diagram.offsets);
+  vtkFFOutput::AdoptCells(cells, output);
+
+  vtkCellData* const data = output->GetCellData();
+  const auto ids = vtkFFOutput::AdoptIds(diagram.siteIds);
+  vtkFFOutput::PassPointData(input.GetPointData(), ids, data);
+  vtkFFOutput::AddIds(ids, data);
+  vtkFFOutput::Renumber(data, [&](vtkIdType id) { return run.GetId(id); });
+  if (filter->GetVisiblePointIds())
+  {
+    vtkFFOutput::ShowIds(data);
+    data->SetActiveScalars("OriginalPointIds");
+  }
+  if (measures)
+  {
+    measures->AddTo(output);
+  }
+}
+VTK_ABI_NAMESPACE_END

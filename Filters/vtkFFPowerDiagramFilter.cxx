@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFPowerDiagramFilter.h"
+
+#include "vtkFFOutput.h"
+#include "vtkFFPlanarInput.h"
+#include "vtkFFPowerCells.h"
+#include "vtkFFRun.h"
+
+#include <flipflop/Engines.h>
+#include <flipflop/PowerDiagram.h>
+
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkFFPowerDiagramFilter);
+
+//------------------------------------------------------------------------------
+vtkFFPowerDiagramFilter::vtkFFPowerDiagramFilter() = default;
+
+//------------------------------------------------------------------------------
+vtkFFPowerDiagramFilter::~vtkFFPowerDiagramFilter() = default;
+
+//------------------------------------------------------------------------------
+int vtkFFPowerDiagramFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  constexpr double shareOfTriangulation = 0.4;
+  vtkFFRun run(this, "Power diagram", outputVector);
+  run.Do(
+    [&]
+    {
+      vtkFFPowerCells::CheckBox(this);
+      vtkFFPlanarInput input(this, run);
+      input.Take(vtkDataObject::GetData(inputVector[0]));
+      // Points of one power circle meet in one corner.
+      run.Options.facets = flipflop::FacetMode::Polygons;
+      run.SetPart(0.0, shareOfTriangulation);
+      const flipflop::Triangulation triangulation = flipflop::regularTriangulation(
+        input.GetPlane(), input.GetWeights(), run.Options, run.Engine, run.Report);
+      input.LookForVerticalPlane(triangulation);
+      input.SetHeight(triangulation);
+
+      run.SetPart(shareOfTriangulation, 1.0);
+      flipflop::PowerDiagram diagram;
+      if (triangulation.dimension >= 0)
+      {
+        const std::array<double, 4> box =
+          vtkFFPowerCells::FindBox(this, input.GetPlane(), triangulation);
+        diagram = flipflop::powerDiagram(
+          input.GetPlane(), input.GetWeights(), triangulation, box.data(), run.Options);
+      }
+      vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+      run.AddToReport(triangulation, output);
+      const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
+      this->NumberOfHiddenPoints += static_cast<vtkIdType>(hidden);
+      if (this->ReportAsFieldData)
+      {
+        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", hidden);
+      }
+      vtkFFPowerCells::Write(this, input, diagram, run, output);
+    });
+  return run.Finish();
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPowerDiagramFilter::SetPowerDiagramBounds(
+  double xmin, double xmax, double ymin, double ymax)
+{
+  this->StorePowerDiagramBounds(xmin, xmax, ymin, ymax);
+  this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPowerDiagramFilter::SetPowerDiagramBounds(const double bounds[4])
+{
+  this->SetPowerDiagramBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPowerDiagramFilter::StorePowerDiagramBounds(
+  double xmin, double xmax, double ymin, double ymax)
+{
+  const double bounds[4] = { xmin, xmax, ymin, ymax };
+  if (!std::equal(bounds, bounds + 4, this->PowerDiagramBounds))
+  {
+    std::copy(bounds, bounds + 4, this->PowerDiagramBounds);
+    this->PowerDiagramLengths[0] = xmax - xmin;
+    this->PowerDiagramLengths[1] = ymax - ymin;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPowerDiagramFilter::StorePowerDiagramCorner(double x, double y, double)
+{
+  const double lengths[2] = { this->PowerDiagramLengths[0], this->PowerDiagramLengths[1] };
+  this->StorePowerDiagramBounds(x, x + lengths[0], y, y + lengths[1]);
+  // What was rounded on the way does not stay.
+  std::copy(lengths, lengths + 2, this->PowerDiagramLengths);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPowerDiagramFilter::StorePowerDiagramLengths(double x, double y, double)
+{
+  const double* from = this->PowerDiagramBounds;
+  this->StorePowerDiagramBounds(from[0], from[0] + x, from[2], from[2] + y);
+  this->PowerDiagramLengths[0] = x;
+  this->PowerDiagramLengths[1] = y;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFFPowerDiagramFilter::GetPowerDiagramBoxModeAsString()
+{
+  return this->PowerDiagramBoxMode == BOX_OF_BOUNDS ? "Bounds" : "Points";
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPowerDiagramFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PowerDiagramBoxMode: " << this->GetPowerDiagramBoxModeAsString() << "\n";
+  const double* box = this->PowerDiagramBounds;
+  os << indent << "PowerDiagramBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "
+     << box[3] << ")\n";
+  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFRun
+ * @brief   one run of the engine for a filter, from which nothing is thrown
+ *
+ * vtkFFRun is made in RequestData(), and lasts as long. It has the engine's options, as the
+ * filter's properties say. Progress goes to the filter's observers, and their wish to stop goes to
+ * the engine. Whatever is thrown in Do() becomes a failure, with a sentence that names the point
+ * by its id in the input; so it knows which points were given to the engine.
+ */
+
+#ifndef vtkFFRun_h
+#define vtkFFRun_h
+
+#include "vtkFFFailure.h"
+#include "vtkFFMarks.h"
+#include "vtkType.h"
+#include "vtkVersionMacros.h"
+
+#include <flipflop/Engines.h>
+#include <flipflop/Options.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace flipflop
+{
+class Error;
+struct CellComplex;
+}
+
+// ParaView 5.11 carries a VTK 9.2 that has CheckAbort() already.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230000)
+#define VTK_FF_HAS_CHECK_ABORT 1
+#else
+#define VTK_FF_HAS_CHECK_ABORT 0
+#endif
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithm;
+class vtkFFAlgorithm;
+class vtkInformationVector;
+class vtkPolyData;
+
+class vtkFFRun
+{
+public:
+  /**
+   * A run for that filter, which it does not own.
+   *
+   * @param title   what is made, for the progress text: "Convex hull"
+   * @param threads as vtkFFAlgorithm::SetNumberOfThreads()
+   * @param outputs of RequestData(); null outside of it
+   * @param setCode sets the filter's error code
+   */
+  vtkFFRun(vtkAlgorithm* filter, const char* title, int threads, vtkInformationVector* outputs,
+    std::function<void(unsigned long)> setCode);
+
+  /**
+   * The same with all settings of vtkFFAlgorithm. What the last run reported is forgotten, unless
+   * this one is of the next block of the same composite.
+   */
+  vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVector* outputs);
+
+  vtkFFRun(const vtkFFRun&) = delete;
+  void operator=(const vtkFFRun&) = delete;
+
+  flipflop::Options Options;
+  flipflop::EngineOptions Engine;
+  flipflop::EngineReport Report;
+  vtkFFFailure Failure;
+
+  /**
+   * Do some work, unless there is a failure already: whatever it throws becomes one. Returns
+   * whether there is none.
+   */
+  bool Do(const std::function<void()>& work);
+
+  /**
+   * The same, and the failure is another one than this run's.
+   */
+  bool Try(const std::function<void()>& work, vtkFFFailure& failure);
+
+  //@{
+  /**
+   * What is being worked on, as errors tell it. Points belong to parts, one after another: so many,
+   * and a clause for each, " of the block of flat index 2". The points that the engine counts have
+   * these ids among them (the same, if there are none), from the first id on.
+   */
+  struct PartType
+  {
+    vtkIdType NumberOfPoints;
+    std::string OfWhat;
+    unsigned int FlatIndex; ///< in the composite
+  };
+  std::vector<PartType> Parts;
+  std::vector<vtkIdType> Ids;
+  vtkIdType FirstId = 0;
+  vtkIdType GetId(vtkIdType index) const;
+  std::string DescribePoint(vtkIdType id) const;
+  std::string OfWhat() const; ///< the clause, if there is one for all
+  //@}
+
+  /**
+   * Whether the executive has the filter work on one data set of a composite after another.
+   */
+  bool IsInComposite() const { return !this->Block.empty(); }
+
+  /**
+   * How errors speak of numbers that are not finite: what they are, what helps, and whether all
+   * points were looked at.
+   */
+  std::string NonFiniteWhat = "A coordinate";
+  std::string NonFiniteAdvice = "Remove them, or set Non Finite Points to Ignore.";
+  std::string NonFiniteReach = "in all";
+
+  /**
+   * The failure as a sentence; empty for an abort.
+   */
+  std::string Describe(const vtkFFFailure& failure) const;
+
+  /**
+   * Its error code.
+   */
+  static unsigned long CodeOf(const vtkFFFailure& failure);
+
+  //@{
+  /**
+   * Where the progress of the next work lies within the whole, and what is being made.
+   */
+  void SetPart(double begin, double end);
+  void SetTitle(const char* title);
+  //@}
+
+  /**
+   * For work outside of the engine that has these options: tell that this share of the part is
+   * done.
+   *
+   * @throw flipflop::Error Aborted, if somebody asked the filter to stop.
+   */
+  static void Look(const flipflop::Options& options, double share = 0.0);
+
+  /**
+   * Whether somebody asked the filter to stop.
+   */
+  bool IsAbortRequested() const;
+
+  /**
+   * An abort, if somebody asked for one, is a failure; unless there is another.
+   */
+  void NoteAbort();
+
+  /**
+   * Add a result to what the filter reports of its last run; and to the output's field data, if
+   * that was asked for.
+   */
+  void AddToReport(const flipflop::CellComplex& cells, vtkPolyData* output);
+
+  /**
+   * The end of RequestData(): a failure becomes the one error, unless it is an abort, and empties
+   * the outputs. Always 1: the executive would add a message of its own.
+   *
+   * @param aloud false where another process says it
+   */
+  int Finish(bool aloud = true);
+
+private:
+  void Begin();
+  static bool ForwardProgress(double fraction, void* self);
+  static void ForwardStep(const char* name, void* self);
+  std::string DescribeError(const flipflop::Error& error) const;
+
+  vtkAlgorithm* const Filter;
+  vtkFFAlgorithm* Reporter = nullptr; // the same, if it is one
+  const char* Title;
+  vtkInformationVector* const Outputs;
+  const std::function<void(unsigned long)> SetCode;
+  double Part[2] = { 0.0, 1.0 };
+  double Reached = 0.0;
+  std::string Block; // the clause for it, where the executive goes from block to block
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
