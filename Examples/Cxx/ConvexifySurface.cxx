@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A dented sphere to its convex hull, by flips: ConvexifySurface [convex.vtp]
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFFConvexifyFilter.h>
+#include <vtkFieldData.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -13,6 +15,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+
+namespace
+{
+
+/// A figure of the filter's report.
+double figure(vtkFFConvexifyFilter* filter, const char* name)
+{
+  return filter->GetOutput()->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+}
 
 int main(int argc, char* argv[])
 {
@@ -39,6 +52,7 @@ int main(int argc, char* argv[])
   convexify->SetInputData(dented);
   convexify->SetKernelPoint(0.0, 0.0, 0.0);
   convexify->UseKernelPointOn(); // without it, a kernel point is sought
+  convexify->ReportAsFieldDataOn();
   convexify->Update();
   if (convexify->GetErrorCode() != vtkErrorCode::NoError)
   {
@@ -47,8 +61,8 @@ int main(int argc, char* argv[])
 
   std::cout << "vertices:  " << dented->GetNumberOfPoints() << " -> "
             << convexify->GetOutput()->GetNumberOfPoints() << "\n"
-            << "2-2 flips: " << convexify->GetNumberOfFlips22() << "\n"
-            << "3-1 flips: " << convexify->GetNumberOfFlips31() << "\n"
+            << "flips:     " << figure(convexify, "FlipFlopFlips22") << " 2-2, "
+            << figure(convexify, "FlipFlopFlips31") << " 3-1\n"
             << "volume:    " << convexify->GetVolume() << "\n";
 
   vtkNew<vtkXMLPolyDataWriter> writer;

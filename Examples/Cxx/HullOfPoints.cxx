@@ -32,7 +32,6 @@ int main(int argc, char* argv[])
             << "vertices:  " << hull->GetOutput()->GetNumberOfPoints() << "\n"
             << "triangles: " << hull->GetOutput()->GetNumberOfPolys() << "\n"
             << "volume:    " << hull->GetVolume() << "\n"
-            << "seconds:   " << hull->GetSecondsTotal() << "\n"
             << "engine:    " << hull->GetEngineUsedAsString() << ", since "
             << hull->GetEngineReason() << "\n";
 

@@ -5,7 +5,7 @@
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkFFRegularTriangulationFilter.h>
+#include <vtkFFPowerDiagramFilter.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -35,17 +35,16 @@ int main(int argc, char* argv[])
   map->SetPoints(points);
   map->GetPointData()->AddArray(weights);
 
-  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
-  triangulation->SetInputData(map);
-  triangulation->SetInputArrayToProcess(
+  vtkNew<vtkFFPowerDiagramFilter> diagram;
+  diagram->SetInputData(map);
+  diagram->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weight"); // without: Voronoi
-  triangulation->GeneratePowerDiagramOn();
-  triangulation->SetPowerDiagramBounds(0.0, 8.0, 0.0, 5.0); // the town; or the points' own bounds
-  triangulation->SetPowerDiagramBoxModeToBounds();
-  triangulation->Update();
+  diagram->SetPowerDiagramBounds(0.0, 8.0, 0.0, 5.0); // the town; or the points' own bounds
+  diagram->SetPowerDiagramBoxModeToBounds();
+  diagram->Update();
 
   // Each district carries its shop's data, and says which one it is.
-  vtkPolyData* districts = triangulation->GetPowerDiagramOutput();
+  vtkPolyData* districts = diagram->GetOutput();
   vtkCellData* data = districts->GetCellData();
   auto* ids = vtkIdTypeArray::SafeDownCast(data->GetArray("vtkOriginalPointIds"));
   for (vtkIdType i = 0; i < districts->GetNumberOfCells(); ++i)
@@ -54,10 +53,10 @@ int main(int argc, char* argv[])
               << data->GetArray("weight")->GetTuple1(i) << ": a polygon of "
               << districts->GetCell(i)->GetNumberOfPoints() << " corners\n";
   }
-  std::cout << triangulation->GetNumberOfHiddenPoints() << " shop without a district\n";
+  std::cout << diagram->GetNumberOfHiddenPoints() << " shop without a district\n";
 
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputConnection(triangulation->GetOutputPort(2));
+  writer->SetInputConnection(diagram->GetOutputPort());
   writer->SetFileName(argc > 1 ? argv[1] : "districts.vtp");
   const bool written = writer->Write() != 0;
   return written && districts->GetNumberOfCells() == 5 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -45,8 +45,7 @@ int main(int argc, char* argv[])
   std::cout << "disks:     " << disks->GetNumberOfPoints() << "\n"
             << "shown:     " << shown->GetNumberOfPoints() << "\n"
             << "hidden:    " << hidden->GetNumberOfPoints() << "\n"
-            << "triangles: " << shown->GetNumberOfPolys() << "\n"
-            << "seconds:   " << triangulation->GetSecondsTotal() << "\n";
+            << "triangles: " << shown->GetNumberOfPolys() << "\n";
 
   // Each point says which disk it is.
   auto* ids = vtkIdTypeArray::SafeDownCast(hidden->GetPointData()->GetArray("vtkOriginalPointIds"));

@@ -29,12 +29,15 @@ convexify = vtkFFConvexifyFilter()
 convexify.SetInputData(dented)
 convexify.SetKernelPoint(0.0, 0.0, 0.0)
 convexify.UseKernelPointOn()  # without it, a kernel point is sought
+convexify.ReportAsFieldDataOn()
 convexify.Update()
 if convexify.GetErrorCode() != 0:
     sys.exit(1)  # the filter has said what is wrong, and where
 
 print(f"{dented.GetNumberOfPoints()} -> {convexify.GetOutput().GetNumberOfPoints()} vertices")
-print(f"{convexify.GetNumberOfFlips22()} flips 2-2, {convexify.GetNumberOfFlips31()} flips 3-1")
+report = convexify.GetOutput().GetFieldData()
+flips = [report.GetArray("FlipFlop" + name).GetValue(0) for name in ("Flips22", "Flips31")]
+print(f"{flips[0]} flips 2-2, {flips[1]} flips 3-1")
 print(f"volume {convexify.GetVolume():.3f}")
 
 writer = vtkXMLPolyDataWriter()

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from vtkflipflop import vtkFFRegularTriangulationFilter
+from vtkflipflop import vtkFFPowerDiagramFilter
 
 # Gauges with the rain that each has measured.
 rng = np.random.default_rng(1)
@@ -25,14 +25,13 @@ gauges.SetPoints(points)
 gauges.GetPointData().SetScalars(rain)
 
 # The places nearest to each gauge: Voronoi cells, or power cells if the gauges had weights.
-triangulation = vtkFFRegularTriangulationFilter()
-triangulation.SetInputData(gauges)
-triangulation.GeneratePowerDiagramOn()
-triangulation.SetPowerDiagramBounds(0.0, 1.0, 0.0, 1.0)
-triangulation.SetPowerDiagramBoxModeToBounds()
-triangulation.Update()
+diagram = vtkFFPowerDiagramFilter()
+diagram.SetInputData(gauges)
+diagram.SetPowerDiagramBounds(0.0, 1.0, 0.0, 1.0)
+diagram.SetPowerDiagramBoxModeToBounds()
+diagram.Update()
 
-cells = triangulation.GetPowerDiagramOutput()
+cells = diagram.GetOutput()
 corners = vtk_to_numpy(cells.GetPoints().GetData())
 offsets = vtk_to_numpy(cells.GetPolys().GetOffsetsArray())
 connectivity = vtk_to_numpy(cells.GetPolys().GetConnectivityArray())
@@ -46,6 +45,6 @@ print(f"{cells.GetNumberOfCells()} cells, area {areas.sum():.6f}, rain on averag
 assert abs(areas.sum() - 1.0) < 1e-9
 
 writer = vtkXMLPolyDataWriter()
-writer.SetInputConnection(triangulation.GetOutputPort(2))
+writer.SetInputConnection(diagram.GetOutputPort())
 writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "cells.vtp")
 sys.exit(0 if writer.Write() else 1)

@@ -37,7 +37,7 @@ hidden = triangulation.GetHiddenPointsOutput()
 ids = vtk_to_numpy(hidden.GetPointData().GetArray("vtkOriginalPointIds"))
 triangles = vtk_to_numpy(shown.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 print(f"{len(xyz)} disks: {shown.GetNumberOfPoints()} shown, {len(ids)} hidden")
-print(f"{len(triangles)} triangles, {triangulation.GetSecondsTotal():.3f} seconds")
+print(f"{len(triangles)} triangles")
 print(f"mean radius of the hidden {radius[ids].mean():.5f}, of all {radius.mean():.5f}")
 assert shown.GetNumberOfPoints() + len(ids) == len(xyz)
 

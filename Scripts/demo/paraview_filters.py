@@ -31,13 +31,17 @@ def hull(points):
 
 
 def triangulation(points, weights=None, bounds=None):
-    """(Triangulation, hidden points, power diagram in the bounds), the engine's name, seconds."""
+    """(Triangulation, hidden points, power diagram if there are bounds), the engine's name, seconds."""
     properties = {}
     if weights:
         properties.update(Weights=["POINTS", weights])
-    if bounds:
-        properties.update(GeneratePowerDiagram=1, PowerDiagramBoxMode="Bounds Given")
-        low_x, high_x, low_y, high_y = bounds
-        properties.update(PowerDiagramCorner=[low_x, low_y, 0], PowerDiagramLengths=[high_x - low_x, high_y - low_y, 0])
     proxy, seconds = updated(simple.RegularWeightedDelaunayTriangulationFlipFlop, points, **properties)
-    return [servermanager.Fetch(proxy, idx=port) for port in range(3)], proxy.EngineUsed, seconds
+    outputs = [servermanager.Fetch(proxy, idx=port) for port in range(2)]
+    if bounds:
+        low_x, high_x, low_y, high_y = bounds
+        properties.update(PowerDiagramBoxMode="Bounds Given", PowerDiagramCorner=[low_x, low_y, 0])
+        properties.update(PowerDiagramLengths=[high_x - low_x, high_y - low_y, 0])
+        diagram, more = updated(simple.VoronoiPowerDiagramFlipFlop, points, **properties)
+        outputs.append(servermanager.Fetch(diagram))
+        seconds += more
+    return outputs, proxy.EngineUsed, seconds

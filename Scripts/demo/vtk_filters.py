@@ -5,7 +5,7 @@ import time
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from vtkflipflop.vtkFiltersFlipFlop import vtkFFHullFilter, vtkFFRegularTriangulationFilter
+from vtkflipflop.vtkFiltersFlipFlop import vtkFFHullFilter, vtkFFPowerDiagramFilter, vtkFFRegularTriangulationFilter
 
 
 def updated(filter):
@@ -28,14 +28,19 @@ def hull(points):
 
 
 def triangulation(points, weights=None, bounds=None):
-    """(Triangulation, hidden points, power diagram in the bounds), the engine's name, seconds."""
+    """(Triangulation, hidden points, power diagram if there are bounds), the engine's name, seconds."""
     filter = vtkFFRegularTriangulationFilter()
     filter.SetInputData(points)
     if weights:
         filter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, weights)
-    if bounds:
-        filter.GeneratePowerDiagramOn()
-        filter.SetPowerDiagramBounds(*bounds)
-        filter.SetPowerDiagramBoxModeToBounds()
     seconds = updated(filter)
-    return [filter.GetOutput(port) for port in range(3)], filter.GetEngineUsedAsString(), seconds
+    outputs = [filter.GetOutput(), filter.GetHiddenPointsOutput()]
+    if bounds:
+        diagram = vtkFFPowerDiagramFilter()
+        diagram.SetInputData(points)
+        diagram.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, weights or "")
+        diagram.SetPowerDiagramBounds(*bounds)
+        diagram.SetPowerDiagramBoxModeToBounds()
+        seconds += updated(diagram)
+        outputs.append(diagram.GetOutput())
+    return outputs, filter.GetEngineUsedAsString(), seconds
