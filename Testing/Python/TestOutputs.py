@@ -18,10 +18,20 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from vtkflipflop import vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
+from vtkflipflop import (
+    vtkFFConvexifyFilter,
+    vtkFFHullFilter,
+    vtkFFPowerDiagramFilter,
+    vtkFFRegularTriangulationFilter,
+)
 
 import digests
 import given
+
+PLANAR = {
+    "triangulation": vtkFFRegularTriangulationFilter,
+    "power diagram": vtkFFPowerDiagramFilter,
+}
 
 
 def read(name):
@@ -63,12 +73,12 @@ def cases():
             getattr(hull, f"SetFacetModeTo{facets}")()
             hull.SetInputData(data)
             yield f"hull, {facets.lower()}: {name}", hull
-        for weights in ("None", "weight"):
-            triangulation = vtkFFRegularTriangulationFilter()
-            triangulation.SetInputArrayToProcess(0, 0, 0, 0, weights)
-            triangulation.GeneratePowerDiagramOn()
-            triangulation.SetInputData(data)
-            yield f"triangulation, {weights.lower()}: {name}", triangulation
+        for kind, planar in PLANAR.items():
+            for weights in ("None", "weight"):
+                algorithm = planar()
+                algorithm.SetInputArrayToProcess(0, 0, 0, 0, weights)
+                algorithm.SetInputData(data)
+                yield f"{kind}, {weights.lower()}: {name}", algorithm
     hull = vtkFFHullFilter()
     hull.SetInputData(dict(inputs())["uniform"])
     surface = vtkFFConvexifyFilter()

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
-from vtkflipflop import vtkFFRegularTriangulationFilter, vtkPFFRegularTriangulationFilter
+from vtkflipflop import vtkFFPowerDiagramFilter, vtkFFRegularTriangulationFilter, vtkPFFRegularTriangulationFilter
 
 from watching import errors_of
 
@@ -37,8 +37,8 @@ def use_weights(triangulation, name="weights"):
     )
 
 
-def run(xyz, weights=None, **settings):
-    triangulation = vtkFFRegularTriangulationFilter()
+def run(xyz, weights=None, kind=vtkFFRegularTriangulationFilter, **settings):
+    triangulation = kind()
     for name, value in settings.items():
         getattr(triangulation, "Set" + name)(value)
     if weights is not None:
@@ -163,15 +163,15 @@ class TestTriangulation(unittest.TestCase):
         rng = np.random.default_rng(5)
         xy = rng.random((500, 2))
         weights = 0.01 * rng.random(500)
-        mode = vtkFFRegularTriangulationFilter
-        triangulation = run(
+        mode = vtkFFPowerDiagramFilter
+        triangulation = run(xy, weights)
+        diagram = run(
             xy,
             weights,
-            GeneratePowerDiagram=True,
+            mode,
             PowerDiagramBoxMode=mode.BOX_OF_BOUNDS,
             PowerDiagramBounds=(-1.0, 2.0, 0.0, 1.0),
-        )
-        diagram = triangulation.GetPowerDiagramOutput()
+        ).GetOutput()
         corners = vtk_to_numpy(diagram.GetPoints().GetData())
         areas = [area(corners[cell]) for cell in cells(diagram)]
         self.assertAlmostEqual(sum(areas), 3.0, places=10)
@@ -219,7 +219,7 @@ class TestTriangulation(unittest.TestCase):
         blocks.Modified()
         triangulation.Update()
         self.assertEqual(len(messages), 1)
-        self.assertIn("of the block of flat index 2 is missing", messages[0])
+        self.assertIn("of data set 1 of the composite is missing", messages[0])
 
     def test_errors(self):
         rng = np.random.default_rng(6)
@@ -257,11 +257,11 @@ class TestTriangulation(unittest.TestCase):
     def test_documentation_and_defaults(self):
         triangulation = vtkFFRegularTriangulationFilter()
         self.assertIn("Delaunay", vtkFFRegularTriangulationFilter.__doc__)
-        self.assertEqual(triangulation.GetNumberOfOutputPorts(), 4)
+        self.assertEqual(triangulation.GetNumberOfOutputPorts(), 3)
         self.assertEqual(triangulation.GetProjectionPlaneMode(), triangulation.XY_PLANE)
-        self.assertEqual(triangulation.GetPowerDiagramBoxMode(), triangulation.BOX_OF_POINTS)
-        self.assertEqual(triangulation.GetPowerDiagramBounds(), (0.0, 1.0, 0.0, 1.0))
-        self.assertFalse(triangulation.GetGeneratePowerDiagram())
+        diagram = vtkFFPowerDiagramFilter()
+        self.assertEqual(diagram.GetPowerDiagramBoxMode(), diagram.BOX_OF_POINTS)
+        self.assertEqual(diagram.GetPowerDiagramBounds(), (0.0, 1.0, 0.0, 1.0))
         self.assertIsNone(triangulation.GetTransform())
         self.assertFalse(hasattr(triangulation, "GetVolume"))
 
