@@ -17,9 +17,11 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
 from vtkflipflop import (
+    vtkFFConstrainedDelaunayFilter,
     vtkFFConvexifyFilter,
     vtkFFHullFilter,
     vtkFFPointInterpolator2D,
+    vtkFFPowerDiagramFilter,
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
 )
@@ -72,19 +74,6 @@ def hull_of_integers():
     return hull(data)
 
 
-def hull_of_a_table_in_blocks():
-    blocks = vtkMultiBlockDataSet()
-    blocks.SetBlock(0, vtkTable())
-    return hull(blocks)
-
-
-def hull_of_a_table_in_partitions():
-    partitions = vtkPartitionedDataSet()
-    partitions.SetPartition(0, poly_data("0 0 0"))
-    partitions.SetPartition(1, vtkTable())
-    return hull(partitions)
-
-
 def hull_of_a_wide_grid():
     grid = vtkRectilinearGrid()
     grid.SetDimensions(2, 1, 1)
@@ -115,8 +104,12 @@ def hull_with_two_marks():
     return hull(data)
 
 
+def planar(kind, points="0 0 0; 1 0 0; 0 1 0", **settings):
+    return set_up(kind(), poly_data(points), **settings)
+
+
 def triangulation(**settings):
-    return set_up(vtkFFRegularTriangulationFilter(), poly_data("0 0 0; 1 0 0; 0 1 0"), **settings)
+    return planar(vtkFFRegularTriangulationFilter, **settings)
 
 
 def weighted(array, **settings):
@@ -133,19 +126,17 @@ def weighted_by(association, attribute):
     return algorithm
 
 
-def flattened(**settings):
+def flattened(kind, **settings):
     """By a transform that has no inverse."""
     matrix = vtkMatrix4x4()
     matrix.SetElement(2, 2, 0.0)
     transform = vtkTransform()
     transform.SetMatrix(matrix)
-    return triangulation(Transform=transform, ProjectionPlaneMode=PLANE, **settings)
+    return planar(kind, Transform=transform, ProjectionPlaneMode=PLANE, **settings)
 
 
 def triangulation_of(points, **settings):
-    algorithm = triangulation(**settings)
-    algorithm.SetInputData(poly_data(points))
-    return algorithm
+    return planar(vtkFFRegularTriangulationFilter, points, **settings)
 
 
 def selection(surface):
@@ -178,7 +169,7 @@ def constrained(lines, polygons=(), points="0 -3 0; 1 0 0; 0 3 0; -1 0 0", **set
             for point in cell:
                 array.InsertCellPoint(point)
         add(array)
-    algorithm = triangulation_of(points, **settings)
+    algorithm = planar(vtkFFConstrainedDelaunayFilter, points, **settings)
     algorithm.SetSourceData(source)
     return algorithm
 
@@ -186,12 +177,6 @@ def constrained(lines, polygons=(), points="0 -3 0; 1 0 0; 0 3 0; -1 0 0", **set
 def constrained_with_points(points):
     algorithm = constrained([[0, 2]])
     algorithm.GetSource().SetPoints(poly_data(points).GetPoints())
-    return algorithm
-
-
-def constrained_by_a_table():
-    algorithm = constrained([])
-    algorithm.SetSourceData(vtkTable())
     return algorithm
 
 
@@ -226,13 +211,6 @@ def constrained_in_blocks():
         blocks.SetBlock(k, poly_data(TETRAHEDRON))
     algorithm.SetInputData(blocks)
     return algorithm
-
-
-def surface_in_partitions():
-    partitions = vtkPartitionedDataSet()
-    for k in range(2):
-        partitions.SetPartition(k, surface(FACETS).GetInput())
-    return set_up(vtkFFConvexifyFilter(), partitions)
 
 
 def surface_of_lines():
@@ -278,16 +256,12 @@ PLANE = vtkFFRegularTriangulationFilter.TRANSFORM_PLANE
 FITTING = vtkFFRegularTriangulationFilter.BEST_FITTING_PLANE
 RADII = vtkFFRegularTriangulationFilter.RADII
 IGNORE = vtkFFRegularTriangulationFilter.NON_FINITE_IGNORE
-BOUNDS = vtkFFRegularTriangulationFilter.BOX_OF_BOUNDS
-DIRECTION = vtkFFRegularTriangulationFilter.DIRECTION
+BOUNDS = vtkFFPowerDiagramFilter.BOX_OF_BOUNDS
+DIRECTION = vtkFFConstrainedDelaunayFilter.DIRECTION
 CUDA = vtkFFHullFilter.ENGINE_CUDA
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
 FAILURES = {
-    "no input": lambda: hull(None),
-    "a table": lambda: hull(vtkTable()),
-    "a table as a block": hull_of_a_table_in_blocks,
-    "a table as a partition": hull_of_a_table_in_partitions,
     "points of two coordinates": hull_of_pairs,
     "a coordinate is NaN or infinite": lambda: hull(poly_data("0 0 0; nan 0 0")),
     "an integer coordinate that no double holds": hull_of_integers,
@@ -310,21 +284,18 @@ FAILURES = {
     "a radius whose square no double holds": lambda: weighted(doubles(1e200, 0.0, 0.0), WeightMode=RADII),
     "a weight that a factor takes too far": lambda: weighted(doubles(0.0, 1e300, 0.0), WeightFactor=1e10),
     "a factor of weights that is NaN": lambda: weighted(doubles(0.0, 0.0, 0.0), WeightFactor=NAN),
-    "a negative alpha": lambda: triangulation(Alpha=-1.0),
-    "a negative edge length": lambda: triangulation(MaximumEdgeLength=-1.0),
     "a projection by transform, without one": lambda: triangulation(ProjectionPlaneMode=PLANE),
-    "a box of the power diagram without an inside": lambda: triangulation(
-        GeneratePowerDiagram=True,
-        PowerDiagramBoxMode=BOUNDS,
-        PowerDiagramBounds=(0, 0, 0, 1),
+    "a box of the power diagram without an inside": lambda: planar(
+        vtkFFPowerDiagramFilter, PowerDiagramBoxMode=BOUNDS, PowerDiagramBounds=(0, 0, 0, 1)
     ),
-    "a power diagram after a flat transform": lambda: flattened(GeneratePowerDiagram=True),
-    "centroids after a flat transform": lambda: flattened(GenerateCellMeasures=True),
+    "a power diagram after a flat transform": lambda: flattened(vtkFFPowerDiagramFilter),
+    "centroids after a flat transform": lambda: flattened(
+        vtkFFRegularTriangulationFilter, GenerateCellMeasures=True
+    ),
     "points without cells, as a surface": lambda: surface([]),
     "vertices alone, as a surface": lambda: surface_with_a_vertex([]),
     "lines alone, as a surface": surface_of_lines,
     "a vertex cell beside polygons": lambda: surface_with_a_vertex(FACETS),
-    "a surface in two partitions": surface_in_partitions,
     "a used point is NaN": lambda: surface(FACETS, TETRAHEDRON[:-1] + "nan"),
     "cells with a corner too few": surface_without_its_last_corner,
     "a polygon of two points": lambda: surface([[0, 1], *FACETS]),
@@ -352,7 +323,6 @@ FAILURES = {
     "points to interpolate at, and no source": lambda: interpolation(None),
     "a source without its array of weights": lambda: interpolation(poly_data(TETRAHEDRON)),
     "a coordinate of a source is NaN or infinite": lambda: interpolation_of("0 0 0; 1 0 0; 0 inf 0"),
-    "a table as constraints": constrained_by_a_table,
     "constraints with a corner too few": constrained_by_damaged_lines,
     "a constraint to a point that is not there": lambda: constrained([[0, 9]]),
     "a constraint to a ghost point": constrained_to_a_ghost,
@@ -376,7 +346,6 @@ FAILURES = {
     "constraints with points of their own": lambda: constrained_with_points("0 -3 0; 1 0 0; 0 3.5 0; -1 0 0"),
     "constraints with too few points": lambda: constrained_with_points("0 -3 0"),
     "constraints and weights": constrained_with_weights,
-    "constraints and a power diagram": lambda: constrained([[0, 1]], GeneratePowerDiagram=True),
     "constraints for two blocks": constrained_in_blocks,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
     "the CUDA engine for a surface": lambda: surface(FACETS, Engine=CUDA),

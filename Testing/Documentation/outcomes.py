@@ -9,7 +9,7 @@ ids: `0-1-2`. Facets are polygons.
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
-from vtkflipflop import vtkFFHullFilter, vtkFFRegularTriangulationFilter
+from vtkflipflop import vtkFFHullFilter, vtkFFPowerDiagramFilter, vtkFFRegularTriangulationFilter
 
 NOTHING = "nothing"
 
@@ -92,13 +92,17 @@ def triangulation_of(data, ignore=False):
     triangulation = vtkFFRegularTriangulationFilter()
     triangulation.SetNonFinitePoints(ignore)
     triangulation.SetFacetModeToPolygons()
-    triangulation.GeneratePowerDiagramOn()
+    diagram = vtkFFPowerDiagramFilter()
+    diagram.SetNonFinitePoints(ignore)
+    diagram.SetInputData(data)
     if data.GetPointData().HasArray("weight"):
         use_weights(triangulation)
+        use_weights(diagram)
     triangulation.SetInputData(data)
     found = outcome(triangulation)
     if found.startswith("error"):
         return found, "", ""
     hidden = ids(triangulation.GetHiddenPointsOutput().GetPointData())
-    sites = ids(triangulation.GetPowerDiagramOutput().GetCellData())
+    diagram.Update()
+    sites = ids(diagram.GetOutput().GetCellData())
     return found, " ".join(map(str, hidden)), " ".join(map(str, sites))
