@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataObject;
 class vtkFFAlgorithm;
@@ -53,8 +54,8 @@ int result();
     }                                                                                              \
   } while (false)
 
-/// Keeps the messages of an object's errors (and so keeps them off the terminal), and warnings. Of
-/// a filter's executive, which says no more than that the filter failed, it counts them.
+/// Keeps the messages of an object's errors and warnings, and so keeps them off the terminal. Those
+/// of a filter's executive are among them: a failure is one message.
 class ErrorObserver : public vtkCommand
 {
 public:
@@ -67,11 +68,20 @@ public:
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
   bool Has(const std::string& part) const;
-  void Clear();
+  void Clear() { this->Messages.clear(); }
 
   std::vector<std::string> Messages;
-  int FailedRequests = 0;
 };
+
+/// Whether an update of the filter goes well: no message, no error code.
+bool succeeds(vtkAlgorithm* filter);
+
+/// Whether an update of the filter ends with one message, which has all the parts, and with this
+/// code of vtkFFErrorCode. Says what is not so.
+bool failsInPart(vtkAlgorithm* filter, unsigned long code, const std::vector<std::string>& parts);
+
+/// The same, and nothing is left on the outputs and in the report.
+bool fails(vtkFFAlgorithm* filter, unsigned long code, const std::vector<std::string>& parts);
 
 /// Keeps the progress reported, and asks the filter to stop once it reaches a mark.
 class ProgressObserver : public vtkCommand
@@ -125,7 +135,7 @@ vtkSmartPointer<vtkPolyData> makeWeighted(const std::vector<Point>& points,
   const std::vector<double>& weights, int type = VTK_DOUBLE, const char* name = "weights");
 
 /// Have the filter take its weights from the point array.
-void useWeights(vtkFFRegularTriangulationFilter* filter, const char* name = "weights");
+void useWeights(vtkAlgorithm* filter, const char* name = "weights");
 
 /// Whether the first two outputs of a filter that ran are the regular triangulation of its input in
 /// the XY plane: exactly, in canonical form, with ids and with points of the same type and bits.
@@ -137,15 +147,15 @@ bool isTriangulationOf(vtkPointSet* input, const char* weights,
 bool isSame(vtkPolyData* a, vtkPolyData* b);
 
 /// Whether all is the same, bit for bit: class, structure, points, cells (of other data than poly
-/// data, their number), point, cell and field data (of the reports in it, not the seconds and
-/// threads). Says what is not.
+/// data, their number), point, cell and field data (of the reports in it, not what is measured or
+/// depends on the threads). Says what is not.
 bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::string& what);
 
 /// Whether there are neither points nor cells.
 bool isEmpty(vtkPolyData* output);
 
-/// Whether the filter's outputs are empty, and its report is of no run but for points that are not
-/// finite.
+/// Whether the filter's outputs are empty, and all that it prints of a run is as before any, but
+/// for points that are not finite.
 bool hasForgotten(vtkFFAlgorithm* filter);
 
 /// The array vtkOriginalPointIds.
