@@ -15,6 +15,8 @@ KITE = np.array([[0, -3, 7], [1, 0, 0], [0, 3, 0], [-1, 0, 5]])
 # A 4 by 4 grid.
 GRID = np.array([[i % 4, i // 4, i] for i in range(16)])
 OUTER, HOLE = [0, 3, 15, 12], [5, 9, 10, 6]
+# A 5 by 5 grid without its centre, around which four triangles have a larger circle.
+RING = np.array([[i % 5, i // 5, i] for i in range(25) if i != 12])
 
 
 def source_of(lines=(), polygons=()):
@@ -29,27 +31,38 @@ def source_of(lines=(), polygons=()):
 
 class TestConstraints(unittest.TestCase):
     def test_lines(self):
-        for make in (simple.DelaunayTriangulation2DFlipFlop, simple.RegularWeightedDelaunayTriangulationFlipFlop):
-            triangulation = run(make(Input=cloud(KITE)))
-            self.assertEqual(cells(fetch(triangulation).GetPolys()), [(0, 1, 3), (1, 2, 3)])
-            triangulation.Source = source_of([[0, 2]])
-            self.assertEqual(cells(fetch(run(triangulation)).GetPolys()), [(0, 1, 2), (0, 2, 3)])
-            self.assertEqual(triangulation.EngineReason, "constraints are the CPU's")
-            triangulation.Source = None
-            self.assertEqual(cells(fetch(run(triangulation)).GetPolys()), [(0, 1, 3), (1, 2, 3)])
+        triangulation = run(simple.DelaunayTriangulation2DFlipFlop(Input=cloud(KITE)))
+        self.assertEqual(cells(fetch(triangulation).GetPolys()), [(0, 1, 3), (1, 2, 3)])
+        triangulation.Source = source_of([[0, 2]])
+        self.assertEqual(cells(fetch(run(triangulation)).GetPolys()), [(0, 1, 2), (0, 2, 3)])
+        self.assertEqual(triangulation.EngineReason, "constraints are the CPU's")
+        fixed = fetch(triangulation, 1)
+        self.assertEqual(cells(fixed.GetLines()), [(0, 2)])
+        self.assertEqual(list(array(fixed.GetCellData(), "ConstraintCellIds")), [0])
+        triangulation.Source = None
+        self.assertEqual(cells(fetch(run(triangulation)).GetPolys()), [(0, 1, 3), (1, 2, 3)])
 
-    def test_polygons_and_the_border(self):
+    def test_polygons(self):
         triangulation = run(
-            simple.RegularWeightedDelaunayTriangulationFlipFlop(
-                Input=cloud(GRID), Source=source_of(polygons=[OUTER, HOLE]), FacetMode="Polygons", GenerateBoundary=1
+            simple.DelaunayTriangulation2DFlipFlop(
+                Input=cloud(GRID), Source=source_of(polygons=[OUTER, HOLE]), FacetMode="Polygons"
             )
         )
         self.assertEqual(fetch(triangulation).GetNumberOfPolys(), 8)
-        border = fetch(triangulation, 3)
+        self.assertEqual(triangulation.NumberOfDroppedCells, 1)
+
+    def test_the_border(self):
+        triangulation = run(
+            simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=cloud(RING), Alpha=0.75, GenerateBoundary=1)
+        )
+        border = fetch(triangulation, 2)
         self.assertEqual(border.GetNumberOfLines(), 2)
         ids = array(border.GetPointData(), "vtkOriginalPointIds")
         rings = [[int(ids[i]) for i in ring] for ring in cells(border.GetLines())]
-        self.assertEqual(rings, [[0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4, 0], [5, 9, 10, 6, 5]])
+        self.assertEqual(
+            rings,
+            [[0, 1, 2, 3, 4, 9, 13, 18, 23, 22, 21, 20, 19, 14, 10, 5, 0], [7, 11, 16, 12, 7]],
+        )
 
     def test_crossing(self):
         triangulation = simple.DelaunayTriangulation2DFlipFlop(Input=cloud(KITE), Source=source_of([[0, 2], [1, 3]]))
@@ -64,7 +77,7 @@ class TestAlpha(unittest.TestCase):
     def test_complex(self):
         xyz = np.array([[0, 0, 0], [6, 0, 0], [0, 8, 0], [30, 0, 0], [32, 0, 0], [90, 90, 0]])
         triangulation = run(
-            simple.DelaunayTriangulation2DFlipFlop(
+            simple.RegularWeightedDelaunayTriangulationFlipFlop(
                 Input=cloud(xyz), Alpha=5.0, AlphaLines=1, AlphaVerts=1, GenerateAlphas=1
             )
         )

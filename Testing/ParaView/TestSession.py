@@ -105,14 +105,14 @@ from pipelines import bits, fetch, run
 found = {{}}
 for name, port in {outputs!r}:
     found[name, port] = bits(fetch(run(simple.FindSource(name)), port))
-weighted = simple.FindSource("weighted")
+weighted, diagram = simple.FindSource("weighted"), simple.FindSource("diagram")
 found["settings"] = [list(weighted.Weights), weighted.FacetMode.GetData(),
                      weighted.ProjectionPlaneMode.GetData(), list(weighted.Transform.Rotate),
-                     list(weighted.PowerDiagramCorner), list(weighted.PowerDiagramLengths)]
+                     list(diagram.PowerDiagramCorner), list(diagram.PowerDiagramLengths)]
 with open({result!r}, "wb") as file:
     pickle.dump(found, file)
 """
-    OUTPUTS = [("hull", 0), ("convex", 0), ("weighted", 0), ("weighted", 1), ("weighted", 2)]
+    OUTPUTS = [("hull", 0), ("convex", 0), ("weighted", 0), ("weighted", 1), ("diagram", 0)]
 
     def setUp(self):
         simple.ResetSession()
@@ -127,11 +127,12 @@ with open({result!r}, "wb") as file:
         weighted = simple.RegularWeightedDelaunayTriangulationFlipFlop(registrationName="weighted", Input=squares)
         weighted.Weights = ["POINTS", "squares"]
         weighted.FacetMode = "Polygons"
-        weighted.GeneratePowerDiagram = 1
-        weighted.PowerDiagramBoxMode = "Bounds Given"
-        weighted.PowerDiagramCorner, weighted.PowerDiagramLengths = [635700, 848900, 0], [300, 300, 0]
         weighted.ProjectionPlaneMode = "Transform"
         weighted.Transform.Rotate = [10, 0, 0]
+        diagram = simple.VoronoiPowerDiagramFlipFlop(registrationName="diagram", Input=squares)
+        diagram.Weights = ["POINTS", "squares"]
+        diagram.PowerDiagramBoxMode = "Bounds Given"
+        diagram.PowerDiagramCorner, diagram.PowerDiagramLengths = [635700, 848900, 0], [300, 300, 0]
         self.expected = {
             (name, port): bits(fetch(run(simple.FindSource(name)), port)) for name, port in self.OUTPUTS
         }

@@ -33,8 +33,12 @@ def triangulation_of(source, **settings):
     return run(simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=source, **settings))
 
 
+def diagram_of(source, **settings):
+    return run(simple.VoronoiPowerDiagramFlipFlop(Input=source, **settings))
+
+
 def port_sizes(proxy):
-    return [proxy[i].GetDataInformation().GetNumberOfPoints() for i in range(4)]
+    return [proxy[i].GetDataInformation().GetNumberOfPoints() for i in range(3)]
 
 
 class TestWeights(unittest.TestCase):
@@ -157,10 +161,8 @@ class TestPlanes(unittest.TestCase):
 class TestPorts(unittest.TestCase):
     def test_power_diagram(self):
         source = cloud(SQUARE, weight=WEIGHT)
-        triangulation = triangulation_of(
-            source, Weights=["POINTS", "weight"], GeneratePowerDiagram=1, VisiblePointIds=1
-        )
-        diagram = fetch(triangulation, 2)
+        proxy = diagram_of(source, Weights=["POINTS", "weight"])
+        diagram = fetch(proxy)
         ids = array(diagram.GetCellData(), "OriginalPointIds")
         self.assertEqual(list(ids), [0, 1, 2, 3, 4])
         np.testing.assert_array_equal(array(diagram.GetCellData(), "weight"), WEIGHT[:5])
@@ -168,29 +170,28 @@ class TestPorts(unittest.TestCase):
         self.assertEqual([len(cell) for cell in cells(diagram.GetPolys())], [3, 3, 3, 3, 8])
 
         # Bounds count only where they are to be used.
-        triangulation.PowerDiagramCorner, triangulation.PowerDiagramLengths = [-9, -9, 0], [18, 18, 0]
-        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (0.0, 2.0, 0.0, 2.0, 4.0, 4.0))
-        triangulation.PowerDiagramBoxMode = "Bounds Given"
-        triangulation.PowerDiagramCorner, triangulation.PowerDiagramLengths = [-4, -3, 0], [8, 6, 0]
-        self.assertEqual(fetch(run(triangulation), 2).GetBounds(), (-4.0, 4.0, -3.0, 3.0, 4.0, 4.0))
+        proxy.PowerDiagramCorner, proxy.PowerDiagramLengths = [-9, -9, 0], [18, 18, 0]
+        self.assertEqual(fetch(run(proxy)).GetBounds(), (0.0, 2.0, 0.0, 2.0, 4.0, 4.0))
+        proxy.PowerDiagramBoxMode = "Bounds Given"
+        proxy.PowerDiagramCorner, proxy.PowerDiagramLengths = [-4, -3, 0], [8, 6, 0]
+        self.assertEqual(fetch(run(proxy)).GetBounds(), (-4.0, 4.0, -3.0, 3.0, 4.0, 4.0))
         with errors() as lines:
-            triangulation.PowerDiagramLengths = [-1, 1, 0]
-            run(triangulation)
+            proxy.PowerDiagramLengths = [-1, 1, 0]
+            run(proxy)
         self.assertEqual(len(lines), 1, lines)
         self.assertIn("(xmin, xmax, ymin, ymax)", lines[0])
-        self.assertEqual(port_sizes(triangulation), [0, 0, 0, 0])
+        self.assertEqual(proxy.GetDataInformation().GetNumberOfPoints(), 0)
 
     def test_further_ports_feed_filters(self):
         rng = np.random.default_rng(5)
         source = cloud(
             np.column_stack([rng.random((300, 2)), np.zeros(300)]), weight=0.02 * rng.random(300)
         )
-        triangulation = triangulation_of(source, Weights=["POINTS", "weight"], GeneratePowerDiagram=1)
+        triangulation = triangulation_of(source, Weights=["POINTS", "weight"])
         hidden = run(simple.ConvexHullFlipFlop(Input=simple.OutputPort(triangulation, "Hidden Points")))
         self.assertEqual(hidden.NumberOfInputPoints, triangulation.NumberOfHiddenPoints)
         self.assertGreater(hidden.NumberOfInputPoints, 0)
-        diagram = simple.OutputPort(triangulation, "Power Diagram")
-        area = simple.IntegrateVariables(Input=diagram)
+        area = simple.IntegrateVariables(Input=diagram_of(source, Weights=["POINTS", "weight"]))
         area.UpdatePipeline()
         low_x, high_x, low_y, high_y = fetch(source).GetBounds()[:4]
         self.assertAlmostEqual(
@@ -216,11 +217,11 @@ class TestPorts(unittest.TestCase):
             Input=[cloud(SQUARE, weight=WEIGHT), cloud(SQUARE[:4], weight=WEIGHT[:4])]
         )
         blocks.UpdatePipeline()
-        triangulation = triangulation_of(
-            blocks, Weights=["POINTS", "weight"], GeneratePowerDiagram=1, FacetMode="Polygons"
-        )
+        triangulation = triangulation_of(blocks, Weights=["POINTS", "weight"], FacetMode="Polygons")
+        diagram = diagram_of(blocks, Weights=["POINTS", "weight"])
+        outputs = triangulation[0], triangulation[1], diagram[0]
         for port, points, polygons in ((0, 9, 5), (1, 1, 1), (2, None, 9)):
-            information = triangulation[port].GetDataInformation()
+            information = outputs[port].GetDataInformation()
             self.assertTrue(information.IsCompositeDataSet())
             self.assertEqual(information.GetNumberOfCells(), polygons, port)
             if points is not None:

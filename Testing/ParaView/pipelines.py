@@ -4,7 +4,6 @@
 
 import contextlib
 import os
-import re
 import tempfile
 
 import numpy as np
@@ -112,15 +111,9 @@ def raw(name):
     return np.fromfile(os.path.join(SOURCE, "Testing", "Data", name), dtype).reshape(-1, 3)
 
 
-# What the pipeline adds to a filter's own words: that the filter failed, and at which request.
-OF_PIPELINE = re.compile(
-    r"[^\n]*returned failure for request[^\n]*\n(?:  [^\n]*\n)*\n?(?:\x1b\[0m\n?)?"
-)
-
-
 @contextlib.contextmanager
 def errors():
-    """A list that will hold the lines which ParaView writes to its error output, but for the pipeline's own."""
+    """A list that will hold the lines which ParaView writes to its error output."""
     lines = []
     kept = os.dup(2)
     with tempfile.TemporaryFile() as file:
@@ -131,4 +124,4 @@ def errors():
             os.dup2(kept, 2)
             os.close(kept)
             file.seek(0)
-            lines += OF_PIPELINE.sub("", file.read().decode()).splitlines()
+            lines += file.read().decode().splitlines()

@@ -37,7 +37,7 @@ def not_finite(window):
     yield from choose(window, "NonFinitePoints", "Ignore")
     counts, arrays = yield from window.information()
     assert counts[1] != "0", counts
-    gui.check_range(arrays, "FlipFlopNonFinitePoints", 2, 2)
+    gui.check_range(arrays, "FlipFlopNonFinite", 2, 2)
 
 
 def without_a_device(window):

@@ -26,10 +26,10 @@ def test(window):
     counts, arrays = yield from window.information()
     gui.check_equal(counts, ["305 (float)", "606"])
     gui.check_range(arrays, "FlipFlopDimension", 3, 3)
-    gui.check_range(arrays, "FlipFlopInputPoints", 2930, 2930)
+    gui.check_range(arrays, "FlipFlopPoints", 2930, 2930)
     gui.check_range(arrays, "FlipFlopVolume", 1.2, 1.3)
     gui.check_range(arrays, "FlipFlopArea", 5, 7)
-    gui.check_range(arrays, "FlipFlopSeconds", 0, 60)
+    gui.check_range(arrays, "FlipFlopSecondsTotal", 0, 60)
     gui.check_equal(arrays["FlipFlopEngine"][0], "string")
     gui.check_equal(window.messages(), "")
 

@@ -116,8 +116,8 @@ class TestPieces(unittest.TestCase):
         plain = pieces.serial(cases.plain_class(case), pieces.append(datas), case.settings)
         told = [message for message in results[0]["messages"] if GATHERED not in message[1]]
         self.assertEqual(told, [list(message) for message in self.messages.take()])
-        for port in (0, 1, 2):
-            union = pieces.union_of_cells if port == 2 else pieces.union
+        union = pieces.union_of_cells if case.filter == cases.DIAGRAM else pieces.union
+        for port in range(plain.GetNumberOfOutputPorts()):
             shares = [self.kept(f"{name}-{port}", rank) for rank in range(ranks.RANKS)]
             whole = pieces.blocks_of(plain.GetOutputDataObject(port))
             for place, expected in enumerate(whole):
@@ -148,7 +148,7 @@ class TestPieces(unittest.TestCase):
                 self.assertEqual(result["messages"], told)
                 self.assertGreater(plain.GetNumberOfInputPoints(), 0)
             return
-        if case.filter == cases.TRIANGULATION and not case.fails:
+        if case.filter in cases.PLANAR and not case.fails:
             self.check_shares(name, case, datas, results)
             return
         if case.says:

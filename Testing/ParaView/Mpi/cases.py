@@ -15,6 +15,8 @@ AS_ONE = {"CompositeMode": 1}
 POLYGONS = {"FacetMode": 1}
 HULL, CONVEXIFY = "ConvexHullFlipFlop", "ConvexifyFlipFlop"
 TRIANGULATION = "RegularWeightedDelaunayTriangulationFlipFlop"
+DELAUNAY, DIAGRAM = "DelaunayTriangulation2DFlipFlop", "VoronoiPowerDiagramFlipFlop"
+PLANAR = TRIANGULATION, DELAUNAY, DIAGRAM
 
 
 class Case(NamedTuple):
@@ -114,14 +116,13 @@ CASES = {
     "UnlikePartitionsAsOne": Case(made_partitions("unlike_partitions"), AS_ONE),
     "Partitions": Case(made("partitions", "vtkPartitionedDataSet")),
     # In the plane.
-    "Disks": Case(made("disks"), {**WEIGHTS, "GeneratePowerDiagram": 1}, TRIANGULATION),
-    "Delaunay": Case(made("disks"), {"GeneratePowerDiagram": 1, **POLYGONS}, TRIANGULATION),
+    "Disks": Case(made("disks"), WEIGHTS, DIAGRAM),
+    "Delaunay": Case(made("disks"), POLYGONS, DELAUNAY),
+    "Voronoi": Case(made("disks"), {}, DIAGRAM),
     "DisksShared": Case(made("disks"), WEIGHTS, TRIANGULATION),
     "DelaunayShared": Case(made("disks"), POLYGONS, TRIANGULATION),
     "TerrainShared": Case(made("sainthelens"), {"Weights": ["POINTS", "Elevation"]}, TRIANGULATION),
-    "Terrain": Case(
-        made("sainthelens"), {"Weights": ["POINTS", "Elevation"], "GeneratePowerDiagram": 1}, TRIANGULATION
-    ),
+    "Terrain": Case(made("sainthelens"), {"Weights": ["POINTS", "Elevation"]}, DIAGRAM),
     "TerrainOnOneRank": Case(real("autzen"), {}, TRIANGULATION, "one"),
     "BestPlane": Case(made("plane"), {"ProjectionPlaneMode": 2}, TRIANGULATION),
     "TriangulationOfBlocks": Case(made_blocks("blocks"), {}, TRIANGULATION),
@@ -145,9 +146,11 @@ CASES = {
 def plain_class(case):
     """The class that does in one process what a case does in all."""
     return {
-        HULL: vtkflipflop.vtkFFHullFilter,
+        HULL: vtkflipflop.vtkPFFHullFilter,
         CONVEXIFY: vtkflipflop.vtkFFConvexifyFilter,
-        TRIANGULATION: vtkflipflop.vtkFFRegularTriangulationFilter,
+        TRIANGULATION: vtkflipflop.vtkPFFRegularTriangulationFilter,
+        DELAUNAY: vtkflipflop.vtkPFFDelaunayFilter,
+        DIAGRAM: vtkflipflop.vtkPFFPowerDiagramFilter,
     }[case.filter]
 
 

@@ -38,10 +38,10 @@ def run(name, folder, rank, messages):
     proxy.UpdatePipeline()
     algorithm = proxy.GetClientSideObject()
     outputs = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
-    if cases.CASES[name].filter == cases.TRIANGULATION:
+    if cases.CASES[name].filter in cases.PLANAR:
         for port, output in enumerate(outputs):
             keep(output, os.path.join(folder, f"{name}-{port}.{rank}"))
-    found = FOUND if cases.CASES[name].filter == cases.TRIANGULATION else FOUND + FOUND_OF_HULL
+    found = FOUND if cases.CASES[name].filter in cases.PLANAR else FOUND + FOUND_OF_HULL
     return {
         "messages": messages.take(),
         "error": algorithm.GetErrorCode(),

@@ -16,10 +16,7 @@ def of_field(data, name):
 
 
 class Messages:
-    """Errors and warnings that reach this process's output window, as pairs of a kind and its words.
-
-    But for the pipeline's own, which say no more than that a filter failed, in each process.
-    """
+    """Errors and warnings that reach this process's output window, as pairs of a kind and its words."""
 
     def __init__(self):
         self.told = []
@@ -30,8 +27,7 @@ class Messages:
         def observe(caller, event, text):
             # What VTK puts before the words is the source line, the class and the object.
             for words in re.findall(r"\(0x[0-9a-f]+\): (.*)", text) or [text.strip()]:
-                if "returned failure for request" not in words:
-                    self.told.append((kind, words))
+                self.told.append((kind, words))
 
         observe.CallDataType = "string0"
         return observe
