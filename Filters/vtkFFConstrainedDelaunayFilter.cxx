@@ -49,7 +49,7 @@ struct Constrained
   std::optional<vtkFFConstraints> Given;
   std::optional<vtkFFCrossings> Split;
   flipflop::ConstrainedTriangulation Triangulation;
-  std::int64_t CellsOutside = 0; // left out
+  std::int64_t DroppedCells = 0;
 
   /// The given constraint that one of the triangulation's is a piece of.
   std::int64_t GivenOf(std::int64_t constraint) const
@@ -118,7 +118,7 @@ void triangulate(vtkFFPlanarInput& input, bool split, vtkFFRun& run, Constrained
   if (view.sides > 0)
   {
     run.SetPart(0.8, 1.0);
-    work.CellsOutside = dropOutside(run.Options, work.Triangulation);
+    work.DroppedCells = dropOutside(run.Options, work.Triangulation);
   }
 }
 
@@ -155,7 +155,7 @@ void write(vtkFFConstrainedDelaunayFilter* filter, vtkFFPlanarInput& input, Cons
   vtkFFRun& run, vtkPolyData* output)
 {
   flipflop::ConstrainedTriangulation& triangulation = work.Triangulation;
-  if (work.CellsOutside > 0 && triangulation.cellCount() == 0)
+  if (work.DroppedCells > 0 && triangulation.cellCount() == 0)
   {
     warnOfNoneInside(filter);
   }
@@ -163,6 +163,8 @@ void write(vtkFFConstrainedDelaunayFilter* filter, vtkFFPlanarInput& input, Cons
   {
     addPoints(*work.Split, input, run);
   }
+  work.DroppedCells += vtkFFPlanarInput::DropLongCells(
+    input.GetPlane(), filter->GetMaximumEdgeLength(), run.Options, triangulation);
   input.LookForVerticalPlane(triangulation);
   if (filter->GetGenerateCellMeasures())
   {
@@ -227,6 +229,21 @@ vtkPolyData* vtkFFConstrainedDelaunayFilter::GetSource()
   return this->GetNumberOfInputConnections(1) > 0
     ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0))
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConstrainedDelaunayFilter::SetMaximumEdgeLength(double length)
+{
+  if (!(length >= 0.0))
+  {
+    vtkErrorMacro(<< "Maximum Edge Length is to be " << length
+                  << "; it must be a length, or 0 for edges of any length.");
+  }
+  else if (this->MaximumEdgeLength != length)
+  {
+    this->MaximumEdgeLength = length;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -305,13 +322,13 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
     [&]
     {
       vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
-      this->NumberOfDroppedCells = static_cast<vtkIdType>(work.CellsOutside);
       this->NumberOfSplitPoints = work.Split ? work.Split->GetNumberOfPoints() : 0;
       write(this, input, work, run, output);
+      this->NumberOfDroppedCells = static_cast<vtkIdType>(work.DroppedCells);
       run.AddToReport(work.Triangulation, output);
       if (this->ReportAsFieldData)
       {
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", work.CellsOutside);
+        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", work.DroppedCells);
         vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints",
           static_cast<std::int64_t>(this->NumberOfSplitPoints));
       }
@@ -342,6 +359,7 @@ void vtkFFConstrainedDelaunayFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SplitCrossingConstraints: " << (this->SplitCrossingConstraints ? "On" : "Off")
      << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "PolygonRule: " << this->GetPolygonRuleAsString() << "\n";
   os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
   os << indent << "NumberOfSplitPoints: " << this->NumberOfSplitPoints << "\n";

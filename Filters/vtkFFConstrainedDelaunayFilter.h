@@ -128,6 +128,15 @@ public:
   const char* GetPolygonRuleAsString();
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the length of the longest edge that the cells of port 0 may have, as
+   * vtkFFRegularTriangulationFilter has it. 0 by default: any. All points stay in the output.
+   */
+  virtual void SetMaximumEdgeLength(double length);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
   /**
    * Get the output of port 1: the fixed edges.
    */
@@ -135,8 +144,8 @@ public:
 
   ///@{
   /**
-   * Get the number of cells that the last run left out, since they are not inside polygons; and of
-   * points that it added where constraints cross.
+   * Get the number of cells that the last run left out, since they are not inside polygons or for
+   * MaximumEdgeLength; and of points that it added where constraints cross.
    */
   vtkGetMacro(NumberOfDroppedCells, vtkIdType);
   vtkGetMacro(NumberOfSplitPoints, vtkIdType);
@@ -153,6 +162,7 @@ protected:
 
   bool SplitCrossingConstraints = false;
   int PolygonRule = EVEN_ODD;
+  double MaximumEdgeLength = 0.0;
   vtkIdType NumberOfDroppedCells = 0;
   vtkIdType NumberOfSplitPoints = 0;
 

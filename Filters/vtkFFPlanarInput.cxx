@@ -6,6 +6,7 @@
 #include "vtkFFPlanarAlgorithm.h"
 
 #include <flipflop/ConvexHull.h>
+#include <flipflop/EdgeLengths.h>
 #include <flipflop/Error.h>
 
 #include "vtkDataArray.h"
@@ -213,6 +214,25 @@ void vtkFFPlanarInput::LookForVerticalPlane(const flipflop::Triangulation& trian
   {
     this->WarnOfVerticalPlane();
   }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkFFPlanarInput::DropLongCells(const flipflop::PointView& points, double longest,
+  const flipflop::Options& options, flipflop::CellComplex& cells)
+{
+  const std::int64_t count = cells.cellCount();
+  if (!(longest > 0.0) || count == 0)
+  {
+    return 0;
+  }
+  flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(count));
+  const std::int64_t kept =
+    flipflop::cellsWithinEdgeLength(points, cells, longest, within.data(), options);
+  if (kept < count)
+  {
+    flipflop::keepCells(cells, within.data());
+  }
+  return count - kept;
 }
 
 //------------------------------------------------------------------------------

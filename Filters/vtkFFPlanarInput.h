@@ -72,6 +72,14 @@ public:
   std::int64_t VisitPoints(const PointVisitor& visit) const;
 
   /**
+   * Leave out the cells that have an edge longer than that, if it is a length. Returns how many.
+   *
+   * @param points in the plane, those that the cells name
+   */
+  static std::int64_t DropLongCells(const flipflop::PointView& points, double longest,
+    const flipflop::Options& options, flipflop::CellComplex& cells);
+
+  /**
    * Number i of a view's memory.
    */
   static double NumberAt(const flipflop::PointView& points, std::int64_t i);

@@ -8,7 +8,6 @@
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFRun.h"
 
-#include <flipflop/EdgeLengths.h>
 #include <flipflop/Measures.h>
 
 #include "vtkPolyData.h"
@@ -28,18 +27,7 @@ std::int64_t vtkFFTriangulationOutput::DropCells(const flipflop::PointView& poin
       this->Filter->GetAlphaLines(), this->Filter->GetAlphaVerts(), options, cells);
   }
   const double longest = this->Filter->GetMaximumEdgeLength();
-  const std::int64_t count = cells.cellCount();
-  if (longest > 0.0 && count > 0)
-  {
-    flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(count));
-    const std::int64_t kept =
-      flipflop::cellsWithinEdgeLength(points, cells, longest, within.data(), options);
-    if (kept < count)
-    {
-      flipflop::keepCells(cells, within.data());
-    }
-    dropped += count - kept;
-  }
+  dropped += vtkFFPlanarInput::DropLongCells(points, longest, options, cells);
   if (longest > 0.0)
   {
     this->AlphaCells.DropLongLines(points, longest, options, cells);

@@ -67,6 +67,7 @@ DEFAULTS = {
         **PLANE,
         "GenerateCellMeasures": 0,
         "GenerateGhostCells": 0,
+        "MaximumEdgeLength": 0.0,
         "PolygonRule": "Even-Odd",
         "SplitCrossingConstraints": 0,
     },
