@@ -12,6 +12,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -44,15 +45,28 @@ std::vector<vtkFFInput::PieceType> vtkFFInput::PiecesOf(vtkDataObject* input)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkFFInput::Take(const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run)
+vtkMTimeType vtkFFInput::TimeOf(vtkDataObject* input)
+{
+  vtkMTimeType time = input->GetMTime();
+  for (const PieceType& piece : PiecesOf(input))
+  {
+    time = std::max(time, piece.Data->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFInput::Take(
+  const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run, const std::string& ofInput)
 {
   std::vector<vtkPointSet*> all;
   vtkIdType count = 0;
   for (const PieceType& piece : pieces)
   {
     const std::string ofWhat = piece.FlatIndex > 0
-      ? " of the block of flat index " + std::to_string(piece.FlatIndex)
-      : run.OfWhat();
+      ? " of the block of flat index " + std::to_string(piece.FlatIndex) + ofInput
+      : ofInput.empty() ? run.OfWhat()
+                        : ofInput;
     this->Pieces.push_back(vtkFFGridPoints::PointsOf(piece.Data, ofWhat));
     vtkPointSet* const points = this->Pieces.back();
     vtkDataArray* const array = coordinatesOf(points);
@@ -63,7 +77,7 @@ vtkIdType vtkFFInput::Take(const std::vector<PieceType>& pieces, bool skipGhosts
     }
     all.push_back(points);
     count += points->GetNumberOfPoints();
-    if (piece.FlatIndex > 0)
+    if (piece.FlatIndex > 0 || !ofInput.empty())
     {
       run.Parts.push_back({ points->GetNumberOfPoints(), ofWhat, piece.FlatIndex });
     }

@@ -45,12 +45,19 @@ public:
   static std::vector<PieceType> PiecesOf(vtkDataObject* input);
 
   /**
+   * When the data sets of an input, or what they are, changed last.
+   */
+  static vtkMTimeType TimeOf(vtkDataObject* input);
+
+  /**
    * Become the points of these data sets. Returns how many these have, with ghosts.
    *
+   * @param ofInput how errors name the input, unless it is the first one: " of the surface"
    * @throw std::runtime_error for another type, or points that are no points in space; all that
    *        vtkFFPointSource throws.
    */
-  vtkIdType Take(const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run);
+  vtkIdType Take(const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run,
+    const std::string& ofInput = {});
 
   const flipflop::PointView& GetView() const { return this->Points->GetView(); }
   const vtkFFPointSource& GetPoints() const { return *this->Points; }

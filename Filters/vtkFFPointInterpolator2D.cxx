@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFPointInterpolator2D.h"
 
+#include "vtkFFInput.h"
 #include "vtkFFPieces.h"
 #include "vtkFFPointSource.h"
-#include "vtkFFQueryInternals.h"
+#include "vtkFFRun.h"
 #include "vtkFFWeightSource.h"
 
+#include <flipflop/Error.h>
 #include <flipflop/RegularTriangulation.h>
 #include <flipflop/TriangulationQueries.h>
 
@@ -18,6 +20,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -31,7 +35,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <tuple>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFPointInterpolator2D);
@@ -39,8 +44,10 @@ vtkStandardNewMacro(vtkFFPointInterpolator2D);
 namespace
 {
 
-/// Of the progress, to prepare: the triangulation.
-constexpr double shareOfTriangulation = 0.5;
+/// Of the progress of a run that prepares its source: until the triangulation is there, and until
+/// all is.
+constexpr double shareOfTriangulation = 0.2;
+constexpr double shareOfPreparing = 0.4;
 
 /// So many points are asked about at once: their values are twice in memory.
 constexpr std::int64_t pointsAtOnce = 1 << 18;
@@ -91,70 +98,257 @@ void demandFinite(const flipflop::PointView& points)
   }
 }
 
+/// What a triangulation depends on: the source, since when it is as it is, settings, and since when
+/// the weights' array is chosen.
+using TriangulationSource = std::tuple<vtkDataObject*, vtkMTimeType, int, bool, vtkMTimeType>;
+
+TriangulationSource sourceOf(vtkFFPointInterpolator2D* filter, vtkDataObject* source)
+{
+  vtkInformationVector* const chosen =
+    filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* const choice = chosen ? chosen->GetInformationObject(0) : nullptr;
+  return { source, vtkFFInput::TimeOf(source), filter->GetNonFinitePoints(),
+    filter->GetSkipGhostPoints(), choice ? choice->GetMTime() : 0 };
 }
 
-//------------------------------------------------------------------------------
-class vtkFFPointInterpolator2D::vtkInternals : public vtkFFQueryAlgorithm::vtkInternals
+/// How weights are computed.
+using WeightRule = std::tuple<int, double>;
+
+/// What the values depend on beside the source.
+using ValueSource = std::tuple<bool, std::string, std::vector<std::string>>;
+
+/// An array that is interpolated: an empty one of its kind; where its values are in a point's.
+struct Field
 {
-public:
-  using vtkFFQueryAlgorithm::vtkInternals::vtkInternals;
-
-  void Forget() override;
-  std::string GetSecondName() override { return "source"; }
-  int Prepare(const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options) override;
-  void Answer(const flipflop::PointView& points, const flipflop::Options& options,
-    vtkDataSet* output) override;
-  std::string DescribeError(const flipflop::Error& error) override;
-
-protected:
-  const char* GetProgressTitle() override { return "Point interpolation"; }
-
-private:
-  vtkFFPointInterpolator2D* GetInterpolator() const
-  {
-    return static_cast<vtkFFPointInterpolator2D*>(this->GetFilter());
-  }
-
-  /// An array that is interpolated: of which it is made anew, with its name; and where its values
-  /// are in a point's.
-  struct Field
-  {
-    vtkSmartPointer<vtkDataArray> Source;
-    std::string Name;
-    int Attribute; // -1: none
-    std::size_t Begin;
-    vtkSmartPointer<vtkDataArray> Output;
-  };
-
-  void TakeFields(vtkPointSet* source);
-  void AddField(vtkDataArray* array, const std::string& name, int attribute);
-  void MakeOutputs(vtkIdType count);
-  void AskClosest(const flipflop::PointView& points, const flipflop::Options& options);
-
-  std::unique_ptr<const flipflop::TriangulationQueries> Queries;
-  std::vector<Field> Fields;
-  flipflop::Buffer<double> Values;  // of each point of the source: its fields', and 1
-  std::size_t Components = 0;       // of these, for a point
-  flipflop::Buffer<double> Results; // the same of the points that are asked about; NaN for 1: null
-  bool IsPreparing = false;         // the source's points, for errors
+  vtkSmartPointer<vtkDataArray> Kind;
+  int Attribute; // -1: none
+  std::size_t Begin;
 };
 
-//------------------------------------------------------------------------------
-vtkFFPointInterpolator2D::vtkFFPointInterpolator2D()
-  : InterpolationMode(LINEAR)
-  , WeightMode(WEIGHTS)
-  , WeightFactor(1.0)
-  , NullPointsStrategy(MASK_POINTS)
-  , NullValue(0.0)
-  , ValidPointsMaskArrayName("vtkValidPointMask")
-  , InterpolateZ(true)
-  , ZArrayName("Elevation")
-  , PassPointArrays(true)
-  , PassCellArrays(true)
-  , PassFieldArrays(true)
-{
-  this->SetInternals(std::make_unique<vtkInternals>(this));
 }
+
+/// The triangulation of a source's points, ready for questions, with their values.
+struct vtkFFPreparedSource
+{
+  TriangulationSource Source;
+  WeightRule Rule;
+  bool IsWeighted;
+  int Dimension;
+  flipflop::TriangulationQueries Queries;
+
+  ValueSource ValuesBy{};
+  std::vector<Field> Fields{};
+  std::size_t Components = 0;        // of all fields, and 1
+  flipflop::Buffer<double> Values{}; // so many of each point
+};
+
+namespace
+{
+
+std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filter,
+  const TriangulationSource& by, vtkPointSet* source, vtkFFRun& run)
+{
+  vtkPoints* const places = source->GetPoints();
+  const vtkFFPointSource points(places ? places->GetData() : nullptr);
+  const vtkFFWeightSource weights(
+    vtkFFWeightSource::FindArray(filter, source, run.OfWhat(), "source"),
+    vtkFFWeightSource::Rule{
+      filter->GetWeightMode() == vtkFFPointInterpolator2D::RADII, filter->GetWeightFactor() });
+  run.SetPart(0.0, shareOfTriangulation);
+  const flipflop::Triangulation triangulation =
+    flipflop::regularTriangulation(points.GetView(), weights.GetView(), run.Options);
+  run.SetPart(shareOfTriangulation, shareOfPreparing);
+  flipflop::TriangulationQueries queries(
+    points.GetView(), weights.GetView(), triangulation, run.Options);
+  return std::unique_ptr<vtkFFPreparedSource>(
+    new vtkFFPreparedSource{ by, { filter->GetWeightMode(), filter->GetWeightFactor() },
+      weights.GetView().data != nullptr, triangulation.dimension, std::move(queries) });
+}
+
+/// The arrays of the source that are interpolated, each with its attribute; z among them.
+std::vector<std::pair<vtkSmartPointer<vtkDataArray>, int>> arraysOf(
+  vtkFFPointInterpolator2D* filter, const std::vector<std::string>& excluded, vtkPointSet* source)
+{
+  const vtkIdType count = source->GetNumberOfPoints();
+  vtkPointData* const data = source->GetPointData();
+  std::vector<std::pair<vtkSmartPointer<vtkDataArray>, int>> arrays;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = data->GetArray(i);
+    const int attribute = data->IsArrayAnAttribute(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    const bool isValue = array && array->GetNumberOfTuples() >= count &&
+      name != vtkDataSetAttributes::GhostArrayName() &&
+      attribute != vtkDataSetAttributes::GLOBALIDS &&
+      attribute != vtkDataSetAttributes::PEDIGREEIDS &&
+      std::find(excluded.begin(), excluded.end(), name) == excluded.end();
+    if (isValue)
+    {
+      arrays.emplace_back(array, attribute);
+    }
+  }
+  const std::string nameOfZ = filter->GetZArrayName();
+  if (filter->GetInterpolateZ() && source->GetPoints() && !data->HasArray(nameOfZ.c_str()))
+  {
+    vtkDataArray* const places = source->GetPoints()->GetData();
+    vtkSmartPointer<vtkDataArray> heights;
+    heights.TakeReference(
+      vtkDataArray::CreateDataArray(places->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
+    heights->SetName(nameOfZ.c_str());
+    heights->SetNumberOfTuples(count);
+    heights->CopyComponent(0, places, 2);
+    arrays.emplace_back(heights, -1);
+  }
+  return arrays;
+}
+
+/// An empty array of the same kind, but of floating point; of so many tuples.
+vtkSmartPointer<vtkDataArray> makeLike(vtkDataArray* array, vtkIdType count)
+{
+  vtkSmartPointer<vtkDataArray> made;
+  made.TakeReference(
+    vtkDataArray::CreateDataArray(array->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
+  made->SetName(array->GetName() && *array->GetName() ? array->GetName() : nullptr);
+  made->SetNumberOfComponents(array->GetNumberOfComponents());
+  made->CopyComponentNames(array);
+  made->SetNumberOfTuples(count);
+  return made;
+}
+
+/// The values of the source's points, each point's together.
+void takeValues(vtkFFPointInterpolator2D* filter, const ValueSource& by, vtkPointSet* source,
+  vtkFFPreparedSource& prepared)
+{
+  const vtkIdType count = source->GetNumberOfPoints();
+  const auto arrays = arraysOf(filter, std::get<2>(by), source);
+  prepared.Fields.clear();
+  prepared.Components = 1;
+  for (const auto& array : arrays)
+  {
+    prepared.Fields.push_back({ makeLike(array.first, 0), array.second, prepared.Components - 1 });
+    prepared.Components += static_cast<std::size_t>(array.first->GetNumberOfComponents());
+  }
+  const std::size_t stride = prepared.Components;
+  prepared.Values.allocate(stride * static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double* const values = prepared.Values.data() + static_cast<std::size_t>(i) * stride;
+    for (std::size_t k = 0; k < arrays.size(); ++k)
+    {
+      arrays[k].first->GetTuple(i, values + prepared.Fields[k].Begin);
+    }
+    values[stride - 1] = 1.0;
+  }
+  prepared.ValuesBy = by;
+}
+
+/// Null points get the values of the closest point.
+void askClosest(const vtkFFPreparedSource& source, const flipflop::PointView& points,
+  const flipflop::Options& options, flipflop::Buffer<double>& results)
+{
+  const std::size_t stride = source.Components;
+  std::vector<std::int64_t> nulls;
+  std::vector<double> places;
+  for (std::int64_t i = 0; i < points.count; ++i)
+  {
+    if (std::isnan(results[static_cast<std::size_t>(i + 1) * stride - 1]))
+    {
+      const auto place = placeOf(points, i);
+      nulls.push_back(i);
+      places.insert(places.end(), place.begin(), place.end());
+    }
+  }
+  if (nulls.empty())
+  {
+    return;
+  }
+  std::vector<std::int64_t> ids(nulls.size());
+  const auto count = static_cast<std::int64_t>(nulls.size());
+  source.Queries.nearest(flipflop::PointView(places.data(), count, 2), ids.data(), options);
+  for (std::size_t k = 0; k < nulls.size(); ++k)
+  {
+    if (ids[k] >= 0)
+    {
+      std::copy_n(source.Values.data() + static_cast<std::size_t>(ids[k]) * stride, stride,
+        results.data() + static_cast<std::size_t>(nulls[k]) * stride);
+    }
+  }
+}
+
+/// The values of all fields and of 1 at some points; NaN for 1: a null point.
+void interpolate(vtkFFPointInterpolator2D* filter, const vtkFFPreparedSource& source,
+  const flipflop::PointView& points, const flipflop::Options& options,
+  flipflop::Buffer<double>& results)
+{
+  const auto components = static_cast<std::int64_t>(source.Components);
+  if (filter->GetInterpolationMode() == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR)
+  {
+    source.Queries.interpolateNatural(
+      source.Values.data(), components, points, results.data(), options);
+  }
+  else
+  {
+    source.Queries.interpolateLinear(
+      source.Values.data(), components, points, results.data(), options);
+  }
+  if (filter->GetNullPointsStrategy() == vtkFFPointInterpolator2D::CLOSEST_POINT)
+  {
+    askClosest(source, points, options, results);
+  }
+}
+
+/// Interpolates at all points. The last array that is returned marks the points that have values.
+std::vector<vtkSmartPointer<vtkDataArray>> answer(vtkFFPointInterpolator2D* filter,
+  const vtkFFPreparedSource& source, const flipflop::PointView& points, double progress,
+  vtkFFRun& run)
+{
+  if (run.Options.nonFinite == flipflop::NonFinitePolicy::Error)
+  {
+    demandFinite(points);
+  }
+  const auto count = static_cast<vtkIdType>(points.count);
+  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
+  for (const Field& field : source.Fields)
+  {
+    arrays.push_back(makeLike(field.Kind, count));
+  }
+  vtkNew<vtkCharArray> mask;
+  mask->SetName(filter->GetValidPointsMaskArrayName().c_str());
+  mask->SetNumberOfValues(count);
+
+  const std::size_t stride = source.Components;
+  flipflop::Buffer<double> results(
+    stride * static_cast<std::size_t>(std::min(points.count, pointsAtOnce)));
+  for (std::int64_t begin = 0; begin < points.count; begin += pointsAtOnce)
+  {
+    const std::int64_t end = std::min(points.count, begin + pointsAtOnce);
+    const double share = (1.0 - progress) / static_cast<double>(points.count);
+    run.SetPart(
+      progress + share * static_cast<double>(begin), progress + share * static_cast<double>(end));
+    interpolate(filter, source, partOf(points, begin, end), run.Options, results);
+    for (std::int64_t i = begin; i < end; ++i)
+    {
+      double* const values = results.data() + static_cast<std::size_t>(i - begin) * stride;
+      const bool isNull = std::isnan(values[stride - 1]);
+      if (isNull)
+      {
+        std::fill_n(values, stride, filter->GetNullValue());
+      }
+      mask->SetValue(static_cast<vtkIdType>(i), isNull ? 0 : 1);
+      for (std::size_t k = 0; k < source.Fields.size(); ++k)
+      {
+        arrays[k]->SetTuple(static_cast<vtkIdType>(i), values + source.Fields[k].Begin);
+      }
+    }
+  }
+  arrays.emplace_back(mask);
+  return arrays;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFPointInterpolator2D::vtkFFPointInterpolator2D() = default;
 
 //------------------------------------------------------------------------------
 vtkFFPointInterpolator2D::~vtkFFPointInterpolator2D() = default;
@@ -207,246 +401,88 @@ const char* vtkFFPointInterpolator2D::GetExcludedArray(int index)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::vtkInternals::Forget()
+double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
 {
-  this->Queries.reset();
-  this->Fields.clear();
-  this->Values = flipflop::Buffer<double>();
-  this->Results = flipflop::Buffer<double>();
-  this->Components = 0;
-  this->IsPreparing = false;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::vtkInternals::AddField(
-  vtkDataArray* array, const std::string& name, int attribute)
-{
-  this->Fields.push_back({ array, name, attribute, this->Components, nullptr });
-  this->Components += static_cast<std::size_t>(array->GetNumberOfComponents());
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::vtkInternals::TakeFields(vtkPointSet* source)
-{
-  const vtkFFPointInterpolator2D* filter = this->GetInterpolator();
-  const auto& excluded = filter->ExcludedArrays;
-  const vtkIdType count = source->GetNumberOfPoints();
-  vtkPointData* data = source->GetPointData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  const TriangulationSource by = sourceOf(this, data);
+  const ValueSource valuesBy{ this->InterpolateZ, this->ZArrayName, this->ExcludedArrays };
+  const bool isTriangulated = this->Prepared && this->Prepared->Source == by &&
+    (this->Prepared->Rule == WeightRule{ this->WeightMode, this->WeightFactor } ||
+      (!this->Prepared->IsWeighted && std::isfinite(this->WeightFactor)));
+  if (isTriangulated && this->Prepared->ValuesBy == valuesBy)
   {
-    vtkDataArray* array = data->GetArray(i);
-    const int attribute = data->IsArrayAnAttribute(i);
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    const bool isValue = array && array->GetNumberOfTuples() >= count &&
-      name != vtkDataSetAttributes::GhostArrayName() &&
-      attribute != vtkDataSetAttributes::GLOBALIDS &&
-      attribute != vtkDataSetAttributes::PEDIGREEIDS &&
-      std::find(excluded.begin(), excluded.end(), name) == excluded.end();
-    if (isValue)
-    {
-      this->AddField(array, name, attribute);
-    }
+    return 0.0;
   }
-  const bool withZ =
-    filter->InterpolateZ && source->GetPoints() && !data->HasArray(filter->ZArrayName.c_str());
-  if (withZ)
-  {
-    vtkDataArray* places = source->GetPoints()->GetData();
-    vtkSmartPointer<vtkDataArray> heights;
-    heights.TakeReference(
-      vtkDataArray::CreateDataArray(places->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
-    heights->SetNumberOfTuples(count);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      heights->SetComponent(i, 0, places->GetComponent(i, 2));
-    }
-    this->AddField(heights, filter->ZArrayName, -1);
-  }
-
-  const std::size_t stride = ++this->Components;
-  this->Values.allocate(stride * static_cast<std::size_t>(count));
-  for (const Field& field : this->Fields)
-  {
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      const std::size_t at = static_cast<std::size_t>(i) * stride + field.Begin;
-      field.Source->GetTuple(i, &this->Values[at]);
-    }
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    this->Values[static_cast<std::size_t>(i + 1) * stride - 1] = 1.0;
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkFFPointInterpolator2D::vtkInternals::Prepare(
-  const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options)
-{
-  this->IsPreparing = true;
-  vtkSmartPointer<vtkPointSet> source;
-  if (pieces.empty())
-  {
-    source = vtkSmartPointer<vtkPolyData>::New();
-  }
-  else
+  run.NonFiniteWhat = "A coordinate or a weight";
+  vtkFFInput input;
+  input.Take(vtkFFInput::PiecesOf(data), this->SkipGhostPoints, run, " of the source");
+  const std::vector<vtkPointSet*> pieces(input.GetPieces().begin(), input.GetPieces().end());
+  vtkSmartPointer<vtkPointSet> source = vtkSmartPointer<vtkPolyData>::New();
+  if (!pieces.empty())
   {
     source = vtkFFPieces::Append(pieces);
   }
-  vtkPoints* places = source->GetPoints();
-  const vtkFFPointSource points(places ? places->GetData() : nullptr);
-  const vtkFFPointInterpolator2D* filter = this->GetInterpolator();
-  const vtkFFWeightSource weights(
-    vtkFFWeightSource::FindArray(this->GetFilter(), source, this->OfBlock(), "source"),
-    vtkFFWeightSource::Rule{ filter->WeightMode == RADII, filter->WeightFactor });
-  this->SetProgressPart(0.0, shareOfTriangulation);
-  const flipflop::Triangulation triangulation =
-    flipflop::regularTriangulation(points.GetView(), weights.GetView(), options);
-  this->SetProgressPart(shareOfTriangulation, 1.0);
-  this->Queries = std::make_unique<flipflop::TriangulationQueries>(
-    points.GetView(), weights.GetView(), triangulation, options);
-  this->TakeFields(source);
-  this->IsPreparing = false;
-  return triangulation.dimension;
+  if (!isTriangulated)
+  {
+    this->Prepared.reset();
+    this->Prepared = triangulate(this, by, source, run);
+  }
+  takeValues(this, valuesBy, source, *this->Prepared);
+  run.NonFiniteWhat = "A coordinate";
+  run.Parts.clear(); // what errors are about from now on is the input
+  run.Ids.clear();
+  return isTriangulated ? 0.0 : shareOfPreparing;
 }
 
 //------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::vtkInternals::MakeOutputs(vtkIdType count)
+int vtkFFPointInterpolator2D::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (Field& field : this->Fields)
+  vtkDataObject* const points = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* const source = vtkDataObject::GetData(inputVector[1]);
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector);
+  vtkFFRun run(this, "Point interpolation", outputVector);
+  double progress = 0.0;
+  if (!run.Do([&] { progress = this->Prepare(source, run); }))
   {
-    field.Output.TakeReference(vtkDataArray::CreateDataArray(
-      field.Source->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
-    field.Output->SetName(field.Name.empty() ? nullptr : field.Name.c_str());
-    field.Output->SetNumberOfComponents(field.Source->GetNumberOfComponents());
-    field.Output->CopyComponentNames(field.Source);
-    field.Output->SetNumberOfTuples(count);
+    this->Prepared.reset();
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::vtkInternals::AskClosest(
-  const flipflop::PointView& points, const flipflop::Options& options)
-{
-  const std::size_t stride = this->Components;
-  std::vector<std::int64_t> nulls;
-  std::vector<double> places;
-  for (std::int64_t i = 0; i < points.count; ++i)
-  {
-    if (std::isnan(this->Results[static_cast<std::size_t>(i + 1) * stride - 1]))
+  run.Do(
+    [&]
     {
-      const auto place = placeOf(points, i);
-      nulls.push_back(i);
-      places.insert(places.end(), place.begin(), place.end());
-    }
-  }
-  if (nulls.empty())
-  {
-    return;
-  }
-  std::vector<std::int64_t> ids(nulls.size());
-  const auto count = static_cast<std::int64_t>(nulls.size());
-  this->Queries->nearest(flipflop::PointView(places.data(), count, 2), ids.data(), options);
-  for (std::size_t k = 0; k < nulls.size(); ++k)
-  {
-    if (ids[k] >= 0)
-    {
-      std::copy_n(this->Values.data() + static_cast<std::size_t>(ids[k]) * stride, stride,
-        this->Results.data() + static_cast<std::size_t>(nulls[k]) * stride);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::vtkInternals::Answer(
-  const flipflop::PointView& points, const flipflop::Options& options, vtkDataSet* output)
-{
-  const vtkFFPointInterpolator2D* filter = this->GetInterpolator();
-  if (options.nonFinite == flipflop::NonFinitePolicy::Error)
-  {
-    demandFinite(points);
-  }
-  this->MakeOutputs(static_cast<vtkIdType>(points.count));
-  vtkNew<vtkCharArray> mask;
-  mask->SetName(filter->ValidPointsMaskArrayName.c_str());
-  mask->SetNumberOfValues(static_cast<vtkIdType>(points.count));
-
-  const std::size_t stride = this->Components;
-  const auto components = static_cast<std::int64_t>(stride);
-  this->Results.allocate(stride * static_cast<std::size_t>(std::min(points.count, pointsAtOnce)));
-  for (std::int64_t begin = 0; begin < points.count; begin += pointsAtOnce)
-  {
-    const std::int64_t end = std::min(points.count, begin + pointsAtOnce);
-    const double total = static_cast<double>(points.count);
-    this->SetProgressPart(static_cast<double>(begin) / total, static_cast<double>(end) / total);
-    const flipflop::PointView part = partOf(points, begin, end);
-    if (filter->InterpolationMode == NATURAL_NEIGHBOR)
-    {
-      this->Queries->interpolateNatural(
-        this->Values.data(), components, part, this->Results.data(), options);
-    }
-    else
-    {
-      this->Queries->interpolateLinear(
-        this->Values.data(), components, part, this->Results.data(), options);
-    }
-    if (filter->NullPointsStrategy == CLOSEST_POINT)
-    {
-      this->AskClosest(part, options);
-    }
-    for (std::int64_t i = begin; i < end; ++i)
-    {
-      double* values = this->Results.data() + static_cast<std::size_t>(i - begin) * stride;
-      const bool isNull = std::isnan(values[stride - 1]);
-      if (isNull)
+      vtkFFInput input;
+      input.Take(vtkFFInput::PiecesOf(points), false, run);
+      auto arrays = answer(this, *this->Prepared, input.GetView(), progress, run);
+      output->ShallowCopy(points);
+      vtkPointData* const data = output->GetPointData();
+      if (!this->PassPointArrays)
       {
-        std::fill_n(values, stride, filter->NullValue);
+        data->Initialize();
       }
-      mask->SetValue(static_cast<vtkIdType>(i), isNull ? 0 : 1);
-      for (const Field& field : this->Fields)
+      if (!this->PassCellArrays)
       {
-        field.Output->SetTuple(static_cast<vtkIdType>(i), values + field.Begin);
+        output->GetCellData()->Initialize();
       }
-    }
-  }
-
-  if (!filter->PassPointArrays)
-  {
-    output->GetPointData()->Initialize();
-  }
-  if (!filter->PassCellArrays)
-  {
-    output->GetCellData()->Initialize();
-  }
-  if (!filter->PassFieldArrays)
-  {
-    output->GetFieldData()->Initialize();
-  }
-  for (Field& field : this->Fields)
-  {
-    const int index = output->GetPointData()->AddArray(field.Output);
-    if (std::find(passedAttributes.begin(), passedAttributes.end(), field.Attribute) !=
-      passedAttributes.end())
-    {
-      output->GetPointData()->SetActiveAttribute(index, field.Attribute);
-    }
-    field.Output = nullptr;
-  }
-  if (filter->NullPointsStrategy == MASK_POINTS)
-  {
-    output->GetPointData()->AddArray(mask);
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFFPointInterpolator2D::vtkInternals::DescribeError(const flipflop::Error& error)
-{
-  if (error.code() == flipflop::ErrorCode::NonFinite && this->IsPreparing)
-  {
-    return this->DescribeNonFinite("A coordinate or a weight", error) +
-      " Remove them, or set Non Finite Points to Ignore.";
-  }
-  return this->vtkFFQueryAlgorithm::vtkInternals::DescribeError(error);
+      if (!this->PassFieldArrays)
+      {
+        output->GetFieldData()->Initialize();
+      }
+      for (std::size_t k = 0; k < this->Prepared->Fields.size(); ++k)
+      {
+        const int attribute = this->Prepared->Fields[k].Attribute;
+        const int index = data->AddArray(arrays[k]);
+        if (std::find(passedAttributes.begin(), passedAttributes.end(), attribute) !=
+          passedAttributes.end())
+        {
+          data->SetActiveAttribute(index, attribute);
+        }
+      }
+      if (this->NullPointsStrategy == MASK_POINTS)
+      {
+        data->AddArray(arrays.back());
+      }
+      this->Dimension = this->Prepared->Dimension;
+    });
+  return run.Finish();
 }
 
 //------------------------------------------------------------------------------

@@ -54,25 +54,28 @@
 #include "vtkFFQueryAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
+#include <memory> // For std::unique_ptr
 #include <string> // For std::string
 #include <vector> // For std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataObject;
+class vtkFFRun;
+struct vtkFFPreparedSource;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointInterpolator2D
   : public vtkFFQueryAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFPointInterpolator2D* New();
   vtkTypeMacro(vtkFFPointInterpolator2D, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * How values are interpolated.
@@ -103,16 +106,16 @@ public:
     CLOSEST_POINT = 2
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get the source (the input of port 1): points with point data.
    */
   void SetSourceData(vtkDataObject* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   vtkDataObject* GetSource();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how values are interpolated.
    *
@@ -127,9 +130,9 @@ public:
   void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
   void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
   const char* GetInterpolationModeAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what the values of the weights' array are. Without an array, this does not matter.
    *
@@ -145,9 +148,9 @@ public:
   void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
   void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
   const char* GetWeightModeAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the factor of all weights, or of all radii: see SetWeightMode(). 1 by default, with
    * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
@@ -155,9 +158,9 @@ public:
    */
   vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what null points get.
    *
@@ -174,42 +177,42 @@ public:
   void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
   void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
   const char* GetNullPointsStrategyAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the value of all components at null points. 0 by default; NaN is possible.
    */
   vtkSetMacro(NullValue, double);
   vtkGetMacro(NullValue, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the name of the mask array. "vtkValidPointMask" by default.
    */
   vtkSetMacro(ValidPointsMaskArrayName, std::string);
   vtkGetMacro(ValidPointsMaskArrayName, std::string);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the z of the source's points is interpolated, too. On by default.
    */
   vtkSetMacro(InterpolateZ, bool);
   vtkGetMacro(InterpolateZ, bool);
   vtkBooleanMacro(InterpolateZ, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the name of the array of interpolated z. "Elevation" by default.
    */
   vtkSetMacro(ZArrayName, std::string);
   vtkGetMacro(ZArrayName, std::string);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * The names of arrays of the source that are not interpolated: add one, remove all, get their
    * number, get one (null if there is none of that index).
@@ -218,9 +221,9 @@ public:
   void ClearExcludedArrays();
   int GetNumberOfExcludedArrays();
   const char* GetExcludedArray(int index);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the input's point data, cell data and field data are passed to the output. On
    * by default.
@@ -234,30 +237,36 @@ public:
   vtkSetMacro(PassFieldArrays, bool);
   vtkGetMacro(PassFieldArrays, bool);
   vtkBooleanMacro(PassFieldArrays, bool);
-  //@}
+  ///@}
 
 protected:
   vtkFFPointInterpolator2D();
   ~vtkFFPointInterpolator2D() override;
 
-  class vtkInternals;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
-  int InterpolationMode;
-  int WeightMode;
-  double WeightFactor;
-  int NullPointsStrategy;
-  double NullValue;
-  std::string ValidPointsMaskArrayName;
-  bool InterpolateZ;
-  std::string ZArrayName;
+  int InterpolationMode = LINEAR;
+  int WeightMode = WEIGHTS;
+  double WeightFactor = 1.0;
+  int NullPointsStrategy = MASK_POINTS;
+  double NullValue = 0.0;
+  std::string ValidPointsMaskArrayName = "vtkValidPointMask";
+  bool InterpolateZ = true;
+  std::string ZArrayName = "Elevation";
   std::vector<std::string> ExcludedArrays;
-  bool PassPointArrays;
-  bool PassCellArrays;
-  bool PassFieldArrays;
+  bool PassPointArrays = true;
+  bool PassCellArrays = true;
+  bool PassFieldArrays = true;
 
 private:
   vtkFFPointInterpolator2D(const vtkFFPointInterpolator2D&) = delete;
   void operator=(const vtkFFPointInterpolator2D&) = delete;
+
+  /// Unless it is there already. Returns the share of the progress that it took.
+  double Prepare(vtkDataObject* source, vtkFFRun& run);
+
+  std::unique_ptr<vtkFFPreparedSource> Prepared; ///< null: there is none
 };
 VTK_ABI_NAMESPACE_END
 

@@ -5,6 +5,7 @@
 #include "vtkFFAlgorithm.h"
 #include "vtkFFExactValues.h"
 #include "vtkFFOutput.h"
+#include "vtkFFQueryAlgorithm.h"
 #include "vtkFFWeightSource.h"
 
 #include <flipflop/CellComplex.h>
@@ -110,29 +111,8 @@ vtkFFRun::vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVect
   // VTK_INT_MAX is as much as a panel of ParaView can say.
   this->Engine.cudaFrom = filter->GetCUDAThreshold() >= VTK_INT_MAX ? flipflop::CudaPaysNever
                                                                     : filter->GetCUDAThreshold();
-  if (outputs)
+  if (outputs && !this->Begin(filter->LastBlock))
   {
-    this->Begin();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFRun::Begin()
-{
-  // The executive runs a filter data set by data set on a composite: of n, the progress of number k
-  // is from k/n on.
-  vtkFFAlgorithm* const filter = this->Reporter;
-  const double scale = filter->GetProgressScale();
-  const vtkIdType block = std::llround(filter->GetProgressShift() / scale);
-  const bool isNext = block > 0 && block == filter->LastBlock + 1;
-  filter->LastBlock = block;
-  if (scale < 1.0 && (isNext || block == 0))
-  {
-    this->Block = " of data set " + std::to_string(block) + " of the composite";
-  }
-  if (!isNext)
-  {
-    this->SetCode(vtkFFErrorCode::NoError);
     filter->EngineUsed = vtkFFAlgorithm::ENGINE_NONE;
     filter->EngineReason = "no engine has run";
     filter->Dimension = -1;
@@ -140,6 +120,40 @@ void vtkFFRun::Begin()
     filter->NumberOfNonFinitePoints = 0;
     filter->ForgetReport();
   }
+}
+
+//------------------------------------------------------------------------------
+vtkFFRun::vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformationVector* outputs)
+  : vtkFFRun(filter, title, filter->GetNumberOfThreads(), outputs,
+      [filter](unsigned long code) { filter->SetErrorCode(code); })
+{
+  this->Options.nonFinite = filter->GetNonFinitePoints() == vtkFFQueryAlgorithm::NON_FINITE_IGNORE
+    ? flipflop::NonFinitePolicy::Ignore
+    : flipflop::NonFinitePolicy::Error;
+  if (outputs && !this->Begin(filter->LastBlock))
+  {
+    filter->Dimension = -1;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFRun::Begin(vtkIdType& lastBlock)
+{
+  // The executive runs a filter data set by data set on a composite: of n, the progress of number k
+  // is from k/n on.
+  const double scale = this->Filter->GetProgressScale();
+  const vtkIdType block = std::llround(this->Filter->GetProgressShift() / scale);
+  const bool isNext = block > 0 && block == lastBlock + 1;
+  lastBlock = block;
+  if (scale < 1.0 && (isNext || block == 0))
+  {
+    this->Block = " of data set " + std::to_string(block) + " of the composite";
+  }
+  if (!isNext)
+  {
+    this->SetCode(vtkFFErrorCode::NoError);
+  }
+  return isNext;
 }
 
 //------------------------------------------------------------------------------

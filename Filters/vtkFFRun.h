@@ -41,6 +41,7 @@ struct CellComplex;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkFFAlgorithm;
+class vtkFFQueryAlgorithm;
 class vtkInformationVector;
 class vtkPolyData;
 
@@ -59,10 +60,11 @@ public:
     std::function<void(unsigned long)> setCode);
 
   /**
-   * The same with all settings of vtkFFAlgorithm. What the last run reported is forgotten, unless
-   * this one is of the next block of the same composite.
+   * The same with all settings of the filter. What the last run reported is forgotten, unless this
+   * one is of the next block of the same composite.
    */
   vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVector* outputs);
+  vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformationVector* outputs);
 
   vtkFFRun(const vtkFFRun&) = delete;
   void operator=(const vtkFFRun&) = delete;
@@ -167,7 +169,8 @@ public:
   int Finish(bool aloud = true);
 
 private:
-  void Begin();
+  /// Returns whether it is of the next block of a composite. The error code stays then.
+  bool Begin(vtkIdType& lastBlock);
   static bool ForwardProgress(double fraction, void* self);
   static void ForwardStep(const char* name, void* self);
   std::string DescribeError(const flipflop::Error& error) const;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFSelectEnclosedPoints.h"
 
-#include "vtkFFPointSource.h"
-#include "vtkFFQueryInternals.h"
+#include "vtkFFInput.h"
+#include "vtkFFRun.h"
 
 #include <flipflop/ConvexHull.h>
 #include <flipflop/HullQueries.h>
@@ -13,55 +13,70 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSignedCharArray.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
+#include <exception>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFSelectEnclosedPoints);
 
-//------------------------------------------------------------------------------
-class vtkFFSelectEnclosedPoints::vtkInternals : public vtkFFQueryAlgorithm::vtkInternals
+namespace
 {
-public:
-  using vtkFFQueryAlgorithm::vtkInternals::vtkInternals;
 
-  void Forget() override;
-  bool KeepsPrepared() override { return true; }
-  std::string GetSecondName() override { return "surface"; }
-  int Prepare(const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options) override;
-  void Answer(const flipflop::PointView& points, const flipflop::Options& options,
-    vtkDataSet* output) override;
+constexpr double shareOfHull = 0.4; // of the progress of a run that makes one
 
-  const char* GetProgressTitle() override { return "Points in convex hull"; }
-  vtkFFSelectEnclosedPoints* GetSelection() const
-  {
-    return static_cast<vtkFFSelectEnclosedPoints*>(this->GetFilter());
-  }
-  bool IsEnclosed(std::int8_t side) const
-  {
-    return side >= (this->GetSelection()->SelectPointsOnSurface ? 0 : 1);
-  }
+/// What a prepared hull depends on: the surface, since when it is as it is, settings.
+using HullSource = std::tuple<vtkDataObject*, vtkMTimeType, int, bool>;
 
-  std::unique_ptr<const flipflop::HullQueries> Hull;    // null: none is prepared
-  vtkSmartPointer<vtkUnsignedCharArray> SelectedPoints; // of the last run
+HullSource sourceOf(vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface)
+{
+  return { surface, vtkFFInput::TimeOf(surface), filter->GetNonFinitePoints(),
+    filter->GetSkipGhostPoints() };
+}
+
+}
+
+/// The hull of a surface's points, ready for questions.
+struct vtkFFPreparedHull
+{
+  HullSource Source;
+  int Dimension;
+  flipflop::HullQueries Queries;
 };
 
-//------------------------------------------------------------------------------
-vtkFFSelectEnclosedPoints::vtkFFSelectEnclosedPoints()
-  : InsideOut(false)
-  , SelectPointsOnSurface(true)
-  , GenerateDistances(false)
+namespace
 {
-  this->SetInternals(std::make_unique<vtkInternals>(this));
+
+std::unique_ptr<const vtkFFPreparedHull> prepare(
+  vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface, vtkFFRun& run)
+{
+  const HullSource source = sourceOf(filter, surface);
+  vtkFFInput input;
+  input.Take(vtkFFInput::PiecesOf(surface), filter->GetSkipGhostPoints(), run, " of the surface");
+  run.SetPart(0.0, 0.8 * shareOfHull);
+  const flipflop::Hull hull = flipflop::convexHull(input.GetView(), run.Options);
+  run.SetPart(0.8 * shareOfHull, shareOfHull);
+  flipflop::HullQueries queries(input.GetView(), hull, run.Options);
+  run.Parts.clear(); // what errors are about from now on is the input
+  run.Ids.clear();
+  return std::unique_ptr<const vtkFFPreparedHull>(
+    new vtkFFPreparedHull{ source, hull.dimension, std::move(queries) });
 }
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFSelectEnclosedPoints::vtkFFSelectEnclosedPoints() = default;
 
 //------------------------------------------------------------------------------
 vtkFFSelectEnclosedPoints::~vtkFFSelectEnclosedPoints() = default;
@@ -86,92 +101,117 @@ vtkDataObject* vtkFFSelectEnclosedPoints::GetSurface()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFSelectEnclosedPoints::vtkInternals::Forget()
+int vtkFFSelectEnclosedPoints::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Hull.reset();
+  vtkDataObject* const points = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* const surface = vtkDataObject::GetData(inputVector[1]);
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector);
+  vtkFFRun run(this, "Points in convex hull", outputVector);
   this->SelectedPoints = nullptr;
-}
-
-//------------------------------------------------------------------------------
-int vtkFFSelectEnclosedPoints::vtkInternals::Prepare(
-  const std::vector<vtkPointSet*>& pieces, const flipflop::Options& options)
-{
-  const vtkFFPointSource points(ArraysOf(pieces));
-  this->SetProgressPart(0.0, 0.8);
-  const flipflop::Hull hull = flipflop::convexHull(points.GetView(), options);
-  this->SetProgressPart(0.8, 1.0);
-  this->Hull = std::make_unique<flipflop::HullQueries>(points.GetView(), hull, options);
-  return hull.dimension;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFSelectEnclosedPoints::vtkInternals::Answer(
-  const flipflop::PointView& points, const flipflop::Options& options, vtkDataSet* output)
-{
-  const vtkFFSelectEnclosedPoints* filter = this->GetSelection();
-  const auto count = static_cast<vtkIdType>(points.count);
-  vtkNew<vtkSignedCharArray> sides;
-  sides->SetName("FlipFlopSide");
-  sides->SetNumberOfValues(count);
-  static_assert(sizeof(signed char) == sizeof(std::int8_t), "the same type by two names");
-  std::int8_t* const side = sides->GetPointer(0);
-  this->SetProgressPart(0.0, filter->GenerateDistances ? 0.3 : 1.0);
-  this->Hull->contains(points, side, options);
-  if (filter->GenerateDistances)
-  {
-    vtkNew<vtkDoubleArray> distances;
-    distances->SetName("FlipFlopDistance");
-    distances->SetNumberOfValues(count);
-    this->SetProgressPart(0.3, 1.0);
-    this->Hull->distance(points, distances->GetPointer(0), options);
-    output->GetPointData()->AddArray(distances);
-  }
-
-  vtkNew<vtkUnsignedCharArray> selected;
-  selected->SetName("SelectedPoints");
-  selected->SetNumberOfValues(count);
-  std::transform(side, side + count, selected->GetPointer(0),
-    [&](std::int8_t one)
-    { return static_cast<unsigned char>(this->IsEnclosed(one) != filter->InsideOut); });
-  output->GetPointData()->AddArray(sides);
-  // SetScalars() would remove the array that was active.
-  const int index = output->GetPointData()->AddArray(selected);
-  output->GetPointData()->SetActiveAttribute(index, vtkDataSetAttributes::SCALARS);
-  this->SelectedPoints =
-    output == this->GetFilter()->GetOutputDataObject(0) ? selected.Get() : nullptr;
+  double begin = 0.0;
+  run.Do(
+    [&]
+    {
+      if (!this->Prepared || this->Prepared->Source != sourceOf(this, surface))
+      {
+        this->Prepared.reset();
+        this->Prepared = prepare(this, surface, run);
+        begin = shareOfHull;
+      }
+    });
+  run.Do(
+    [&]
+    {
+      vtkFFInput input;
+      const vtkIdType count = input.Take(vtkFFInput::PiecesOf(points), false, run);
+      output->ShallowCopy(points);
+      vtkNew<vtkSignedCharArray> sides;
+      sides->SetName("FlipFlopSide");
+      sides->SetNumberOfValues(count);
+      static_assert(sizeof(signed char) == sizeof(std::int8_t), "the same type by two names");
+      std::int8_t* const side = sides->GetPointer(0);
+      const double end = this->GenerateDistances ? begin + 0.3 * (1.0 - begin) : 1.0;
+      run.SetPart(begin, end);
+      this->Prepared->Queries.contains(input.GetView(), side, run.Options);
+      if (this->GenerateDistances)
+      {
+        vtkNew<vtkDoubleArray> distances;
+        distances->SetName("FlipFlopDistance");
+        distances->SetNumberOfValues(count);
+        run.SetPart(end, 1.0);
+        this->Prepared->Queries.distance(input.GetView(), distances->GetPointer(0), run.Options);
+        output->GetPointData()->AddArray(distances);
+      }
+      vtkNew<vtkUnsignedCharArray> selected;
+      selected->SetName("SelectedPoints");
+      selected->SetNumberOfValues(count);
+      std::transform(side, side + count, selected->GetPointer(0),
+        [&](std::int8_t one)
+        { return static_cast<unsigned char>(this->IsEnclosed(one) != this->InsideOut); });
+      output->GetPointData()->AddArray(sides);
+      // SetScalars() would remove the array that was active.
+      const int index = output->GetPointData()->AddArray(selected);
+      output->GetPointData()->SetActiveAttribute(index, vtkDataSetAttributes::SCALARS);
+      this->SelectedPoints = run.IsInComposite() ? nullptr : selected.Get();
+      this->Dimension = this->Prepared->Dimension;
+    });
+  return run.Finish();
 }
 
 //------------------------------------------------------------------------------
 int vtkFFSelectEnclosedPoints::IsInside(vtkIdType inputPointId)
 {
-  vtkUnsignedCharArray* selected = static_cast<vtkInternals*>(this->GetInternals())->SelectedPoints;
-  return selected && inputPointId >= 0 && inputPointId < selected->GetNumberOfValues()
-    ? selected->GetValue(inputPointId)
+  return this->SelectedPoints && inputPointId >= 0 &&
+      inputPointId < this->SelectedPoints->GetNumberOfValues()
+    ? this->SelectedPoints->GetValue(inputPointId)
     : 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkFFSelectEnclosedPoints::Initialize(vtkDataObject* surface)
 {
-  this->GetInternals()->RunPrepare(surface);
+  this->Complete();
+  this->Dimension = -1;
+  this->SetErrorCode(vtkFFErrorCode::NoError);
+  vtkFFRun run(this, "Points in convex hull", nullptr);
+  run.Options.progress = nullptr; // it is no run of the pipeline's, which could be stopped
+  run.Do(
+    [&]
+    {
+      if (!surface)
+      {
+        throw std::runtime_error("There is no surface. Set one.");
+      }
+      this->Prepared = prepare(this, surface, run);
+      this->Dimension = this->Prepared->Dimension;
+    });
+  run.Finish();
 }
 
 //------------------------------------------------------------------------------
 int vtkFFSelectEnclosedPoints::IsInsideSurface(const double x[3])
 {
-  auto* internals = static_cast<vtkInternals*>(this->GetInternals());
-  if (!internals->Hull)
+  try
   {
-    internals->ReportError(
-      "There is no surface to ask about: call Initialize() or update the filter first.");
+    if (!this->Prepared)
+    {
+      throw std::runtime_error(
+        "There is no surface to ask about: call Initialize() or update the filter first.");
+    }
+    flipflop::Options options;
+    options.threads = 1;
+    options.nonFinite = flipflop::NonFinitePolicy::Ignore;
+    std::int8_t side = -1;
+    this->Prepared->Queries.contains(flipflop::PointView(x, 1), &side, options);
+    return this->IsEnclosed(side) ? 1 : 0;
+  }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkFFErrorCode::InputError);
+    vtkErrorMacro(<< error.what());
     return 0;
   }
-  flipflop::Options options;
-  options.threads = 1;
-  options.nonFinite = flipflop::NonFinitePolicy::Ignore;
-  std::int8_t side = -1;
-  internals->Ask([&] { internals->Hull->contains(flipflop::PointView(x, 1), &side, options); });
-  return internals->IsEnclosed(side) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -184,7 +224,8 @@ int vtkFFSelectEnclosedPoints::IsInsideSurface(double x, double y, double z)
 //------------------------------------------------------------------------------
 void vtkFFSelectEnclosedPoints::Complete()
 {
-  this->GetInternals()->Forget();
+  this->Prepared.reset();
+  this->SelectedPoints = nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@
  * their distance is NaN.
  *
  * @warning
- * At most 2^32 - 2 points can be given on either port, and in each block.
+ * At most 2^32 - 2 points can be given on either port, and in each data set of a composite.
  *
  * @sa
  * vtkFFQueryAlgorithm vtkFFHullFilter vtkSelectEnclosedPoints
@@ -43,52 +43,57 @@
 #include "vtkFFMarks.h" // For VTK_MARSHALAUTO
 #include "vtkFFQueryAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkSmartPointer.h"          // For vtkSmartPointer
+
+#include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataObject;
+class vtkUnsignedCharArray;
+struct vtkFFPreparedHull;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFSelectEnclosedPoints
   : public vtkFFQueryAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFSelectEnclosedPoints* New();
   vtkTypeMacro(vtkFFSelectEnclosedPoints, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the surface (the input of port 1). The convex hull of its points is the region.
    */
   void SetSurfaceData(vtkDataObject* surface);
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   vtkDataObject* GetSurface();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the points that are not enclosed are selected instead. Off by default.
    */
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether points on the surface count as enclosed. On by default.
    */
   vtkSetMacro(SelectPointsOnSurface, bool);
   vtkGetMacro(SelectPointsOnSurface, bool);
   vtkBooleanMacro(SelectPointsOnSurface, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the output has the distance of each point from the surface. Off by default. The
    * distance's sign is exact: negative inside, 0 on the surface, positive outside. Its value is off
@@ -97,7 +102,7 @@ public:
   vtkSetMacro(GenerateDistances, bool);
   vtkGetMacro(GenerateDistances, bool);
   vtkBooleanMacro(GenerateDistances, bool);
-  //@}
+  ///@}
 
   /**
    * Whether the last run selected this point of the input (1) or not (0). 0 also for a point that
@@ -105,7 +110,7 @@ public:
    */
   int IsInside(vtkIdType inputPointId);
 
-  //@{
+  ///@{
   /**
    * Ask about single points, also without a run. Initialize() prepares the hull of a surface's
    * points; a run does that, too. IsInsideSurface() then gives 1 for enclosed points (also those on
@@ -118,21 +123,27 @@ public:
   int IsInsideSurface(const double x[3]);
   int IsInsideSurface(double x, double y, double z);
   void Complete();
-  //@}
+  ///@}
 
 protected:
   vtkFFSelectEnclosedPoints();
   ~vtkFFSelectEnclosedPoints() override;
 
-  class vtkInternals;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
-  bool InsideOut;
-  bool SelectPointsOnSurface;
-  bool GenerateDistances;
+  bool InsideOut = false;
+  bool SelectPointsOnSurface = true;
+  bool GenerateDistances = false;
 
 private:
   vtkFFSelectEnclosedPoints(const vtkFFSelectEnclosedPoints&) = delete;
   void operator=(const vtkFFSelectEnclosedPoints&) = delete;
+
+  bool IsEnclosed(int side) const { return side >= (this->SelectPointsOnSurface ? 0 : 1); }
+
+  std::unique_ptr<const vtkFFPreparedHull> Prepared;    ///< null: there is none
+  vtkSmartPointer<vtkUnsignedCharArray> SelectedPoints; ///< of the last run
 };
 VTK_ABI_NAMESPACE_END
 
