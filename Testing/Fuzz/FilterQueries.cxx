@@ -92,7 +92,9 @@ void queryFilters(Bytes& bytes, vtkDataObject* given, int mostPoints)
     filter->Modified();
     filter->Update();
     vtkDataObject* output = filter->GetOutputDataObject(0);
-    if (demandTold(filter, errors) || (abort->Aborted && isNothing(output)))
+    const bool typed = data[1]->IsA("vtkDataSet") || data[1]->IsA("vtkCompositeDataSet");
+    if (demandTold(filter, typed ? data[0] : nullptr, errors) ||
+      (abort->Aborted && isNothing(output)))
     {
       continue;
     }
@@ -106,8 +108,7 @@ void queryFilters(Bytes& bytes, vtkDataObject* given, int mostPoints)
     again->SetInputDataObject(0, data[0]);
     again->SetInputDataObject(1, data[1]);
     again->Update();
-    demand(
-      errorsAgain->Messages.size() == errors->Messages.size() && errorsAgain->FailedRequests == 0,
+    demand(errorsAgain->Messages.size() == errors->Messages.size(),
       "another filter of the same settings fails");
     demand(again->GetDimension() == filter->GetDimension(), "of another dimension");
     demand(fftest::isIdentical(again->GetOutputDataObject(0), output, "on other threads"),

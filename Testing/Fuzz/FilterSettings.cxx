@@ -5,9 +5,11 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPointInterpolator2D.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFSelectEnclosedPoints.h"
 #include "vtkGeneralTransform.h"
@@ -192,10 +194,13 @@ vtkSmartPointer<vtkDataObject> drawSource(Bytes& bytes)
   return source;
 }
 
-void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
+void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter, int which)
 {
-  switch (bytes.below(19))
+  switch (which)
   {
+    case 12:
+      filter->SetMaximumEdgeLength(bytes.flag() ? 0.0 : bytes.number());
+      break;
     case 14:
       filter->SetAlpha(bytes.flag() ? 0.0 : bytes.number());
       break;
@@ -208,38 +213,50 @@ void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
     case 17:
       filter->SetGenerateAlphas(bytes.flag());
       break;
-    case 18:
+    default:
       filter->SetGenerateBoundary(bytes.flag());
       break;
-    case 13:
-    {
-      const int choices = bytes.byte();
-      filter->SetSplitCrossingConstraints((choices & 1) != 0);
-      filter->SetPolygonRule((choices >> 1) & 1);
-      if (filter->GetNumberOfInputPorts() > 1)
-      {
-        const auto source = drawSource(bytes);
-        if (auto* cells = vtkPolyData::SafeDownCast(source))
-        {
-          givePoints(bytes, (choices >> 2) % 6, filter, cells);
-        }
-        filter->SetSourceData(source);
-      }
-      break;
-    }
-    case 1:
-    {
-      double box[4];
-      for (double& bound : box)
-      {
-        bound = bytes.number();
-      }
-      filter->SetPowerDiagramBounds(box);
-      break;
-    }
-    case 2:
-      filter->SetPowerDiagramBoxMode(drawChoice(bytes));
-      break;
+  }
+}
+
+void drawOwn(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter, int which)
+{
+  if (which == 12)
+  {
+    filter->SetMaximumEdgeLength(bytes.flag() ? 0.0 : bytes.number());
+    return;
+  }
+  const int choices = bytes.byte();
+  filter->SetSplitCrossingConstraints((choices & 1) != 0);
+  filter->SetPolygonRule((choices >> 1) & 1);
+  const auto source = drawSource(bytes);
+  if (auto* cells = vtkPolyData::SafeDownCast(source))
+  {
+    givePoints(bytes, (choices >> 2) % 6, filter, cells);
+  }
+  filter->SetInputData(1, source);
+}
+
+void drawOwn(Bytes& bytes, vtkFFPowerDiagramFilter* filter, int which)
+{
+  if (which == 2)
+  {
+    filter->SetPowerDiagramBoxMode(drawChoice(bytes));
+    return;
+  }
+  double box[4];
+  for (double& bound : box)
+  {
+    bound = bytes.number();
+  }
+  filter->SetPowerDiagramBounds(box);
+}
+
+void drawOwn(Bytes& bytes, vtkFFPlanarAlgorithm* filter)
+{
+  const int which = bytes.below(19);
+  switch (which)
+  {
     case 3:
       filter->SetProjectionPlaneMode(drawChoice(bytes));
       break;
@@ -272,11 +289,19 @@ void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
     case 11:
       filter->SetWeightFactor(bytes.number());
       break;
-    case 12:
-      filter->SetMaximumEdgeLength(bytes.flag() ? 0.0 : bytes.number());
-      break;
     default:
-      filter->SetGeneratePowerDiagram(bytes.flag());
+      if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
+      {
+        drawOwn(bytes, triangulation, which);
+      }
+      else if (auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(filter))
+      {
+        drawOwn(bytes, constrained, which);
+      }
+      else if (auto* diagram = vtkFFPowerDiagramFilter::SafeDownCast(filter))
+      {
+        drawOwn(bytes, diagram, which);
+      }
       break;
   }
 }
@@ -355,9 +380,9 @@ void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter)
     {
       drawOwn(bytes, convexify);
     }
-    else if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
+    else if (auto* planar = vtkFFPlanarAlgorithm::SafeDownCast(filter))
     {
-      drawOwn(bytes, triangulation);
+      drawOwn(bytes, planar);
     }
     else if (auto* hull = vtkFFHullFilter::SafeDownCast(filter))
     {

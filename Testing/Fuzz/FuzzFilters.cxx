@@ -9,12 +9,11 @@
 #include "FilterRun.h"
 #include "FilterSettings.h"
 
-#include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkExecutive.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
@@ -28,7 +27,6 @@
 #include "vtkPFFHullFilter.h"
 #include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
-#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -197,8 +195,7 @@ void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
     demand(fftest::isHullOf(input, output, filter->GetDimension()), "not the hull");
   }
   auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter);
-  if (triangulation && triangulation->GetNumberOfOutputPorts() == 3 &&
-    triangulation->GetNumberOfDroppedCells() == 0 && !triangulation->GetSource() &&
+  if (triangulation && triangulation->GetNumberOfDroppedCells() == 0 &&
     triangulation->GetProjectionPlaneMode() == vtkFFRegularTriangulationFilter::XY_PLANE &&
     !triangulation->GetInformation()->Has(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
   {
@@ -246,7 +243,7 @@ public:
 private:
   void judge()
   {
-    const bool failed = demandTold(this->Filter, this->Errors);
+    const bool failed = demandTold(this->Filter, this->Input, this->Errors);
     auto* points = vtkPointSet::SafeDownCast(this->Input);
     auto* hull = vtkFFHullFilter::SafeDownCast(this->Filter);
     demand(!failed || !points || !hull || !mustHaveHull(hull, points),
@@ -258,7 +255,7 @@ private:
     }
     if (!points)
     {
-      this->judgeBlocks(failed);
+      this->judgeBlocks();
     }
     else if (!failed)
     {
@@ -266,25 +263,22 @@ private:
     }
   }
 
-  /// Each block's result is what the block gives alone: none, if it fails alone.
-  void judgeBlocks(bool failed)
+  /// Each block's result is what the block gives alone: nothing, if it fails alone.
+  void judgeBlocks()
   {
     auto* input = vtkDataObjectTree::SafeDownCast(this->Input);
     auto* output = vtkDataObjectTree::SafeDownCast(this->Filter->GetOutputDataObject(0));
-    auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(this->Filter);
-    if (!input || !output || vtkPartitionedDataSet::SafeDownCast(input) ||
-      (triangulation && triangulation->GetSource())) // which is for one block alone
+    auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(this->Filter);
+    if (!input || !output || (constrained && constrained->GetSource())) // for one data set alone
     {
       return;
     }
-    vtkSmartPointer<vtkDataObjectTreeIterator> leaves;
-    leaves.TakeReference(input->NewTreeIterator());
-    leaves->VisitOnlyLeavesOn();
+    vtkSmartPointer<vtkCompositeDataIterator> leaves;
+    leaves.TakeReference(input->NewIterator());
     for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
     {
       auto* leaf = vtkPointSet::SafeDownCast(leaves->GetCurrentDataObject());
-      // The partitions of a collection are no blocks.
-      if (!leaf || input->IsA("vtkPartitionedDataSetCollection") || this->isPartition(input, leaf))
+      if (!leaf)
       {
         continue;
       }
@@ -296,36 +290,16 @@ private:
       const auto errors = fftest::ErrorObserver::Of(alone);
       alone->SetInputDataObject(leaf);
       alone->Update();
-      const bool failsAlone = demandTold(alone, errors);
-      vtkDataObject* const result = failed ? nullptr : output->GetDataSet(leaves);
-      demand(failsAlone == !result, "a block fails alone, and not with others, or the reverse");
-      if (failsAlone)
+      vtkDataObject* const result = output->GetDataSet(leaves);
+      if (demandTold(alone, leaf, errors))
       {
+        demand(isNothing(result), "a block fails alone, and not with others");
         continue;
       }
       demand(fftest::isIdentical(result, alone->GetOutputDataObject(0), "block"),
         "a block's result depends on the others");
       demandResult(alone, leaf);
     }
-  }
-
-  bool isPartition(vtkDataObjectTree* tree, vtkDataObject* leaf)
-  {
-    vtkSmartPointer<vtkDataObjectTreeIterator> nodes;
-    nodes.TakeReference(tree->NewTreeIterator());
-    nodes->VisitOnlyLeavesOff();
-    for (nodes->InitTraversal(); !nodes->IsDoneWithTraversal(); nodes->GoToNextItem())
-    {
-      auto* set = vtkPartitionedDataSet::SafeDownCast(nodes->GetCurrentDataObject());
-      for (unsigned int i = 0; set && i < set->GetNumberOfPartitions(); ++i)
-      {
-        if (set->GetPartitionAsDataObject(i) == leaf)
-        {
-          return true;
-        }
-      }
-    }
-    return false;
   }
 
   int Kind;
