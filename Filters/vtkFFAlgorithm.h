@@ -16,7 +16,8 @@
  *
  * An error is one message, of vtkErrorMacro: a sentence that names what is wrong and where. After
  * it, the output is empty, and GetErrorCode() is one of vtkFFErrorCode. A run reports progress. It
- * stops soon after a request to abort; its output is then empty, too.
+ * stops soon after a request to abort; its output is then empty, too, but for the data sets of a
+ * composite that were done before.
  *
  * The algorithm is that of
  *
@@ -302,6 +303,7 @@ private:
   vtkIdType NumberOfInputPoints = 0;
   vtkIdType NumberOfNonFinitePoints = 0;
   vtkIdType LastBlock = -1; ///< of a composite, which the executive had the filter work on
+  bool IsAborted = false;
 };
 VTK_ABI_NAMESPACE_END
 

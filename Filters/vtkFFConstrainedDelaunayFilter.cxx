@@ -268,7 +268,7 @@ int vtkFFConstrainedDelaunayFilter::FillInputPortInformation(int port, vtkInform
 int vtkFFConstrainedDelaunayFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* const points = vtkDataSet::GetData(inputVector[0]);
+  vtkDataObject* const points = vtkDataObject::GetData(inputVector[0]);
   vtkPolyData* const source = vtkPolyData::GetData(inputVector[1]);
   vtkFFRun run(this, "Constrained Delaunay triangulation", outputVector);
   run.Options.polygons = this->PolygonRule == DIRECTION ? flipflop::PolygonRule::Direction
@@ -298,7 +298,8 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
       }
       if (source)
       {
-        work.Given.emplace(source, points, run.Ids, this->ProjectionPlaneMode != XY_PLANE);
+        work.Given.emplace(
+          source, vtkDataSet::SafeDownCast(points), run.Ids, this->ProjectionPlaneMode != XY_PLANE);
       }
     });
   run.Do(

@@ -8,6 +8,7 @@
 #include "vtkFFRun.h"
 #include "vtkFFSurfaceCells.h"
 
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -43,8 +44,15 @@ void checkSettings(int engine, const double* kernel)
   }
 }
 
-void checkSurface(vtkPolyData* surface, const std::string& ofWhat)
+/// The input as a surface that has cells, and no others than a surface's.
+vtkPolyData* surfaceOf(vtkDataObject* input, const std::string& ofWhat)
 {
+  auto* const surface = vtkPolyData::SafeDownCast(input);
+  if (!surface) // in a composite, VTK does not check types
+  {
+    throw std::runtime_error(
+      "The data" + ofWhat + " is a " + input->GetClassName() + ". It must be a vtkPolyData.");
+  }
   if (surface->GetNumberOfCells() == 0 && surface->GetNumberOfPoints() > 0)
   {
     throw std::runtime_error("The surface" + ofWhat + " has no cells, but " +
@@ -57,6 +65,7 @@ void checkSurface(vtkPolyData* surface, const std::string& ofWhat)
   {
     throw std::runtime_error(fault);
   }
+  return surface;
 }
 
 }
@@ -111,11 +120,9 @@ int vtkFFConvexifyFilter::RequestData(
   run.Do(
     [&]
     {
-      vtkPolyData* const surface = vtkPolyData::GetData(inputVector[0]);
       const double* const kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
       checkSettings(this->Engine, kernel);
-      checkSurface(surface, run.OfWhat());
-
+      vtkPolyData* const surface = surfaceOf(vtkDataObject::GetData(inputVector[0]), run.OfWhat());
       vtkFFInput input;
       input.Take(vtkFFInput::PiecesOf(surface), false, run);
       const vtkFFSurfaceCells cells(surface, input.GetView(), run.Options);

@@ -67,7 +67,10 @@ void vtkFFPlanarInput::Take(vtkDataObject* data)
 {
   vtkFFInput input;
   // Weights are judged as they came: an array that does not fit does not go along with its points.
-  this->FindWeights(vtkDataSet::SafeDownCast(data));
+  if (auto* const points = vtkDataSet::SafeDownCast(data))
+  {
+    this->FindWeights(points);
+  }
   input.Take(vtkFFInput::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
   this->SetPoints(input.GetPieces()[0]);
   this->SetWeights(this->FindWeights(this->Points));

@@ -118,6 +118,7 @@ private:
   friend class vtkFFRun; // sets what the last run reports
 
   vtkIdType LastBlock = -1; ///< of a composite, which the executive had the filter work on
+  bool IsAborted = false;
 };
 VTK_ABI_NAMESPACE_END
 

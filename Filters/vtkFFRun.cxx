@@ -111,7 +111,7 @@ vtkFFRun::vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVect
   // VTK_INT_MAX is as much as a panel of ParaView can say.
   this->Engine.cudaFrom = filter->GetCUDAThreshold() >= VTK_INT_MAX ? flipflop::CudaPaysNever
                                                                     : filter->GetCUDAThreshold();
-  if (outputs && !this->Begin(filter->LastBlock))
+  if (outputs && !this->Begin(filter->LastBlock, filter->IsAborted))
   {
     filter->EngineUsed = vtkFFAlgorithm::ENGINE_NONE;
     filter->EngineReason = "no engine has run";
@@ -130,14 +130,14 @@ vtkFFRun::vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformatio
   this->Options.nonFinite = filter->GetNonFinitePoints() == vtkFFQueryAlgorithm::NON_FINITE_IGNORE
     ? flipflop::NonFinitePolicy::Ignore
     : flipflop::NonFinitePolicy::Error;
-  if (outputs && !this->Begin(filter->LastBlock))
+  if (outputs && !this->Begin(filter->LastBlock, filter->IsAborted))
   {
     filter->Dimension = -1;
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFRun::Begin(vtkIdType& lastBlock)
+bool vtkFFRun::Begin(vtkIdType& lastBlock, bool& isAborted)
 {
   // The executive runs a filter data set by data set on a composite: of n, the progress of number k
   // is from k/n on.
@@ -149,9 +149,15 @@ bool vtkFFRun::Begin(vtkIdType& lastBlock)
   {
     this->Block = " of data set " + std::to_string(block) + " of the composite";
   }
+  this->Aborted = &isAborted;
   if (!isNext)
   {
+    isAborted = false;
     this->SetCode(vtkFFErrorCode::NoError);
+  }
+  else if (isAborted)
+  {
+    this->Failure.Kind = vtkFFFailure::Aborted; // before VTK 9.3, the executive goes on
   }
   return isNext;
 }
@@ -372,10 +378,18 @@ int vtkFFRun::Finish(bool aloud)
 {
   if (!this->Failure)
   {
+    if (this->Aborted)
+    {
+      *this->Aborted = this->IsAbortRequested();
+    }
     return 1;
   }
   if (this->Failure.Kind == vtkFFFailure::Aborted)
   {
+    if (this->Aborted)
+    {
+      *this->Aborted = true;
+    }
     // The pipeline is to know that the output is not whole.
 #if VTK_FF_HAS_CHECK_ABORT
     this->Filter->SetAbortOutput(true);

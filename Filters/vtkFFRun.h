@@ -170,7 +170,7 @@ public:
 
 private:
   /// Returns whether it is of the next block of a composite. The error code stays then.
-  bool Begin(vtkIdType& lastBlock);
+  bool Begin(vtkIdType& lastBlock, bool& isAborted);
   static bool ForwardProgress(double fraction, void* self);
   static void ForwardStep(const char* name, void* self);
   std::string DescribeError(const flipflop::Error& error) const;
@@ -180,6 +180,7 @@ private:
   const char* Title;
   vtkInformationVector* const Outputs;
   const std::function<void(unsigned long)> SetCode;
+  bool* Aborted = nullptr; // of the filter: whether a composite's run was
   double Part[2] = { 0.0, 1.0 };
   double Reached = 0.0;
   std::string Block; // the clause for it, where the executive goes from block to block

@@ -174,7 +174,7 @@ void checkProgress(const std::vector<double>& values)
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     FF_CHECK(values[i] >= 0.0 && values[i] <= 1.0);
-    FF_CHECK(i == 0 || values[i] >= values[i - 1]);
+    FF_CHECK(i == 0 || values[i] >= values[i - 1] - 1e-12); // the executive rounds sums
   }
   FF_CHECK(!values.empty() && values.back() == 1.0);
 }
