@@ -19,6 +19,7 @@ std::atomic<int> filterCount{ 0 };
 
 //------------------------------------------------------------------------------
 vtkFFAlgorithm::vtkFFAlgorithm()
+  : CUDAThreshold(VTK_ID_MAX)
 {
   ++filterCount;
 }

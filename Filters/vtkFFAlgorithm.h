@@ -281,7 +281,7 @@ protected:
   virtual void ForgetReport() {}
 
   int Engine = ENGINE_AUTOMATIC;
-  vtkIdType CUDAThreshold = VTK_ID_MAX;
+  vtkIdType CUDAThreshold; ///< VTK 9.1 cannot wrap this default: see the constructor
   int NumberOfThreads = 0;
   int FacetMode = FACETS_AS_TRIANGLES;
   int NonFinitePoints = NON_FINITE_ERROR;
@@ -295,7 +295,7 @@ private:
   vtkFFAlgorithm(const vtkFFAlgorithm&) = delete;
   void operator=(const vtkFFAlgorithm&) = delete;
 
-  friend class vtkFFRun; // sets what the last run reports
+  friend class vtkFFRun;
 
   int EngineUsed = ENGINE_NONE;
   std::string EngineReason = "no engine has run";
