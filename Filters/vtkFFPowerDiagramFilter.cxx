@@ -59,6 +59,7 @@ int vtkFFPowerDiagramFilter::RequestData(
           input.GetPlane(), input.GetWeights(), triangulation, box.data(), run.Options);
       }
       vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+      vtkFFPowerCells::Write(this, input, diagram, run, output);
       run.AddToReport(triangulation, output);
       const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
       this->NumberOfHiddenPoints += static_cast<vtkIdType>(hidden);
@@ -66,7 +67,6 @@ int vtkFFPowerDiagramFilter::RequestData(
       {
         vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", hidden);
       }
-      vtkFFPowerCells::Write(this, input, diagram, run, output);
     });
   return run.Finish();
 }

@@ -80,10 +80,10 @@ int vtkFFRegularTriangulationFilter::RequestData(
       const std::int64_t dropped =
         outputs.DropCells(input.GetPlane(), input.GetWeights(), triangulation);
       const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
-      run.AddToReport(triangulation, output);
-      outputs.Report(hidden, dropped, output);
       outputs.Write(input, triangulation, output, vtkPolyData::GetData(outputVector, 1),
         vtkPolyData::GetData(outputVector, 2));
+      run.AddToReport(triangulation, output);
+      outputs.Report(hidden, dropped, output);
     });
   return run.Finish();
 }

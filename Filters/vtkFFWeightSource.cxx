@@ -3,6 +3,7 @@
 #include "vtkFFWeightSource.h"
 
 #include "vtkFFExactValues.h"
+#include "vtkFFFailure.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -27,7 +28,7 @@ vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const Rule& rule)
   {
     std::ostringstream message;
     message << "Weight Factor is " << rule.Factor << "; it must be finite.";
-    throw std::runtime_error(message.str());
+    throw vtkFFBadSetting(message.str());
   }
   if (!array)
   {

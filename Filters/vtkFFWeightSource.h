@@ -72,7 +72,7 @@ public:
   /**
    * The weights by the values of @p array; null: no weights.
    *
-   * @throw vtkFFInexactValue, vtkFFBadWeight, flipflop::Error OutOfMemory; std::runtime_error for a
+   * @throw vtkFFInexactValue, vtkFFBadWeight, flipflop::Error OutOfMemory; vtkFFBadSetting for a
    *        factor that is not finite.
    */
   vtkFFWeightSource(vtkDataArray* array, const Rule& rule);

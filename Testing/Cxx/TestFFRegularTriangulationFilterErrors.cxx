@@ -2,183 +2,152 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What cannot be done is an error that says what and where, with all outputs empty; the next run is
 // none the worse for it. Wrong weight arrays are in the test of weights.
-#include "FFTest.h"
+#include "FFPlanar.h"
 
-#include "vtkErrorCode.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkNew.h"
+#include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
-
-#include <limits>
 
 using namespace fftest;
 
 namespace
 {
 
-const double infinity = std::numeric_limits<double>::infinity();
-const double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// One error, and nothing on any port.
-void checkFailure(vtkFFRegularTriangulationFilter* filter, ErrorObserver* errors)
-{
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK_EQUAL(errors->FailedRequests, 1);
-  FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
-  FF_CHECK_EQUAL(filter->GetDimension(), -1);
-  FF_CHECK_EQUAL(filter->GetNumberOfHiddenPoints(), 0);
-  for (int port = 0; port < 3; ++port)
-  {
-    FF_CHECK(isEmpty(filter->GetOutput(port)));
-  }
-}
-
-void checkSuccess(vtkFFRegularTriangulationFilter* filter, ErrorObserver* errors)
-{
-  errors->Clear();
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK_EQUAL(filter->GetErrorCode(), vtkErrorCode::NoError);
-  FF_CHECK(filter->GetOutput()->GetNumberOfPolys() > 0);
-}
-
 /// A coordinate, z included, or a weight: in each mode of projection.
-void testNonFinite(int type)
+template <class FilterT>
+void testNonFinite(int type, bool weighted)
 {
-  for (const double value : { nan, infinity, -infinity })
+  for (const double value : { notANumber, infinity, -infinity })
   {
-    for (std::size_t axis = 0; axis < 4; ++axis)
+    for (std::size_t axis = 0; axis < (weighted ? 4 : 3); ++axis)
     {
       auto points = randomPoints(1000, 31);
       std::vector<double> weights(1000, 0.0);
-      if (axis < 3)
-      {
-        points[123][axis] = value;
-      }
-      else
-      {
-        weights[123] = value;
-      }
+      (axis < 3 ? points[123][axis] : weights[123]) = value;
       points[456][2] = value;
       points[999] = { value, value, value };
       weights[999] = value;
       const auto input = makeWeighted(points, weights);
-      if (type == VTK_FLOAT)
-      {
-        input->SetPoints(makePoints(points, type)->GetPoints());
-      }
+      input->SetPoints(makePoints(points, type)->GetPoints());
 
       vtkNew<vtkTransform> identity;
-      vtkNew<vtkFFRegularTriangulationFilter> filter;
-      const auto errors = ErrorObserver::Of(filter);
-      useWeights(filter);
-      filter->GeneratePowerDiagramOn();
-      filter->SetTransform(identity);
-      filter->SetInputData(input);
+      Watched<FilterT> run(input, weighted ? "weights" : nullptr);
+      run->SetTransform(identity);
       for (int mode = 0; mode < 3; ++mode)
       {
-        filter->SetProjectionPlaneMode(mode);
-        filter->Update();
-        checkFailure(filter, errors);
-        FF_CHECK(errors->Has("point 123,"));
-        FF_CHECK(errors->Has("3 such point(s)"));
-        FF_CHECK(errors->Has("NaN or infinite"));
-        FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
+        run->SetProjectionPlaneMode(mode);
+        run->SetNonFinitePointsToError();
+        run->Update();
+        FF_CHECK(run.Errors->Has("point 123, 3 such point(s) in all."));
+        FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), 3);
+        run.Fail("NaN or infinite", vtkFFErrorCode::NonFiniteError);
 
-        // Left out, the others have their triangulation, with the ids of the whole input.
-        filter->SetNonFinitePointsToIgnore();
-        checkSuccess(filter, errors);
-        FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
-        FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), 1000);
-        const auto ids = originalIds(filter->GetOutput());
-        FF_CHECK_EQUAL(ids.size(), std::size_t(997));
-        FF_CHECK(ids.back() == 998);
-        FF_CHECK_EQUAL(filter->GetNumberOfHiddenPoints(), 0);
-        filter->SetNonFinitePointsToError();
+        // Left out, the others have their result, with the ids of the whole input.
+        run->SetNonFinitePointsToIgnore();
+        vtkPolyData* output = run.Run();
+        FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), 3);
+        FF_CHECK_EQUAL(run->GetNumberOfInputPoints(), 1000);
+        FF_CHECK(output->GetNumberOfPolys() > 900);
+        FF_CHECK(!output->GetPointData()->HasArray("vtkOriginalPointIds") ||
+          (originalIds(output).size() == 997 && originalIds(output).back() == 998));
       }
     }
   }
-}
-
-void testNothingButNonFinite()
-{
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetNonFinitePointsToIgnore();
-  filter->GeneratePowerDiagramOn();
-  filter->SetInputData(makePoints({ { nan, 0, 0 }, { 0, infinity, 0 }, { 0, 0, nan } }));
+  Watched<FilterT> none(
+    makePoints({ { notANumber, 0, 0 }, { 0, infinity, 0 }, { 0, 0, notANumber } }));
+  none->SetNonFinitePointsToIgnore();
   for (const int mode : { 0, 2 })
   {
-    filter->SetProjectionPlaneMode(mode);
-    filter->Update();
-    FF_CHECK(errors->Messages.empty());
-    FF_CHECK_EQUAL(filter->GetDimension(), -1);
-    FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
-    FF_CHECK(isEmpty(filter->GetOutput()) && isEmpty(filter->GetPowerDiagramOutput()));
+    none->SetProjectionPlaneMode(mode);
+    FF_CHECK(isEmpty(none.Run()));
+    FF_CHECK_EQUAL(none->GetDimension(), -1);
+    FF_CHECK_EQUAL(none->GetNumberOfNonFinitePoints(), 3);
   }
 }
 
-void testSettings()
+/// A plane by a transform that is not there; one that flattens, so that nothing leads back.
+template <class FilterT>
+void testTransform(bool needsInverse)
 {
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetInputData(makePoints(randomPoints(50, 32)));
-  checkSuccess(filter, errors);
-
-  filter->SetProjectionPlaneModeToTransform();
-  filter->Update();
-  checkFailure(filter, errors);
-  FF_CHECK(errors->Has("no Transform is set"));
-  filter->SetProjectionPlaneModeToXYPlane();
-  checkSuccess(filter, errors);
-
-  filter->SetPowerDiagramBoxModeToBounds();
-  const double boxes[4][4] = { { 1, 0, 0, 1 }, { 0, 1, 2, 2 }, { 0, infinity, 0, 1 },
-    { 0, 1, nan, 1 } };
-  for (const auto& box : boxes)
-  {
-    filter->SetPowerDiagramBounds(box);
-    filter->GeneratePowerDiagramOff();
-    checkSuccess(filter, errors); // nobody asked for the diagram
-    filter->GeneratePowerDiagramOn();
-    filter->Update();
-    checkFailure(filter, errors);
-    FF_CHECK(errors->Has("(xmin, xmax, ymin, ymax)"));
-  }
-  filter->SetPowerDiagramBounds(0, 1, 0, 1);
-  checkSuccess(filter, errors);
-}
-
-/// A transform that flattens will do for a triangulation, but nothing leads back from it.
-void testTransformWithoutInverse()
-{
-  vtkNew<vtkTransform> flatten;
-  flatten->Scale(1.0, 1.0, 1.0);
+  Watched<FilterT> run(makePoints(randomPoints(50, 33)));
+  run->SetProjectionPlaneModeToTransform();
+  run.Fail("no Transform is set", vtkFFErrorCode::SettingError);
   vtkNew<vtkMatrix4x4> matrix;
   matrix->SetElement(2, 2, 0.0);
+  vtkNew<vtkTransform> flatten;
   flatten->SetMatrix(matrix);
-  const auto input = makePoints(randomPoints(50, 33));
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetTransform(flatten);
-  filter->SetProjectionPlaneModeToTransform();
-  filter->SetInputData(input);
-  checkSuccess(filter, errors);
-  FF_CHECK(isTriangulationOf(input, nullptr, filter));
-  filter->GeneratePowerDiagramOn();
-  filter->Update();
-  checkFailure(filter, errors);
-  FF_CHECK(errors->Has("no inverse"));
+  run->SetTransform(flatten);
+  if (!needsInverse)
+  {
+    FF_CHECK(run.Run()->GetNumberOfPolys() > 0);
+    run->GenerateCellMeasuresOn();
+  }
+  run.Fail("no inverse", vtkFFErrorCode::InputError);
+  run->SetProjectionPlaneModeToXYPlane();
+  FF_CHECK(run.Run()->GetNumberOfPolys() > 0);
+}
+
+void testBox()
+{
+  Watched<vtkFFPowerDiagramFilter> run(makePoints(randomPoints(50, 32)));
+  for (const auto& box : { std::array<double, 4>{ 1, 0, 0, 1 }, { 0, 1, 2, 2 },
+         { 0, infinity, 0, 1 }, { 0, 1, notANumber, 1 } })
+  {
+    run->SetPowerDiagramBounds(box.data());
+    run.Fail("(xmin, xmax, ymin, ymax)", vtkFFErrorCode::SettingError);
+    run->SetPowerDiagramBoxModeToPoints();
+    FF_CHECK_EQUAL(run.Run()->GetNumberOfPolys(), 50); // the bounds are not in use
+  }
+  run->SetPowerDiagramBounds(0, 1, 0, 1);
+  FF_CHECK(run.Run()->GetNumberOfPolys() > 0);
+}
+
+/// A length that is none is refused where it is set; what was set before stays.
+template <class Set, class Get>
+void testRefused(const std::string& words, const Set& set, const Get& get)
+{
+  Watched<vtkFFRegularTriangulationFilter> run(makePoints(randomPoints(50, 34)));
+  FF_CHECK_EQUAL(get(run.Get()), 0.0);
+  set(run.Get(), 0.5);
+  const auto expected = copyOf(run.Run());
+  const vtkMTimeType time = run->GetMTime();
+  for (const double value : { -1.0, -infinity, notANumber })
+  {
+    run.Errors->Clear();
+    set(run.Get(), value);
+    FF_CHECK_EQUAL(run.Errors->Messages.size(), std::size_t(1));
+    FF_CHECK(run.Errors->Has(words));
+    FF_CHECK_EQUAL(get(run.Get()), 0.5);
+    FF_CHECK_EQUAL(run->GetMTime(), time);
+  }
+  FF_CHECK(isIdentical(run.Run(), expected, words));
+  set(run.Get(), -0.0);
+  FF_CHECK_EQUAL(get(run.Get()), 0.0);
+  run.Run();
+  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
 }
 
 }
 
 int TestFFRegularTriangulationFilterErrors(int, char*[])
 {
-  testNonFinite(VTK_DOUBLE);
-  testNonFinite(VTK_FLOAT);
-  testNothingButNonFinite();
-  testSettings();
-  testTransformWithoutInverse();
+  using Filter = vtkFFRegularTriangulationFilter;
+  testNonFinite<Filter>(VTK_DOUBLE, true);
+  testNonFinite<Filter>(VTK_FLOAT, true);
+  testNonFinite<vtkFFPowerDiagramFilter>(VTK_DOUBLE, true);
+  testNonFinite<vtkFFConstrainedDelaunayFilter>(VTK_DOUBLE, false);
+  testTransform<Filter>(false);
+  testTransform<vtkFFConstrainedDelaunayFilter>(false);
+  testTransform<vtkFFPowerDiagramFilter>(true);
+  testBox();
+  testRefused(
+    "Alpha is to be ", [](Filter* filter, double x) { filter->SetAlpha(x); },
+    [](Filter* filter) { return filter->GetAlpha(); });
+  testRefused(
+    "Maximum Edge Length is to be ",
+    [](Filter* filter, double x) { filter->SetMaximumEdgeLength(x); },
+    [](Filter* filter) { return filter->GetMaximumEdgeLength(); });
   return result();
 }

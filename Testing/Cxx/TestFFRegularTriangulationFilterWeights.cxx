@@ -2,110 +2,98 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Weights of every type and layout give the same triangulation; what is no array of weights is an
 // error that names it.
-#include "FFTest.h"
+#include "FFPlanar.h"
 
 #include "vtkBitArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedLongLongArray.h"
 
 #include <cmath>
-#include <limits>
 
 using namespace fftest;
 
 namespace
 {
 
-/// Runs the filter without an error, and checks.
+using Run = Watched<vtkFFRegularTriangulationFilter>;
+
+/// The oracle's triangulation; null: no weights.
 vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input, const char* name = "weights")
 {
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  useWeights(filter, name);
-  filter->SetInputData(input);
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK(isTriangulationOf(input, name, filter));
-  return filter->GetOutput();
+  Run run(input, name);
+  run.Run();
+  FF_CHECK(isTriangulationOf(input, name, run.Get()));
+  return run->GetOutput();
 }
 
 /// Points at integer places, so that small integers are weights that matter.
-std::vector<Point> lattice()
+const std::vector<Point>& lattice()
 {
-  std::vector<Point> points = randomPoints(600, 51);
-  for (Point& p : points)
+  static std::vector<Point> points;
+  if (points.empty())
   {
-    p = { std::floor(40.0 * p[0]), std::floor(40.0 * p[1]), p[2] };
+    points = randomPoints(600, 51);
+    for (Point& p : points)
+    {
+      p = { std::floor(40.0 * p[0]), std::floor(40.0 * p[1]), p[2] };
+    }
   }
   return points;
 }
 
-std::vector<double> smallIntegers(std::size_t count)
+/// Weights that fit every type: below @p limit.
+std::vector<double> smallIntegers(int limit = 31)
 {
   std::vector<double> weights;
-  for (std::size_t i = 0; i < count; ++i)
+  for (int i = 0; i < 600; ++i)
   {
-    weights.push_back(static_cast<double>(i * i * 7 % 31)); // fits every type
+    weights.push_back(i * i * 7 % limit);
   }
   return weights;
 }
 
+/// The lattice with the weights in this array.
+template <class ArrayT>
+vtkSmartPointer<vtkPolyData> weightedBy(ArrayT* array, const std::vector<double>& weights)
+{
+  const auto input = makePoints(lattice());
+  array->SetName("weights");
+  array->SetNumberOfComponents(1); // SOA arrays want to be told
+  array->SetNumberOfTuples(600);
+  for (vtkIdType i = 0; i < 600; ++i)
+  {
+    array->SetComponent(i, 0, weights[static_cast<std::size_t>(i)]);
+  }
+  input->GetPointData()->AddArray(array);
+  return input;
+}
+
 void testTypes()
 {
-  const auto points = lattice();
-  const auto weights = smallIntegers(points.size());
-  const auto reference = triangulate(makeWeighted(points, weights));
-  FF_CHECK(reference->GetNumberOfPoints() < vtkIdType(points.size()));
+  const auto reference = triangulate(makeWeighted(lattice(), smallIntegers()));
+  FF_CHECK(reference->GetNumberOfPoints() < 600);
   for (const int type : { VTK_FLOAT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
          VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
          VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE })
   {
-    const auto output = triangulate(makeWeighted(points, weights, type));
+    const auto output = triangulate(makeWeighted(lattice(), smallIntegers(), type));
     FF_CHECK(isSame(output, reference));
     FF_CHECK_EQUAL(output->GetPointData()->GetArray("weights")->GetDataType(), type);
   }
 }
 
 template <class ArrayT>
-void testLayout()
+void testLayout(int limit = 31)
 {
-  const auto points = lattice();
-  const auto weights = smallIntegers(points.size());
-  const auto input = makePoints(points);
+  const auto weights = smallIntegers(limit);
   vtkNew<ArrayT> array;
-  array->SetName("weights");
-  array->SetNumberOfComponents(1); // SOA arrays want to be told
-  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    array->SetComponent(static_cast<vtkIdType>(i), 0, weights[i]);
-  }
-  input->GetPointData()->AddArray(array);
-  FF_CHECK(isSame(triangulate(input), triangulate(makeWeighted(points, weights))));
-}
-
-void testBits()
-{
-  const auto points = lattice();
-  const auto input = makePoints(points);
-  std::vector<double> weights;
-  vtkNew<vtkBitArray> bits;
-  bits->SetName("weights");
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    bits->InsertNextValue(i % 3 == 0);
-    weights.push_back(i % 3 == 0);
-  }
-  input->GetPointData()->AddArray(bits);
-  FF_CHECK(isSame(triangulate(input), triangulate(makeWeighted(points, weights))));
+  FF_CHECK(isSame(
+    triangulate(weightedBy(array.Get(), weights)), triangulate(makeWeighted(lattice(), weights))));
 }
 
 /// 64-bit integers are taken while a double holds them, whatever the layout, and refused by name
@@ -114,103 +102,63 @@ template <class ArrayT>
 void testWideIntegers()
 {
   using T = typename ArrayT::ValueType;
-  const auto points = lattice();
-  const auto input = makePoints(points);
-  vtkNew<ArrayT> array;
-  array->SetName("wide");
-  array->SetNumberOfComponents(1);
   const T big = T(1) << 60;
-  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    array->SetTypedComponent(i, 0, big);
-  }
-  input->GetPointData()->AddArray(array);
-  const auto output = triangulate(input, "wide");
+  vtkNew<ArrayT> array;
+  const auto input = weightedBy(array.Get(), std::vector<double>(600, double(big)));
+  // All weigh the same: as without weights.
+  FF_CHECK(isSame(triangulate(input), triangulate(input, nullptr)));
 
-  // All weigh the same: no weights at all.
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetInputData(input);
-  filter->Update();
-  FF_CHECK(isSame(output, filter->GetOutput()));
-
+  Run run(input, "weights");
   for (const T value : { static_cast<T>(big + 1), std::numeric_limits<T>::max() })
   {
     array->SetTypedComponent(5, 0, value);
-    errors->Clear();
-    useWeights(filter, "wide");
-    filter->Modified();
-    filter->Update();
-    FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-    FF_CHECK(errors->Has("A weight is a 64-bit integer"));
-    FF_CHECK(errors->Has("point 5."));
-    FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
-    FF_CHECK(isEmpty(filter->GetOutput()));
+    array->Modified();
+    run->SetWeightFactor(1.0);
+    run->SetWeightModeToWeights();
+    const char* words = "A weight is a 64-bit integer that no double holds: first at point 5.";
+    run.Fail(words, vtkFFErrorCode::InputError);
+    run->SetWeightFactor(0.5);
+    run.Fail(words, vtkFFErrorCode::InputError);
+    run->SetWeightModeToRadii();
+    run.Fail("A radius is a 64-bit integer that no double holds: first at point 5.",
+      vtkFFErrorCode::InputError);
+    FF_CHECK(run.Errors->Messages[0].find("offset") == std::string::npos);
   }
 }
 
-/// The active scalars, an empty name, and none.
+/// The active scalars, an empty name, None, and none.
 void testChoice()
 {
-  const auto points = lattice();
-  const auto weights = smallIntegers(points.size());
-  const auto input = makeWeighted(points, weights);
+  const auto weights = smallIntegers();
+  const auto input = makeWeighted(lattice(), weights);
   const auto weighted = triangulate(input);
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetInputData(input);
-  filter->Update();
-  FF_CHECK(isTriangulationOf(input, nullptr, filter));
-  vtkNew<vtkPolyData> delaunay;
-  delaunay->DeepCopy(filter->GetOutput());
+  const auto delaunay = triangulate(input, nullptr);
   FF_CHECK(!isSame(delaunay, weighted));
+  Run run(input);
+  FF_CHECK(isSame(run.Run(), delaunay));
+  useWeights(run.Get());
+  FF_CHECK(isSame(run.Run(), weighted));
+  for (const char* none : { "", "None" })
+  {
+    useWeights(run.Get(), none);
+    FF_CHECK(isSame(run.Run(), delaunay));
+  }
+  // None in cell data is none either, and no error: points are what weights belong to.
+  run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "None");
+  FF_CHECK(isSame(run.Run(), delaunay));
+  // An array may have that name.
+  FF_CHECK(
+    isSame(triangulate(makeWeighted(lattice(), weights, VTK_DOUBLE, "None"), "None"), weighted));
 
-  useWeights(filter);
-  filter->Update();
-  FF_CHECK(isSame(filter->GetOutput(), weighted));
-  useWeights(filter, "");
-  filter->Update();
-  FF_CHECK(isSame(filter->GetOutput(), delaunay));
-
-  filter->SetInputArrayToProcess(
+  run->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  filter->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK(errors->Has("active Scalars"));
-  FF_CHECK(isEmpty(filter->GetOutput()));
-  errors->Clear();
+  run.Fail("active Scalars", vtkFFErrorCode::InputError);
   input->GetPointData()->SetActiveScalars("weights");
   input->Modified();
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK(isSame(filter->GetOutput(), weighted));
+  FF_CHECK(isSame(run.Run(), weighted));
 }
 
-/// None is no array, unless the input has one of that name.
-void testNone()
-{
-  const auto points = lattice();
-  const auto weights = smallIntegers(points.size());
-  const auto input = makeWeighted(points, weights);
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  useWeights(filter, "None");
-  filter->SetInputData(input);
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK(isTriangulationOf(input, nullptr, filter));
-
-  const auto named = makeWeighted(points, weights, VTK_DOUBLE, "None");
-  FF_CHECK(isSame(triangulate(named, "None"), triangulate(input)));
-
-  // In cell data it is none either, and no error: points are what weights belong to.
-  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "None");
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK(isTriangulationOf(input, nullptr, filter));
-}
-
+template <class FilterT>
 void testWrongArrays()
 {
   const auto input = makePoints(randomPoints(10, 52));
@@ -231,46 +179,26 @@ void testWrongArrays()
   add("too short", 1, 9);
   add("too long", 1, 11);
 
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetInputData(input);
-  const auto check = [&](const std::string& name, const std::string& what)
+  Watched<FilterT> run(input);
+  const auto check = [&](const std::string& name, const std::string& what, int association)
   {
-    filter->Update();
-    FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-    FF_CHECK(errors->Has("\"" + name + "\""));
-    FF_CHECK(errors->Has(what));
-    FF_CHECK(filter->GetErrorCode() != vtkErrorCode::NoError);
-    FF_CHECK(isEmpty(filter->GetOutput()));
-    FF_CHECK(isEmpty(filter->GetHiddenPointsOutput()));
-    errors->Clear();
+    run->SetInputArrayToProcess(0, 0, 0, association, name.c_str());
+    run.Fail(what, vtkFFErrorCode::InputError);
+    FF_CHECK(run.Errors->Has("\"" + name + "\""));
   };
-  useWeights(filter, "absent");
-  check("absent", "missing");
-  useWeights(filter, "names");
-  check("names", "vtkStringArray");
-  useWeights(filter, "vectors");
-  check("vectors", "3 components");
-  useWeights(filter, "too short");
-  check("too short", "9 value(s) for 10 point(s)");
-  useWeights(filter, "too long");
-  check("too long", "11 value(s) for 10 point(s)");
-  filter->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "heat of the cell");
-  check("heat of the cell", "point data");
+  constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  check("absent", "missing", points);
+  check("names", "vtkStringArray", points);
+  check("vectors", "3 components", points);
+  check("too short", "9 value(s) for 10 point(s)", points);
+  check("too long", "11 value(s) for 10 point(s)", points);
+  check("heat of the cell", "point data", vtkDataObject::FIELD_ASSOCIATION_CELLS);
 
   // No point needs no weights.
-  useWeights(filter, "absent");
-  filter->SetInputData(makePoints(std::vector<Point>{}));
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK_EQUAL(filter->GetErrorCode(), vtkErrorCode::NoError);
-
-  filter->SetInputData(input);
-  useWeights(filter, "");
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK(isTriangulationOf(input, nullptr, filter));
+  useWeights(run.Get(), "absent");
+  run.RunWith(makePoints(std::vector<Point>{}));
+  useWeights(run.Get(), "");
+  FF_CHECK(run.RunWith(input)->GetNumberOfPolys() > 0);
 }
 
 }
@@ -281,12 +209,12 @@ int TestFFRegularTriangulationFilterWeights(int, char*[])
   testLayout<vtkSOADataArrayTemplate<float>>();
   testLayout<vtkSOADataArrayTemplate<double>>();
   testLayout<vtkSOADataArrayTemplate<int>>();
-  testBits();
+  testLayout<vtkBitArray>(2);
   testWideIntegers<vtkTypeInt64Array>();
   testWideIntegers<vtkUnsignedLongLongArray>();
   testWideIntegers<vtkSOADataArrayTemplate<vtkTypeInt64>>();
   testChoice();
-  testNone();
-  testWrongArrays();
+  testWrongArrays<vtkFFRegularTriangulationFilter>();
+  testWrongArrays<vtkFFPowerDiagramFilter>();
   return result();
 }
