@@ -71,7 +71,6 @@ public:
     this->Filter->Modified();
     this->Filter->Update();
     FF_CHECK_EQUAL(this->Errors->Messages.size(), std::size_t(1));
-    FF_CHECK_EQUAL(this->Errors->FailedRequests, 0);
     FF_CHECK(this->Errors->Has(words));
     FF_CHECK_EQUAL(this->Filter->GetErrorCode(), code);
     FF_CHECK(hasForgotten(this->Filter));

@@ -1,183 +1,151 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells with an edge longer than a limit are left out, and nothing else: points, hidden points and
-// the power diagram stay.
-#include "FFTest.h"
+// Cells with an edge longer than a limit are left out, and nothing else: points and hidden points
+// stay.
+#include "FFPlanar.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkTransform.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 
 using namespace fftest;
 
 namespace
 {
 
-using Filter = vtkFFRegularTriangulationFilter;
-
 std::vector<Point> latticeWithGaps()
 {
   std::vector<Point> points;
-  for (int i = 0; i < 400; ++i)
+  for (const Point& p : gridOf(20, 20))
   {
-    const int x = i % 20;
-    const int y = i / 20;
-    if (x * x * 7 % 11 != y % 5)
+    const int x = static_cast<int>(p[0]);
+    if (x * x * 7 % 11 != static_cast<int>(p[1]) % 5)
     {
-      points.push_back({ double(x), double(y), double(i * i % 13) });
+      points.push_back({ p[0], p[1], double((20 * x + 1) % 13) });
     }
   }
+  points.push_back(points[0]); // hidden
   return points;
 }
 
 /// The square of a cell's longest edge; exact for small integers.
-double longest(vtkPolyData* output, const std::vector<vtkIdType>& cell, const Point& scale)
+double longest(vtkPolyData* output, const Ids& cell, const Point& scale)
 {
   double most = 0.0;
   for (std::size_t i = 0; i < cell.size(); ++i)
   {
-    double p[3];
-    double q[3];
-    output->GetPoint(cell[i], p);
-    output->GetPoint(cell[(i + 1) % cell.size()], q);
-    const double x = scale[0] * (p[0] - q[0]);
-    const double y = scale[1] * (p[1] - q[1]);
-    const double z = scale[2] * (p[2] - q[2]);
-    most = std::max(most, x * x + y * y + z * z);
+    Point p;
+    Point q;
+    output->GetPoint(cell[i], p.data());
+    output->GetPoint(cell[(i + 1) % cell.size()], q.data());
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum += scale[k] * (p[k] - q[k]) * (scale[k] * (p[k] - q[k]));
+    }
+    most = std::max(most, sum);
   }
   return most;
 }
 
-std::vector<std::vector<vtkIdType>> cellsOf(vtkCellArray* cells)
-{
-  std::vector<std::vector<vtkIdType>> found;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    cells->GetCellAtId(i, size, corners);
-    found.emplace_back(corners, corners + size);
-  }
-  return found;
-}
-
 /// With the filter as it is set, all cells but those with a longer edge; lengths by the scale.
-void expectWithin(
-  Filter* filter, double limit, const Point& scale, const std::vector<int>& threads = { 0 })
+template <class FilterT>
+void expectWithin(Watched<FilterT>& run, double limit, const Point& scale)
 {
-  filter->SetMaximumEdgeLength(0.0);
-  filter->Update();
-  vtkNew<vtkPolyData> all;
-  vtkNew<vtkPolyData> hidden;
-  vtkNew<vtkPolyData> diagram;
-  all->DeepCopy(filter->GetOutput());
-  hidden->DeepCopy(filter->GetHiddenPointsOutput());
-  diagram->DeepCopy(filter->GetPowerDiagramOutput());
-  FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(0));
-  std::vector<std::vector<vtkIdType>> expected;
-  for (const auto& cell : cellsOf(all->GetPolys()))
+  run->SetMaximumEdgeLength(0.0);
+  const auto all = copyOf(run.Run());
+  const auto other = copyOf(run->GetOutput(1));
+  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
+  Cells expected;
+  for (const Ids& cell : cellsOf(all->GetPolys()))
   {
     if (longest(all, cell, scale) <= limit * limit)
     {
       expected.push_back(cell);
     }
   }
-  const vtkIdType count = all->GetNumberOfCells();
-  all->GetPolys()->Initialize();
-  all->GetCellData()->Initialize();
-  filter->SetMaximumEdgeLength(limit);
-  for (const int number : threads)
+  FF_CHECK(expected.size() < std::size_t(all->GetNumberOfCells()) || limit >= 1.5);
+  run->SetMaximumEdgeLength(limit);
+  for (const int threads : { 1, 4 })
   {
-    filter->SetNumberOfThreads(number);
-    filter->Update();
-    FF_CHECK(cellsOf(filter->GetOutput()->GetPolys()) == expected);
-    FF_CHECK_EQUAL(
-      filter->GetNumberOfDroppedCells(), count - static_cast<vtkIdType>(expected.size()));
-    filter->GetOutput()->GetPolys()->Initialize();
-    filter->GetOutput()->GetCellData()->Initialize();
-    FF_CHECK(isSame(filter->GetOutput(), all));
-    FF_CHECK(isIdentical(filter->GetHiddenPointsOutput(), hidden, "hidden"));
-    FF_CHECK(!filter->GetGeneratePowerDiagram() ||
-      isIdentical(filter->GetPowerDiagramOutput(), diagram, "diagram"));
+    run->SetNumberOfThreads(threads);
+    run.Run();
+    FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), all->GetNumberOfCells() - int(expected.size()));
+    const auto found = copyOf(run->GetOutput());
+    FF_CHECK(cellsOf(found->GetPolys()) == expected);
+    found->SetPolys(all->GetPolys());
+    FF_CHECK(isSame(found, all));
+    FF_CHECK(isEmpty(other) ? isEmpty(run->GetOutput(1))
+                            : isIdentical(run->GetOutput(1), other, "the other port"));
   }
 }
 
+template <class FilterT>
 void testLimits()
 {
   const auto input = makePoints(latticeWithGaps());
+  Watched<FilterT> run(input);
   for (const bool polygons : { false, true })
   {
-    for (const bool diagram : { false, true })
+    run->SetFacetMode(polygons);
+    // At ties, sqrt(5) rounds up and sqrt(2) too: not to be longer is not to be as long.
+    for (const double limit : { 1.0, std::nextafter(1.0, 0.0), std::sqrt(2.0), 2.0, std::sqrt(5.0),
+           std::nextafter(std::sqrt(5.0), 0.0), 3.5, 1e300 })
     {
-      vtkNew<Filter> filter;
-      const auto errors = ErrorObserver::Of(filter);
-      filter->SetInputData(input);
-      filter->SetFacetMode(polygons);
-      filter->SetGeneratePowerDiagram(diagram);
-      // At ties, sqrt(5) rounds up and sqrt(2) too: not to be longer is not to be as long.
-      for (const double limit : { 1.0, std::nextafter(1.0, 0.0), std::sqrt(2.0), 2.0,
-             std::sqrt(5.0), std::nextafter(std::sqrt(5.0), 0.0), 3.0, 1e300 })
-      {
-        expectWithin(filter, limit, { 1, 1, 0 }, { 1, 4 });
-      }
-      filter->SetMaximumEdgeLength(std::numeric_limits<double>::infinity());
-      filter->Update();
-      FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(0));
-      filter->SetMaximumEdgeLength(1e-300);
-      filter->Update();
-      FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), vtkIdType(0));
-      FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), input->GetNumberOfPoints());
-      FF_CHECK(filter->GetNumberOfDroppedCells() > 100);
-      FF_CHECK_EQUAL(filter->GetDimension(), 2);
-      FF_CHECK(errors->Messages.empty());
+      expectWithin(run, limit, { 1, 1, 0 });
     }
+    run->SetMaximumEdgeLength(infinity);
+    run.Run();
+    FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
+    run->SetMaximumEdgeLength(1e-300);
+    FF_CHECK_EQUAL(run.Run()->GetNumberOfCells(), 0);
+    FF_CHECK_EQUAL(run->GetOutput()->GetNumberOfPoints(), input->GetNumberOfPoints() - 1);
+    FF_CHECK(run->GetNumberOfDroppedCells() > 100);
+    FF_CHECK_EQUAL(run->GetDimension(), 2);
   }
-}
-
-/// In the plane of the triangulation: after the transform, in the fitted plane.
-void testPlanes()
-{
-  vtkNew<Filter> filter;
+  // In the plane of the triangulation: in the fitted plane, after the transform.
   std::vector<Point> points = latticeWithGaps();
   for (Point& p : points)
   {
     p[2] = 0.0;
   }
-  filter->SetInputData(makePoints(points));
-  filter->SetProjectionPlaneModeToBestFittingPlane();
-  expectWithin(filter, 1.5, { 1, 1, 1 });
+  run->SetInputData(makePoints(points));
+  run->SetProjectionPlaneModeToBestFittingPlane();
+  expectWithin(run, 1.5, { 1, 1, 1 });
   vtkNew<vtkTransform> transform;
   transform->Scale(2.0, 0.5, 1.0);
-  filter->SetTransform(transform);
-  expectWithin(filter, 2.0, { 2, 0.5, 0 });
-  expectWithin(filter, 2.5, { 2, 0.5, 0 });
+  run->SetTransform(transform);
+  expectWithin(run, 2.0, { 2, 0.5, 0 });
+  expectWithin(run, 2.5, { 2, 0.5, 0 });
+
+  // Lines are cells, too; a vertex has no edge.
+  run->SetProjectionPlaneModeToXYPlane();
+  run->SetMaximumEdgeLength(2.0);
+  vtkPolyData* output =
+    run.RunWith(makePoints({ { 0, 0, 5 }, { 1, 0, 5 }, { 4, 0, 5 }, { 6, 0, 5 } }));
+  FF_CHECK((cellsByOriginalIds(output, output->GetLines()) == Cells{ { 0, 1 }, { 2, 3 } }));
+  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 1);
+  FF_CHECK_EQUAL(run.RunWith(makePoints({ { 0, 0, 5 } }))->GetNumberOfVerts(), 1);
+  FF_CHECK(isEmpty(run.RunWith(makePoints(std::vector<Point>{}))));
 }
 
-/// Cells' data is of those that are left; the report counts the others, over all blocks.
+/// Cells' data is of those that are left; the report counts the others, over all data sets.
 void testReport()
 {
-  const auto points = latticeWithGaps();
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, makePoints(points));
-  blocks->SetBlock(1, makePoints(points));
-  vtkNew<Filter> filter;
-  filter->GenerateCellMeasuresOn();
-  filter->ReportAsFieldDataOn();
-  filter->SetMaximumEdgeLength(1.5);
-  filter->SetInputData(blocks);
-  filter->Update();
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  vtkIdType dropped = 0;
+  blocks->SetBlock(0, makePoints(latticeWithGaps()));
+  blocks->SetBlock(1, makePoints(latticeWithGaps()));
+  Watched<vtkFFRegularTriangulationFilter> run(blocks);
+  run->GenerateCellMeasuresOn();
+  run->ReportAsFieldDataOn();
+  run->SetMaximumEdgeLength(1.5);
+  run.Run();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(run->GetOutputDataObject(0));
+  double dropped = 0;
   for (unsigned int i = 0; i < 2; ++i)
   {
     auto* block = vtkPolyData::SafeDownCast(output->GetBlock(i));
@@ -185,67 +153,21 @@ void testReport()
     FF_CHECK_EQUAL(areas->GetNumberOfTuples(), block->GetNumberOfCells());
     FF_CHECK_EQUAL(areas->GetRange()[0], 0.5);
     FF_CHECK_EQUAL(areas->GetRange()[1], 0.5);
-    dropped +=
-      static_cast<vtkIdType>(block->GetFieldData()->GetArray("FlipFlopDroppedCells")->GetTuple1(0));
+    dropped += reported(block, "FlipFlopDroppedCells");
   }
   FF_CHECK(dropped > 0);
-  FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), dropped);
-  filter->SetMaximumEdgeLength(0.0);
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(0));
-}
-
-/// Lines are cells, too; a vertex has no edge.
-void testLowDimensions()
-{
-  vtkNew<Filter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetMaximumEdgeLength(2.0);
-  filter->SetInputData(makePoints({ { 0, 0, 5 }, { 1, 0, 5 }, { 4, 0, 5 }, { 6, 0, 5 } }));
-  filter->Update();
-  FF_CHECK((cellsByOriginalIds(filter->GetOutput(), filter->GetOutput()->GetLines()) ==
-    std::vector<std::vector<vtkIdType>>{ { 0, 1 }, { 2, 3 } }));
-  FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(1));
-  filter->SetInputData(makePoints({ { 0, 0, 5 } }));
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfVerts(), vtkIdType(1));
-  filter->SetInputData(makePoints(std::vector<Point>{}));
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-}
-
-void testErrors()
-{
-  vtkNew<Filter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  filter->SetInputData(makePoints(latticeWithGaps()));
-  FF_CHECK_EQUAL(filter->GetMaximumEdgeLength(), 0.0);
-  for (const double limit :
-    { -1.0, -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
-  {
-    errors->Clear();
-    filter->SetMaximumEdgeLength(limit);
-    filter->Modified();
-    filter->Update();
-    FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-    FF_CHECK(errors->Has("Maximum Edge Length is "));
-    FF_CHECK(isEmpty(filter->GetOutput()));
-  }
-  errors->Clear();
-  filter->SetMaximumEdgeLength(-0.0);
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(0));
+  FF_CHECK_EQUAL(double(run->GetNumberOfDroppedCells()), dropped);
+  run->SetMaximumEdgeLength(0.0);
+  run.Run();
+  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
 }
 
 }
 
 int TestFFMaximumEdgeLength(int, char*[])
 {
-  testLimits();
-  testPlanes();
+  testLimits<vtkFFRegularTriangulationFilter>();
+  testLimits<vtkFFConstrainedDelaunayFilter>();
   testReport();
-  testLowDimensions();
-  testErrors();
   return result();
 }

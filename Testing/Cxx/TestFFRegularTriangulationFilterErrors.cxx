@@ -105,10 +105,10 @@ void testBox()
 }
 
 /// A length that is none is refused where it is set; what was set before stays.
-template <class Set, class Get>
+template <class FilterT, class Set, class Get>
 void testRefused(const std::string& words, const Set& set, const Get& get)
 {
-  Watched<vtkFFRegularTriangulationFilter> run(makePoints(randomPoints(50, 34)));
+  Watched<FilterT> run(makePoints(randomPoints(50, 34)));
   FF_CHECK_EQUAL(get(run.Get()), 0.0);
   set(run.Get(), 0.5);
   const auto expected = copyOf(run.Run());
@@ -142,12 +142,13 @@ int TestFFRegularTriangulationFilterErrors(int, char*[])
   testTransform<vtkFFConstrainedDelaunayFilter>(false);
   testTransform<vtkFFPowerDiagramFilter>(true);
   testBox();
-  testRefused(
-    "Alpha is to be ", [](Filter* filter, double x) { filter->SetAlpha(x); },
-    [](Filter* filter) { return filter->GetAlpha(); });
-  testRefused(
-    "Maximum Edge Length is to be ",
-    [](Filter* filter, double x) { filter->SetMaximumEdgeLength(x); },
-    [](Filter* filter) { return filter->GetMaximumEdgeLength(); });
+  testRefused<Filter>(
+    "Alpha is to be ", [](auto* filter, double x) { filter->SetAlpha(x); },
+    [](auto* filter) { return filter->GetAlpha(); });
+  const auto setLength = [](auto* filter, double x) { filter->SetMaximumEdgeLength(x); };
+  const auto getLength = [](auto* filter) { return filter->GetMaximumEdgeLength(); };
+  testRefused<Filter>("Maximum Edge Length is to be ", setLength, getLength);
+  testRefused<vtkFFConstrainedDelaunayFilter>(
+    "Maximum Edge Length is to be ", setLength, getLength);
   return result();
 }
