@@ -23,23 +23,15 @@ HAS_VTK = os.environ.get("FLIPFLOP_FILTERS", "ON") == "ON"
 ENGINE_ALONE = "-DFLIPFLOP_BUILD_FILTERS=OFF"
 
 ADD_SUBDIRECTORY = f'add_subdirectory("{TOP.as_posix()}" FlipFlop)'
-FETCH_CONTENT = f"""
-include(FetchContent)
-FetchContent_Declare(FlipFlop SOURCE_DIR "{TOP.as_posix()}")
-FetchContent_MakeAvailable(FlipFlop)
-"""
+# What the page for C++ users says, as it stands there.
+BLOCKS = re.findall(r"```cmake\n(.*?)```", (TOP / "Documentation" / "Cxx.md").read_text(), re.DOTALL)
+_, FETCH_CONTENT, MODULES = BLOCKS  # the first is built by Testing/Cxx/RunPackage.cmake
 VTK_MODULES = """
 include(GNUInstallDirs)
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonTransforms ParallelCore
   OPTIONAL_COMPONENTS ParallelDIY ParallelMPI diy2)
 message("HOST_VTK ${VTK_VERSION}")
-vtk_module_scan(
-  MODULE_FILES "${CMAKE_SOURCE_DIR}/FlipFlop/vtk.module" "${CMAKE_SOURCE_DIR}/FlipFlop/Filters/Parallel/vtk.module"
-  REQUEST_MODULES FlipFlop::FiltersFlipFlop FlipFlop::FiltersParallelFlipFlop
-  PROVIDES_MODULES modules
-  ENABLE_TESTS OFF)
-vtk_module_build(MODULES ${modules} PACKAGE Host TEST_DIRECTORY_NAME NONE)
-"""
+""" + MODULES
 
 
 class Configured:
@@ -65,7 +57,7 @@ class Configured:
 
     def parts(self):
         """The project's folders in which something is compiled."""
-        files = [Path(file) for file in self.commands]
+        files = [Path(file).resolve() for file in self.commands]
         return {file.relative_to(TOP).parts[0] for file in files if TOP in file.parents}
 
 

@@ -16,9 +16,22 @@ run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --prefix "${WORK_DIR}/prefix")
 # Installed here and there, the package must find itself wherever it is taken.
 file(RENAME "${WORK_DIR}/prefix" "${WORK_DIR}/moved")
 
-foreach(user IN ITEMS Examples/Cxx Testing/Cxx/Package)
+# The project of the page for C++ users: its first block of CMake, with a program of the examples.
+file(READ "${SOURCE_DIR}/Documentation/Cxx.md" page)
+string(REGEX MATCH "```cmake\n([^`]*)```" block "${page}")
+file(WRITE "${WORK_DIR}/user/CMakeLists.txt" "cmake_minimum_required(VERSION 3.20)
+project(User LANGUAGES C CXX)
+${CMAKE_MATCH_1}
+find_package(VTK REQUIRED COMPONENTS IOXML)
+target_link_libraries(app PRIVATE VTK::IOXML)
+enable_testing()
+add_test(NAME app COMMAND app)
+")
+file(COPY_FILE "${SOURCE_DIR}/Examples/Cxx/HullOfPoints.cxx" "${WORK_DIR}/user/main.cxx")
+
+foreach(user IN ITEMS "${WORK_DIR}/user" "${SOURCE_DIR}/Examples/Cxx" "${SOURCE_DIR}/Testing/Cxx/Package")
   string(MAKE_C_IDENTIFIER "${user}" name)
-  run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/${user}" -B "${WORK_DIR}/${name}" -G "${GENERATOR}"
+  run("${CMAKE_COMMAND}" -S "${user}" -B "${WORK_DIR}/${name}" -G "${GENERATOR}"
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON
     "-DFlipFlop_DIR=${WORK_DIR}/moved/${LIBDIR}/cmake/FlipFlop")
   run("${CMAKE_COMMAND}" --build "${WORK_DIR}/${name}")
