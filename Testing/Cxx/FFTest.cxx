@@ -11,6 +11,7 @@
 #include "vtkExecutive.h"
 #include "vtkFFErrorCode.h"
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -20,6 +21,7 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -273,6 +275,18 @@ std::vector<Point> randomPoints(int count, unsigned int seed)
     {
       x = next();
     }
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Point> spherePoints(int count, unsigned int seed)
+{
+  auto points = randomPoints(count, seed);
+  for (Point& p : points)
+  {
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    p = { p[0] / length, p[1] / length, p[2] / length };
   }
   return points;
 }
@@ -536,6 +550,13 @@ bool isSame(vtkPolyData* a, vtkPolyData* b)
     std::memcmp(pointsA->GetPointer(0), pointsB->GetPointer(0), bytes) == 0 &&
     originalIds(a) == originalIds(b) && isSame(a->GetVerts(), b->GetVerts()) &&
     isSame(a->GetLines(), b->GetLines()) && isSame(a->GetPolys(), b->GetPolys());
+}
+
+//------------------------------------------------------------------------------
+double reported(vtkDataObject* output, const std::string& name)
+{
+  vtkDataArray* array = output->GetFieldData()->GetArray(("FlipFlop" + name).c_str());
+  return array && array->GetNumberOfValues() == 1 ? array->GetTuple1(0) : std::nan("");
 }
 
 //------------------------------------------------------------------------------

@@ -123,6 +123,9 @@ vtkSmartPointer<vtkPolyData> makeVoxels(const std::vector<std::array<int, 3>>& c
 /// Points with coordinates in [-1, 1), the same on every machine.
 std::vector<Point> randomPoints(int count, unsigned int seed);
 
+/// Points on the unit sphere, but for rounding.
+std::vector<Point> spherePoints(int count, unsigned int seed);
+
 /// The eight corners of the unit cube, ids 0 to 7: x changes fastest.
 std::vector<Point> cubeCorners();
 
@@ -150,6 +153,9 @@ bool isSame(vtkPolyData* a, vtkPolyData* b);
 /// data, their number), point, cell and field data (of the reports in it, not what is measured or
 /// depends on the threads). Says what is not.
 bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::string& what);
+
+/// A number of the report in an output's field data, such as "Flips22"; NaN if it is not there.
+double reported(vtkDataObject* output, const std::string& name);
 
 /// Whether there are neither points nor cells.
 bool isEmpty(vtkPolyData* output);

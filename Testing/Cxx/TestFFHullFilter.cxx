@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A cube with points in every place, in both facet modes, and random points: the hull is exact and
-// canonical, and the filter reports what it did.
+// canonical, whatever the threads.
 #include "FFTest.h"
 
 #include "vtkCellArray.h"
 #include "vtkFFHullFilter.h"
 #include "vtkNew.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <string>
+#include <thread>
 
 using namespace fftest;
 
@@ -94,16 +95,8 @@ void testRandom()
 {
   for (unsigned int seed = 1; seed <= 20; ++seed)
   {
-    auto points = randomPoints(static_cast<int>(10 * seed * seed), seed);
-    if (seed % 2)
-    {
-      for (Point& p : points) // onto a sphere, but for rounding
-      {
-        const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        p = { p[0] / length, p[1] / length, p[2] / length };
-      }
-    }
-    const auto input = makePoints(points);
+    const int count = static_cast<int>(10 * seed * seed);
+    const auto input = makePoints(seed % 2 ? spherePoints(count, seed) : randomPoints(count, seed));
     vtkNew<vtkFFHullFilter> hull;
     hull->SetInputData(input);
     hull->Update();
@@ -116,24 +109,24 @@ void testRandom()
   }
 }
 
-/// One answer: whatever the threads and the variant.
+/// One answer, whatever the threads and the variant.
 void testDeterminism()
 {
-  const auto input = makePoints(randomPoints(20000, 7));
+  const auto input = makePoints(randomPoints(40000, 7));
   vtkNew<vtkFFHullFilter> hull;
   hull->SetInputData(input);
+  hull->ReportAsFieldDataOn();
   hull->SetNumberOfThreads(1);
   hull->Update();
   vtkNew<vtkPolyData> reference;
   reference->DeepCopy(hull->GetOutput());
   FF_CHECK(isHullOf(input, reference, 3));
-  FF_CHECK_EQUAL(hull->GetNumberOfThreadsUsed(), 1);
-  for (const int threads : { 2, 3, 4, 0 })
+  FF_CHECK_EQUAL(reported(reference, "Threads"), 1);
+  for (const int threads : { 2, 3, 64, 0, -1 })
   {
     hull->SetNumberOfThreads(threads);
     hull->Update();
-    FF_CHECK(hull->GetNumberOfThreadsUsed() >= 1);
-    FF_CHECK(threads == 0 || hull->GetNumberOfThreadsUsed() <= threads);
+    FF_CHECK(threads <= 0 || reported(hull->GetOutput(), "Threads") <= threads);
     FF_CHECK(isSame(hull->GetOutput(), reference));
   }
   hull->VBiasedOff();
@@ -141,38 +134,30 @@ void testDeterminism()
   FF_CHECK(isSame(hull->GetOutput(), reference));
 }
 
-void testReport()
+/// 0 threads are as many as vtkSMPTools has, -1 all that the machine has.
+void testThreads()
 {
-  auto points = randomPoints(2000, 3);
-  for (Point& p : points)
-  {
-    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-    p = { p[0] / length, p[1] / length, p[2] / length };
-  }
-  const auto input = makePoints(points);
   vtkNew<vtkFFHullFilter> hull;
-  FF_CHECK_EQUAL(hull->GetEngineUsed(), vtkFFAlgorithm::ENGINE_NONE);
-  FF_CHECK(!strcmp(hull->GetEngineUsedAsString(), "None"));
-  hull->SetInputData(input);
+  FF_CHECK_EQUAL(hull->GetNumberOfThreads(), 0);
+  hull->SetInputData(makePoints(spherePoints(100000, 8)));
+  hull->ReportAsFieldDataOn();
+  const std::string before = vtkSMPTools::GetBackend();
+  FF_CHECK(vtkSMPTools::SetBackend("Sequential"));
   hull->Update();
-  FF_CHECK_EQUAL(hull->GetEngineUsed(), vtkFFAlgorithm::ENGINE_CPU);
-  FF_CHECK(!strcmp(hull->GetEngineUsedAsString(), "CPU"));
-  FF_CHECK(hull->GetNumberOfInsertions() > 0);
-  FF_CHECK(hull->GetNumberOfFlips22() > 0);
-  FF_CHECK(hull->GetNumberOfEdgeChecks() > 0);
-  FF_CHECK_EQUAL(hull->GetNumberOfFlips22() + hull->GetNumberOfFlips31(),
-    hull->GetNumberOfFlipsByVolume() + hull->GetNumberOfFlipsByDegree());
-  FF_CHECK(hull->GetSecondsTotal() > 0.0);
-  FF_CHECK(hull->GetSecondsToScan() >= 0.0 && hull->GetSecondsToLocate() >= 0.0 &&
-    hull->GetSecondsToGrow() >= 0.0 && hull->GetSecondsToFlip() >= 0.0 &&
-    hull->GetSecondsToFinish() >= 0.0);
-
-  // A run reports itself alone.
-  const vtkIdType insertions = hull->GetNumberOfInsertions();
-  hull->Modified();
+  FF_CHECK_EQUAL(reported(hull->GetOutput(), "Threads"), 1);
+  const auto all = std::min(4u, std::thread::hardware_concurrency());
+  hull->SetNumberOfThreads(-1);
   hull->Update();
-  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 2000);
-  FF_CHECK_EQUAL(hull->GetNumberOfInsertions(), insertions);
+  FF_CHECK(reported(hull->GetOutput(), "Threads") >= std::min(2u, all));
+  hull->SetNumberOfThreads(-3);
+  FF_CHECK_EQUAL(hull->GetNumberOfThreads(), -1);
+  vtkSMPTools::SetBackend(before.c_str());
+  if (before != "Sequential")
+  {
+    hull->SetNumberOfThreads(0);
+    hull->Update();
+    FF_CHECK(reported(hull->GetOutput(), "Threads") <= vtkSMPTools::GetEstimatedNumberOfThreads());
+  }
 }
 
 }
@@ -183,6 +168,6 @@ int TestFFHullFilter(int, char*[])
   testPrism();
   testRandom();
   testDeterminism();
-  testReport();
+  testThreads();
   return result();
 }

@@ -1,28 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Composite input: a hull of each block, and one of all.
+// One hull of all data sets of a composite. (Of each, see TestFFComposites.)
 #include "FFTest.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkStructuredGrid.h"
 #include "vtkTable.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 using namespace fftest;
 
@@ -57,130 +50,59 @@ vtkSmartPointer<vtkPolyData> makeBlock(double x, int type = VTK_DOUBLE, bool ext
   return block;
 }
 
-/// Blocks at x = 0, 10 (nested, floats) and 20; one without points and one that is not there.
-/// Flat indices: 1, 4 (inside 2, after the one without points, 3) and 6 (after the missing one, 5).
+/// Blocks at x = 0, 10 (nested) and 20; one without points and one that is not there. Flat indices:
+/// 1, 4 (inside 2, after the one without points, 3) and 6 (after the missing one, 5).
 vtkSmartPointer<vtkMultiBlockDataSet> makeBlocks(int typeOfSecond = VTK_DOUBLE)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  blocks->SetNumberOfBlocks(4);
   blocks->SetBlock(0, makeBlock(0.0, VTK_DOUBLE, true));
-  blocks->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "first");
   vtkNew<vtkMultiBlockDataSet> nested;
-  nested->SetNumberOfBlocks(2);
-  vtkNew<vtkPolyData> empty;
-  nested->SetBlock(0, empty);
+  nested->SetBlock(0, vtkSmartPointer<vtkPolyData>::New());
   nested->SetBlock(1, makeBlock(10.0, typeOfSecond));
   blocks->SetBlock(1, nested);
-  // Block 2 stays null.
   blocks->SetBlock(3, makeBlock(20.0));
-  vtkNew<vtkDoubleArray> field;
-  field->SetName("of the block");
-  field->InsertNextValue(7.0);
-  vtkPolyData::SafeDownCast(blocks->GetBlock(3))->GetFieldData()->AddArray(field);
   return blocks;
 }
 
-void testEachBlock()
+/// A box from x = 0 to 21: of the first block the corners with x = 0, of the last x = 21.
+void checkBox(vtkFFHullFilter* hull, unsigned int first, unsigned int last)
 {
-  const auto input = makeBlocks(VTK_FLOAT);
-  vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
-  FF_CHECK_EQUAL(hull->GetCompositeMode(), vtkFFHullFilter::HULL_OF_EACH_BLOCK);
-  hull->SetFacetModeToPolygons();
-  hull->SetInputData(input);
-  hull->Update();
-  FF_CHECK(errors->Messages.empty());
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(hull->GetOutputDataObject(0));
-  if (!output || output->GetNumberOfBlocks() != 4)
-  {
-    FF_CHECK(!"the output is not of the input's structure");
-    return;
-  }
-  auto* nestedIn = vtkMultiBlockDataSet::SafeDownCast(input->GetBlock(1));
-  auto* nestedOut = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(1));
-  FF_CHECK(nestedOut && nestedOut->GetNumberOfBlocks() == 2);
-  FF_CHECK(output->GetBlock(2) == nullptr);
-  FF_CHECK(output->HasMetaData(0u) &&
-    !strcmp(output->GetMetaData(0u)->Get(vtkCompositeDataSet::NAME()), "first"));
-
-  const auto check = [](vtkDataObject* in, vtkDataObject* out)
-  {
-    auto* points = vtkPolyData::SafeDownCast(in);
-    auto* polygons = vtkPolyData::SafeDownCast(out);
-    FF_CHECK(points && polygons);
-    FF_CHECK(isHullOf(points, polygons, 3));
-    FF_CHECK_EQUAL(polygons->GetNumberOfPolys(), 6);
-    FF_CHECK((originalIds(polygons) == std::vector<vtkIdType>{ 0, 1, 2, 3, 4, 5, 6, 7 }));
-    FF_CHECK(polygons->GetPointData()->GetScalars() != nullptr);
-    FF_CHECK(!polygons->GetPointData()->HasArray("BlockIndex"));
-  };
-  check(input->GetBlock(0), output->GetBlock(0));
-  check(nestedIn->GetBlock(1), nestedOut->GetBlock(1));
-  check(input->GetBlock(3), output->GetBlock(3));
-  FF_CHECK(isEmpty(vtkPolyData::SafeDownCast(nestedOut->GetBlock(0))));
-  FF_CHECK(vtkPolyData::SafeDownCast(output->GetBlock(0))->GetPointData()->HasArray("extra"));
-  FF_CHECK(output->GetBlock(3)->GetFieldData()->HasArray("of the block"));
-
-  FF_CHECK_EQUAL(hull->GetDimension(), 3);
-  FF_CHECK_EQUAL(hull->GetVolume(), 3.0);
-  FF_CHECK_EQUAL(hull->GetArea(), 18.0);
+  FF_CHECK(succeeds(hull));
+  vtkPolyData* const output = hull->GetOutput();
+  const auto ids = originalIds(output);
+  FF_CHECK((ids == std::vector<vtkIdType>{ 0, 2, 4, 6, 17, 19, 21, 23 }));
+  FF_CHECK_EQUAL(output->GetNumberOfPolys(), 6);
+  FF_CHECK_EQUAL(hull->GetVolume(), 21.0);
   FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 24);
+  auto* blocks = vtkUnsignedIntArray::SafeDownCast(output->GetPointData()->GetArray("BlockIndex"));
+  auto* values = vtkDoubleArray::SafeDownCast(output->GetPointData()->GetScalars());
+  FF_CHECK(blocks && values);
+  for (vtkIdType i = 0; blocks && values && i < 8; ++i)
+  {
+    FF_CHECK_EQUAL(blocks->GetValue(i), i < 4 ? first : last);
+    const auto id = static_cast<double>(ids[static_cast<std::size_t>(i)]);
+    FF_CHECK_EQUAL(values->GetValue(i), i < 4 ? id : 2000.0 + id - 16);
+  }
+  FF_CHECK(!output->GetPointData()->HasArray("extra")); // not all have it
 }
 
-void testAllBlocks()
+void testAllBlocks(vtkFFHullFilter* hull)
 {
+  hull->SetFacetModeToPolygons();
   for (const int type : { VTK_DOUBLE, VTK_FLOAT })
   {
-    const auto input = makeBlocks(type);
-    vtkNew<vtkFFHullFilter> hull;
-    const auto errors = ErrorObserver::Of(hull);
-    hull->SetCompositeModeToAllBlocks();
-    hull->SetFacetModeToPolygons();
-    hull->SetInputData(input);
-    hull->Update();
-    FF_CHECK(errors->Messages.empty());
-    vtkPolyData* output = hull->GetOutput();
-    if (!output)
-    {
-      FF_CHECK(!"the output is no poly data");
-      return;
-    }
-    // A box from x = 0 to 21: of the first block the corners with x = 0, of the last x = 21.
-    FF_CHECK((originalIds(output) == std::vector<vtkIdType>{ 0, 2, 4, 6, 17, 19, 21, 23 }));
-    FF_CHECK_EQUAL(output->GetNumberOfPolys(), 6);
-    FF_CHECK_EQUAL(hull->GetVolume(), 21.0);
-    FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 24);
-    // float beside double: all as doubles, which is exact.
-    FF_CHECK_EQUAL(output->GetPoints()->GetDataType(), VTK_DOUBLE);
-
-    auto* blocks =
-      vtkUnsignedIntArray::SafeDownCast(output->GetPointData()->GetArray("BlockIndex"));
-    auto* values = vtkDoubleArray::SafeDownCast(output->GetPointData()->GetScalars());
-    if (!blocks || !values)
-    {
-      FF_CHECK(!"an array is missing");
-      return;
-    }
-    for (vtkIdType i = 0; i < 8; ++i)
-    {
-      FF_CHECK_EQUAL(blocks->GetValue(i), i < 4 ? 1u : 6u);
-      const vtkIdType id = originalIds(output)[static_cast<std::size_t>(i)];
-      FF_CHECK_EQUAL(
-        values->GetValue(i), i < 4 ? double(id) : 2000.0 + static_cast<double>(id - 16));
-    }
-    // Not all blocks have it.
-    FF_CHECK(!output->GetPointData()->HasArray("extra"));
+    hull->SetInputData(makeBlocks(type));
+    checkBox(hull, 1u, 6u);
+    // float with double: all as doubles, which is exact.
+    FF_CHECK_EQUAL(hull->GetOutput()->GetPoints()->GetDataType(), VTK_DOUBLE);
   }
-  // Floats throughout stay floats.
-  vtkNew<vtkMultiBlockDataSet> floats;
-  floats->SetBlock(0, makeBlock(0.0, VTK_FLOAT));
-  floats->SetBlock(1, makeBlock(1.0, VTK_FLOAT));
-  vtkNew<vtkFFHullFilter> hull;
-  hull->SetCompositeModeToAllBlocks();
-  hull->SetInputData(floats);
-  hull->Update();
-  FF_CHECK_EQUAL(hull->GetOutput()->GetPoints()->GetDataType(), VTK_FLOAT);
-  FF_CHECK_EQUAL(hull->GetVolume(), 2.0);
+  // Each partition has an index of its own.
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartition(0, 1, makeBlock(0.0, VTK_DOUBLE, true));
+  collection->SetPartition(1, 0, makeBlock(10.0));
+  collection->SetPartition(1, 2, makeBlock(20.0));
+  hull->SetInputData(collection);
+  checkBox(hull, 3u, 7u);
 
   // Whichever comes first or last, types that differ become doubles, with every bit.
   for (const int last : { VTK_FLOAT, VTK_DOUBLE, VTK_INT })
@@ -202,172 +124,53 @@ void testAllBlocks()
 }
 
 /// The output's type follows the mode and the input, forth and back.
-void testChangeOfType()
+void testChangeOfType(vtkFFHullFilter* hull)
 {
-  vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
-  hull->SetInputData(makeBlocks());
-  hull->Update();
-  FF_CHECK(vtkMultiBlockDataSet::SafeDownCast(hull->GetOutputDataObject(0)) != nullptr);
-  hull->SetCompositeModeToAllBlocks();
-  hull->Update();
-  FF_CHECK(vtkPolyData::SafeDownCast(hull->GetOutputDataObject(0)) != nullptr);
-  hull->SetCompositeModeToEachBlock();
-  hull->Update();
-  FF_CHECK(vtkMultiBlockDataSet::SafeDownCast(hull->GetOutputDataObject(0)) != nullptr);
-
-  hull->SetInputData(makeBlock(0.0));
-  hull->Update();
-  FF_CHECK(hull->GetOutput() && hull->GetOutput()->GetNumberOfPoints() == 8);
-
-  vtkNew<vtkMultiBlockDataSet> nothing;
-  hull->SetInputData(nothing);
-  for (const int mode :
-    { vtkFFHullFilter::HULL_OF_EACH_BLOCK, vtkFFHullFilter::HULL_OF_ALL_BLOCKS })
+  for (const char* type : { "vtkPolyData", "vtkMultiBlockDataSet", "vtkPolyData" })
   {
-    hull->SetCompositeMode(mode);
-    hull->Update();
-    FF_CHECK_EQUAL(hull->GetDimension(), -1);
+    hull->SetCompositeMode(type[3] == 'P');
+    hull->SetInputData(makeBlocks());
+    FF_CHECK(succeeds(hull));
+    FF_CHECK(hull->GetOutputDataObject(0)->IsA(type));
+    hull->SetInputData(makeBlock(0.0));
+    FF_CHECK(succeeds(hull));
+    FF_CHECK(hull->GetOutput() && hull->GetOutput()->GetNumberOfPoints() == 8);
+    FF_CHECK(!hull->GetOutput()->GetPointData()->HasArray("BlockIndex"));
+    hull->SetInputData(vtkSmartPointer<vtkMultiBlockDataSet>::New());
+    FF_CHECK(succeeds(hull));
+    FF_CHECK_EQUAL(hull->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
   }
-  FF_CHECK(isEmpty(hull->GetOutput()));
-  FF_CHECK(errors->Messages.empty());
 }
 
-/// Cubes at 0 and 5 as partitions of one data set, with one between that is not there.
-vtkSmartPointer<vtkPartitionedDataSet> makePartitions()
+/// Errors name the data set, by its flat index.
+void testErrors(vtkFFHullFilter* hull)
 {
-  auto partitions = vtkSmartPointer<vtkPartitionedDataSet>::New();
-  partitions->SetNumberOfPartitions(3);
-  partitions->SetPartition(0, makeBlock(0.0, VTK_DOUBLE, true));
-  partitions->SetPartition(2, makeBlock(5.0));
-  return partitions;
-}
-
-/// Partitions are pieces of one data set: it has one hull.
-void testPartitions()
-{
-  vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
-  const auto isOfBoth = [](vtkPartitionedDataSet* output)
-  {
-    auto* polygons =
-      output && output->GetNumberOfPartitions() == 1 ? output->GetPartition(0) : nullptr;
-    auto* found = vtkPolyData::SafeDownCast(polygons);
-    return found && originalIds(found) == std::vector<vtkIdType>{ 0, 2, 4, 6, 9, 11, 13, 15 } &&
-      found->GetPointData()->HasArray("value") && !found->GetPointData()->HasArray("extra");
-  };
-
-  vtkNew<vtkPartitionedDataSetCollection> collection;
-  collection->SetPartitionedDataSet(0, makePartitions());
-  vtkNew<vtkPartitionedDataSet> none;
-  collection->SetPartitionedDataSet(1, none);
-  vtkNew<vtkPartitionedDataSet> single;
-  single->SetPartition(0, makeBlock(20.0));
-  collection->SetPartitionedDataSet(2, single);
-  hull->SetInputData(collection);
-  hull->Update();
-  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(hull->GetOutputDataObject(0));
-  if (!output || output->GetNumberOfPartitionedDataSets() != 3)
-  {
-    FF_CHECK(!"the output is not of the input's structure");
-    return;
-  }
-  FF_CHECK(isOfBoth(output->GetPartitionedDataSet(0)));
-  FF_CHECK_EQUAL(output->GetNumberOfPartitions(1), 0u);
-  FF_CHECK(isHullOf(makeBlock(20.0), vtkPolyData::SafeDownCast(output->GetPartition(2, 0)), 3));
-  FF_CHECK_EQUAL(hull->GetVolume(), 7.0);
-  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 24);
-
-  hull->SetInputData(makePartitions());
-  hull->Update();
-  FF_CHECK(isOfBoth(vtkPartitionedDataSet::SafeDownCast(hull->GetOutputDataObject(0))));
-  FF_CHECK_EQUAL(hull->GetVolume(), 6.0);
-
-  // Of all blocks: the flat index is the partitioned data set's.
-  hull->SetCompositeModeToAllBlocks();
-  hull->SetInputData(collection);
-  hull->Update();
-  auto* blocks =
-    vtkUnsignedIntArray::SafeDownCast(hull->GetOutput()->GetPointData()->GetArray("BlockIndex"));
-  FF_CHECK(blocks && blocks->GetNumberOfValues() == 8);
-  FF_CHECK(blocks && blocks->GetValue(0) == 1u && blocks->GetValue(7) == 6u);
-  FF_CHECK_EQUAL(hull->GetVolume(), 21.0);
-  FF_CHECK(errors->Messages.empty());
-
-  const auto bad = makePartitions();
-  vtkPolyData::SafeDownCast(bad->GetPartition(2))
-    ->GetPoints()
-    ->SetPoint(3, 0.0, std::numeric_limits<double>::infinity(), 0.0);
-  collection->SetPartitionedDataSet(0, bad);
-  hull->Update();
-  FF_CHECK(errors->Has("point 11 of the block of flat index 1"));
-  vtkNew<vtkTable> table;
-  bad->SetPartition(1, table);
-  collection->Modified();
-  hull->Modified();
-  hull->Update();
-  FF_CHECK(errors->Has("flat index 1 has a partition that is a vtkTable"));
-}
-
-/// Errors name the block.
-void testErrors()
-{
-  vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
-  const auto isEmptyComposite = [&]()
-  {
-    auto* output = vtkCompositeDataSet::SafeDownCast(hull->GetOutputDataObject(0));
-    return output && output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0;
-  };
-
   const auto bad = makeBlocks();
-  vtkPolyData::SafeDownCast(bad->GetBlock(3))
-    ->GetPoints()
-    ->SetPoint(2, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  vtkPolyData::SafeDownCast(bad->GetBlock(3))->GetPoints()->SetPoint(2, 0.0, NAN, 0.0);
   hull->SetInputData(bad);
-  hull->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK(errors->Has("point 2 of the block of flat index 6"));
-  FF_CHECK(!isEmptyComposite());
-
-  errors->Clear();
-  hull->SetCompositeModeToAllBlocks();
-  hull->Update();
-  FF_CHECK(errors->Has("point 2 of the block of flat index 6"));
-  FF_CHECK(isEmpty(hull->GetOutput()));
-
-  errors->Clear();
+  FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError,
+    { "first at point 2 of the block of flat index 6, 1 such point(s) in all." }));
   hull->SetNonFinitePointsToIgnore();
-  hull->Update();
-  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(succeeds(hull));
   FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 1);
-  FF_CHECK(hull->GetOutput()->GetNumberOfPoints() > 0);
+  FF_CHECK_EQUAL(hull->GetVolume(), 21.0);
 
-  vtkNew<vtkTable> table;
   const auto mixed = makeBlocks();
-  mixed->SetBlock(2, table);
+  mixed->SetBlock(2, vtkSmartPointer<vtkTable>::New());
   hull->SetInputData(mixed);
-  for (const int mode :
-    { vtkFFHullFilter::HULL_OF_EACH_BLOCK, vtkFFHullFilter::HULL_OF_ALL_BLOCKS })
-  {
-    errors->Clear();
-    hull->SetCompositeMode(mode);
-    hull->Update();
-    FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-    FF_CHECK(errors->Has("flat index 5 is a vtkTable"));
-    FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
-  }
-  FF_CHECK(isEmpty(hull->GetOutput()));
+  FF_CHECK(
+    fails(hull, vtkFFErrorCode::InputError, { "of the block of flat index 5 is a vtkTable." }));
 }
 
 }
 
 int TestFFHullFilterComposite(int, char*[])
 {
-  testEachBlock();
-  testAllBlocks();
-  testChangeOfType();
-  testPartitions();
-  testErrors();
+  vtkNew<vtkFFHullFilter> hull;
+  FF_CHECK_EQUAL(hull->GetCompositeMode(), int(vtkFFHullFilter::HULL_OF_EACH_BLOCK));
+  hull->SetCompositeModeToAllBlocks();
+  testAllBlocks(hull);
+  testChangeOfType(hull);
+  testErrors(hull);
   return result();
 }

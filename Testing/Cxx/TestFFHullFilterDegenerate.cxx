@@ -4,7 +4,6 @@
 #include "FFTest.h"
 
 #include "vtkCellArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -24,18 +23,14 @@ using Cells = std::vector<std::vector<vtkIdType>>;
 struct Run
 {
   vtkNew<vtkFFHullFilter> Filter;
-  vtkSmartPointer<ErrorObserver> Errors;
   vtkPolyData* Output;
 
   explicit Run(vtkPointSet* input, bool polygons = false)
-    : Errors(ErrorObserver::Of(Filter))
+    : Output(this->Filter->GetOutput())
   {
     this->Filter->SetFacetMode(polygons);
     this->Filter->SetInputData(input);
-    this->Filter->Update();
-    this->Output = this->Filter->GetOutput();
-    FF_CHECK(this->Errors->Messages.empty());
-    FF_CHECK_EQUAL(this->Filter->GetErrorCode(), vtkErrorCode::NoError);
+    FF_CHECK(succeeds(this->Filter));
   }
 };
 

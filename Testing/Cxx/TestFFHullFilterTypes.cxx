@@ -5,7 +5,7 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -27,10 +27,8 @@ namespace
 vtkSmartPointer<vtkPolyData> hullOf(vtkPolyData* input)
 {
   vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
   hull->SetInputData(input);
-  hull->Update();
-  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(succeeds(hull));
   FF_CHECK(isHullOf(input, hull->GetOutput(), 3));
   return hull->GetOutput();
 }
@@ -149,14 +147,8 @@ void testWideIntegers()
   {
     array->SetValue(16, value); // point 5
     vtkNew<vtkFFHullFilter> hull;
-    const auto errors = ErrorObserver::Of(hull);
     hull->SetInputData(input);
-    hull->Update();
-    FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-    FF_CHECK(errors->Has("point 5"));
-    FF_CHECK(errors->Has("64-bit integer"));
-    FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
-    FF_CHECK(isEmpty(hull->GetOutput()));
+    FF_CHECK(fails(hull, vtkFFErrorCode::InputError, { "point 5", "64-bit integer" }));
   }
 }
 
@@ -209,13 +201,8 @@ void testComponents()
   const auto input = makePoints(cubeCorners());
   input->GetPoints()->GetData()->SetNumberOfComponents(2);
   vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
   hull->SetInputData(input);
-  hull->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK(errors->Has("2 coordinates"));
-  FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
-  FF_CHECK(isEmpty(hull->GetOutput()));
+  FF_CHECK(fails(hull, vtkFFErrorCode::InputError, { "2 coordinates" }));
 }
 
 }

@@ -5,8 +5,8 @@
 #include "FFTest.h"
 
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFFConvexifyFilter.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -101,7 +101,7 @@ void testErrors()
     FF_CHECK(!hull->GetPlanes(planes));
     FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
     FF_CHECK(errors->Has(sentence));
-    FF_CHECK(hull->GetErrorCode() != vtkErrorCode::NoError);
+    FF_CHECK(hull->GetErrorCode() == vtkFFErrorCode::InputError);
     FF_CHECK(!planes->GetPoints() && !planes->GetNormals());
   };
   const char* const flat = "There is no hull of dimension 3 that planes could bound: update the "
