@@ -4,6 +4,7 @@
 
 #include "vtkFFInput.h"
 #include "vtkFFPieces.h"
+#include "vtkFFPlanarInput.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFRun.h"
 #include "vtkFFWeightSource.h"
@@ -52,10 +53,6 @@ constexpr double shareOfPreparing = 0.4;
 /// So many points are asked about at once: their values are twice in memory.
 constexpr std::int64_t pointsAtOnce = 1 << 18;
 
-/// Attributes that stay what they are between the points.
-constexpr std::array<int, 4> passedAttributes{ { vtkDataSetAttributes::SCALARS,
-  vtkDataSetAttributes::VECTORS, vtkDataSetAttributes::TENSORS, vtkDataSetAttributes::TCOORDS } };
-
 /// Points @p begin to @p end of a view.
 flipflop::PointView partOf(const flipflop::PointView& points, std::int64_t begin, std::int64_t end)
 {
@@ -70,13 +67,8 @@ flipflop::PointView partOf(const flipflop::PointView& points, std::int64_t begin
 /// The x and y of a point.
 std::array<double, 2> placeOf(const flipflop::PointView& points, std::int64_t i)
 {
-  if (points.type == flipflop::ScalarType::Float32)
-  {
-    const float* xy = static_cast<const float*>(points.data) + i * points.stride;
-    return { { xy[0], xy[1] } };
-  }
-  const double* xy = static_cast<const double*>(points.data) + i * points.stride;
-  return { { xy[0], xy[1] } };
+  return { { vtkFFPlanarInput::NumberAt(points, i * points.stride),
+    vtkFFPlanarInput::NumberAt(points, i * points.stride + 1) } };
 }
 
 /// The engine is asked about some points at a time, but the error is about all.
@@ -98,11 +90,38 @@ void demandFinite(const flipflop::PointView& points)
   }
 }
 
-/// What a triangulation depends on: the source, since when it is as it is, settings, and since when
-/// the weights' array is chosen.
-using TriangulationSource = std::tuple<vtkDataObject*, vtkMTimeType, int, bool, vtkMTimeType>;
+/// An array that is interpolated.
+struct Field
+{
+  vtkSmartPointer<vtkDataArray> Array;
+  int Attribute; // that it is in the output; -1: none
+};
 
-TriangulationSource sourceOf(vtkFFPointInterpolator2D* filter, vtkDataObject* source)
+}
+
+/// The triangulation of a source's points, ready for questions, with their values.
+struct vtkFFPreparedSource
+{
+  // What the triangulation is of: the data, its time, NonFinitePoints, SkipGhostPoints, and since
+  // when the weights' array is chosen; WeightMode and WeightFactor; whether these are in use.
+  std::tuple<vtkDataObject*, vtkMTimeType, int, bool, vtkMTimeType> Source;
+  std::tuple<int, double> WeightRule;
+  bool IsWeighted;
+  int Dimension;
+  flipflop::TriangulationQueries Queries;
+
+  // What the values are of: InterpolateZ, ZArrayName, ExcludedArrays.
+  std::tuple<bool, std::string, std::vector<std::string>> ValueSource{};
+  std::vector<Field> Fields{};
+  std::size_t Components = 1;        // of all fields, and 1
+  flipflop::Buffer<double> Values{}; // so many of each point
+};
+
+namespace
+{
+
+decltype(vtkFFPreparedSource::Source) sourceOf(
+  vtkFFPointInterpolator2D* filter, vtkDataObject* source)
 {
   vtkInformationVector* const chosen =
     filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
@@ -111,42 +130,8 @@ TriangulationSource sourceOf(vtkFFPointInterpolator2D* filter, vtkDataObject* so
     filter->GetSkipGhostPoints(), choice ? choice->GetMTime() : 0 };
 }
 
-/// How weights are computed.
-using WeightRule = std::tuple<int, double>;
-
-/// What the values depend on beside the source.
-using ValueSource = std::tuple<bool, std::string, std::vector<std::string>>;
-
-/// An array that is interpolated: an empty one of its kind; where its values are in a point's.
-struct Field
-{
-  vtkSmartPointer<vtkDataArray> Kind;
-  int Attribute; // -1: none
-  std::size_t Begin;
-};
-
-}
-
-/// The triangulation of a source's points, ready for questions, with their values.
-struct vtkFFPreparedSource
-{
-  TriangulationSource Source;
-  WeightRule Rule;
-  bool IsWeighted;
-  int Dimension;
-  flipflop::TriangulationQueries Queries;
-
-  ValueSource ValuesBy{};
-  std::vector<Field> Fields{};
-  std::size_t Components = 0;        // of all fields, and 1
-  flipflop::Buffer<double> Values{}; // so many of each point
-};
-
-namespace
-{
-
 std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filter,
-  const TriangulationSource& by, vtkPointSet* source, vtkFFRun& run)
+  const decltype(vtkFFPreparedSource::Source)& by, vtkPointSet* source, vtkFFRun& run)
 {
   vtkPoints* const places = source->GetPoints();
   const vtkFFPointSource points(places ? places->GetData() : nullptr);
@@ -165,43 +150,6 @@ std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filte
       weights.GetView().data != nullptr, triangulation.dimension, std::move(queries) });
 }
 
-/// The arrays of the source that are interpolated, each with its attribute; z among them.
-std::vector<std::pair<vtkSmartPointer<vtkDataArray>, int>> arraysOf(
-  vtkFFPointInterpolator2D* filter, const std::vector<std::string>& excluded, vtkPointSet* source)
-{
-  const vtkIdType count = source->GetNumberOfPoints();
-  vtkPointData* const data = source->GetPointData();
-  std::vector<std::pair<vtkSmartPointer<vtkDataArray>, int>> arrays;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* const array = data->GetArray(i);
-    const int attribute = data->IsArrayAnAttribute(i);
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    const bool isValue = array && array->GetNumberOfTuples() >= count &&
-      name != vtkDataSetAttributes::GhostArrayName() &&
-      attribute != vtkDataSetAttributes::GLOBALIDS &&
-      attribute != vtkDataSetAttributes::PEDIGREEIDS &&
-      std::find(excluded.begin(), excluded.end(), name) == excluded.end();
-    if (isValue)
-    {
-      arrays.emplace_back(array, attribute);
-    }
-  }
-  const std::string nameOfZ = filter->GetZArrayName();
-  if (filter->GetInterpolateZ() && source->GetPoints() && !data->HasArray(nameOfZ.c_str()))
-  {
-    vtkDataArray* const places = source->GetPoints()->GetData();
-    vtkSmartPointer<vtkDataArray> heights;
-    heights.TakeReference(
-      vtkDataArray::CreateDataArray(places->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
-    heights->SetName(nameOfZ.c_str());
-    heights->SetNumberOfTuples(count);
-    heights->CopyComponent(0, places, 2);
-    arrays.emplace_back(heights, -1);
-  }
-  return arrays;
-}
-
 /// An empty array of the same kind, but of floating point; of so many tuples.
 vtkSmartPointer<vtkDataArray> makeLike(vtkDataArray* array, vtkIdType count)
 {
@@ -215,31 +163,70 @@ vtkSmartPointer<vtkDataArray> makeLike(vtkDataArray* array, vtkIdType count)
   return made;
 }
 
-/// The values of the source's points, each point's together.
-void takeValues(vtkFFPointInterpolator2D* filter, const ValueSource& by, vtkPointSet* source,
-  vtkFFPreparedSource& prepared)
+/// The arrays of the source that are interpolated, also z if it is.
+std::vector<Field> fieldsOf(
+  vtkFFPointInterpolator2D* filter, const std::vector<std::string>& excluded, vtkPointSet* source)
 {
+  // Of the attributes, these stay what they are between the points.
+  constexpr std::array<int, 4> kept{ { vtkDataSetAttributes::SCALARS, vtkDataSetAttributes::VECTORS,
+    vtkDataSetAttributes::TENSORS, vtkDataSetAttributes::TCOORDS } };
   const vtkIdType count = source->GetNumberOfPoints();
-  const auto arrays = arraysOf(filter, std::get<2>(by), source);
-  prepared.Fields.clear();
-  prepared.Components = 1;
-  for (const auto& array : arrays)
+  vtkPointData* const data = source->GetPointData();
+  std::vector<Field> fields;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    prepared.Fields.push_back({ makeLike(array.first, 0), array.second, prepared.Components - 1 });
-    prepared.Components += static_cast<std::size_t>(array.first->GetNumberOfComponents());
+    vtkDataArray* const array = data->GetArray(i);
+    const int attribute = data->IsArrayAnAttribute(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    if (array && array->GetNumberOfTuples() >= count &&
+      name != vtkDataSetAttributes::GhostArrayName() &&
+      attribute != vtkDataSetAttributes::GLOBALIDS &&
+      attribute != vtkDataSetAttributes::PEDIGREEIDS &&
+      std::find(excluded.begin(), excluded.end(), name) == excluded.end())
+    {
+      const bool isKept = std::find(kept.begin(), kept.end(), attribute) != kept.end();
+      fields.push_back({ array, isKept ? attribute : -1 });
+    }
   }
-  const std::size_t stride = prepared.Components;
+  const std::string nameOfZ = filter->GetZArrayName();
+  if (filter->GetInterpolateZ() && source->GetPoints() && !data->HasArray(nameOfZ.c_str()))
+  {
+    vtkDataArray* const places = source->GetPoints()->GetData();
+    vtkSmartPointer<vtkDataArray> heights;
+    heights.TakeReference(
+      vtkDataArray::CreateDataArray(places->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
+    heights->SetName(nameOfZ.c_str());
+    heights->SetNumberOfTuples(count);
+    heights->CopyComponent(0, places, 2);
+    fields.push_back({ heights, -1 });
+  }
+  return fields;
+}
+
+/// The values of the source's points, each point's together, and 1.
+void takeValues(vtkIdType count, vtkFFPreparedSource& prepared)
+{
+  std::size_t stride = 1;
+  for (const Field& field : prepared.Fields)
+  {
+    stride += static_cast<std::size_t>(field.Array->GetNumberOfComponents());
+  }
+  prepared.Components = stride;
   prepared.Values.allocate(stride * static_cast<std::size_t>(count));
+  double* values = prepared.Values.data();
   for (vtkIdType i = 0; i < count; ++i)
   {
-    double* const values = prepared.Values.data() + static_cast<std::size_t>(i) * stride;
-    for (std::size_t k = 0; k < arrays.size(); ++k)
+    for (const Field& field : prepared.Fields)
     {
-      arrays[k].first->GetTuple(i, values + prepared.Fields[k].Begin);
+      field.Array->GetTuple(i, values);
+      values += field.Array->GetNumberOfComponents();
     }
-    values[stride - 1] = 1.0;
+    *values++ = 1.0;
   }
-  prepared.ValuesBy = by;
+  for (Field& field : prepared.Fields)
+  {
+    field.Array = makeLike(field.Array, 0); // the source's own may go
+  }
 }
 
 /// Null points get the values of the closest point.
@@ -275,29 +262,8 @@ void askClosest(const vtkFFPreparedSource& source, const flipflop::PointView& po
   }
 }
 
-/// The values of all fields and of 1 at some points; NaN for 1: a null point.
-void interpolate(vtkFFPointInterpolator2D* filter, const vtkFFPreparedSource& source,
-  const flipflop::PointView& points, const flipflop::Options& options,
-  flipflop::Buffer<double>& results)
-{
-  const auto components = static_cast<std::int64_t>(source.Components);
-  if (filter->GetInterpolationMode() == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR)
-  {
-    source.Queries.interpolateNatural(
-      source.Values.data(), components, points, results.data(), options);
-  }
-  else
-  {
-    source.Queries.interpolateLinear(
-      source.Values.data(), components, points, results.data(), options);
-  }
-  if (filter->GetNullPointsStrategy() == vtkFFPointInterpolator2D::CLOSEST_POINT)
-  {
-    askClosest(source, points, options, results);
-  }
-}
-
-/// Interpolates at all points. The last array that is returned marks the points that have values.
+/// Interpolates at all points: the values of the fields. The last array that is returned marks the
+/// points that have values; the engine's value of 1 is NaN at the others.
 std::vector<vtkSmartPointer<vtkDataArray>> answer(vtkFFPointInterpolator2D* filter,
   const vtkFFPreparedSource& source, const flipflop::PointView& points, double progress,
   vtkFFRun& run)
@@ -306,11 +272,14 @@ std::vector<vtkSmartPointer<vtkDataArray>> answer(vtkFFPointInterpolator2D* filt
   {
     demandFinite(points);
   }
+  const auto ask = filter->GetInterpolationMode() == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
+    ? &flipflop::TriangulationQueries::interpolateNatural
+    : &flipflop::TriangulationQueries::interpolateLinear;
   const auto count = static_cast<vtkIdType>(points.count);
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
   for (const Field& field : source.Fields)
   {
-    arrays.push_back(makeLike(field.Kind, count));
+    arrays.push_back(makeLike(field.Array, count));
   }
   vtkNew<vtkCharArray> mask;
   mask->SetName(filter->GetValidPointsMaskArrayName().c_str());
@@ -325,20 +294,28 @@ std::vector<vtkSmartPointer<vtkDataArray>> answer(vtkFFPointInterpolator2D* filt
     const double share = (1.0 - progress) / static_cast<double>(points.count);
     run.SetPart(
       progress + share * static_cast<double>(begin), progress + share * static_cast<double>(end));
-    interpolate(filter, source, partOf(points, begin, end), run.Options, results);
-    for (std::int64_t i = begin; i < end; ++i)
+    const flipflop::PointView part = partOf(points, begin, end);
+    (source.Queries.*ask)(
+      source.Values.data(), static_cast<std::int64_t>(stride), part, results.data(), run.Options);
+    if (filter->GetNullPointsStrategy() == vtkFFPointInterpolator2D::CLOSEST_POINT)
     {
-      double* const values = results.data() + static_cast<std::size_t>(i - begin) * stride;
+      askClosest(source, part, run.Options, results);
+    }
+    double* values = results.data();
+    for (auto i = static_cast<vtkIdType>(begin); i < end; ++i)
+    {
       const bool isNull = std::isnan(values[stride - 1]);
       if (isNull)
       {
         std::fill_n(values, stride, filter->GetNullValue());
       }
-      mask->SetValue(static_cast<vtkIdType>(i), isNull ? 0 : 1);
-      for (std::size_t k = 0; k < source.Fields.size(); ++k)
+      mask->SetValue(i, isNull ? 0 : 1);
+      for (vtkDataArray* const array : arrays)
       {
-        arrays[k]->SetTuple(static_cast<vtkIdType>(i), values + source.Fields[k].Begin);
+        array->SetTuple(i, values);
+        values += array->GetNumberOfComponents();
       }
+      ++values; // what was 1
     }
   }
   arrays.emplace_back(mask);
@@ -403,12 +380,13 @@ const char* vtkFFPointInterpolator2D::GetExcludedArray(int index)
 //------------------------------------------------------------------------------
 double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
 {
-  const TriangulationSource by = sourceOf(this, data);
-  const ValueSource valuesBy{ this->InterpolateZ, this->ZArrayName, this->ExcludedArrays };
+  const auto by = sourceOf(this, data);
+  const decltype(vtkFFPreparedSource::ValueSource) valuesBy{ this->InterpolateZ, this->ZArrayName,
+    this->ExcludedArrays };
   const bool isTriangulated = this->Prepared && this->Prepared->Source == by &&
-    (this->Prepared->Rule == WeightRule{ this->WeightMode, this->WeightFactor } ||
+    (this->Prepared->WeightRule == std::make_tuple(this->WeightMode, this->WeightFactor) ||
       (!this->Prepared->IsWeighted && std::isfinite(this->WeightFactor)));
-  if (isTriangulated && this->Prepared->ValuesBy == valuesBy)
+  if (isTriangulated && this->Prepared->ValueSource == valuesBy)
   {
     return 0.0;
   }
@@ -426,7 +404,9 @@ double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
     this->Prepared.reset();
     this->Prepared = triangulate(this, by, source, run);
   }
-  takeValues(this, valuesBy, source, *this->Prepared);
+  this->Prepared->Fields = fieldsOf(this, this->ExcludedArrays, source);
+  takeValues(source->GetNumberOfPoints(), *this->Prepared);
+  this->Prepared->ValueSource = valuesBy;
   run.NonFiniteWhat = "A coordinate";
   run.Parts.clear(); // what errors are about from now on is the input
   run.Ids.clear();
@@ -454,26 +434,22 @@ int vtkFFPointInterpolator2D::RequestData(
       auto arrays = answer(this, *this->Prepared, input.GetView(), progress, run);
       output->ShallowCopy(points);
       vtkPointData* const data = output->GetPointData();
-      if (!this->PassPointArrays)
+      const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays, data },
+        { this->PassCellArrays, output->GetCellData() },
+        { this->PassFieldArrays, output->GetFieldData() } };
+      for (const auto& one : passed)
       {
-        data->Initialize();
-      }
-      if (!this->PassCellArrays)
-      {
-        output->GetCellData()->Initialize();
-      }
-      if (!this->PassFieldArrays)
-      {
-        output->GetFieldData()->Initialize();
+        if (!one.first)
+        {
+          one.second->Initialize();
+        }
       }
       for (std::size_t k = 0; k < this->Prepared->Fields.size(); ++k)
       {
-        const int attribute = this->Prepared->Fields[k].Attribute;
         const int index = data->AddArray(arrays[k]);
-        if (std::find(passedAttributes.begin(), passedAttributes.end(), attribute) !=
-          passedAttributes.end())
+        if (this->Prepared->Fields[k].Attribute >= 0)
         {
-          data->SetActiveAttribute(index, attribute);
+          data->SetActiveAttribute(index, this->Prepared->Fields[k].Attribute);
         }
       }
       if (this->NullPointsStrategy == MASK_POINTS)

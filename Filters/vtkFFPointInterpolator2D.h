@@ -136,12 +136,7 @@ public:
   /**
    * Set/Get what the values of the weights' array are. Without an array, this does not matter.
    *
-   * - WEIGHTS (the default): weights. Each is multiplied by
-   *   WeightFactor.
-   * - RADII: the radii of disks. Each is multiplied by WeightFactor, and
-   *   the weight is the square.
-   *
-   * They are computed, and errors are told, as in vtkFFRegularTriangulationFilter.
+   * WEIGHTS (the default) or RADII: see vtkFFPlanarAlgorithm::SetWeightMode().
    */
   vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
   vtkGetMacro(WeightMode, int);
@@ -152,9 +147,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the factor of all weights, or of all radii: see SetWeightMode(). 1 by default, with
-   * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
-   * infinity are errors.
+   * Set/Get the factor of all weights, or of all radii. 1 by default. See
+   * vtkFFPlanarAlgorithm::SetWeightFactor().
    */
   vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFQueryAlgorithm.h"
 
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -26,6 +29,21 @@ int vtkFFQueryAlgorithm::FillInputPortInformation(int port, vtkInformation* info
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFQueryAlgorithm::RequestDataObject(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (vtkDataSet::GetData(inputVector[0]))
+  {
+    return this->Superclass::RequestDataObject(request, inputVector, outputVector);
+  }
+  // A table, say, in a composite: its place gets an empty data set, and an error says what is
+  // wrong.
+  outputVector->GetInformationObject(0)->Set(
+    vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkPolyData>::New());
   return 1;
 }
 

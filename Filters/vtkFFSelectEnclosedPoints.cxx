@@ -30,26 +30,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFSelectEnclosedPoints);
 
-namespace
-{
-
-constexpr double shareOfHull = 0.4; // of the progress of a run that makes one
-
-/// What a prepared hull depends on: the surface, since when it is as it is, settings.
-using HullSource = std::tuple<vtkDataObject*, vtkMTimeType, int, bool>;
-
-HullSource sourceOf(vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface)
-{
-  return { surface, vtkFFInput::TimeOf(surface), filter->GetNonFinitePoints(),
-    filter->GetSkipGhostPoints() };
-}
-
-}
-
 /// The hull of a surface's points, ready for questions.
 struct vtkFFPreparedHull
 {
-  HullSource Source;
+  // What it is of: the surface, its time, NonFinitePoints, SkipGhostPoints.
+  std::tuple<vtkDataObject*, vtkMTimeType, int, bool> Source;
   int Dimension;
   flipflop::HullQueries Queries;
 };
@@ -57,10 +42,19 @@ struct vtkFFPreparedHull
 namespace
 {
 
+constexpr double shareOfHull = 0.4; // of the progress of a run that makes one
+
+decltype(vtkFFPreparedHull::Source) sourceOf(
+  vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface)
+{
+  return { surface, vtkFFInput::TimeOf(surface), filter->GetNonFinitePoints(),
+    filter->GetSkipGhostPoints() };
+}
+
 std::unique_ptr<const vtkFFPreparedHull> prepare(
   vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface, vtkFFRun& run)
 {
-  const HullSource source = sourceOf(filter, surface);
+  const auto source = sourceOf(filter, surface);
   vtkFFInput input;
   input.Take(vtkFFInput::PiecesOf(surface), filter->GetSkipGhostPoints(), run, " of the surface");
   run.SetPart(0.0, 0.8 * shareOfHull);
