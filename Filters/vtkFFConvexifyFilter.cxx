@@ -114,6 +114,7 @@ int vtkFFConvexifyFilter::RequestData(
   vtkFFRun run(this, "Convexify", outputVector);
   run.NonFiniteAdvice = "They are corners of the surface, which has to be mended.";
   run.Options.nonFinite = flipflop::NonFinitePolicy::Error;
+  run.Options.facets = flipflop::FacetMode::Polygons; // see WriteHull()
   run.Report.used = flipflop::EngineChoice::CPU;
   std::snprintf(run.Report.reason, sizeof(run.Report.reason), "%s",
     this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "this filter runs on the CPU");

@@ -114,6 +114,14 @@ void vtkFFHullAlgorithm::WriteHull(const vtkFFHullResult& hull, vtkFFRun& run, v
   fieldData->ShallowCopy(output->GetFieldData());
   output->ShallowCopy(hull.Data);
   output->SetFieldData(fieldData);
+  if (this->FacetMode == FACETS_AS_TRIANGLES)
+  {
+    vtkFFOutput::FanPolygons(output);
+  }
+  if (!this->PassPointData)
+  {
+    vtkFFOutput::DropPassedData(output->GetPointData());
+  }
   if (this->VisiblePointIds)
   {
     vtkFFOutput::ShowIds(output->GetPointData());

@@ -65,7 +65,7 @@ protected:
   void ForgetReport() override;
 
   /**
-   * The end of a run: the hull becomes the output, and is reported.
+   * The end of a run: the hull, whose facets are polygons, becomes the output, and is reported.
    */
   void WriteHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output);
 

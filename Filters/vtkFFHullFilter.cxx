@@ -6,6 +6,7 @@
 #include "vtkFFInput.h"
 #include "vtkFFInputPieces.h"
 #include "vtkFFRun.h"
+#include "vtkFFStamp.h"
 
 #include <flipflop/Error.h>
 
@@ -19,6 +20,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -95,6 +97,16 @@ void takePieces(
 }
 
 //------------------------------------------------------------------------------
+/// The last hull, and what it was made of.
+struct vtkFFHullFilter::KeptType
+{
+  vtkFFStamp Stamp;
+  vtkFFHullResult Hull;
+  std::vector<vtkFFRun::PartType> Parts;
+  bool HasPointData = false;
+};
+
+//------------------------------------------------------------------------------
 vtkFFHullFilter::vtkFFHullFilter() = default;
 
 //------------------------------------------------------------------------------
@@ -155,24 +167,40 @@ int vtkFFHullFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkFFRun run(this, "Convex hull", outputVector);
-  vtkFFHullResult hull;
   vtkFFInputPieces pieces(inputVector[0]->GetInformationObject(0),
     outputVector->GetInformationObject(0), this->NumberOfStreamDivisions);
-  if (pieces.AreStreamed())
+  const bool keeps = !pieces.AreStreamed() && !run.IsInComposite() && !this->GetReleaseDataFlag();
+  const vtkFFStamp stamp = keeps ? vtkFFStamp(this, pieces.GetFirst()) : vtkFFStamp();
+  const bool isKept =
+    this->Kept && this->Kept->Stamp == stamp && (this->Kept->HasPointData || !this->PassPointData);
+  if (!isKept)
   {
-    takePieces(this, pieces, run, hull);
+    this->Kept = std::make_shared<KeptType>();
+    vtkFFHullResult& hull = this->Kept->Hull;
+    if (pieces.AreStreamed())
+    {
+      takePieces(this, pieces, run, hull);
+    }
+    else
+    {
+      run.Do(
+        [&]
+        {
+          vtkFFInput input;
+          input.Take(vtkFFInput::PiecesOf(pieces.GetFirst()), this->SkipGhostPoints, run);
+          hull.Take(input, this->PassPointData, run);
+        });
+    }
+    this->Kept->Parts = run.Parts;
+    this->Kept->HasPointData = this->PassPointData;
+    this->Kept->Stamp = stamp;
   }
-  else
+  run.Parts = this->Kept->Parts;
+  run.Do([&] { this->WriteHull(this->Kept->Hull, run, vtkPolyData::GetData(outputVector)); });
+  if (!keeps || run.Failure)
   {
-    run.Do(
-      [&]
-      {
-        vtkFFInput input;
-        input.Take(vtkFFInput::PiecesOf(pieces.GetFirst()), this->SkipGhostPoints, run);
-        hull.Take(input, this->PassPointData, run);
-      });
+    this->Kept.reset();
   }
-  run.Do([&] { this->WriteHull(hull, run, vtkPolyData::GetData(outputVector)); });
   return run.Finish();
 }
 

@@ -47,6 +47,11 @@
  * SetCompositeMode(). For one hull, ids count the points of all data sets in order, and the point
  * array BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's data set.
  *
+ * A setting that concerns the output alone (facets, arrays, the report) does not compute the hull
+ * again while the input is unchanged: the filter keeps the last one, which shares the output's
+ * memory. It keeps none of composites that it does not join, and none if its release data flag is
+ * on.
+ *
  * Points that do not fit in memory can be streamed: see SetNumberOfStreamDivisions().
  *
  * @warning
@@ -63,6 +68,8 @@
 #include "vtkFFHullAlgorithm.h"
 #include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
+
+#include <memory> // For std::shared_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
@@ -144,6 +151,9 @@ protected:
   int NumberOfStreamDivisions = 1;
 
 private:
+  struct KeptType;
+  std::shared_ptr<KeptType> Kept;
+
   vtkFFHullFilter(const vtkFFHullFilter&) = delete;
   void operator=(const vtkFFHullFilter&) = delete;
 };

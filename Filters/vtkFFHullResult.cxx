@@ -22,6 +22,15 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
+/// The hull with its facets as polygons, whatever the filter asks for: see
+/// vtkFFHullAlgorithm::WriteHull().
+flipflop::Hull hullOf(const vtkFFInput& input, vtkFFRun& run)
+{
+  flipflop::Options options = run.Options;
+  options.facets = flipflop::FacetMode::Polygons;
+  return flipflop::convexHull(input.GetView(), options, run.Engine, run.Report);
+}
+
 vtkIdTypeArray* idsOf(vtkPolyData* hull)
 {
   return vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
@@ -38,7 +47,7 @@ vtkFFHullResult::vtkFFHullResult()
 //------------------------------------------------------------------------------
 void vtkFFHullResult::Take(const vtkFFInput& input, bool passPointData, vtkFFRun& run)
 {
-  this->Hull = flipflop::convexHull(input.GetView(), run.Options, run.Engine, run.Report);
+  this->Hull = hullOf(input, run);
   this->Engine = run.Report;
   vtkFFOutput::Adopt(this->Hull, input.GetPoints(),
     passPointData ? input.GetPointData() : std::vector<vtkFFOutput::Source>(), this->Data);
@@ -59,7 +68,7 @@ void vtkFFHullResult::Join(const std::vector<vtkFFHullResult>& hulls, vtkFFRun& 
   }
   vtkFFInput input;
   input.Take(pieces, false, run);
-  this->Hull = flipflop::convexHull(input.GetView(), run.Options, run.Engine, run.Report);
+  this->Hull = hullOf(input, run);
   vtkFFOutput::Adopt(this->Hull, input.GetPoints(), input.GetPointData(), this->Data);
   vtkFFOutput::Renumber(
     this->Data->GetPointData(), [&](vtkIdType id) { return ids[static_cast<std::size_t>(id)]; });

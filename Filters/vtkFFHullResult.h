@@ -27,7 +27,7 @@ struct vtkFFHullResult
 {
   vtkFFHullResult();
 
-  vtkSmartPointer<vtkPolyData> Data; ///< points, cells, point data and ids
+  vtkSmartPointer<vtkPolyData> Data; ///< points, true facets, point data and ids
   flipflop::Hull Hull;               ///< dimension and measures; statistics of all work so far
   flipflop::EngineReport Engine;
 

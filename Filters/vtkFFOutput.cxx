@@ -184,6 +184,14 @@ void vtkFFOutput::AddIds(vtkIdTypeArray* ids, vtkDataSetAttributes* output)
 }
 
 //------------------------------------------------------------------------------
+void vtkFFOutput::DropPassedData(vtkDataSetAttributes* output)
+{
+  const vtkSmartPointer<vtkAbstractArray> ids = output->GetAbstractArray("vtkOriginalPointIds");
+  output->Initialize();
+  output->AddArray(ids);
+}
+
+//------------------------------------------------------------------------------
 void vtkFFOutput::ShowIds(vtkDataSetAttributes* output)
 {
   if (vtkDataArray* ids = output->GetArray("vtkOriginalPointIds"))
@@ -226,6 +234,34 @@ void vtkFFOutput::AdoptCells(flipflop::CellComplex& complex, vtkPolyData* output
       output->SetPolys(cells);
       break;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::FanPolygons(vtkPolyData* output)
+{
+  vtkCellArray* const polygons = output->GetPolys();
+  const vtkIdType count = polygons->GetNumberOfCells();
+  if (count == 0 || polygons->IsHomogeneous() == 3)
+  {
+    return;
+  }
+  flipflop::CellComplex complex;
+  complex.dimension = 2;
+  complex.connectivity.allocate(static_cast<std::size_t>(polygons->GetNumberOfConnectivityIds()));
+  complex.offsets.allocate(static_cast<std::size_t>(count) + 1);
+  std::int64_t end = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    polygons->GetCellAtId(i, size, corners);
+    complex.offsets[static_cast<std::size_t>(i)] = end;
+    std::copy_n(corners, size, complex.connectivity.data() + end);
+    end += size;
+  }
+  complex.offsets[static_cast<std::size_t>(count)] = end;
+  flipflop::fanPolygons(complex);
+  AdoptCells(complex, output);
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,11 @@ public:
   static void AddIds(vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 
   /**
+   * Leave the array vtkOriginalPointIds alone.
+   */
+  static void DropPassedData(vtkDataSetAttributes* output);
+
+  /**
    * Give the array vtkOriginalPointIds a second time, as OriginalPointIds.
    */
   static void ShowIds(vtkDataSetAttributes* output);
@@ -77,6 +82,11 @@ public:
    */
   VTKFILTERSFLIPFLOP_EXPORT static void AdoptCells(
     flipflop::CellComplex& cells, vtkPolyData* output);
+
+  /**
+   * Turn polygons of an output, which the engine gave, into the triangles that it would give.
+   */
+  static void FanPolygons(vtkPolyData* output);
 
   /**
    * Copy the point data of the points that @p ids names, ascending. Ids count the points of all

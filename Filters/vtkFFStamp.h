@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFStamp
+ * @brief   what a result was made of
+ *
+ * vtkFFStamp has the identities and times of the data that a result was made of, and the settings
+ * that it depends on. Where two are equal, so are the results: a filter that kept one need not make
+ * the other.
+ */
+
+#ifndef vtkFFStamp_h
+#define vtkFFStamp_h
+
+#include "vtkFFAlgorithm.h"
+#include "vtkFFMarks.h"
+
+#include "vtkDataObject.h"
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkFFStamp
+{
+public:
+  /**
+   * Of nothing: it equals no other.
+   */
+  vtkFFStamp() = default;
+
+  /**
+   * Of an input, and of the settings that each engine's result depends on.
+   */
+  vtkFFStamp(vtkFFAlgorithm* filter, vtkDataObject* input)
+  {
+    this->Add(input);
+    for (const double setting :
+      { static_cast<double>(filter->GetEngine()), static_cast<double>(filter->GetCUDAThreshold()),
+        static_cast<double>(filter->GetNumberOfThreads()),
+        static_cast<double>(filter->GetNonFinitePoints()),
+        static_cast<double>(filter->GetSkipGhostPoints()),
+        static_cast<double>(filter->GetVBiased()) })
+    {
+      this->Add(setting);
+    }
+  }
+
+  /**
+   * Further data, which may be null. No two states of any data have the same time.
+   */
+  void Add(vtkDataObject* data)
+  {
+    this->Words.push_back(reinterpret_cast<std::uintptr_t>(data));
+    this->Words.push_back(data ? data->GetMTime() : 0);
+    this->Words.push_back(data ? data->GetUpdateTime() : 0);
+  }
+
+  ///@{
+  /**
+   * Further settings.
+   */
+  void Add(double setting)
+  {
+    std::uint64_t word;
+    std::memcpy(&word, &setting, sizeof(word));
+    this->Words.push_back(word);
+  }
+  void Add(const std::string& setting)
+  {
+    this->Words.insert(this->Words.end(), setting.begin(), setting.end());
+    this->Words.push_back(setting.size());
+  }
+  ///@}
+
+  bool operator==(const vtkFFStamp& other) const
+  {
+    return !this->Words.empty() && this->Words == other.Words;
+  }
+
+private:
+  std::vector<std::uint64_t> Words;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
