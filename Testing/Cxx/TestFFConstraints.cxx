@@ -1,112 +1,78 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines and polygons of a second input are edges of the triangulation, and polygons tell what is
-// inside; where vtkDelaunay2D is right, it gives the same triangles.
-#include "FFTest.h"
+// Lines and polygons of a second input are edges of the triangulation, which port 1 tells, and
+// polygons tell what is inside.
+#include "FFPlanar.h"
 
-#include "vtkCellArray.h"
-#include "vtkDelaunay2D.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkTable.h"
 #include "vtkTransform.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <set>
-#include <string>
-#include <vector>
+#include <map>
 
 using namespace fftest;
 
 namespace
 {
 
-using Filter = vtkFFRegularTriangulationFilter;
-using Ids = std::vector<vtkIdType>;
+using Filter = vtkFFConstrainedDelaunayFilter;
 
-vtkSmartPointer<vtkPolyData> makeSource(
-  const std::vector<Ids>& lines, const std::vector<Ids>& polygons = {}, bool withVertex = false)
+struct Run : Watched<Filter>
 {
-  auto source = vtkSmartPointer<vtkPolyData>::New();
-  const auto fill = [](vtkCellArray* cells, const std::vector<Ids>& from)
+  Run(vtkDataObject* input, vtkPolyData* source)
+    : Watched(input)
   {
-    for (const Ids& ids : from)
-    {
-      cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    }
-  };
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkCellArray> polylines;
-  vtkNew<vtkCellArray> polys;
-  fill(vertices, withVertex ? std::vector<Ids>{ { 0 } } : std::vector<Ids>());
-  fill(polylines, lines);
-  fill(polys, polygons);
-  source->SetVerts(vertices);
-  source->SetLines(polylines);
-  source->SetPolys(polys);
-  return source;
-}
-
-/// A cell's ids in the input, the lowest first.
-std::set<Ids> cellsOf(vtkPolyData* output, bool areInputs = false)
-{
-  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetArray("vtkOriginalPointIds"));
-  std::set<Ids> found;
-  for (vtkIdType i = 0; i < output->GetPolys()->GetNumberOfCells(); ++i)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    output->GetPolys()->GetCellAtId(i, size, corners);
-    Ids cell(corners, corners + size);
-    for (vtkIdType& id : cell)
-    {
-      id = areInputs ? id : ids->GetValue(id);
-    }
-    std::rotate(cell.begin(), std::min_element(cell.begin(), cell.end()), cell.end());
-    found.insert(cell);
+    this->Filter->SetSourceData(source);
   }
-  return found;
-}
+  /// With these constraints: the triangles, from their lowest ids.
+  Cells PolysWith(const Cells& lines, const Cells& polygons = {})
+  {
+    this->Filter->SetSourceData(makeConstraints(lines, polygons));
+    return polysOf(this->Watched::Run());
+  }
+  /// Of port 1, each line with the id of its cell at the end.
+  Cells Fixed()
+  {
+    vtkPolyData* output = this->Filter->GetFixedEdgesOutput();
+    auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray("ConstraintCellIds"));
+    Cells found = cellsOf(output->GetLines());
+    FF_CHECK(ids && ids->GetNumberOfTuples() == output->GetNumberOfCells());
+    FF_CHECK_EQUAL(output->GetNumberOfCells(), output->GetNumberOfLines());
+    FF_CHECK(output->GetPoints() && output->GetPoints() == this->Filter->GetOutput()->GetPoints());
+    FF_CHECK(originalIds(output) == originalIds(this->Filter->GetOutput()));
+    for (std::size_t i = 0; ids && i < found.size(); ++i)
+    {
+      found[i].push_back(ids->GetValue(static_cast<vtkIdType>(i)));
+    }
+    return found;
+  }
+};
 
 const std::vector<Point> kite = { { 0, -3, 7 }, { 1, 0, 0 }, { 0, 3, 0 }, { -1, 0, 5 } };
-const std::set<Ids> turned = { { 0, 1, 2 }, { 0, 2, 3 } };
-
-vtkSmartPointer<Filter> filterOf(vtkDataObject* input, vtkDataObject* source)
-{
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputData(input);
-  filter->SetSourceData(source);
-  return filter;
-}
+const Cells across = { { 0, 1, 2 }, { 0, 2, 3 } };
 
 void testLines()
 {
-  const auto input = makePoints(kite);
-  const auto filter = filterOf(input, makeSource({ { 0, 2 } }));
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput()) == turned);
-  FF_CHECK(filter->GetSource() != nullptr);
-  FF_CHECK_EQUAL(std::string(filter->GetEngineReason()), "constraints are the CPU's");
-  FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(0));
-  // A polyline through a point, with vertices that do not count; a change of the source counts.
-  const auto other = makeSource({ { 2, 2, 0 } }, {}, true);
-  filter->SetSourceData(other);
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput()) == turned);
-  filter->SetSourceData(makeSource({}));
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput()) == (std::set<Ids>{ { 0, 1, 3 }, { 1, 2, 3 } }));
-  filter->SetSourceData(nullptr);
-  FF_CHECK(filter->GetSource() == nullptr);
-  filter->Update();
-  FF_CHECK(isTriangulationOf(input, nullptr, filter));
+  Run run(makePoints(kite), nullptr);
+  FF_CHECK((polysOf(run.Watched::Run()) == Cells{ { 0, 1, 3 }, { 1, 2, 3 } }));
+  FF_CHECK(run.PolysWith({ { 0, 2 } }) == across);
+  FF_CHECK((run.Fixed() == Cells{ { 0, 2, 0 } }));
+  FF_CHECK(run->GetSource() != nullptr);
+  FF_CHECK_EQUAL(std::string(run->GetEngineReason()), "constraints are the CPU's");
+  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
+  // One edge of no length does not count.
+  FF_CHECK(run.PolysWith({ { 2, 2, 0 } }) == across);
+  FF_CHECK(run.PolysWith({}) != across);
+  FF_CHECK(run.Fixed().empty());
+  run->RemoveSource();
+  FF_CHECK(run->GetSource() == nullptr);
+  FF_CHECK(polysOf(run.Watched::Run()) != across);
+  FF_CHECK(isEmpty(run->GetFixedEdgesOutput()));
 }
 
 void testPlanesAndGhosts()
@@ -117,105 +83,147 @@ void testPlanesAndGhosts()
   {
     upright.push_back({ p[0], 4.0, p[1] });
   }
-  const auto filter = filterOf(makePoints(upright), makeSource({ { 0, 2 } }));
+  Run run(makePoints(upright), nullptr);
   vtkNew<vtkTransform> transform;
   transform->RotateX(-90);
-  filter->SetTransform(transform);
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput()) == turned);
+  run->SetTransform(transform);
+  FF_CHECK(run.PolysWith({ { 0, 2 } }) == across);
 
   // The first point is a ghost: ids stay those of the input.
   std::vector<Point> more = { { 9, 9, 9 } };
   more.insert(more.end(), kite.begin(), kite.end());
   const auto input = makePoints(more);
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName("vtkGhostType");
-  for (std::size_t i = 0; i < more.size(); ++i)
-  {
-    ghosts->InsertNextValue(i == 0 ? 1 : 0);
-  }
-  input->GetPointData()->AddArray(ghosts);
-  const auto skipping = filterOf(input, makeSource({ { 1, 3 } }));
-  skipping->Update();
-  FF_CHECK(cellsOf(skipping->GetOutput()) == (std::set<Ids>{ { 1, 2, 3 }, { 1, 3, 4 } }));
-  const auto errors = ErrorObserver::Of(skipping);
-  skipping->SetSourceData(makeSource({ { 1, 3 }, { 3, 0 } }));
-  skipping->Update();
-  FF_CHECK(errors->Has("Point 0 of cell 1 of the source is a ghost point, which is left out. Turn "
-                       "off Skip Ghost Points, or take the cell away."));
+  addGhosts(input, { 0 });
+  Run skipping(input, nullptr);
+  FF_CHECK((skipping.PolysWith({ { 1, 3 } }) == Cells{ { 1, 2, 3 }, { 1, 3, 4 } }));
+  FF_CHECK((skipping.Fixed() == Cells{ { 0, 2, 0 } })); // points of the output
+  skipping->SetSourceData(makeConstraints({ { 1, 3 }, { 3, 0 } }));
+  skipping.Fail("Point 0 of cell 1 of the source is a ghost point, which is left out. Turn off "
+                "Skip Ghost Points, or take the cell away.",
+    vtkFFErrorCode::InputError);
 }
 
-/// The grid of vtkDelaunay2D's example: its points a little off, and a hole of 12 cells.
-void testAgainstVtk()
+double area(const Point& a, const Point& b, const Point& c)
 {
-  std::vector<Point> points;
-  const std::vector<Point> offsets = randomPoints(100, 7);
-  for (int i = 0; i < 100; ++i)
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  return area(a, b, c) * area(a, b, d) < 0 && area(c, d, a) * area(c, d, b) < 0;
+}
+
+/// All edges of the output along the constraints, with the first cell that has one: by trying each
+/// point on each constraint. New points are rounded, and far from all that they are not on.
+std::map<Ids, vtkIdType> bruteForce(
+  vtkPolyData* output, const std::vector<Point>& points, const std::vector<Ids>& constraints)
+{
+  std::map<Ids, vtkIdType> found;
+  for (const Ids& constraint : constraints)
   {
-    points.push_back({ i / 10 + offsets[i][0] / 4, i % 10 + offsets[i][1] / 4, 0 });
-  }
-  const auto input = makePoints(points);
-  const auto source = makeSource({}, { { 22, 23, 24, 25, 35, 45, 44, 43, 42, 32 } });
-  source->SetPoints(input->GetPoints()); // vtkDelaunay2D reads them
-  const auto filter = filterOf(input, source);
-  filter->SetPolygonRuleToDirection();
-  filter->Update();
-  vtkNew<vtkDelaunay2D> delaunay;
-  delaunay->SetInputData(input);
-  delaunay->SetSourceData(source);
-  delaunay->SetOffset(100);
-  delaunay->Update();
-  const std::set<Ids> ours = cellsOf(filter->GetOutput());
-  std::set<Ids> theirs;
-  for (Ids cell : cellsOf(delaunay->GetOutput(), true))
-  {
-    // Theirs may run clockwise.
-    const Point &a = points[cell[0]], &b = points[cell[1]], &c = points[cell[2]];
-    if ((b[0] - a[0]) * (c[1] - a[1]) < (b[1] - a[1]) * (c[0] - a[0]))
+    const Point& a = points[static_cast<std::size_t>(constraint[0])];
+    const Point& b = points[static_cast<std::size_t>(constraint[1])];
+    const double square = (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
+    std::map<double, vtkIdType> along;
+    for (vtkIdType i = 0; square > 0 && i < output->GetNumberOfPoints(); ++i)
     {
-      std::swap(cell[1], cell[2]);
+      Point p;
+      output->GetPoint(i, p.data());
+      const double share = ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / square;
+      if (std::fabs(area(a, b, p)) < 1e-9 && share > -1e-9 && share < 1 + 1e-9)
+      {
+        along.emplace(share, i);
+      }
     }
-    theirs.insert(cell);
-  }
-  FF_CHECK(filter->GetNumberOfDroppedCells() > 10);
-  // vtkDelaunay2D leaves out flat triangles at the border, along a side of the grid.
-  FF_CHECK(std::includes(ours.begin(), ours.end(), theirs.begin(), theirs.end()));
-  for (const Ids& cell : ours)
-  {
-    const auto isAlong = [&](const auto& placeOf, vtkIdType place)
+    for (auto next = along.begin(); next != along.end(); ++next)
     {
-      return std::all_of(
-        cell.begin(), cell.end(), [&](vtkIdType id) { return placeOf(id) == place; });
-    };
-    const auto column = [](vtkIdType id) { return id / 10; };
-    const auto row = [](vtkIdType id) { return id % 10; };
-    FF_CHECK(theirs.count(cell) == 1 || isAlong(column, 0) || isAlong(column, 9) ||
-      isAlong(row, 0) || isAlong(row, 9));
+      if (next != along.begin())
+      {
+        const vtkIdType last = std::prev(next)->second;
+        found.emplace(
+          Ids{ std::min(last, next->second), std::max(last, next->second) }, constraint[2]);
+      }
+    }
   }
-  // The other way round, the same cells are what is left.
-  filter->SetSourceData(makeSource({}, { { 32, 42, 43, 44, 45, 35, 25, 24, 23, 22 } }));
-  const vtkIdType dropped = filter->GetNumberOfDroppedCells();
-  const vtkIdType left = filter->GetOutput()->GetNumberOfCells();
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), left);
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), dropped);
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(100));
+  return found;
+}
+
+/// Port 1 on small inputs with duplicates. Without splitting, what would cross is left out of the
+/// source, and there are points on constraints. (A constraint that is split bends, and so may pass
+/// by such a point.)
+void testFixedEdges(bool split)
+{
+  vtkIdType splitPoints = 0;
+  std::size_t edges = 0;
+  for (unsigned int seed = 1; seed <= 60; ++seed)
+  {
+    std::vector<Point> points;
+    for (const Point& p : randomPoints(30, 500 + seed))
+    {
+      points.push_back(split ? p : Point{ std::floor(4 * p[0]), std::floor(4 * p[1]), 0 });
+    }
+    points[9] = points[20];
+    points[28] = points[3];
+    // Polylines of two edges; a closed one, where nothing crosses it; all after a vertex.
+    std::vector<Ids> constraints;
+    const auto fits = [&](vtkIdType from, vtkIdType to)
+    {
+      const auto at = [&](vtkIdType id) { return points[static_cast<std::size_t>(id)]; };
+      return split ||
+        std::none_of(constraints.begin(), constraints.end(),
+          [&](const Ids& other) { return cross(at(from), at(to), at(other[0]), at(other[1])); });
+    };
+    Cells lines;
+    for (vtkIdType id = 0; id + 2 < 30; id += 2)
+    {
+      if (fits(id, id + 1) && fits(id + 1, id + 2))
+      {
+        const auto cell = 1 + static_cast<vtkIdType>(lines.size());
+        lines.push_back({ id, id + 1, id + 2 });
+        constraints.push_back({ id, id + 1, cell });
+        constraints.push_back({ id + 1, id + 2, cell });
+      }
+    }
+    Cells polygons;
+    if (split || seed % 4 == 0)
+    {
+      const auto cell = 1 + static_cast<vtkIdType>(lines.size());
+      const Ids ring{ 3, 8, 13 };
+      const bool isWhole = fits(3, 8) && fits(8, 13) && fits(13, 3);
+      for (std::size_t k = 0; isWhole && k < 3; ++k)
+      {
+        constraints.push_back({ ring[k], ring[(k + 1) % 3], cell });
+      }
+      polygons = isWhole ? Cells{ ring } : Cells{};
+    }
+    const auto source = makeConstraints(lines, polygons);
+    source->SetVerts(makeCells({ { 0 } }));
+    Run run(makePoints(points), source);
+    run->SetSplitCrossingConstraints(split);
+    run->Update(); // no cell may be inside, which is a warning
+    FF_CHECK_EQUAL(run->GetErrorCode(), vtkFFErrorCode::NoError);
+    splitPoints += run->GetNumberOfSplitPoints();
+    Cells expected;
+    for (const auto& edge : bruteForce(run->GetOutput(), points, constraints))
+    {
+      expected.push_back({ edge.first[0], edge.first[1], edge.second });
+    }
+    edges += expected.size();
+    FF_CHECK(run.Fixed() == expected);
+  }
+  FF_CHECK(split ? splitPoints > 500 : splitPoints == 0);
+  FF_CHECK(edges > 500);
 }
 
 /// Rings in any direction, which nest: a square with a hole, and a part in the hole.
-void testEvenOdd()
+void testRules()
 {
-  std::vector<Point> grid;
-  for (int i = 0; i < 36; ++i)
-  {
-    grid.push_back({ double(i % 6), double(i / 6), 0 });
-  }
-  const auto input = makePoints(grid);
-  const std::vector<Ids> rings = { { 0, 5, 35, 30 }, { 7, 25, 28, 10 }, { 14, 15, 21, 20 } };
-  std::set<Ids> expected;
+  const Cells rings = { { 0, 5, 35, 30 }, { 7, 25, 28, 10 }, { 14, 15, 21, 20 } };
+  Run run(makePoints(gridOf(6, 6)), nullptr);
+  Cells expected;
   for (int turned = 0; turned < 8; ++turned)
   {
-    std::vector<Ids> given = rings;
+    Cells given = rings;
     for (std::size_t i = 0; i < given.size(); ++i)
     {
       if (turned & (1 << i))
@@ -223,179 +231,147 @@ void testEvenOdd()
         std::reverse(given[i].begin(), given[i].end());
       }
     }
-    const auto filter = filterOf(input, makeSource({}, given));
-    filter->Update();
-    const std::set<Ids> found = cellsOf(filter->GetOutput());
+    const Cells found = run.PolysWith({}, given);
     expected = turned == 0 ? found : expected;
     FF_CHECK(found == expected);
     FF_CHECK_EQUAL(found.size(), std::size_t(2 * (25 - 9 + 1)));
-    FF_CHECK_EQUAL(filter->GetNumberOfDroppedCells(), vtkIdType(2 * 8));
-    FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(36));
+    FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 2 * 8);
+    FF_CHECK_EQUAL(run->GetOutput()->GetNumberOfPoints(), 36);
   }
   // As given, they also nest by direction.
-  const auto filter = filterOf(input, makeSource({}, rings));
-  filter->SetPolygonRuleToDirection();
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput()) == expected);
-}
+  run->SetPolygonRuleToDirection();
+  FF_CHECK(run.PolysWith({}, rings) == expected);
+  // A polygon alone, the other way round: the cells outside are what is left.
+  const std::size_t inside = run.PolysWith({}, { { 7, 10, 28, 25 } }).size();
+  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), vtkIdType(50 - inside));
+  FF_CHECK_EQUAL(run.PolysWith({}, { { 25, 28, 10, 7 } }).size(), 50 - inside);
 
-/// Where nothing is left, it is said.
-void testNoneInside()
-{
-  const auto filter = filterOf(makePoints(kite), makeSource({}, { { 0, 3, 2, 1 } }));
-  const auto errors = ErrorObserver::Of(filter);
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), vtkIdType(2));
-  FF_CHECK(errors->Messages.empty());
-  filter->SetPolygonRuleToDirection();
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), vtkIdType(0));
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(4));
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK(errors->Has("No cell is inside the polygons of the source"));
+  // Where nothing is left, a warning says so.
+  Run none(makePoints(kite), makeConstraints({}, { { 0, 3, 2, 1 } }));
+  FF_CHECK_EQUAL(none.Watched::Run()->GetNumberOfPolys(), 2);
+  none->SetPolygonRuleToDirection();
+  none->Update();
+  FF_CHECK_EQUAL(none->GetOutput()->GetNumberOfPolys(), 0);
+  FF_CHECK_EQUAL(none->GetOutput()->GetNumberOfPoints(), 4);
+  FF_CHECK_EQUAL(none.Errors->Messages.size(), std::size_t(1));
+  FF_CHECK(none.Errors->Has("No cell is inside the polygons of the source"));
 }
 
 /// A source with points: those of the input at the ids that its cells use, or it is an error.
 void testPointsOfTheSource()
 {
   const auto input = makePoints(kite);
-  const auto foundWith =
-    [&](const std::vector<Point>& points, std::string* message = nullptr, bool fitted = false)
-  {
-    const auto source = makeSource({ { 0, 2 } });
-    source->SetPoints(makePoints(points)->GetPoints());
-    const auto filter = filterOf(input, source);
-    if (fitted)
-    {
-      filter->SetProjectionPlaneModeToBestFittingPlane();
-    }
-    const auto errors = ErrorObserver::Of(filter);
-    filter->Update();
-    if (message)
-    {
-      *message = errors->Messages.empty() ? "" : errors->Messages.front();
-    }
-    return cellsOf(filter->GetOutput());
+  const auto with = [](const std::vector<Point>& points) {
+    return makeConstraints({ { 0, 2 } }, {}, makePoints(points)->GetPoints());
   };
-  FF_CHECK(foundWith(kite) == turned);
+  const auto fail = [&](const std::vector<Point>& points, const std::string& words, int mode = 0)
+  {
+    Run run(input, with(points));
+    run->SetProjectionPlaneMode(mode);
+    run.Fail(words, vtkFFErrorCode::InputError);
+  };
+  FF_CHECK(polysOf(Run(input, with(kite)).Watched::Run()) == across);
   // What no cell uses may be anything, and be missing; in the XY plane, so may z.
   std::vector<Point> others = kite;
   others[1] = { 9, 9, 9 };
   others[2][2] = 5;
   others.pop_back();
-  FF_CHECK(foundWith(others) == turned);
-  std::string message;
-  FF_CHECK(foundWith(others, &message, true).empty());
-  FF_CHECK(message.find("Point 2 of cell 0 of the source is at (0, 3, 5), and point 2 of the input "
-                        "is at (0, 3, 0).") != std::string::npos);
+  FF_CHECK(polysOf(Run(input, with(others)).Watched::Run()) == across);
+  fail(others,
+    "Point 2 of cell 0 of the source is at (0, 3, 5), and point 2 of the input is at (0, 3, 0).",
+    Filter::BEST_FITTING_PLANE);
   // A line of its own points, as in a file of breaklines, and off by one unit in the last place.
-  const double near = std::nextafter(3.0, 4.0);
-  for (const std::vector<Point>& own :
-    { std::vector<Point>{ { 0.5, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } },
-      std::vector<Point>{ kite[0], kite[1], { 0, near, 0 } } })
-  {
-    FF_CHECK(foundWith(own, &message).empty());
-    FF_CHECK(message.find("its " + std::to_string(own.size()) +
-               " points must be those of the input, of which there are 4; or it has no points.") !=
-      std::string::npos);
-  }
-  FF_CHECK(message.find("is at (0, 3.0000000000000004, 0), and") != std::string::npos);
-  FF_CHECK(foundWith({ kite[0] }, &message).empty());
-  FF_CHECK(
-    message.find("Point 2 of cell 0 of the source is not there: the source has 1 point(s).") !=
-    std::string::npos);
+  fail({ { 0.5, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } },
+    "its 3 points must be those of the input, of which there are 4; or it has no points.");
+  fail({ kite[0], kite[1], { 0, std::nextafter(3.0, 4.0), 0 } },
+    "is at (0, 3.0000000000000004, 0), and");
+  fail({ kite[0] }, "Point 2 of cell 0 of the source is not there: the source has 1 point(s).");
   // Before the transform.
   vtkNew<vtkTransform> transform;
   transform->RotateZ(30);
-  const auto source = makeSource({ { 0, 2 } });
-  source->SetPoints(input->GetPoints());
-  const auto filter = filterOf(input, source);
-  filter->SetTransform(transform);
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput()) == turned);
-}
-
-void expectError(vtkDataObject* input, vtkDataObject* source, const std::string& message,
-  const std::function<void(Filter*)>& change = {})
-{
-  const auto filter = filterOf(input, source);
-  if (change)
-  {
-    change(filter);
-  }
-  const auto errors = ErrorObserver::Of(filter);
-  filter->Update();
-  FF_CHECK(errors->Has(message));
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0));
+  Run turned(input, with(kite));
+  turned->SetTransform(transform);
+  FF_CHECK(polysOf(turned.Watched::Run()) == across);
 }
 
 void testErrors()
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto input = makePoints(kite);
-  const auto line = makeSource({ { 0, 2 } });
-  expectError(input, makeSource({ { 0, 2 } }, { { 0, 1, 9 } }, true),
-    "Point 9 of cell 2 of the source is not there: its ids are those of the input's points, of "
-    "which there are 4.");
-  expectError(input, makeSource({ { 0, 2 }, { 1, 3 } }),
-    "An edge of cell 1 of the source crosses one of cell 0 of the source, and there is no point "
-    "where they do. Add one to the input and to both, or turn on Split Crossing Constraints.");
-  std::vector<Point> bad = kite;
-  bad[0][2] = nan;
-  expectError(makePoints(bad), line,
-    "Point 0 of cell 0 of the source is left out: it has a coordinate that is NaN or infinite.",
-    [](Filter* filter) { filter->SetNonFinitePointsToIgnore(); });
-  std::vector<Point> grid;
-  for (int i = 0; i < 16; ++i)
+  const auto line = makeConstraints({ { 0, 2 } });
+  const auto fail = [](vtkDataObject* points, vtkPolyData* source, const std::string& words,
+                      unsigned long code, const std::function<void(Filter*)>& change = {})
   {
-    grid.push_back({ double(i % 4), double(i / 4), 0 });
-  }
-  const auto byDirection = [](Filter* filter) { filter->SetPolygonRuleToDirection(); };
-  const std::string rule = "The polygons disagree about what is inside: what is on the left of a "
-                           "side is inside, and holes run clockwise. ";
-  expectError(makePoints(grid), makeSource({ { 0, 1 } }, { { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }),
-    rule +
-      "Reverse cell 2 of the source, which disagrees with cell 1 of the source, or set Polygon "
-      "Rule to Even-Odd.",
-    byDirection);
-  // Where they are split, their cells are named.
-  expectError(makePoints(grid),
-    makeSource({ { 0, 15 }, { 1, 4 } }, { { 0, 3, 15, 12 }, { 5, 6, 10, 9 } }),
-    rule +
-      "Reverse cell 3 of the source, which disagrees with cell 2 of the source, or set Polygon "
-      "Rule to Even-Odd.",
-    [](Filter* filter)
+    Run run(points, source);
+    if (change)
     {
-      filter->SetPolygonRuleToDirection();
-      filter->SplitCrossingConstraintsOn();
-    });
-  expectError(makeWeighted(kite, { 0, 1, 2, 3 }), line,
-    "Constraints take no weights. Choose no weights' array, or take the source away.",
-    [](Filter* filter) { useWeights(filter); });
-  expectError(input, line,
-    "A power diagram has no constraints. Turn off Generate Power Diagram, or take the source away.",
-    [](Filter* filter) { filter->GeneratePowerDiagramOn(); });
-  expectError(input, line,
+      change(run.Get());
+    }
+    run.Fail(words, code);
+  };
+  const auto withVertex = makeConstraints({ { 0, 2 } }, { { 0, 1, 9 } });
+  withVertex->SetVerts(makeCells({ { 0 } }));
+  fail(input, withVertex,
+    "Point 9 of cell 2 of the source is not there: its ids are those of the input's points, of "
+    "which there are 4.",
+    vtkFFErrorCode::InputError);
+  fail(input, makeConstraints({ { 0, 2 }, { 1, 3 } }),
+    "An edge of cell 1 of the source crosses one of cell 0 of the source, and there is no point "
+    "where they do. Add one to the input and to both, or turn on Split Crossing Constraints.",
+    vtkFFErrorCode::ConstraintError);
+  std::vector<Point> bad = kite;
+  bad[0][2] = notANumber;
+  fail(makePoints(bad), line,
+    "Point 0 of cell 0 of the source is left out: it has a coordinate that is NaN or infinite.",
+    vtkFFErrorCode::ConstraintError, [](Filter* filter) { filter->SetNonFinitePointsToIgnore(); });
+  const std::string rule = "The polygons disagree about what is inside: what is on the left of a "
+                           "side is inside, and holes run clockwise. Reverse cell ";
+  const Cells squares = { { 0, 3, 15, 12 }, { 5, 6, 10, 9 } };
+  const auto byDirection = [](Filter* filter)
+  {
+    filter->SetPolygonRuleToDirection();
+    filter->SplitCrossingConstraintsOn();
+  };
+  fail(makePoints(gridOf(4, 4)), makeConstraints({ { 0, 1 } }, squares),
+    rule +
+      "2 of the source, which disagrees with cell 1 of the source, or set Polygon Rule to "
+      "Even-Odd.",
+    vtkFFErrorCode::ConstraintError, [](Filter* filter) { filter->SetPolygonRuleToDirection(); });
+  // Where they are split, their cells are named.
+  fail(makePoints(gridOf(4, 4)), makeConstraints({ { 0, 15 }, { 1, 4 } }, squares),
+    rule + "3 of the source, which disagrees with cell 2 of the source",
+    vtkFFErrorCode::ConstraintError, byDirection);
+  // There are no weights, with and without a source.
+  for (vtkPolyData* source : { line.Get(), static_cast<vtkPolyData*>(nullptr) })
+  {
+    fail(makeWeighted(kite, { 0, 1, 2, 3 }), source,
+      "Constraints take no weights. Choose no weights' array.", vtkFFErrorCode::SettingError,
+      [](Filter* filter) { useWeights(filter); });
+  }
+  fail(input, line,
     "The CUDA engine was asked for, but constraints are the CPU's. Set Engine to Automatic or CPU.",
-    [](Filter* filter) { filter->SetEngineToCUDA(); });
-  vtkNew<vtkTable> table;
-  expectError(input, table,
-    "The source is a vtkTable. It must be a vtkPolyData, whose lines and polygons are "
-    "constraints.");
-  auto damaged = makeSource({ { 0, 2 } });
+    vtkFFErrorCode::SettingError, [](Filter* filter) { filter->SetEngineToCUDA(); });
+  auto damaged = makeConstraints({ { 0, 2 } });
   damaged->GetLines()->GetConnectivityArray()->SetNumberOfTuples(1);
-  expectError(input, damaged,
+  fail(input, damaged,
     "The source's cells are not valid: their offsets name corners 0 to 1, and the connectivity has "
-    "1.");
+    "1.",
+    vtkFFErrorCode::InputError);
 
+  // Ids name the points of one data set: one in a composite will do, several are an error each.
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, input);
+  Run run(blocks, line);
+  run.Watched::Run();
+  auto* outputs = vtkMultiBlockDataSet::SafeDownCast(run->GetOutputDataObject(0));
+  FF_CHECK(polysOf(vtkPolyData::SafeDownCast(outputs->GetBlock(0))) == across);
   blocks->SetBlock(1, input);
-  const auto filter = filterOf(blocks, line);
-  const auto errors = ErrorObserver::Of(filter);
-  filter->Update();
-  FF_CHECK(errors->Has("The source has ids of one data set's points, and the input has 2 parts. "
-                       "Take one, merge them, or take the source away."));
+  run->Update();
+  FF_CHECK_EQUAL(run.Errors->Messages.size(), std::size_t(2));
+  FF_CHECK(run.Errors->Has("The source has ids of one data set's points, and an input is a "
+                           "composite. Take one data set, merge them, or take the source away."));
+  FF_CHECK_EQUAL(run->GetErrorCode(), vtkFFErrorCode::SettingError);
+  run->RemoveSource();
+  run.Watched::Run();
 }
 
 }
@@ -404,9 +380,9 @@ int TestFFConstraints(int, char*[])
 {
   testLines();
   testPlanesAndGhosts();
-  testAgainstVtk();
-  testEvenOdd();
-  testNoneInside();
+  testFixedEdges(false);
+  testFixedEdges(true);
+  testRules();
   testPointsOfTheSource();
   testErrors();
   return result();

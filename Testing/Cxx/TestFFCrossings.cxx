@@ -1,76 +1,39 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Constraints of a second input that cross are split, if that is asked for, with new points.
-#include "FFTest.h"
+// Constraints of a second input that cross are split, if that is asked for, with new points. The
+// fixed edges are in the test of constraints.
+#include "FFPlanar.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFFRegularTriangulationFilter.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
 #include "vtkTransform.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <initializer_list>
 
 using namespace fftest;
 
 namespace
 {
 
-using Filter = vtkFFRegularTriangulationFilter;
-using Ids = std::vector<vtkIdType>;
-
-vtkSmartPointer<vtkPolyData> makeSource(
-  std::initializer_list<Ids> lines, std::initializer_list<Ids> polygons = {})
+struct Splitting : Watched<vtkFFConstrainedDelaunayFilter>
 {
-  auto source = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkCellArray> cells[2];
-  int k = 0;
-  for (const auto& from : { lines, polygons })
+  Splitting(vtkDataObject* input, const Cells& lines, const Cells& polygons = {})
+    : Watched(input)
   {
-    for (const Ids& ids : from)
-    {
-      cells[k]->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    }
-    ++k;
+    this->Filter->SetSourceData(makeConstraints(lines, polygons));
+    this->Filter->SplitCrossingConstraintsOn();
+    this->Filter->ReportAsFieldDataOn();
   }
-  source->SetLines(cells[0]);
-  source->SetPolys(cells[1]);
-  return source;
-}
-
-vtkSmartPointer<Filter> splitting(vtkDataObject* input, vtkDataObject* source)
-{
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputData(input);
-  filter->SetSourceData(source);
-  filter->SplitCrossingConstraintsOn();
-  filter->ReportAsFieldDataOn();
-  return filter;
-}
-
-std::array<double, 3> placeOf(vtkPolyData* output, vtkIdType id)
-{
-  std::array<double, 3> x;
-  output->GetPoint(id, x.data());
-  return x;
-}
-
-vtkIdType reported(vtkPolyData* output)
-{
-  auto* array =
-    vtkIdTypeArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("FlipFlopSplitPoints"));
-  return array ? array->GetValue(0) : -7;
-}
+  /// The point of that index in the output.
+  Point Place(vtkIdType id)
+  {
+    Point x;
+    this->Run()->GetPoint(id, x.data());
+    return x;
+  }
+};
 
 // Lines from (0, 0) to (3, 1), and from (0, 1) to (1, 0): they cross at x = 3 / 4.
 const std::vector<Point> four = { { 0, 0, 8 }, { 3, 1, 0 }, { 0, 1, 0 }, { 1, 0, 0 } };
@@ -89,15 +52,12 @@ void testPoints()
   }
   input->GetPointData()->SetScalars(heights);
   input->GetPointData()->AddArray(names);
-  const auto filter = splitting(input, makeSource({ { 0, 1 }, { 3, 2 } }));
-  FF_CHECK(filter->GetSplitCrossingConstraints());
-  filter->Update();
-  vtkPolyData* const output = filter->GetOutput();
-  FF_CHECK_EQUAL(filter->GetNumberOfSplitPoints(), vtkIdType(1));
-  FF_CHECK_EQUAL(reported(output), vtkIdType(1));
-  FF_CHECK_EQUAL(output->GetNumberOfPoints(), vtkIdType(5));
-  FF_CHECK_EQUAL(output->GetNumberOfPolys(), vtkIdType(4));
-  FF_CHECK(placeOf(output, 4) == (std::array<double, 3>{ 0.75, 0.25, 6 }));
+  Splitting run(input, { { 0, 1 }, { 3, 2 } });
+  vtkPolyData* const output = run.Run();
+  FF_CHECK_EQUAL(run->GetNumberOfSplitPoints(), 1);
+  FF_CHECK_EQUAL(reported(output, "FlipFlopSplitPoints"), 1.0);
+  FF_CHECK_EQUAL(output->GetNumberOfPolys(), 4);
+  FF_CHECK((run.Place(4) == Point{ 0.75, 0.25, 6 }));
   FF_CHECK((originalIds(output) == Ids{ 0, 1, 2, 3, -1 }));
   FF_CHECK(output->GetPointData()->GetScalars() != nullptr);
   FF_CHECK_EQUAL(output->GetPointData()->GetArray("height")->GetComponent(4, 0), 7.0);
@@ -105,37 +65,24 @@ void testPoints()
   FF_CHECK(output->GetPointData()->GetAbstractArray("name") != nullptr);
 
   // Along the first in the source's order.
-  filter->SetSourceData(makeSource({ { 3, 2 }, { 0, 1 } }));
-  filter->Update();
-  FF_CHECK_EQUAL(placeOf(filter->GetOutput(), 4)[2], 0.0);
+  FF_CHECK_EQUAL(Splitting(input, { { 3, 2 }, { 0, 1 } }).Place(4)[2], 0.0);
 
   // Without crossings, nothing is new; nor without a source.
-  filter->SetSourceData(makeSource({ { 0, 1 } }));
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetNumberOfSplitPoints(), vtkIdType(0));
-  FF_CHECK_EQUAL(reported(filter->GetOutput()), vtkIdType(0));
-  FF_CHECK((originalIds(filter->GetOutput()) == Ids{ 0, 1, 2, 3 }));
-  filter->SetSourceData(nullptr);
-  filter->Update();
-  FF_CHECK(isTriangulationOf(input, nullptr, filter));
-}
-
-/// Points of floats: the crossing is a double, so all are.
-void testFloats()
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();
-  for (const Point& p :
-    { Point{ 0, 0, 0 }, Point{ 1, 1, 0 }, Point{ 0, 1, 0 }, Point{ 0.5, 0, 0 } })
+  for (const Cells& lines : { Cells{ { 0, 1 } }, Cells{} })
   {
-    points->InsertNextPoint(p.data());
+    Splitting none(input, lines);
+    FF_CHECK((originalIds(none.Run()) == Ids{ 0, 1, 2, 3 }));
+    FF_CHECK_EQUAL(none->GetNumberOfSplitPoints(), 0);
+    FF_CHECK_EQUAL(reported(none->GetOutput(), "FlipFlopSplitPoints"), 0.0);
+    none->RemoveSource();
+    FF_CHECK((originalIds(none.Run()) == Ids{ 0, 1, 2, 3 }));
   }
-  vtkNew<vtkPolyData> input;
-  input->SetPoints(points);
-  const auto filter = splitting(input, makeSource({ { 0, 1 }, { 2, 3 } }));
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetOutput()->GetPoints()->GetDataType(), VTK_DOUBLE);
-  FF_CHECK(placeOf(filter->GetOutput(), 4) == (std::array<double, 3>{ 1.0 / 3, 1.0 / 3, 0 }));
+
+  // Points of floats: the crossing is a double, so all are.
+  Splitting floats(makePoints({ { 0, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0, 0 } }, VTK_FLOAT),
+    { { 0, 1 }, { 2, 3 } });
+  FF_CHECK_EQUAL(floats.Run()->GetPoints()->GetDataType(), VTK_DOUBLE);
+  FF_CHECK((floats.Place(4) == Point{ 1.0 / 3, 1.0 / 3, 0 }));
 }
 
 void testPlaneAndGhosts()
@@ -147,21 +94,13 @@ void testPlaneAndGhosts()
     upright.push_back({ p[0], 4 + p[2], p[1] });
   }
   const auto input = makePoints(upright);
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName("vtkGhostType");
-  for (std::size_t i = 0; i < upright.size(); ++i)
-  {
-    ghosts->InsertNextValue(i == 0 ? 1 : 0);
-  }
-  input->GetPointData()->AddArray(ghosts);
-  const auto filter = splitting(input, makeSource({ { 1, 2 }, { 3, 4 } }));
+  addGhosts(input, { 0 });
+  Splitting run(input, { { 1, 2 }, { 3, 4 } });
   vtkNew<vtkTransform> transform;
   transform->RotateX(-90);
-  filter->SetTransform(transform);
-  filter->Update();
-  vtkPolyData* const output = filter->GetOutput();
-  FF_CHECK((originalIds(output) == Ids{ 1, 2, 3, 4, -1 }));
-  const std::array<double, 3> place = placeOf(output, 4);
+  run->SetTransform(transform);
+  FF_CHECK((originalIds(run.Run()) == Ids{ 1, 2, 3, 4, -1 }));
+  const Point place = run.Place(4);
   FF_CHECK(std::abs(place[0] - 0.75) < 1e-9 && std::abs(place[1] - 10) < 1e-9 &&
     std::abs(place[2] - 0.25) < 1e-9);
 }
@@ -169,20 +108,19 @@ void testPlaneAndGhosts()
 /// A line across a square: all that is inside stays, and cells have areas.
 void testPolygons()
 {
-  const auto input = makePoints(std::vector<Point>{
-    { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { -1, 1, 0 }, { 3, 1, 0 }, { 5, 5, 0 } });
-  const auto filter = splitting(input, makeSource({ { 4, 5 } }, { { 0, 1, 2, 3 } }));
-  filter->GenerateCellMeasuresOn();
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetNumberOfSplitPoints(), vtkIdType(2));
+  Splitting run(makePoints({ { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { -1, 1, 0 },
+                  { 3, 1, 0 }, { 5, 5, 0 } }),
+    { { 4, 5 } }, { { 0, 1, 2, 3 } });
+  run->GenerateCellMeasuresOn();
+  vtkDataArray* const areas = run.Run()->GetCellData()->GetArray("Area");
+  FF_CHECK_EQUAL(run->GetNumberOfSplitPoints(), 2);
+  FF_CHECK_EQUAL(run->GetOutput()->GetNumberOfPolys(), 4);
   double area = 0;
-  vtkDataArray* const areas = filter->GetOutput()->GetCellData()->GetArray("Area");
   for (vtkIdType i = 0; areas && i < areas->GetNumberOfTuples(); ++i)
   {
     area += areas->GetComponent(i, 0);
   }
   FF_CHECK_EQUAL(area, 4.0);
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), vtkIdType(4));
 }
 
 }
@@ -190,7 +128,6 @@ void testPolygons()
 int TestFFCrossings(int, char*[])
 {
   testPoints();
-  testFloats();
   testPlaneAndGhosts();
   testPolygons();
   return result();

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The situations of VTK's own tests of vtkDelaunay2D with constraints. There are no ties in them,
 // so the triangulation is unique: where vtkDelaunay2D has it, ours is the same.
-#include "FFTest.h"
+#include "FFPlanar.h"
 
-#include "vtkCellArray.h"
 #include "vtkDelaunay2D.h"
-#include "vtkFFRegularTriangulationFilter.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkTransform.h"
 
 #include <flipflop/ConstrainedTriangulation.h>
@@ -17,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <set>
 
@@ -26,36 +21,24 @@ using namespace fftest;
 namespace
 {
 
-using Filter = vtkFFRegularTriangulationFilter;
-using Ids = std::vector<vtkIdType>;
-using Cells = std::set<Ids>;
+using Triangles = std::set<Ids>;
 
 struct Situation
 {
   std::vector<Point> Points;
-  std::vector<Ids> Lines;
-  std::vector<Ids> Polygons;
+  Cells Lines;
+  Cells Polygons;
   double Offset = 1.0; // of vtkDelaunay2D: how far out its first points are
-};
 
-vtkSmartPointer<vtkPolyData> sourceOf(const Situation& given, vtkPolyData* input)
-{
-  auto source = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkCellArray> polygons;
-  for (const Ids& ids : given.Lines)
+  /// For a filter with a source: vtkDelaunay2D reads its points.
+  template <class FilterT>
+  void SetInputs(FilterT* filter) const
   {
-    lines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    const auto input = makePoints(this->Points);
+    filter->SetInputData(input);
+    filter->SetSourceData(makeConstraints(this->Lines, this->Polygons, input->GetPoints()));
   }
-  for (const Ids& ids : given.Polygons)
-  {
-    polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
-  source->SetPoints(input->GetPoints()); // vtkDelaunay2D reads them
-  source->SetLines(lines);
-  source->SetPolys(polygons);
-  return source;
-}
+};
 
 double area(const Point& a, const Point& b, const Point& c)
 {
@@ -63,16 +46,11 @@ double area(const Point& a, const Point& b, const Point& c)
 }
 
 /// Counter-clockwise from the lowest id; vtkDelaunay2D's may run clockwise.
-Cells cellsOf(vtkPolyData* output, const std::vector<Point>& points)
+Triangles trianglesOf(vtkPolyData* output, const std::vector<Point>& points)
 {
-  Cells found;
-  vtkCellArray* const polys = output->GetPolys();
-  for (vtkIdType i = 0; i < polys->GetNumberOfCells(); ++i)
+  Triangles found;
+  for (Ids cell : cellsOf(output->GetPolys()))
   {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    polys->GetCellAtId(i, size, corners);
-    Ids cell(corners, corners + size);
     std::rotate(cell.begin(), std::min_element(cell.begin(), cell.end()), cell.end());
     if (area(points[cell[0]], points[cell[1]], points[cell[2]]) < 0)
     {
@@ -83,15 +61,28 @@ Cells cellsOf(vtkPolyData* output, const std::vector<Point>& points)
   return found;
 }
 
-/// Ours, of which the engine's oracle has judged the whole triangulation. By either rule it is the
-/// same.
-Cells ours(const Situation& given)
+/// The filter's; by either rule it is the same.
+Triangles filtered(const Situation& given, const std::vector<Point>& flat,
+  vtkAbstractTransform* transform, vtkIdType* dropped = nullptr)
 {
-  const auto input = makePoints(given.Points);
-  vtkNew<Filter> filter;
-  filter->SetInputData(input);
-  filter->SetSourceData(sourceOf(given, input));
-  filter->Update();
+  Watched<vtkFFConstrainedDelaunayFilter> run(nullptr);
+  given.SetInputs(run.Get());
+  run->SetTransform(transform);
+  const Triangles found = trianglesOf(run.Run(), flat);
+  run->SetPolygonRuleToDirection();
+  FF_CHECK(trianglesOf(run.Run(), flat) == found);
+  if (dropped)
+  {
+    *dropped = run->GetNumberOfDroppedCells();
+  }
+  return found;
+}
+
+/// Ours, of which the engine's oracle has judged the whole triangulation.
+Triangles ours(const Situation& given)
+{
+  vtkIdType dropped = 0;
+  const Triangles found = filtered(given, given.Points, nullptr, &dropped);
   std::vector<std::int64_t> ends;
   for (const Ids& ids : given.Lines)
   {
@@ -100,7 +91,7 @@ Cells ours(const Situation& given)
       ends.insert(ends.end(), { ids[k - 1], ids[k] });
     }
   }
-  const std::size_t lines = ends.size() / 2;
+  const auto lines = static_cast<std::int64_t>(ends.size() / 2);
   for (const Ids& ids : given.Polygons)
   {
     for (std::size_t k = 0; k < ids.size(); ++k)
@@ -109,36 +100,35 @@ Cells ours(const Situation& given)
     }
   }
   const auto count = static_cast<std::int64_t>(ends.size() / 2);
-  const flipflop::ConstraintView view(ends.data(), count, count - static_cast<std::int64_t>(lines));
+  const flipflop::ConstraintView view(ends.data(), count, count - lines);
   const flipflop::PointView points(
     given.Points.front().data(), static_cast<std::int64_t>(given.Points.size()));
   const auto whole = flipflop::constrainedTriangulation(points, view);
   FF_CHECK(bool(flipflop::validate(points, view, whole)));
-  FF_CHECK_EQUAL(static_cast<vtkIdType>(whole.cellCount()),
-    filter->GetOutput()->GetNumberOfPolys() + filter->GetNumberOfDroppedCells());
-  const Cells found = cellsOf(filter->GetOutput(), given.Points);
-  filter->SetPolygonRuleToDirection();
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput(), given.Points) == found);
+  FF_CHECK_EQUAL(whole.cellCount(), static_cast<std::int64_t>(found.size()) + dropped);
   return found;
 }
 
-Cells theirs(const Situation& given)
+Triangles theirs(
+  const Situation& given, const std::vector<Point>& flat, vtkAbstractTransform* transform = nullptr)
 {
-  const auto input = makePoints(given.Points);
   vtkNew<vtkDelaunay2D> delaunay;
-  delaunay->SetInputData(input);
-  delaunay->SetSourceData(sourceOf(given, input));
+  given.SetInputs(delaunay.Get());
   delaunay->SetTolerance(0.0);
   delaunay->SetOffset(given.Offset);
+  if (transform)
+  {
+    delaunay->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
+    delaunay->SetTransform(transform);
+  }
   delaunay->Update();
-  return cellsOf(delaunay->GetOutput(), given.Points);
+  return trianglesOf(delaunay->GetOutput(), flat);
 }
 
 /// Says which cells differ.
-bool same(const Cells& our, const Cells& their)
+bool same(const Triangles& our, const Triangles& their)
 {
-  const auto tell = [](const char* who, const Cells& of, const Cells& others)
+  const auto tell = [](const char* who, const Triangles& of, const Triangles& others)
   {
     for (const Ids& cell : of)
     {
@@ -162,7 +152,7 @@ void testOneEdge()
   given.Points = { { 185, 3849, 0 }, { 425, 4113, 0 }, { 250, 3750, 0 }, { 250, 4000, 0 },
     { 500, 3750, 0 }, { 500, 4000, 0 } };
   given.Lines = { { 0, 1 } };
-  FF_CHECK(ours(given) == (Cells{ { 0, 1, 3 }, { 0, 2, 5 }, { 0, 5, 1 }, { 2, 4, 5 } }));
+  FF_CHECK(ours(given) == (Triangles{ { 0, 1, 3 }, { 0, 2, 5 }, { 0, 5, 1 }, { 2, 4, 5 } }));
 }
 
 /// TestDelaunay2DFindTriangle: a closed line of edges between points of a slanted side.
@@ -173,21 +163,20 @@ void testSlantedSide()
     { -0.325333, -0.325333, 0 }, { 0.283966, 0.0265961, 0 }, { 0.373199, -0.0478668, 0 },
     { -0.325333, 0.535065, 0 } };
   given.Lines = { { 3, 4 }, { 5, 3 }, { 5, 1 }, { 1, 4 }, { 4, 0 }, { 0, 2 }, { 2, 5 } };
-  const Cells found = ours(given);
+  const Triangles found = ours(given);
   given.Offset = 10;
-  FF_CHECK(same(found, theirs(given)));
+  FF_CHECK(same(found, theirs(given, given.Points)));
 }
 
 /// A ring of points around (x, y), each a little off a circle, so that no four are on one.
-void addRing(std::vector<Point>& points, Ids& loop, int count, double radius, double x, double y,
-  double up = 0)
+void addRing(std::vector<Point>& points, Ids& loop, int count, double radius, double x, double y)
 {
   for (int i = 0; i < count; ++i)
   {
     const double angle = 6.283185307179586 * i / count;
     const double r = radius * (1 + 0.07 * std::sin(5.3 * i + 1));
     loop.push_back(static_cast<vtkIdType>(points.size()));
-    points.push_back({ x + r * std::cos(angle), y + r * std::sin(angle), up });
+    points.push_back({ x + r * std::cos(angle), y + r * std::sin(angle), 0 });
   }
 }
 
@@ -204,8 +193,8 @@ void testHole()
   std::reverse(hole.begin(), hole.end());
   given.Polygons = { outer, hole };
   given.Offset = 100;
-  const Cells found = ours(given);
-  FF_CHECK(same(found, theirs(given)));
+  const Triangles found = ours(given);
+  FF_CHECK(same(found, theirs(given, given.Points)));
   for (const Ids& cell : found)
   {
     FF_CHECK(
@@ -217,17 +206,11 @@ void testHole()
   // The hole the other way round: it is one by nesting; by direction, the sides disagree, and
   // vtkDelaunay2D says nothing.
   std::reverse(given.Polygons[1].begin(), given.Polygons[1].end());
-  vtkNew<Filter> filter;
-  const auto input = makePoints(given.Points);
-  filter->SetInputData(input);
-  filter->SetSourceData(sourceOf(given, input));
-  const auto errors = ErrorObserver::Of(filter);
-  filter->Update();
-  FF_CHECK(cellsOf(filter->GetOutput(), given.Points) == found);
-  FF_CHECK(errors->Messages.empty());
-  filter->SetPolygonRuleToDirection();
-  filter->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  Watched<vtkFFConstrainedDelaunayFilter> run(nullptr);
+  given.SetInputs(run.Get());
+  FF_CHECK(trianglesOf(run.Run(), given.Points) == found);
+  run->SetPolygonRuleToDirection();
+  run.Fail("The polygons disagree about what is inside", vtkFFErrorCode::ConstraintError);
 }
 
 /// TestDelaunay2DMeshes, Test1 to Test5: a polygon that stands in space, laid down by a transform,
@@ -236,7 +219,7 @@ void testPolygonsInSpace()
 {
   for (int corners = 5; corners < 60; corners += 9)
   {
-    std::vector<Point> points;
+    Situation given;
     Ids loop;
     for (int i = 0; i < corners; ++i)
     {
@@ -244,39 +227,21 @@ void testPolygonsInSpace()
       const double angle = 6.283185307179586 * i / corners;
       const double r = i % 2 && i + 1 < corners ? 1.1 + 0.01 * i : 4 + 0.013 * i;
       loop.push_back(i);
-      points.push_back({ r * std::cos(angle), 7, -r * std::sin(angle) });
+      given.Points.push_back({ r * std::cos(angle), 7, -r * std::sin(angle) });
     }
-    const auto input = makePoints(points);
-    Situation given;
-    given.Points = points;
     given.Polygons = { loop };
-    const auto source = sourceOf(given, input);
+    given.Offset = 100;
     vtkNew<vtkTransform> transform;
     transform->RotateX(90);
-    vtkNew<Filter> filter;
-    filter->SetInputData(input);
-    filter->SetSourceData(source);
-    filter->SetTransform(transform);
-    filter->Update();
-    FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), vtkIdType(corners - 2));
-    filter->SetPolygonRuleToDirection();
-    filter->Update();
-    FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), vtkIdType(corners - 2));
-    vtkNew<vtkDelaunay2D> delaunay;
-    delaunay->SetInputData(input);
-    delaunay->SetSourceData(source);
-    delaunay->SetTolerance(0.0);
-    delaunay->SetOffset(100);
-    delaunay->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
-    delaunay->SetTransform(transform);
-    delaunay->Update();
     std::vector<Point> flat;
-    for (const Point& p : points)
+    for (const Point& p : given.Points)
     {
       flat.emplace_back();
       transform->TransformPoint(p.data(), flat.back().data());
     }
-    FF_CHECK(same(cellsOf(filter->GetOutput(), flat), cellsOf(delaunay->GetOutput(), flat)));
+    const Triangles found = filtered(given, flat, transform);
+    FF_CHECK_EQUAL(found.size(), static_cast<std::size_t>(corners - 2));
+    FF_CHECK(same(found, theirs(given, flat, transform)));
   }
 }
 
