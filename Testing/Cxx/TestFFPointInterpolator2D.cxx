@@ -287,27 +287,6 @@ void testWeights()
     { "The weights' array \"none\" of the source is missing from the source's point data." }));
 }
 
-void testThreads()
-{
-  const auto source = makeSource(20000);
-  const auto input = makePoints(randomPoints(300000, 93)); // more than are asked about at once
-  for (const int mode : { 0, 1 })
-  {
-    vtkNew<Filter> filters[4];
-    for (int k = 0; k < 4; ++k)
-    {
-      filters[k]->SetInterpolationMode(mode);
-      filters[k]->SetNumberOfThreads(k > 2 ? -1 : 1 << k);
-      filters[k]->SetInputData(input);
-      filters[k]->SetSourceData(source);
-      filters[k]->Update();
-      FF_CHECK(isIdentical(filters[k]->GetOutput(), filters[0]->GetOutput(), std::to_string(k)));
-    }
-    const double last = valuesOf(filters[0]->GetOutput(), "height")[299999];
-    FF_CHECK(isNear(last, height(input->GetPoint(299999))));
-  }
-}
-
 /// The blocks of a source count together, those of an input each have values.
 void testBlocks()
 {
@@ -355,30 +334,6 @@ void testErrors()
   FF_CHECK(isNear(found[6], 0.5));
 }
 
-void testProgressAndAbort()
-{
-  const auto source = makeSource(100000);
-  vtkNew<Filter> filter;
-  vtkNew<ProgressObserver> progress;
-  filter->AddObserver(vtkCommand::ProgressEvent, progress);
-  filter->SetInputData(makePoints(randomPoints(600000, 94)));
-  filter->SetSourceData(source);
-  for (const double mark : { 2.0, 0.01, 0.7, 2.0 })
-  {
-    progress->AbortAt = mark;
-    progress->Values.clear();
-    source->Modified();
-    FF_CHECK(succeeds(filter));
-    FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), mark > 1.0 ? 600000 : 0);
-    FF_CHECK(mark > 1.0 || progress->StoppedOnTheWay());
-    filter->SetAbortExecute(0);
-    if (mark > 1.0)
-    {
-      checkProgress(progress->Values);
-    }
-  }
-}
-
 /// What was made of the source is used again unless the source or a setting of it has changed. To
 /// see that, the source changes here, of which nobody is told.
 void testPreparation()
@@ -410,8 +365,6 @@ void testPreparation()
   {
     FF_CHECK_EQUAL(
       changesOf(ofPoints, [&] { filter->SetNullValue(filter->GetNullValue() + 1); }), 0);
-    FF_CHECK_EQUAL(
-      changesOf(ofPoints, [&] { filter->SetPassCellArrays(!filter->GetPassCellArrays()); }), 0);
     // These are not in use.
     FF_CHECK_EQUAL(
       changesOf(ofPoints, [&] { filter->SetWeightFactor(filter->GetWeightFactor() + 1); }), 0);
@@ -423,10 +376,6 @@ void testPreparation()
     FF_CHECK_EQUAL(
       changesOf(ofPoints, [&] { filter->SetInterpolateZ(!filter->GetInterpolateZ()); }),
       ofPoints ? 0 : 2);
-    FF_CHECK_EQUAL(
-      changesOf(ofPoints, [&] { filter->SetNonFinitePoints(1 - filter->GetNonFinitePoints()); }),
-      2);
-    FF_CHECK_EQUAL(changesOf(ofPoints, [&] { source->Modified(); }), 2);
   }
   // Once in use, the factor matters.
   filter->SetWeightModeToWeights();
@@ -467,10 +416,8 @@ int TestFFPointInterpolator2D(int, char*[])
   testNullPoints();
   testArrays();
   testWeights();
-  testThreads();
   testBlocks();
   testErrors();
-  testProgressAndAbort();
   testPreparation();
   testPrint();
   return result();

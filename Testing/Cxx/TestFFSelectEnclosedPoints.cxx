@@ -158,27 +158,6 @@ void testSettings()
   }
 }
 
-/// The same bits for any number of threads.
-void testThreads()
-{
-  vtkNew<Filter> one;
-  one->GenerateDistancesOn();
-  one->SetNumberOfThreads(1);
-  one->SetInputData(makePoints(randomPoints(50000, 66)));
-  one->SetSurfaceData(makePoints(randomPoints(20000, 65)));
-  one->Update();
-  for (const int threads : { -1, 2, 4 })
-  {
-    vtkNew<Filter> filter;
-    filter->GenerateDistancesOn();
-    filter->SetNumberOfThreads(threads);
-    filter->SetInputData(one->GetInput());
-    filter->SetSurfaceData(one->GetSurface());
-    filter->Update();
-    FF_CHECK(isIdentical(filter->GetOutput(), one->GetOutput(), std::to_string(threads)));
-  }
-}
-
 /// What the input has stays, in an output of its type.
 void checkPassed(vtkDataSet* input)
 {
@@ -322,7 +301,6 @@ int TestFFSelectEnclosedPoints(int, char*[])
 {
   testBruteForce();
   testSettings();
-  testThreads();
   testTypes();
   testSurfaces();
   testSinglePoints();

@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the filters that answer questions share, as parts of a pipeline: composites, ghosts, errors
+// in words, threads, progress, abort, what makes them run again, and what they keep.
+#include "FFTest.h"
+
+#include "vtkDataArray.h"
+#include "vtkFFErrorCode.h"
+#include "vtkFFPointInterpolator2D.h"
+#include "vtkFFSelectEnclosedPoints.h"
+#include "vtkImageData.h"
+#include "vtkLongLongArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSphereSource.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+using namespace fftest;
+
+namespace
+{
+
+using Answers = std::vector<int>;
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A filter, and what is its own.
+struct Case
+{
+  vtkSmartPointer<vtkFFQueryAlgorithm> Filter;
+  const char* Array;  ///< 1: the point is in the hull of the others, in space or in the plane
+  std::string Second; ///< the second input's name
+  const char* Step;   ///< of the progress, while that is prepared
+  int Dimension;      ///< of points that span all
+};
+
+std::vector<Case> cases()
+{
+  const auto select = vtkSmartPointer<vtkFFSelectEnclosedPoints>::New();
+  select->GenerateDistancesOn();
+  return { { select, "SelectedPoints", "surface", "Points in convex hull: growing and flipping",
+             3 },
+    { vtkSmartPointer<vtkFFPointInterpolator2D>::New(), "vtkValidPointMask", "source",
+      "Point interpolation: inserting", 2 } };
+}
+
+Answers answersIn(const Case& of, vtkDataObject* data)
+{
+  Answers values;
+  auto* set = vtkDataSet::SafeDownCast(data);
+  vtkDataArray* array = set ? set->GetPointData()->GetArray(of.Array) : nullptr;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(static_cast<int>(array->GetComponent(i, 0)));
+  }
+  return values;
+}
+
+/// Those of an update that goes well.
+Answers answersOf(const Case& of, vtkDataObject* input, vtkDataObject* second)
+{
+  of.Filter->SetInputDataObject(0, input);
+  of.Filter->SetInputDataObject(1, second);
+  FF_CHECK(succeeds(of.Filter));
+  return answersIn(of, of.Filter->GetOutputDataObject(0));
+}
+
+/// A composite has answers of the same structure; the blocks of a second input count together.
+void testComposites()
+{
+  const auto low = makePoints({ { 0.5, 0.5, 0.5 }, { 2, 2, 2 } });
+  const auto high = makePoints({ { 2, 2, 2 }, { 9, 9, 9 }, { 1, 1, 1 } });
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 1, 1);
+  image->SetOrigin(0.5, 0.5, 0.5);
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, image);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, low);
+  blocks->SetBlock(2, inner);
+  vtkNew<vtkPartitionedDataSet> parts;
+  parts->SetPartition(0, low);
+  parts->SetPartition(2, high);
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartitionedDataSet(0, parts);
+  vtkNew<vtkMultiBlockDataSet> second;
+  second->SetBlock(0, makePoints(cubeCorners()));
+  second->SetBlock(1, makePoints({ { 4, 4, 4 } }, VTK_FLOAT));
+
+  // VTK keeps a composite output for another type of composite: so each has its own filter.
+  for (const Case& of : cases())
+  {
+    answersOf(of, blocks, second);
+    FF_CHECK_EQUAL(of.Filter->GetDimension(), of.Dimension);
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(of.Filter->GetOutputDataObject(0));
+    FF_CHECK_EQUAL(output->GetNumberOfBlocks(), 3u);
+    FF_CHECK(answersIn(of, output->GetBlock(0)) == (Answers{ 1, 1 }));
+    FF_CHECK(output->GetBlock(1) == nullptr);
+    auto* innerFound = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(2));
+    FF_CHECK(innerFound && vtkImageData::SafeDownCast(innerFound->GetBlock(0)));
+    FF_CHECK(innerFound && answersIn(of, innerFound->GetBlock(0)) == (Answers{ 1, 0 }));
+    FF_CHECK_EQUAL(low->GetPointData()->GetNumberOfArrays(), 0);
+  }
+  for (const Case& of : cases())
+  {
+    answersOf(of, collection, second);
+    vtkDataObject* const output = of.Filter->GetOutputDataObject(0);
+    auto* found = vtkPartitionedDataSetCollection::SafeDownCast(output);
+    FF_CHECK_EQUAL(found->GetNumberOfPartitions(0), 3u);
+    FF_CHECK(answersIn(of, found->GetPartition(0, 0)) == (Answers{ 1, 1 }));
+    FF_CHECK(answersIn(of, found->GetPartition(0, 2)) == (Answers{ 1, 0, 1 }));
+    FF_CHECK(answersOf(of, high, second) == (Answers{ 1, 0, 1 })); // back to a data set
+  }
+}
+
+/// Ghosts of the second input do not count, those of the first have answers.
+void testGhosts()
+{
+  auto points = cubeCorners();
+  points.insert(points.begin(), { 4, 4, 4 });
+  const auto data = makePoints(points);
+  points[3][1] = nan;
+  const auto wrong = makePoints(points);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(9);
+  marks->Fill(0);
+  marks->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+  data->GetPointData()->AddArray(marks);
+  wrong->GetPointData()->AddArray(marks);
+  for (const Case& of : cases())
+  {
+    FF_CHECK(answersOf(of, data, data) == (Answers{ 0, 1, 1, 1, 1, 1, 1, 1, 1 }));
+    of.Filter->SkipGhostPointsOff();
+    FF_CHECK(answersOf(of, data, data) == Answers(9, 1));
+    of.Filter->SkipGhostPointsOn();
+    of.Filter->SetInputDataObject(1, wrong);
+    FF_CHECK(failsInPart(of.Filter, vtkFFErrorCode::NonFiniteError, // the id counts them
+      { "point 3 of the " + of.Second + ", 1 such point(s)" }));
+  }
+}
+
+/// One error, an empty output, and none the worse for it afterwards.
+void testErrors(const Case& of)
+{
+  vtkFFQueryAlgorithm* const filter = of.Filter;
+  const auto fails = [&](vtkDataObject* input, vtkDataObject* second, unsigned long code,
+                       const std::string& sentence)
+  {
+    filter->SetInputDataObject(0, input);
+    filter->SetInputDataObject(1, second);
+    FF_CHECK(failsInPart(filter, code, { sentence }));
+    FF_CHECK_EQUAL(filter->GetDimension(), -1);
+    FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0));
+  };
+  constexpr unsigned long inputError = vtkFFErrorCode::InputError;
+  constexpr unsigned long nonFinite = vtkFFErrorCode::NonFiniteError;
+  const auto cube = makePoints(cubeCorners());
+  auto corners = cubeCorners();
+  corners[4][1] = nan;
+  corners[6][0] = nan;
+  const auto wrong = makePoints(corners);
+  const std::string ofSecond = " of the " + of.Second;
+  const std::string first = " is NaN or infinite: first at point 4";
+  const std::string all = ", 2 such point(s) in all. Remove them, or set Non Finite Points";
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  fails(wrong, cube, nonFinite, "A coordinate" + first + all);
+  fails(cube, wrong, nonFinite, first + ofSecond + all);
+  fails(image, wrong, nonFinite, first + ofSecond + all);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, cube);
+  blocks->SetBlock(2, wrong);
+  fails(cube, blocks, nonFinite, first + " of the block of flat index 3" + ofSecond + all);
+  vtkNew<vtkTable> table;
+  blocks->SetBlock(0, table);
+  fails(cube, blocks, inputError, "of the block of flat index 1" + ofSecond + " is a vtkTable.");
+
+  vtkNew<vtkLongLongArray> integers;
+  integers->SetNumberOfComponents(3);
+  integers->SetNumberOfTuples(2);
+  integers->Fill(0);
+  integers->SetValue(4, (1LL << 53) + 1);
+  fails(makePoints(integers), cube, inputError, "that no double holds: first at point 1.");
+  fails(
+    cube, makePoints(integers), inputError, "that no double holds: first at point 1" + ofSecond);
+  const auto flat = makePoints(integers);
+  integers->SetNumberOfComponents(2);
+  fails(
+    cube, flat, inputError, "The points" + ofSecond + " have 2 coordinates each; a point has 3.");
+
+  // One error for each data set at fault; the others have their answers.
+  filter->SetInputDataObject(0, blocks);
+  filter->SetInputDataObject(1, cube);
+  const auto errors = ErrorObserver::Of(filter);
+  filter->Update();
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(2));
+  FF_CHECK(errors->Has("The data of data set 0 of the composite is a vtkTable."));
+  FF_CHECK(errors->Has("A coordinate" + first + " of data set 2 of the composite" + all));
+  FF_CHECK_EQUAL(filter->GetErrorCode(), nonFinite);
+  FF_CHECK_EQUAL(filter->GetDimension(), of.Dimension);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  FF_CHECK(answersIn(of, output->GetBlock(1)) == Answers(8, 1));
+  for (const unsigned int k : { 0u, 2u })
+  {
+    FF_CHECK_EQUAL(output->GetBlock(k)->GetNumberOfElements(vtkDataObject::POINT), vtkIdType(0));
+  }
+
+  // What VTK itself says of inputs.
+  errors->Clear();
+  filter->SetInputDataObject(0, table);
+  filter->Update();
+  filter->SetInputDataObject(0, cube);
+  filter->SetInputDataObject(1, table);
+  filter->Update();
+  filter->SetInputDataObject(1, nullptr);
+  filter->Update();
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(3));
+  FF_CHECK(errors->Has("is of type vtkTable, but a vtkDataSet is required"));
+  FF_CHECK(errors->Has("is of type vtkTable, but a vtkCompositeDataSet is required"));
+  FF_CHECK(errors->Has(std::string("Input port 1 of algorithm ") + filter->GetClassName()));
+
+  filter->SetNonFinitePointsToIgnore();
+  FF_CHECK(answersOf(of, wrong, wrong) == (Answers{ 1, 1, 1, 1, 0, 1, 0, 1 }));
+}
+
+/// The same bits for any number of threads; progress; abort.
+void testRuns()
+{
+  const auto queries = makePoints(randomPoints(300000, 71));
+  const auto second = makePoints(randomPoints(100000, 72));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, queries);
+  blocks->SetBlock(1, queries);
+  const auto ones = cases();
+  for (const int threads : { 1, 2, 4, -1 })
+  {
+    const auto others = cases();
+    for (std::size_t k = 0; k < ones.size(); ++k)
+    {
+      const Case& of = threads == 1 ? ones[k] : others[k];
+      of.Filter->SetNumberOfThreads(threads);
+      answersOf(of, queries, second);
+      FF_CHECK(isIdentical(of.Filter->GetOutput(), ones[k].Filter->GetOutput(), of.Second));
+    }
+  }
+  for (const Case& of : ones)
+  {
+    vtkNew<ProgressObserver> progress;
+    of.Filter->AddObserver(vtkCommand::ProgressEvent, progress);
+    for (vtkDataObject* input : std::vector<vtkDataObject*>{ blocks, queries })
+    {
+      progress->Values.clear();
+      progress->Texts.clear();
+      second->Modified();
+      answersOf(of, input, second);
+      checkProgress(progress->Values);
+      // The second input is prepared once, not for each data set.
+      FF_CHECK_EQUAL(std::count(progress->Texts.begin(), progress->Texts.end(), of.Step), 1);
+    }
+    for (const double mark : { 0.01, 0.7, 2.0 })
+    {
+      progress->AbortAt = mark;
+      progress->Values.clear();
+      second->Modified();
+      FF_CHECK_EQUAL(answersOf(of, queries, second).size(), mark > 1.0 ? 300000u : 0u);
+      FF_CHECK_EQUAL(of.Filter->GetOutput()->GetNumberOfPoints(), mark > 1.0 ? 300000 : 0);
+      FF_CHECK(mark > 1.0 || progress->StoppedOnTheWay());
+      of.Filter->SetAbortExecute(0);
+    }
+  }
+}
+
+/// A run comes after changes alone. The second input is prepared again if it or a setting of it has
+/// changed. To see that, its points move here, of which nobody is told.
+void testChanges(const Case& of)
+{
+  vtkFFQueryAlgorithm* const filter = of.Filter;
+  const auto block = makePoints(cubeCorners());
+  vtkNew<vtkMultiBlockDataSet> second;
+  second->SetBlock(0, block);
+  const auto point = makePoints({ { 2, 2, 2 } });
+  FF_CHECK(answersOf(of, point, second) == Answers{ 0 });
+  double size = 1.0;
+  const auto isPreparedAgain = [&](const std::function<void()>& change)
+  {
+    size = 4.0 - size;
+    block->GetPoints()->SetPoint(7, size, size, size);
+    const Answers before = answersIn(of, filter->GetOutput());
+    change();
+    const vtkMTimeType time = filter->GetOutput()->GetUpdateTime();
+    FF_CHECK(succeeds(filter));
+    FF_CHECK(filter->GetOutput()->GetUpdateTime() > time); // it runs
+    return answersIn(of, filter->GetOutput()) != before;
+  };
+  // The move over the point, and back.
+  const auto count = [&](const std::function<void()>& change)
+  { return int(isPreparedAgain(change)) + int(isPreparedAgain(change)); };
+  const auto touchBlock = [&]
+  {
+    block->Modified(); // the composite itself does not know
+    filter->Modified();
+  };
+  FF_CHECK_EQUAL(count([&] { filter->SetNumberOfThreads(3 - filter->GetNumberOfThreads()); }), 0);
+  FF_CHECK_EQUAL(count([&] { point->Modified(); }), 0);
+  FF_CHECK_EQUAL(count([&] { filter->SetNonFinitePoints(1 - filter->GetNonFinitePoints()); }), 2);
+  FF_CHECK_EQUAL(count([&] { filter->SetSkipGhostPoints(!filter->GetSkipGhostPoints()); }), 2);
+  FF_CHECK_EQUAL(count([&] { second->Modified(); }), 2);
+  FF_CHECK_EQUAL(count(touchBlock), 2);
+
+  vtkNew<vtkSphereSource> sphere;
+  filter->SetInputConnection(1, sphere->GetOutputPort());
+  sphere->SetRadius(9.0);
+  FF_CHECK(succeeds(filter) && answersIn(of, filter->GetOutput()) == Answers{ 1 });
+  sphere->SetRadius(1.0);
+  FF_CHECK(succeeds(filter) && answersIn(of, filter->GetOutput()) == Answers{ 0 });
+  const vtkMTimeType time = filter->GetOutput()->GetUpdateTime();
+  filter->SetNumberOfThreads(0);
+  filter->SetNonFinitePointsToError();
+  filter->SkipGhostPointsOn();
+  filter->Update();
+  FF_CHECK_EQUAL(filter->GetOutput()->GetUpdateTime(), time);
+
+  filter->SetNumberOfThreads(-7);
+  filter->SetNonFinitePointsToIgnore();
+  std::ostringstream text;
+  filter->Print(text);
+  for (const std::string name :
+    { "NumberOfThreads: -1", "NonFinitePoints: Ignore", "SkipGhostPoints: On", "Dimension: " })
+  {
+    FF_CHECK(text.str().find("\n  " + name) != std::string::npos);
+  }
+}
+
+}
+
+int TestFFQueryAlgorithm(int, char*[])
+{
+  testComposites();
+  testGhosts();
+  testRuns();
+  for (const Case& of : cases())
+  {
+    testErrors(of);
+  }
+  for (const Case& of : cases())
+  {
+    testChanges(of);
+  }
+  return result();
+}
