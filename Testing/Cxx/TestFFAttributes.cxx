@@ -9,10 +9,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -79,54 +80,48 @@ vtkSmartPointer<vtkPolyData> makeInput()
   return surface;
 }
 
-template <class FilterT>
-void testHull(const std::string& where)
+/// On every port, with points, or with the cells of a power diagram.
+void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input)
 {
-  vtkNew<FilterT> filter;
-  filter->SetInputData(makeInput());
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 8);
-  checkAttributes(filter->GetOutput()->GetPointData(), where);
-}
-
-void testTriangulation(vtkDataObject* input, const std::string& where)
-{
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
   filter->SetInputDataObject(input);
-  filter->GeneratePowerDiagramOn();
-  filter->Update();
-  vtkPolyData* outputs[3];
-  for (int port = 0; port < 3; ++port)
+  FF_CHECK(succeeds(filter));
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
   {
-    vtkDataObject* output = filter->GetOutputDataObject(port);
-    if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(output))
+    vtkPolyData* const output = filter->GetOutput(port);
+    FF_CHECK(output && output->GetNumberOfCells() > 0);
+    const std::string where =
+      std::string(filter->GetClassName()) + ", port " + std::to_string(port);
+    if (filter->IsA("vtkFFPowerDiagramFilter"))
     {
-      output = partitions->GetPartitionAsDataObject(0);
+      checkAttributes(output->GetCellData(), where);
     }
-    outputs[port] = vtkPolyData::SafeDownCast(output);
-    FF_CHECK(outputs[port] && outputs[port]->GetNumberOfCells() > 0);
+    else
+    {
+      checkAttributes(output->GetPointData(), where);
+    }
   }
-  checkAttributes(outputs[0]->GetPointData(), where);
-  checkAttributes(outputs[1]->GetPointData(), where + "'s hidden points");
-  checkAttributes(outputs[2]->GetCellData(), where + "'s power cells");
-}
-
-/// Pieces are appended before; an attribute may name the weights, so until then all are active.
-void testPieces()
-{
-  vtkNew<vtkPartitionedDataSet> pieces;
-  pieces->SetPartition(0, makeInput());
-  pieces->SetPartition(1, makeInput());
-  testTriangulation(pieces, "triangulation of pieces");
 }
 
 }
 
 int TestFFAttributes(int, char*[])
 {
-  testHull<vtkFFHullFilter>("hull");
-  testHull<vtkFFConvexifyFilter>("convexify");
-  testTriangulation(makeInput(), "triangulation");
-  testPieces();
+  const auto input = makeInput();
+  testFilter(vtkNew<vtkFFHullFilter>(), input);
+  testFilter(vtkNew<vtkFFConvexifyFilter>(), input);
+  testFilter(vtkNew<vtkFFPowerDiagramFilter>(), input);
+  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
+  triangulation->GenerateBoundaryOn();
+  testFilter(triangulation, input);
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, input);
+  blocks->SetBlock(1, input);
+  vtkNew<vtkFFHullFilter> all;
+  all->SetCompositeModeToAllBlocks();
+  all->SetInputData(blocks);
+  FF_CHECK(succeeds(all));
+  all->GetOutput()->GetPointData()->RemoveArray("BlockIndex");
+  checkAttributes(all->GetOutput()->GetPointData(), "all blocks");
   return result();
 }

@@ -6,21 +6,21 @@
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkErrorCode.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPartitionedDataSet.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnsignedIntArray.h"
 
+#include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 using namespace fftest;
@@ -45,192 +45,149 @@ void mark(vtkPointSet* data, const Marks& marks)
   data->GetPointData()->AddArray(ghosts);
 }
 
-/// A tetrahedron as ids 1, 3, 4 and 6, amid four points far outside it, each of which is marked.
+/// A tetrahedron as ids 1, 3, 4 and 6, amid four points far outside it, each of which is marked,
+/// and whose weights are too much.
 vtkSmartPointer<vtkPolyData> makeAmidGhosts()
 {
-  auto data = makePoints({ { 9, 9, 9 }, { 0, 0, 0 }, { -9, 9, 9 }, { 1, 0, 0 }, { 0, 1, 0 },
-    { 9, -9, 9 }, { 0, 0, 1 }, { 9, 9, -9 } });
+  auto data = makeWeighted({ { 9, 9, 9 }, { 0, 0, 0 }, { -9, 9, 9 }, { 1, 0, 0 }, { 0, 1, 0 },
+                             { 9, -9, 9 }, { 0.75, 0.75, 1 }, { 9, 9, -9 } },
+    { INFINITY, 0, NAN, 0, 0, NAN, 0, NAN });
   mark(data, { duplicate, 0, hidden, 0, 0, duplicate | hidden, 0, duplicate });
   return data;
 }
 
-void testHull()
+/// The ids of a filter's output; a power diagram has them with its cells.
+Ids idsOf(vtkFFAlgorithm* filter)
 {
-  vtkNew<vtkFFHullFilter> hull;
-  FF_CHECK(hull->GetSkipGhostPoints());
-  hull->SetInputData(makeAmidGhosts());
-  hull->VisiblePointIdsOn();
-  hull->Update();
-  FF_CHECK(originalIds(hull->GetOutput()) == (Ids{ 1, 3, 4, 6 }));
-  auto* visible =
-    vtkIdTypeArray::SafeDownCast(hull->GetOutput()->GetPointData()->GetArray("OriginalPointIds"));
-  FF_CHECK(visible && visible->GetValue(3) == 6);
-  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPolys(), vtkIdType(4));
-  FF_CHECK_EQUAL(hull->GetOutput()->GetPoint(3)[2], 1.0);
-  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), vtkIdType(4));
-  FF_CHECK_EQUAL(hull->GetDimension(), 3);
-
-  hull->SkipGhostPointsOff();
-  hull->Update();
-  FF_CHECK(isHullOf(vtkPointSet::SafeDownCast(hull->GetInput()), hull->GetOutput(), 3));
-  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), vtkIdType(8));
-
-  // Nothing else is there.
-  auto ghosts = makePoints(cubeCorners());
-  mark(ghosts, Marks(8, hidden));
-  hull->SetInputData(ghosts);
-  hull->SkipGhostPointsOn();
-  hull->Update();
-  FF_CHECK(isEmpty(hull->GetOutput()));
-  FF_CHECK_EQUAL(hull->GetDimension(), -1);
-  FF_CHECK_EQUAL(hull->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  if (!filter->IsA("vtkFFPowerDiagramFilter"))
+  {
+    return originalIds(filter->GetOutput());
+  }
+  auto* ids = vtkIdTypeArray::SafeDownCast(
+    filter->GetOutput()->GetCellData()->GetArray("vtkOriginalPointIds"));
+  return ids ? Ids(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues()) : Ids();
 }
 
-/// VTK's own way to hide points.
-void testBlankedGrid()
+/// Of each filter.
+void testFilter(vtkFFAlgorithm* filter, bool weights)
 {
-  const auto corners = makePoints(cubeCorners());
-  vtkNew<vtkStructuredGrid> grid;
-  grid->SetDimensions(2, 2, 2);
-  grid->SetPoints(corners->GetPoints());
-  grid->BlankPoint(7);
-  vtkNew<vtkFFHullFilter> hull;
-  hull->SetInputData(grid);
-  hull->Update();
-  FF_CHECK(originalIds(hull->GetOutput()) == (Ids{ 0, 1, 2, 3, 4, 5, 6 }));
-}
+  FF_CHECK(filter->GetSkipGhostPoints());
+  if (weights)
+  {
+    useWeights(filter);
+  }
+  filter->SetInputDataObject(makeAmidGhosts());
+  FF_CHECK(succeeds(filter));
+  FF_CHECK(idsOf(filter) == (Ids{ 1, 3, 4, 6 }));
+  FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(4));
+  FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), vtkIdType(0));
 
-/// What is wrong with a ghost does not matter; what is wrong with another point is told by its id.
-void testErrors()
-{
+  // Off, they count. Their weights, too.
+  filter->SkipGhostPointsOff();
+  if (weights)
+  {
+    FF_CHECK(
+      fails(filter, vtkFFErrorCode::NonFiniteError, { "first at point 0, 4 such point(s)" }));
+  }
+  else
+  {
+    FF_CHECK(succeeds(filter));
+    FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(8));
+  }
+  filter->SkipGhostPointsOn();
+
+  // What is wrong with a ghost does not matter; other points are named by their ids.
   auto data = makeAmidGhosts();
   data->GetPoints()->SetPoint(2, NAN, 0, 0);
-  vtkNew<vtkFFHullFilter> hull;
-  const auto errors = ErrorObserver::Of(hull);
-  hull->SetInputData(data);
-  hull->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), vtkIdType(4));
-
+  filter->SetInputDataObject(data);
+  FF_CHECK(succeeds(filter));
+  FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(4));
+  data = makeAmidGhosts();
   data->GetPoints()->SetPoint(4, 0, INFINITY, 0);
-  data->Modified();
-  hull->Update();
-  FF_CHECK(errors->Has("first at point 4, 1 such point(s)"));
-  errors->Clear();
-
-  // Neither is a 64-bit integer that no double holds.
-  const vtkTypeInt64 inexact = (vtkTypeInt64(1) << 60) + 1;
-  vtkNew<vtkTypeInt64Array> integers;
-  integers->SetNumberOfComponents(3);
-  integers->SetNumberOfTuples(6);
-  integers->Fill(0.0);
-  for (int i = 0; i < 3; ++i)
-  {
-    integers->SetTypedComponent(i + 1, i, 1);
-  }
-  integers->SetTypedComponent(0, 0, inexact);
-  auto wide = makePoints(integers);
-  mark(wide, { hidden, 0, 0, 0, 0, 0 });
-  hull->SetInputData(wide);
-  hull->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK(originalIds(hull->GetOutput()) == (Ids{ 1, 2, 3, 4 }));
-  integers->SetTypedComponent(5, 1, inexact);
-  integers->Modified();
+  filter->SetInputDataObject(data);
+  FF_CHECK(fails(filter, vtkFFErrorCode::NonFiniteError, { "first at point 4, 1 such point(s)" }));
+  vtkNew<vtkTypeInt64Array> wide; // neither do integers that no double holds
+  wide->SetNumberOfComponents(3);
+  wide->SetNumberOfTuples(8);
+  wide->Fill(0.0);
+  wide->SetTypedComponent(0, 0, (vtkTypeInt64(1) << 60) + 1);
+  data = makePoints(wide);
+  data->GetPointData()->ShallowCopy(makeAmidGhosts()->GetPointData());
+  filter->SetInputDataObject(data);
+  FF_CHECK(succeeds(filter));
+  FF_CHECK_EQUAL(filter->GetDimension(), 0);
+  wide->SetTypedComponent(6, 1, (vtkTypeInt64(1) << 60) + 1);
   wide->Modified();
-  hull->Update();
-  FF_CHECK(errors->Has("first at point 5."));
-  errors->Clear();
+  data->Modified();
+  FF_CHECK(fails(filter, vtkFFErrorCode::InputError, { "first at point 6." }));
 
-  auto unmarked = makePoints(cubeCorners());
-  mark(unmarked, { 0, hidden });
-  hull->SetInputData(unmarked);
-  hull->Update();
-  FF_CHECK(errors->Has("The point array vtkGhostType has 2 value(s) for 8 point(s)"));
-  FF_CHECK(isEmpty(hull->GetOutput()));
-  errors->Clear();
-  hull->SkipGhostPointsOff();
-  hull->Update();
-  FF_CHECK(errors->Messages.empty());
-  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), vtkIdType(8));
+  // Nothing else is there.
+  data = makeWeighted(cubeCorners(), std::vector<double>(8, 0.0));
+  mark(data, Marks(8, hidden));
+  filter->SetInputDataObject(data);
+  FF_CHECK(succeeds(filter));
+  FF_CHECK(isEmpty(filter->GetOutput()));
+  FF_CHECK_EQUAL(filter->GetDimension(), -1);
+
+  // Not a mark for each point.
+  mark(data, { 0, hidden });
+  data->Modified();
+  FF_CHECK(fails(filter, vtkFFErrorCode::InputError,
+    { "The point array vtkGhostType has 2 value(s) for 8 point(s)" }));
+  filter->SkipGhostPointsOff();
+  FF_CHECK(succeeds(filter));
+  FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(8));
+
+  // VTK's own way to hide points.
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetDimensions(2, 2, 2);
+  grid->SetPoints(data->GetPoints());
+  grid->BlankPoint(7);
+  grid->GetPointData()->AddArray(data->GetPointData()->GetArray("weights"));
+  filter->SetInputDataObject(grid);
+  filter->SkipGhostPointsOn();
+  FF_CHECK(succeeds(filter));
+  FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(7));
 }
 
-void testComposite()
+/// Ids of one hull count the ghosts of all blocks.
+void testAllBlocks()
 {
-  vtkNew<vtkPartitionedDataSetCollection> blocks;
-  blocks->SetPartition(0, 0, makeAmidGhosts());
-  blocks->SetPartition(1, 0, makePoints({ { 5, 5, 5 } }));
-  blocks->SetPartition(1, 1, makeAmidGhosts());
-
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makeAmidGhosts());
+  blocks->SetBlock(1, makePoints({ { 5, 5, 5 } }));
+  blocks->SetBlock(2, makeAmidGhosts());
   vtkNew<vtkFFHullFilter> hull;
-  hull->SetInputData(blocks);
-  hull->Update();
-  auto* each = vtkPartitionedDataSetCollection::SafeDownCast(hull->GetOutputDataObject(0));
-  const auto ids = [&](unsigned int block)
-  { return originalIds(vtkPolyData::SafeDownCast(each->GetPartitionAsDataObject(block, 0))); };
-  FF_CHECK(ids(0) == (Ids{ 1, 3, 4, 6 }));
-  FF_CHECK(ids(1) == (Ids{ 0, 2, 4, 5, 7 }));
-
   hull->SetCompositeModeToAllBlocks();
-  hull->Update();
-  FF_CHECK(originalIds(hull->GetOutput()) == (Ids{ 1, 3, 4, 6, 8 }));
-  auto* index =
-    vtkUnsignedIntArray::SafeDownCast(hull->GetOutput()->GetPointData()->GetArray("BlockIndex"));
-  FF_CHECK(index && index->GetValue(3) == 1 && index->GetValue(4) == 3);
+  hull->VisiblePointIdsOn();
+  hull->SetInputData(blocks);
+  FF_CHECK(succeeds(hull));
+  const Ids ids = originalIds(hull->GetOutput());
+  FF_CHECK((ids == Ids{ 1, 3, 4, 6, 8 }));
+  vtkDataArray* const index = hull->GetOutput()->GetPointData()->GetArray("BlockIndex");
+  vtkDataArray* const visible = hull->GetOutput()->GetPointData()->GetArray("OriginalPointIds");
+  const vtkIdType last = vtkIdType(ids.size()) - 1;
+  FF_CHECK(index && index->GetTuple1(last - 1) == 1 && index->GetTuple1(last) == 2);
+  FF_CHECK(visible && visible->GetTuple1(last) == 8);
 }
 
-/// A square and its centre, as ids 1 to 5; before and after them a marked point.
-vtkSmartPointer<vtkPolyData> makeWeightedAmidGhosts()
+/// Hidden points are on a port of their own, with their ids, without the ghosts. Weights are judged
+/// as they came.
+void testHiddenPoints()
 {
-  const double infinity = INFINITY;
   auto data = makeWeighted(
     { { 9, 9, 0 }, { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 1, 1, 0 }, { -9, 9, 0 } },
-    { infinity, 0, 0, 0, 0, -2, 0 });
+    { INFINITY, 0, 0, 0, 0, -2, 0 });
   mark(data, { duplicate, 0, 0, 0, 0, 0, hidden });
-  return data;
-}
-
-void testTriangulation()
-{
   vtkNew<vtkFFRegularTriangulationFilter> filter;
-  const auto errors = ErrorObserver::Of(filter);
-  FF_CHECK(filter->GetSkipGhostPoints());
-  filter->SetInputData(makeWeightedAmidGhosts());
-  filter->GeneratePowerDiagramOn();
   useWeights(filter);
-  filter->Update();
-  FF_CHECK(errors->Messages.empty());
+  filter->SetInputData(data);
+  FF_CHECK(succeeds(filter));
   FF_CHECK(originalIds(filter->GetOutput()) == (Ids{ 1, 2, 3, 4 }));
   FF_CHECK(originalIds(filter->GetHiddenPointsOutput()) == (Ids{ 5 }));
-  auto* cells = filter->GetPowerDiagramOutput();
-  auto* ids = vtkIdTypeArray::SafeDownCast(cells->GetCellData()->GetArray("vtkOriginalPointIds"));
-  FF_CHECK(ids && ids->GetNumberOfValues() == 4 && ids->GetValue(0) == 1 && ids->GetValue(3) == 4);
-  FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(5));
-  cells->RemoveGhostCells();
-  FF_CHECK_EQUAL(cells->GetNumberOfCells(), vtkIdType(4));
-
-  // Of pieces, too.
-  vtkNew<vtkPartitionedDataSet> partitions;
-  partitions->SetPartition(0, makeWeightedAmidGhosts());
-  partitions->SetPartition(1, makeWeightedAmidGhosts());
-  filter->SetInputData(partitions);
-  filter->Update();
-  auto* points = vtkPartitionedDataSet::SafeDownCast(filter->GetOutputDataObject(1));
-  FF_CHECK(originalIds(vtkPolyData::SafeDownCast(points->GetPartitionAsDataObject(0))) ==
-    (Ids{ 5, 8, 9, 10, 11, 12 }));
-
-  // Weights are judged as they came.
-  auto data = makeWeightedAmidGhosts();
   data->GetPointData()->GetArray("weights")->SetNumberOfTuples(5);
-  filter->SetInputData(data);
-  filter->Update();
-  FF_CHECK(errors->Has("has 5 value(s) for 7 point(s)"));
-  errors->Clear();
-  data = makeWeightedAmidGhosts();
-  data->GetPointData()->GetArray("weights")->SetComponent(5, 0, NAN);
-  filter->SetInputData(data);
-  filter->Update();
-  FF_CHECK(errors->Has("first at point 5, 1 such point(s)"));
+  data->Modified();
+  FF_CHECK(fails(filter, vtkFFErrorCode::InputError, { "has 5 value(s) for 7 point(s)" }));
 }
 
 /// Marks of points mean other things for cells, so they are translated. Points that are counted all
@@ -238,46 +195,47 @@ void testTriangulation()
 void testMarksOfCells()
 {
   auto data = makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } });
-  mark(data, { 0, duplicate, hidden, duplicate | hidden | 4 });
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  filter->SetInputData(data);
-  filter->SkipGhostPointsOff();
-  filter->GeneratePowerDiagramOn();
-  filter->Update();
-  auto* cells = filter->GetPowerDiagramOutput();
-  auto* ofCells = vtkUnsignedCharArray::SafeDownCast(
-    cells->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  auto* ofPoints = vtkUnsignedCharArray::SafeDownCast(
-    filter->GetOutput()->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (!ofCells || !ofPoints || ofCells->GetNumberOfValues() != 4)
+  const Marks marks{ 0, duplicate, hidden, duplicate | hidden | 4 };
+  mark(data, marks);
+  const int ofCells[4] = { 0, vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL,
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL };
+  vtkNew<vtkFFPowerDiagramFilter> diagram;
+  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
+  for (vtkFFAlgorithm* filter :
+    { static_cast<vtkFFAlgorithm*>(diagram), static_cast<vtkFFAlgorithm*>(triangulation) })
   {
-    FF_CHECK(!"no marks, or not one for each cell");
-    return;
+    filter->SetInputDataObject(data);
+    filter->SkipGhostPointsOff();
+    FF_CHECK(succeeds(filter));
   }
-  FF_CHECK_EQUAL(int(ofCells->GetValue(0)), 0);
-  FF_CHECK_EQUAL(int(ofCells->GetValue(1)), int(vtkDataSetAttributes::DUPLICATECELL));
-  FF_CHECK_EQUAL(int(ofCells->GetValue(2)), int(vtkDataSetAttributes::HIDDENCELL));
-  FF_CHECK_EQUAL(int(ofCells->GetValue(3)),
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL);
-  FF_CHECK_EQUAL(int(ofPoints->GetValue(2)), hidden);
-  FF_CHECK_EQUAL(int(ofPoints->GetValue(3)), duplicate | hidden | 4);
-
+  const char* const name = vtkDataSetAttributes::GhostArrayName();
+  vtkPolyData* const cells = diagram->GetOutput();
+  vtkDataArray* const found = cells->GetCellData()->GetArray(name);
+  vtkDataArray* const kept = triangulation->GetOutput()->GetPointData()->GetArray(name);
+  FF_CHECK(found && kept && found->GetNumberOfTuples() == 4 && kept->GetNumberOfTuples() == 4);
+  for (int i = 0; found && kept && i < 4; ++i)
+  {
+    FF_CHECK_EQUAL(found->GetTuple1(i), ofCells[i]);
+    FF_CHECK_EQUAL(kept->GetTuple1(i), marks[static_cast<std::size_t>(i)]);
+  }
   // What vtkRemoveGhosts does: the cells of duplicate points go, those of unmarked ones stay.
   cells->RemoveGhostCells();
-  auto* left = vtkIdTypeArray::SafeDownCast(cells->GetCellData()->GetArray("vtkOriginalPointIds"));
-  FF_CHECK(left && left->LookupValue(0) == 0);
-  FF_CHECK(left && left->LookupValue(1) < 0 && left->LookupValue(3) < 0);
+  const Ids ids = idsOf(diagram);
+  FF_CHECK(!ids.empty() && ids[0] == 0);
+  FF_CHECK(std::none_of(ids.begin(), ids.end(), [](vtkIdType id) { return id == 1 || id == 3; }));
 }
 
 }
 
 int TestFFGhostPoints(int, char*[])
 {
-  testHull();
-  testBlankedGrid();
-  testErrors();
-  testComposite();
-  testTriangulation();
+  testFilter(vtkNew<vtkFFHullFilter>(), false);
+  testFilter(vtkNew<vtkFFRegularTriangulationFilter>(), false);
+  testFilter(vtkNew<vtkFFRegularTriangulationFilter>(), true);
+  testFilter(vtkNew<vtkFFPowerDiagramFilter>(), true);
+  testFilter(vtkNew<vtkFFConstrainedDelaunayFilter>(), false);
+  testAllBlocks();
+  testHiddenPoints();
   testMarksOfCells();
   return result();
 }

@@ -1,34 +1,40 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run found, as field data of its output: on request, with every documented name, of each
-// block alone, beside what the input brought.
+// data set alone, with what the input brought.
 #include "FFTest.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkStringArray.h"
 
+#include <flipflop/Statistics.h>
+
 #include <algorithm>
-#include <limits>
-#include <type_traits>
+#include <cctype>
+#include <cmath>
 
 using namespace fftest;
 
 namespace
 {
 
-/// What there is of a run, and of the input.
-std::vector<std::string> namesOf(vtkDataObject* output)
+using Names = std::vector<std::string>;
+
+/// The names of the report's arrays, and of the input's, sorted.
+Names namesOf(vtkDataObject* output)
 {
-  std::vector<std::string> names;
+  Names names;
   for (int i = 0; i < output->GetFieldData()->GetNumberOfArrays(); ++i)
   {
     names.emplace_back(output->GetFieldData()->GetArrayName(i));
@@ -37,67 +43,67 @@ std::vector<std::string> namesOf(vtkDataObject* output)
   return names;
 }
 
-std::vector<std::string> expectedNames(const std::vector<std::string>& own)
+/// Those of each filter, its own, and the input's.
+Names expectedNames(const Names& own)
 {
-  std::vector<std::string> names{ "FlipFlopDimension", "FlipFlopInputPoints",
-    "FlipFlopNonFinitePoints", "FlipFlopEngine", "FlipFlopEngineReason", "FlipFlopThreads",
-    "FlipFlopSeconds", "time" };
+  Names names{ "FlipFlopDimension", "FlipFlopEngine", "FlipFlopEngineReason", "FlipFlopThreads",
+    "time" };
+  flipflop::Statistics::eachField(
+    [&](std::string name, auto)
+    {
+      name[0] = static_cast<char>(std::toupper(name[0]));
+      names.push_back("FlipFlop" + name);
+    });
   names.insert(names.end(), own.begin(), own.end());
   std::sort(names.begin(), names.end());
   return names;
 }
 
-/// The one value of an array of the type.
-template <class ArrayT>
-auto valueOf(vtkDataObject* output, const char* name)
+std::string textOf(vtkDataObject* output, const char* name)
 {
-  auto* array = ArrayT::SafeDownCast(output->GetFieldData()->GetAbstractArray(name));
-  if (!array || array->GetNumberOfValues() != 1)
+  auto* array = vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(name));
+  return array && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0)) : "missing";
+}
+
+/// What all filters report is what their methods return.
+void check(vtkFFAlgorithm* filter, const Names& own)
+{
+  vtkPolyData* const output = filter->GetOutput();
+  FF_CHECK(namesOf(output) == expectedNames(own));
+  FF_CHECK_EQUAL(reported(output, "Dimension"), filter->GetDimension());
+  FF_CHECK_EQUAL(reported(output, "Points"), double(filter->GetNumberOfInputPoints()));
+  FF_CHECK_EQUAL(reported(output, "NonFinite"), double(filter->GetNumberOfNonFinitePoints()));
+  FF_CHECK_EQUAL(textOf(output, "FlipFlopEngine"), filter->GetEngineUsedAsString());
+  FF_CHECK_EQUAL(textOf(output, "FlipFlopEngineReason"), filter->GetEngineReason());
+  FF_CHECK(reported(output, "Threads") >= 1);
+  FF_CHECK(reported(output, "SecondsTotal") > 0.0);
+  FF_CHECK_EQUAL(reported(output, "Flips22") + reported(output, "Flips31"),
+    reported(output, "FlipsV") + reported(output, "FlipsD"));
+  FF_CHECK_EQUAL(output->GetFieldData()->GetArray("time")->GetTuple1(0), 4.5);
+  if (auto* hull = vtkFFHullAlgorithm::SafeDownCast(filter))
   {
-    std::cerr << name << " is missing, of another type, or not one value\n";
-    ++failures();
-    return std::decay_t<decltype(array->GetValue(0))>{};
+    FF_CHECK_EQUAL(reported(output, "Volume"), hull->GetVolume());
+    FF_CHECK_EQUAL(reported(output, "Area"), hull->GetArea());
+    FF_CHECK(hull->GetVolume() > 0.0 && hull->GetArea() > 0.0);
   }
-  return array->GetValue(0);
-}
-
-/// What all filters tell is what their methods tell.
-void checkCommon(vtkFFAlgorithm* filter, vtkDataObject* output)
-{
-  FF_CHECK_EQUAL(valueOf<vtkIntArray>(output, "FlipFlopDimension"), filter->GetDimension());
-  FF_CHECK_EQUAL(
-    valueOf<vtkIdTypeArray>(output, "FlipFlopInputPoints"), filter->GetNumberOfInputPoints());
-  FF_CHECK_EQUAL(valueOf<vtkIdTypeArray>(output, "FlipFlopNonFinitePoints"),
-    filter->GetNumberOfNonFinitePoints());
-  FF_CHECK(valueOf<vtkStringArray>(output, "FlipFlopEngine") ==
-    std::string(filter->GetEngineUsedAsString()));
-  FF_CHECK(valueOf<vtkStringArray>(output, "FlipFlopEngineReason") ==
-    std::string(filter->GetEngineReason()));
-  FF_CHECK_EQUAL(valueOf<vtkIntArray>(output, "FlipFlopThreads"), filter->GetNumberOfThreadsUsed());
-  FF_CHECK_EQUAL(valueOf<vtkDoubleArray>(output, "FlipFlopSeconds"), filter->GetSecondsTotal());
-  FF_CHECK_EQUAL(valueOf<vtkDoubleArray>(output, "time"), 4.5);
-}
-
-void checkHull(vtkFFHullAlgorithm* filter, vtkDataObject* output)
-{
-  FF_CHECK((namesOf(output) == expectedNames({ "FlipFlopVolume", "FlipFlopArea" })));
-  checkCommon(filter, output);
-  FF_CHECK_EQUAL(valueOf<vtkDoubleArray>(output, "FlipFlopVolume"), filter->GetVolume());
-  FF_CHECK_EQUAL(valueOf<vtkDoubleArray>(output, "FlipFlopArea"), filter->GetArea());
-  FF_CHECK(filter->GetVolume() > 0.0 && filter->GetArea() > 0.0);
+  if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
+  {
+    FF_CHECK_EQUAL(
+      reported(output, "HiddenPoints"), double(triangulation->GetNumberOfHiddenPoints()));
+    FF_CHECK(triangulation->GetNumberOfHiddenPoints() > 0);
+  }
 }
 
 /// Points, one of them not finite, with field data of their own.
 vtkSmartPointer<vtkPolyData> makeInput(int count)
 {
-  auto points = randomPoints(count, 61);
-  points[3][1] = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> weights;
   for (int i = 0; i < count; ++i)
   {
     weights.push_back(0.01 * (i % 5));
   }
-  auto input = makeWeighted(points, weights);
+  auto input = makeWeighted(spherePoints(count, 61), weights);
+  input->GetPoints()->SetPoint(3, 0.0, NAN, 0.0);
   vtkNew<vtkDoubleArray> time;
   time->SetName("time");
   time->InsertNextValue(4.5);
@@ -105,107 +111,65 @@ vtkSmartPointer<vtkPolyData> makeInput(int count)
   return input;
 }
 
-/// Off, on, and off again.
-template <class Check>
-void checkSwitch(vtkFFAlgorithm* filter, Check&& check)
+/// Off, on, and off again; on port 0 alone.
+void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input, const Names& own)
 {
-  const std::vector<std::string> none{ "time" };
+  const Names none{ "time" };
   FF_CHECK(!filter->GetReportAsFieldData());
-  filter->Update();
-  FF_CHECK(namesOf(filter->GetOutputDataObject(0)) == none);
-  filter->ReportAsFieldDataOn();
-  filter->Update();
-  check(filter->GetOutputDataObject(0));
-  for (int port = 1; port < filter->GetNumberOfOutputPorts(); ++port)
+  filter->SetNonFinitePointsToIgnore();
+  filter->SetInputDataObject(input);
+  for (const bool on : { false, true, false })
   {
-    FF_CHECK(namesOf(filter->GetOutputDataObject(port)) == none);
+    filter->SetReportAsFieldData(on);
+    FF_CHECK(succeeds(filter));
+    for (int port = on; port < filter->GetNumberOfOutputPorts(); ++port)
+    {
+      FF_CHECK(namesOf(filter->GetOutputDataObject(port)) == none);
+    }
+    FF_CHECK(namesOf(input) == none);
+    if (on)
+    {
+      check(filter, own);
+    }
   }
-  FF_CHECK(namesOf(filter->GetInputDataObject(0, 0)) == none);
-  filter->ReportAsFieldDataOff();
-  filter->Update();
-  FF_CHECK(namesOf(filter->GetOutputDataObject(0)) == none);
+  // A run reports itself alone.
   filter->ReportAsFieldDataOn();
+  FF_CHECK(succeeds(filter));
+  const vtkIdType points = filter->GetNumberOfInputPoints();
+  const double checks = reported(filter->GetOutput(), "EdgeChecks");
+  FF_CHECK(checks > 0);
+  filter->SetNumberOfThreads(1);
+  filter->Modified();
+  FF_CHECK(succeeds(filter));
+  FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), points);
+
+  // The report of a filter upstream is not passed on.
+  vtkNew<vtkFFHullFilter> second;
+  second->SetInputConnection(filter->GetOutputPort());
+  FF_CHECK(succeeds(second));
+  FF_CHECK(namesOf(second->GetOutput()) == none);
+  second->ReportAsFieldDataOn();
+  FF_CHECK(succeeds(second));
+  FF_CHECK(namesOf(second->GetOutput()) == expectedNames({ "FlipFlopVolume", "FlipFlopArea" }));
+  FF_CHECK_EQUAL(reported(second->GetOutput(), "NonFinite"), 0);
+  check(filter, own);
 }
 
-void testHull()
+/// No result, no report; an empty one is one.
+void testNone()
 {
   vtkNew<vtkFFHullFilter> hull;
-  hull->SetNonFinitePointsToIgnore();
-  hull->SetInputData(makeInput(500));
-  checkSwitch(hull, [&](vtkDataObject* output) { checkHull(hull, output); });
-  hull->Update();
-  FF_CHECK_EQUAL(valueOf<vtkIdTypeArray>(hull->GetOutput(), "FlipFlopInputPoints"), 500);
-  FF_CHECK_EQUAL(valueOf<vtkIdTypeArray>(hull->GetOutput(), "FlipFlopNonFinitePoints"), 1);
-
-  // The report of a hull's hull is its own.
-  vtkNew<vtkFFHullFilter> second;
-  second->SetInputConnection(hull->GetOutputPort());
-  second->ReportAsFieldDataOn();
-  second->Update();
-  checkHull(second, second->GetOutput());
-  FF_CHECK_EQUAL(valueOf<vtkIdTypeArray>(second->GetOutput(), "FlipFlopNonFinitePoints"), 0);
-  checkHull(hull, hull->GetOutput());
-
-  // One that does not report passes nothing of the first one's on.
-  second->ReportAsFieldDataOff();
-  second->Update();
-  FF_CHECK(namesOf(second->GetOutput()) == std::vector<std::string>{ "time" });
-  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
-  triangulation->SetInputConnection(hull->GetOutputPort());
-  triangulation->GeneratePowerDiagramOn();
-  triangulation->Update();
-  for (int port = 0; port < 3; ++port)
-  {
-    FF_CHECK(
-      namesOf(triangulation->GetOutputDataObject(port)) == std::vector<std::string>{ "time" });
-  }
-  triangulation->ReportAsFieldDataOn();
-  triangulation->Update();
-  FF_CHECK(namesOf(triangulation->GetOutput()) ==
-    expectedNames({ "FlipFlopHiddenPoints", "FlipFlopDroppedCells", "FlipFlopSplitPoints" }));
-  checkHull(hull, hull->GetOutput());
-
-  // No result, no report; an empty one is one.
-  const auto errors = ErrorObserver::Of(hull);
-  hull->SetNonFinitePointsToError();
-  hull->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  hull->ReportAsFieldDataOn();
+  hull->SetInputData(makeInput(50));
+  FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError, { "point 3," }));
   FF_CHECK_EQUAL(hull->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
   hull->SetInputData(makePoints(std::vector<Point>{}));
-  hull->Update();
-  FF_CHECK_EQUAL(valueOf<vtkIntArray>(hull->GetOutput(), "FlipFlopDimension"), -1);
+  FF_CHECK(succeeds(hull));
+  FF_CHECK_EQUAL(reported(hull->GetOutput(), "Dimension"), -1);
 }
 
-void testConvexify()
-{
-  const auto input = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
-  input->GetFieldData()->PassData(makeInput(10)->GetFieldData());
-  vtkNew<vtkFFConvexifyFilter> convexify;
-  convexify->SetInputData(input);
-  checkSwitch(convexify, [&](vtkDataObject* output) { checkHull(convexify, output); });
-}
-
-void testTriangulation()
-{
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  filter->SetNonFinitePointsToIgnore();
-  filter->GeneratePowerDiagramOn();
-  useWeights(filter);
-  filter->SetInputData(makeInput(500));
-  checkSwitch(filter,
-    [&](vtkDataObject* output)
-    {
-      FF_CHECK((namesOf(output) ==
-        expectedNames({ "FlipFlopHiddenPoints", "FlipFlopDroppedCells", "FlipFlopSplitPoints" })));
-      checkCommon(filter, output);
-      FF_CHECK(filter->GetNumberOfHiddenPoints() > 0);
-      FF_CHECK_EQUAL(
-        valueOf<vtkIdTypeArray>(output, "FlipFlopHiddenPoints"), filter->GetNumberOfHiddenPoints());
-    });
-}
-
-/// Each block tells of itself, and all blocks as one of all.
-void testBlocks()
+/// One hull of all blocks reports all. (Of each, see TestFFComposites.)
+void testAllBlocks()
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, makeInput(100));
@@ -213,49 +177,31 @@ void testBlocks()
   vtkNew<vtkFFHullFilter> hull;
   hull->SetNonFinitePointsToIgnore();
   hull->ReportAsFieldDataOn();
-  hull->SetInputData(blocks);
-  hull->Update();
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(hull->GetOutputDataObject(0));
-  FF_CHECK_EQUAL(output->GetFieldData()->GetNumberOfArrays(), 0);
-  vtkNew<vtkFFHullFilter> alone;
-  alone->SetNonFinitePointsToIgnore();
-  alone->ReportAsFieldDataOn();
-  double volumes = 0.0;
-  for (unsigned int k = 0; k < 2; ++k)
-  {
-    alone->SetInputDataObject(blocks->GetBlock(k));
-    alone->Update();
-    FF_CHECK(isIdentical(output->GetBlock(k), alone->GetOutput(), "block " + std::to_string(k)));
-    FF_CHECK_EQUAL(
-      valueOf<vtkIdTypeArray>(output->GetBlock(k), "FlipFlopInputPoints"), k ? 300 : 100);
-    volumes += valueOf<vtkDoubleArray>(output->GetBlock(k), "FlipFlopVolume");
-  }
-  FF_CHECK_EQUAL(volumes, hull->GetVolume());
-  FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 400);
-
-  vtkNew<vtkFFHullFilter> second;
-  second->SetInputConnection(hull->GetOutputPort());
-  second->Update();
-  auto* bare = vtkMultiBlockDataSet::SafeDownCast(second->GetOutputDataObject(0));
-  for (unsigned int k = 0; k < 2; ++k)
-  {
-    FF_CHECK(namesOf(bare->GetBlock(k)) == std::vector<std::string>{ "time" });
-  }
-
   hull->SetCompositeModeToAllBlocks();
-  hull->Update();
-  FF_CHECK_EQUAL(valueOf<vtkIdTypeArray>(hull->GetOutput(), "FlipFlopInputPoints"), 400);
-  FF_CHECK_EQUAL(valueOf<vtkIdTypeArray>(hull->GetOutput(), "FlipFlopNonFinitePoints"), 2);
-  FF_CHECK_EQUAL(valueOf<vtkDoubleArray>(hull->GetOutput(), "FlipFlopVolume"), hull->GetVolume());
+  hull->SetInputData(blocks);
+  FF_CHECK(succeeds(hull));
+  FF_CHECK_EQUAL(reported(hull->GetOutput(), "Points"), 400);
+  FF_CHECK_EQUAL(reported(hull->GetOutput(), "NonFinite"), 2);
+  FF_CHECK_EQUAL(reported(hull->GetOutput(), "Volume"), hull->GetVolume());
 }
 
 }
 
 int TestFFReport(int, char*[])
 {
-  testHull();
-  testConvexify();
-  testTriangulation();
-  testBlocks();
+  const Names ofHull{ "FlipFlopVolume", "FlipFlopArea" };
+  const auto input = makeInput(500);
+  const auto ell = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  ell->GetFieldData()->PassData(input->GetFieldData());
+  testFilter(vtkNew<vtkFFHullFilter>(), input, ofHull);
+  testFilter(vtkNew<vtkFFConvexifyFilter>(), ell, ofHull);
+  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
+  useWeights(triangulation);
+  testFilter(triangulation, input, { "FlipFlopHiddenPoints", "FlipFlopDroppedCells" });
+  testFilter(vtkNew<vtkFFPowerDiagramFilter>(), input, { "FlipFlopHiddenPoints" });
+  testFilter(vtkNew<vtkFFConstrainedDelaunayFilter>(), input,
+    { "FlipFlopDroppedCells", "FlipFlopSplitPoints" });
+  testNone();
+  testAllBlocks();
   return result();
 }
