@@ -4,7 +4,10 @@
 // leaves the mode alone, in whatever order.
 #include "FFTest.h"
 
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
+#include "vtkFFErrorCode.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkNew.h"
 #include "vtkTransform.h"
@@ -14,54 +17,50 @@ using namespace fftest;
 namespace
 {
 
-using Filter = vtkFFRegularTriangulationFilter;
+using Filter = vtkFFPowerDiagramFilter;
 
-/// As in vtkDelaunay2D, to set a transform is enough.
-void testTransform()
+/// As in vtkDelaunay2D, to set a transform is enough. The last word counts.
+void testTransform(vtkFFPlanarAlgorithm* filter)
 {
+  using Planar = vtkFFPlanarAlgorithm;
   // Collinear in XY; the transform stands the plane upright.
-  const auto input = makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 } });
+  filter->SetInputDataObject(makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 } }));
   vtkNew<vtkTransform> transform;
   transform->RotateX(90.0);
-  vtkNew<Filter> filter;
   const auto errors = ErrorObserver::Of(filter);
-  filter->SetInputData(input);
+  const auto dimension = [&]
+  {
+    filter->Update();
+    return filter->GetDimension();
+  };
   filter->SetTransform(nullptr);
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Filter::XY_PLANE));
-  FF_CHECK_EQUAL(filter->GetDimension(), 1);
+  FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Planar::XY_PLANE));
+  FF_CHECK_EQUAL(dimension(), 1);
+  for (int again = 0; again < 2; ++again)
+  {
+    filter->SetTransform(transform);
+    FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Planar::TRANSFORM_PLANE));
+    FF_CHECK_EQUAL(dimension(), 2);
+    filter->SetProjectionPlaneModeToXYPlane();
+    FF_CHECK_EQUAL(dimension(), 1);
+  }
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(3)); // warnings of a vertical plane
+  filter->RemoveObserver(errors);
 
-  filter->SetTransform(transform);
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Filter::TRANSFORM_PLANE));
-  FF_CHECK_EQUAL(filter->GetDimension(), 2);
-
-  // The last word counts: a mode, and again a transform, the same one too.
-  filter->SetProjectionPlaneModeToXYPlane();
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetDimension(), 1);
-  filter->SetTransform(transform);
-  filter->Update();
-  FF_CHECK_EQUAL(filter->GetDimension(), 2);
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(2)); // of a vertical plane
-  errors->Clear();
-
-  // None leaves the mode, which is in want of one then.
+  // None leaves the mode, which needs one then.
+  filter->SetProjectionPlaneModeToTransform();
   filter->SetTransform(nullptr);
-  FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Filter::TRANSFORM_PLANE));
-  filter->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK(errors->Has("no Transform is set"));
-
+  FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Planar::TRANSFORM_PLANE));
+  FF_CHECK(fails(filter, vtkFFErrorCode::SettingError, { "no Transform is set" }));
   for (const int mode : { 0, 1, 2 })
   {
     filter->SetProjectionPlaneMode(mode);
-    filter->StoreTransform(transform);
-    FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), mode);
-    FF_CHECK(filter->GetTransform() == transform);
-    filter->StoreTransform(nullptr);
-    FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), mode);
-    FF_CHECK(filter->GetTransform() == nullptr);
+    for (vtkTransform* stored : { transform.Get(), static_cast<vtkTransform*>(nullptr) })
+    {
+      filter->StoreTransform(stored);
+      FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), mode);
+      FF_CHECK(filter->GetTransform() == stored);
+    }
   }
 }
 
@@ -71,12 +70,11 @@ void testBounds()
   {
     filter->Update();
     double bounds[6];
-    filter->GetPowerDiagramOutput()->GetBounds(bounds);
+    filter->GetOutput()->GetBounds(bounds);
     return bounds[1] - bounds[0];
   };
   vtkNew<Filter> filter;
   filter->SetInputData(makePoints({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 5, 0 } }));
-  filter->GeneratePowerDiagramOn();
   FF_CHECK_EQUAL(widthOf(filter), 4.0);
   filter->SetPowerDiagramBounds(0, 1, 0, 1); // what they are
   FF_CHECK_EQUAL(filter->GetPowerDiagramBoxMode(), int(Filter::BOX_OF_BOUNDS));
@@ -100,21 +98,16 @@ void testBounds()
 void testKernelPoint()
 {
   vtkNew<vtkFFConvexifyFilter> convexify;
-  const auto errors = ErrorObserver::Of(convexify);
   convexify->SetInputData(makeVoxels({ { 0, 0, 0 } }));
   FF_CHECK(!convexify->GetUseKernelPoint());
   convexify->SetKernelPoint(0, 0, 0); // what it is: a corner of the cube, which sees too little
   FF_CHECK(convexify->GetUseKernelPoint());
-  convexify->Update();
-  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
-  FF_CHECK(errors->Has("the kernel point does not see"));
-  errors->Clear();
+  FF_CHECK(fails(convexify, vtkFFErrorCode::SurfaceError, { "the kernel point does not see" }));
   const double inside[3] = { 0.5, 0.5, 0.25 };
   convexify->UseKernelPointOff();
   convexify->SetKernelPoint(inside);
   FF_CHECK(convexify->GetUseKernelPoint());
-  convexify->Update();
-  FF_CHECK_EQUAL(convexify->GetVolume(), 1.0);
+  FF_CHECK(succeeds(convexify));
 
   convexify->UseKernelPointOff();
   const vtkMTimeType time = convexify->GetMTime();
@@ -123,18 +116,18 @@ void testKernelPoint()
   convexify->StoreKernelPoint(9, 9, 9);
   FF_CHECK(convexify->GetMTime() > time);
   FF_CHECK(!convexify->GetUseKernelPoint());
-  convexify->Update();
-  FF_CHECK(errors->Messages.empty());
+  FF_CHECK(succeeds(convexify));
   convexify->UseKernelPointOn();
-  convexify->Update();
-  FF_CHECK(errors->Has("the kernel point does not see"));
+  FF_CHECK(fails(convexify, vtkFFErrorCode::SurfaceError, { "the kernel point does not see" }));
 }
 
 }
 
 int TestFFSettings(int, char*[])
 {
-  testTransform();
+  testTransform(vtkNew<vtkFFRegularTriangulationFilter>());
+  testTransform(vtkNew<vtkFFPowerDiagramFilter>());
+  testTransform(vtkNew<vtkFFConstrainedDelaunayFilter>());
   testBounds();
   testKernelPoint();
   return result();

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The filters as a part of a pipeline: progress, abort, errors, what makes them run again,
+// PrintSelf, subclasses.
+#include "FFTest.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkExecutive.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFConvexifyFilter.h"
+#include "vtkFFErrorCode.h"
+#include "vtkFFHullFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+using namespace fftest;
+
+namespace
+{
+
+/// Counts an object's events of one kind.
+class Counter
+{
+public:
+  Counter(vtkObject* object, unsigned long event)
+  {
+    this->Command->SetClientData(&this->Count);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+    object->AddObserver(event, this->Command);
+  }
+  int Count = 0;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+/// The progress goes from 0 to 1, and its texts are of these steps, in this order. An abort on the
+/// way leaves nothing, and is no error.
+void testProgress(vtkFFAlgorithm* filter, vtkDataObject* input, const std::string& title,
+  const std::vector<std::string>& steps)
+{
+  vtkNew<ProgressObserver> progress;
+  filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  filter->SetInputDataObject(input);
+  for (int again = 0; again < 2; ++again)
+  {
+    progress->Values.clear();
+    progress->Texts.clear();
+    filter->Modified();
+    FF_CHECK(succeeds(filter));
+    checkProgress(progress->Values);
+    FF_CHECK(progress->Texts[0].compare(0, title.size(), title) == 0);
+    auto text = progress->Texts.begin();
+    for (const std::string& step : steps)
+    {
+      text = std::find(text, progress->Texts.end(), step);
+      FF_CHECK_EQUAL(text == progress->Texts.end() ? "no step" : *text, step);
+    }
+  }
+  for (const double mark : { 0.01, 0.5 })
+  {
+    progress->AbortAt = mark;
+    filter->Modified();
+    FF_CHECK(succeeds(filter));
+    FF_CHECK(hasForgotten(filter));
+    FF_CHECK(progress->StoppedOnTheWay());
+    progress->AbortAt = 2.0;
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    FF_CHECK(succeeds(filter));
+    FF_CHECK_EQUAL(
+      filter->GetNumberOfInputPoints(), input->GetNumberOfElements(vtkDataObject::POINT));
+  }
+}
+
+/// After an error, the executive adds none, and what is behind runs with nothing. The next run has
+/// no error.
+void testError()
+{
+  auto points = cubeCorners();
+  points.push_back({ 0, 0, NAN });
+  vtkNew<vtkFFHullFilter> hull;
+  hull->SetInputData(makePoints(points));
+  vtkNew<vtkFFConvexifyFilter> behind;
+  behind->SetInputConnection(hull->GetOutputPort());
+  const auto errorsBehind = ErrorObserver::Of(behind);
+  const auto errors = ErrorObserver::Of(hull);
+  FF_CHECK_EQUAL(behind->GetExecutive()->Update(), 1);
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK_EQUAL(hull->GetErrorCode(), static_cast<unsigned long>(vtkFFErrorCode::NonFiniteError));
+  FF_CHECK(errorsBehind->Messages.empty());
+  FF_CHECK(isEmpty(behind->GetOutput()));
+  hull->SetNonFinitePointsToIgnore();
+  FF_CHECK_EQUAL(behind->GetExecutive()->Update(), 1);
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK_EQUAL(hull->GetErrorCode(), static_cast<unsigned long>(vtkFFErrorCode::NoError));
+  FF_CHECK_EQUAL(behind->GetVolume(), 1.0);
+}
+
+/// It runs again when something changed that matters, and only then.
+void testModification()
+{
+  const auto input = makePoints(cubeCorners());
+  vtkNew<vtkFFHullFilter> hull;
+  const Counter runs(hull, vtkCommand::EndEvent);
+  hull->SetInputData(input);
+  hull->Update();
+  hull->Update();
+  hull->SetFacetModeToTriangles();
+  hull->SetEngineToAutomatic();
+  hull->SetNonFinitePointsToError();
+  hull->PassPointDataOn();
+  hull->SetNumberOfThreads(0);
+  hull->VBiasedOn();
+  hull->SetCompositeModeToEachBlock();
+  hull->SetNumberOfStreamDivisions(1);
+  hull->Update();
+  FF_CHECK_EQUAL(runs.Count, 1);
+  const std::vector<std::function<void()>> changes{ [&] { hull->SetFacetModeToPolygons(); },
+    [&] { hull->SetEngineToCPU(); }, [&] { hull->SetNonFinitePointsToIgnore(); },
+    [&] { hull->PassPointDataOff(); }, [&] { hull->SetNumberOfThreads(2); },
+    [&] { hull->VBiasedOff(); }, [&] { hull->SkipGhostPointsOff(); },
+    [&] { hull->ReportAsFieldDataOn(); }, [&] { hull->SetCompositeModeToAllBlocks(); },
+    [&]
+    {
+      FF_CHECK_EQUAL(hull->GetVolume(), 1.0);
+      input->GetPoints()->SetPoint(7, 1.0, 1.0, 2.0);
+      input->GetPoints()->Modified();
+      input->Modified();
+    } };
+  int expected = 1;
+  for (const auto& change : changes)
+  {
+    change();
+    hull->Update();
+    hull->Update();
+    FF_CHECK_EQUAL(runs.Count, ++expected);
+  }
+  FF_CHECK(hull->GetVolume() > 1.0);
+  FF_CHECK(isHullOf(input, hull->GetOutput(), 3));
+
+  // The output is its own: it must not change with the input afterwards.
+  input->GetPoints()->SetPoint(0, -5.0, -5.0, -5.0);
+  FF_CHECK_EQUAL(hull->GetOutput()->GetPoint(0)[0], 0.0);
+
+  // Values out of range end at the range's ends.
+  hull->SetFacetMode(7);
+  FF_CHECK_EQUAL(hull->GetFacetMode(), int(vtkFFAlgorithm::FACETS_AS_POLYGONS));
+  hull->SetNonFinitePoints(7);
+  FF_CHECK_EQUAL(hull->GetNonFinitePoints(), int(vtkFFAlgorithm::NON_FINITE_IGNORE));
+}
+
+/// From a source, through both filters.
+void testPipeline()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(16);
+  sphere->SetPhiResolution(16);
+  vtkNew<vtkFFHullFilter> hull;
+  hull->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkFFConvexifyFilter> again;
+  again->SetInputConnection(hull->GetOutputPort());
+  for (const int resolution : { 16, 32 })
+  {
+    sphere->SetThetaResolution(resolution);
+    FF_CHECK(succeeds(again));
+    FF_CHECK(hull->GetOutput()->GetNumberOfPoints() > 10 * resolution);
+    FF_CHECK_EQUAL(again->GetOutput()->GetNumberOfPoints(), hull->GetOutput()->GetNumberOfPoints());
+    FF_CHECK_EQUAL(again->GetOutput()->GetNumberOfPolys(), hull->GetOutput()->GetNumberOfPolys());
+  }
+}
+
+void testPrint(vtkFFAlgorithm* filter, std::vector<std::string> names)
+{
+  std::ostringstream text;
+  filter->Print(text);
+  names.insert(names.end(),
+    { "Engine", "CUDAThreshold", "NumberOfThreads", "FacetMode", "NonFinitePoints",
+      "SkipGhostPoints", "PassPointData", "ReportAsFieldData", "VBiased", "EngineUsed",
+      "EngineReason", "Dimension", "NumberOfInputPoints", "NumberOfNonFinitePoints" });
+  for (const std::string& name : names)
+  {
+    const bool has = text.str().find("\n  " + name + ": ") != std::string::npos;
+    FF_CHECK_EQUAL(has ? name : "", name);
+  }
+}
+
+/// Whoever has the headers can write a filter with these settings.
+class My : public vtkFFAlgorithm
+{
+public:
+  static My* New();
+  vtkTypeMacro(My, vtkFFAlgorithm);
+
+protected:
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    vtkPolyData::GetData(outputs)->ShallowCopy(vtkPolyData::GetData(inputs[0]));
+    return 1;
+  }
+};
+vtkStandardNewMacro(My);
+
+void testSubclass()
+{
+  vtkNew<My> my;
+  testPrint(my, {});
+  my->SetInputData(makePoints(cubeCorners()));
+  FF_CHECK(succeeds(my));
+  FF_CHECK_EQUAL(my->GetOutput()->GetNumberOfPoints(), 8);
+  FF_CHECK_EQUAL(my->GetEngineUsed(), int(vtkFFAlgorithm::ENGINE_NONE));
+}
+
+}
+
+int TestFFPipeline(int, char*[])
+{
+  vtkNew<vtkFFHullFilter> hull;
+  vtkNew<vtkFFConvexifyFilter> convexify;
+  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
+  vtkNew<vtkFFPowerDiagramFilter> diagram;
+  vtkNew<vtkFFConstrainedDelaunayFilter> constrained;
+  const auto points = makePoints(spherePoints(100000, 41));
+  testProgress(hull, points, "Convex hull",
+    { "Convex hull: scanning", "Convex hull: sorting", "Convex hull: finishing" });
+  testProgress(
+    convexify, hull->GetOutput(), "Convexify", { "Convexify: flipping", "Convexify: finishing" });
+  testProgress(triangulation, points, "Regular triangulation",
+    { "Regular triangulation: scanning", "Regular triangulation: finishing" });
+  testProgress(
+    diagram, points, "Power diagram", { "Power diagram: scanning", "Power diagram: making cells" });
+  testProgress(constrained, points, "Constrained Delaunay triangulation", {});
+  testError();
+  testModification();
+  testPipeline();
+  const std::vector<std::string> planar{ "ProjectionPlaneMode", "Transform", "WeightMode",
+    "WeightFactor", "GenerateCellMeasures" };
+  testPrint(hull, { "Volume", "Area", "CompositeMode", "NumberOfStreamDivisions" });
+  testPrint(convexify, { "Volume", "Area", "KernelPoint", "UseKernelPoint" });
+  testPrint(triangulation, planar);
+  testPrint(triangulation,
+    { "Alpha", "AlphaLines", "AlphaVerts", "GenerateAlphas", "GenerateBoundary",
+      "MaximumEdgeLength", "NumberOfHiddenPoints", "NumberOfDroppedCells" });
+  testPrint(diagram, planar);
+  testPrint(diagram, { "PowerDiagramBounds", "PowerDiagramBoxMode" });
+  testPrint(constrained, planar);
+  testPrint(constrained,
+    { "SplitCrossingConstraints", "PolygonRule", "NumberOfDroppedCells", "NumberOfSplitPoints" });
+  testSubclass();
+  return result();
+}
