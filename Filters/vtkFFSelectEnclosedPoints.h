@@ -106,7 +106,7 @@ public:
 
   /**
    * Whether the last run selected this point of the input (1) or not (0). 0 also for a point that
-   * does not exist, and for composite input.
+   * does not exist, and for a composite of several data sets.
    */
   int IsInside(vtkIdType inputPointId);
 

@@ -1,31 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points that are asked about: in the hull of others, on it or outside, against integer brute
-// force; for inputs of all types, in all settings.
+// Points that are asked about: in the hull of others, on it or outside; for inputs of all types, in
+// all settings. TestFFQueryAlgorithm has the rest.
 #include "FFTest.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFHullFilter.h"
 #include "vtkFFSelectEnclosedPoints.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSignedCharArray.h"
-#include "vtkStructuredGrid.h"
+#include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
+#include <sstream>
 
 using namespace fftest;
 
@@ -34,52 +33,28 @@ namespace
 
 using Filter = vtkFFSelectEnclosedPoints;
 
-/// Points of small integers, so that many are on the surface.
-std::vector<Point> integerPoints(int count, unsigned int seed, double size)
+/// The tips of an octahedron.
+std::vector<Point> tips(double size)
 {
-  auto points = randomPoints(count, seed);
-  for (Point& point : points)
-  {
-    for (double& x : point)
-    {
-      x = std::floor(x * size);
-    }
-  }
-  return points;
+  return { { size, 0, 0 }, { -size, 0, 0 }, { 0, size, 0 }, { 0, -size, 0 }, { 0, 0, size },
+    { 0, 0, -size } };
 }
 
-/// The sides, by the planes of the triangles of the points' hull, in 64-bit integers.
-std::vector<int> sidesOf(const std::vector<Point>& queries, const std::vector<Point>& surface)
+/// Points of small integers, of which many are on the octahedron; with their sides.
+std::vector<Point> integerPoints(double size, std::vector<int>& sides)
 {
-  vtkNew<vtkFFHullFilter> filter;
-  filter->SetInputData(makePoints(surface));
-  filter->Update();
-  vtkPolyData* const hull = filter->GetOutput();
-  std::vector<int> sides(queries.size(), 1);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < hull->GetNumberOfCells(); ++i)
+  auto points = randomPoints(500, 61);
+  for (Point& point : points)
   {
-    hull->GetCellPoints(i, corners);
-    std::int64_t p[3][3];
-    for (int k = 0; k < 3; ++k)
+    double height = size;
+    for (double& x : point)
     {
-      const double* x = hull->GetPoint(corners->GetId(k));
-      std::copy(x, x + 3, p[k]);
+      x = std::floor(x * 1.2 * size);
+      height -= std::fabs(x);
     }
-    for (std::size_t q = 0; q < queries.size(); ++q)
-    {
-      std::int64_t height = 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        const int l = (k + 1) % 3, m = (k + 2) % 3;
-        height +=
-          ((p[1][l] - p[0][l]) * (p[2][m] - p[0][m]) - (p[1][m] - p[0][m]) * (p[2][l] - p[0][l])) *
-          (static_cast<std::int64_t>(queries[q][static_cast<std::size_t>(k)]) - p[0][k]);
-      }
-      sides[q] = std::min(sides[q], height < 0 ? 1 : height > 0 ? -1 : 0);
-    }
+    sides.push_back(height > 0 ? 1 : height < 0 ? -1 : 0);
   }
-  return sides;
+  return points;
 }
 
 /// The sides of an update that goes well, after a look at its other arrays.
@@ -110,19 +85,17 @@ std::vector<int> sidesFound(Filter* filter)
   return found;
 }
 
-void testBruteForce()
+void testSides()
 {
   for (const double size : { 3.0, 10.0, 1000.0 })
   {
-    const auto surface = integerPoints(200, 61, size);
-    auto queries = integerPoints(300, 62, 1.2 * size);
-    queries.insert(queries.end(), surface.begin(), surface.end());
-    const auto expected = sidesOf(queries, surface);
+    std::vector<int> expected;
+    const auto points = integerPoints(size, expected);
     for (const int type : { VTK_DOUBLE, VTK_FLOAT, VTK_INT, VTK_LONG_LONG })
     {
       vtkNew<Filter> filter;
-      filter->SetInputData(makePoints(queries, type));
-      filter->SetSurfaceData(makePoints(surface, type));
+      filter->SetInputData(makePoints(points, type));
+      filter->SetSurfaceData(makePoints(tips(size), type));
       FF_CHECK(sidesFound(filter) == expected);
       FF_CHECK_EQUAL(filter->GetDimension(), 3);
     }
@@ -131,18 +104,22 @@ void testBruteForce()
 
 void testSettings()
 {
-  const auto surface = integerPoints(100, 63, 4.0);
-  const auto queries = integerPoints(400, 64, 5.0);
-  const auto expected = sidesOf(queries, surface);
+  std::vector<int> expected;
   vtkNew<Filter> filter;
-  filter->SetInputData(makePoints(queries));
-  filter->SetSurfaceData(makePoints(surface));
+  filter->SetInputData(makePoints(integerPoints(4.0, expected)));
+  filter->SetSurfaceData(makePoints(tips(4.0)));
   for (int settings = 0; settings < 8; ++settings)
   {
     filter->SetInsideOut((settings & 1) != 0);
     filter->SetSelectPointsOnSurface((settings & 2) != 0);
     filter->SetGenerateDistances((settings & 4) != 0);
     FF_CHECK(sidesFound(filter) == expected);
+  }
+  std::ostringstream text;
+  filter->Print(text);
+  for (const std::string name : { "InsideOut", "SelectPointsOnSurface", "GenerateDistances" })
+  {
+    FF_CHECK(text.str().find("\n  " + name + ": On") != std::string::npos);
   }
   // How far from the unit cube.
   filter->SetInputData(makePoints(
@@ -202,19 +179,11 @@ void testTypes()
   }
   y->InsertNextValue(0.5);
   z->InsertNextValue(0.25);
-  const auto points = makePoints(line);
-  checkPassed(points);
-
   vtkNew<vtkUnstructuredGrid> cells;
-  cells->SetPoints(points->GetPoints());
+  cells->SetPoints(makePoints(line)->GetPoints());
   const vtkIdType ends[2] = { 0, 1 };
   cells->InsertNextCell(VTK_LINE, 2, ends);
   checkPassed(cells);
-
-  vtkNew<vtkStructuredGrid> curved;
-  curved->SetDimensions(5, 1, 1);
-  curved->SetPoints(points->GetPoints());
-  checkPassed(curved);
 
   vtkNew<vtkImageData> image;
   image->SetExtent(-1, 3, 2, 2, 1, 1);
@@ -240,10 +209,9 @@ void testSurfaces()
   FF_CHECK(filter->GetSurface() == image);
   FF_CHECK(sidesFound(filter) == (std::vector<int>{ 1, 0, -1 }));
 
-  vtkNew<vtkFFHullFilter> hull;
-  hull->SetInputData(makePoints(cubeCorners()));
-  filter->SetSurfaceConnection(hull->GetOutputPort());
-  FF_CHECK(sidesFound(filter) == (std::vector<int>{ 0, 0, -1 }));
+  vtkNew<vtkSphereSource> sphere;
+  filter->SetSurfaceConnection(sphere->GetOutputPort());
+  FF_CHECK(sidesFound(filter) == (std::vector<int>{ -1, -1, -1 }));
 
   // In a plane, on a line, at a point, and none.
   const std::vector<Point> queries{ { 1, 1, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 1 } };
@@ -259,14 +227,24 @@ void testSurfaces()
     FF_CHECK(sidesFound(filter) == expected[static_cast<std::size_t>(i)]);
     FF_CHECK_EQUAL(filter->GetDimension(), 2 - i);
   }
-  auto* distances = filter->GetPolyDataOutput()->GetPointData()->GetArray("FlipFlopDistance");
-  FF_CHECK_EQUAL(distances->GetComponent(0, 0), std::numeric_limits<double>::infinity());
+  const auto distance = [&](vtkIdType id) {
+    return filter->GetOutput()->GetPointData()->GetArray("FlipFlopDistance")->GetComponent(id, 0);
+  };
+  FF_CHECK_EQUAL(distance(0), std::numeric_limits<double>::infinity());
 
-  // No point to ask about.
+  // A point that is not finite; none at all; a composite.
+  filter->SetNonFinitePointsToIgnore();
+  filter->SetInputData(makePoints({ { 0, std::nan(""), 0 } }));
+  FF_CHECK(succeeds(filter) && std::isnan(distance(0)) && !filter->IsInside(0));
   vtkNew<vtkPolyData> none;
   filter->SetInputData(none);
   filter->SetSurfaceData(makePoints(cubeCorners()));
   FF_CHECK(sidesFound(filter).empty());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makePoints(queries));
+  blocks->SetBlock(1, makePoints(queries));
+  filter->SetInputData(blocks);
+  FF_CHECK(succeeds(filter) && !filter->IsInside(0));
 }
 
 void testSinglePoints()
@@ -277,6 +255,9 @@ void testSinglePoints()
   FF_CHECK(
     errors->Has("There is no surface to ask about: call Initialize() or update the filter first."));
   errors->Clear();
+  vtkNew<ProgressObserver> progress;
+  progress->AbortAt = 0.0; // stops a run, but this is none
+  filter->AddObserver(vtkCommand::ProgressEvent, progress);
   filter->Initialize(makePoints(cubeCorners()));
   FF_CHECK_EQUAL(filter->IsInsideSurface(0.5, 0.5, 0.5), 1);
   FF_CHECK_EQUAL(filter->IsInsideSurface(0.5, 0.5, 1.0), 1);
@@ -299,7 +280,7 @@ void testSinglePoints()
 
 int TestFFSelectEnclosedPoints(int, char*[])
 {
-  testBruteForce();
+  testSides();
   testSettings();
   testTypes();
   testSurfaces();
