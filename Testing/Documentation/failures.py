@@ -145,6 +145,12 @@ def selection(surface):
     return algorithm
 
 
+def selection_by_a_table():
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetBlock(0, vtkTable())
+    return selection(blocks)
+
+
 def interpolation(source):
     algorithm = set_up(vtkFFPointInterpolator2D(), poly_data(TETRAHEDRON))
     algorithm.SetSourceData(source)
@@ -317,10 +323,8 @@ FAILURES = {
     "all triangles are in one plane": lambda: surface(
         [[0, 1, 2], [0, 2, 1]], "0 0 0; 1 0 0; 0 1 0"
     ),
-    "points to select, and no surface": lambda: selection(None),
-    "a table as a surface": lambda: selection(vtkTable()),
+    "a table among the blocks of a surface": selection_by_a_table,
     "a coordinate of a surface is NaN or infinite": lambda: selection(poly_data("0 0 0; nan 0 0")),
-    "points to interpolate at, and no source": lambda: interpolation(None),
     "a source without its array of weights": lambda: interpolation(poly_data(TETRAHEDRON)),
     "a coordinate of a source is NaN or infinite": lambda: interpolation_of("0 0 0; 1 0 0; 0 inf 0"),
     "constraints with a corner too few": constrained_by_damaged_lines,
