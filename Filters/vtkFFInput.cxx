@@ -12,7 +12,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -42,17 +41,6 @@ std::vector<vtkFFInput::PieceType> vtkFFInput::PiecesOf(vtkDataObject* input)
     pieces.push_back({ leaves->GetCurrentDataObject(), leaves->GetCurrentFlatIndex() });
   }
   return pieces;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkFFInput::TimeOf(vtkDataObject* input)
-{
-  vtkMTimeType time = input->GetMTime();
-  for (const PieceType& piece : PiecesOf(input))
-  {
-    time = std::max(time, piece.Data->GetMTime());
-  }
-  return time;
 }
 
 //------------------------------------------------------------------------------

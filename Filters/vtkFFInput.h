@@ -45,11 +45,6 @@ public:
   static std::vector<PieceType> PiecesOf(vtkDataObject* input);
 
   /**
-   * When the data sets of an input, or what they are, changed last.
-   */
-  static vtkMTimeType TimeOf(vtkDataObject* input);
-
-  /**
    * Become the points of these data sets. Returns how many these have, with ghosts.
    *
    * @param ofInput how errors name the input, unless it is the first one: " of the surface"

@@ -7,6 +7,7 @@
 #include "vtkFFPlanarInput.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFRun.h"
+#include "vtkFFStamp.h"
 #include "vtkFFWeightSource.h"
 
 #include <flipflop/Error.h>
@@ -36,7 +37,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -102,16 +102,13 @@ struct Field
 /// The triangulation of a source's points, ready for questions, with their values.
 struct vtkFFPreparedSource
 {
-  // What the triangulation is of: the data, its time, NonFinitePoints, SkipGhostPoints, and since
-  // when the weights' array is chosen; WeightMode and WeightFactor; whether these are in use.
-  std::tuple<vtkDataObject*, vtkMTimeType, int, bool, vtkMTimeType> Source;
-  std::tuple<int, double> WeightRule;
-  bool IsWeighted;
+  vtkFFStamp Stamp;       // of the triangulation
+  vtkFFStamp WeightStamp; // how weights are computed
+  bool IsWeighted;        // else they are not
   int Dimension;
   flipflop::TriangulationQueries Queries;
 
-  // What the values are of: InterpolateZ, ZArrayName, ExcludedArrays.
-  std::tuple<bool, std::string, std::vector<std::string>> ValueSource{};
+  vtkFFStamp ValueStamp{}; // how values are chosen
   std::vector<Field> Fields{};
   std::size_t Components = 1;        // of all fields, and 1
   flipflop::Buffer<double> Values{}; // so many of each point
@@ -120,18 +117,8 @@ struct vtkFFPreparedSource
 namespace
 {
 
-decltype(vtkFFPreparedSource::Source) sourceOf(
-  vtkFFPointInterpolator2D* filter, vtkDataObject* source)
-{
-  vtkInformationVector* const chosen =
-    filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
-  vtkInformation* const choice = chosen ? chosen->GetInformationObject(0) : nullptr;
-  return { source, vtkFFInput::TimeOf(source), filter->GetNonFinitePoints(),
-    filter->GetSkipGhostPoints(), choice ? choice->GetMTime() : 0 };
-}
-
 std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filter,
-  const decltype(vtkFFPreparedSource::Source)& by, vtkPointSet* source, vtkFFRun& run)
+  const vtkFFStamp& stamp, const vtkFFStamp& weightStamp, vtkPointSet* source, vtkFFRun& run)
 {
   vtkPoints* const places = source->GetPoints();
   const vtkFFPointSource points(places ? places->GetData() : nullptr);
@@ -145,9 +132,8 @@ std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filte
   run.SetPart(shareOfTriangulation, shareOfPreparing);
   flipflop::TriangulationQueries queries(
     points.GetView(), weights.GetView(), triangulation, run.Options);
-  return std::unique_ptr<vtkFFPreparedSource>(
-    new vtkFFPreparedSource{ by, { filter->GetWeightMode(), filter->GetWeightFactor() },
-      weights.GetView().data != nullptr, triangulation.dimension, std::move(queries) });
+  return std::unique_ptr<vtkFFPreparedSource>(new vtkFFPreparedSource{ stamp, weightStamp,
+    weights.GetView().data != nullptr, triangulation.dimension, std::move(queries) });
 }
 
 /// An empty array of the same kind, but of floating point; of so many tuples.
@@ -380,13 +366,27 @@ const char* vtkFFPointInterpolator2D::GetExcludedArray(int index)
 //------------------------------------------------------------------------------
 double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
 {
-  const auto by = sourceOf(this, data);
-  const decltype(vtkFFPreparedSource::ValueSource) valuesBy{ this->InterpolateZ, this->ZArrayName,
-    this->ExcludedArrays };
-  const bool isTriangulated = this->Prepared && this->Prepared->Source == by &&
-    (this->Prepared->WeightRule == std::make_tuple(this->WeightMode, this->WeightFactor) ||
+  vtkFFStamp stamp(this, data);
+  if (vtkInformationVector* chosen =
+        this->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
+  {
+    vtkInformation* const choice = chosen->GetInformationObject(0);
+    stamp.Add(choice ? static_cast<double>(choice->GetMTime()) : 0.0);
+  }
+  vtkFFStamp weightStamp;
+  weightStamp.Add(this->WeightMode);
+  weightStamp.Add(this->WeightFactor);
+  vtkFFStamp valueStamp;
+  valueStamp.Add(this->InterpolateZ);
+  valueStamp.Add(this->ZArrayName);
+  for (const std::string& name : this->ExcludedArrays)
+  {
+    valueStamp.Add(name);
+  }
+  const bool isTriangulated = this->Prepared && this->Prepared->Stamp == stamp &&
+    (this->Prepared->WeightStamp == weightStamp ||
       (!this->Prepared->IsWeighted && std::isfinite(this->WeightFactor)));
-  if (isTriangulated && this->Prepared->ValueSource == valuesBy)
+  if (isTriangulated && this->Prepared->ValueStamp == valueStamp)
   {
     return 0.0;
   }
@@ -402,11 +402,11 @@ double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
   if (!isTriangulated)
   {
     this->Prepared.reset();
-    this->Prepared = triangulate(this, by, source, run);
+    this->Prepared = triangulate(this, stamp, weightStamp, source, run);
   }
   this->Prepared->Fields = fieldsOf(this, this->ExcludedArrays, source);
   takeValues(source->GetNumberOfPoints(), *this->Prepared);
-  this->Prepared->ValueSource = valuesBy;
+  this->Prepared->ValueStamp = valueStamp;
   run.NonFiniteWhat = "A coordinate";
   run.Parts.clear(); // what errors are about from now on is the input
   run.Ids.clear();
@@ -421,9 +421,15 @@ int vtkFFPointInterpolator2D::RequestData(
   vtkDataObject* const source = vtkDataObject::GetData(inputVector[1]);
   vtkDataSet* const output = vtkDataSet::GetData(outputVector);
   vtkFFRun run(this, "Point interpolation", outputVector);
+  if (this->IsSecondAtFault)
+  {
+    output->Initialize();
+    return 1;
+  }
   double progress = 0.0;
   if (!run.Do([&] { progress = this->Prepare(source, run); }))
   {
+    this->IsSecondAtFault = true;
     this->Prepared.reset();
   }
   run.Do(

@@ -112,6 +112,7 @@ protected:
   int NonFinitePoints = NON_FINITE_ERROR;
   bool SkipGhostPoints = true;
   int Dimension = -1;
+  bool IsSecondAtFault = false; ///< an error has said so, in the run of a composite's data sets
 
 private:
   vtkFFQueryAlgorithm(const vtkFFQueryAlgorithm&) = delete;

@@ -133,6 +133,7 @@ vtkFFRun::vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformatio
   if (outputs && !this->Begin(filter->LastBlock, filter->IsAborted))
   {
     filter->Dimension = -1;
+    filter->IsSecondAtFault = false;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "vtkFFInput.h"
 #include "vtkFFRun.h"
+#include "vtkFFStamp.h"
 
 #include <flipflop/ConvexHull.h>
 #include <flipflop/HullQueries.h>
@@ -24,7 +25,6 @@
 #include <cstdint>
 #include <exception>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,8 +33,7 @@ vtkStandardNewMacro(vtkFFSelectEnclosedPoints);
 /// The hull of a surface's points, ready for questions.
 struct vtkFFPreparedHull
 {
-  // What it is of: the surface, its time, NonFinitePoints, SkipGhostPoints.
-  std::tuple<vtkDataObject*, vtkMTimeType, int, bool> Source;
+  vtkFFStamp Stamp;
   int Dimension;
   flipflop::HullQueries Queries;
 };
@@ -44,17 +43,10 @@ namespace
 
 constexpr double shareOfHull = 0.4; // of the progress of a run that makes one
 
-decltype(vtkFFPreparedHull::Source) sourceOf(
-  vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface)
-{
-  return { surface, vtkFFInput::TimeOf(surface), filter->GetNonFinitePoints(),
-    filter->GetSkipGhostPoints() };
-}
-
 std::unique_ptr<const vtkFFPreparedHull> prepare(
   vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface, vtkFFRun& run)
 {
-  const auto source = sourceOf(filter, surface);
+  const vtkFFStamp stamp(filter, surface);
   vtkFFInput input;
   input.Take(vtkFFInput::PiecesOf(surface), filter->GetSkipGhostPoints(), run, " of the surface");
   run.SetPart(0.0, 0.8 * shareOfHull);
@@ -64,7 +56,7 @@ std::unique_ptr<const vtkFFPreparedHull> prepare(
   run.Parts.clear(); // what errors are about from now on is the input
   run.Ids.clear();
   return std::unique_ptr<const vtkFFPreparedHull>(
-    new vtkFFPreparedHull{ source, hull.dimension, std::move(queries) });
+    new vtkFFPreparedHull{ stamp, hull.dimension, std::move(queries) });
 }
 
 }
@@ -103,17 +95,23 @@ int vtkFFSelectEnclosedPoints::RequestData(
   vtkDataSet* const output = vtkDataSet::GetData(outputVector);
   vtkFFRun run(this, "Points in convex hull", outputVector);
   this->SelectedPoints = nullptr;
+  if (this->IsSecondAtFault)
+  {
+    output->Initialize();
+    return 1;
+  }
   double begin = 0.0;
   run.Do(
     [&]
     {
-      if (!this->Prepared || this->Prepared->Source != sourceOf(this, surface))
+      if (!this->Prepared || !(this->Prepared->Stamp == vtkFFStamp(this, surface)))
       {
         this->Prepared.reset();
         this->Prepared = prepare(this, surface, run);
         begin = shareOfHull;
       }
     });
+  this->IsSecondAtFault = static_cast<bool>(run.Failure);
   run.Do(
     [&]
     {

@@ -13,8 +13,11 @@
 #define vtkFFStamp_h
 
 #include "vtkFFAlgorithm.h"
+#include "vtkFFInput.h"
 #include "vtkFFMarks.h"
+#include "vtkFFQueryAlgorithm.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 
 #include <cstdint>
@@ -49,13 +52,29 @@ public:
   }
 
   /**
-   * Further data, which may be null. No two states of any data have the same time.
+   * The same of a second input, about which a filter asks.
+   */
+  vtkFFStamp(vtkFFQueryAlgorithm* filter, vtkDataObject* input)
+  {
+    this->Add(input);
+    this->Add(filter->GetNonFinitePoints());
+    this->Add(filter->GetSkipGhostPoints());
+  }
+
+  /**
+   * Further data, which may be null. No two states of any data have the same time. A composite does
+   * not know when its data sets change.
    */
   void Add(vtkDataObject* data)
   {
-    this->Words.push_back(reinterpret_cast<std::uintptr_t>(data));
-    this->Words.push_back(data ? data->GetMTime() : 0);
-    this->Words.push_back(data ? data->GetUpdateTime() : 0);
+    this->AddTime(data);
+    if (vtkCompositeDataSet::SafeDownCast(data))
+    {
+      for (const vtkFFInput::PieceType& piece : vtkFFInput::PiecesOf(data))
+      {
+        this->AddTime(piece.Data);
+      }
+    }
   }
 
   ///@{
@@ -81,6 +100,13 @@ public:
   }
 
 private:
+  void AddTime(vtkDataObject* data)
+  {
+    this->Words.push_back(reinterpret_cast<std::uintptr_t>(data));
+    this->Words.push_back(data ? data->GetMTime() : 0);
+    this->Words.push_back(data ? data->GetUpdateTime() : 0);
+  }
+
   std::vector<std::uint64_t> Words;
 };
 VTK_ABI_NAMESPACE_END

@@ -183,6 +183,13 @@ void testErrors(const Case& of)
   fails(
     cube, flat, inputError, "The points" + ofSecond + " have 2 coordinates each; a point has 3.");
 
+  // One error for all data sets.
+  filter->SetInputDataObject(0, blocks);
+  filter->SetInputDataObject(1, wrong);
+  FF_CHECK(failsInPart(filter, nonFinite, { first + ofSecond + all }));
+  FF_CHECK_EQUAL(
+    filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), vtkIdType(0));
+
   // One error for each data set at fault; the others have their answers.
   filter->SetInputDataObject(0, blocks);
   filter->SetInputDataObject(1, cube);
