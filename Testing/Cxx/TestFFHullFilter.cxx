@@ -5,11 +5,16 @@
 #include "FFTest.h"
 
 #include "vtkCellArray.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 #include <thread>
 
@@ -91,6 +96,20 @@ void testPrism()
   FF_CHECK_EQUAL(hull->GetVolume(), 24.0);
 }
 
+/// Flat facets, points on them, and duplicates.
+std::vector<Point> lattice(int count)
+{
+  auto points = randomPoints(count, 9);
+  for (Point& p : points)
+  {
+    for (double& x : p)
+    {
+      x = std::round(5.0 * x) / 7.0;
+    }
+  }
+  return points;
+}
+
 void testRandom()
 {
   for (unsigned int seed = 1; seed <= 20; ++seed)
@@ -160,6 +179,89 @@ void testThreads()
   }
 }
 
+/// Settings of the output take the last hull, if the input is unchanged; a change of anything else
+/// is seen. Either way, the output is that of a new filter.
+void testKept()
+{
+  const auto points = makePoints(lattice(3000));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makePoints(lattice(500)));
+  blocks->SetBlock(1, points);
+  vtkNew<vtkFFHullFilter> hull;
+  vtkNew<ProgressObserver> progress;
+  hull->AddObserver(vtkCommand::ProgressEvent, progress);
+  using Change = std::function<void(vtkFFHullFilter*)>;
+  std::vector<Change> before;
+  const auto check = [&](bool isKept, const Change& change)
+  {
+    before.push_back(change);
+    change(hull);
+    hull->Modified();
+    progress->Texts.clear();
+    FF_CHECK(succeeds(hull));
+    const bool scans =
+      std::count(progress->Texts.begin(), progress->Texts.end(), "Convex hull: scanning") > 0;
+    FF_CHECK_EQUAL(scans, !isKept);
+    vtkNew<vtkFFHullFilter> fresh;
+    for (const Change& each : before)
+    {
+      each(fresh);
+    }
+    vtkSmartPointer<vtkDataObject> input; // two sources of one would mark it as new
+    input.TakeReference(hull->GetInputDataObject(0, 0)->NewInstance());
+    input->ShallowCopy(hull->GetInputDataObject(0, 0));
+    fresh->SetInputDataObject(input);
+    FF_CHECK(succeeds(fresh));
+    FF_CHECK(isIdentical(
+      hull->GetOutputDataObject(0), fresh->GetOutputDataObject(0), std::to_string(before.size())));
+    FF_CHECK_EQUAL(hull->GetVolume(), fresh->GetVolume());
+    FF_CHECK_EQUAL(hull->GetArea(), fresh->GetArea());
+    FF_CHECK_EQUAL(hull->GetDimension(), fresh->GetDimension());
+    FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), fresh->GetNumberOfInputPoints());
+    FF_CHECK_EQUAL(std::string(hull->GetEngineReason()), fresh->GetEngineReason());
+  };
+  for (vtkDataObject* input :
+    { static_cast<vtkDataObject*>(points), static_cast<vtkDataObject*>(blocks) })
+  {
+    before = { [](vtkFFHullFilter* f) { f->SetCompositeModeToAllBlocks(); },
+      [](vtkFFHullFilter* f) { f->SetNumberOfThreads(1); } };
+    for (const Change& change : before)
+    {
+      change(hull);
+    }
+    hull->SetInputDataObject(input);
+    check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
+    check(true, [](vtkFFHullFilter* f) { f->SetFacetModeToPolygons(); });
+    check(true, [](vtkFFHullFilter* f) { f->VisiblePointIdsOn(); });
+    check(true, [](vtkFFHullFilter* f) { f->ReportAsFieldDataOn(); });
+    check(true, [](vtkFFHullFilter* f) { f->PassPointDataOff(); });
+    check(true, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
+    check(true, [](vtkFFHullFilter* f) { f->PassPointDataOn(); });
+    check(true, [](vtkFFHullFilter* f) { f->ReportAsFieldDataOff(); });
+    check(true, [](vtkFFHullFilter* f) { f->VisiblePointIdsOff(); });
+    check(false, [](vtkFFHullFilter* f) { f->SetNonFinitePointsToIgnore(); });
+    check(false, [](vtkFFHullFilter* f) { f->SkipGhostPointsOff(); });
+    check(false, [](vtkFFHullFilter* f) { f->VBiasedOff(); });
+    points->GetPoints()->SetPoint(7, 9.0, 9.0, 9.0); // of the input, or of a block
+    points->GetPoints()->Modified();
+    check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToPolygons(); });
+    points->GetPoints()->SetPoint(7, 0.0, 0.0, 0.0);
+    points->GetPoints()->Modified();
+    check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
+    hull->SetNonFinitePointsToError();
+    hull->SkipGhostPointsOn();
+    hull->VBiasedOn();
+  }
+  // A failure keeps nothing.
+  points->GetPoints()->SetPoint(7, NAN, 0.0, 0.0);
+  points->GetPoints()->Modified();
+  points->Modified();
+  hull->SetInputData(points);
+  FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError, { "point 7," }));
+  hull->SetFacetModeToPolygons();
+  FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError, { "point 7," }));
+}
+
 }
 
 int TestFFHullFilter(int, char*[])
@@ -169,5 +271,6 @@ int TestFFHullFilter(int, char*[])
   testRandom();
   testDeterminism();
   testThreads();
+  testKept();
   return result();
 }
