@@ -84,11 +84,15 @@ void HullPlanes::add(const HullGeometry& geometry, const Vertex& a, const Vertex
     { a.x[0], a.x[1], a.x[2] }, error * unit, triangle });
 }
 
+namespace
+{
+
+// A member would be exported: the loader is to find what picks the clone.
 FF_VECTOR_CLONES
-void HullPlanes::compare(const Plane* planes, std::size_t count, const double* x, const double* y,
+void compare(const HullPlanes::Plane* planes, std::size_t count, const double* x, const double* y,
   const double* z, int n, double* height, double* plane)
 {
-  for (int begin = 0; begin < n; begin += Lanes)
+  for (int begin = 0; begin < n; begin += HullPlanes::Lanes)
   {
     Several p[3][2];
     std::memcpy(p[0], x + begin, sizeof(p[0]));
@@ -98,7 +102,7 @@ void HullPlanes::compare(const Plane* planes, std::size_t count, const double* x
     Several which[2] = { Several{}, Several{} };
     for (std::size_t k = 0; k < count; ++k)
     {
-      const Plane& to = planes[k];
+      const HullPlanes::Plane& to = planes[k];
       const Several number = Several{} + static_cast<double>(k);
       for (int i = 0; i < 2; ++i)
       {
@@ -112,6 +116,8 @@ void HullPlanes::compare(const Plane* planes, std::size_t count, const double* x
     std::memcpy(height + begin, most, sizeof(most));
     std::memcpy(plane + begin, which, sizeof(which));
   }
+}
+
 }
 
 void HullPlanes::highest(

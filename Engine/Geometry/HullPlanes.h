@@ -75,7 +75,6 @@ public:
     return this->planes[plane].triangle;
   }
 
-private:
   /// n . (p - a), scaled by a power of two so that n is about one; off by no more than the error.
   struct Plane
   {
@@ -85,6 +84,7 @@ private:
     std::uint32_t triangle;
   };
 
+private:
   /// Is it a corner of the bounding box?
   bool isCorner(const double* x) const
   {
@@ -98,9 +98,6 @@ private:
 
   void add(const HullGeometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c,
     std::uint32_t triangle);
-
-  static void compare(const Plane* planes, std::size_t count, const double* x, const double* y,
-    const double* z, int n, double* height, double* plane);
 
   std::vector<Plane> planes;
   CoordinateRange range;
