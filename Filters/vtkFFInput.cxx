@@ -47,6 +47,15 @@ std::vector<vtkFFInput::PieceType> vtkFFInput::PiecesOf(vtkDataObject* input)
 vtkIdType vtkFFInput::Take(
   const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run, const std::string& ofInput)
 {
+  const vtkIdType count = this->TakePieces(pieces, skipGhosts, run, ofInput);
+  this->TakeCoordinates();
+  return count;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFInput::TakePieces(
+  const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run, const std::string& ofInput)
+{
   std::vector<vtkPointSet*> all;
   vtkIdType count = 0;
   for (const PieceType& piece : pieces)
@@ -74,13 +83,18 @@ vtkIdType vtkFFInput::Take(
   {
     this->Pieces = vtkFFPieces::SkipGhosts(all, run.Ids);
   }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFInput::TakeCoordinates()
+{
   std::vector<vtkDataArray*> arrays;
   for (vtkPointSet* piece : this->Pieces)
   {
     arrays.push_back(coordinatesOf(piece));
   }
   this->Points.emplace(arrays);
-  return count;
 }
 
 //------------------------------------------------------------------------------

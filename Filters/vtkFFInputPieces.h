@@ -16,13 +16,12 @@
 #define vtkFFInputPieces_h
 
 #include "vtkFFMarks.h"
-#include "vtkFiltersFlipFlopModule.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkInformation;
 
-class VTKFILTERSFLIPFLOP_EXPORT vtkFFInputPieces
+class vtkFFInputPieces
 {
 public:
   /**

@@ -6,8 +6,6 @@
  *
  * vtkFFOutput turns the engine's results into the parts of a vtkPolyData. The VTK arrays take over
  * the engine's buffers without a copy.
- *
- * The filters for distributed data are another library: the functions that they need are exported.
  */
 
 #ifndef vtkFFOutput_h
@@ -16,7 +14,6 @@
 #include <flipflop/Buffer.h>
 
 #include "vtkFFMarks.h"
-#include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -80,8 +77,7 @@ public:
   /**
    * Make the cells vertices, lines or polygons of @p output, which takes them over.
    */
-  VTKFILTERSFLIPFLOP_EXPORT static void AdoptCells(
-    flipflop::CellComplex& cells, vtkPolyData* output);
+  static void AdoptCells(flipflop::CellComplex& cells, vtkPolyData* output);
 
   /**
    * Turn polygons of an output, which the engine gave, into the triangles that it would give.
@@ -119,7 +115,7 @@ public:
   /**
    * Replace each of the output's original ids by @p idOf(id), if it has any.
    */
-  VTKFILTERSFLIPFLOP_EXPORT static void Renumber(
+  static void Renumber(
     vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf);
 
   //@{

@@ -5,15 +5,12 @@
  * @brief   points that come in pieces
  *
  * vtkFFPieces handles the pieces of one data set: partitions, or the parts on several processes.
- *
- * The filters for distributed data are another library: the functions that they need are exported.
  */
 
 #ifndef vtkFFPieces_h
 #define vtkFFPieces_h
 
 #include "vtkFFMarks.h"
-#include "vtkFiltersFlipFlopModule.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -33,14 +30,13 @@ public:
    *
    * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
    */
-  VTKFILTERSFLIPFLOP_EXPORT static vtkSmartPointer<vtkPointSet> Append(
+  static vtkSmartPointer<vtkPointSet> Append(
     const std::vector<vtkPointSet*>& pieces, vtkIdType leftOut = 0);
 
   /**
    * Some points of a piece, by ascending ids, with their point data.
    */
-  VTKFILTERSFLIPFLOP_EXPORT static vtkSmartPointer<vtkPointSet> Select(
-    vtkPointSet* piece, vtkIdTypeArray* which);
+  static vtkSmartPointer<vtkPointSet> Select(vtkPointSet* piece, vtkIdTypeArray* which);
 
   /**
    * The pieces without their ghost points, which are marked as duplicates of another piece's or as

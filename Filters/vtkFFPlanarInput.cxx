@@ -101,7 +101,7 @@ void vtkFFPlanarInput::SetWeights(vtkDataArray* array)
 //------------------------------------------------------------------------------
 void vtkFFPlanarInput::Project()
 {
-  this->Projection.emplace(this->Run.Options);
+  this->MakeProjection();
   switch (this->Filter->GetProjectionPlaneMode())
   {
     case vtkFFPlanarAlgorithm::TRANSFORM_PLANE:

@@ -63,6 +63,11 @@ public:
   ///@}
 
   /**
+   * Have a projection that no point has gone through yet.
+   */
+  vtkFFProjection& MakeProjection() { return this->Projection.emplace(this->Run.Options); }
+
+  /**
    * Calls @p visit for each point that is finite, as is its weight: the points that are
    * triangulated. Returns how many are not.
    *

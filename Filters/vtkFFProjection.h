@@ -10,8 +10,6 @@
  *
  * A projection can be stopped, as the engine can: by the progress function, which is called with 0
  * from time to time.
- *
- * The filters for distributed data are another library: the functions that they need are exported.
  */
 
 #ifndef vtkFFProjection_h
@@ -23,7 +21,6 @@
 #include <flipflop/PointView.h>
 
 #include "vtkFFMarks.h"
-#include "vtkFiltersFlipFlopModule.h"
 #include "vtkType.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -60,16 +57,11 @@ public:
    * The same for points that come in parts, one on each process: what flipflop::PlaneSums takes of
    * this part; and measure it in the plane of all parts.
    */
-  VTKFILTERSFLIPFLOP_EXPORT void AddExtent(
-    const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
-  VTKFILTERSFLIPFLOP_EXPORT void AddToSum(
-    const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
-  VTKFILTERSFLIPFLOP_EXPORT void AddToSpread(
-    const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
-  VTKFILTERSFLIPFLOP_EXPORT static void JoinExtent(
-    flipflop::PlaneSums& sums, const flipflop::PlaneSums& next);
-  VTKFILTERSFLIPFLOP_EXPORT void ToPlane(
-    const flipflop::PointView& points, const flipflop::PlaneSums& sums);
+  void AddExtent(const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
+  void AddToSum(const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
+  void AddToSpread(const flipflop::PointView& points, flipflop::PlaneSums& sums) const;
+  static void JoinExtent(flipflop::PlaneSums& sums, const flipflop::PlaneSums& next);
+  void ToPlane(const flipflop::PointView& points, const flipflop::PlaneSums& sums);
   //@}
 
   /**
@@ -80,7 +72,7 @@ public:
   /**
    * Have other points, which are given as x and y in the plane.
    */
-  VTKFILTERSFLIPFLOP_EXPORT void SetPlaces(flipflop::Buffer<double>&& places);
+  void SetPlaces(flipflop::Buffer<double>&& places);
 
   /**
    * The projected points; valid as long as this object and the points exist.

@@ -144,7 +144,7 @@ bool vtkFFRun::Begin(vtkIdType& lastBlock, bool& isAborted)
   // is from k/n on.
   const double scale = this->Filter->GetProgressScale();
   const vtkIdType block = std::llround(this->Filter->GetProgressShift() / scale);
-  const bool isNext = block > 0 && block == lastBlock + 1;
+  const bool isNext = block > 0 && (block == lastBlock || block == lastBlock + 1);
   lastBlock = block;
   if (scale < 1.0 && (isNext || block == 0))
   {
@@ -399,7 +399,7 @@ int vtkFFRun::Finish(bool aloud)
   else
   {
     this->SetCode(CodeOf(this->Failure));
-    if (this->Reporter)
+    if (aloud && this->Reporter)
     {
       this->Reporter->NumberOfNonFinitePoints += this->Failure.Count;
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFBlockExchange.h"
 
-#include "vtkFFGuard.h"
+#include "vtkFFRun.h"
 
 #include <flipflop/Buffer.h>
 
@@ -93,8 +93,8 @@ std::string vtkFFBlockExchange::FindObstacle(vtkMultiProcessController*)
 #endif
 
 //------------------------------------------------------------------------------
-vtkFFBlockExchange::vtkFFBlockExchange(vtkMultiProcessController* controller, vtkFFGuard& guard)
-  : Guard(guard)
+vtkFFBlockExchange::vtkFFBlockExchange(vtkMultiProcessController* controller, vtkFFRun& run)
+  : Run(run)
   , Processes(controller)
   , Own(std::make_unique<Blocks>(controller))
 {
@@ -106,17 +106,14 @@ vtkFFBlockExchange::~vtkFFBlockExchange() = default;
 //------------------------------------------------------------------------------
 void vtkFFBlockExchange::Do(const std::function<void()>& work)
 {
-  if (this->Failure.Kind == vtkFFFailure::None)
-  {
-    this->Guard.Try(work, this->Failure);
-  }
+  this->Run.Do(work);
 }
 
 //------------------------------------------------------------------------------
 bool vtkFFBlockExchange::IsWell()
 {
-  this->Guard.NoteAbort(this->Failure);
-  return this->Processes.Share(this->Failure);
+  this->Run.NoteAbort();
+  return this->Processes.Share(this->Run.Failure);
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +122,7 @@ bool vtkFFBlockExchange::Exchange(Messages& messages)
   // All know what is to come, and have the memory for it: if DIY had not, it would not tell the
   // others.
   std::vector<vtkIdType> sizes(static_cast<std::size_t>(this->Processes.GetCount()) + 1);
-  if (this->Failure.Kind == vtkFFFailure::None)
+  if (!this->Run.Failure)
   {
     for (const auto& message : messages)
     {

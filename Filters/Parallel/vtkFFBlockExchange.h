@@ -14,7 +14,6 @@
 #ifndef vtkFFBlockExchange_h
 #define vtkFFBlockExchange_h
 
-#include "vtkFFFailure.h"
 #include "vtkFFMarks.h"
 #include "vtkFFProcesses.h"
 
@@ -24,7 +23,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkFFGuard;
+class vtkFFRun;
 class vtkMultiProcessController;
 
 class vtkFFBlockExchange
@@ -42,10 +41,9 @@ public:
   static std::string FindObstacle(vtkMultiProcessController* controller);
 
   /**
-   * The processes of a controller to which there is no obstacle. The guard turns what is thrown
-   * into failures, and knows when to stop.
+   * The processes of a controller to which there is no obstacle. The failure is the run's.
    */
-  vtkFFBlockExchange(vtkMultiProcessController* controller, vtkFFGuard& guard);
+  vtkFFBlockExchange(vtkMultiProcessController* controller, vtkFFRun& run);
   ~vtkFFBlockExchange();
   vtkFFBlockExchange(const vtkFFBlockExchange&) = delete;
   void operator=(const vtkFFBlockExchange&) = delete;
@@ -74,18 +72,12 @@ public:
    */
   vtkIdType GetNumberOfMessages() const { return this->NumberOfMessages; }
 
-  /**
-   * The failure of this process; after IsWell() and Exchange(), that of all.
-   */
-  const vtkFFFailure& GetFailure() const { return this->Failure; }
-
 private:
   class Blocks;
 
-  vtkFFGuard& Guard;
+  vtkFFRun& Run;
   vtkFFProcesses Processes;
   std::unique_ptr<Blocks> Own;
-  vtkFFFailure Failure;
   vtkIdType NumberOfMessages = 0;
 };
 VTK_ABI_NAMESPACE_END

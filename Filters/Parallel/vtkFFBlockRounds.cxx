@@ -3,11 +3,12 @@
 #include "vtkFFBlockRounds.h"
 
 #include "vtkFFBlockExchange.h"
-#include "vtkFFBlockRun.h"
 #include "vtkFFMessage.h"
+#include "vtkFFRun.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -28,19 +29,19 @@ struct FirstPoint
 
 //------------------------------------------------------------------------------
 bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
-  const flipflop::Options& options, const std::function<void()>& look, vtkFFBlockExchange& exchange,
-  flipflop::BlockResult& result, Size* size)
+  const flipflop::Options& options, vtkFFBlockExchange& exchange, flipflop::BlockResult& result,
+  Size* size)
 {
   const int own = exchange.GetProcesses().GetRank();
   const int count = exchange.GetProcesses().GetCount();
-  std::unique_ptr<vtkFFBlockRun> run;
+  std::unique_ptr<flipflop::BlockRun> run;
   vtkFFBlockExchange::Messages messages;
   const auto step = [&](const std::function<void()>& work)
   {
     exchange.Do(
       [&]
       {
-        look();
+        vtkFFRun::Look(options);
         work();
       });
   };
@@ -50,9 +51,9 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
     {
       {
         const flipflop::BlockPoints all = std::move(points); // not needed after this
-        run = std::make_unique<vtkFFBlockRun>(shape, all, options);
+        run = std::make_unique<flipflop::BlockRun>(shape, all, options);
       }
-      const flipflop::BlockMessage introduction = run->Introduction();
+      const flipflop::BlockMessage introduction = run->introduction();
       for (int process = 0; process < count; ++process)
       {
         messages[process] = introduction;
@@ -70,13 +71,13 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
       {
         introductions.push_back(std::move(message.second));
       }
-      run->Begin(introductions, own);
+      run->begin(introductions, own);
     });
 
   for (;;)
   {
     messages.clear();
-    step([&] { messages = run->Ask(); });
+    step([&] { messages = run->ask(); });
     if (!exchange.Exchange(messages))
     {
       return false;
@@ -90,7 +91,7 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
       {
         for (auto& message : messages)
         {
-          message.second = run->Answer(message.second);
+          message.second = run->answer(message.second);
         }
       });
     if (!exchange.Exchange(messages))
@@ -102,11 +103,11 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
       {
         for (const auto& message : messages)
         {
-          run->Take(message.first, message.second);
+          run->take(message.first, message.second);
         }
       });
   }
-  step([&] { result = run->Finish(); });
+  step([&] { result = run->finish(); });
   if (!size)
   {
     return exchange.IsWell();
@@ -144,7 +145,7 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
           first = other.Id < first.Id ? other : first;
         }
       }
-      const flipflop::BlockMeasure measure = run->Measure(result, first.Place);
+      const flipflop::BlockMeasure measure = run->measure(result, first.Place);
       std::copy_n(measure.parts, 4, parts.begin());
     });
   if (!exchange.IsWell())
@@ -157,7 +158,7 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
     {
       flipflop::BlockMeasure sum;
       std::copy_n(parts.begin(), 4, sum.parts);
-      run->SizeOf(sum, size->Volume, size->Area);
+      run->sizeOf(sum, size->Volume, size->Area);
     });
   return exchange.IsWell();
 }

@@ -15,8 +15,6 @@
 
 #include <flipflop/BlockRun.h>
 
-#include <functional>
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkFFBlockExchange;
 
@@ -33,12 +31,11 @@ public:
    * The cells of this process's block, as @p result. False if there is a failure, on any process.
    * Collective.
    *
-   * @param look is called before each step of the work; it may throw.
    * @param size becomes the volume and the area of a hull; null: they are not wanted
    */
   static bool Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
-    const flipflop::Options& options, const std::function<void()>& look,
-    vtkFFBlockExchange& exchange, flipflop::BlockResult& result, Size* size = nullptr);
+    const flipflop::Options& options, vtkFFBlockExchange& exchange, flipflop::BlockResult& result,
+    Size* size = nullptr);
 };
 VTK_ABI_NAMESPACE_END
 

@@ -4,9 +4,11 @@
 
 #include "vtkFFBlockExchange.h"
 #include "vtkFFBlockRounds.h"
+#include "vtkFFDuplicates.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointDealing.h"
 #include "vtkFFPointFetch.h"
+#include "vtkFFRun.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -72,8 +74,8 @@ std::array<double, 3> middleOf(const std::vector<Point>& points, vtkFFBlockExcha
 
 //------------------------------------------------------------------------------
 bool vtkFFHullShare::Take(vtkPolyData* extremes, const flipflop::Options& options,
-  const std::function<void()>& look, vtkFFBlockExchange& exchange, flipflop::Hull& hull,
-  vtkSmartPointer<vtkPolyData>& share)
+  vtkFFBlockExchange& exchange, flipflop::Hull& hull, vtkSmartPointer<vtkPolyData>& share,
+  std::vector<bool>& duplicates)
 {
   // Ids count the extreme points. They are in the order of the ids that these have.
   vtkFFPointFetch source(exchange);
@@ -86,7 +88,7 @@ bool vtkFFHullShare::Take(vtkPolyData* extremes, const flipflop::Options& option
   exchange.Do(
     [&]
     {
-      look();
+      vtkFFRun::Look(options);
       for (vtkIdType i = 0; i < extremes->GetNumberOfPoints(); ++i)
       {
         Point point;
@@ -110,21 +112,22 @@ bool vtkFFHullShare::Take(vtkPolyData* extremes, const flipflop::Options& option
         std::move(points), [&](const Point& point) { return directionOf(point.Place, middle); },
         exchange, dealt) ||
     !vtkFFBlockRounds::Run(
-      flipflop::BlockShape::Hull, std::move(dealt), options, look, exchange, result, &size))
+      flipflop::BlockShape::Hull, std::move(dealt), options, exchange, result, &size))
   {
     return false;
   }
 
   const std::vector<vtkIdType> ids(result.cells.pointIds.begin(), result.cells.pointIds.end());
   vtkSmartPointer<vtkPointSet> fetched;
-  if (!source.Fetch(ids, true, fetched))
+  if (!source.Fetch(ids, true, fetched) ||
+    !vtkFFDuplicates::FindByIds(result.cells.pointIds, result.blocks, exchange, duplicates))
   {
     return false;
   }
   exchange.Do(
     [&]
     {
-      look();
+      vtkFFRun::Look(options);
       share = vtkSmartPointer<vtkPolyData>::New();
       if (ids.empty())
       {

@@ -19,7 +19,7 @@
 #include <flipflop/Hull.h>
 #include <flipflop/Options.h>
 
-#include <functional>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkFFBlockExchange;
@@ -34,14 +34,14 @@ public:
    *
    * @param extremes this process's points with their data, among them all that are extreme, in the
    *                 order of their ids. Points that are not finite count for their kind alone.
-   * @param look     is called before each step of the work; it may throw
    * @param hull     becomes the dimension, volume and area of the whole; its statistics are added
-   * to
+   *                 to
    * @param share    becomes the process's facets, with their points
+   * @param duplicates becomes whether another process counts each of these points
    */
   static bool Take(vtkPolyData* extremes, const flipflop::Options& options,
-    const std::function<void()>& look, vtkFFBlockExchange& exchange, flipflop::Hull& hull,
-    vtkSmartPointer<vtkPolyData>& share);
+    vtkFFBlockExchange& exchange, flipflop::Hull& hull, vtkSmartPointer<vtkPolyData>& share,
+    std::vector<bool>& duplicates);
 };
 VTK_ABI_NAMESPACE_END
 

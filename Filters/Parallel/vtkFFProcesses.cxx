@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFProcesses.h"
 
+#include "vtkFFErrorCode.h"
 #include "vtkFFFailure.h"
 #include "vtkFFParcel.h"
 
@@ -34,11 +35,12 @@ void guard(vtkFFFailure& failure, const char* what, Work&& work)
   }
   catch (const vtkFFDamagedParcel& error)
   {
-    failure.Say(error.what());
+    failure.Say(error.what(), vtkFFErrorCode::ProcessError);
   }
   catch (const std::exception&)
   {
-    failure.Say(std::string("There is not enough memory to ") + what + ".");
+    failure.Say(
+      std::string("There is not enough memory to ") + what + ".", vtkFFErrorCode::MemoryError);
   }
 }
 
@@ -135,81 +137,30 @@ bool vtkFFProcesses::Share(vtkFFFailure& failure)
 {
   if (this->Count == 1)
   {
-    return failure.Kind == vtkFFFailure::None;
+    return !failure;
   }
-  const std::vector<std::vector<vtkIdType>> all = this->GatherLists(
-    { failure.Kind, failure.Place, failure.Count, static_cast<vtkIdType>(failure.Message.size()) });
+  const std::vector<std::vector<vtkIdType>> all =
+    this->GatherLists({ failure.Kind, failure.Place, failure.Count,
+      static_cast<vtkIdType>(failure.Code), static_cast<vtkIdType>(failure.Message.size()) });
   vtkFFFailure together;
   int speaker = 0; // the process whose failure it is
   for (int process = 0; process < this->Count; ++process)
   {
     const std::vector<vtkIdType>& given = all[static_cast<std::size_t>(process)];
     const vtkFFFailure::KindType before = together.Kind;
-    together.Add({ static_cast<vtkFFFailure::KindType>(given[0]), given[1], given[2], {} });
+    together.Add({ static_cast<vtkFFFailure::KindType>(given[0]), given[1], given[2],
+      static_cast<unsigned long>(given[3]), {} });
     speaker = together.Kind == before ? speaker : process;
   }
   if (together.Kind == vtkFFFailure::Other)
   {
     together.Message = failure.Message;
-    together.Message.resize(static_cast<std::size_t>(all[static_cast<std::size_t>(speaker)][3]));
+    together.Message.resize(static_cast<std::size_t>(all[static_cast<std::size_t>(speaker)][4]));
     this->Controller->Broadcast(
       &together.Message[0], static_cast<vtkIdType>(together.Message.size()), speaker);
   }
   failure = together;
-  return failure.Kind == vtkFFFailure::None;
-}
-
-//------------------------------------------------------------------------------
-bool vtkFFProcesses::SelectBlocks(
-  bool alike, std::vector<vtkFFBlock>& blocks, vtkFFFailure& failure)
-{
-  if (!this->Share(failure))
-  {
-    return false;
-  }
-  // For each block its flat index, and whether there is data for it.
-  std::vector<vtkIdType> mine;
-  for (const vtkFFBlock& block : blocks)
-  {
-    mine.push_back(block.FlatIndex);
-    mine.push_back(block.HasData());
-  }
-  const std::vector<std::vector<vtkIdType>> all = this->GatherLists(mine);
-  std::size_t most = 0;
-  for (std::size_t process = 0; process < all.size(); ++process)
-  {
-    most = std::max(most, all[process].size() / 2);
-    if (alike && all[process].size() != all[0].size())
-    {
-      failure.Say("Processes have different numbers of blocks: process 0 has " +
-        std::to_string(all[0].size() / 2) + ", process " + std::to_string(process) + " has " +
-        std::to_string(all[process].size() / 2) +
-        ". Give all the same, without data where there is none, or merge the blocks.");
-      return false;
-    }
-  }
-
-  std::vector<vtkFFBlock> selected;
-  for (std::size_t b = 0; b < most; ++b)
-  {
-    // Without it here, the block is what the first process calls it that has it.
-    vtkFFBlock block{ {}, 0, 0 };
-    bool hasData = false;
-    for (auto list = all.rbegin(); list != all.rend(); ++list)
-    {
-      if (2 * b < list->size())
-      {
-        block.FlatIndex = static_cast<unsigned int>((*list)[2 * b]);
-        hasData = hasData || (*list)[2 * b + 1] != 0;
-      }
-    }
-    if (hasData)
-    {
-      selected.push_back(b < blocks.size() ? blocks[b] : block);
-    }
-  }
-  blocks = selected;
-  return true;
+  return !failure;
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,6 @@
 #ifndef vtkFFProcesses_h
 #define vtkFFProcesses_h
 
-#include "vtkFFBlock.h"
-
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -78,13 +76,6 @@ public:
    * Combine the failures of all processes; each process gets the same. False if there is any.
    */
   bool Share(vtkFFFailure& failure);
-
-  /**
-   * Keep only the blocks for which some process has data. Blocks in the same place of their
-   * process's list belong together. If lists must be @p alike but differ in length, that is a
-   * failure. False if there is a failure, new or already on some process.
-   */
-  bool SelectBlocks(bool alike, std::vector<vtkFFBlock>& blocks, vtkFFFailure& failure);
 
   /**
    * Process @p from sends @p data without loss to process @p to, which gets it as @p received (null

@@ -3,196 +3,72 @@
 #include "vtkPFFHullFilter.h"
 
 #include "vtkFFBlockExchange.h"
-#include "vtkFFBlockWork.h"
-#include "vtkFFFailure.h"
-#include "vtkFFGuard.h"
+#include "vtkFFDuplicates.h"
 #include "vtkFFHullResult.h"
 #include "vtkFFHullShare.h"
+#include "vtkFFInput.h"
+#include "vtkFFJointBlocks.h"
 #include "vtkFFParcel.h"
 #include "vtkFFProcesses.h"
+#include "vtkFFRun.h"
 
 #include <flipflop/Engines.h>
 
+#include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFHullFilter);
-vtkCxxSetObjectMacro(vtkPFFHullFilter, Controller, vtkMultiProcessController);
 
-//------------------------------------------------------------------------------
-class vtkPFFHullFilter::vtkInternals : public vtkFFHullFilter::vtkInternals
+namespace
 {
-public:
-  using vtkFFHullFilter::vtkInternals::vtkInternals;
 
-  void CheckSettings(vtkFFFailure& failure) override;
-  bool RunFilter(vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs) override;
-  void SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure) override;
-  bool IsWell(vtkFFFailure& failure) override;
-  bool IsSpeaker() override;
-  void Execute(const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs,
-    vtkFFFailure& failure) override;
-  std::unique_ptr<vtkFFBlockWork> NewBlockWork(const Block& block) override;
+using Blocks = std::vector<vtkFFJointBlocks::BlockType>;
 
-protected:
-  int GetDefaultNumberOfThreads() override;
-
-private:
-  /**
-   * The hull of what all processes have of a block; on process 0 it is whole in the end. False if
-   * there is a failure, on any process.
-   */
-  bool TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces, vtkFFProcesses& processes,
-    Result& result, vtkFFFailure& failure);
-
-  /**
-   * Whether each process keeps a share of a hull; known after the hulls of the pieces. Collective.
-   */
-  bool StaysDistributed(const Result& result, vtkFFProcesses& processes);
-
-  /**
-   * This process's share of the hull of all processes' results takes the place of its own. False if
-   * there is a failure, on any process.
-   */
-  bool KeepShare(Result& result, vtkFFFailure& failure);
-
-  /**
-   * A hull's ids, which another process sent, must be one for each of its points, and name one of
-   * those that were counted.
-   *
-   * @throw vtkFFDamagedParcel.
-   */
-  void CheckIds(vtkPolyData* hull);
-
-  vtkPFFHullFilter* GetDistributedFilter()
-  {
-    return static_cast<vtkPFFHullFilter*>(this->GetFilter());
-  }
-  vtkMultiProcessController* GetController() { return this->GetDistributedFilter()->Controller; }
-
-  bool HasShares = false; // each process has one of the hull
-};
-
-//------------------------------------------------------------------------------
-int vtkPFFHullFilter::vtkInternals::GetDefaultNumberOfThreads()
+/// Takes the points of all blocks. They are counted block by block, and in a block process by
+/// process. Returns the first id of each block's points here, then how many there are in all.
+/// Collective.
+std::vector<vtkIdType> takePoints(vtkPFFHullFilter* filter, const Blocks& blocks,
+  vtkFFProcesses& processes, vtkFFRun& run, std::vector<vtkFFInput>& inputs)
 {
-  // Processes on one machine would get into each other's way.
-  return vtkFFProcesses(this->GetController()).GetCount() > 1
-    ? vtkSMPTools::GetEstimatedNumberOfThreads()
-    : this->vtkFFHullFilter::vtkInternals::GetDefaultNumberOfThreads();
-}
-
-//------------------------------------------------------------------------------
-vtkPFFHullFilter::vtkPFFHullFilter()
-  : Controller(nullptr)
-  , ResultMode(RESULT_AUTOMATIC)
-  , GatheredPointsLimit(1000000)
-{
-  this->SetInternals(std::make_unique<vtkInternals>(this));
-  this->SetController(vtkMultiProcessController::GetGlobalController());
-}
-
-//------------------------------------------------------------------------------
-vtkPFFHullFilter::~vtkPFFHullFilter()
-{
-  this->SetController(nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkPFFHullFilter::vtkInternals::CheckSettings(vtkFFFailure& failure)
-{
-  if (vtkFFProcesses(this->GetController()).GetCount() > 1 && this->GetNumberOfDivisions() > 1)
-  {
-    failure.Say(
-      "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: "
-      "each process has its piece alone in memory then.");
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::RunFilter(
-  vtkFFInputPieces& pieces, const std::vector<vtkDataObject*>& outputs)
-{
-  // Several processes share what is wrong, with their settings too, where they select blocks.
-  return vtkFFProcesses(this->GetController()).GetCount() > 1
-    ? this->vtkFFHullAlgorithm::vtkInternals::RunFilter(pieces, outputs)
-    : this->vtkFFHullFilter::vtkInternals::RunFilter(pieces, outputs);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::IsWell(vtkFFFailure& failure)
-{
-  return vtkFFProcesses(this->GetController()).Share(failure);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::IsSpeaker()
-{
-  return vtkFFProcesses(this->GetController()).GetRank() == 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkPFFHullFilter::vtkInternals::SelectBlocks(std::vector<Block>& blocks, vtkFFFailure& failure)
-{
-  vtkFFProcesses processes(this->GetController());
-  if (processes.GetCount() == 1)
-  {
-    this->vtkFFHullFilter::vtkInternals::SelectBlocks(blocks, failure);
-    return;
-  }
-  processes.SelectBlocks(!this->CombinesBlocks(), blocks, failure);
-}
-
-//------------------------------------------------------------------------------
-void vtkPFFHullFilter::vtkInternals::Execute(
-  const std::vector<Block>& blocks, const std::vector<vtkPolyData*>& outputs, vtkFFFailure& failure)
-{
-  vtkFFProcesses processes(this->GetController());
-  this->PlaceOfPiece = 0;
-  this->HasShares = false;
-  if (processes.GetCount() == 1)
-  {
-    this->vtkFFHullFilter::vtkInternals::Execute(blocks, outputs, failure);
-    return;
-  }
-
-  // The points are counted block by block, and within a block process by process.
-  std::vector<vtkSmartPointer<vtkPointSet>> owned;
-  std::vector<std::vector<vtkPointSet*>> pieces(blocks.size());
-  std::vector<vtkIdType> sizes(blocks.size());
-  this->TryEngine(
-    [&](const flipflop::Options&, const flipflop::EngineOptions&, flipflop::EngineReport&)
+  run.Do(
+    [&]
     {
       for (std::size_t b = 0; b < blocks.size(); ++b)
       {
-        std::vector<vtkIdType> ignored; // ids count the points that are left
-        for (const auto& piece : this->TakePoints(blocks[b].Pieces, ignored))
-        {
-          owned.push_back(piece);
-          pieces[b].push_back(piece);
-          sizes[b] += piece->GetNumberOfPoints();
-        }
+        inputs[b].TakePieces(blocks[b].Pieces, filter->GetSkipGhostPoints(), run);
       }
-    },
-    failure);
-  if (!processes.Share(failure))
+    });
+  run.Ids.clear(); // ids count the points that are left
+  run.Parts.clear();
+  std::vector<vtkIdType> sizes(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b)
   {
-    return;
+    for (const auto& piece : inputs[b].GetPieces())
+    {
+      sizes[b] += piece->GetNumberOfPoints();
+    }
   }
-  const std::vector<std::vector<vtkIdType>> sizesOfAll = processes.GatherLists(sizes);
-  std::vector<vtkIdType> places;
+  const std::vector<std::vector<vtkIdType>> all = processes.GatherLists(sizes);
+  const bool isComposite = std::any_of(
+    blocks.begin(), blocks.end(), [](const auto& block) { return block.FlatIndex > 0; });
+  std::vector<vtkIdType> begins;
   vtkIdType counted = 0;
-  this->CurrentBlocks = blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     const vtkIdType begin = counted;
@@ -200,136 +76,24 @@ void vtkPFFHullFilter::vtkInternals::Execute(
     {
       if (process == processes.GetRank())
       {
-        places.push_back(counted);
+        begins.push_back(counted);
       }
-      counted += sizesOfAll[static_cast<std::size_t>(process)][b];
+      counted += all[static_cast<std::size_t>(process)][b];
     }
-    this->CurrentBlocks[b].NumberOfPoints = counted - begin;
-  }
-
-  // Points that are not finite are counted to the last block before they are an error.
-  std::vector<Result> hulls(blocks.size());
-  for (std::size_t b = 0; b < blocks.size() && failure.Kind <= vtkFFFailure::NonFinite; ++b)
-  {
-    const auto count = static_cast<double>(blocks.size());
-    this->SetProgressPart(static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
-    this->PlaceOfPiece = places[b];
-    vtkFFFailure failureOfBlock;
-    this->TakeHullOfBlock(pieces[b], processes, hulls[b], failureOfBlock);
-    failure.Add(failureOfBlock);
-  }
-
-  // All know the same failure by now.
-  if (failure.Kind == vtkFFFailure::None)
-  {
-    if (this->IsSpeaker() || this->HasShares)
+    if (isComposite)
     {
-      this->ReportHull(hulls, outputs[0], failure);
+      const std::string index = std::to_string(blocks[b].FlatIndex);
+      run.Parts.push_back(
+        { counted - begin, " of the block of flat index " + index, blocks[b].FlatIndex });
     }
-    processes.Share(failure);
   }
+  begins.push_back(counted);
+  return begins;
 }
 
-//------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::TakeHullOfBlock(const std::vector<vtkPointSet*>& pieces,
-  vtkFFProcesses& processes, Result& result, vtkFFFailure& failure)
+/// A hull that another process sent must have an id for each point, which names one of so many.
+void checkIds(vtkPolyData* hull, vtkIdType counted)
 {
-  this->TakeHullOfPieces(pieces, result, failure);
-  this->NoteAbort(failure);
-  if (!processes.Share(failure))
-  {
-    return false;
-  }
-  const flipflop::Statistics& own = result.Hull.statistics;
-  flipflop::Statistics all;
-  for (const auto& counts : processes.GatherLists(
-         { static_cast<vtkIdType>(own.points), static_cast<vtkIdType>(own.nonFinite) }))
-  {
-    all.points += counts[0];
-    all.nonFinite += counts[1];
-  }
-
-  if (this->StaysDistributed(result, processes))
-  {
-    this->HasShares = true;
-    const bool done = this->KeepShare(result, failure);
-    result.Hull.statistics.points = all.points;
-    result.Hull.statistics.nonFinite = all.nonFinite;
-    return done;
-  }
-
-  // A binary tree: neighbours, then neighbours' neighbours. The lower one of a pair goes on.
-  for (int step = 1; step < processes.GetCount(); step *= 2)
-  {
-    const int rest = processes.GetRank() % (2 * step);
-    const int lower = processes.GetRank() - rest;
-    const int higher = lower + step;
-    const bool hasPart = (rest == 0 || rest == step) && higher < processes.GetCount();
-    std::vector<Result> pair(2);
-    KeepKind(result);
-    if (!processes.Send(
-          result.Data, hasPart ? higher : -1, hasPart ? lower : -1, pair[1].Data, failure))
-    {
-      return false;
-    }
-    if (hasPart && rest == 0)
-    {
-      pair[0] = std::move(result);
-      result = Result();
-      this->Try([&] { this->CheckIds(pair[1].Data); }, failure) &&
-        this->JoinHulls(pair, result, failure);
-    }
-    this->NoteAbort(failure);
-    if (!processes.Share(failure))
-    {
-      return false;
-    }
-  }
-  result.Hull.statistics.points = all.points;
-  result.Hull.statistics.nonFinite = all.nonFinite;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::StaysDistributed(
-  const Result& result, vtkFFProcesses& processes)
-{
-  const auto* filter = this->GetDistributedFilter();
-  const vtkIdType points = processes.Sum(result.Data->GetNumberOfPoints());
-  const bool isWanted = filter->ResultMode == RESULT_DISTRIBUTED ||
-    (filter->ResultMode == RESULT_AUTOMATIC && points > filter->GatheredPointsLimit);
-  return isWanted && this->CurrentBlocks.size() == 1 &&
-    vtkFFBlockExchange::FindObstacle(this->GetController()).empty();
-}
-
-//------------------------------------------------------------------------------
-bool vtkPFFHullFilter::vtkInternals::KeepShare(Result& result, vtkFFFailure& failure)
-{
-  vtkFFBlockExchange exchange(this->GetController(), *this);
-  KeepKind(result);
-  this->TryEngine(
-    [&](const flipflop::Options& options, const flipflop::EngineOptions&, flipflop::EngineReport&)
-    {
-      vtkSmartPointer<vtkPolyData> share;
-      const auto look = [&] { vtkFFGuard::Look(options); };
-      if (vtkFFHullShare::Take(result.Data, options, look, exchange, result.Hull, share))
-      {
-        result.Data = share;
-      }
-    },
-    failure);
-  failure.Add(exchange.GetFailure());
-  return failure.Kind == vtkFFFailure::None;
-}
-
-//------------------------------------------------------------------------------
-void vtkPFFHullFilter::vtkInternals::CheckIds(vtkPolyData* hull)
-{
-  vtkIdType counted = 0;
-  for (const Block& block : this->CurrentBlocks)
-  {
-    counted += block.NumberOfPoints;
-  }
   auto* ids = vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
   const vtkIdType count = hull->GetNumberOfPoints();
   if (!ids || ids->GetNumberOfValues() != count ||
@@ -340,15 +104,227 @@ void vtkPFFHullFilter::vtkInternals::CheckIds(vtkPolyData* hull)
   }
 }
 
-//------------------------------------------------------------------------------
-std::unique_ptr<vtkFFBlockWork> vtkPFFHullFilter::vtkInternals::NewBlockWork(const Block& block)
+/// The hulls of all processes become that of process 0. Collective.
+void gather(vtkFFProcesses& processes, vtkIdType counted, vtkFFRun& run, vtkFFHullResult& hull)
 {
-  if (vtkFFProcesses(this->GetController()).GetCount() > 1)
+  // A binary tree: neighbours, then neighbours' neighbours. The lower one of a pair goes on.
+  for (int step = 1; step < processes.GetCount() && !run.Failure; step *= 2)
   {
-    return nullptr; // all processes go through their blocks in step
+    const int rest = processes.GetRank() % (2 * step);
+    const int lower = processes.GetRank() - rest;
+    const int higher = lower + step;
+    const bool hasPart = (rest == 0 || rest == step) && higher < processes.GetCount();
+    std::vector<vtkFFHullResult> pair(2);
+    hull.KeepKind();
+    if (!processes.Send(
+          hull.Data, hasPart ? higher : -1, hasPart ? lower : -1, pair[1].Data, run.Failure))
+    {
+      return;
+    }
+    if (hasPart && rest == 0)
+    {
+      run.Do(
+        [&]
+        {
+          checkIds(pair[1].Data, counted);
+          std::swap(pair[0], hull);
+          hull.Join(pair, run);
+        });
+    }
+    run.NoteAbort();
+    processes.Share(run.Failure);
   }
-  this->PlaceOfPiece = 0;
-  return this->vtkFFHullFilter::vtkInternals::NewBlockWork(block);
+}
+
+/// Whether each process keeps a share of a hull, of which it has its piece's. Collective.
+bool staysDistributed(
+  vtkPFFHullFilter* filter, const vtkFFHullResult& hull, vtkFFProcesses& processes)
+{
+  const vtkIdType points = processes.Sum(hull.Data->GetNumberOfPoints());
+  const int mode = filter->GetResultMode();
+  return (mode == vtkPFFHullFilter::RESULT_DISTRIBUTED ||
+           (mode == vtkPFFHullFilter::RESULT_AUTOMATIC &&
+             points > filter->GetGatheredPointsLimit())) &&
+    vtkFFBlockExchange::FindObstacle(filter->GetController()).empty();
+}
+
+/// The hull of what all processes have of a block: on process 0; or a share on each, and whether
+/// another process counts each of its points. Collective.
+void takeHull(vtkPFFHullFilter* filter, vtkFFInput& input, bool mayStay, vtkIdType counted,
+  vtkFFProcesses& processes, vtkFFRun& run, vtkFFHullResult& hull,
+  std::optional<std::vector<bool>>& duplicates)
+{
+  run.Do(
+    [&]
+    {
+      input.TakeCoordinates();
+      hull.Take(input, filter->GetPassPointData(), run);
+    });
+  run.NoteAbort();
+  if (!processes.Share(run.Failure))
+  {
+    return;
+  }
+  const std::vector<vtkIdType> counts =
+    processes.Sum({ static_cast<vtkIdType>(hull.Hull.statistics.points),
+      static_cast<vtkIdType>(hull.Hull.statistics.nonFinite) });
+  if (mayStay && staysDistributed(filter, hull, processes))
+  {
+    duplicates.emplace();
+    vtkFFBlockExchange exchange(filter->GetController(), run);
+    hull.KeepKind();
+    vtkSmartPointer<vtkPolyData> share;
+    flipflop::Options options = run.Options;
+    options.facets = flipflop::FacetMode::Polygons; // as of each vtkFFHullResult
+    if (vtkFFHullShare::Take(hull.Data, options, exchange, hull.Hull, share, *duplicates))
+    {
+      hull.Data = share;
+    }
+  }
+  else
+  {
+    gather(processes, counted, run, hull);
+  }
+  hull.Hull.statistics.points = counts[0];
+  hull.Hull.statistics.nonFinite = counts[1];
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkPFFHullFilter::vtkPFFHullFilter()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkPFFHullFilter::~vtkPFFHullFilter()
+{
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
+  flipflop::releaseCudaMemory(); // of this library's copy of the engine
+}
+
+//------------------------------------------------------------------------------
+bool vtkPFFHullFilter::IsAlone() const
+{
+  return vtkFFProcesses(this->Controller).GetCount() == 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPFFHullFilter::SetController(vtkMultiProcessController* controller)
+{
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
+  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
+  this->FillOutputPortInformation(0, this->GetOutputPortInformation(0));
+}
+
+//------------------------------------------------------------------------------
+int vtkPFFHullFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
+  return this->IsAlone() ? this->Superclass::FillInputPortInformation(port, info)
+                         : vtkFFJointBlocks::FillInputPort(info);
+}
+
+//------------------------------------------------------------------------------
+int vtkPFFHullFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  return this->IsAlone() ? this->Superclass::FillOutputPortInformation(port, info)
+                         : vtkFFJointBlocks::FillOutputPort(info);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkPFFHullFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !this->IsAlone()
+    ? vtkFFJointBlocks::MakeOutputs(
+        this, this->CompositeMode == HULL_OF_EACH_BLOCK, inputVector, outputVector)
+    : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkPFFHullFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return this->IsAlone()
+    ? this->Superclass::RequestUpdateExtent(request, inputVector, outputVector)
+    : this->vtkPolyDataAlgorithm::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkPFFHullFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (this->IsAlone())
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  const auto check = [&]
+  {
+    if (this->NumberOfStreamDivisions > 1)
+    {
+      throw vtkFFBadSetting(
+        "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: "
+        "each process has its piece alone in memory then.");
+    }
+  };
+  const auto work = [&](const Blocks& blocks, vtkFFRun& run, vtkInformationVector* outputs)
+  {
+    vtkFFProcesses processes(this->Controller);
+    const std::size_t count = blocks.size();
+    std::vector<vtkFFInput> inputs(count);
+    const std::vector<vtkIdType> begins = takePoints(this, blocks, processes, run, inputs);
+    if (!processes.Share(run.Failure))
+    {
+      return;
+    }
+
+    // Points that are not finite are counted to the last block before they are an error.
+    std::vector<vtkFFHullResult> hulls(count);
+    vtkFFFailure failure;
+    std::optional<std::vector<bool>> duplicates;
+    for (std::size_t b = 0; b < count && failure.Kind <= vtkFFFailure::NonFinite; ++b)
+    {
+      run.SetPart(static_cast<double>(b) / static_cast<double>(count),
+        static_cast<double>(b + 1) / static_cast<double>(count));
+      run.FirstId = begins[b];
+      run.Failure = vtkFFFailure();
+      takeHull(this, inputs[b], count == 1, begins[count], processes, run, hulls[b], duplicates);
+      failure.Add(run.Failure);
+    }
+    run.Failure = failure;
+    if (failure)
+    {
+      return;
+    }
+    if (processes.GetRank() == 0 || duplicates)
+    {
+      run.Do(
+        [&]
+        {
+          vtkFFHullResult whole;
+          if (count == 1)
+          {
+            std::swap(whole, hulls[0]);
+          }
+          else
+          {
+            whole.Join(hulls, run);
+          }
+          vtkPolyData* const output = vtkPolyData::GetData(outputs);
+          this->WriteHull(whole, run, output);
+          if (duplicates)
+          {
+            vtkFFDuplicates::Mark(
+              output->GetPointData(), *duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
+          }
+        });
+    }
+    processes.Share(run.Failure);
+  };
+  return vtkFFJointBlocks::Run(this, this->Controller, "Convex hull",
+    this->CompositeMode == HULL_OF_ALL_BLOCKS, inputVector, outputVector, check, work);
 }
 
 //------------------------------------------------------------------------------

@@ -31,15 +31,16 @@
  * - For composite input, the blocks in the same place on all processes
  *   belong together: the first blocks, the second blocks, and so on. A
  *   vtkPartitionedDataSet is one block, with any number of partitions
- *   on each process. For HULL_OF_EACH_BLOCK, all processes must have
- *   the same number of blocks, with or without data in them; otherwise
- *   that is an error. For HULL_OF_ALL_BLOCKS, ids count from block to
- *   block, and within a block from process to process.
+ *   on each process; its BlockIndex is that of the first. For
+ *   HULL_OF_EACH_BLOCK, all processes must have the same number of
+ *   blocks, with or without data in them; otherwise that is an error.
+ *   For HULL_OF_ALL_BLOCKS, ids count from block to block, and within a
+ *   block from process to process.
  * - An error on any process is an error of all processes. Process 0
  *   reports it, and it names the appended points. The other processes
  *   only set their error code. An abort on one process is an abort on
- *   all. For HULL_OF_EACH_BLOCK, a block at fault on any process has no
- *   hull, and the other blocks have theirs.
+ *   all. For HULL_OF_EACH_BLOCK, a block at fault on any process has an
+ *   empty hull and an error, and the other blocks have their hulls.
  * - Process 0 reports dimension, volume, area and the numbers of input
  *   points and of points that are not finite for all pieces. All other
  *   statistics are of its own share of the work. The other processes
@@ -69,16 +70,16 @@ class vtkMultiProcessController;
 class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFHullFilter* New();
   vtkTypeMacro(vtkPFFHullFilter, vtkFFHullFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
@@ -87,7 +88,7 @@ public:
   virtual void SetController(vtkMultiProcessController* controller);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  //@}
+  ///@}
 
   /**
    * Where the hull is in the end.
@@ -99,7 +100,7 @@ public:
     RESULT_DISTRIBUTED
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get where the hull is in the end: on process 0 (RESULT_GATHERED), or each process has a
    * share of it (RESULT_DISTRIBUTED). RESULT_AUTOMATIC, the default, gathers up to
@@ -112,30 +113,39 @@ public:
   void SetResultModeToGathered() { this->SetResultMode(RESULT_GATHERED); }
   void SetResultModeToDistributed() { this->SetResultMode(RESULT_DISTRIBUTED); }
   const char* GetResultModeAsString();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how many points the hulls of all pieces may have together for RESULT_AUTOMATIC to
    * gather them. The default is a million.
    */
   vtkSetClampMacro(GatheredPointsLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(GatheredPointsLimit, vtkIdType);
-  //@}
+  ///@}
 
 protected:
   vtkPFFHullFilter();
   ~vtkPFFHullFilter() override;
 
-  class vtkInternals;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
-  vtkMultiProcessController* Controller;
-  int ResultMode;
-  vtkIdType GatheredPointsLimit;
+  vtkMultiProcessController* Controller = nullptr;
+  int ResultMode = RESULT_AUTOMATIC;
+  vtkIdType GatheredPointsLimit = 1000000;
 
 private:
   vtkPFFHullFilter(const vtkPFFHullFilter&) = delete;
   void operator=(const vtkPFFHullFilter&) = delete;
+
+  bool IsAlone() const;
 };
 VTK_ABI_NAMESPACE_END
 

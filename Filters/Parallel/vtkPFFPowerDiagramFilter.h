@@ -2,52 +2,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPFFPowerDiagramFilter
- * @brief   the exact Voronoi or power diagram of points, and nothing beside it
+ * @brief   the exact Voronoi or power diagram of points that are distributed over processes
  *
- * vtkPFFPowerDiagramFilter is vtkPFFRegularTriangulationFilter with a single output: the power
- * diagram, a convex polygon for each point that has a region in the box. Without weights it is the
- * Voronoi diagram. GeneratePowerDiagram is on; if it is off, the output is empty.
+ * vtkPFFPowerDiagramFilter is vtkFFPowerDiagramFilter for data in pieces, one on each process of a
+ * vtkMultiProcessController. It gives one power diagram of all pieces, of which each process has
+ * the cells of the points in its region of the plane. Together, they are the diagram that
+ * vtkFFPowerDiagramFilter gives for the pieces of process 0, 1, 2... appended in this order, bit
+ * for bit. vtkPFFRegularTriangulationFilter says how the processes work together, and what they
+ * report.
  *
- * With VisiblePointIds, the ids are the active scalars of the cells.
+ * Each cell is on one process. Neighbours on different processes have equal corners; all processes
+ * but one mark such a corner in vtkGhostType as vtkDataSetAttributes::DUPLICATEPOINT.
  *
- * Which point is whose neighbour is exact; the corners of the polygons are rounded to double.
- *
- * Of distributed points, each process has the cells of those in its region.
+ * @warning
+ * In two cases, process 0 gathers all points and does all the work, so that its memory must hold
+ * them all: with controllers that are not of MPI; and where rounding broke a cell, which happens
+ * rarely. If several processes have points, a warning says so. On the other processes, the output
+ * has no points then.
  *
  * @sa
- * vtkFFRegularTriangulationFilter vtkPFFDelaunayFilter
+ * vtkFFPowerDiagramFilter vtkPFFRegularTriangulationFilter vtkPFFDelaunayFilter
  */
 
 #ifndef vtkPFFPowerDiagramFilter_h
 #define vtkPFFPowerDiagramFilter_h
 
-#include "vtkFFMarks.h"                       // For VTK_MARSHALAUTO
+#include "vtkFFMarks.h" // For VTK_MARSHALAUTO
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFiltersParallelFlipFlopModule.h" // For export macro
-#include "vtkPFFRegularTriangulationFilter.h"
 
-VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN class vtkMultiProcessController;
+
 class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFPowerDiagramFilter
-  : public vtkPFFRegularTriangulationFilter
+  : public vtkFFPowerDiagramFilter
 {
 public:
-  //@{
+  ///@{
   /**
-   * Standard methods for instantiation and type information.
+   * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFPowerDiagramFilter* New();
-  vtkTypeMacro(vtkPFFPowerDiagramFilter, vtkPFFRegularTriangulationFilter);
-  //@}
+  vtkTypeMacro(vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the controller of the processes that have the pieces; null for this process only. By
+   * default the global controller.
+   */
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
+  virtual void SetController(vtkMultiProcessController* controller);
+  VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
 
 protected:
   vtkPFFPowerDiagramFilter();
   ~vtkPFFPowerDiagramFilter() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  vtkMultiProcessController* Controller = nullptr;
 
 private:
   vtkPFFPowerDiagramFilter(const vtkPFFPowerDiagramFilter&) = delete;
   void operator=(const vtkPFFPowerDiagramFilter&) = delete;
+
+  bool IsAlone() const;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -15,12 +15,10 @@
  *   as each other process. Every cell is on one process. The regions
  *   are the filter's choice, and have nothing to do with the pieces.
  * - Port 0 has all points of the process's cells, so a point may be on
- *   several processes. See SetGenerateGhostCells().
+ *   several processes. All but one mark it in vtkGhostType as
+ *   vtkDataSetAttributes::DUPLICATEPOINT. See SetGenerateGhostCells().
  * - Port 1 has the hidden points of the process's region: each is on
  *   one process.
- * - Port 2, if it is asked for, has the power cells of the points of
- *   the process's region: each is on one process. Neighbours on
- *   different processes have equal corners.
  * - On each process, points, cells and ids are in the order in which
  *   the whole triangulation has them. All processes have the same
  *   arrays and types.
@@ -31,10 +29,10 @@
  * their data from where they came. This needs MPI, and VTK's module ParallelDIY.
  *
  * @warning
- * In two cases, process 0 gathers all points and does all the work, so that its memory must hold
- * them all: with controllers that are not of MPI; and for a power diagram in which rounding broke a
- * cell, which happens rarely (see SetGeneratePowerDiagram()). If several processes have points, a
- * warning says so. On the other processes, the outputs have no points then.
+ * With controllers that are not of MPI, process 0 gathers all points and does all the work, so that
+ * its memory must hold them all. If several processes have points, a warning says so. On the other
+ * processes, the outputs have no points then. AlphaLines, AlphaVerts, GenerateAlphas and
+ * GenerateBoundary need all cells: on several processes, they are errors.
  *
  * - Ghost points (see SetSkipGhostPoints()) are left out on their
  *   process and not counted: ids count the remaining points. With a
@@ -48,7 +46,8 @@
  *   with or without data in them; otherwise that is an error.
  * - An error on any process is an error of all processes. Process 0
  *   reports it. The others only set their error code. A block at fault
- *   on any process has no result, and the other blocks have theirs. An
+ *   on any process has an empty result, and the other blocks have
+ *   theirs. An
  *   abort on one process is an abort on all. (Points that are gathered
  *   are an exception: once process 0 has them, only it can abort, and
  *   the others report no figures.)
@@ -82,16 +81,16 @@ class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFRegularTriangulati
   : public vtkFFRegularTriangulationFilter
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
@@ -100,32 +99,39 @@ public:
   virtual void SetController(vtkMultiProcessController* controller);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether each process also gets the cells of other processes that touch points of its
    * own region, so that it has all cells around these. Off by default. In vtkGhostType, such cells
-   * have the mark vtkDataSetAttributes::DUPLICATECELL, and points of other regions the mark
-   * DUPLICATEPOINT. A single process has no such cells, and no marks are added.
+   * have the mark vtkDataSetAttributes::DUPLICATECELL. A single process has no such cells, and no
+   * marks are added.
    */
   vtkSetMacro(GenerateGhostCells, bool);
   vtkGetMacro(GenerateGhostCells, bool);
   vtkBooleanMacro(GenerateGhostCells, bool);
-  //@}
+  ///@}
 
 protected:
   vtkPFFRegularTriangulationFilter();
   ~vtkPFFRegularTriangulationFilter() override;
 
-  class vtkInternals;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
-  vtkMultiProcessController* Controller;
-  bool GenerateGhostCells;
+  vtkMultiProcessController* Controller = nullptr;
+  bool GenerateGhostCells = false;
 
 private:
   vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkPFFRegularTriangulationFilter&) = delete;
+
+  bool IsAlone() const;
 };
 VTK_ABI_NAMESPACE_END
 

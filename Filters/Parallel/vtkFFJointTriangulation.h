@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFJointTriangulation
+ * @brief   one triangulation by all processes
+ *
+ * The points are dealt out to blocks by their place in the plane, one block for each process. The
+ * blocks find their cells. Then each process fetches the points of its cells, with their data, from
+ * where they came. Functions that return a bool are steps of all processes: they are collective,
+ * and false if there is a failure on any process, which is the run's.
+ */
+
+#ifndef vtkFFJointTriangulation_h
+#define vtkFFJointTriangulation_h
+
+#include "vtkFFBlockExchange.h"
+#include "vtkFFInput.h"
+#include "vtkFFMarks.h"
+#include "vtkFFPlanarInput.h"
+#include "vtkFFPointDealing.h"
+#include "vtkFFPointFetch.h"
+#include "vtkFFRun.h"
+
+#include <flipflop/BlockRun.h>
+#include <flipflop/Triangulation.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkFFPlanarAlgorithm;
+class vtkMultiProcessController;
+class vtkPolyData;
+
+class vtkFFJointTriangulation
+{
+public:
+  vtkFFJointTriangulation(
+    vtkFFPlanarAlgorithm* filter, vtkMultiProcessController* controller, vtkFFRun& run);
+
+  /**
+   * Triangulate the points of these pieces, and those of the other processes. The cells are as the
+   * run's options have facets.
+   */
+  bool Triangulate(const std::vector<vtkFFInput::PieceType>& pieces);
+
+  /**
+   * This process's cells, by ids over all processes, and its hidden points.
+   */
+  flipflop::BlockResult& GetCells() { return this->Cells; }
+  bool IsWeighted() const { return this->Weighted; }
+  vtkFFBlockExchange& GetExchange() { return this->Exchange; }
+
+  /**
+   * The box of all processes' triangulated points: two opposite corners.
+   */
+  std::array<double, 4> FindBounds();
+
+  /**
+   * Leave out some of the cells: @p drop returns how many of those of these points, with weights.
+   */
+  using Drop = std::function<std::int64_t(
+    const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>;
+  void DropCells(const Drop& drop);
+
+  /**
+   * Add the cells of other processes that touch points of this one, as ghosts.
+   */
+  bool AddGhostCells();
+
+  /**
+   * Fetch the points of these ids, which ascend: they are the input then, and the run's.
+   */
+  bool Fetch(const std::vector<vtkIdType>& ids);
+  vtkFFPlanarInput& GetInput() { return this->Input; }
+  std::int64_t IndexOf(std::int64_t id) const; ///< of a point that was fetched, in the input
+
+  /**
+   * Fetch the points of the cells, and the hidden ones, unless they are not wanted. The cells
+   * become those of the input's points.
+   */
+  bool FetchCells(bool withHidden, flipflop::Triangulation& triangulation);
+
+  /**
+   * What is reported: on process 0 of all processes, elsewhere of this process. Also sets the
+   * height of the plane, and the numbers of points in the statistics of @p cells.
+   */
+  struct CountsType
+  {
+    std::int64_t Hidden;
+    std::int64_t Dropped;
+  };
+  CountsType Report(flipflop::CellComplex& cells);
+
+  /**
+   * Mark the ghost cells, and the points that other processes count, of an output that has the
+   * cells.
+   */
+  void Mark(vtkPolyData* output) const;
+
+  /**
+   * Work of this process alone, which ends at that share of all work.
+   */
+  void Do(double share, const std::function<void()>& work);
+
+private:
+  bool Take(const std::vector<vtkFFInput::PieceType>& pieces);
+  vtkDataArray* FindOwnWeights();
+  bool FitPlane();
+  bool Deal();
+  bool FindCells();
+  bool LookForVerticalPlane();
+
+  vtkFFPlanarAlgorithm* const Filter;
+  vtkFFRun& Run;
+  vtkFFBlockExchange Exchange;
+  vtkFFPointFetch Source;
+  vtkFFPlanarInput Input;
+  double Share = 0.0;
+
+  vtkIdType Own = 0; // this process's points
+  vtkIdType NonFinite = 0;
+  double Lowest;                // z of this process's points that are triangulated
+  std::array<double, 4> Bounds; // of these points: least x, - greatest x, the same for y
+  bool Weighted = false;
+  flipflop::BlockPoints Dealt;
+  flipflop::BlockResult Cells;
+  bool HasGhosts = false;
+  std::vector<bool> Ghosts;     // whether each cell is another process's
+  std::vector<bool> Duplicates; // whether another process counts each of the cells' points
+  std::int64_t Hidden = 0;
+  std::int64_t Dropped = 0;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
