@@ -18,7 +18,6 @@ int main(int argc, char* argv[])
     { "HullComposite", testHullComposite },
     { "HullErrors", testHullErrors },
     { "HullShares", testHullShares },
-    { "OneOutput", testOneOutput },
     { "RandomPartitions", testRandomPartitions },
     { "Shares", testShares },
     { "Triangulation", testTriangulation },

@@ -131,6 +131,29 @@ void select(
   }
 }
 
+/// Takes the marks of duplicates away. Returns how many points have none.
+vtkIdType countOwned(const std::vector<Share>& shares)
+{
+  constexpr int mark = vtkDataSetAttributes::DUPLICATEPOINT;
+  vtkIdType owned = 0;
+  for (const Share& share : shares)
+  {
+    const vtkIdType count = share.Points->GetNumberOfPoints();
+    vtkDataArray* marks =
+      share.Points->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const int value = marks ? static_cast<int>(marks->GetTuple1(i)) : 0;
+      owned += !(value & mark);
+      if (marks)
+      {
+        marks->SetTuple1(i, value & ~mark);
+      }
+    }
+  }
+  return owned;
+}
+
 /// The points of all shares; returns their ids.
 std::vector<vtkIdType> joinPoints(const std::vector<Share>& shares, vtkPolyData* joined)
 {
@@ -139,7 +162,9 @@ std::vector<vtkIdType> joinPoints(const std::vector<Share>& shares, vtkPolyData*
   Places theirFirsts;
   for (std::size_t process = 0; process < shares.size(); ++process)
   {
-    const auto ids = originalIds(shares[process].Points);
+    vtkPolyData* points = shares[process].Points; // none after an error
+    const auto ids =
+      points->GetNumberOfPoints() > 0 ? originalIds(points) : std::vector<vtkIdType>();
     for (std::size_t i = 0; i < ids.size(); ++i)
     {
       const std::pair<std::size_t, vtkIdType> place{ process, static_cast<vtkIdType>(i) };
@@ -193,6 +218,7 @@ vtkSmartPointer<vtkPolyData> joinDiagrams(vtkPolyData* own)
   {
     return nullptr;
   }
+  const vtkIdType owned = countOwned(shares);
   auto joined = vtkSmartPointer<vtkPolyData>::New();
   std::map<vtkIdType, std::pair<std::size_t, vtkIdType>> sites;
   std::vector<vtkDataSetAttributes*> data;
@@ -230,6 +256,7 @@ vtkSmartPointer<vtkPolyData> joinDiagrams(vtkPolyData* own)
     }
   }
   joined->SetPoints(corners);
+  FF_CHECK_EQUAL(owned, joined->GetNumberOfPoints());
   if (!sites.empty())
   {
     joined->SetPolys(cells);
@@ -260,7 +287,9 @@ vtkSmartPointer<vtkPolyData> join(vtkPolyData* own)
     return nullptr;
   }
   auto joined = vtkSmartPointer<vtkPolyData>::New();
+  const vtkIdType owned = countOwned(shares);
   const std::vector<vtkIdType> ids = joinPoints(shares, joined);
+  FF_CHECK_EQUAL(owned, joined->GetNumberOfPoints());
   std::vector<std::pair<std::vector<vtkIdType>, std::pair<std::size_t, vtkIdType>>> cells;
   std::vector<vtkDataSetAttributes*> data;
   for (std::size_t process = 0; process < shares.size(); ++process)

@@ -27,10 +27,11 @@ struct Share
 std::vector<Share> gatherShares(vtkPolyData* own);
 
 /// What all processes have of an output, on process 0: points by ascending id, each once; cells in
-/// canonical form, as often as they are there; their data. The corners of a power diagram, which
-/// have no ids, are numbered as one process would. Null on the others. A point that several have
-/// must be the same, and all must have the same arrays: otherwise it is a failure. Leaves of
-/// composites are joined with those in the same place. Collective.
+/// canonical form, as often as they are there; their data. All processes but one must mark a point
+/// as a duplicate. The corners of a power diagram, which have no ids, are numbered as one process
+/// would. Null on the others. A point that several have must be the same, and all must have the
+/// same arrays: otherwise it is a failure. Leaves of composites are joined with those in the same
+/// place. Collective.
 vtkSmartPointer<vtkDataObject> joinShares(vtkDataObject* own);
 
 }

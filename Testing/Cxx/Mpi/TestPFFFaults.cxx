@@ -7,8 +7,8 @@
 #include "vtkCommunicator.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
-#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiProcessController.h"
+#include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 
 #include <cstdlib>
@@ -53,12 +53,20 @@ public:
 /// were here.
 int run(const Pieces& pieces, int settings, int where, int at, bool throws)
 {
-  vtkNew<vtkPFFRegularTriangulationFilter> filter;
+  vtkSmartPointer<vtkFFPlanarAlgorithm> filter;
+  if (settings % 7 == 6)
+  {
+    filter = vtkSmartPointer<vtkPFFPowerDiagramFilter>::New();
+  }
+  else
+  {
+    vtkNew<vtkPFFRegularTriangulationFilter> triangulation;
+    triangulation->SetGenerateGhostCells(settings % 3 == 0);
+    triangulation->SetMaximumEdgeLength(settings % 5 == 0 ? 0.3 : 0.0);
+    filter = triangulation;
+  }
   filter->SetNumberOfThreads(1);
   filter->SetProjectionPlaneMode(settings % 2 ? 2 : 0);
-  filter->SetGenerateGhostCells(settings % 3 == 0);
-  filter->SetMaximumEdgeLength(settings % 5 == 0 ? 0.3 : 0.0);
-  filter->SetGeneratePowerDiagram(settings % 7 == 6);
   vtkNew<FaultObserver> fault;
   fault->At = rank() == where ? at : -1;
   fault->Throws = throws;

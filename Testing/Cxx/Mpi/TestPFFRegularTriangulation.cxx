@@ -6,8 +6,12 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPFFDelaunayFilter.h"
+#include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -19,11 +23,21 @@ using namespace fftest;
 namespace
 {
 
-using Filter = vtkFFRegularTriangulationFilter;
+using Filter = vtkFFPlanarAlgorithm;
 
-Twins triangulations()
+/// Of each filter.
+std::vector<Twins> makeTwins()
 {
-  return twins<vtkPFFRegularTriangulationFilter, Filter>();
+  std::vector<Twins> all;
+  all.push_back(twins<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
+  all.push_back(twins<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
+  all.push_back(twins<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
+  return all;
+}
+
+bool takesWeights(const Twins& both)
+{
+  return !vtkFFConstrainedDelaunayFilter::SafeDownCast(both.Plain);
 }
 
 int byTurns(int i)
@@ -66,9 +80,8 @@ void run(Twins& both, const std::string& what, const Pieces& pieces)
   checkWarnings(both);
 }
 
-void testPieces()
+void testPieces(Twins& both)
 {
-  Twins both = triangulations();
   const std::vector<Point> random = randomPoints(1000, 101);
   std::vector<Point> grid;
   std::vector<Point> line;
@@ -90,7 +103,6 @@ void testPieces()
     { "without weights", [](Filter* filter) { useWeights(filter, ""); } },
     { "weights None", [](Filter* filter) { useWeights(filter, "None"); } },
     { "weights", [](Filter* filter) { useWeights(filter); } },
-    { "diagram", [](Filter* filter) { filter->GeneratePowerDiagramOn(); } },
     { "best-fitting plane",
       [](Filter* filter) { filter->SetProjectionPlaneModeToBestFittingPlane(); } },
     { "polygons, visible ids, field data",
@@ -105,7 +117,6 @@ void testPieces()
       [](Filter* filter)
       {
         filter->SetProjectionPlaneModeToXYPlane();
-        filter->GeneratePowerDiagramOff();
         filter->SetFacetModeToTriangles();
         filter->VisiblePointIdsOff();
         filter->ReportAsFieldDataOff();
@@ -120,18 +131,24 @@ void testPieces()
       for (const auto& setting : settings)
       {
         both.Set<Filter>(setting.second);
+        if (!takesWeights(both))
+        {
+          both.Set<Filter>([](Filter* filter) { useWeights(filter, ""); });
+        }
         run(both, shape.first + ", " + dealing.first + ", " + setting.first, pieces);
       }
     }
   }
-  run(both, "hidden points", makePieces(random));
-  FF_CHECK(rank() > 0 || Filter::SafeDownCast(both.Distributed)->GetNumberOfHiddenPoints() > 0);
+  auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(both.Distributed);
+  if (triangulation)
+  {
+    run(both, "hidden points", makePieces(random));
+    FF_CHECK(rank() > 0 || triangulation->GetNumberOfHiddenPoints() > 0);
+  }
 }
 
-void testTypes()
+void testTypes(Twins& both)
 {
-  Twins both = triangulations();
-  both.Set<Filter>([](Filter* filter) { useWeights(filter); });
   const auto points = randomPoints(500, 102);
   run(both, "floats", makePieces(points, byTurns, VTK_FLOAT));
   Pieces mixed = makePieces(points);
@@ -152,16 +169,9 @@ void testTypes()
   }
 }
 
-void testBlocks()
+void testBlocks(Twins& both)
 {
-  Twins both = triangulations();
-  both.Set<Filter>(
-    [](Filter* filter)
-    {
-      useWeights(filter);
-      filter->GeneratePowerDiagramOn();
-      filter->ReportAsFieldDataOn();
-    });
+  both.Set<Filter>([](Filter* filter) { filter->ReportAsFieldDataOn(); });
   std::vector<Pieces> leaves;
   for (unsigned int leaf = 0; leaf < 4; ++leaf)
   {
@@ -190,7 +200,11 @@ void testBlocks()
 
 void testTriangulation()
 {
-  testPieces();
-  testTypes();
-  testBlocks();
+  std::vector<Twins> all = makeTwins();
+  for (Twins& both : all)
+  {
+    testPieces(both);
+    testTypes(both);
+    testBlocks(both);
+  }
 }

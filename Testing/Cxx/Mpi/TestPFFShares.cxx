@@ -12,7 +12,9 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 #include "vtkTransform.h"
@@ -41,6 +43,32 @@ Twins triangulations()
   both.Set<Filter>([](Filter* filter) { filter->SetNumberOfThreads(1); });
   return both;
 }
+
+void useAll(Twins& both, std::uint64_t which)
+{
+  both.Set<vtkFFPlanarAlgorithm>(
+    [=](vtkFFPlanarAlgorithm* filter)
+    {
+      useWeights(filter, which % 4 == 3 ? "" : "weights");
+      filter->SetFacetMode(static_cast<int>(which % 2));
+    });
+}
+
+/// Triangulations and power diagrams, of what these numbers choose.
+class All
+{
+public:
+  void Run(const std::string& what, std::uint64_t which, const Pieces& pieces)
+  {
+    Twins& both = which % 3 == 1 ? this->Diagrams : this->Triangulations;
+    useAll(both, which);
+    both.Run(what, pieces);
+  }
+
+private:
+  Twins Triangulations = triangulations();
+  Twins Diagrams = twins<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>();
+};
 
 /// Points with weights: x, y and the weight of each, at some height.
 Pieces makeWeightedPieces(const Cloud& cloud, const std::function<int(int)>& owner)
@@ -86,33 +114,22 @@ std::function<int(int)> dealing(std::uint64_t which, std::size_t count)
   }
 }
 
-void useAll(Twins& both, std::uint64_t which)
-{
-  both.Set<Filter>(
-    [=](Filter* filter)
-    {
-      useWeights(filter, which % 4 == 3 ? "" : "weights");
-      filter->SetFacetMode(static_cast<int>(which % 2));
-      filter->SetGeneratePowerDiagram(which % 3 == 1);
-    });
-}
-
 void testFamilies()
 {
-  Twins both = triangulations();
+  All both;
   std::uint64_t which = 0;
   for (const auto& family : flipflop::test::weightedFamilies())
   {
     Random random(7);
     const Cloud cloud = family.make(200, random);
-    useAll(both, ++which);
-    both.Run(family.name, makeWeightedPieces(cloud, dealing(which, cloud.size())));
+    ++which;
+    both.Run(family.name, which, makeWeightedPieces(cloud, dealing(which, cloud.size())));
   }
   for (const auto& input : flipflop::test::smallWeightedInputs())
   {
     const Cloud cloud = input.make();
-    useAll(both, ++which);
-    both.Run(input.name, makeWeightedPieces(cloud, dealing(which, cloud.size())));
+    ++which;
+    both.Run(input.name, which, makeWeightedPieces(cloud, dealing(which, cloud.size())));
   }
 }
 
@@ -143,7 +160,7 @@ void testRealData()
 /// Small integers, so that there are ties of all kinds, and weights of several ranges.
 void testRandomDealings()
 {
-  Twins both = triangulations();
+  All both;
   const char* wanted = std::getenv("FLIPFLOP_TEST_CASES");
   const int cases = wanted ? std::atoi(wanted) : 30;
   for (int seed = 0; seed < cases; ++seed)
@@ -154,8 +171,7 @@ void testRandomDealings()
     const Cloud cloud =
       flipflop::test::smallIntegerSites(random.integer(0, 150), 0, reach, 0, heaviest, random);
     const auto which = static_cast<std::uint64_t>(random.integer(0, 1000));
-    useAll(both, which);
-    both.Run("seed " + std::to_string(seed),
+    both.Run("seed " + std::to_string(seed), which,
       makeWeightedPieces(cloud, dealing(4 + 5 * which, cloud.size())));
   }
 }

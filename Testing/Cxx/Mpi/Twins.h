@@ -121,7 +121,6 @@ void testHull();
 void testHullComposite();
 void testHullErrors();
 void testHullShares();
-void testOneOutput();
 void testRandomPartitions();
 void testShares();
 void testTriangulation();
