@@ -265,11 +265,12 @@ void testArrays()
   FF_CHECK(isNear(valuesBy(filter, "z")[0], 0.5));
 }
 
-/// A heavy point hides another, whose value has no effect.
+/// Heavy points hide another, whose value has no effect: not by these weights, but by these radii.
 void testWeights()
 {
-  const auto source = makeWeighted(
-    { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 2, 1, 0 } }, { 0, 0, 0, 0, -100 });
+  const auto source =
+    makeWeighted({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 2, 1, 0 } },
+      { 3, 3, 3, 3, 0 }, VTK_INT);
   source->GetPointData()->AddArray(
     makeWeighted(std::vector<Point>(5), { 1, 1, 1, 1, 99 }, VTK_INT, "values")
       ->GetPointData()
@@ -282,8 +283,13 @@ void testWeights()
   for (const int mode : { 0, 1 })
   {
     filter->SetInterpolationMode(mode);
+    filter->SetWeightModeToWeights();
+    FF_CHECK_EQUAL(valuesBy(filter)[0], 99.0);
+    filter->SetWeightModeToRadii();
     FF_CHECK(isNear(valuesBy(filter)[0], 1.0));
   }
+  filter->SetWeightFactor(nan);
+  FF_CHECK(failsInPart(filter, vtkFFErrorCode::SettingError, { "Weight Factor is nan" }));
   filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "none");
   FF_CHECK(failsInPart(filter, vtkFFErrorCode::InputError,
     { "The weights' array \"none\" of the source is missing from the source's point data." }));
