@@ -21,7 +21,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -340,60 +339,6 @@ void testErrors()
   FF_CHECK(isNear(found[6], 0.5));
 }
 
-/// What was made of the source is used again unless the source or a setting of it has changed. To
-/// see that, the source changes here, of which nobody is told.
-void testPreparation()
-{
-  const auto source =
-    makeWeighted({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 } }, { 0, 0, 0, -9 });
-  vtkDataArray* const weights = source->GetPointData()->GetArray("weights");
-  vtkNew<Filter> filter;
-  filter->SetInputData(makePoints({ { 1, 1, 0 } }));
-  filter->SetSourceData(source);
-  double x = 1.0;
-  double value = -9.0;
-  FF_CHECK_EQUAL(valuesBy(filter, "weights")[0], value);
-  const auto isMadeAgain = [&](bool ofPoints, const std::function<void()>& change)
-  {
-    // There is no site at 1, 1; or there is another value.
-    x = ofPoints ? 3.0 - x : x;
-    source->GetPoints()->SetPoint(3, x, 1, 0);
-    value -= ofPoints ? 0.0 : 1.0;
-    weights->SetComponent(3, 0, value);
-    const double before = valuesOf(filter->GetOutput(), "weights")[0];
-    change();
-    const double after = valuesBy(filter, "weights")[0];
-    return after != before;
-  };
-  // How many of two such changes are seen if the values change, and if the points do.
-  struct Change
-  {
-    std::function<void()> Do;
-    int Values;
-    int Points;
-  };
-  const Change changes[] = { { [&] { filter->SetNullValue(filter->GetNullValue() + 1); }, 0, 0 },
-    // These are not in use.
-    { [&] { filter->SetWeightFactor(filter->GetWeightFactor() + 1); }, 0, 0 },
-    { [&] { filter->SetWeightMode(1 - filter->GetWeightMode()); }, 0, 0 },
-    // The values are read again; the triangulation stays.
-    { [&] { filter->AddExcludedArray("none"); }, 2, 0 },
-    { [&] { filter->SetInterpolateZ(!filter->GetInterpolateZ()); }, 2, 0 } };
-  for (const Change& change : changes)
-  {
-    const int values = isMadeAgain(false, change.Do) + isMadeAgain(false, change.Do);
-    FF_CHECK_EQUAL(values, change.Values);
-    const int points = isMadeAgain(true, change.Do) + isMadeAgain(true, change.Do);
-    FF_CHECK_EQUAL(points, change.Points);
-  }
-  // Once in use, the factor matters.
-  filter->SetWeightModeToWeights();
-  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
-  FF_CHECK_EQUAL(valuesBy(filter, "weights")[0], 0.0);
-  filter->SetWeightFactor(0.0);
-  FF_CHECK_EQUAL(valuesBy(filter, "weights")[0], value);
-}
-
 void testPrint()
 {
   vtkNew<Filter> filter;
@@ -402,13 +347,12 @@ void testPrint()
   filter->SetNullPointsStrategy(9);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name :
-    { "InterpolationMode: NaturalNeighbor", "NullPointsStrategy: ClosestPoint", "NullValue: 0",
-      "ValidPointsMaskArrayName: vtkValidPointMask", "InterpolateZ: On", "ZArrayName: Elevation",
-      "ExcludedArrays: 1", "PassPointArrays: On", "PassCellArrays: On", "PassFieldArrays: On",
-      "WeightMode: Weights", "WeightFactor: 1" })
+  for (const std::string name : { "InterpolationMode: NaturalNeighbor", "WeightMode: Weights",
+         "WeightFactor: 1", "NullPointsStrategy: ClosestPoint", "NullValue: 0", "InterpolateZ: On",
+         "ValidPointsMaskArrayName: vtkValidPointMask", "ZArrayName: Elevation",
+         "ExcludedArrays: 1", "PassPointArrays: On", "PassCellArrays: On", "PassFieldArrays: On" })
   {
-    FF_CHECK(text.str().find(std::string("\n  ") + name) != std::string::npos);
+    FF_CHECK(text.str().find("\n  " + name) != std::string::npos);
   }
   const vtkMTimeType time = filter->GetMTime();
   filter->SetZArrayName("Elevation");
@@ -427,7 +371,6 @@ int TestFFPointInterpolator2D(int, char*[])
   testWeights();
   testBlocks();
   testErrors();
-  testPreparation();
   testPrint();
   return result();
 }

@@ -304,6 +304,23 @@ void testChanges(const Case& of)
   };
   FF_CHECK_EQUAL(count([&] { filter->SetNumberOfThreads(3 - filter->GetNumberOfThreads()); }), 0);
   FF_CHECK_EQUAL(count([&] { point->Modified(); }), 0);
+  if (auto* select = vtkFFSelectEnclosedPoints::SafeDownCast(filter))
+  {
+    // The answers are turned round, and no more.
+    FF_CHECK_EQUAL(count([&] { select->SetInsideOut(!select->GetInsideOut()); }), 2);
+    FF_CHECK_EQUAL(
+      count([&] { select->SetGenerateDistances(!select->GetGenerateDistances()); }), 0);
+  }
+  if (auto* by = vtkFFPointInterpolator2D::SafeDownCast(filter))
+  {
+    FF_CHECK_EQUAL(count([&] { by->SetInterpolationMode(1 - by->GetInterpolationMode()); }), 0);
+    FF_CHECK_EQUAL(count([&] { by->SetNullValue(by->GetNullValue() + 1); }), 0);
+    FF_CHECK_EQUAL(count([&] { by->SetInterpolateZ(!by->GetInterpolateZ()); }), 0);
+    FF_CHECK_EQUAL(count([&] { by->AddExcludedArray("none"); }), 0);
+    // There are no weights.
+    FF_CHECK_EQUAL(count([&] { by->SetWeightFactor(by->GetWeightFactor() + 1); }), 0);
+    FF_CHECK_EQUAL(count([&] { by->SetWeightMode(1 - by->GetWeightMode()); }), 0);
+  }
   FF_CHECK_EQUAL(count([&] { filter->SetNonFinitePoints(1 - filter->GetNonFinitePoints()); }), 2);
   FF_CHECK_EQUAL(count([&] { filter->SetSkipGhostPoints(!filter->GetSkipGhostPoints()); }), 2);
   FF_CHECK_EQUAL(count([&] { second->Modified(); }), 2);
