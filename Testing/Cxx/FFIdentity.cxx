@@ -3,7 +3,6 @@
 // Whether two data objects are the same, bit for bit.
 #include "FFTest.h"
 
-#include "vtkBitArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -11,8 +10,7 @@
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkStringArray.h"
-#include "vtkVariantArray.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cstring>
@@ -45,27 +43,14 @@ bool sameValues(vtkAbstractArray* a, vtkAbstractArray* b)
     return false;
   }
   const vtkIdType count = a->GetNumberOfValues();
-  if (auto* strings = vtkStringArray::SafeDownCast(a))
+  if (!a->HasStandardMemoryLayout() || a->GetDataType() == VTK_BIT || !a->IsNumeric())
   {
-    auto* others = vtkStringArray::SafeDownCast(b);
-    return std::equal(
-      strings->GetPointer(0), strings->GetPointer(0) + count, others->GetPointer(0));
-  }
-  if (auto* bits = vtkBitArray::SafeDownCast(a))
-  {
-    auto* others = vtkBitArray::SafeDownCast(b);
     vtkIdType i = 0;
-    while (i < count && bits->GetValue(i) == others->GetValue(i))
+    while (i < count && a->GetVariantValue(i) == b->GetVariantValue(i))
     {
       ++i;
     }
     return i == count;
-  }
-  if (auto* variants = vtkVariantArray::SafeDownCast(a))
-  {
-    auto* others = vtkVariantArray::SafeDownCast(b);
-    return std::equal(
-      variants->GetPointer(0), variants->GetPointer(0) + count, others->GetPointer(0));
   }
   const auto bytes = static_cast<std::size_t>(count * a->GetDataTypeSize());
   return bytes == 0 || std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;
@@ -186,6 +171,14 @@ bool sameDataSet(vtkDataSet* a, vtkDataSet* b, const std::string& where)
     sameArrays(a->GetFieldData(), b->GetFieldData(), where + ", field data");
 }
 
+}
+
+//------------------------------------------------------------------------------
+bool isSame(vtkPolyData* a, vtkPolyData* b)
+{
+  return samePoints(a, b, "same") && originalIds(a) == originalIds(b) &&
+    sameCells(a->GetVerts(), b->GetVerts()) && sameCells(a->GetLines(), b->GetLines()) &&
+    sameCells(a->GetPolys(), b->GetPolys());
 }
 
 //------------------------------------------------------------------------------

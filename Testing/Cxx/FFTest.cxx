@@ -508,50 +508,6 @@ bool isTriangulationOf(
   return isValid(flipflop::validate(view, weightView, triangulation));
 }
 
-namespace
-{
-
-bool isSame(vtkCellArray* a, vtkCellArray* b)
-{
-  if (a->GetNumberOfCells() != b->GetNumberOfCells())
-  {
-    return false;
-  }
-  vtkNew<vtkIdList> cornersA;
-  vtkNew<vtkIdList> cornersB;
-  for (vtkIdType i = 0; i < a->GetNumberOfCells(); ++i)
-  {
-    a->GetCellAtId(i, cornersA);
-    b->GetCellAtId(i, cornersB);
-    const vtkIdType size = cornersA->GetNumberOfIds();
-    if (size != cornersB->GetNumberOfIds() ||
-      !std::equal(cornersA->GetPointer(0), cornersA->GetPointer(0) + size, cornersB->GetPointer(0)))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-}
-
-//------------------------------------------------------------------------------
-bool isSame(vtkPolyData* a, vtkPolyData* b)
-{
-  if (!a->GetPoints() || !b->GetPoints())
-  {
-    return !a->GetPoints() && !b->GetPoints();
-  }
-  const auto pointsA = doubles(a);
-  const auto pointsB = doubles(b);
-  const auto bytes = static_cast<std::size_t>(pointsA->GetNumberOfValues()) * sizeof(double);
-  return pointsA->GetNumberOfValues() == pointsB->GetNumberOfValues() &&
-    a->GetPoints()->GetDataType() == b->GetPoints()->GetDataType() &&
-    std::memcmp(pointsA->GetPointer(0), pointsB->GetPointer(0), bytes) == 0 &&
-    originalIds(a) == originalIds(b) && isSame(a->GetVerts(), b->GetVerts()) &&
-    isSame(a->GetLines(), b->GetLines()) && isSame(a->GetPolys(), b->GetPolys());
-}
-
 //------------------------------------------------------------------------------
 double reported(vtkDataObject* output, const std::string& name)
 {
