@@ -4,90 +4,93 @@
 #include "FFTest.h"
 
 #include "vtkCellArray.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
+#include <string>
 
 using namespace fftest;
 
 namespace
 {
 
-using Cells = std::vector<std::vector<vtkIdType>>;
+using Ids = std::vector<vtkIdType>;
+using Cells = std::vector<Ids>;
 
-struct Run
+constexpr double least = 4.9406564584124654e-324;
+
+/// The hull has the dimension, these points, and this number of facets, in both modes. Returns it,
+/// with polygons.
+vtkSmartPointer<vtkFFHullFilter> check(
+  vtkPointSet* input, int dimension, const Ids& ids, int facets)
 {
-  vtkNew<vtkFFHullFilter> Filter;
-  vtkPolyData* Output;
-
-  explicit Run(vtkPointSet* input, bool polygons = false)
-    : Output(this->Filter->GetOutput())
+  auto hull = vtkSmartPointer<vtkFFHullFilter>::New();
+  hull->SetInputData(input);
+  for (const int mode : { 0, 1 })
   {
-    this->Filter->SetFacetMode(polygons);
-    this->Filter->SetInputData(input);
-    FF_CHECK(succeeds(this->Filter));
+    hull->SetFacetMode(mode);
+    FF_CHECK(succeeds(hull));
+    FF_CHECK_EQUAL(hull->GetDimension(), dimension);
+    FF_CHECK(originalIds(hull->GetOutput()) == ids);
+    FF_CHECK(isHullOf(input, hull->GetOutput(), dimension));
+    FF_CHECK(dimension == 3 || hull->GetVolume() == 0.0);
+    FF_CHECK(dimension >= 2 || hull->GetArea() == 0.0);
   }
-};
+  FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfCells(), vtkIdType(facets));
+  return hull;
+}
+
+Cells cellsOf(vtkFFHullFilter* hull, vtkCellArray* cells)
+{
+  return cellsByOriginalIds(hull->GetOutput(), cells);
+}
 
 void testNoPoint()
 {
-  vtkNew<vtkPolyData> noPoints; // not even a vtkPoints
-  const Run none(noPoints);
-  FF_CHECK(isEmpty(none.Output));
-  FF_CHECK_EQUAL(none.Filter->GetDimension(), -1);
-  FF_CHECK_EQUAL(none.Filter->GetVolume(), 0.0);
-  FF_CHECK(originalIds(none.Output).empty());
-
+  vtkNew<vtkFFHullFilter> hull;
+  vtkNew<vtkPolyData> nothing; // not even a vtkPoints
+  hull->SetInputData(nothing);
+  FF_CHECK(succeeds(hull));
+  FF_CHECK(isEmpty(hull->GetOutput()));
+  FF_CHECK_EQUAL(hull->GetDimension(), -1);
+  FF_CHECK(originalIds(hull->GetOutput()).empty());
   for (const int type : { VTK_FLOAT, VTK_DOUBLE, VTK_INT })
   {
-    const Run empty(makePoints(std::vector<Point>{}, type));
-    FF_CHECK(isEmpty(empty.Output));
-    FF_CHECK_EQUAL(empty.Filter->GetDimension(), -1);
-    FF_CHECK_EQUAL(empty.Output->GetPoints()->GetDataType(), type);
+    hull->SetInputData(makePoints(std::vector<Point>{}, type));
+    FF_CHECK(succeeds(hull));
+    FF_CHECK(isEmpty(hull->GetOutput()));
+    FF_CHECK_EQUAL(hull->GetDimension(), -1);
+    FF_CHECK_EQUAL(hull->GetVolume(), 0.0);
+    FF_CHECK_EQUAL(hull->GetOutput()->GetPoints()->GetDataType(), type);
   }
 }
 
 void testOnePosition()
 {
-  for (const int count : { 1, 2, 3, 4, 100 })
+  for (const std::size_t count : { 1, 2, 3, 4, 100 })
   {
-    const auto input = makePoints(std::vector<Point>(static_cast<std::size_t>(count), { 1, 2, 3 }));
-    const Run run(input);
-    FF_CHECK_EQUAL(run.Filter->GetDimension(), 0);
-    FF_CHECK(originalIds(run.Output) == std::vector<vtkIdType>{ 0 });
-    FF_CHECK_EQUAL(run.Output->GetNumberOfCells(), 1);
-    FF_CHECK(cellsByOriginalIds(run.Output, run.Output->GetVerts()) == Cells{ { 0 } });
-    FF_CHECK(isHullOf(input, run.Output, 0));
+    const auto hull = check(makePoints(std::vector<Point>(count, { 1, 2, 3 })), 0, { 0 }, 1);
+    FF_CHECK(cellsOf(hull, hull->GetOutput()->GetVerts()) == Cells{ { 0 } });
   }
   // 0.0 and -0.0 are one position; the lowest id gives the bits.
-  const auto zeros = makePoints({ { -0.0, 0.0, 0.0 }, { 0.0, -0.0, 0.0 } });
-  const Run run(zeros);
-  FF_CHECK_EQUAL(run.Filter->GetDimension(), 0);
-  FF_CHECK(std::signbit(run.Output->GetPoint(0)[0]));
+  const auto hull = check(makePoints({ { -0.0, 0.0, 0.0 }, { 0.0, -0.0, 0.0 } }), 0, { 0 }, 1);
+  FF_CHECK(std::signbit(hull->GetOutput()->GetPoint(0)[0]));
 }
 
 void testCollinear()
 {
-  const auto two = makePoints({ { 1, 1, 1 }, { 0, 5, 2 } });
-  const Run pair(two);
-  FF_CHECK_EQUAL(pair.Filter->GetDimension(), 1);
-  FF_CHECK(cellsByOriginalIds(pair.Output, pair.Output->GetLines()) == (Cells{ { 0, 1 } }));
-  FF_CHECK(isHullOf(two, pair.Output, 1));
-
+  auto hull = check(makePoints({ { 1, 1, 1 }, { 0, 5, 2 } }), 1, { 0, 1 }, 1);
+  FF_CHECK(cellsOf(hull, hull->GetOutput()->GetLines()) == (Cells{ { 0, 1 } }));
   // Integer multiples of one direction, out of order, with both ends twice.
-  const auto many = makePoints({ { 2, 4, -6 }, { -3, -6, 9 }, { 0, 0, 0 }, { 5, 10, -15 },
-    { 1, 2, -3 }, { 5, 10, -15 }, { -3, -6, 9 } });
-  const Run line(many);
-  FF_CHECK_EQUAL(line.Filter->GetDimension(), 1);
-  FF_CHECK_EQUAL(line.Output->GetNumberOfCells(), 1);
-  FF_CHECK(cellsByOriginalIds(line.Output, line.Output->GetLines()) == (Cells{ { 1, 3 } }));
-  FF_CHECK(isHullOf(many, line.Output, 1));
-  FF_CHECK_EQUAL(line.Filter->GetArea(), 0.0);
+  hull = check(makePoints({ { 2, 4, -6 }, { -3, -6, 9 }, { 0, 0, 0 }, { 5, 10, -15 }, { 1, 2, -3 },
+                 { 5, 10, -15 }, { -3, -6, 9 } }),
+    1, { 1, 3 }, 1);
+  FF_CHECK(cellsOf(hull, hull->GetOutput()->GetLines()) == (Cells{ { 1, 3 } }));
 }
 
 void testCoplanar()
@@ -98,40 +101,24 @@ void testCoplanar()
   for (int plane = 0; plane < 4; ++plane)
   {
     std::vector<Point> points;
-    for (const Point& p : square)
+    for (const auto& [x, y, z] : square)
     {
-      const double x = p[0];
-      const double y = p[1];
       points.push_back(plane == 0 ? Point{ x, y, 7 }
           : plane == 1            ? Point{ 7, x, y }
           : plane == 2            ? Point{ y, 7, x }
                                   : Point{ x + y, x - y, 3 * x + 2 * y });
     }
-    const auto input = makePoints(points);
-    const Run polygon(input, true);
-    FF_CHECK_EQUAL(polygon.Filter->GetDimension(), 2);
-    FF_CHECK_EQUAL(polygon.Output->GetNumberOfCells(), 1);
-    FF_CHECK_EQUAL(polygon.Output->GetNumberOfPolys(), 1);
-    FF_CHECK((originalIds(polygon.Output) == std::vector<vtkIdType>{ 1, 2, 4, 5 }));
-    FF_CHECK(isHullOf(input, polygon.Output, 2));
-    FF_CHECK_EQUAL(polygon.Filter->GetVolume(), 0.0);
-
-    const Run triangles(input);
-    FF_CHECK_EQUAL(triangles.Filter->GetDimension(), 2);
-    FF_CHECK_EQUAL(triangles.Output->GetNumberOfPolys(), 2);
-    FF_CHECK(isHullOf(input, triangles.Output, 2));
-    if (plane < 3)
-    {
-      FF_CHECK_EQUAL(polygon.Filter->GetArea(), 4.0);
-      FF_CHECK_EQUAL(triangles.Filter->GetArea(), 4.0);
-    }
+    const auto hull = check(makePoints(points), 2, { 1, 2, 4, 5 }, 1);
+    FF_CHECK(plane == 3 || hull->GetArea() == 4.0);
+    hull->SetFacetModeToTriangles();
+    hull->Update();
+    FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPolys(), 2);
+    FF_CHECK(plane == 3 || hull->GetArea() == 4.0);
   }
-  const auto three = makePoints({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 } });
-  const Run triangle(three);
   // Its normal's last non-zero component is positive: it is turned over.
-  FF_CHECK(
-    cellsByOriginalIds(triangle.Output, triangle.Output->GetPolys()) == (Cells{ { 0, 2, 1 } }));
-  FF_CHECK_EQUAL(triangle.Filter->GetArea(), 0.5);
+  const auto hull = check(makePoints({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 } }), 2, { 0, 1, 2 }, 1);
+  FF_CHECK(cellsOf(hull, hull->GetOutput()->GetPolys()) == (Cells{ { 0, 2, 1 } }));
+  FF_CHECK_EQUAL(hull->GetArea(), 0.5);
 }
 
 /// The smallest solids, with all points twice: the lowest id stands for both.
@@ -140,88 +127,91 @@ void testDuplicates()
   auto points = cubeCorners();
   const auto again = points;
   points.insert(points.end(), again.rbegin(), again.rend());
-  const auto input = makePoints(points);
-  const Run run(input, true);
-  FF_CHECK((originalIds(run.Output) == std::vector<vtkIdType>{ 0, 1, 2, 3, 4, 5, 6, 7 }));
-  FF_CHECK_EQUAL(run.Output->GetNumberOfPolys(), 6);
-  FF_CHECK(isHullOf(input, run.Output, 3));
-
-  const auto tetrahedron = makePoints(
-    { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 } });
-  const Run small(tetrahedron);
-  FF_CHECK((originalIds(small.Output) == std::vector<vtkIdType>{ 0, 2, 3, 5 }));
-  FF_CHECK_EQUAL(small.Output->GetNumberOfPolys(), 4);
-  FF_CHECK(isHullOf(tetrahedron, small.Output, 3));
+  check(makePoints(points), 3, { 0, 1, 2, 3, 4, 5, 6, 7 }, 6);
+  check(makePoints({ { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+          { 1, 0, 0 } }),
+    3, { 0, 2, 3, 5 }, 4);
 }
 
 /// Far from the origin, thin, huge and tiny: no tolerance decides.
 void testRanges()
 {
-  const auto cube = cubeCorners();
-  for (const double scale : { 1.0, 1e-300, 4.9406564584124654e-324, 1e300, 0x1p1023 })
+  // Also a cube whose sides are one unit in the last place, far away.
+  for (const double scale : { 1.0, 1e-300, least, 1e300, 0x1p1023, 0.0 })
   {
-    std::vector<Point> points;
-    for (const Point& p : cube)
+    auto points = cubeCorners();
+    for (Point& p : points)
     {
-      points.push_back({ p[0] * scale, p[1] * scale, p[2] * scale });
+      p = scale > 0.0 ? Point{ p[0] * scale, p[1] * scale, p[2] * scale }
+                      : Point{ p[0] + 0x1p52, p[1] - 0x1p52, p[2] + 0x1p52 };
     }
-    const auto input = makePoints(points);
-    const Run run(input, true);
-    FF_CHECK_EQUAL(run.Filter->GetDimension(), 3);
-    FF_CHECK_EQUAL(run.Output->GetNumberOfPolys(), 6);
-    FF_CHECK(isHullOf(input, run.Output, 3));
+    check(makePoints(points), 3, { 0, 1, 2, 3, 4, 5, 6, 7 }, 6);
   }
-  {
-    // A cube whose sides are one unit in the last place, far away.
-    const double far = 0x1p52;
-    std::vector<Point> points;
-    for (const Point& p : cube)
-    {
-      points.push_back({ p[0] + far, p[1] - far, p[2] + far });
-    }
-    const auto input = makePoints(points);
-    const Run run(input, true);
-    FF_CHECK_EQUAL(run.Output->GetNumberOfPolys(), 6);
-    FF_CHECK_EQUAL(run.Output->GetNumberOfPoints(), 8);
-    FF_CHECK(isHullOf(input, run.Output, 3));
-  }
-  {
-    // Coplanar but for the smallest double there is.
-    const auto input = makePoints(
-      { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.25, 0.25, 4.9406564584124654e-324 } });
-    const Run run(input);
-    FF_CHECK_EQUAL(run.Filter->GetDimension(), 3);
-    FF_CHECK_EQUAL(run.Output->GetNumberOfPolys(), 4);
-    FF_CHECK(isHullOf(input, run.Output, 3));
-  }
-  {
-    const auto input = makePoints({ { 1e20, 0, 0 }, { -1e20, 1e-20, 0 }, { 0, 1e20, 1e-20 },
-      { 0, -1e20, 1e300 }, { 1e-20, 1e-20, 1e-20 }, { 0, 0, -1e-300 } });
-    const Run run(input);
-    FF_CHECK_EQUAL(run.Filter->GetDimension(), 3);
-    FF_CHECK(isHullOf(input, run.Output, 3));
-  }
+  check(makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.25, 0.25, least } }), 3,
+    { 0, 1, 2, 3 }, 4);
+  check(makePoints({ { 1e20, 0, 0 }, { -1e20, 1e-20, 0 }, { 0, 1e20, 1e-20 }, { 0, -1e20, 1e300 },
+          { 1e-20, 1e-20, 1e-20 }, { 0, 0, -1e-300 } }),
+    3, { 0, 1, 2, 3, 5 }, 6);
 }
 
-/// Any vtkPointSet will do; its cells do not matter.
+/// Any vtkPointSet is taken; its cells do not matter.
 void testPointSets()
 {
   const auto points = makePoints(cubeCorners());
-
   vtkNew<vtkStructuredGrid> grid;
   grid->SetDimensions(2, 2, 2);
-  grid->SetPoints(points->GetPoints());
-  FF_CHECK_EQUAL(Run(grid, true).Output->GetNumberOfPolys(), 6);
-
   vtkNew<vtkUnstructuredGrid> cells;
-  cells->SetPoints(points->GetPoints());
-  const vtkIdType line[2] = { 0, 1 };
-  cells->InsertNextCell(VTK_LINE, 2, line);
-  FF_CHECK_EQUAL(Run(cells, true).Output->GetNumberOfPolys(), 6);
-
   vtkNew<vtkPointSet> bare;
-  bare->SetPoints(points->GetPoints());
-  FF_CHECK_EQUAL(Run(bare, true).Output->GetNumberOfPolys(), 6);
+  for (vtkPointSet* set : { static_cast<vtkPointSet*>(grid), static_cast<vtkPointSet*>(cells),
+         static_cast<vtkPointSet*>(bare) })
+  {
+    set->SetPoints(points->GetPoints());
+    if (set == cells)
+    {
+      const vtkIdType line[2] = { 0, 1 };
+      cells->InsertNextCell(VTK_LINE, 2, line);
+    }
+    check(set, 3, { 0, 1, 2, 3, 4, 5, 6, 7 }, 6);
+  }
+}
+
+/// An error that names the first of the points; or they are left out, and the others keep their
+/// ids.
+void testNonFinite()
+{
+  vtkNew<vtkFFHullFilter> hull;
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+  {
+    for (const double value : { double(NAN), HUGE_VAL, -HUGE_VAL })
+    {
+      for (const std::size_t axis : { 0, 1, 2 })
+      {
+        auto points = randomPoints(1000, 31);
+        points[123][axis] = value;
+        points[456][2 - axis] = value;
+        points[999] = { value, value, value };
+        const auto input = makePoints(points, type);
+        hull->SetInputData(input);
+        for (int again = 0; again < 2; ++again) // and back
+        {
+          hull->SetNonFinitePointsToError();
+          FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError,
+            { "A coordinate is NaN or infinite: first at point 123, 3 such point(s) in all." }));
+          FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
+          hull->SetNonFinitePointsToIgnore();
+          FF_CHECK(succeeds(hull));
+          FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
+          FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 1000);
+          FF_CHECK(isHullOf(input, hull->GetOutput(), 3));
+        }
+      }
+    }
+  }
+  hull->SetInputData(makePoints({ { NAN, 0, 0 }, { 0, HUGE_VAL, 0 } }));
+  FF_CHECK(succeeds(hull));
+  FF_CHECK_EQUAL(hull->GetDimension(), -1);
+  FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 2);
+  FF_CHECK(isEmpty(hull->GetOutput()));
 }
 
 }
@@ -235,5 +225,6 @@ int TestFFHullFilterDegenerate(int, char*[])
   testDuplicates();
   testRanges();
   testPointSets();
+  testNonFinite();
   return result();
 }
