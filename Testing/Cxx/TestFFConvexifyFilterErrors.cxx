@@ -20,11 +20,12 @@ using namespace fftest;
 namespace
 {
 
-using Triangles = std::vector<std::vector<vtkIdType>>;
+using Cells = std::vector<std::vector<vtkIdType>>;
+using Parts = std::vector<std::string>;
 
 /// The filter fails with one message that has all the parts, and works again.
-void refuses(vtkPolyData* input, const std::vector<std::string>& parts,
-  const double* kernel = nullptr, unsigned long code = vtkFFErrorCode::SurfaceError)
+void refuses(vtkPolyData* input, const Parts& parts, const double* kernel = nullptr,
+  unsigned long code = vtkFFErrorCode::SurfaceError)
 {
   vtkNew<vtkFFConvexifyFilter> convexify;
   if (kernel)
@@ -40,62 +41,59 @@ void refuses(vtkPolyData* input, const std::vector<std::string>& parts,
 }
 
 /// Of cells that are none of a surface's.
-void refusesInput(vtkPolyData* input, const std::vector<std::string>& parts)
+void refusesInput(vtkPolyData* input, const Parts& parts)
 {
   refuses(input, parts, nullptr, vtkFFErrorCode::InputError);
 }
 
-const std::vector<Point> tetrahedronPoints{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-const Triangles tetrahedron{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+const std::vector<Point> corners{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+const Cells tetrahedron{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+const Cells quads{ { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 },
+  { 1, 3, 7, 5 } };
 
-/// Points alone are no surface.
-void testNoCells()
+/// The cells with one of them replaced; without it, if there is no other.
+Cells with(Cells cells, std::size_t which, const std::vector<vtkIdType>& other)
 {
-  refusesInput(makeSurface(tetrahedronPoints, {}),
-    { "The surface has no cells, but 4 point(s)", "vtkFFHullFilter" });
+  if (other.empty())
+  {
+    cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(which));
+  }
+  else
+  {
+    cells[which] = other;
+  }
+  return cells;
 }
 
+vtkSmartPointer<vtkCellArray> makeCellArray(const Cells& cells)
+{
+  return makeSurface({}, cells)->GetPolys();
+}
+
+/// Cells that are none of a surface's.
 void testCells()
 {
-  auto cells = tetrahedron;
-  cells[1] = { 0, 1 };
-  refusesInput(makeSurface(tetrahedronPoints, cells), { "cell 1", "polygon of 2." });
-
-  vtkNew<vtkCellArray> one;
-  const vtkIdType ids[4] = { 0, 1, 2, 3 };
-
-  auto input = makeSurface(tetrahedronPoints, tetrahedron);
-  one->InsertNextCell(1, ids);
-  input->SetVerts(one);
+  refusesInput(
+    makeSurface(corners, {}), { "The surface has no cells, but 4 point(s)", "vtkFFHullFilter" });
+  refusesInput(makeSurface(corners, with(tetrahedron, 1, { 0, 1 })), { "cell 1", "polygon of 2." });
+  auto input = makeSurface(corners, tetrahedron);
+  input->SetVerts(makeCellArray({ { 0 } }));
   refusesInput(input, { "cell 0", "vertex" });
-
-  input = makeSurface(tetrahedronPoints, tetrahedron);
-  one->Reset();
-  one->InsertNextCell(2, ids);
-  input->SetLines(one);
+  input->SetVerts(nullptr);
+  input->SetLines(makeCellArray({ { 0, 1 } }));
   refusesInput(input, { "cell 0", "line" });
-
-  input = makeSurface(tetrahedronPoints, tetrahedron);
-  one->Reset();
-  one->InsertNextCell(4, ids);
-  input->SetStrips(one);
+  input->SetLines(nullptr);
+  input->SetStrips(makeCellArray({ { 0, 1, 2, 3 } }));
   refuses(input, { "not a manifold" });
-  one->Reset();
-  one->InsertNextCell(3, ids);
-  one->InsertNextCell(2, ids);
-  input->SetStrips(one);
+  input->SetStrips(makeCellArray({ { 0, 1, 2 }, { 0, 1 } }));
   refusesInput(input, { "cell 5", "strip of 2." });
 
   // Nothing but these.
-  input = makePoints(tetrahedronPoints);
-  one->Reset();
-  one->InsertNextCell(1, ids);
-  input->SetVerts(one);
+  input = makePoints(corners);
+  input->SetVerts(makeCellArray({ { 0 } }));
   refusesInput(
     input, { "The surface has no polygons: its cells are vertices. ", "vtkFFHullFilter" });
-  vtkNew<vtkCellArray> two;
-  two->InsertNextCell(2, ids);
-  input->SetLines(two);
+  input->SetLines(makeCellArray({ { 0, 1 } }));
   refusesInput(input, { "its cells are vertices and lines. " });
   input->SetVerts(nullptr);
   refusesInput(input, { "its cells are lines. " });
@@ -105,44 +103,21 @@ void testCells()
 void testPolygons()
 {
   const auto cube = cubeCorners();
-  const Triangles quads{ { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
-    { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
-  auto cells = quads;
-  std::swap(cells[4][1], cells[4][2]);
-  refuses(makeSurface(cube, cells), { "crosses or touches itself", "cell 4,", "1 such polygon" });
-  cells = quads;
-  cells[3][2] = 8;
-  refuses(makeSurface(cube, cells), { "cell 3,", "1 such cell", "does not exist" });
-  cells[3][2] = cells[3][0];
-  refuses(makeSurface(cube, cells), { "cell 3,", "1 such cell", "twice" });
-  cells = quads;
-  cells.pop_back();
-  refuses(makeSurface(cube, cells), { "not closed", "cell 0", "4 such edge" });
-  cells = quads;
-  std::reverse(cells[5].begin(), cells[5].end());
-  refuses(makeSurface(cube, cells), { "not oriented", "cell 0" });
-  cells.erase(cells.begin());
-  cells.push_back(quads[0]);
-  const double outside[3] = { 0.5, 0.5, -1.0 };
-  refuses(makeSurface(cube, quads), { "does not see", "cell 0", "2 such triangle" }, outside);
+  const double below[3] = { 0.5, 0.5, -1.0 };
   const double above[3] = { 0.5, 0.5, 2.0 };
-  refuses(makeSurface(cube, quads), { "does not see", "cell 1", "2 such triangle" }, above);
-
-  // The last two polygons as strips.
-  auto input = makeSurface(cube, { quads[0], quads[1], quads[2], quads[3] });
-  vtkNew<vtkCellArray> strips;
-  const vtkIdType first[4] = { 0, 4, 2, 6 };
-  const vtkIdType last[4] = { 1, 3, 5, 7 };
-  strips->InsertNextCell(4, first);
-  strips->InsertNextCell(4, last);
-  input->SetStrips(strips);
   const double right[3] = { 2.0, 0.5, 0.5 };
+  const auto surface = [&](std::size_t which, const std::vector<vtkIdType>& other)
+  { return makeSurface(cube, with(quads, which, other)); };
+  refuses(surface(4, { 0, 6, 4, 2 }), { "crosses or touches itself", "cell 4,", "1 such polygon" });
+  refuses(surface(3, { 2, 6, 8, 3 }), { "cell 3,", "1 such cell", "does not exist" });
+  refuses(surface(3, { 2, 6, 2, 3 }), { "cell 3,", "1 such cell", "twice" });
+  refuses(surface(5, {}), { "not closed", "cell 0", "4 such edge" });
+  refuses(surface(5, { 5, 7, 3, 1 }), { "not oriented", "cell 0" });
+  refuses(makeSurface(cube, quads), { "does not see", "cell 0", "2 such triangle" }, below);
+  refuses(makeSurface(cube, quads), { "does not see", "cell 1", "2 such triangle" }, above);
+  const auto input = makeSurface(cube, Cells(quads.begin(), quads.begin() + 4));
+  input->SetStrips(makeCellArray({ { 0, 4, 2, 6 }, { 1, 3, 5, 7 } }));
   refuses(input, { "does not see", "cell 5", "2 such triangle" }, right);
-
-  auto bad = cube;
-  bad[6][0] = std::numeric_limits<double>::infinity();
-  refuses(makeSurface(bad, quads), { "point 6,", "1 such point", "NaN or infinite" }, nullptr,
-    vtkFFErrorCode::NonFiniteError);
 }
 
 /// The tetrahedron's cells in arrays of one's own: corners before and after those that cells take.
@@ -151,28 +126,31 @@ vtkSmartPointer<vtkPolyData> makeCells(int before, int after, int missing = 0)
 {
   using Value = typename ArrayT::ValueType;
   vtkNew<ArrayT> offsets;
-  vtkNew<ArrayT> corners;
-  for (int i = 0; i < before; ++i)
+  vtkNew<ArrayT> connectivity;
+  const auto fill = [&](int count)
   {
-    corners->InsertNextValue(-7);
-  }
+    for (int i = 0; i < count; ++i)
+    {
+      connectivity->InsertNextValue(-7);
+    }
+  };
+  const auto addOffset = [&]
+  { offsets->InsertNextValue(static_cast<Value>(connectivity->GetNumberOfValues())); };
+  fill(before);
   for (const auto& triangle : tetrahedron)
   {
-    offsets->InsertNextValue(static_cast<Value>(corners->GetNumberOfValues()));
+    addOffset();
     for (const vtkIdType corner : triangle)
     {
-      corners->InsertNextValue(static_cast<Value>(corner));
+      connectivity->InsertNextValue(static_cast<Value>(corner));
     }
   }
-  offsets->InsertNextValue(static_cast<Value>(corners->GetNumberOfValues()));
-  for (int i = 0; i < after; ++i)
-  {
-    corners->InsertNextValue(-7);
-  }
-  corners->SetNumberOfValues(corners->GetNumberOfValues() - missing);
+  addOffset();
+  fill(after);
+  connectivity->SetNumberOfValues(connectivity->GetNumberOfValues() - missing);
   vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets.Get(), corners.Get());
-  auto data = makePoints(tetrahedronPoints);
+  cells->SetData(offsets.Get(), connectivity.Get());
+  auto data = makePoints(corners);
   data->SetPolys(cells);
   return data;
 }
@@ -202,67 +180,32 @@ void testCellArrays()
   refusesInput(input, { "not valid", "corners -3 to 8" });
 }
 
-void testBadTriangles()
+/// Triangles that make no closed, oriented manifold.
+void testTriangles()
 {
-  auto cells = tetrahedron;
-  cells[3] = { 1, 2, 4 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3", "1 such cell" });
-  cells[3] = { 1, 2, -1 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3", "does not exist" });
-  cells[3] = { 1, 2, std::numeric_limits<vtkIdType>::max() };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 3" });
-  cells[3] = { 1, 2, 1 };
-  cells[1] = { 3, 3, 3 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "cell 1", "2 such cell" });
+  const auto surface = [](std::size_t which, const std::vector<vtkIdType>& other)
+  { return makeSurface(corners, with(tetrahedron, which, other)); };
+  refuses(surface(3, { 1, 2, 4 }), { "cell 3", "1 such cell" });
+  refuses(surface(3, { 1, 2, -1 }), { "cell 3", "does not exist" });
+  refuses(surface(3, { 1, 2, std::numeric_limits<vtkIdType>::max() }), { "cell 3" });
+  refuses(makeSurface(corners, with(with(tetrahedron, 3, { 1, 2, 1 }), 1, { 3, 3, 3 })),
+    { "cell 1", "2 such cell" });
   refuses(makeSurface({}, tetrahedron), { "cell 0", "4 such cell" });
-}
+  refuses(surface(3, {}), { "not closed", "cell 0", "3 such edge" });
+  refuses(surface(3, { 2, 1, 3 }), { "not oriented", "cell 0" });
 
-void testNotClosed()
-{
-  auto cells = tetrahedron;
-  cells.erase(cells.begin() + 3);
-  refuses(makeSurface(tetrahedronPoints, cells), { "not closed", "cell 0", "3 such edge" });
-
-  // A cube of which one triangle, the last, is missing: its neighbours have the open edges.
-  const auto cube = makeVoxels({ { 0, 0, 0 } });
-  vtkNew<vtkCellArray> fewer;
-  for (vtkIdType i = 0; i < 11; ++i)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    cube->GetPolys()->GetCellAtId(i, size, corners);
-    fewer->InsertNextCell(size, corners);
-  }
-  cube->SetPolys(fewer);
-  refuses(cube, { "not closed", "3 such edge" });
-}
-
-void testNotManifold()
-{
   // A fin on the edge of triangles 0 and 1, with both its sides.
-  auto points = tetrahedronPoints;
+  auto points = corners;
   points.push_back({ 0.5, -1, -1 });
   auto cells = tetrahedron;
-  cells.push_back({ 0, 1, 4 });
-  cells.push_back({ 1, 0, 4 });
+  cells.insert(cells.end(), { { 0, 1, 4 }, { 1, 0, 4 } });
   refuses(makeSurface(points, cells), { "not a manifold", "cell 0" });
-
   // Two tetrahedra that share a corner, 3: two fans there.
-  points = tetrahedronPoints;
-  points.push_back({ 0, 0, 2 });
-  points.push_back({ 1, 0, 2 });
-  points.push_back({ 0, 1, 2 });
+  points = corners;
+  points.insert(points.end(), { { 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 } });
   cells = tetrahedron;
   cells.insert(cells.end(), { { 4, 5, 6 }, { 4, 3, 5 }, { 4, 6, 3 }, { 5, 3, 6 } });
   refuses(makeSurface(points, cells), { "not a manifold", "cell 1", "1 such edge" });
-}
-
-void testNotOriented()
-{
-  auto cells = tetrahedron;
-  cells[3] = { 2, 1, 3 };
-  refuses(makeSurface(tetrahedronPoints, cells), { "not oriented", "cell 0" });
-
   // Of a cube's triangles, one turned over: it and its neighbours are at odds.
   const auto cube = makeVoxels({ { 0, 0, 0 } });
   cube->ReverseCell(7);
@@ -278,15 +221,13 @@ void testNotStarShaped()
   refuses(u, { "not star-shaped", "does not see", "cell" }, inTheBase);
 
   const auto cube = makeVoxels({ { 0, 0, 0 } });
-  const double outside[3] = { 2.0, 0.5, 0.5 };
-  refuses(cube, { "not star-shaped", "2 such triangle" }, outside);
-  const double onAFacet[3] = { 1.0, 0.5, 0.5 };
-  refuses(cube, { "not star-shaped", "2 such triangle" }, onAFacet);
-  const double onACorner[3] = { 0.0, 0.0, 0.0 };
-  refuses(cube, { "not star-shaped", "cell 0", "6 such triangle" }, onACorner);
-  const double justOutside[3] = { 0.5, 0.5, std::nextafter(1.0, 2.0) };
-  refuses(cube, { "not star-shaped", "2 such triangle" }, justOutside);
-
+  // Outside, on a facet, just outside, and on a corner.
+  for (const Point& kernel : { Point{ 2.0, 0.5, 0.5 }, Point{ 1.0, 0.5, 0.5 },
+         Point{ 0.5, 0.5, std::nextafter(1.0, 2.0) }, Point{ 0.0, 0.0, 0.0 } })
+  {
+    refuses(cube, { "not star-shaped", kernel[0] > 0.0 ? "2 such triangle" : "6 such triangle" },
+      kernel.data());
+  }
   // Flat: closed and oriented, but without an inside.
   refuses(makeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, tetrahedron),
     { "star-shaped" });
@@ -294,22 +235,24 @@ void testNotStarShaped()
 
 void testNumbers()
 {
-  const auto cube = makeVoxels({ { 0, 0, 0 } });
-  const double bad[3] = { 0.5, std::numeric_limits<double>::quiet_NaN(), 0.5 };
-  refuses(
-    cube, { "kernel point (0.5, nan, 0.5) is not finite" }, bad, vtkFFErrorCode::SettingError);
+  const double bad[3] = { 0.5, NAN, 0.5 };
+  refuses(makeVoxels({ { 0, 0, 0 } }), { "kernel point (0.5, nan, 0.5) is not finite" }, bad,
+    vtkFFErrorCode::SettingError);
 
-  auto points = tetrahedronPoints;
-  points[2][1] = std::numeric_limits<double>::infinity();
-  // Leaving it out is no way here.
+  // Leaving points out is no way here.
+  auto points = cubeCorners();
+  points[2][1] = HUGE_VAL;
   vtkNew<vtkFFConvexifyFilter> convexify;
-  convexify->SetInputData(makeSurface(points, tetrahedron));
-  for (const int policy : { 0, 1 })
+  for (const Cells& cells : { quads, tetrahedron })
   {
-    convexify->SetNonFinitePoints(policy);
-    FF_CHECK(fails(convexify, vtkFFErrorCode::NonFiniteError,
-      { "is NaN or infinite: first at point 2, 1 such point(s) in all. They are corners of the "
-        "surface, which has to be mended.\n" }));
+    convexify->SetInputData(makeSurface(points, cells));
+    for (const int policy : { 0, 1 })
+    {
+      convexify->SetNonFinitePoints(policy);
+      FF_CHECK(fails(convexify, vtkFFErrorCode::NonFiniteError,
+        { "is NaN or infinite: first at point 2, 1 such point(s) in all. They are corners of the "
+          "surface, which has to be mended.\n" }));
+    }
   }
 }
 
@@ -317,15 +260,11 @@ void testNumbers()
 
 int TestFFConvexifyFilterErrors(int, char*[])
 {
-  testNoCells();
   testCells();
   testPolygons();
   testCellArrays<vtkTypeInt32Array>();
   testCellArrays<vtkTypeInt64Array>();
-  testBadTriangles();
-  testNotClosed();
-  testNotManifold();
-  testNotOriented();
+  testTriangles();
   testNotStarShaped();
   testNumbers();
   return result();
