@@ -15,11 +15,15 @@
 #define vtkFFBlockExchange_h
 
 #include "vtkFFMarks.h"
+#include "vtkFFParcel.h"
 #include "vtkFFProcesses.h"
 
+#include <cstddef>
+#include <cstring>
 #include <functional>
 #include <map>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,6 +37,37 @@ public:
    * Messages to or from others (or to the own process), by the number of the process.
    */
   using Messages = std::map<int, std::vector<char>>;
+
+  ///@{
+  /**
+   * Plain values as bytes of a message: added to its end; and all that it holds. They are sent as
+   * they are in memory, between machines of one kind.
+   *
+   * @throw vtkFFDamagedParcel for a message that is not a number of such values.
+   */
+  template <class T>
+  static void Add(const T* values, std::size_t count, std::vector<char>& message)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain values can be sent");
+    const char* bytes = reinterpret_cast<const char*>(values);
+    message.insert(message.end(), bytes, bytes + count * sizeof(T));
+  }
+  template <class T>
+  static std::vector<T> Values(const std::vector<char>& message)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain values can be sent");
+    if (message.size() % sizeof(T) != 0)
+    {
+      throw vtkFFDamagedParcel();
+    }
+    std::vector<T> values(message.size() / sizeof(T));
+    if (!values.empty())
+    {
+      std::memcpy(values.data(), message.data(), message.size());
+    }
+    return values;
+  }
+  ///@}
 
   /**
    * Why DIY cannot exchange messages between the processes of a controller: a clause. Empty if it

@@ -3,7 +3,6 @@
 #include "vtkFFBlockRounds.h"
 
 #include "vtkFFBlockExchange.h"
-#include "vtkFFMessage.h"
 #include "vtkFFRun.h"
 
 #include <algorithm>
@@ -25,6 +24,55 @@ struct FirstPoint
   double Place[3];
 };
 
+/// The size of the hull of which each block has some cells. Collective.
+void measure(const flipflop::BlockRun* run, const flipflop::BlockResult& result,
+  vtkFFBlockExchange& exchange, vtkFFBlockRounds::Size& size)
+{
+  // Volumes are measured from the hull's first point.
+  vtkFFBlockExchange::Messages messages;
+  exchange.Do(
+    [&]
+    {
+      if (result.cells.pointIds.empty())
+      {
+        return;
+      }
+      FirstPoint first{ result.cells.pointIds[0], {} };
+      std::copy_n(result.places.begin(), 3, first.Place);
+      for (int process = 0; process < exchange.GetProcesses().GetCount(); ++process)
+      {
+        vtkFFBlockExchange::Add(&first, 1, messages[process]);
+      }
+    });
+  if (!exchange.Exchange(messages))
+  {
+    return;
+  }
+  std::vector<vtkIdType> parts(4);
+  exchange.Do(
+    [&]
+    {
+      FirstPoint first{ std::numeric_limits<std::int64_t>::max(), {} };
+      for (const auto& message : messages)
+      {
+        for (const FirstPoint& other : vtkFFBlockExchange::Values<FirstPoint>(message.second))
+        {
+          first = other.Id < first.Id ? other : first;
+        }
+      }
+      const flipflop::BlockMeasure own = run->measure(result, first.Place);
+      std::copy_n(own.parts, 4, parts.begin());
+    });
+  parts = exchange.GetProcesses().Sum(parts);
+  exchange.Do(
+    [&]
+    {
+      flipflop::BlockMeasure sum;
+      std::copy_n(parts.begin(), 4, sum.parts);
+      run->sizeOf(sum, size.Volume, size.Area);
+    });
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -33,37 +81,31 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
   Size* size)
 {
   const int own = exchange.GetProcesses().GetRank();
-  const int count = exchange.GetProcesses().GetCount();
   std::unique_ptr<flipflop::BlockRun> run;
   vtkFFBlockExchange::Messages messages;
-  const auto step = [&](const std::function<void()>& work)
+  const auto send = [&](const std::function<void()>& write)
   {
-    exchange.Do(
-      [&]
-      {
-        vtkFFRun::Look(options);
-        work();
-      });
+    exchange.Do([&] { vtkFFRun::Look(options); });
+    exchange.Do(write);
+    return exchange.Exchange(messages);
   };
 
-  step(
+  const bool isKnown = send(
     [&]
     {
-      {
-        const flipflop::BlockPoints all = std::move(points); // not needed after this
-        run = std::make_unique<flipflop::BlockRun>(shape, all, options);
-      }
+      const flipflop::BlockPoints all = std::move(points); // not needed after this
+      run = std::make_unique<flipflop::BlockRun>(shape, all, options);
       const flipflop::BlockMessage introduction = run->introduction();
-      for (int process = 0; process < count; ++process)
+      for (int process = 0; process < exchange.GetProcesses().GetCount(); ++process)
       {
         messages[process] = introduction;
       }
     });
-  if (!exchange.Exchange(messages))
+  if (!isKnown)
   {
     return false;
   }
-  step(
+  exchange.Do(
     [&]
     {
       std::vector<flipflop::BlockMessage> introductions;
@@ -73,32 +115,25 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
       }
       run->begin(introductions, own);
     });
-
-  for (;;)
+  for (bool goesOn = true; goesOn;)
   {
-    messages.clear();
-    step([&] { messages = run->ask(); });
-    if (!exchange.Exchange(messages))
+    if (!send([&] { messages = run->ask(); }))
     {
       return false;
     }
-    if (exchange.GetNumberOfMessages() == 0)
+    goesOn = exchange.GetNumberOfMessages() > 0;
+    const auto answer = [&]
     {
-      break;
-    }
-    step(
-      [&]
+      for (auto& message : messages)
       {
-        for (auto& message : messages)
-        {
-          message.second = run->answer(message.second);
-        }
-      });
-    if (!exchange.Exchange(messages))
+        message.second = run->answer(message.second);
+      }
+    };
+    if (goesOn && !send(answer))
     {
       return false;
     }
-    step(
+    exchange.Do(
       [&]
       {
         for (const auto& message : messages)
@@ -107,59 +142,11 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
         }
       });
   }
-  step([&] { result = run->finish(); });
-  if (!size)
+  exchange.Do([&] { result = run->finish(); });
+  if (size && exchange.IsWell())
   {
-    return exchange.IsWell();
+    measure(run.get(), result, exchange, *size);
   }
-
-  // Volumes are measured from the hull's first point.
-  messages.clear();
-  step(
-    [&]
-    {
-      if (result.cells.pointIds.empty())
-      {
-        return;
-      }
-      FirstPoint first{ result.cells.pointIds[0], {} };
-      std::copy_n(result.places.begin(), 3, first.Place);
-      for (int process = 0; process < count; ++process)
-      {
-        vtkFFMessage::Add(&first, 1, messages[process]);
-      }
-    });
-  if (!exchange.Exchange(messages))
-  {
-    return false;
-  }
-  std::vector<vtkIdType> parts(4);
-  step(
-    [&]
-    {
-      FirstPoint first{ std::numeric_limits<std::int64_t>::max(), {} };
-      for (const auto& message : messages)
-      {
-        for (const FirstPoint& other : vtkFFMessage::Values<FirstPoint>(message.second))
-        {
-          first = other.Id < first.Id ? other : first;
-        }
-      }
-      const flipflop::BlockMeasure measure = run->measure(result, first.Place);
-      std::copy_n(measure.parts, 4, parts.begin());
-    });
-  if (!exchange.IsWell())
-  {
-    return false;
-  }
-  parts = exchange.GetProcesses().Sum(parts);
-  step(
-    [&]
-    {
-      flipflop::BlockMeasure sum;
-      std::copy_n(parts.begin(), 4, sum.parts);
-      run->sizeOf(sum, size->Volume, size->Area);
-    });
   return exchange.IsWell();
 }
 VTK_ABI_NAMESPACE_END

@@ -3,7 +3,6 @@
 #include "vtkFFDuplicates.h"
 
 #include "vtkFFBlockExchange.h"
-#include "vtkFFMessage.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkSmartPointer.h"
@@ -29,7 +28,7 @@ bool vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>&
       {
         if (homes[i] != own)
         {
-          vtkFFMessage::Add(&keys[i], 1, messages[homes[i]]);
+          vtkFFBlockExchange::Add(&keys[i], 1, messages[homes[i]]);
         }
       }
     });
@@ -43,7 +42,7 @@ bool vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>&
       std::vector<std::pair<Key, int>> holders; // the first of each key keeps it
       for (const auto& message : messages)
       {
-        for (const Key& key : vtkFFMessage::Values<Key>(message.second))
+        for (const Key& key : vtkFFBlockExchange::Values<Key>(message.second))
         {
           holders.emplace_back(key, message.first);
         }
@@ -62,7 +61,7 @@ bool vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>&
       for (auto& message : messages)
       {
         std::vector<char> answers;
-        for (const Key& key : vtkFFMessage::Values<Key>(message.second))
+        for (const Key& key : vtkFFBlockExchange::Values<Key>(message.second))
         {
           answers.push_back(first(key)->second != message.first);
         }

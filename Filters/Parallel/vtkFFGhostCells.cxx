@@ -3,7 +3,6 @@
 #include "vtkFFGhostCells.h"
 
 #include "vtkFFBlockExchange.h"
-#include "vtkFFMessage.h"
 
 #include <flipflop/BlockRun.h>
 
@@ -53,7 +52,7 @@ public:
   /// A message is corners of cells; the last corner of each has its block as a negative number.
   void AddGhosts(const std::vector<char>& message)
   {
-    for (Corner corner : vtkFFMessage::Values<Corner>(message))
+    for (Corner corner : vtkFFBlockExchange::Values<Corner>(message))
     {
       this->Ids.push_back(corner.Id);
       if (corner.Block < 0)
@@ -148,7 +147,7 @@ void send(const flipflop::BlockResult& result, int own, vtkFFBlockExchange::Mess
     others.erase(own);
     for (const int other : others)
     {
-      vtkFFMessage::Add(corners.data(), corners.size(), messages[other]);
+      vtkFFBlockExchange::Add(corners.data(), corners.size(), messages[other]);
     }
   }
 }

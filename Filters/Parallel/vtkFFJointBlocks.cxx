@@ -11,6 +11,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -175,8 +176,20 @@ vtkSmartPointer<vtkInformationVector> makeResults(const BlockType& block, int po
 }
 
 //------------------------------------------------------------------------------
-int vtkFFJointBlocks::FillInputPort(vtkInformation* info)
+bool vtkFFJointBlocks::AreSeveral(vtkMultiProcessController* controller)
 {
+  return vtkFFProcesses(controller).GetCount() > 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFJointBlocks::FillInputPort(
+  vtkMultiProcessController* controller, int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
+  if (port > 0 || !AreSeveral(controller))
+  {
+    return 0;
+  }
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   // The first keeps the executive from taking a composite apart.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
@@ -186,16 +199,25 @@ int vtkFFJointBlocks::FillInputPort(vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkFFJointBlocks::FillOutputPort(vtkInformation* info)
+int vtkFFJointBlocks::FillOutputPort(vtkMultiProcessController* controller, vtkInformation* info)
 {
+  if (!AreSeveral(controller))
+  {
+    return 0;
+  }
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkFFJointBlocks::MakeOutputs(vtkAlgorithm* filter, bool likeInput,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkFFJointBlocks::MakeOutputs(vtkAlgorithm* filter, vtkMultiProcessController* controller,
+  bool likeInput, vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
 {
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) || !AreSeveral(controller))
+  {
+    return 0;
+  }
   auto* const tree = likeInput ? vtkDataObjectTree::GetData(inputVector[0]) : nullptr;
   const char* type = tree ? tree->GetClassName() : "vtkPolyData";
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)

@@ -32,19 +32,19 @@ class vtkMultiProcessController;
 class vtkFFJointBlocks
 {
 public:
+  static bool AreSeveral(vtkMultiProcessController* controller);
+
   ///@{
   /**
-   * What the ports of such a filter take and give: anything.
+   * Where there are several processes: the ports take and give anything, and the outputs are a
+   * vtkPolyData each, or composites like the input. Otherwise 0, and that is the superclass's.
    */
-  static int FillInputPort(vtkInformation* info);
-  static int FillOutputPort(vtkInformation* info);
-  ///@}
-
-  /**
-   * The outputs of such a filter: a vtkPolyData each, or a composite like the input.
-   */
-  static int MakeOutputs(vtkAlgorithm* filter, bool likeInput, vtkInformationVector** inputVector,
+  static int FillInputPort(vtkMultiProcessController* controller, int port, vtkInformation* info);
+  static int FillOutputPort(vtkMultiProcessController* controller, vtkInformation* info);
+  static int MakeOutputs(vtkAlgorithm* filter, vtkMultiProcessController* controller,
+    bool likeInput, vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
+  ///@}
 
   /**
    * What this process has of a block. The flat index is 0 if the block is worked on alone: the run

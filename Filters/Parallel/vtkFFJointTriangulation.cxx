@@ -5,7 +5,6 @@
 #include "vtkFFBlockRounds.h"
 #include "vtkFFDuplicates.h"
 #include "vtkFFGhostCells.h"
-#include "vtkFFMessage.h"
 #include "vtkFFPieces.h"
 #include "vtkFFPlanarAlgorithm.h"
 
@@ -256,7 +255,7 @@ bool vtkFFJointTriangulation::LookForVerticalPlane()
       for (const std::int64_t corner :
         vtkFFPlanarInput::HullInSpace(points, this->Run.Options).pointIds)
       {
-        vtkFFMessage::Add(&points[static_cast<std::size_t>(corner)], 1, messages[0]);
+        vtkFFBlockExchange::Add(&points[static_cast<std::size_t>(corner)], 1, messages[0]);
       }
     });
   if (!this->Exchange.Exchange(messages))
@@ -269,7 +268,7 @@ bool vtkFFJointTriangulation::LookForVerticalPlane()
       std::vector<std::array<double, 3>> points;
       for (const auto& message : messages)
       {
-        const auto corners = vtkFFMessage::Values<std::array<double, 3>>(message.second);
+        const auto corners = vtkFFBlockExchange::Values<std::array<double, 3>>(message.second);
         points.insert(points.end(), corners.begin(), corners.end());
       }
       if (vtkFFPlanarInput::HullInSpace(points, this->Run.Options).dimension == 2)
@@ -293,8 +292,13 @@ std::array<double, 4> vtkFFJointTriangulation::FindBounds()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFJointTriangulation::DropCells(const Drop& drop)
+void vtkFFJointTriangulation::Execute(const std::vector<vtkFFInput::PieceType>& pieces,
+  bool withGhosts, const StepsType& steps, vtkPolyData* output)
 {
+  if (!this->Triangulate(pieces))
+  {
+    return;
+  }
   this->Do(triangulated,
     [&]
     {
@@ -305,11 +309,35 @@ void vtkFFJointTriangulation::DropCells(const Drop& drop)
       std::swap(ids, cells.pointIds);
       const double* const places = this->Cells.places.data();
       const auto count = static_cast<std::int64_t>(ids.size());
-      this->Dropped = drop({ places, count },
+      this->Dropped = steps.Drop({ places, count },
         this->Weighted ? flipflop::WeightView(places + 2, count, 3) : flipflop::WeightView(),
         cells);
       std::swap(ids, cells.pointIds);
     });
+  flipflop::Triangulation triangulation;
+  if ((withGhosts && !this->AddGhostCells()) || !this->FetchCells(steps.HasHidden, triangulation))
+  {
+    return;
+  }
+  const CountsType counts = this->Report(triangulation);
+  this->Do(1.0,
+    [&]
+    {
+      steps.Write(this->Input, triangulation);
+      vtkFFDuplicates::Mark(
+        output->GetPointData(), this->Duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
+      if (withGhosts)
+      {
+        vtkFFDuplicates::Mark(
+          output->GetCellData(), this->Ghosts, vtkDataSetAttributes::DUPLICATECELL);
+      }
+      vtkFFRun::Look(this->Run.Options, 1.0);
+    });
+  if (this->Exchange.IsWell())
+  {
+    this->Run.AddToReport(triangulation, output);
+    steps.Report(counts.Hidden, counts.Dropped);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -321,7 +349,6 @@ bool vtkFFJointTriangulation::AddGhostCells()
   {
     return false;
   }
-  this->HasGhosts = true;
   all.hiddenIds = std::move(this->Cells.hiddenIds);
   all.cells.statistics = this->Cells.cells.statistics;
   this->Cells = std::move(all);
@@ -411,16 +438,5 @@ vtkFFJointTriangulation::CountsType vtkFFJointTriangulation::Report(flipflop::Ce
   cells.statistics.points = counts[0];
   cells.statistics.nonFinite = counts[1];
   return { counts[2], counts[3] };
-}
-
-//------------------------------------------------------------------------------
-void vtkFFJointTriangulation::Mark(vtkPolyData* output) const
-{
-  vtkFFDuplicates::Mark(
-    output->GetPointData(), this->Duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
-  if (this->HasGhosts)
-  {
-    vtkFFDuplicates::Mark(output->GetCellData(), this->Ghosts, vtkDataSetAttributes::DUPLICATECELL);
-  }
 }
 VTK_ABI_NAMESPACE_END

@@ -60,16 +60,23 @@ public:
   std::array<double, 4> FindBounds();
 
   /**
-   * Leave out some of the cells: @p drop returns how many of those of these points, with weights.
+   * All steps of a triangulation, of which each process has the cells with their points, and
+   * ghost cells of others if these are wanted. Points that other processes count are marked.
    */
-  using Drop = std::function<std::int64_t(
-    const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>;
-  void DropCells(const Drop& drop);
-
-  /**
-   * Add the cells of other processes that touch points of this one, as ghosts.
-   */
-  bool AddGhostCells();
+  struct StepsType
+  {
+    /// Leaves out some of the cells of these points in the plane, and returns how many.
+    std::function<std::int64_t(
+      const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>
+      Drop;
+    /// Writes the cells of the input's points; with the hidden points, if there is use for these.
+    std::function<void(vtkFFPlanarInput&, flipflop::Triangulation&)> Write;
+    bool HasHidden;
+    /// Reports so many hidden points, and cells that were left out.
+    std::function<void(std::int64_t, std::int64_t)> Report;
+  };
+  void Execute(const std::vector<vtkFFInput::PieceType>& pieces, bool withGhosts,
+    const StepsType& steps, vtkPolyData* output);
 
   /**
    * Fetch the points of these ids, which ascend: they are the input then, and the run's.
@@ -77,12 +84,6 @@ public:
   bool Fetch(const std::vector<vtkIdType>& ids);
   vtkFFPlanarInput& GetInput() { return this->Input; }
   std::int64_t IndexOf(std::int64_t id) const; ///< of a point that was fetched, in the input
-
-  /**
-   * Fetch the points of the cells, and the hidden ones, unless they are not wanted. The cells
-   * become those of the input's points.
-   */
-  bool FetchCells(bool withHidden, flipflop::Triangulation& triangulation);
 
   /**
    * What is reported: on process 0 of all processes, elsewhere of this process. Also sets the
@@ -96,12 +97,6 @@ public:
   CountsType Report(flipflop::CellComplex& cells);
 
   /**
-   * Mark the ghost cells, and the points that other processes count, of an output that has the
-   * cells.
-   */
-  void Mark(vtkPolyData* output) const;
-
-  /**
    * Work of this process alone, which ends at that share of all work.
    */
   void Do(double share, const std::function<void()>& work);
@@ -113,6 +108,8 @@ private:
   bool Deal();
   bool FindCells();
   bool LookForVerticalPlane();
+  bool AddGhostCells();
+  bool FetchCells(bool withHidden, flipflop::Triangulation& triangulation);
 
   vtkFFPlanarAlgorithm* const Filter;
   vtkFFRun& Run;
@@ -128,7 +125,6 @@ private:
   bool Weighted = false;
   flipflop::BlockPoints Dealt;
   flipflop::BlockResult Cells;
-  bool HasGhosts = false;
   std::vector<bool> Ghosts;     // whether each cell is another process's
   std::vector<bool> Duplicates; // whether another process counts each of the cells' points
   std::int64_t Hidden = 0;

@@ -3,7 +3,6 @@
 #include "vtkFFPointDealing.h"
 
 #include "vtkFFBlockExchange.h"
-#include "vtkFFMessage.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -125,6 +124,28 @@ std::vector<Key> sampleOf(const std::vector<Point>& points, const vtkFFPointDeal
   return sample;
 }
 
+/// The points that came in, in their order.
+void take(vtkFFBlockExchange::Messages& messages, flipflop::BlockPoints& dealt)
+{
+  std::size_t total = 0;
+  for (const auto& message : messages)
+  {
+    total += message.second.size() / sizeof(Point);
+  }
+  dealt.places.allocate(3 * total);
+  dealt.ids.allocate(total);
+  std::size_t i = 0;
+  for (auto& message : messages)
+  {
+    for (const Point& point : vtkFFBlockExchange::Values<Point>(message.second))
+    {
+      std::copy(point.Place, point.Place + 3, dealt.places.data() + 3 * i);
+      dealt.ids[i++] = point.Id;
+    }
+    std::vector<char>().swap(message.second);
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -139,7 +160,7 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
     {
       const std::vector<Key> sample =
         sampleOf(points, keyOf, all, std::max(leastSample, count * sampleOfProcess));
-      vtkFFMessage::Add(sample.data(), sample.size(), messages[0]);
+      vtkFFBlockExchange::Add(sample.data(), sample.size(), messages[0]);
     });
   if (!exchange.Exchange(messages))
   {
@@ -152,7 +173,7 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
       std::vector<Split> tree;
       for (const auto& message : messages)
       {
-        const auto part = vtkFFMessage::Values<Key>(message.second);
+        const auto part = vtkFFBlockExchange::Values<Key>(message.second);
         sample.insert(sample.end(), part.begin(), part.end());
       }
       const bool builds = !messages.empty(); // process 0
@@ -162,7 +183,7 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
         build(sample.data(), sample.data() + sample.size(), 0, count, tree);
         for (int process = 0; process < count; ++process)
         {
-          vtkFFMessage::Add(tree.data(), tree.size(), messages[process]);
+          vtkFFBlockExchange::Add(tree.data(), tree.size(), messages[process]);
         }
       }
     });
@@ -173,13 +194,13 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
   exchange.Do(
     [&]
     {
-      const auto tree = vtkFFMessage::Values<Split>(messages[0]);
+      const auto tree = vtkFFBlockExchange::Values<Split>(messages[0]);
       messages.clear();
       std::vector<std::vector<char>> parts(static_cast<std::size_t>(count));
       for (const Point& point : points)
       {
         const int process = processOf(keyOf(point), tree, count);
-        vtkFFMessage::Add(&point, 1, parts[static_cast<std::size_t>(process)]);
+        vtkFFBlockExchange::Add(&point, 1, parts[static_cast<std::size_t>(process)]);
       }
       std::vector<Point>().swap(points);
       for (int process = 0; process < count; ++process)
@@ -191,27 +212,7 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
   {
     return false;
   }
-  exchange.Do(
-    [&]
-    {
-      std::size_t total = 0;
-      for (const auto& message : messages)
-      {
-        total += message.second.size() / sizeof(Point);
-      }
-      dealt.places.allocate(3 * total);
-      dealt.ids.allocate(total);
-      std::size_t i = 0;
-      for (auto& message : messages)
-      {
-        for (const Point& point : vtkFFMessage::Values<Point>(message.second))
-        {
-          std::copy(point.Place, point.Place + 3, dealt.places.data() + 3 * i);
-          dealt.ids[i++] = point.Id;
-        }
-        std::vector<char>().swap(message.second);
-      }
-    });
+  exchange.Do([&] { take(messages, dealt); });
   return exchange.IsWell();
 }
 VTK_ABI_NAMESPACE_END

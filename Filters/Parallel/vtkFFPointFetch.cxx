@@ -3,7 +3,6 @@
 #include "vtkFFPointFetch.h"
 
 #include "vtkFFBlockExchange.h"
-#include "vtkFFMessage.h"
 #include "vtkFFParcel.h"
 #include "vtkFFPieces.h"
 
@@ -146,7 +145,7 @@ bool vtkFFPointFetch::Fetch(
         const auto end = std::lower_bound(begin, ids.end(), this->Begins[process + 1]);
         if (begin != end)
         {
-          vtkFFMessage::Add(
+          vtkFFBlockExchange::Add(
             &*begin, static_cast<std::size_t>(end - begin), messages[static_cast<int>(process)]);
         }
         begin = end;
@@ -161,8 +160,8 @@ bool vtkFFPointFetch::Fetch(
     {
       for (auto& message : messages)
       {
-        message.second = packSome(
-          this->Own, vtkFFMessage::Values<vtkIdType>(message.second), this->GetBegin(), withData);
+        message.second = packSome(this->Own, vtkFFBlockExchange::Values<vtkIdType>(message.second),
+          this->GetBegin(), withData);
       }
     });
   if (!this->Exchange.Exchange(messages))

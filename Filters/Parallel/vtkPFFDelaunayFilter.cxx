@@ -8,13 +8,11 @@
 #include "vtkFFJointTriangulation.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
-#include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
 #include <flipflop/Measures.h>
 #include <flipflop/Triangulation.h>
 
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -27,6 +25,25 @@
 
 VTK_ABI_NAMESPACE_BEGIN vtkStandardNewMacro(vtkPFFDelaunayFilter);
 
+namespace
+{
+
+void measureCells(vtkFFPlanarInput& input, const flipflop::Triangulation& triangulation,
+  const flipflop::Options& options, vtkPolyData* output)
+{
+  const auto measure = [&](double* areas, double* centroids)
+  {
+    // A share may have no cell, which the engine takes for none of its own.
+    if (triangulation.cellCount() > 0)
+    {
+      flipflop::cellMeasures(input.GetPlane(), triangulation, areas, centroids, options);
+    }
+  };
+  vtkFFCellMeasures(triangulation.cellCount(), input.GetProjection(), measure).AddTo(output);
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkPFFDelaunayFilter::vtkPFFDelaunayFilter()
 {
@@ -37,12 +54,6 @@ vtkPFFDelaunayFilter::vtkPFFDelaunayFilter()
 vtkPFFDelaunayFilter::~vtkPFFDelaunayFilter()
 {
   vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPFFDelaunayFilter::IsAlone() const
-{
-  return vtkFFProcesses(this->Controller).GetCount() == 1;
 }
 
 //------------------------------------------------------------------------------
@@ -59,35 +70,31 @@ void vtkPFFDelaunayFilter::SetController(vtkMultiProcessController* controller)
 //------------------------------------------------------------------------------
 int vtkPFFDelaunayFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0 && !this->IsAlone())
-  {
-    return vtkFFJointBlocks::FillInputPort(info);
-  }
-  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
-  return this->Superclass::FillInputPortInformation(port, info);
+  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
+    this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFDelaunayFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return this->IsAlone() ? this->Superclass::FillOutputPortInformation(port, info)
-                         : vtkFFJointBlocks::FillOutputPort(info);
+  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
+    this->Superclass::FillOutputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFDelaunayFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !this->IsAlone()
-    ? vtkFFJointBlocks::MakeOutputs(this, true, inputVector, outputVector)
-    : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return vtkFFJointBlocks::MakeOutputs(
+           this, this->Controller, true, request, inputVector, outputVector) ||
+    this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFDelaunayFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->IsAlone())
+  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
@@ -110,61 +117,36 @@ int vtkPFFDelaunayFilter::RequestData(
         [&](vtkInformationVector** all) { this->Superclass::RequestData(request, all, outputs); });
       return;
     }
-    vtkFFJointTriangulation joint(this, this->Controller, run);
-    flipflop::Triangulation triangulation;
-    if (!joint.Triangulate(blocks[0].Pieces))
-    {
-      return;
-    }
-    joint.GetExchange().Do(
-      [&]
-      {
-        if (joint.IsWeighted())
-        {
-          throw vtkFFBadSetting("Constraints take no weights. Choose no weights' array.");
-        }
-      });
-    joint.DropCells(
-      [&](const auto& points, const auto&, auto& cells) {
-        return vtkFFPlanarInput::DropLongCells(points, this->MaximumEdgeLength, run.Options, cells);
-      });
-    if ((this->GenerateGhostCells && !joint.AddGhostCells()) ||
-      !joint.FetchCells(false, triangulation))
-    {
-      return;
-    }
-    const vtkFFJointTriangulation::CountsType counts = joint.Report(triangulation);
     vtkPolyData* const output = vtkPolyData::GetData(outputs, 0);
-    joint.Do(1.0,
-      [&]
-      {
-        if (this->GenerateCellMeasures)
-        {
-          const flipflop::PointView& points = joint.GetInput().GetPlane();
-          const std::int64_t count = triangulation.cellCount();
-          const auto measure = [&](double* areas, double* centroids)
-          {
-            if (count > 0)
-            {
-              flipflop::cellMeasures(points, triangulation, areas, centroids, run.Options);
-            }
-          };
-          vtkFFCellMeasures(count, joint.GetInput().GetProjection(), measure).AddTo(output);
-        }
-        joint.GetInput().WriteCells(triangulation, output);
-        joint.Mark(output);
-        vtkFFRun::Look(run.Options, 1.0);
-      });
-    if (joint.GetExchange().IsWell())
+    vtkFFJointTriangulation::StepsType steps;
+    steps.Drop = [&](const auto& points, const auto& weights, auto& cells)
     {
-      this->NumberOfDroppedCells += static_cast<vtkIdType>(counts.Dropped);
-      run.AddToReport(triangulation, output);
+      if (weights.data)
+      {
+        throw vtkFFBadSetting("Constraints take no weights. Choose no weights' array.");
+      }
+      return vtkFFPlanarInput::DropLongCells(points, this->MaximumEdgeLength, run.Options, cells);
+    };
+    steps.Write = [&](auto& input, auto& triangulation)
+    {
+      if (this->GenerateCellMeasures)
+      {
+        measureCells(input, triangulation, run.Options, output);
+      }
+      input.WriteCells(triangulation, output);
+    };
+    steps.HasHidden = false;
+    steps.Report = [&](std::int64_t, std::int64_t dropped)
+    {
+      this->NumberOfDroppedCells += static_cast<vtkIdType>(dropped);
       if (this->ReportAsFieldData)
       {
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", counts.Dropped);
+        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", dropped);
         vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints", std::int64_t(0));
       }
-    }
+    };
+    vtkFFJointTriangulation(this, this->Controller, run)
+      .Execute(blocks[0].Pieces, this->GenerateGhostCells, steps, output);
   };
   return vtkFFJointBlocks::Run(this, this->Controller, "Delaunay triangulation", false, inputVector,
     outputVector, check, work);

@@ -80,8 +80,6 @@ protected:
 private:
   vtkPFFDelaunayFilter(const vtkPFFDelaunayFilter&) = delete;
   void operator=(const vtkPFFDelaunayFilter&) = delete;
-
-  bool IsAlone() const;
 };
 VTK_ABI_NAMESPACE_END
 

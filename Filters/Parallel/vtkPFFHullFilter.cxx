@@ -15,7 +15,6 @@
 #include <flipflop/Engines.h>
 
 #include "vtkDataSetAttributes.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -205,12 +204,6 @@ vtkPFFHullFilter::~vtkPFFHullFilter()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFHullFilter::IsAlone() const
-{
-  return vtkFFProcesses(this->Controller).GetCount() == 1;
-}
-
-//------------------------------------------------------------------------------
 void vtkPFFHullFilter::SetController(vtkMultiProcessController* controller)
 {
   vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
@@ -221,33 +214,31 @@ void vtkPFFHullFilter::SetController(vtkMultiProcessController* controller)
 //------------------------------------------------------------------------------
 int vtkPFFHullFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
-  return this->IsAlone() ? this->Superclass::FillInputPortInformation(port, info)
-                         : vtkFFJointBlocks::FillInputPort(info);
+  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
+    this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFHullFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return this->IsAlone() ? this->Superclass::FillOutputPortInformation(port, info)
-                         : vtkFFJointBlocks::FillOutputPort(info);
+  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
+    this->Superclass::FillOutputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFHullFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !this->IsAlone()
-    ? vtkFFJointBlocks::MakeOutputs(
-        this, this->CompositeMode == HULL_OF_EACH_BLOCK, inputVector, outputVector)
-    : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return vtkFFJointBlocks::MakeOutputs(this, this->Controller,
+           this->CompositeMode == HULL_OF_EACH_BLOCK, request, inputVector, outputVector) ||
+    this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFHullFilter::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return this->IsAlone()
+  return !vtkFFJointBlocks::AreSeveral(this->Controller)
     ? this->Superclass::RequestUpdateExtent(request, inputVector, outputVector)
     : this->vtkPolyDataAlgorithm::RequestUpdateExtent(request, inputVector, outputVector);
 }
@@ -256,7 +247,7 @@ int vtkPFFHullFilter::RequestUpdateExtent(
 int vtkPFFHullFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->IsAlone())
+  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }

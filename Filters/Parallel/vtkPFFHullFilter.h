@@ -144,8 +144,6 @@ protected:
 private:
   vtkPFFHullFilter(const vtkPFFHullFilter&) = delete;
   void operator=(const vtkPFFHullFilter&) = delete;
-
-  bool IsAlone() const;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -10,14 +10,12 @@
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFPowerCells.h"
-#include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
 #include <flipflop/BlockRun.h>
 #include <flipflop/PowerDiagram.h>
 
 #include "vtkDataSetAttributes.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -119,12 +117,6 @@ vtkPFFPowerDiagramFilter::~vtkPFFPowerDiagramFilter()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFPowerDiagramFilter::IsAlone() const
-{
-  return vtkFFProcesses(this->Controller).GetCount() == 1;
-}
-
-//------------------------------------------------------------------------------
 void vtkPFFPowerDiagramFilter::SetController(vtkMultiProcessController* controller)
 {
   vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
@@ -138,35 +130,31 @@ void vtkPFFPowerDiagramFilter::SetController(vtkMultiProcessController* controll
 //------------------------------------------------------------------------------
 int vtkPFFPowerDiagramFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0 && !this->IsAlone())
-  {
-    return vtkFFJointBlocks::FillInputPort(info);
-  }
-  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
-  return this->Superclass::FillInputPortInformation(port, info);
+  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
+    this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFPowerDiagramFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return this->IsAlone() ? this->Superclass::FillOutputPortInformation(port, info)
-                         : vtkFFJointBlocks::FillOutputPort(info);
+  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
+    this->Superclass::FillOutputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFPowerDiagramFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !this->IsAlone()
-    ? vtkFFJointBlocks::MakeOutputs(this, true, inputVector, outputVector)
-    : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return vtkFFJointBlocks::MakeOutputs(
+           this, this->Controller, true, request, inputVector, outputVector) ||
+    this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFPowerDiagramFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->IsAlone())
+  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }

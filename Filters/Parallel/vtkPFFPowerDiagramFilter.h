@@ -73,8 +73,6 @@ protected:
 private:
   vtkPFFPowerDiagramFilter(const vtkPFFPowerDiagramFilter&) = delete;
   void operator=(const vtkPFFPowerDiagramFilter&) = delete;
-
-  bool IsAlone() const;
 };
 VTK_ABI_NAMESPACE_END
 

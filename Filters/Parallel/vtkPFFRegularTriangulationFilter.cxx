@@ -5,17 +5,16 @@
 #include "vtkFFBlockExchange.h"
 #include "vtkFFJointBlocks.h"
 #include "vtkFFJointTriangulation.h"
-#include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 #include "vtkFFTriangulationOutput.h"
 
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,12 +33,6 @@ vtkPFFRegularTriangulationFilter::~vtkPFFRegularTriangulationFilter()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPFFRegularTriangulationFilter::IsAlone() const
-{
-  return vtkFFProcesses(this->Controller).GetCount() == 1;
-}
-
-//------------------------------------------------------------------------------
 void vtkPFFRegularTriangulationFilter::SetController(vtkMultiProcessController* controller)
 {
   vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
@@ -53,35 +46,31 @@ void vtkPFFRegularTriangulationFilter::SetController(vtkMultiProcessController* 
 //------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0 && !this->IsAlone())
-  {
-    return vtkFFJointBlocks::FillInputPort(info);
-  }
-  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
-  return this->Superclass::FillInputPortInformation(port, info);
+  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
+    this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return this->IsAlone() ? this->Superclass::FillOutputPortInformation(port, info)
-                         : vtkFFJointBlocks::FillOutputPort(info);
+  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
+    this->Superclass::FillOutputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFRegularTriangulationFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !this->IsAlone()
-    ? vtkFFJointBlocks::MakeOutputs(this, true, inputVector, outputVector)
-    : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return vtkFFJointBlocks::MakeOutputs(
+           this, this->Controller, true, request, inputVector, outputVector) ||
+    this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->IsAlone())
+  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
@@ -105,35 +94,21 @@ int vtkPFFRegularTriangulationFilter::RequestData(
         [&](vtkInformationVector** all) { this->Superclass::RequestData(request, all, outputs); });
       return;
     }
-    vtkFFJointTriangulation joint(this, this->Controller, run);
-    vtkFFTriangulationOutput writer(this, run);
-    flipflop::Triangulation triangulation;
-    if (!joint.Triangulate(blocks[0].Pieces))
-    {
-      return;
-    }
-    joint.DropCells([&](const auto& points, const auto& weights, auto& cells)
-      { return writer.DropCells(points, weights, cells); });
-    if ((this->GenerateGhostCells && !joint.AddGhostCells()) ||
-      !joint.FetchCells(true, triangulation))
-    {
-      return;
-    }
-    const vtkFFJointTriangulation::CountsType counts = joint.Report(triangulation);
     vtkPolyData* const output = vtkPolyData::GetData(outputs, 0);
-    joint.Do(1.0,
-      [&]
-      {
-        writer.Write(joint.GetInput(), triangulation, output, vtkPolyData::GetData(outputs, 1),
-          vtkPolyData::GetData(outputs, 2));
-        joint.Mark(output);
-        vtkFFRun::Look(run.Options, 1.0);
-      });
-    if (joint.GetExchange().IsWell())
+    vtkFFTriangulationOutput writer(this, run);
+    vtkFFJointTriangulation::StepsType steps;
+    steps.Drop = [&](const auto& points, const auto& weights, auto& cells)
+    { return writer.DropCells(points, weights, cells); };
+    steps.Write = [&](auto& input, auto& triangulation)
     {
-      run.AddToReport(triangulation, output);
-      writer.Report(counts.Hidden, counts.Dropped, output);
-    }
+      writer.Write(input, triangulation, output, vtkPolyData::GetData(outputs, 1),
+        vtkPolyData::GetData(outputs, 2));
+    };
+    steps.HasHidden = true;
+    steps.Report = [&](std::int64_t hidden, std::int64_t dropped)
+    { writer.Report(hidden, dropped, output); };
+    vtkFFJointTriangulation(this, this->Controller, run)
+      .Execute(blocks[0].Pieces, this->GenerateGhostCells, steps, output);
   };
   return vtkFFJointBlocks::Run(
     this, this->Controller, "Regular triangulation", false, inputVector, outputVector, check, work);

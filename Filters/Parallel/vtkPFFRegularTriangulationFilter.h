@@ -130,8 +130,6 @@ protected:
 private:
   vtkPFFRegularTriangulationFilter(const vtkPFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkPFFRegularTriangulationFilter&) = delete;
-
-  bool IsAlone() const;
 };
 VTK_ABI_NAMESPACE_END
 
