@@ -91,42 +91,37 @@ struct Stream
   }
 };
 
-/// What cannot deliver pieces delivers all in the first, and is asked for no other.
-void testWithoutPieces()
+/// What cannot deliver pieces delivers all in the first, and is asked for no other; a filter
+/// between does not matter.
+void testSources()
 {
-  Stream stream;
-  stream.Source->CanHandlePieces = false;
-  stream.Hull->Update();
-  FF_CHECK(stream.IsRight());
-  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(1));
-  FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
+  for (const bool canHandle : { false, true })
+  {
+    Stream stream;
+    stream.Source->CanHandlePieces = canHandle;
+    const std::size_t pieces = canHandle ? 7 : 1;
+    FF_CHECK(succeeds(stream.Hull));
+    FF_CHECK(stream.IsRight());
+    FF_CHECK_EQUAL(stream.GetAsked(), pieces);
+    vtkNew<Passing> between;
+    between->SetInputConnection(stream.Source->GetOutputPort());
+    stream.Hull->SetInputConnection(between->GetOutputPort());
+    FF_CHECK(succeeds(stream.Hull));
+    FF_CHECK(stream.IsRight());
+    FF_CHECK_EQUAL(between->Runs, int(pieces));
+    FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
 
-  vtkNew<Passing> between;
-  between->SetInputConnection(stream.Source->GetOutputPort());
-  stream.Hull->SetInputConnection(between->GetOutputPort());
-  stream.Hull->Update();
-  FF_CHECK(stream.IsRight());
-  FF_CHECK_EQUAL(between->Runs, 1);
-  FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
-
-  stream.Hull->SetInputData(stream.Whole);
-  stream.Hull->SetNumberOfStreamDivisions(VTK_INT_MAX);
-  FF_CHECK(succeeds(stream.Hull));
-  FF_CHECK(stream.IsRight());
-  FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
+    stream.Hull->SetInputData(stream.Whole);
+    stream.Hull->SetNumberOfStreamDivisions(VTK_INT_MAX);
+    FF_CHECK(succeeds(stream.Hull));
+    FF_CHECK(stream.IsRight());
+    FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 700);
+  }
 }
 
-/// Through filters, and from a source of VTK's own.
-void testPipeline()
+/// From a source of VTK's own.
+void testSphere()
 {
-  Stream stream;
-  vtkNew<Passing> between;
-  between->SetInputConnection(stream.Source->GetOutputPort());
-  stream.Hull->SetInputConnection(between->GetOutputPort());
-  stream.Hull->Update();
-  FF_CHECK(stream.IsRight());
-  FF_CHECK_EQUAL(between->Runs, 7);
-
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(32);
   sphere->SetPhiResolution(32);
@@ -136,16 +131,14 @@ void testPipeline()
     sphere->UpdatePiece(k, 4, 0);
     for (vtkIdType i = 0; i < sphere->GetOutput()->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      sphere->GetOutput()->GetPoint(i, p.data());
-      points.push_back(p);
+      points.emplace_back();
+      sphere->GetOutput()->GetPoint(i, points.back().data());
     }
   }
   vtkNew<vtkFFHullFilter> hull;
   hull->SetInputConnection(sphere->GetOutputPort());
   hull->SetNumberOfStreamDivisions(4);
-  hull->PassPointDataOff();
-  hull->Update();
+  FF_CHECK(succeeds(hull));
   FF_CHECK(isSame(hull->GetOutput(), hullOf(makePoints(points, VTK_FLOAT))));
 }
 
@@ -153,26 +146,22 @@ void testPipeline()
 void testModification()
 {
   Stream stream;
-  stream.Hull->Update();
-  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(7));
-  stream.Hull->Update();
-  stream.Hull->SetNumberOfStreamDivisions(7);
-  stream.Hull->Update();
-  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(7));
-  stream.Hull->SetNumberOfStreamDivisions(3);
-  stream.Hull->Update();
-  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(10));
-  stream.Hull->SetNumberOfStreamDivisions(0);
+  std::size_t expected = 0;
+  const auto check = [&](int divisions, std::size_t asked)
+  {
+    stream.Hull->SetNumberOfStreamDivisions(divisions);
+    FF_CHECK(succeeds(stream.Hull));
+    FF_CHECK_EQUAL(stream.GetAsked(), expected += asked);
+    FF_CHECK(stream.IsRight());
+  };
+  check(7, 7);
+  check(7, 0);
+  check(3, 3);
+  check(0, 1); // at least one
   FF_CHECK_EQUAL(stream.Hull->GetNumberOfStreamDivisions(), 1);
-  stream.Hull->Update();
-  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(11));
   FF_CHECK(stream.Source->Asked.back() == std::make_pair(0, 1));
-  FF_CHECK(stream.IsRight());
   stream.Source->Modified();
-  stream.Hull->SetNumberOfStreamDivisions(2);
-  stream.Hull->Update();
-  FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(13));
-  FF_CHECK(stream.IsRight());
+  check(2, 2);
 
   stream.Source->Asked.clear();
   stream.Hull->UpdatePiece(1, 3, 0);
@@ -182,85 +171,47 @@ void testModification()
   FF_CHECK_EQUAL(stream.Hull->GetNumberOfInputPoints(), 233);
 }
 
-void testProgress()
-{
-  Stream stream;
-  vtkNew<ProgressObserver> progress;
-  stream.Hull->AddObserver(vtkCommand::ProgressEvent, progress);
-  stream.Hull->Update();
-  checkProgress(progress->Values);
-  FF_CHECK(progress->Values.size() > 7);
-}
-
-/// The source fails at some piece after the first, where the executive itself does not see it.
-void testSourceFails()
-{
-  Stream stream;
-  for (const int at : { 1, 3, 6 })
-  {
-    const vtkSmartPointer<vtkPolyData> whole = stream.Whole;
-    stream.Source->SetMaker(
-      [=](int k, int n) { return k == at ? nullptr : cut(whole, 100 * k, 700 * (k + 1) / n); });
-    stream.Fails(vtkFFErrorCode::InputError,
-      "Piece " + std::to_string(at + 1) +
-        " of 7: The input did not deliver it. Its own error says why.",
-      static_cast<std::size_t>(at + 1));
-  }
-}
-
-/// What a piece holds is wrong.
+/// What a piece holds is wrong, or the source fails, where the executive does not see it.
 void testBadPieces()
 {
+  auto points = randomPoints(20, 160);
+  points[11][1] = points[15][2] = nan;
+  const auto notFinite = makePoints(points);
+  vtkNew<vtkTypeInt64Array> wide;
+  wide->SetNumberOfComponents(3);
+  wide->SetNumberOfTuples(5);
+  wide->Fill(0);
+  wide->SetTypedComponent(3, 1, (vtkTypeInt64(1) << 53) + 1);
+  const auto inexact = makePoints(wide);
+  const auto marked = makePoints(cubeCorners());
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName("vtkGhostType");
+  marks->InsertNextValue(0);
+  marked->GetPointData()->AddArray(marks);
   Stream stream;
-  const vtkSmartPointer<vtkPolyData> whole = stream.Whole;
-  const auto with = [&](int at, const std::function<vtkSmartPointer<vtkPolyData>()>& bad)
-  {
-    stream.Source->SetMaker(
-      [=](int k, int n) { return k == at ? bad() : cut(whole, 100 * k, 700 * (k + 1) / n); });
-  };
   for (const int at : { 0, 2, 6 })
   {
-    const auto asked = static_cast<std::size_t>(at + 1);
-    with(at,
-      []
-      {
-        auto points = randomPoints(20, 160);
-        points[11][1] = points[15][2] = nan;
-        return makePoints(points);
-      });
-    stream.Fails(vtkFFErrorCode::NonFiniteError,
+    const std::string piece = "Piece " + std::to_string(at + 1) + " of 7: ";
+    const auto fails = [&](vtkPolyData* bad, unsigned long code, const std::string& part)
+    {
+      const vtkSmartPointer<vtkPolyData> whole = stream.Whole;
+      const vtkSmartPointer<vtkPolyData> given = bad;
+      stream.Source->SetMaker(
+        [=](int k, int n) { return k == at ? given : cut(whole, 100 * k, 700 * (k + 1) / n); });
+      stream.Fails(code, part, static_cast<std::size_t>(at + 1));
+    };
+    fails(notFinite, vtkFFErrorCode::NonFiniteError,
       "A coordinate is NaN or infinite: first at point " + std::to_string(100 * at + 11) +
-        ", 2 such point(s) so far. Remove them, or set Non Finite Points to Ignore.",
-      asked);
-
-    with(at,
-      []
-      {
-        vtkNew<vtkTypeInt64Array> wide;
-        wide->SetNumberOfComponents(3);
-        wide->SetNumberOfTuples(5);
-        wide->Fill(0);
-        wide->SetTypedComponent(3, 1, (vtkTypeInt64(1) << 53) + 1);
-        return makePoints(wide);
-      });
-    stream.Fails(vtkFFErrorCode::InputError,
-      "Piece " + std::to_string(at + 1) +
-        " of 7: A coordinate is a 64-bit integer that no double holds: first at point " +
-        std::to_string(100 * at + 3) + ".",
-      asked);
-
-    with(at,
-      []
-      {
-        const auto data = makePoints(cubeCorners());
-        vtkNew<vtkUnsignedCharArray> marks;
-        marks->SetName("vtkGhostType");
-        marks->InsertNextValue(0);
-        data->GetPointData()->AddArray(marks);
-        return data;
-      });
-    stream.Fails(vtkFFErrorCode::InputError,
-      "Piece " + std::to_string(at + 1) + " of 7: The point array vtkGhostType", asked);
+        ", 2 such point(s) so far. Remove them, or set Non Finite Points to Ignore.");
+    fails(inexact, vtkFFErrorCode::InputError,
+      piece + "A coordinate is a 64-bit integer that no double holds: first at point " +
+        std::to_string(100 * at + 3) + ".");
+    fails(marked, vtkFFErrorCode::InputError, piece + "The point array vtkGhostType");
+    if (at > 0)
+    {
+      fails(nullptr, vtkFFErrorCode::InputError,
+        piece + "The input did not deliver it. Its own error says why.");
+    }
   }
 }
 
@@ -312,17 +263,20 @@ void testAbort()
     Stream stream;
     vtkNew<ProgressObserver> progress;
     progress->AbortAt = mark;
-    const unsigned long tag = stream.Hull->AddObserver(vtkCommand::ProgressEvent, progress);
+    stream.Hull->AddObserver(vtkCommand::ProgressEvent, progress);
     FF_CHECK(succeeds(stream.Hull));
     FF_CHECK(hasForgotten(stream.Hull));
     FF_CHECK(stream.GetAsked() <= static_cast<std::size_t>(7 * mark) + 2);
-    stream.Hull->RemoveObserver(tag);
+    progress->AbortAt = 2.0;
+    progress->Values.clear();
     stream.Hull->SetAbortExecute(0);
     stream.Source->Modified();
     stream.Source->Asked.clear();
-    stream.Hull->Update();
+    FF_CHECK(succeeds(stream.Hull));
     FF_CHECK_EQUAL(stream.GetAsked(), std::size_t(7));
     FF_CHECK(stream.IsRight());
+    checkProgress(progress->Values);
+    FF_CHECK(progress->Values.size() > 7);
   }
 }
 
@@ -330,11 +284,9 @@ void testAbort()
 
 int TestFFHullFilterStreamedErrors(int, char*[])
 {
-  testWithoutPieces();
-  testPipeline();
+  testSources();
+  testSphere();
   testModification();
-  testProgress();
-  testSourceFails();
   testBadPieces();
   testBadBlocks();
   testAbort();
