@@ -18,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -462,6 +463,31 @@ vtkSmartPointer<vtkPolyData> makeWeighted(
   auto data = makePoints(points);
   data->GetPointData()->AddArray(array);
   return data;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> randomWeighted(int count, unsigned int seed, int type)
+{
+  std::vector<double> weights;
+  for (int i = 0; i < count; ++i)
+  {
+    weights.push_back(0.01 * (i % 5));
+  }
+  return makeWeighted(randomPoints(count, seed), weights, type);
+}
+
+//------------------------------------------------------------------------------
+void markPoints(vtkDataSet* data, const std::vector<int>& marks, bool again)
+{
+  const std::size_t count =
+    again ? static_cast<std::size_t>(data->GetNumberOfPoints()) : marks.size();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    ghosts->InsertNextValue(static_cast<unsigned char>(marks[i % marks.size()]));
+  }
+  data->GetPointData()->AddArray(ghosts);
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,7 @@
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataObject;
+class vtkDataSet;
 class vtkFFAlgorithm;
 class vtkFFRegularTriangulationFilter;
 class vtkPointSet;
@@ -136,6 +137,12 @@ bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension);
 /// The same points with an array of weights, of the type.
 vtkSmartPointer<vtkPolyData> makeWeighted(const std::vector<Point>& points,
   const std::vector<double>& weights, int type = VTK_DOUBLE, const char* name = "weights");
+
+/// Random points with small weights.
+vtkSmartPointer<vtkPolyData> randomWeighted(int count, unsigned int seed, int type = VTK_DOUBLE);
+
+/// Gives the data the array vtkGhostType with these marks, over and over for all points; or once.
+void markPoints(vtkDataSet* data, const std::vector<int>& marks, bool again = true);
 
 /// Have the filter take its weights from the point array.
 void useWeights(vtkAlgorithm* filter, const char* name = "weights");

@@ -26,7 +26,6 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUniformGrid.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <functional>
@@ -65,19 +64,9 @@ std::vector<Maker> makersOfPoints()
     [] { return make<vtkFFConstrainedDelaunayFilter>(false); } };
 }
 
-vtkSmartPointer<vtkPolyData> weighted(int count, unsigned int seed, int type = VTK_DOUBLE)
-{
-  std::vector<double> weights;
-  for (int i = 0; i < count; ++i)
-  {
-    weights.push_back(0.01 * (i % 5));
-  }
-  return makeWeighted(randomPoints(count, seed), weights, type);
-}
-
 vtkSmartPointer<vtkPolyData> makeNotFinite(int count)
 {
-  auto leaf = weighted(20, 1);
+  auto leaf = randomWeighted(20, 1);
   for (int i = 0; i < count; ++i)
   {
     leaf->GetPoints()->SetPoint(3 + i, 0.5, NAN, 0.0);
@@ -94,7 +83,7 @@ vtkSmartPointer<vtkPolyData> makeInexact()
   coordinates->Fill(0.0);
   coordinates->SetValue(6, (vtkTypeInt64(1) << 53) + 1);
   auto leaf = makePoints(coordinates);
-  leaf->GetPointData()->ShallowCopy(weighted(5, 1)->GetPointData());
+  leaf->GetPointData()->ShallowCopy(randomWeighted(5, 1)->GetPointData());
   return leaf;
 }
 
@@ -112,21 +101,15 @@ Leaf makeLeaf(unsigned int k)
     case 8:
       return makeWeighted(std::vector<Point>(4, Point{ 1.0, 2.0, 3.0 }), { 0.0, 1.0, 2.0, 3.0 });
     case 9:
-      return weighted(10, k, VTK_FLOAT);
+      return randomWeighted(10, k, VTK_FLOAT);
     case 10:
     {
-      auto leaf = weighted(12, k);
-      vtkNew<vtkUnsignedCharArray> ghosts;
-      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-      for (int i = 0; i < 12; ++i)
-      {
-        ghosts->InsertNextValue(i % 3 == 0 ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
-      }
-      leaf->GetPointData()->AddArray(ghosts);
+      auto leaf = randomWeighted(12, k);
+      markPoints(leaf, { vtkDataSetAttributes::DUPLICATEPOINT, 0, 0 });
       return leaf;
     }
     default:
-      return weighted(k % 97 == 50 ? 9000 : 1 + static_cast<int>(k * k % 61), k);
+      return randomWeighted(k % 97 == 50 ? 9000 : 1 + static_cast<int>(k * k % 61), k);
   }
 }
 
@@ -263,16 +246,16 @@ void testMany()
   const auto blocks = makeBlocks(leaves);
   leaves.resize(3);
   vtkNew<vtkPartitionedDataSetCollection> collection;
-  collection->SetPartition(0, 0, weighted(50, 1));
-  collection->SetPartition(2, 0, weighted(60, 2)); // there is none with number 1
-  collection->SetPartition(2, 1, weighted(70, 3, VTK_FLOAT));
+  collection->SetPartition(0, 0, randomWeighted(50, 1));
+  collection->SetPartition(2, 0, randomWeighted(60, 2)); // there is none with number 1
+  collection->SetPartition(2, 1, randomWeighted(70, 3, VTK_FLOAT));
   vtkNew<vtkPartitionedDataSet> partitions;
-  partitions->SetPartition(0, weighted(50, 1));
-  partitions->SetPartition(2, weighted(60, 2));
+  partitions->SetPartition(0, randomWeighted(50, 1));
+  partitions->SetPartition(2, randomWeighted(60, 2));
   for (const Maker& maker : makersOfPoints())
   {
     check(maker, blocks);
-    check(maker, makeBlocks({ weighted(30, 1) })); // a single one
+    check(maker, makeBlocks({ randomWeighted(30, 1) })); // a single one
     check(maker, collection);
     check(maker, partitions);
   }
@@ -306,7 +289,7 @@ void testAMR()
       grid->SetOrigin(4 * side * k, 0, 0);
       grid->SetSpacing(spacing);
       grid->SetDimensions(5, 5, 5);
-      grid->GetPointData()->ShallowCopy(weighted(125, 1)->GetPointData());
+      grid->GetPointData()->ShallowCopy(randomWeighted(125, 1)->GetPointData());
       levels->SetDataSet(level, static_cast<unsigned int>(k), grid);
     }
   }
@@ -330,8 +313,8 @@ void testFaults()
   const auto flat = makeWeighted(cubeCorners(), std::vector<double>(12, 0.0));
   flat->GetPoints()->GetData()->SetNumberOfComponents(2);
   vtkNew<vtkTable> table;
-  const std::vector<Leaf> leaves{ makeNotFinite(2), weighted(9, 1), makeInexact(), nullptr, flat,
-    weighted(9, 2), makeNotFinite(1), table, weighted(9, 3) };
+  const std::vector<Leaf> leaves{ makeNotFinite(2), randomWeighted(9, 1), makeInexact(), nullptr,
+    flat, randomWeighted(9, 2), makeNotFinite(1), table, randomWeighted(9, 3) };
   const std::vector<Fault> faults{ { 0, vtkFFErrorCode::NonFiniteError,
                                      "is NaN or infinite: first at point 3 of" },
     { 2, vtkFFErrorCode::InputError, "64-bit integer that no double holds: first at point 2 of" },
@@ -342,11 +325,11 @@ void testFaults()
   for (const Maker& maker : makersOfPoints())
   {
     check(maker, makeBlocks(leaves), faults);
-    check(maker, makeBlocks({ weighted(9, 1), weighted(9, 2), makeInexact() }),
+    check(maker, makeBlocks({ randomWeighted(9, 1), randomWeighted(9, 2), makeInexact() }),
       { { 2, vtkFFErrorCode::InputError, "first at point 2 of" } });
   }
   check([] { return make<vtkFFRegularTriangulationFilter>(true); },
-    makeBlocks({ weighted(9, 1), makePoints(cubeCorners()), weighted(9, 2) }),
+    makeBlocks({ randomWeighted(9, 1), makePoints(cubeCorners()), randomWeighted(9, 2) }),
     { { 1, vtkFFErrorCode::InputError, "The weights' array \"weights\"" } });
 
   const auto cube = makeVoxels({ { 0, 0, 0 } });
@@ -389,7 +372,7 @@ void testAborts()
   std::vector<Leaf> leaves{ makeNotFinite(1) };
   for (unsigned int k = 1; k < 30; ++k)
   {
-    leaves.push_back(weighted(500, k));
+    leaves.push_back(randomWeighted(500, k));
   }
   const auto blocks = makeBlocks(leaves);
   for (const Maker& maker : makersOfPoints())
@@ -415,7 +398,7 @@ void testAborts()
       FF_CHECK_EQUAL(filter->GetErrorCode(), vtkFFErrorCode::NonFiniteError); // of the first
     }
     FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(10)); // no more than the first one's
-    filter->SetInputDataObject(makeBlocks({ weighted(9, 1), weighted(9, 2) }));
+    filter->SetInputDataObject(makeBlocks({ randomWeighted(9, 1), randomWeighted(9, 2) }));
     FF_CHECK(succeeds(filter));
     FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(18));
   }

@@ -17,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,22 +27,10 @@ using namespace fftest;
 namespace
 {
 
-using Marks = std::vector<int>;
 using Ids = std::vector<vtkIdType>;
 
 constexpr int duplicate = vtkDataSetAttributes::DUPLICATEPOINT;
 constexpr int hidden = vtkDataSetAttributes::HIDDENPOINT;
-
-void mark(vtkPointSet* data, const Marks& marks)
-{
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (const int value : marks)
-  {
-    ghosts->InsertNextValue(static_cast<unsigned char>(value));
-  }
-  data->GetPointData()->AddArray(ghosts);
-}
 
 /// A tetrahedron as ids 1, 3, 4 and 6, amid four points far outside it, each of which is marked,
 /// and whose weights are too much.
@@ -52,7 +39,7 @@ vtkSmartPointer<vtkPolyData> makeAmidGhosts()
   auto data = makeWeighted({ { 9, 9, 9 }, { 0, 0, 0 }, { -9, 9, 9 }, { 1, 0, 0 }, { 0, 1, 0 },
                              { 9, -9, 9 }, { 0.75, 0.75, 1 }, { 9, 9, -9 } },
     { INFINITY, 0, NAN, 0, 0, NAN, 0, NAN });
-  mark(data, { duplicate, 0, hidden, 0, 0, duplicate | hidden, 0, duplicate });
+  markPoints(data, { duplicate, 0, hidden, 0, 0, duplicate | hidden, 0, duplicate });
   return data;
 }
 
@@ -123,14 +110,14 @@ void testFilter(vtkFFAlgorithm* filter, bool weights)
 
   // Nothing else is there.
   data = makeWeighted(cubeCorners(), std::vector<double>(8, 0.0));
-  mark(data, Marks(8, hidden));
+  markPoints(data, { hidden });
   filter->SetInputDataObject(data);
   FF_CHECK(succeeds(filter));
   FF_CHECK(isEmpty(filter->GetOutput()));
   FF_CHECK_EQUAL(filter->GetDimension(), -1);
 
   // Not a mark for each point.
-  mark(data, { 0, hidden });
+  markPoints(data, { 0, hidden }, false);
   data->Modified();
   FF_CHECK(fails(filter, vtkFFErrorCode::InputError,
     { "The point array vtkGhostType has 2 value(s) for 8 point(s)" }));
@@ -178,7 +165,7 @@ void testHiddenPoints()
   auto data = makeWeighted(
     { { 9, 9, 0 }, { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 1, 1, 0 }, { -9, 9, 0 } },
     { INFINITY, 0, 0, 0, 0, -2, 0 });
-  mark(data, { duplicate, 0, 0, 0, 0, 0, hidden });
+  markPoints(data, { duplicate, 0, 0, 0, 0, 0, hidden });
   vtkNew<vtkFFRegularTriangulationFilter> filter;
   useWeights(filter);
   filter->SetInputData(data);
@@ -195,8 +182,8 @@ void testHiddenPoints()
 void testMarksOfCells()
 {
   auto data = makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } });
-  const Marks marks{ 0, duplicate, hidden, duplicate | hidden | 4 };
-  mark(data, marks);
+  const std::vector<int> marks{ 0, duplicate, hidden, duplicate | hidden | 4 };
+  markPoints(data, marks);
   const int ofCells[4] = { 0, vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL,
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL };
   vtkNew<vtkFFPowerDiagramFilter> diagram;

@@ -18,7 +18,6 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -261,15 +260,9 @@ void testGhosts()
     auto data = makeDecorated(lattice(300, 3), VTK_DOUBLE, number);
     if (ghostsEach > 0)
     {
-      vtkNew<vtkUnsignedCharArray> marks;
-      marks->SetName(vtkDataSetAttributes::GhostArrayName());
-      for (int i = 0; i < 300; ++i)
-      {
-        marks->InsertNextValue(i % ghostsEach == 0
-            ? static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATEPOINT)
-            : 0);
-      }
-      data->GetPointData()->AddArray(marks);
+      std::vector<int> marks(static_cast<std::size_t>(ghostsEach), 0);
+      marks[0] = vtkDataSetAttributes::DUPLICATEPOINT;
+      markPoints(data, marks);
     }
     return data;
   };

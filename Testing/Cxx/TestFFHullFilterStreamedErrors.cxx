@@ -13,11 +13,9 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPassInputTypeAlgorithm.h"
-#include "vtkPointData.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <limits>
@@ -184,10 +182,7 @@ void testBadPieces()
   wide->SetTypedComponent(3, 1, (vtkTypeInt64(1) << 53) + 1);
   const auto inexact = makePoints(wide);
   const auto marked = makePoints(cubeCorners());
-  vtkNew<vtkUnsignedCharArray> marks;
-  marks->SetName("vtkGhostType");
-  marks->InsertNextValue(0);
-  marked->GetPointData()->AddArray(marks);
+  markPoints(marked, { 0 }, false);
   Stream stream;
   for (const int at : { 0, 2, 6 })
   {

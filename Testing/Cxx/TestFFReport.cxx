@@ -97,12 +97,7 @@ void check(vtkFFAlgorithm* filter, const Names& own)
 /// Points, one of them not finite, with field data of their own.
 vtkSmartPointer<vtkPolyData> makeInput(int count)
 {
-  std::vector<double> weights;
-  for (int i = 0; i < count; ++i)
-  {
-    weights.push_back(0.01 * (i % 5));
-  }
-  auto input = makeWeighted(spherePoints(count, 61), weights);
+  auto input = randomWeighted(count, 61);
   input->GetPoints()->SetPoint(3, 0.0, NAN, 0.0);
   vtkNew<vtkDoubleArray> time;
   time->SetName("time");
