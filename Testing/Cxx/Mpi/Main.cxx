@@ -13,15 +13,14 @@
 int main(int argc, char* argv[])
 {
   const std::map<std::string, void (*)()> tests{
+    { "Errors", testErrors },
     { "Faults", testFaults },
     { "Hull", testHull },
     { "HullComposite", testHullComposite },
-    { "HullErrors", testHullErrors },
     { "HullShares", testHullShares },
     { "RandomPartitions", testRandomPartitions },
     { "Shares", testShares },
     { "Triangulation", testTriangulation },
-    { "TriangulationErrors", testTriangulationErrors },
   };
   vtkNew<vtkMPIController> controller;
   controller->Initialize(&argc, &argv);

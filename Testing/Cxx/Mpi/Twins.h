@@ -116,15 +116,14 @@ bool allWell();
 
 /// The tests, one a file. Collective.
 ///@{
+void testErrors();
 void testFaults();
 void testHull();
 void testHullComposite();
-void testHullErrors();
 void testHullShares();
 void testRandomPartitions();
 void testShares();
 void testTriangulation();
-void testTriangulationErrors();
 ///@}
 
 #endif

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is wrong on one process, or with the settings of all, is an error of all, told once, of the
+// points as a whole; nobody waits for ever, and the next run is none the worse for it.
+#include "Twins.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFHullFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPFFDelaunayFilter.h"
+#include "vtkPFFHullFilter.h"
+#include "vtkPFFPowerDiagramFilter.h"
+#include "vtkPFFRegularTriangulationFilter.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+using namespace fftest;
+
+namespace
+{
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+using Triangulation = vtkFFRegularTriangulationFilter;
+
+std::vector<Twins> makeTwins()
+{
+  std::vector<Twins> all;
+  all.push_back(twins<vtkPFFHullFilter, vtkFFHullFilter>());
+  all.push_back(twins<vtkPFFHullFilter, vtkFFHullFilter>());
+  all.back().Set<vtkFFHullFilter>([](auto* hull) { hull->SetCompositeModeToAllBlocks(); });
+  all.push_back(twins<vtkPFFRegularTriangulationFilter, Triangulation>());
+  all.push_back(twins<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
+  all.push_back(twins<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
+  return all;
+}
+
+bool joinsBlocks(const Twins& both)
+{
+  auto* hull = vtkFFHullFilter::SafeDownCast(both.Distributed);
+  return hull && hull->GetCompositeMode() == vtkFFHullFilter::HULL_OF_ALL_BLOCKS;
+}
+
+Pieces makePieces()
+{
+  const Pieces pieces = split(randomPoints(600, 91), [](int i) { return i % processes(); });
+  decorate(pieces);
+  for (vtkPolyData* piece : pieces)
+  {
+    const std::vector<double> weights(static_cast<std::size_t>(piece->GetNumberOfPoints()), 0.0);
+    piece->GetPointData()->AddArray(makeWeighted({}, weights)->GetPointData()->GetArray("weights"));
+  }
+  return pieces;
+}
+
+vtkDataObject* ownOf(const Pieces& pieces)
+{
+  return pieces[static_cast<std::size_t>(rank())];
+}
+
+/// The process, or the last one if there are fewer.
+int atMostLast(int process)
+{
+  return std::min(process, processes() - 1);
+}
+
+void spoil(const Pieces& pieces, int process, vtkIdType point, double value)
+{
+  pieces[static_cast<std::size_t>(atMostLast(process))]->GetPoints()->SetPoint(
+    point, 0.0, value, 0.0);
+}
+
+/// Fails on all, and does its work the next time.
+void refuses(Twins& both, const std::string& what, const Pieces& pieces, const std::string& part)
+{
+  both.Run(what, pieces);
+  FF_CHECK(both.Distributed->GetErrorCode() != vtkErrorCode::NoError);
+  FF_CHECK_EQUAL(both.Errors->Messages.size(), std::size_t(rank() == 0));
+  FF_CHECK(rank() > 0 || both.Errors->Has(part));
+  both.Run("after " + what, makePieces());
+  FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
+}
+
+void testNonFinite(Twins& both)
+{
+  const auto ignore = [&](bool ignores)
+  { both.Set<vtkFFAlgorithm>([=](auto* filter) { filter->SetNonFinitePoints(ignores); }); };
+  const std::vector<std::vector<std::pair<int, double>>> faults{ { { 1, nan } },
+    { { 0, infinity } }, { { 4, -infinity } }, { { 1, nan }, { 2, infinity } },
+    { { 3, nan }, { 0, nan } } };
+  for (const auto& fault : faults)
+  {
+    const Pieces pieces = makePieces();
+    std::string what = "not finite on";
+    std::set<int> spoilt;
+    for (const auto& [process, value] : fault)
+    {
+      spoil(pieces, process, 17, value);
+      spoil(pieces, process, 5, value);
+      spoilt.insert(atMostLast(process));
+      what += " " + std::to_string(process);
+    }
+    refuses(both, what, pieces, std::to_string(2 * spoilt.size()) + " such point(s)");
+    ignore(true);
+    both.Run(what + ", ignored", pieces);
+    FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
+    ignore(false);
+  }
+
+  // None left, on one process and on all.
+  ignore(true);
+  Pieces pieces = split(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, [](int) { return processes() - 1; });
+  decorate(pieces);
+  if (processes() > 1)
+  {
+    pieces[0] = makePoints({ { nan, 0, 0 }, { 0, 0, infinity } });
+    decorate(pieces);
+  }
+  both.Run("one piece not finite at all", pieces);
+  pieces.assign(pieces.size(), makePoints({ { nan, 0, 0 }, { 0, 0, infinity } }));
+  both.Run("nothing finite", pieces);
+  ignore(false);
+}
+
+/// The messages name block and point: of each block at fault, or of all blocks.
+void testBlocks(Twins& both)
+{
+  for (const auto& [first, second] : { std::pair<int, int>{ 1, 3 }, { 2, 2 }, { 0, 1 } })
+  {
+    std::vector<Pieces> leaves;
+    for (int leaf = 0; leaf < 4; ++leaf)
+    {
+      leaves.push_back(makePieces());
+    }
+    spoil(leaves[static_cast<std::size_t>(first)], 1, 7, nan);
+    spoil(leaves[static_cast<std::size_t>(second)], 0, 9, nan);
+    spoil(leaves[static_cast<std::size_t>(second)], 2, 9, infinity);
+    both.Run("blocks that are not finite", leaves);
+    FF_CHECK(both.Distributed->GetErrorCode() != vtkErrorCode::NoError);
+    FF_CHECK(rank() > 0 ||
+      both.Errors->Has((joinsBlocks(both) ? "of the block of flat index "
+                                          : "of data set " + std::to_string(second))));
+  }
+  const std::vector<Pieces> leaves(4, makePieces());
+  vtkNew<vtkTable> table;
+  for (int process = 0; process < processes(); ++process)
+  {
+    const auto piece = pieceOfBlocks(leaves);
+    const auto whole = appendBlocks(leaves);
+    whole->SetBlock(2, table);
+    if (rank() == process)
+    {
+      piece->SetBlock(2, table);
+    }
+    both.Run("a wrong block", piece, whole);
+    FF_CHECK(rank() > 0 || both.Errors->Has("is a vtkTable"));
+    both.Run("after a wrong block", leaves);
+  }
+}
+
+/// 2^53 + 1 and its like.
+void testInexact(Twins& both)
+{
+  const auto make = [](int number, vtkTypeInt64 value)
+  {
+    vtkNew<vtkTypeInt64Array> array;
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(20);
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      array->SetValue(i, (i * i + 7 * number) % 31);
+    }
+    array->SetValue(31, value); // of point 10
+    return makePoints(array);
+  };
+  const vtkTypeInt64 wide = (vtkTypeInt64(1) << 53) + 1;
+  for (const int bad : { 1, 0, 2 })
+  {
+    Pieces pieces;
+    for (int k = 0; k < processes(); ++k)
+    {
+      pieces.push_back(make(k, k >= bad ? wide : 1));
+    }
+    both.Run("wide integers", pieces);
+    both.Run("integers that a double holds", { std::size_t(processes()), make(3, wide - 1) });
+  }
+  std::vector<Pieces> leaves{ makePieces(), {}, makePieces(), makePieces() };
+  leaves[1].assign(std::size_t(processes()), make(2, wide));
+  spoil(leaves[0], 0, 1, nan);
+  both.Run("first not finite, then wide", leaves);
+}
+
+/// Whoever asks to abort, at whatever time: all stop, without an error.
+void testAbort(Twins& both)
+{
+  const Pieces pieces = makePieces();
+  for (const int process : { 0, 1, 4 })
+  {
+    for (const double mark : { 0.0, 0.3, 0.9 })
+    {
+      vtkNew<ProgressObserver> progress;
+      progress->AbortAt = mark;
+      const bool aborts = rank() == atMostLast(process);
+      const unsigned long tag =
+        aborts ? both.Distributed->AddObserver(vtkCommand::ProgressEvent, progress) : 0;
+      both.Fails("an abort", ownOf(pieces), "");
+      FF_CHECK(!aborts || !progress->Values.empty());
+      both.Distributed->RemoveObserver(tag);
+      both.Distributed->SetAbortExecute(0); // older VTKs do so at the start of a run
+      both.Run("after an abort", pieces);
+    }
+  }
+}
+
+/// Progress goes from 0 to 1 on every process, and never back.
+void testProgress(Twins& both)
+{
+  vtkNew<ProgressObserver> progress;
+  const unsigned long tag = both.Distributed->AddObserver(vtkCommand::ProgressEvent, progress);
+  both.Run("progress", makePieces());
+  checkProgress(progress->Values);
+  progress->Values.clear();
+  both.Run("progress of blocks", std::vector<Pieces>(4, makePieces()));
+  checkProgress(progress->Values);
+  both.Distributed->RemoveObserver(tag);
+}
+
+/// On one process no data set, no input at all, or another number of blocks: the others do not
+/// wait.
+void testWrongInput(Twins& both)
+{
+  const Pieces pieces = makePieces();
+  vtkNew<vtkTable> table;
+  const auto blocks = pieceOfBlocks(std::vector<Pieces>(4, pieces));
+  for (const bool composite : { false, true })
+  {
+    vtkDataObject* const piece = composite ? blocks.Get() : ownOf(pieces);
+    vtkDataObject* const other = composite ? ownOf(pieces) : blocks.Get();
+    for (int process = 0; process < processes(); ++process)
+    {
+      const bool wrong = rank() == process;
+      both.Fails("a wrong input", wrong ? table.Get() : piece, "The data is a vtkTable");
+      both.Fails("no input", wrong ? nullptr : piece, "There is no input");
+      if (!joinsBlocks(both))
+      {
+        both.Fails("other blocks", wrong ? other : piece, "different numbers of blocks");
+      }
+      both.Run("after a wrong input", pieces);
+      FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
+    }
+  }
+}
+
+void testWeights()
+{
+  Twins both = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  both.Set<Triangulation>([](auto* filter) { useWeights(filter); });
+  const auto last = static_cast<std::size_t>(processes() - 1);
+  const auto place = std::to_string(
+    append(makePieces())->GetNumberOfPoints() - makePieces()[last]->GetNumberOfPoints() + 11);
+  Pieces pieces = makePieces();
+  pieces[last]->GetPointData()->GetArray("weights")->SetTuple1(11, nan);
+  refuses(both, "a weight that is NaN", pieces, "point " + place + ", 1 such");
+  pieces = makePieces();
+  pieces.back()->GetPointData()->RemoveArray("weights");
+  refuses(both, "weights missing on one", pieces, "missing from the input's point data");
+  for (vtkPolyData* piece : pieces)
+  {
+    piece->GetPointData()->RemoveArray("weights");
+  }
+  refuses(both, "weights missing on all", pieces, "missing from the input's point data");
+
+  // Only one process has points, so that none are appended.
+  const auto points = randomPoints(50, 112);
+  for (const int owner : { 0, processes() - 1 })
+  {
+    for (const vtkIdType count : { 49, 51 })
+    {
+      pieces = split(points, [=](int) { return owner; });
+      vtkNew<vtkDoubleArray> weights;
+      weights->SetName("weights");
+      weights->SetNumberOfTuples(count);
+      weights->Fill(0.0);
+      pieces[static_cast<std::size_t>(owner)]->GetPointData()->AddArray(weights);
+      refuses(both, "weights of another number", pieces,
+        "has " + std::to_string(count) + " value(s) for 50 point(s)");
+    }
+  }
+}
+
+/// One process speaks for all, though all have the same settings.
+void testSettings()
+{
+  Twins both = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  both.Set<Triangulation>([](auto* filter) { filter->SetProjectionPlaneModeToTransform(); });
+  both.Run("no transform", makePieces());
+  FF_CHECK(both.Distributed->GetErrorCode() != vtkErrorCode::NoError);
+  using Diagram = vtkFFPowerDiagramFilter;
+  Twins diagrams = twins<vtkPFFPowerDiagramFilter, Diagram>();
+  diagrams.Set<Diagram>([](auto* filter) { filter->SetPowerDiagramBounds(1, 0, 0, 1); });
+  diagrams.Run("no box", makePieces());
+  FF_CHECK(diagrams.Distributed->GetErrorCode() != vtkErrorCode::NoError);
+  diagrams.Set<Diagram>([](auto* filter) { filter->SetPowerDiagramBounds(0, 1, 0, 1); });
+  diagrams.Run("a box", makePieces());
+  FF_CHECK_EQUAL(diagrams.Distributed->GetErrorCode(), vtkErrorCode::NoError);
+}
+
+/// What several processes cannot do, and what to do instead; on whichever it was set.
+void testSeveral()
+{
+  const Pieces pieces = makePieces();
+  Twins cuda = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  cuda.Distributed->SetEngineToCUDA();
+  cuda.Fails("CUDA", ownOf(pieces),
+    "The CUDA engine was asked for, but several processes triangulate together on their CPUs. "
+    "Set Engine to Automatic or CPU.");
+  Twins boundary = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  boundary.Set<Triangulation>([](auto* filter) { filter->GenerateBoundaryOn(); });
+  boundary.Fails("boundary", ownOf(pieces),
+    "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha Verts, "
+    "Generate Alphas and Generate Boundary must be off. To have them, bring all points to one "
+    "process.");
+  Twins constrained = twins<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>();
+  vtkNew<vtkPolyData> source;
+  vtkFFConstrainedDelaunayFilter::SafeDownCast(constrained.Distributed)->SetSourceData(source);
+  constrained.Fails("constraints", ownOf(pieces),
+    "Constraints need all points on one process, and several triangulate together. Bring all "
+    "points to one process, or take the source away.");
+  Twins streamed = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  auto* hull = vtkFFHullFilter::SafeDownCast(streamed.Distributed);
+  for (int process = 0; process <= processes(); ++process)
+  {
+    hull->SetNumberOfStreamDivisions(rank() == process || process == processes() ? 3 : 1);
+    streamed.Fails("streaming", ownOf(pieces),
+      "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: each "
+      "process has its piece alone in memory then.");
+    hull->SetNumberOfStreamDivisions(1);
+    streamed.Run("after streaming", pieces);
+  }
+}
+
+}
+
+void testErrors()
+{
+  std::vector<Twins> all = makeTwins();
+  for (Twins& both : all)
+  {
+    testNonFinite(both);
+    testBlocks(both);
+    testInexact(both);
+    testProgress(both);
+    if (processes() > 1) // one alone is its superclass
+    {
+      testAbort(both);
+      testWrongInput(both);
+    }
+  }
+  testWeights();
+  testSettings();
+  if (processes() > 1)
+  {
+    testSeveral();
+  }
+}
