@@ -66,10 +66,11 @@ vtkFFPlanarInput::vtkFFPlanarInput(vtkFFPlanarAlgorithm* filter, vtkFFRun& run)
 void vtkFFPlanarInput::Take(vtkDataObject* data)
 {
   vtkFFInput input;
+  this->Data = data;
   // Weights are judged as they came: an array that does not fit does not go along with its points.
   if (auto* const points = vtkDataSet::SafeDownCast(data))
   {
-    this->FindWeights(points);
+    this->WeightArray = this->FindWeights(points);
   }
   input.Take(vtkFFInput::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
   this->SetPoints(input.GetPieces()[0]);

@@ -89,6 +89,14 @@ public:
    */
   static double NumberAt(const flipflop::PointView& points, std::int64_t i);
 
+  ///@{
+  /**
+   * What Take() took, and the array of weights in it; null if there is none.
+   */
+  vtkDataObject* GetData() const { return this->Data; }
+  vtkDataArray* GetWeightArray() const { return this->WeightArray; }
+  ///@}
+
   vtkPointSet* GetPoints() const { return this->Points; }
   const vtkFFPointSource& GetSpace() const { return *this->Space; }
   const flipflop::PointView& GetPlane() const { return this->Projection->GetView(); }
@@ -132,6 +140,8 @@ public:
 private:
   vtkFFPlanarAlgorithm* const Filter;
   vtkFFRun& Run;
+  vtkDataObject* Data = nullptr;
+  vtkDataArray* WeightArray = nullptr;
   vtkSmartPointer<vtkPointSet> Points;
   std::optional<vtkFFPointSource> Space;
   std::optional<vtkFFWeightSource> Weights;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFPowerDiagramFilter.h"
 
+#include "vtkFFKeptTriangulation.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFPowerCells.h"
 #include "vtkFFRun.h"
 
-#include <flipflop/Engines.h>
 #include <flipflop/PowerDiagram.h>
 
 #include "vtkDataObject.h"
@@ -44,8 +44,8 @@ int vtkFFPowerDiagramFilter::RequestData(
       // Points of one power circle meet in one corner.
       run.Options.facets = flipflop::FacetMode::Polygons;
       run.SetPart(0.0, shareOfTriangulation);
-      const flipflop::Triangulation triangulation = flipflop::regularTriangulation(
-        input.GetPlane(), input.GetWeights(), run.Options, run.Engine, run.Report);
+      const flipflop::Triangulation triangulation =
+        vtkFFKeptTriangulation::Triangulate(this, input, run, this->Kept);
       input.LookForVerticalPlane(triangulation);
       input.SetHeight(triangulation);
 

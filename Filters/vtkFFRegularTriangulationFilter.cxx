@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFRegularTriangulationFilter.h"
 
+#include "vtkFFKeptTriangulation.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFRun.h"
 #include "vtkFFTriangulationOutput.h"
-
-#include <flipflop/Engines.h>
 
 #include "vtkDataObject.h"
 #include "vtkInformationVector.h"
@@ -67,8 +66,8 @@ int vtkFFRegularTriangulationFilter::RequestData(
     {
       vtkFFPlanarInput input(this, run);
       input.Take(vtkDataObject::GetData(inputVector[0]));
-      flipflop::Triangulation triangulation = flipflop::regularTriangulation(
-        input.GetPlane(), input.GetWeights(), run.Options, run.Engine, run.Report);
+      flipflop::Triangulation triangulation =
+        vtkFFKeptTriangulation::Triangulate(this, input, run, this->Kept);
       input.LookForVerticalPlane(triangulation);
       if (this->GenerateCellMeasures)
       {

@@ -56,6 +56,11 @@
  *
  * Points left out because they are not finite are on no port.
  *
+ * A setting that concerns the output alone (alpha, edge length, border, arrays, the report) does
+ * not triangulate again while the input is unchanged. Neither do facets as triangles after facets
+ * as polygons. The filter keeps its last triangulation for that, in 28 bytes for each point. It
+ * keeps none of composites, and none if its release data flag is on.
+ *
  * @warning
  * At most 2^32 - 2 points can be given, about 5e8 if nearly all are visible.
  *
@@ -70,7 +75,11 @@
 #include "vtkFFPlanarAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
+#include <memory> // For std::shared_ptr
+
 VTK_ABI_NAMESPACE_BEGIN
+class vtkFFKeptTriangulation;
+
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
   : public vtkFFPlanarAlgorithm
 {
@@ -186,8 +195,9 @@ private:
   vtkFFRegularTriangulationFilter(const vtkFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkFFRegularTriangulationFilter&) = delete;
 
-  friend class vtkFFTriangulationOutput; // sets them
+  friend class vtkFFTriangulationOutput; // sets the numbers
 
+  std::shared_ptr<vtkFFKeptTriangulation> Kept;
   vtkIdType NumberOfHiddenPoints = 0;
   vtkIdType NumberOfDroppedCells = 0;
 };

@@ -79,8 +79,13 @@ public:
 
   ///@{
   /**
-   * Further settings.
+   * Further settings. An object is one with its state; it may be null.
    */
+  void Add(vtkObject* object)
+  {
+    this->Words.push_back(reinterpret_cast<std::uintptr_t>(object));
+    this->Words.push_back(object ? object->GetMTime() : 0);
+  }
   void Add(double setting)
   {
     std::uint64_t word;
@@ -102,8 +107,7 @@ public:
 private:
   void AddTime(vtkDataObject* data)
   {
-    this->Words.push_back(reinterpret_cast<std::uintptr_t>(data));
-    this->Words.push_back(data ? data->GetMTime() : 0);
+    this->Add(static_cast<vtkObject*>(data));
     this->Words.push_back(data ? data->GetUpdateTime() : 0);
   }
 

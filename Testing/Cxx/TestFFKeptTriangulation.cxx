@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A setting that concerns the output alone takes the triangulation of the last run, and gives what
+// a new filter gives, bit for bit. Whatever the triangulation depends on has the engine run again.
+#include "FFPlanar.h"
+
+#include "vtkFFPowerDiagramFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+#include "vtkSphereSource.h"
+#include "vtkTransform.h"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+using namespace fftest;
+
+namespace
+{
+
+using Triangulation = vtkFFRegularTriangulationFilter;
+using Diagram = vtkFFPowerDiagramFilter;
+
+template <class FilterT>
+struct Change
+{
+  const char* Name;
+  bool Runs; ///< whether the engine has to run again
+  std::function<void(FilterT*)> Make;
+};
+
+template <class FilterT>
+double secondsOf(FilterT* filter)
+{
+  return reported(filter->GetOutput(), "FlipFlopSecondsTotal");
+}
+
+/// The report may be of a run for the other kind of facets.
+vtkSmartPointer<vtkPolyData> withoutReport(vtkPolyData* output)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->ShallowCopy(output);
+  vtkNew<vtkFieldData> none;
+  data->SetFieldData(none);
+  return data;
+}
+
+/// Makes one change after the other. After each, a filter to which all are made at once agrees.
+template <class FilterT>
+void testChanges(
+  vtkDataObject* input, const char* weights, const std::vector<Change<FilterT>>& changes)
+{
+  Watched<FilterT> run(input, weights);
+  run->ReportAsFieldDataOn();
+  run.Run();
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const double before = secondsOf(run.Get());
+    changes[i].Make(run.Get());
+    run.Run();
+    FF_CHECK_EQUAL(std::string(changes[i].Name) +
+        (secondsOf(run.Get()) != before ? ": has run" : ": has not run"),
+      std::string(changes[i].Name) + (changes[i].Runs ? ": has run" : ": has not run"));
+
+    // Not the input itself: it would have been generated again, for all that its users can know.
+    vtkSmartPointer<vtkDataObject> same;
+    same.TakeReference(input->NewInstance());
+    same->ShallowCopy(input);
+    Watched<FilterT> fresh(same, weights);
+    for (std::size_t k = 0; k <= i; ++k)
+    {
+      changes[k].Make(fresh.Get());
+    }
+    fresh.Run();
+    FF_CHECK_EQUAL(run->GetNumberOfHiddenPoints(), fresh->GetNumberOfHiddenPoints());
+    FF_CHECK_EQUAL(run->GetNumberOfInputPoints(), fresh->GetNumberOfInputPoints());
+    FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), fresh->GetNumberOfNonFinitePoints());
+    FF_CHECK_EQUAL(run->GetDimension(), fresh->GetDimension());
+    for (int port = 0; port < run->GetNumberOfOutputPorts(); ++port)
+    {
+      FF_CHECK(isIdentical(withoutReport(run->GetOutput(port)),
+        withoutReport(fresh->GetOutput(port)), changes[i].Name));
+    }
+  }
+}
+
+/// Points with weights, of which some are hidden, some are ghosts, and some lie on one circle.
+vtkSmartPointer<vtkPolyData> makeInput()
+{
+  std::vector<Point> points = randomPoints(2000, 301);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    weights.push_back(i % 3 ? 0.0 : 0.001 * std::fabs(points[i][2]));
+    points[i][0] = i % 2 ? std::floor(20 * points[i][0]) / 20 : points[i][0];
+    points[i][1] = i % 2 ? std::floor(20 * points[i][1]) / 20 : points[i][1];
+  }
+  const auto input = makeWeighted(points, weights);
+  addGhosts(input, { 0, 7, 500, 1999 });
+  return input;
+}
+
+template <class FilterT>
+std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* transform)
+{
+  // A change of data is made once, for both filters.
+  const auto once = [](const std::function<void()>& change)
+  {
+    auto isMade = std::make_shared<bool>(false);
+    return [=](FilterT*)
+    {
+      if (!*isMade)
+      {
+        *isMade = true;
+        change();
+      }
+    };
+  };
+  return {
+    { "report", false, [](FilterT* f) { f->ReportAsFieldDataOff(), f->ReportAsFieldDataOn(); } },
+    { "measures", false, [](FilterT* f) { f->GenerateCellMeasuresOn(); } },
+    { "visible ids", false, [](FilterT* f) { f->VisiblePointIdsOn(); } },
+    { "no point data", false, [](FilterT* f) { f->PassPointDataOff(); } },
+    { "unused transform", false, [=](FilterT* f) { f->StoreTransform(transform); } },
+    { "weight factor", true, [](FilterT* f) { f->SetWeightFactor(0.5); } },
+    { "weight mode", true, [](FilterT* f) { f->SetWeightModeToRadii(); } },
+    { "a weight", true,
+      once(
+        [=]
+        {
+          input->GetPointData()->GetArray("weights")->SetTuple1(40, 0.3);
+          input->GetPointData()->GetArray("weights")->Modified();
+        }) },
+    { "a point", true,
+      once(
+        [=]
+        {
+          input->GetPoints()->SetPoint(50, 3, 4, 5);
+          input->GetPoints()->Modified();
+        }) },
+    { "other points", true,
+      once([=] { input->SetPoints(makePoints(randomPoints(2000, 302))->GetPoints()); }) },
+    { "ghosts", true, [](FilterT* f) { f->SkipGhostPointsOff(); } },
+    { "fitted plane", true, [](FilterT* f) { f->SetProjectionPlaneModeToBestFittingPlane(); } },
+    { "transformed", true, [](FilterT* f) { f->SetProjectionPlaneModeToTransform(); } },
+    { "point data", false, [](FilterT* f) { f->PassPointDataOn(); } },
+    { "the transform", true, once([=] { transform->RotateX(20.0); }) },
+    { "variant", true, [](FilterT* f) { f->VBiasedOff(); } },
+    { "policy", true, [](FilterT* f) { f->SetNonFinitePointsToIgnore(); } },
+    { "no weights", true, [](FilterT* f) { useWeights(f, ""); } },
+    { "unused factor", false, [](FilterT* f) { f->SetWeightFactor(7.0); } },
+  };
+}
+
+void testTriangulation()
+{
+  const auto input = makeInput();
+  std::vector<Change<Triangulation>> changes{
+    { "alpha", false, [](Triangulation* f) { f->SetAlpha(0.05); } },
+    { "less alpha", false, [](Triangulation* f) { f->SetAlpha(0.02); } },
+    { "lines", false, [](Triangulation* f) { f->AlphaLinesOn(); } },
+    { "vertices", false, [](Triangulation* f) { f->AlphaVertsOn(); } },
+    { "alphas", false, [](Triangulation* f) { f->GenerateAlphasOn(); } },
+    { "border", false, [](Triangulation* f) { f->GenerateBoundaryOn(); } },
+    { "length", false, [](Triangulation* f) { f->SetMaximumEdgeLength(0.06); } },
+    { "no alpha", false, [](Triangulation* f) { f->SetAlpha(0.0); } },
+    { "polygons", true, [](Triangulation* f) { f->SetFacetModeToPolygons(); } },
+    { "triangles", false, [](Triangulation* f) { f->SetFacetModeToTriangles(); } },
+    { "polygons again", false, [](Triangulation* f) { f->SetFacetModeToPolygons(); } },
+    { "any length", false, [](Triangulation* f) { f->SetMaximumEdgeLength(0.0); } },
+  };
+  vtkNew<vtkTransform> transform;
+  const auto further = changesOfAll<Triangulation>(input, transform);
+  changes.insert(changes.end(), further.begin(), further.end());
+  testChanges(input, "weights", changes);
+}
+
+void testDiagram()
+{
+  const auto input = makeInput();
+  std::vector<Change<Diagram>> changes{
+    { "box", false, [](Diagram* f) { f->SetPowerDiagramBounds(-0.5, 0.25, -2, 3); } },
+    { "other box", false, [](Diagram* f) { f->StorePowerDiagramCorner(0.1, 0.2, 0); } },
+    { "box of points", false, [](Diagram* f) { f->SetPowerDiagramBoxModeToPoints(); } },
+    { "facets", false, [](Diagram* f) { f->SetFacetModeToPolygons(); } },
+  };
+  vtkNew<vtkTransform> transform;
+  const auto further = changesOfAll<Diagram>(input, transform);
+  changes.insert(changes.end(), further.begin(), further.end());
+  testChanges(input, "weights", changes);
+}
+
+/// In each dimension.
+void testDegenerate()
+{
+  for (const std::vector<Point>& points : { std::vector<Point>{}, { { 1, 2, 3 }, { 1, 2, 3 } },
+         { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } } })
+  {
+    testChanges<Triangulation>(makePoints(points), nullptr,
+      { { "measures", false, [](Triangulation* f) { f->GenerateCellMeasuresOn(); } },
+        { "border", false, [](Triangulation* f) { f->GenerateBoundaryOn(); } } });
+  }
+}
+
+/// After a failure, an abort, another input and a change upstream.
+void testOtherRuns()
+{
+  const auto input = makeInput();
+  Watched<Triangulation> run(input);
+  run->ReportAsFieldDataOn();
+  const auto expected = copyOf(run.Run());
+  run->SetInputData(makePoints({ { notANumber, 0, 0 } }));
+  run.Fail("NaN or infinite", vtkFFErrorCode::NonFiniteError);
+  FF_CHECK(isIdentical(run.RunWith(input), expected, "after a failure"));
+
+  vtkNew<ProgressObserver> progress;
+  progress->AbortAt = 0.0;
+  const unsigned long tag = run->AddObserver(vtkCommand::ProgressEvent, progress);
+  FF_CHECK(isEmpty(run.RunWith(makeInput())));
+  run->RemoveObserver(tag);
+  run->SetAbortExecute(0);
+  FF_CHECK(isIdentical(run.RunWith(input), expected, "after an abort"));
+
+  vtkNew<vtkSphereSource> sphere;
+  run->SetInputConnection(sphere->GetOutputPort());
+  const vtkIdType points = run.Run()->GetNumberOfPoints();
+  sphere->SetThetaResolution(20);
+  FF_CHECK(run.Run()->GetNumberOfPoints() > points);
+}
+
+/// Nothing is kept of a composite, nor where memory is to be released.
+void testNotKept()
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makeInput());
+  blocks->SetBlock(1, makePoints(randomPoints(3000, 303)));
+  Watched<Triangulation> run(blocks);
+  run->ReportAsFieldDataOn();
+  const auto blockOf = [](Triangulation* filter, unsigned int block)
+  {
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    return vtkPolyData::SafeDownCast(output->GetBlock(block));
+  };
+  run.Run();
+  const double before = reported(blockOf(run.Get(), 1), "FlipFlopSecondsTotal");
+  run->SetAlpha(0.1);
+  run.Run();
+  FF_CHECK(reported(blockOf(run.Get(), 1), "FlipFlopSecondsTotal") != before);
+  Watched<Triangulation> fresh(blocks);
+  fresh->ReportAsFieldDataOn();
+  fresh->SetAlpha(0.1);
+  fresh.Run();
+  for (const unsigned int block : { 0U, 1U })
+  {
+    FF_CHECK(isIdentical(blockOf(run.Get(), block), blockOf(fresh.Get(), block), "block"));
+  }
+
+  const auto input = makeInput();
+  testChanges<Triangulation>(input, "weights",
+    { { "release", true,
+        [](Triangulation* f)
+        {
+          f->ReleaseDataFlagOn();
+          f->SetAlpha(0.1);
+        } },
+      { "alpha", true, [](Triangulation* f) { f->SetAlpha(0.05); } } });
+}
+
+}
+
+int TestFFKeptTriangulation(int, char*[])
+{
+  testTriangulation();
+  testDiagram();
+  testDegenerate();
+  testOtherRuns();
+  testNotKept();
+  return result();
+}
