@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Data in pieces, and as it is whole.
+#include "Twins.h"
+
+#include "vtkBitArray.h"
+#include "vtkCharArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkLongLongArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+namespace fftest
+{
+
+//------------------------------------------------------------------------------
+Pieces split(const std::vector<Point>& points, const std::function<int(int)>& owner, int type)
+{
+  std::vector<std::vector<Point>> parts(static_cast<std::size_t>(processes()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    parts.at(static_cast<std::size_t>(owner(static_cast<int>(i)))).push_back(points[i]);
+  }
+  Pieces pieces;
+  for (const auto& part : parts)
+  {
+    pieces.push_back(makePoints(part, type));
+  }
+  return pieces;
+}
+
+namespace
+{
+
+/// One array for a piece of so many points.
+template <class ArrayT>
+vtkSmartPointer<ArrayT> makeArray(const char* name, vtkIdType count, int components = 1)
+{
+  auto array = vtkSmartPointer<ArrayT>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+void decorate(vtkPolyData* piece, int number)
+{
+  const vtkIdType count = piece->GetNumberOfPoints();
+  const auto scalars = makeArray<vtkDoubleArray>("temperature", count);
+  const auto vectors = makeArray<vtkFloatArray>("velocity", count, 3);
+  const auto wides = makeArray<vtkIdTypeArray>("wide", count);
+  const auto names = makeArray<vtkStringArray>("names", count);
+  const auto chars = makeArray<vtkCharArray>("chars", count);
+  const auto longs = makeArray<vtkLongLongArray>("longs", count, 2);
+  const auto bits = makeArray<vtkBitArray>("bits", count);
+  const auto globals = makeArray<vtkIdTypeArray>("global", count);
+  vectors->SetComponentName(0, "u");
+  vectors->SetComponentName(2, "w");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = 1000.0 * number + 1.0 / (3.0 + static_cast<double>(i));
+    scalars->SetValue(i, i % 3 == 1 ? std::numeric_limits<double>::quiet_NaN() : value);
+    vectors->SetTuple3(i, value, -value, 0.5);
+    wides->SetValue(i, (vtkIdType(number + 1) << 40) + i);
+    // Texts of several lines, with every byte in them, and empty ones.
+    names->SetValue(i,
+      i % 4 == 3 ? std::string() : "<piece>\n" + std::to_string(number) + '\0' + std::to_string(i));
+    chars->SetValue(i, static_cast<char>(i % 100 - 50));
+    longs->SetTypedComponent(i, 1, (1LL << 60) + 7 * i + number);
+    longs->SetTypedComponent(i, 0, -i);
+    bits->SetValue(i, (i + number) % 3 == 0);
+    globals->SetValue(i, 1000000 * number + i);
+  }
+  vtkPointData* data = piece->GetPointData();
+  data->AddArray(wides);
+  data->SetScalars(scalars);
+  data->AddArray(names);
+  data->SetVectors(vectors);
+  data->AddArray(chars);
+  data->AddArray(longs);
+  data->AddArray(bits);
+  data->SetGlobalIds(globals);
+}
+
+/// All pieces' values, of one type.
+vtkSmartPointer<vtkAbstractArray> appendArrays(const std::vector<vtkAbstractArray*>& parts)
+{
+  vtkSmartPointer<vtkAbstractArray> whole;
+  whole.TakeReference(vtkAbstractArray::CreateArray(parts[0]->GetDataType()));
+  whole->SetName(parts[0]->GetName());
+  whole->SetNumberOfComponents(parts[0]->GetNumberOfComponents());
+  whole->CopyComponentNames(parts[0]);
+  for (vtkAbstractArray* part : parts)
+  {
+    for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
+    {
+      whole->InsertNextTuple(i, part);
+    }
+  }
+  return whole;
+}
+
+/// All pieces' points: of their type, or of doubles where they have several.
+vtkSmartPointer<vtkPoints> appendPoints(const Pieces& filled)
+{
+  int type = filled[0]->GetPoints()->GetDataType();
+  std::vector<vtkAbstractArray*> arrays;
+  for (vtkPolyData* piece : filled)
+  {
+    type = piece->GetPoints()->GetDataType() == type ? type : VTK_DOUBLE;
+    arrays.push_back(piece->GetPoints()->GetData());
+  }
+  std::vector<vtkSmartPointer<vtkDataArray>> converted;
+  for (vtkAbstractArray*& array : arrays)
+  {
+    if (array->GetDataType() != type)
+    {
+      converted.push_back(vtkSmartPointer<vtkDoubleArray>::New());
+      converted.back()->DeepCopy(array);
+      array = converted.back();
+    }
+  }
+  const auto whole = appendArrays(arrays);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(vtkDataArray::SafeDownCast(whole));
+  return points;
+}
+
+}
+
+//------------------------------------------------------------------------------
+void decorate(const Pieces& pieces)
+{
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    decorate(pieces[i], static_cast<int>(i));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> append(const Pieces& pieces)
+{
+  Pieces filled;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(filled),
+    [](vtkPolyData* piece) { return piece && piece->GetNumberOfPoints() > 0; });
+  if (filled.empty())
+  {
+    return pieces[0] ? pieces[0] : vtkSmartPointer<vtkPolyData>::New();
+  }
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  whole->SetPoints(appendPoints(filled));
+
+  vtkPointData* first = filled[0]->GetPointData();
+  for (int k = 0; k < first->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = first->GetAbstractArray(k);
+    std::vector<vtkAbstractArray*> parts;
+    for (vtkPolyData* piece : filled)
+    {
+      // What has no name has no like.
+      vtkAbstractArray* part = filled.size() == 1 ? array
+        : array->GetName() ? piece->GetPointData()->GetAbstractArray(array->GetName())
+                           : nullptr;
+      if (part && part->GetDataType() == array->GetDataType() &&
+        part->GetNumberOfComponents() == array->GetNumberOfComponents())
+      {
+        parts.push_back(part);
+      }
+    }
+    if (parts.size() < filled.size())
+    {
+      continue;
+    }
+    const int index = whole->GetPointData()->AddArray(appendArrays(parts));
+    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+    {
+      if (first->GetAbstractAttribute(attribute) == array)
+      {
+        whole->GetPointData()->SetActiveAttribute(index, attribute);
+      }
+    }
+  }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkMultiBlockDataSet> makeBlocks(const Pieces& leaves)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  vtkNew<vtkMultiBlockDataSet> nested;
+  blocks->SetNumberOfBlocks(3);
+  nested->SetNumberOfBlocks(2);
+  blocks->SetBlock(0, leaves.at(0));
+  nested->SetBlock(0, leaves.at(1));
+  nested->SetBlock(1, leaves.at(2));
+  blocks->SetBlock(1, nested);
+  blocks->SetBlock(2, leaves.at(3));
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkMultiBlockDataSet> appendBlocks(const std::vector<Pieces>& leaves)
+{
+  Pieces whole;
+  for (const Pieces& pieces : leaves)
+  {
+    Pieces there;
+    std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(there),
+      [](vtkPolyData* piece) { return piece != nullptr; });
+    whole.push_back(there.empty() ? nullptr : append(there));
+  }
+  return makeBlocks(whole);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkMultiBlockDataSet> pieceOfBlocks(const std::vector<Pieces>& leaves)
+{
+  Pieces own;
+  for (const Pieces& pieces : leaves)
+  {
+    own.push_back(pieces.at(static_cast<std::size_t>(rank())));
+  }
+  return makeBlocks(own);
+}
+
+}
