@@ -14,7 +14,6 @@
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <limits>
 #include <string>
@@ -132,15 +131,12 @@ inline vtkSmartPointer<vtkPolyData> makeConstraints(
 /// Marks these points as another piece's.
 inline void addGhosts(vtkDataSet* data, const Ids& ghosts)
 {
-  vtkNew<vtkUnsignedCharArray> marks;
-  marks->SetName(vtkDataSetAttributes::GhostArrayName());
-  marks->SetNumberOfValues(data->GetNumberOfPoints());
-  marks->Fill(0);
+  std::vector<int> marks(static_cast<std::size_t>(data->GetNumberOfPoints()), 0);
   for (const vtkIdType id : ghosts)
   {
-    marks->SetValue(id, vtkDataSetAttributes::DUPLICATEPOINT);
+    marks[static_cast<std::size_t>(id)] = vtkDataSetAttributes::DUPLICATEPOINT;
   }
-  data->GetPointData()->AddArray(marks);
+  markPoints(data, marks);
 }
 
 /// Points at integer positions, in rows, with z = @p z.

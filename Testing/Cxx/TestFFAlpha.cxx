@@ -6,7 +6,6 @@
 
 #include "vtkDelaunay2D.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkMultiBlockDataSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,7 +191,7 @@ void testWeights()
   FF_CHECK(valuesOf(output, "Alpha")[1] < 0.0);
 }
 
-/// Points on a line, one point, none; and data sets of a composite.
+/// Points on a line, one point, none.
 void testOtherInputs()
 {
   Run run(makePoints({ { 0, 0, 0 }, { 2, 0, 0 }, { 9, 0, 0 } }));
@@ -208,18 +207,6 @@ void testOtherInputs()
   FF_CHECK(isEmpty(run->GetBoundaryOutput()));
   FF_CHECK_EQUAL(run.RunWith(makePoints({ { 1, 2, 3 }, { 1, 2, 4 } }))->GetNumberOfVerts(), 1);
   FF_CHECK(isEmpty(run.RunWith(makePoints(std::vector<Point>{}))));
-
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, makePoints(few));
-  blocks->SetBlock(1, makePoints(randomPoints(50, 3)));
-  run->SetAlpha(5.0);
-  run.RunWith(blocks);
-  for (int port = 0; port < 3; ++port)
-  {
-    auto* all = vtkMultiBlockDataSet::SafeDownCast(run->GetOutputDataObject(port));
-    FF_CHECK_EQUAL(
-      vtkPolyData::SafeDownCast(all->GetBlock(port == 0 ? 0 : 1))->GetNumberOfLines(), port != 1);
-  }
 }
 
 }

@@ -228,6 +228,14 @@ void testOtherRuns()
   const vtkIdType points = run.Run()->GetNumberOfPoints();
   sphere->SetThetaResolution(20);
   FF_CHECK(run.Run()->GetNumberOfPoints() > points);
+
+  // What is set as it was does not even make an output again.
+  const vtkMTimeType time = run->GetMTime();
+  run->SetTransform(nullptr);
+  run->SetProjectionPlaneModeToXYPlane();
+  run->SetWeightFactor(1.0);
+  run->SetAlpha(0.0);
+  FF_CHECK_EQUAL(run->GetMTime(), time);
 }
 
 /// Nothing is kept of a composite, nor where memory is to be released.

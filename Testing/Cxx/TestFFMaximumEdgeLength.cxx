@@ -6,7 +6,6 @@
 
 #include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
@@ -133,41 +132,11 @@ void testLimits()
   FF_CHECK(isEmpty(run.RunWith(makePoints(std::vector<Point>{}))));
 }
 
-/// Cells' data is of those that are left; the report counts the others, over all data sets.
-void testReport()
-{
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, makePoints(latticeWithGaps()));
-  blocks->SetBlock(1, makePoints(latticeWithGaps()));
-  Watched<vtkFFRegularTriangulationFilter> run(blocks);
-  run->GenerateCellMeasuresOn();
-  run->ReportAsFieldDataOn();
-  run->SetMaximumEdgeLength(1.5);
-  run.Run();
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(run->GetOutputDataObject(0));
-  double dropped = 0;
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    auto* block = vtkPolyData::SafeDownCast(output->GetBlock(i));
-    vtkDataArray* areas = block->GetCellData()->GetArray("Area");
-    FF_CHECK_EQUAL(areas->GetNumberOfTuples(), block->GetNumberOfCells());
-    FF_CHECK_EQUAL(areas->GetRange()[0], 0.5);
-    FF_CHECK_EQUAL(areas->GetRange()[1], 0.5);
-    dropped += reported(block, "FlipFlopDroppedCells");
-  }
-  FF_CHECK(dropped > 0);
-  FF_CHECK_EQUAL(double(run->GetNumberOfDroppedCells()), dropped);
-  run->SetMaximumEdgeLength(0.0);
-  run.Run();
-  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
-}
-
 }
 
 int TestFFMaximumEdgeLength(int, char*[])
 {
   testLimits<vtkFFRegularTriangulationFilter>();
   testLimits<vtkFFConstrainedDelaunayFilter>();
-  testReport();
   return result();
 }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 using namespace fftest;
 
@@ -253,6 +254,9 @@ void testTransform()
   transform->Scale(1.0, 3.0, 1.0);
   FF_CHECK(polysOf(run.Watched::Run()) != before);
   FF_CHECK(run->GetTransform() == transform);
+  std::ostringstream printed;
+  run->Print(printed);
+  FF_CHECK(printed.str().find("Matrix") != std::string::npos);
   run->SetProjectionPlaneModeToXYPlane(); // which does not use it
   FF_CHECK(polysOf(run.Watched::Run()) == before);
 }

@@ -174,25 +174,6 @@ void testPlaces()
     run.Errors->Has("A radius is negative: first at point 6 of data set 17 of the composite."));
 }
 
-template <class FilterT>
-void testSetters()
-{
-  vtkNew<FilterT> filter;
-  FF_CHECK_EQUAL(filter->GetWeightMode(), int(FilterT::WEIGHTS));
-  FF_CHECK_EQUAL(filter->GetWeightFactor(), 1.0);
-  const vtkMTimeType time = filter->GetMTime();
-  filter->SetWeightModeToWeights();
-  filter->SetWeightFactor(1.0);
-  FF_CHECK_EQUAL(filter->GetMTime(), time);
-  filter->SetWeightModeToRadii();
-  FF_CHECK(filter->GetMTime() > time);
-  FF_CHECK_EQUAL(std::string(filter->GetWeightModeAsString()), std::string("Radii"));
-  filter->SetWeightMode(-4);
-  FF_CHECK_EQUAL(std::string(filter->GetWeightModeAsString()), std::string("Weights"));
-  filter->SetWeightMode(9);
-  FF_CHECK_EQUAL(filter->GetWeightMode(), int(FilterT::RADII));
-}
-
 }
 
 int TestFFWeightModes(int, char*[])
@@ -203,6 +184,5 @@ int TestFFWeightModes(int, char*[])
   testErrors<vtkFFPowerDiagramFilter>();
   testPlaces<Filter>();
   testPlaces<vtkFFPowerDiagramFilter>();
-  testSetters<Filter>();
   return result();
 }
