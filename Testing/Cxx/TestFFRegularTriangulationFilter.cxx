@@ -253,7 +253,8 @@ void testDeterminism()
 /// Floats stay floats; each port has the data of its points.
 void testPointData()
 {
-  const auto input = randomWeighted(2000, 41, VTK_FLOAT);
+  const auto input = randomWeighted(2000, 41);
+  input->SetPoints(makePoints(randomPoints(2000, 41), VTK_FLOAT)->GetPoints());
   vtkNew<vtkStringArray> names;
   names->SetName("names");
   vtkNew<vtkFloatArray> vectors;
