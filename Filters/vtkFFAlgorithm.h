@@ -52,13 +52,13 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * The engines that can do the work. ENGINE_NONE is what GetEngineUsed() returns before a run.
@@ -89,7 +89,7 @@ public:
     NON_FINITE_IGNORE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the engine. Whatever engine runs, the output is the same, bit for bit.
    *
@@ -116,9 +116,9 @@ public:
   void SetEngineToCPU() { this->SetEngine(ENGINE_CPU); }
   void SetEngineToCUDA() { this->SetEngine(ENGINE_CUDA); }
   const char* GetEngineAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the number of points from which on ENGINE_AUTOMATIC uses the CUDA engine. The crossover
    * has not been measured. The default is VTK_ID_MAX: the CPU engine does all inputs. Every value
@@ -126,9 +126,9 @@ public:
    */
   vtkSetClampMacro(CUDAThreshold, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(CUDAThreshold, vtkIdType);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get whether this build has a CUDA engine and this machine has a device that can run it; the
    * device's name (empty if there is none); and why there is none (empty if there is one). It
@@ -137,9 +137,9 @@ public:
   static bool IsCUDAAvailable();
   static const char* GetCUDADeviceName();
   static const char* GetCUDAProblem();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the engine of the last run (ENGINE_CPU or ENGINE_CUDA; ENGINE_NONE if there was no result),
    * and the reason for it, in words. For several blocks with a result each: ENGINE_CUDA if any
@@ -148,9 +148,9 @@ public:
   vtkGetMacro(EngineUsed, int);
   const char* GetEngineUsedAsString();
   const char* GetEngineReason() { return this->EngineReason.c_str(); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools uses: one, if its
    * backend is Sequential, as in Debian's ParaView and the wheels of VTK. -1 means all that the
@@ -158,9 +158,9 @@ public:
    */
   vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get how facets are given: as triangles (the default), or as one polygon a facet. As
    * triangles, a facet of more than three corners is a fan from the corner of lowest id.
@@ -170,9 +170,9 @@ public:
   void SetFacetModeToTriangles() { this->SetFacetMode(FACETS_AS_TRIANGLES); }
   void SetFacetModeToPolygons() { this->SetFacetMode(FACETS_AS_POLYGONS); }
   const char* GetFacetModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get what to do with points that have a NaN or infinite coordinate or weight: report an
    * error that names the first one (the default), or leave them out and count them in
@@ -183,9 +183,9 @@ public:
   void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
   void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
   const char* GetNonFinitePointsAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether ghost points are left out. On by default. Ghost points are those that the
    * input's point array vtkGhostType marks as another piece's
@@ -198,9 +198,9 @@ public:
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
   vtkBooleanMacro(SkipGhostPoints, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the input's point data arrays are passed to the output, in their full type and
    * precision. On by default. Attributes that describe the input's own surface (normals, tangents,
@@ -209,9 +209,9 @@ public:
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
   vtkBooleanMacro(PassPointData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the output's array vtkOriginalPointIds is given a second time under the name
    * OriginalPointIds: some applications hide the first name from their users. Off by default.
@@ -219,9 +219,9 @@ public:
   vtkSetMacro(VisiblePointIds, bool);
   vtkGetMacro(VisiblePointIds, bool);
   vtkBooleanMacro(VisiblePointIds, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the figures of a run are also given as field data of its output (of the first
    * port, in each block). Off by default. The arrays have one value each. An input's field data is
@@ -239,9 +239,9 @@ public:
   vtkSetMacro(ReportAsFieldData, bool);
   vtkGetMacro(ReportAsFieldData, bool);
   vtkBooleanMacro(ReportAsFieldData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the V-biased variant of the algorithm is run (the end of the paper's section
    * 2.3). It flips by the volume criterion alone as long as it can, and only then labels a vertex.
@@ -251,7 +251,7 @@ public:
   vtkSetMacro(VBiased, bool);
   vtkGetMacro(VBiased, bool);
   vtkBooleanMacro(VBiased, bool);
-  ///@}
+  //@}
 
   /**
    * Get the dimension of what the last run's points span: -1 for no point, 0 for one position, 1
@@ -260,14 +260,14 @@ public:
    */
   vtkGetMacro(Dimension, int);
 
-  ///@{
+  //@{
   /**
    * Get the number of points that the last run was given, without ghosts that are left out; and of
    * those, how many have a NaN or infinite coordinate or weight.
    */
   vtkGetMacro(NumberOfInputPoints, vtkIdType);
   vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
-  ///@}
+  //@}
 
 protected:
   vtkFFAlgorithm();

@@ -49,14 +49,14 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConstrainedDelaunayFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFConstrainedDelaunayFilter* New();
   vtkTypeMacro(vtkFFConstrainedDelaunayFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * How the source's polygons tell what is inside.
@@ -67,7 +67,7 @@ public:
     DIRECTION = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the second input, on port 1: the constraints. None by default. Their point ids are
    * those of the input, as in vtkDelaunay2D. The source has no points, or at the ids that its cells
@@ -79,9 +79,9 @@ public:
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void RemoveSource() { this->SetSourceConnection(nullptr); }
   vtkPolyData* GetSource();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether constraints are split where they cross between points. Off by default: they
    * are an error.
@@ -100,9 +100,9 @@ public:
   vtkSetMacro(SplitCrossingConstraints, bool);
   vtkGetMacro(SplitCrossingConstraints, bool);
   vtkBooleanMacro(SplitCrossingConstraints, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get how the source's polygons tell what is inside. Without polygons, all
    * cells stay. So they do where all points are on one line.
@@ -126,30 +126,30 @@ public:
   void SetPolygonRuleToEvenOdd() { this->SetPolygonRule(EVEN_ODD); }
   void SetPolygonRuleToDirection() { this->SetPolygonRule(DIRECTION); }
   const char* GetPolygonRuleAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the length of the longest edge that the cells of port 0 may have, as
    * vtkFFRegularTriangulationFilter has it. 0 by default: any. All points stay in the output.
    */
   virtual void SetMaximumEdgeLength(double length);
   vtkGetMacro(MaximumEdgeLength, double);
-  ///@}
+  //@}
 
   /**
    * Get the output of port 1: the fixed edges.
    */
   vtkPolyData* GetFixedEdgesOutput();
 
-  ///@{
+  //@{
   /**
    * Get the number of cells that the last run left out, since they are not inside polygons or for
    * MaximumEdgeLength; and of points that it added where constraints cross.
    */
   vtkGetMacro(NumberOfDroppedCells, vtkIdType);
   vtkGetMacro(NumberOfSplitPoints, vtkIdType);
-  ///@}
+  //@}
 
 protected:
   vtkFFConstrainedDelaunayFilter();

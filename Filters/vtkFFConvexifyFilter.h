@@ -50,16 +50,16 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFConvexifyFilter* New();
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the kernel point, which strictly sees the inside of every triangle. (0, 0, 0) by
    * default. SetKernelPoint() also turns UseKernelPoint on; you can turn it off later.
@@ -71,9 +71,9 @@ public:
   virtual void SetKernelPoint(const double point[3]);
   void StoreKernelPoint(double x, double y, double z);
   vtkGetVector3Macro(KernelPoint, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether KernelPoint is used. Off by default: the filter searches for a kernel point.
    * SetKernelPoint() turns it on.
@@ -81,7 +81,7 @@ public:
   vtkSetMacro(UseKernelPoint, bool);
   vtkGetMacro(UseKernelPoint, bool);
   vtkBooleanMacro(UseKernelPoint, bool);
-  ///@}
+  //@}
 
 protected:
   vtkFFConvexifyFilter();

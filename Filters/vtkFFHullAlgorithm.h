@@ -27,22 +27,22 @@ class vtkPlanes;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFHullAlgorithm, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the volume of the last run's result (0 below dimension 3), and the area of its surface (of
    * the polygon, once, in dimension 2; 0 below). For several blocks with a result each: the sums.
    */
   vtkGetMacro(Volume, double);
   vtkGetMacro(Area, double);
-  ///@}
+  //@}
 
   /**
    * Give @p planes the planes of the last output's cells, in the cells' order: the first corner of

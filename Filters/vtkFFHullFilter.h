@@ -75,14 +75,14 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFHullFilter* New();
   vtkTypeMacro(vtkFFHullFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * What a composite input gives.
@@ -93,7 +93,7 @@ public:
     HULL_OF_ALL_BLOCKS = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get what a composite input gives: a hull of each data set in it (the default), or one hull
    * of the points of all. It has no effect on other inputs.
@@ -103,9 +103,9 @@ public:
   void SetCompositeModeToEachBlock() { this->SetCompositeMode(HULL_OF_EACH_BLOCK); }
   void SetCompositeModeToAllBlocks() { this->SetCompositeMode(HULL_OF_ALL_BLOCKS); }
   const char* GetCompositeModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the number of pieces that the input is streamed in. The default is 1: the input is
    * taken as a whole. With more, the filter asks its input for one piece after another, as
@@ -135,7 +135,7 @@ public:
    */
   virtual void SetNumberOfStreamDivisions(int number);
   vtkGetMacro(NumberOfStreamDivisions, int);
-  ///@}
+  //@}
 
 protected:
   vtkFFHullFilter();

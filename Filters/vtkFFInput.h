@@ -54,14 +54,14 @@ public:
   vtkIdType Take(const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run,
     const std::string& ofInput = {});
 
-  ///@{
+  //@{
   /**
    * The parts of Take(), for points whose ids are known only once those of others are counted.
    */
   vtkIdType TakePieces(const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run,
     const std::string& ofInput = {});
   void TakeCoordinates();
-  ///@}
+  //@}
 
   const flipflop::PointView& GetView() const { return this->Points->GetView(); }
   const vtkFFPointSource& GetPoints() const { return *this->Points; }

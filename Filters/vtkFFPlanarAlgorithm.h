@@ -39,13 +39,13 @@ class vtkAbstractTransform;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPlanarAlgorithm : public vtkFFAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFPlanarAlgorithm, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * The plane in which points are triangulated. The values are those of vtkDelaunay2D.
@@ -69,7 +69,7 @@ public:
   // What sets a mode as well comes before that mode: VTK reads a state back in this order, so that
   // the mode is the one that was written.
 
-  ///@{
+  //@{
   /**
    * Set/Get the transform that takes the points to the XY plane. None by default. SetTransform()
    * with a transform also sets ProjectionPlaneMode to TRANSFORM_PLANE; you can set another mode
@@ -81,9 +81,9 @@ public:
   virtual void SetTransform(vtkAbstractTransform* transform);
   void StoreTransform(vtkAbstractTransform* transform);
   vtkGetObjectMacro(Transform, vtkAbstractTransform);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the plane in which the points are triangulated. The output's points keep their original
    * positions.
@@ -114,9 +114,9 @@ public:
     this->SetProjectionPlaneMode(BEST_FITTING_PLANE);
   }
   const char* GetProjectionPlaneModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get what the values of the weights' array are. Without an array, this does not matter.
    *
@@ -138,9 +138,9 @@ public:
   void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
   void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
   const char* GetWeightModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the factor of all weights, or of all radii: see SetWeightMode(). 1 by default, with
    * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
@@ -148,9 +148,9 @@ public:
    */
   vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the cells have two more cell arrays: Area (vtkDoubleArray) and Centroid
    * (vtkDoubleArray, a position in space). Off by default.
@@ -169,7 +169,7 @@ public:
   vtkSetMacro(GenerateCellMeasures, bool);
   vtkGetMacro(GenerateCellMeasures, bool);
   vtkBooleanMacro(GenerateCellMeasures, bool);
-  ///@}
+  //@}
 
   /**
    * The time of the last change, also of the transform.

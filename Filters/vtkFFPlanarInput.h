@@ -51,7 +51,7 @@ public:
    */
   void Take(vtkDataObject* data);
 
-  ///@{
+  //@{
   /**
    * The parts of Take(): have these points, and their data; the array of weights that was chosen,
    * among that data; weights by that array, or none; the points in the plane.
@@ -60,7 +60,7 @@ public:
   vtkDataArray* FindWeights(vtkDataSet* points) const;
   void SetWeights(vtkDataArray* array);
   void Project();
-  ///@}
+  //@}
 
   /**
    * Have a projection that no point has gone through yet.
@@ -89,13 +89,13 @@ public:
    */
   static double NumberAt(const flipflop::PointView& points, std::int64_t i);
 
-  ///@{
+  //@{
   /**
    * What Take() took, and the array of weights in it; null if there is none.
    */
   vtkDataObject* GetData() const { return this->Data; }
   vtkDataArray* GetWeightArray() const { return this->WeightArray; }
-  ///@}
+  //@}
 
   vtkPointSet* GetPoints() const { return this->Points; }
   const vtkFFPointSource& GetSpace() const { return *this->Space; }
@@ -128,14 +128,14 @@ public:
    */
   void LookForVerticalPlane(const flipflop::Triangulation& triangulation) const;
 
-  ///@{
+  //@{
   /**
    * Parts of that: the hull of points in space; the warning.
    */
   static flipflop::Hull HullInSpace(
     const std::vector<std::array<double, 3>>& points, const flipflop::Options& options);
   void WarnOfVerticalPlane() const;
-  ///@}
+  //@}
 
 private:
   vtkFFPlanarAlgorithm* const Filter;

@@ -68,14 +68,14 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointInterpolator2D
   : public vtkFFQueryAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFPointInterpolator2D* New();
   vtkTypeMacro(vtkFFPointInterpolator2D, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * How values are interpolated.
@@ -106,16 +106,16 @@ public:
     CLOSEST_POINT = 2
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the source (the input of port 1): points with point data.
    */
   void SetSourceData(vtkDataObject* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   vtkDataObject* GetSource();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get how values are interpolated.
    *
@@ -130,9 +130,9 @@ public:
   void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
   void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
   const char* GetInterpolationModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get what the values of the weights' array are. Without an array, this does not matter.
    *
@@ -143,18 +143,18 @@ public:
   void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
   void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
   const char* GetWeightModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the factor of all weights, or of all radii. 1 by default. See
    * vtkFFPlanarAlgorithm::SetWeightFactor().
    */
   vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get what null points get.
    *
@@ -171,42 +171,42 @@ public:
   void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
   void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
   const char* GetNullPointsStrategyAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the value of all components at null points. 0 by default; NaN is possible.
    */
   vtkSetMacro(NullValue, double);
   vtkGetMacro(NullValue, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the name of the mask array. "vtkValidPointMask" by default.
    */
   vtkSetMacro(ValidPointsMaskArrayName, std::string);
   vtkGetMacro(ValidPointsMaskArrayName, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the z of the source's points is interpolated, too. On by default.
    */
   vtkSetMacro(InterpolateZ, bool);
   vtkGetMacro(InterpolateZ, bool);
   vtkBooleanMacro(InterpolateZ, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the name of the array of interpolated z. "Elevation" by default.
    */
   vtkSetMacro(ZArrayName, std::string);
   vtkGetMacro(ZArrayName, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The names of arrays of the source that are not interpolated: add one, remove all, get their
    * number, get one (null if there is none of that index).
@@ -215,9 +215,9 @@ public:
   void ClearExcludedArrays();
   int GetNumberOfExcludedArrays();
   const char* GetExcludedArray(int index);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the input's point data, cell data and field data are passed to the output. On
    * by default.
@@ -231,7 +231,7 @@ public:
   vtkSetMacro(PassFieldArrays, bool);
   vtkGetMacro(PassFieldArrays, bool);
   vtkBooleanMacro(PassFieldArrays, bool);
-  ///@}
+  //@}
 
 protected:
   vtkFFPointInterpolator2D();

@@ -56,14 +56,14 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPowerDiagramFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFPowerDiagramFilter* New();
   vtkTypeMacro(vtkFFPowerDiagramFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * The box to which the power diagram is clipped.
@@ -74,7 +74,7 @@ public:
     BOX_OF_BOUNDS = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
    * transformed points, or measured in the fitted plane. (0, 1, 0, 1) by default. It must be finite
@@ -88,18 +88,18 @@ public:
   virtual void SetPowerDiagramBounds(const double bounds[4]);
   void StorePowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   vtkGetVector4Macro(PowerDiagramBounds, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set the same bounds by the box's least corner and its lengths, in any order; z does not count.
    * The mode stays. It is for applications whose users move a box in space.
    */
   void StorePowerDiagramCorner(double x, double y, double z);
   void StorePowerDiagramLengths(double x, double y, double z);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
    * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). If the points have no
@@ -111,7 +111,7 @@ public:
   void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
   void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
   const char* GetPowerDiagramBoxModeAsString();
-  ///@}
+  //@}
 
   /**
    * Get the number of points that the last run found hidden: they have no region, in any box. The

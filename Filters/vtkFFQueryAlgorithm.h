@@ -40,13 +40,13 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFQueryAlgorithm : public vtkDataSetAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFQueryAlgorithm, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
   /**
    * What to do with points that have a NaN or infinite coordinate or weight.
@@ -57,7 +57,7 @@ public:
     NON_FINITE_IGNORE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools uses: one, if its
    * backend is Sequential, as in Debian's ParaView and the wheels of VTK. -1 means all that the
@@ -65,9 +65,9 @@ public:
    */
   vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get what to do with points of either input that have a NaN or infinite coordinate or
    * weight: report an error that names the first one (the default), or go on. Then such a point of
@@ -78,9 +78,9 @@ public:
   void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
   void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
   const char* GetNonFinitePointsAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether ghost points of the second input are left out. On by default. Ghost points are
    * those that the point array vtkGhostType marks as another piece's
@@ -90,7 +90,7 @@ public:
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
   vtkBooleanMacro(SkipGhostPoints, bool);
-  ///@}
+  //@}
 
   /**
    * Get the dimension of what the second input's points spanned in the last run: -1 for no point

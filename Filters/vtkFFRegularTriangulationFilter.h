@@ -84,16 +84,16 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkFFRegularTriangulationFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get alpha, a length: port 0 has the alpha complex of the triangulation. 0 by default: all
    * of it. As in vtkDelaunay2D, a triangle stays if its circumcircle has at most the radius Alpha;
@@ -125,9 +125,9 @@ public:
   vtkSetMacro(GenerateAlphas, bool);
   vtkGetMacro(GenerateAlphas, bool);
   vtkBooleanMacro(GenerateAlphas, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether port 2 gives the border of the cells of port 0 as closed polylines. Off by
    * default. Cells are on the left of each, so one around cells is counter-clockwise, and one
@@ -138,9 +138,9 @@ public:
   vtkSetMacro(GenerateBoundary, bool);
   vtkGetMacro(GenerateBoundary, bool);
   vtkBooleanMacro(GenerateBoundary, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
    * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
@@ -157,24 +157,24 @@ public:
    */
   virtual void SetMaximumEdgeLength(double length);
   vtkGetMacro(MaximumEdgeLength, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the outputs of ports 1 and 2: the hidden points and the border.
    */
   vtkPolyData* GetHiddenPointsOutput();
   vtkPolyData* GetBoundaryOutput();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Get the number of points that the last run found hidden, and of the cells that it left out for
    * Alpha or MaximumEdgeLength; the sums for several blocks.
    */
   vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
   vtkGetMacro(NumberOfDroppedCells, vtkIdType);
-  ///@}
+  //@}
 
 protected:
   vtkFFRegularTriangulationFilter();

@@ -57,43 +57,43 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFSelectEnclosedPoints
   : public vtkFFQueryAlgorithm
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFSelectEnclosedPoints* New();
   vtkTypeMacro(vtkFFSelectEnclosedPoints, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the surface (the input of port 1). The convex hull of its points is the region.
    */
   void SetSurfaceData(vtkDataObject* surface);
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   vtkDataObject* GetSurface();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the points that are not enclosed are selected instead. Off by default.
    */
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether points on the surface count as enclosed. On by default.
    */
   vtkSetMacro(SelectPointsOnSurface, bool);
   vtkGetMacro(SelectPointsOnSurface, bool);
   vtkBooleanMacro(SelectPointsOnSurface, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get whether the output has the distance of each point from the surface. Off by default. The
    * distance's sign is exact: negative inside, 0 on the surface, positive outside. Its value is off
@@ -102,7 +102,7 @@ public:
   vtkSetMacro(GenerateDistances, bool);
   vtkGetMacro(GenerateDistances, bool);
   vtkBooleanMacro(GenerateDistances, bool);
-  ///@}
+  //@}
 
   /**
    * Whether the last run selected this point of the input (1) or not (0). 0 also for a point that
@@ -110,7 +110,7 @@ public:
    */
   int IsInside(vtkIdType inputPointId);
 
-  ///@{
+  //@{
   /**
    * Ask about single points, also without a run. Initialize() prepares the hull of a surface's
    * points; a run does that, too. IsInsideSurface() then gives 1 for enclosed points (also those on
@@ -123,7 +123,7 @@ public:
   int IsInsideSurface(const double x[3]);
   int IsInsideSurface(double x, double y, double z);
   void Complete();
-  ///@}
+  //@}
 
 protected:
   vtkFFSelectEnclosedPoints();

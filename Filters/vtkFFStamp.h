@@ -77,7 +77,7 @@ public:
     }
   }
 
-  ///@{
+  //@{
   /**
    * Further settings. An object is one with its state; it may be null.
    */
@@ -97,7 +97,7 @@ public:
     this->Words.insert(this->Words.end(), setting.begin(), setting.end());
     this->Words.push_back(setting.size());
   }
-  ///@}
+  //@}
 
   bool operator==(const vtkFFStamp& other) const
   {

@@ -38,7 +38,7 @@ public:
    */
   using Messages = std::map<int, std::vector<char>>;
 
-  ///@{
+  //@{
   /**
    * Plain values as bytes of a message: added to its end; and all that it holds. They are sent as
    * they are in memory, between machines of one kind.
@@ -67,7 +67,7 @@ public:
     }
     return values;
   }
-  ///@}
+  //@}
 
   /**
    * Why DIY cannot exchange messages between the processes of a controller: a clause. Empty if it

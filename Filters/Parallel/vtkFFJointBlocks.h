@@ -34,7 +34,7 @@ class vtkFFJointBlocks
 public:
   static bool AreSeveral(vtkMultiProcessController* controller);
 
-  ///@{
+  //@{
   /**
    * Where there are several processes: the ports take and give anything, and the outputs are a
    * vtkPolyData each, or composites like the input. Otherwise 0, and that is the superclass's.
@@ -44,7 +44,7 @@ public:
   static int MakeOutputs(vtkAlgorithm* filter, vtkMultiProcessController* controller,
     bool likeInput, vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
-  ///@}
+  //@}
 
   /**
    * What this process has of a block. The flat index is 0 if the block is worked on alone: the run

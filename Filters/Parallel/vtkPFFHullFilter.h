@@ -70,16 +70,16 @@ class vtkMultiProcessController;
 class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
-  ///@{
+  //@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFHullFilter* New();
   vtkTypeMacro(vtkPFFHullFilter, vtkFFHullFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
@@ -88,7 +88,7 @@ public:
   virtual void SetController(vtkMultiProcessController* controller);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
+  //@}
 
   /**
    * Where the hull is in the end.
@@ -100,7 +100,7 @@ public:
     RESULT_DISTRIBUTED
   };
 
-  ///@{
+  //@{
   /**
    * Set/Get where the hull is in the end: on process 0 (RESULT_GATHERED), or each process has a
    * share of it (RESULT_DISTRIBUTED). RESULT_AUTOMATIC, the default, gathers up to
@@ -113,16 +113,16 @@ public:
   void SetResultModeToGathered() { this->SetResultMode(RESULT_GATHERED); }
   void SetResultModeToDistributed() { this->SetResultMode(RESULT_DISTRIBUTED); }
   const char* GetResultModeAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Set/Get how many points the hulls of all pieces may have together for RESULT_AUTOMATIC to
    * gather them. The default is a million.
    */
   vtkSetClampMacro(GatheredPointsLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(GatheredPointsLimit, vtkIdType);
-  ///@}
+  //@}
 
 protected:
   vtkPFFHullFilter();

@@ -3,10 +3,13 @@
 from . import arrays as arrays
 from . import pyvista as pyvista
 from .vtkFiltersFlipFlop import vtkFFAlgorithm as vtkFFAlgorithm
+from .vtkFiltersFlipFlop import vtkFFConstrainedDelaunayFilter as vtkFFConstrainedDelaunayFilter
 from .vtkFiltersFlipFlop import vtkFFConvexifyFilter as vtkFFConvexifyFilter
 from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
 from .vtkFiltersFlipFlop import vtkFFHullFilter as vtkFFHullFilter
+from .vtkFiltersFlipFlop import vtkFFPlanarAlgorithm as vtkFFPlanarAlgorithm
 from .vtkFiltersFlipFlop import vtkFFPointInterpolator2D as vtkFFPointInterpolator2D
+from .vtkFiltersFlipFlop import vtkFFPowerDiagramFilter as vtkFFPowerDiagramFilter
 from .vtkFiltersFlipFlop import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
 from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
 from .vtkFiltersFlipFlop import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints

@@ -8,10 +8,13 @@ check()  # before any library is loaded: with another VTK than it was built for,
 
 from .vtkFiltersFlipFlop import (  # noqa: E402
     vtkFFAlgorithm,
+    vtkFFConstrainedDelaunayFilter,
     vtkFFConvexifyFilter,
     vtkFFHullAlgorithm,
     vtkFFHullFilter,
+    vtkFFPlanarAlgorithm,
     vtkFFPointInterpolator2D,
+    vtkFFPowerDiagramFilter,
     vtkFFQueryAlgorithm,
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
@@ -25,10 +28,13 @@ from .vtkFiltersParallelFlipFlop import (  # noqa: E402
 
 __all__ = [
     "vtkFFAlgorithm",
+    "vtkFFConstrainedDelaunayFilter",
     "vtkFFConvexifyFilter",
     "vtkFFHullAlgorithm",
     "vtkFFHullFilter",
+    "vtkFFPlanarAlgorithm",
     "vtkFFPointInterpolator2D",
+    "vtkFFPowerDiagramFilter",
     "vtkFFQueryAlgorithm",
     "vtkFFRegularTriangulationFilter",
     "vtkFFSelectEnclosedPoints",
