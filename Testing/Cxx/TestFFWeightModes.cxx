@@ -4,6 +4,7 @@
 // the last bit; what makes no weight is refused by name.
 #include "FFPlanar.h"
 
+#include "vtkFFPointInterpolator2D.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
@@ -174,6 +175,35 @@ void testPlaces()
     run.Errors->Has("A radius is negative: first at point 6 of data set 17 of the composite."));
 }
 
+/// The interpolator has the same weights.
+void testInterpolator()
+{
+  const auto points = randomPoints(400, 65);
+  std::vector<double> radii;
+  std::vector<double> weights;
+  for (int i = 0; i < 400; ++i)
+  {
+    radii.push_back(0.001 * (i * i * 37 % 101));
+    weights.push_back(1.5 * radii.back() * (1.5 * radii.back()));
+  }
+  vtkNew<vtkFFPointInterpolator2D> filter;
+  filter->AddExcludedArray("weights");
+  filter->SetInputData(makePoints(randomPoints(100, 66)));
+  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
+  filter->SetSourceData(makeWeighted(points, weights));
+  FF_CHECK(succeeds(filter));
+  const auto byWeights = copyOf(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)));
+  filter->SetWeightModeToRadii();
+  filter->SetWeightFactor(1.5);
+  filter->SetSourceData(makeWeighted(points, radii));
+  FF_CHECK(succeeds(filter));
+  FF_CHECK(isIdentical(filter->GetOutputDataObject(0), byWeights, "by radii"));
+  radii[9] = -2.0;
+  filter->SetSourceData(makeWeighted(points, radii));
+  FF_CHECK(failsInPart(filter, vtkFFErrorCode::InputError,
+    { "A radius is negative: first at point 9 of the source." }));
+}
+
 }
 
 int TestFFWeightModes(int, char*[])
@@ -184,5 +214,6 @@ int TestFFWeightModes(int, char*[])
   testErrors<vtkFFPowerDiagramFilter>();
   testPlaces<Filter>();
   testPlaces<vtkFFPowerDiagramFilter>();
+  testInterpolator();
   return result();
 }
