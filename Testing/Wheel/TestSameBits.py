@@ -13,7 +13,14 @@ import pytest
 import pyvista as pv
 
 try:
-    from vtkflipflop import vtkFFAlgorithm, vtkFFConvexifyFilter, vtkFFHullFilter, vtkFFRegularTriangulationFilter
+    from vtkflipflop import (
+        vtkFFAlgorithm,
+        vtkFFConstrainedDelaunayFilter,
+        vtkFFConvexifyFilter,
+        vtkFFHullFilter,
+        vtkFFPowerDiagramFilter,
+        vtkFFRegularTriangulationFilter,
+    )
     from vtkmodules.vtkCommonDataModel import vtkPolyData
     from vtkmodules.vtkCommonTransforms import vtkTransform
 except ImportError as error:
@@ -131,8 +138,8 @@ def test_hulls(name, facets):
     expect_same(found, expected)
 
 
-def triangulation_filter(projection, weights, bounds):
-    algorithm = vtkFFRegularTriangulationFilter()
+def planar_filter(make, projection, weights):
+    algorithm = make()
     settings = {}
     if projection == "transform":
         transform = vtkTransform()
@@ -144,10 +151,15 @@ def triangulation_filter(projection, weights, bounds):
         settings["projection_plane_mode"] = projection
     if weights:
         algorithm.SetInputArrayToProcess(0, 0, 0, 0, weights)
-    algorithm.GeneratePowerDiagramOn()
-    if bounds:
-        algorithm.SetPowerDiagramBounds(*bounds)
     return algorithm, settings
+
+
+def triangulation_filter(projection, weights):
+    return planar_filter(vtkFFRegularTriangulationFilter, projection, weights)
+
+
+def diagram_filter(projection, weights):
+    return planar_filter(vtkFFPowerDiagramFilter, projection, weights)[0]
 
 
 @pytest.mark.parametrize("name", MESHES)
@@ -155,8 +167,9 @@ def triangulation_filter(projection, weights, bounds):
 @pytest.mark.parametrize("weights", [None, "weight"])
 def test_triangulations(name, projection, weights):
     mesh = with_data(MESHES[name]())
-    algorithm, settings = triangulation_filter(projection, weights, None)
-    expected, hidden, cells, border = outputs_of(algorithm, mesh)
+    algorithm, settings = triangulation_filter(projection, weights)
+    expected, hidden, border = outputs_of(algorithm, mesh)
+    (cells,) = outputs_of(diagram_filter(projection, weights), mesh)
     assert border.GetNumberOfPoints() == 0
     shown, left = regular_triangulation(mesh, weights, return_hidden_points=True, **settings)
     expect_same(shown, expected)
@@ -175,10 +188,13 @@ def test_triangulations(name, projection, weights):
 def test_radii_and_factors(name, array, factor, radii):
     mesh = with_data(MESHES[name]())
     mesh.point_data["weight"] = np.abs(mesh.point_data["weight"])
-    algorithm, _ = triangulation_filter("xy_plane", array, None)
-    algorithm.SetWeightMode(int(radii))
-    algorithm.SetWeightFactor(factor)
-    expected, hidden, cells, border = outputs_of(algorithm, mesh)
+    algorithm, _ = triangulation_filter("xy_plane", array)
+    diagram = diagram_filter("xy_plane", array)
+    for each in (algorithm, diagram):
+        each.SetWeightMode(int(radii))
+        each.SetWeightFactor(factor)
+    expected, hidden, border = outputs_of(algorithm, mesh)
+    (cells,) = outputs_of(diagram, mesh)
     assert border.GetNumberOfPoints() == 0
     settings = {"radii" if radii else "weights": array, "weight_factor": factor}
     shown, left = regular_triangulation(mesh, return_hidden_points=True, **settings)
@@ -192,7 +208,7 @@ def test_radii_and_factors(name, array, factor, radii):
 @pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
 def test_long_edges(name, projection, facets):
     mesh = with_data(MESHES[name]())
-    algorithm, settings = triangulation_filter(projection, None, None)
+    algorithm, settings = triangulation_filter(projection, None)
     getattr(algorithm, f"SetFacetModeTo{facets}")()
     for limit in (1e-9, 0.05, 1.0, 2.0**0.5, 30.0, np.inf):
         algorithm.SetMaximumEdgeLength(limit)
@@ -206,7 +222,7 @@ def test_long_edges(name, projection, facets):
 @pytest.mark.parametrize("weights", [None, "weight"])
 def test_alpha_complexes(name, projection, weights):
     mesh = with_data(MESHES[name]())
-    algorithm, settings = triangulation_filter(projection, weights, None)
+    algorithm, settings = triangulation_filter(projection, weights)
     for alpha in (1e-9, 0.05, 1.0, 30.0, np.inf):
         algorithm.SetAlpha(alpha)
         expected = outputs_of(algorithm, mesh)[0]
@@ -217,7 +233,7 @@ def test_alpha_complexes(name, projection, weights):
 @pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
 def test_constraints(name, facets):
     mesh = with_data(MESHES[name]())
-    algorithm, settings = triangulation_filter("xy_plane", None, None)
+    algorithm, settings = planar_filter(vtkFFConstrainedDelaunayFilter, "xy_plane", None)
     getattr(algorithm, f"SetFacetModeTo{facets}")()
     # Edges of the triangulation, some as lines and one triangle as a polygon, cross nothing.
     faces = regular_triangulation(mesh)
@@ -225,7 +241,6 @@ def test_constraints(name, facets):
     chains = ids[faces.regular_faces]
     source = pv.PolyData(mesh.points, lines=[2, *chains[3][:2], 3, *chains[7]], faces=[3, *chains[11]])
     algorithm.SetSourceData(source)
-    algorithm.GeneratePowerDiagramOff()
     expected = outputs_of(algorithm, mesh)[0]
     expect_same(regular_triangulation(mesh, constraints=source, facets=facets.lower(), **settings), expected)
 
@@ -234,8 +249,9 @@ def test_bounds_of_diagrams():
     for projection in ("xy_plane", "best_fitting_plane", "transform"):
         mesh = with_data(MESHES["uniform"]())
         bounds = (-0.25, 0.5, 0.125, 2)
-        algorithm, settings = triangulation_filter(projection, "weight", bounds)
-        cells = outputs_of(algorithm, mesh)[2]
+        algorithm, settings = planar_filter(vtkFFPowerDiagramFilter, projection, "weight")
+        algorithm.SetPowerDiagramBounds(*bounds)
+        (cells,) = outputs_of(algorithm, mesh)
         expect_same(power_diagram(mesh, "weight", box=bounds, **settings), cells)
 
 
@@ -246,14 +262,16 @@ def test_points_that_are_not_finite():
     hull.SetNonFinitePointsToIgnore()
     expect_same(convex_hull(mesh, non_finite="ignore"), outputs_of(hull, mesh)[0])
     for projection in ("xy_plane", "best_fitting_plane", "transform"):
-        algorithm, settings = triangulation_filter(projection, "weight", None)
+        algorithm, settings = triangulation_filter(projection, "weight")
         algorithm.SetNonFinitePointsToIgnore()
+        diagram = diagram_filter(projection, "weight")
+        diagram.SetNonFinitePointsToIgnore()
         expected = outputs_of(algorithm, mesh)
         settings["non_finite"] = "ignore"
         found = regular_triangulation(mesh, "weight", return_hidden_points=True, **settings)
         expect_same(found[0], expected[0])
         expect_same(found[1], expected[1])
-        expect_same(power_diagram(mesh, "weight", **settings), expected[2])
+        expect_same(power_diagram(mesh, "weight", **settings), outputs_of(diagram, mesh)[0])
 
 
 def test_composites():
@@ -261,22 +279,24 @@ def test_composites():
     expect_same(convex_hull(blocks()), outputs_of(hull, blocks())[0])
     hull.SetCompositeModeToAllBlocks()
     expect_same(convex_hull(blocks(), composite_mode="all_blocks"), outputs_of(hull, blocks())[0])
-    algorithm, settings = triangulation_filter("best_fitting_plane", "weight", None)
+    algorithm, settings = triangulation_filter("best_fitting_plane", "weight")
     expected = outputs_of(algorithm, blocks())
     found = regular_triangulation(blocks(), "weight", return_hidden_points=True, **settings)
     expect_same(found[0], expected[0])
     expect_same(found[1], expected[1])
-    expect_same(power_diagram(blocks(), "weight", **settings), expected[2])
+    diagram = diagram_filter("best_fitting_plane", "weight")
+    expect_same(power_diagram(blocks(), "weight", **settings), outputs_of(diagram, blocks())[0])
 
 
 def test_partitions():
     pieces = [with_data(MESHES[name]()) for name in ("uniform", "floats", "empty", "ghosts")]
     partitions = pv.PartitionedDataSet(pieces)
     expect_same(convex_hull(partitions), outputs_of(vtkFFHullFilter(), partitions)[0])
-    algorithm, _ = triangulation_filter("xy_plane", "weight", None)
+    algorithm, _ = triangulation_filter("xy_plane", "weight")
     expected = outputs_of(algorithm, partitions)
     expect_same(regular_triangulation(partitions, "weight"), expected[0])
-    expect_same(power_diagram(partitions, "weight"), expected[2])
+    diagram = diagram_filter("xy_plane", "weight")
+    expect_same(power_diagram(partitions, "weight"), outputs_of(diagram, partitions)[0])
 
 
 @pytest.mark.parametrize("kernel", [None, (0.01, 0.02, 0)])
