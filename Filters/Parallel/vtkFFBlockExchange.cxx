@@ -110,14 +110,17 @@ void vtkFFBlockExchange::Do(const std::function<void()>& work)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFBlockExchange::IsWell()
+void vtkFFBlockExchange::Agree()
 {
   this->Run.NoteAbort();
-  return this->Processes.Share(this->Run.Failure);
+  if (!this->Processes.Share(this->Run.Failure))
+  {
+    throw vtkFFSharedFailure();
+  }
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFBlockExchange::Exchange(Messages& messages)
+void vtkFFBlockExchange::Exchange(Messages& messages)
 {
   // All know what is to come, and have the memory for it: if DIY had not, it would not tell the
   // others.
@@ -140,16 +143,12 @@ bool vtkFFBlockExchange::Exchange(Messages& messages)
       const flipflop::Buffer<char> room(static_cast<std::size_t>(sizes[own]));
       this->Own->Put(messages);
     });
-  if (!this->IsWell())
-  {
-    return false;
-  }
+  this->Agree();
   messages.clear();
   if (this->NumberOfMessages > 0)
   {
     this->Own->Exchange();
     this->Do([&] { this->Own->Take(messages); });
   }
-  return true;
 }
 VTK_ABI_NAMESPACE_END

@@ -30,6 +30,13 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkFFRun;
 class vtkMultiProcessController;
 
+/**
+ * Thrown on all processes at the same step, where one of them has a failure. It is the run's.
+ */
+struct vtkFFSharedFailure
+{
+};
+
 class vtkFFBlockExchange
 {
 public:
@@ -92,15 +99,18 @@ public:
   void Do(const std::function<void()>& work);
 
   /**
-   * Whether there is no failure. Collective.
+   * Come to know whether another process has a failure. Collective, as is the next function.
+   *
+   * @throw vtkFFSharedFailure on all processes, if any has one.
    */
-  bool IsWell();
+  void Agree();
 
   /**
-   * Send all messages, and have those that others sent to this process instead. False if there is a
-   * failure, on any process: then nothing was sent. Collective.
+   * Send all messages, and have those that others sent to this process instead.
+   *
+   * @throw vtkFFSharedFailure on all processes, if any has a failure: then nothing was sent.
    */
-  bool Exchange(Messages& messages);
+  void Exchange(Messages& messages);
 
   /**
    * How many messages all processes sent in the last exchange.

@@ -25,7 +25,7 @@ struct FirstPoint
 };
 
 /// The size of the hull of which each block has some cells. Collective.
-void measure(const flipflop::BlockRun* run, const flipflop::BlockResult& result,
+void measure(const flipflop::BlockRun& run, const flipflop::BlockResult& result,
   vtkFFBlockExchange& exchange, vtkFFBlockRounds::Size& size)
 {
   // Volumes are measured from the hull's first point.
@@ -44,10 +44,7 @@ void measure(const flipflop::BlockRun* run, const flipflop::BlockResult& result,
         vtkFFBlockExchange::Add(&first, 1, messages[process]);
       }
     });
-  if (!exchange.Exchange(messages))
-  {
-    return;
-  }
+  exchange.Exchange(messages);
   std::vector<vtkIdType> parts(4);
   exchange.Do(
     [&]
@@ -60,7 +57,7 @@ void measure(const flipflop::BlockRun* run, const flipflop::BlockResult& result,
           first = other.Id < first.Id ? other : first;
         }
       }
-      const flipflop::BlockMeasure own = run->measure(result, first.Place);
+      const flipflop::BlockMeasure own = run.measure(result, first.Place);
       std::copy_n(own.parts, 4, parts.begin());
     });
   parts = exchange.GetProcesses().Sum(parts);
@@ -69,14 +66,14 @@ void measure(const flipflop::BlockRun* run, const flipflop::BlockResult& result,
     {
       flipflop::BlockMeasure sum;
       std::copy_n(parts.begin(), 4, sum.parts);
-      run->sizeOf(sum, size.Volume, size.Area);
+      run.sizeOf(sum, size.Volume, size.Area);
     });
 }
 
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
+void vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
   const flipflop::Options& options, vtkFFBlockExchange& exchange, flipflop::BlockResult& result,
   Size* size)
 {
@@ -87,10 +84,10 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
   {
     exchange.Do([&] { vtkFFRun::Look(options); });
     exchange.Do(write);
-    return exchange.Exchange(messages);
+    exchange.Exchange(messages);
   };
 
-  const bool isKnown = send(
+  send(
     [&]
     {
       const flipflop::BlockPoints all = std::move(points); // not needed after this
@@ -101,10 +98,6 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
         messages[process] = introduction;
       }
     });
-  if (!isKnown)
-  {
-    return false;
-  }
   exchange.Do(
     [&]
     {
@@ -117,36 +110,34 @@ bool vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
     });
   for (bool goesOn = true; goesOn;)
   {
-    if (!send([&] { messages = run->ask(); }))
-    {
-      return false;
-    }
+    send([&] { messages = run->ask(); });
     goesOn = exchange.GetNumberOfMessages() > 0;
-    const auto answer = [&]
+    if (goesOn)
     {
-      for (auto& message : messages)
-      {
-        message.second = run->answer(message.second);
-      }
-    };
-    if (goesOn && !send(answer))
-    {
-      return false;
-    }
-    exchange.Do(
-      [&]
-      {
-        for (const auto& message : messages)
+      send(
+        [&]
         {
-          run->take(message.first, message.second);
-        }
-      });
+          for (auto& message : messages)
+          {
+            message.second = run->answer(message.second);
+          }
+        });
+      exchange.Do(
+        [&]
+        {
+          for (const auto& message : messages)
+          {
+            run->take(message.first, message.second);
+          }
+        });
+    }
   }
   exchange.Do([&] { result = run->finish(); });
-  if (size && exchange.IsWell())
+  exchange.Agree();
+  if (size)
   {
-    measure(run.get(), result, exchange, *size);
+    measure(*run, result, exchange, *size);
   }
-  return exchange.IsWell();
+  exchange.Agree();
 }
 VTK_ABI_NAMESPACE_END

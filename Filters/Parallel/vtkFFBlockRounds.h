@@ -28,12 +28,12 @@ public:
   };
 
   /**
-   * The cells of this process's block, as @p result. False if there is a failure, on any process.
-   * Collective.
+   * The cells of this process's block, as @p result. Collective, as
+   * vtkFFBlockExchange::Exchange() is.
    *
    * @param size becomes the volume and the area of a hull; null: they are not wanted
    */
-  static bool Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
+  static void Run(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
     const flipflop::Options& options, vtkFFBlockExchange& exchange, flipflop::BlockResult& result,
     Size* size = nullptr);
 };

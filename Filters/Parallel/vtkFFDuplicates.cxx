@@ -15,7 +15,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-bool vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>& homes,
+void vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>& homes,
   vtkFFBlockExchange& exchange, std::vector<bool>& duplicates)
 {
   constexpr int home = -1; // before all others
@@ -32,10 +32,7 @@ bool vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>&
         }
       }
     });
-  if (!exchange.Exchange(messages))
-  {
-    return false;
-  }
+  exchange.Exchange(messages);
   exchange.Do(
     [&]
     {
@@ -68,10 +65,7 @@ bool vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>&
         message.second = answers;
       }
     });
-  if (!exchange.Exchange(messages))
-  {
-    return false;
-  }
+  exchange.Exchange(messages);
   exchange.Do(
     [&]
     {
@@ -85,11 +79,11 @@ bool vtkFFDuplicates::Find(const std::vector<Key>& keys, const std::vector<int>&
         }
       }
     });
-  return exchange.IsWell();
+  exchange.Agree();
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFDuplicates::FindByIds(const flipflop::Buffer<std::int64_t>& ids,
+void vtkFFDuplicates::FindByIds(const flipflop::Buffer<std::int64_t>& ids,
   const flipflop::Buffer<std::int32_t>& blocks, vtkFFBlockExchange& exchange,
   std::vector<bool>& duplicates)
 {
@@ -108,7 +102,7 @@ bool vtkFFDuplicates::FindByIds(const flipflop::Buffer<std::int64_t>& ids,
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFDuplicates::FindByPlaces(const flipflop::Buffer<double>& places,
+void vtkFFDuplicates::FindByPlaces(const flipflop::Buffer<double>& places,
   vtkFFBlockExchange& exchange, std::vector<bool>& duplicates)
 {
   std::vector<Key> keys;

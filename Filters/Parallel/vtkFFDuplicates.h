@@ -28,20 +28,19 @@ class vtkFFDuplicates
 public:
   /**
    * Whether each of this process's points is another's: that of its block, if that has it, or of
-   * the first process that does. False if there is a failure, on any process. Collective, as is
-   * the next function.
+   * the first process that does. Collective, as is the next function.
    *
    * @param ids    distinct over all processes
    * @param blocks the process to which each belongs
    */
-  static bool FindByIds(const flipflop::Buffer<std::int64_t>& ids,
+  static void FindByIds(const flipflop::Buffer<std::int64_t>& ids,
     const flipflop::Buffer<std::int32_t>& blocks, vtkFFBlockExchange& exchange,
     std::vector<bool>& duplicates);
 
   /**
    * The same for points that have no ids: those of the same position, x and y of each, are one.
    */
-  static bool FindByPlaces(const flipflop::Buffer<double>& places, vtkFFBlockExchange& exchange,
+  static void FindByPlaces(const flipflop::Buffer<double>& places, vtkFFBlockExchange& exchange,
     std::vector<bool>& duplicates);
 
   /**
@@ -51,7 +50,7 @@ public:
 
 private:
   using Key = std::array<std::int64_t, 2>;
-  static bool Find(const std::vector<Key>& keys, const std::vector<int>& homes,
+  static void Find(const std::vector<Key>& keys, const std::vector<int>& homes,
     vtkFFBlockExchange& exchange, std::vector<bool>& duplicates);
 };
 VTK_ABI_NAMESPACE_END

@@ -155,15 +155,12 @@ void send(const flipflop::BlockResult& result, int own, vtkFFBlockExchange::Mess
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFGhostCells::Add(flipflop::FacetMode facets, const flipflop::BlockResult& own,
+void vtkFFGhostCells::Add(flipflop::FacetMode facets, const flipflop::BlockResult& own,
   vtkFFBlockExchange& exchange, flipflop::BlockResult& all, std::vector<bool>& ghosts)
 {
   vtkFFBlockExchange::Messages messages;
   exchange.Do([&] { send(own, exchange.GetProcesses().GetRank(), messages); });
-  if (!exchange.Exchange(messages))
-  {
-    return false;
-  }
+  exchange.Exchange(messages);
   exchange.Do(
     [&]
     {
@@ -176,6 +173,6 @@ bool vtkFFGhostCells::Add(flipflop::FacetMode facets, const flipflop::BlockResul
       all.cells.dimension = own.cells.dimension;
       list.Write(facets, all, ghosts);
     });
-  return exchange.IsWell();
+  exchange.Agree();
 }
 VTK_ABI_NAMESPACE_END

@@ -27,15 +27,15 @@ class vtkFFGhostCells
 public:
   /**
    * Give each block, beside its own cells, those of other blocks that touch a point of the block:
-   * so it has all cells around its points. They are in canonical form. False if there is a failure,
-   * on any process. Collective.
+   * so it has all cells around its points. They are in canonical form. Collective, as
+   * vtkFFBlockExchange::Exchange() is.
    *
    * @param facets polygons or triangles: what the cells are
    * @param own    the block's cells
    * @param all    becomes these and the others; hidden points are not copied
    * @param ghosts becomes whether each of the cells is another block's
    */
-  static bool Add(flipflop::FacetMode facets, const flipflop::BlockResult& own,
+  static void Add(flipflop::FacetMode facets, const flipflop::BlockResult& own,
     vtkFFBlockExchange& exchange, flipflop::BlockResult& all, std::vector<bool>& ghosts);
 };
 VTK_ABI_NAMESPACE_END

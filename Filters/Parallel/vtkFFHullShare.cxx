@@ -73,17 +73,14 @@ std::array<double, 3> middleOf(const std::vector<Point>& points, vtkFFBlockExcha
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFHullShare::Take(vtkPolyData* extremes, const flipflop::Options& options,
+void vtkFFHullShare::Take(vtkPolyData* extremes, const flipflop::Options& options,
   vtkFFBlockExchange& exchange, flipflop::Hull& hull, vtkSmartPointer<vtkPolyData>& share,
   std::vector<bool>& duplicates)
 {
   // Ids count the extreme points. They are in the order of the ids that these have.
   vtkFFPointFetch source(exchange);
   source.Count(extremes->GetNumberOfPoints());
-  if (!source.SetPoints(extremes))
-  {
-    return false;
-  }
+  source.SetPoints(extremes);
   std::vector<Point> points;
   exchange.Do(
     [&]
@@ -100,30 +97,21 @@ bool vtkFFHullShare::Take(vtkPolyData* extremes, const flipflop::Options& option
         }
       }
     });
-  if (!exchange.IsWell())
-  {
-    return false;
-  }
+  exchange.Agree();
   const std::array<double, 3> middle = middleOf(points, exchange);
   flipflop::BlockPoints dealt;
   flipflop::BlockResult result;
   vtkFFBlockRounds::Size size;
-  if (!vtkFFPointDealing::Deal(
-        std::move(points), [&](const Point& point) { return directionOf(point.Place, middle); },
-        exchange, dealt) ||
-    !vtkFFBlockRounds::Run(
-      flipflop::BlockShape::Hull, std::move(dealt), options, exchange, result, &size))
-  {
-    return false;
-  }
+  vtkFFPointDealing::Deal(
+    std::move(points), [&](const Point& point) { return directionOf(point.Place, middle); },
+    exchange, dealt);
+  vtkFFBlockRounds::Run(
+    flipflop::BlockShape::Hull, std::move(dealt), options, exchange, result, &size);
 
   const std::vector<vtkIdType> ids(result.cells.pointIds.begin(), result.cells.pointIds.end());
   vtkSmartPointer<vtkPointSet> fetched;
-  if (!source.Fetch(ids, true, fetched) ||
-    !vtkFFDuplicates::FindByIds(result.cells.pointIds, result.blocks, exchange, duplicates))
-  {
-    return false;
-  }
+  source.Fetch(ids, true, fetched);
+  vtkFFDuplicates::FindByIds(result.cells.pointIds, result.blocks, exchange, duplicates);
   exchange.Do(
     [&]
     {
@@ -143,6 +131,6 @@ bool vtkFFHullShare::Take(vtkPolyData* extremes, const flipflop::Options& option
       hull.statistics += result.cells.statistics;
       vtkFFOutput::AdoptCells(result.cells, share);
     });
-  return exchange.IsWell();
+  exchange.Agree();
 }
 VTK_ABI_NAMESPACE_END

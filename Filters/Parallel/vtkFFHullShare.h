@@ -29,8 +29,8 @@ class vtkFFHullShare
 {
 public:
   /**
-   * This process's share of the hull of all processes' points. False if there is a failure, on any
-   * process. Collective.
+   * This process's share of the hull of all processes' points. Collective, as
+   * vtkFFBlockExchange::Exchange() is.
    *
    * @param extremes this process's points with their data, among them all that are extreme, in the
    *                 order of their ids. Points that are not finite count for their kind alone.
@@ -39,7 +39,7 @@ public:
    * @param share    becomes the process's facets, with their points
    * @param duplicates becomes whether another process counts each of these points
    */
-  static bool Take(vtkPolyData* extremes, const flipflop::Options& options,
+  static void Take(vtkPolyData* extremes, const flipflop::Options& options,
     vtkFFBlockExchange& exchange, flipflop::Hull& hull, vtkSmartPointer<vtkPolyData>& share,
     std::vector<bool>& duplicates);
 };

@@ -3,6 +3,7 @@
 #include "vtkFFJointBlocks.h"
 
 #include "vtkFFAlgorithm.h"
+#include "vtkFFBlockExchange.h"
 #include "vtkFFGridPoints.h"
 #include "vtkFFPieces.h"
 #include "vtkFFProcesses.h"
@@ -244,6 +245,18 @@ int vtkFFJointBlocks::Run(vtkFFAlgorithm* filter, vtkMultiProcessController* con
 {
   vtkFFProcesses processes(controller);
   const bool speaks = processes.GetRank() == 0;
+  const auto tryWork =
+    [&](const std::vector<BlockType>& blocks, vtkFFRun& run, vtkInformationVector* outputs)
+  {
+    try
+    {
+      work(blocks, run, outputs);
+    }
+    catch (const vtkFFSharedFailure&)
+    {
+      // is the run's
+    }
+  };
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
   vtkFFRun run(filter, title, outputVector);
   std::vector<BlockType> blocks;
@@ -268,7 +281,7 @@ int vtkFFJointBlocks::Run(vtkFFAlgorithm* filter, vtkMultiProcessController* con
     there.resize(std::max<std::size_t>(there.size(), 1)); // no block is one without points
     if (!run.Failure)
     {
-      work(there, run, outputVector);
+      tryWork(there, run, outputVector);
     }
     return run.Finish(speaks);
   }
@@ -295,7 +308,7 @@ int vtkFFJointBlocks::Run(vtkFFAlgorithm* filter, vtkMultiProcessController* con
       filter->SetProgressShiftScale(done++ / count, 1.0 / count);
       const auto results = makeResults(block, ports);
       vtkFFRun runOfBlock(filter, title, results);
-      work({ block }, runOfBlock, results);
+      tryWork({ block }, runOfBlock, results);
       runOfBlock.Finish(speaks);
       isAborted = runOfBlock.Failure.Kind == vtkFFFailure::Aborted;
       for (int port = 0; port < ports; ++port)

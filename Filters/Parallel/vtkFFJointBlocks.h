@@ -58,7 +58,7 @@ public:
 
   /**
    * Works on blocks for outputs, one for each port. The run has its failure, which is that of all
-   * processes in the end.
+   * processes in the end. A vtkFFSharedFailure ends it.
    */
   using Work = std::function<void(const std::vector<BlockType>&, vtkFFRun&, vtkInformationVector*)>;
 

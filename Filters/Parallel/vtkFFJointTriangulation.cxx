@@ -83,14 +83,17 @@ void vtkFFJointTriangulation::Do(double share, const std::function<void()>& work
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::Triangulate(const std::vector<vtkFFInput::PieceType>& pieces)
+void vtkFFJointTriangulation::Triangulate(const std::vector<vtkFFInput::PieceType>& pieces)
 {
-  return this->Take(pieces) && this->FitPlane() && this->Deal() && this->FindCells() &&
-    this->LookForVerticalPlane();
+  this->Take(pieces);
+  this->FitPlane();
+  this->Deal();
+  this->FindCells();
+  this->LookForVerticalPlane();
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::Take(const std::vector<vtkFFInput::PieceType>& pieces)
+void vtkFFJointTriangulation::Take(const std::vector<vtkFFInput::PieceType>& pieces)
 {
   vtkFFInput own;
   this->Do(0.0,
@@ -113,10 +116,7 @@ bool vtkFFJointTriangulation::Take(const std::vector<vtkFFInput::PieceType>& pie
         this->Own += piece->GetNumberOfPoints();
       }
     });
-  if (!this->Exchange.IsWell())
-  {
-    return false;
-  }
+  this->Exchange.Agree();
   this->Source.Count(this->Own);
   this->Run.FirstId = this->Source.GetBegin();
   vtkSmartPointer<vtkPointSet> points;
@@ -126,10 +126,8 @@ bool vtkFFJointTriangulation::Take(const std::vector<vtkFFInput::PieceType>& pie
       points = vtkFFPieces::Append({ own.GetPieces().begin(), own.GetPieces().end() });
       this->Input.SetPoints(points);
     });
-  if (!this->Exchange.IsWell() || !this->Source.SetPoints(points))
-  {
-    return false;
-  }
+  this->Exchange.Agree();
+  this->Source.SetPoints(points);
   this->Do(taken,
     [&]
     {
@@ -143,7 +141,7 @@ bool vtkFFJointTriangulation::Take(const std::vector<vtkFFInput::PieceType>& pie
         this->Input.Project();
       }
     });
-  return this->Exchange.IsWell();
+  this->Exchange.Agree();
 }
 
 //------------------------------------------------------------------------------
@@ -161,11 +159,11 @@ vtkDataArray* vtkFFJointTriangulation::FindOwnWeights()
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::FitPlane()
+void vtkFFJointTriangulation::FitPlane()
 {
   if (this->Filter->GetProjectionPlaneMode() != vtkFFPlanarAlgorithm::BEST_FITTING_PLANE)
   {
-    return true;
+    return;
   }
   // Rounded sums depend on the order, so the processes sum one after another.
   vtkFFProjection& projection = this->Input.GetProjection();
@@ -189,11 +187,11 @@ bool vtkFFJointTriangulation::FitPlane()
   passOn([&] { projection.AddToSum(view, sums); });
   passOn([&] { projection.AddToSpread(view, sums); });
   this->Do(taken, [&] { projection.ToPlane(view, sums); });
-  return this->Exchange.IsWell();
+  this->Exchange.Agree();
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::Deal()
+void vtkFFJointTriangulation::Deal()
 {
   std::vector<vtkFFPointDealing::Point> points;
   this->Do(dealt,
@@ -214,7 +212,7 @@ bool vtkFFJointTriangulation::Deal()
           this->Lowest = std::min(this->Lowest, pointAt(space, i)[2]);
         });
     });
-  return vtkFFPointDealing::Deal(
+  vtkFFPointDealing::Deal(
     std::move(points),
     [](const vtkFFPointDealing::Point& point) {
       return vtkFFPointDealing::Key{ point.Place[0], point.Place[1] };
@@ -223,25 +221,24 @@ bool vtkFFJointTriangulation::Deal()
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::FindCells()
+void vtkFFJointTriangulation::FindCells()
 {
   // Processes without points have no weights either.
   this->Weighted = this->Exchange.GetProcesses().Sum(vtkIdType(this->Weighted)) > 0;
   this->Run.SetPart(dealt, triangulated);
   this->Share = triangulated;
-  const bool found = vtkFFBlockRounds::Run(
+  vtkFFBlockRounds::Run(
     this->Weighted ? flipflop::BlockShape::RegularTriangulation : flipflop::BlockShape::Delaunay,
     std::move(this->Dealt), this->Run.Options, this->Exchange, this->Cells);
   this->Hidden = static_cast<std::int64_t>(this->Cells.hiddenIds.size());
-  return found;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::LookForVerticalPlane()
+void vtkFFJointTriangulation::LookForVerticalPlane()
 {
   if (!this->Input.GetProjection().IsXYPlane() || this->Cells.cells.dimension != 1)
   {
-    return true;
+    return;
   }
   // The hull of the hulls is the hull.
   vtkFFBlockExchange::Messages messages;
@@ -258,10 +255,7 @@ bool vtkFFJointTriangulation::LookForVerticalPlane()
         vtkFFBlockExchange::Add(&points[static_cast<std::size_t>(corner)], 1, messages[0]);
       }
     });
-  if (!this->Exchange.Exchange(messages))
-  {
-    return false;
-  }
+  this->Exchange.Exchange(messages);
   this->Do(triangulated,
     [&]
     {
@@ -276,7 +270,7 @@ bool vtkFFJointTriangulation::LookForVerticalPlane()
         this->Input.WarnOfVerticalPlane();
       }
     });
-  return this->Exchange.IsWell();
+  this->Exchange.Agree();
 }
 
 //------------------------------------------------------------------------------
@@ -295,10 +289,7 @@ std::array<double, 4> vtkFFJointTriangulation::FindBounds()
 void vtkFFJointTriangulation::Execute(const std::vector<vtkFFInput::PieceType>& pieces,
   bool withGhosts, const StepsType& steps, vtkPolyData* output)
 {
-  if (!this->Triangulate(pieces))
-  {
-    return;
-  }
+  this->Triangulate(pieces);
   this->Do(triangulated,
     [&]
     {
@@ -315,10 +306,11 @@ void vtkFFJointTriangulation::Execute(const std::vector<vtkFFInput::PieceType>& 
       std::swap(ids, cells.pointIds);
     });
   flipflop::Triangulation triangulation;
-  if ((withGhosts && !this->AddGhostCells()) || !this->FetchCells(steps.HasHidden, triangulation))
+  if (withGhosts)
   {
-    return;
+    this->AddGhostCells();
   }
+  this->FetchCells(steps.HasHidden, triangulation);
   const CountsType counts = this->Report(triangulation);
   this->Do(1.0,
     [&]
@@ -333,36 +325,26 @@ void vtkFFJointTriangulation::Execute(const std::vector<vtkFFInput::PieceType>& 
       }
       vtkFFRun::Look(this->Run.Options, 1.0);
     });
-  if (this->Exchange.IsWell())
-  {
-    this->Run.AddToReport(triangulation, output);
-    steps.Report(counts.Hidden, counts.Dropped);
-  }
+  this->Exchange.Agree();
+  this->Run.AddToReport(triangulation, output);
+  steps.Report(counts.Hidden, counts.Dropped);
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::AddGhostCells()
+void vtkFFJointTriangulation::AddGhostCells()
 {
   flipflop::BlockResult all;
-  if (!vtkFFGhostCells::Add(
-        this->Run.Options.facets, this->Cells, this->Exchange, all, this->Ghosts))
-  {
-    return false;
-  }
+  vtkFFGhostCells::Add(this->Run.Options.facets, this->Cells, this->Exchange, all, this->Ghosts);
   all.hiddenIds = std::move(this->Cells.hiddenIds);
   all.cells.statistics = this->Cells.cells.statistics;
   this->Cells = std::move(all);
-  return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::Fetch(const std::vector<vtkIdType>& ids)
+void vtkFFJointTriangulation::Fetch(const std::vector<vtkIdType>& ids)
 {
   vtkSmartPointer<vtkPointSet> points;
-  if (!this->Source.Fetch(ids, this->Filter->GetPassPointData(), points))
-  {
-    return false;
-  }
+  this->Source.Fetch(ids, this->Filter->GetPassPointData(), points);
   this->Do(fetched,
     [&]
     {
@@ -370,7 +352,7 @@ bool vtkFFJointTriangulation::Fetch(const std::vector<vtkIdType>& ids)
       this->Run.Ids = ids;
       this->Run.FirstId = 0;
     });
-  return this->Exchange.IsWell();
+  this->Exchange.Agree();
 }
 
 //------------------------------------------------------------------------------
@@ -381,7 +363,7 @@ std::int64_t vtkFFJointTriangulation::IndexOf(std::int64_t id) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFJointTriangulation::FetchCells(bool withHidden, flipflop::Triangulation& triangulation)
+void vtkFFJointTriangulation::FetchCells(bool withHidden, flipflop::Triangulation& triangulation)
 {
   flipflop::CellComplex& cells = triangulation;
   std::vector<vtkIdType> ids;
@@ -397,12 +379,9 @@ bool vtkFFJointTriangulation::FetchCells(bool withHidden, flipflop::Triangulatio
       std::set_union(
         visible.begin(), visible.end(), hidden.begin(), hidden.end(), std::back_inserter(ids));
     });
-  if (!vtkFFDuplicates::FindByIds(
-        this->Cells.cells.pointIds, this->Cells.blocks, this->Exchange, this->Duplicates) ||
-    !this->Fetch(ids))
-  {
-    return false;
-  }
+  vtkFFDuplicates::FindByIds(
+    this->Cells.cells.pointIds, this->Cells.blocks, this->Exchange, this->Duplicates);
+  this->Fetch(ids);
   this->Do(fetched,
     [&]
     {
@@ -420,7 +399,7 @@ bool vtkFFJointTriangulation::FetchCells(bool withHidden, flipflop::Triangulatio
       }
       this->Input.GetProjection().SetPlaces(std::move(places));
     });
-  return this->Exchange.IsWell();
+  this->Exchange.Agree();
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,8 @@
  *
  * The points are dealt out to blocks by their place in the plane, one block for each process. The
  * blocks find their cells. Then each process fetches the points of its cells, with their data, from
- * where they came. Functions that return a bool are steps of all processes: they are collective,
- * and false if there is a failure on any process, which is the run's.
+ * where they came. The public functions are collective, unless they say that they are not. Where a
+ * process has a failure, all throw a vtkFFSharedFailure.
  */
 
 #ifndef vtkFFJointTriangulation_h
@@ -45,7 +45,7 @@ public:
    * Triangulate the points of these pieces, and those of the other processes. The cells are as the
    * run's options have facets.
    */
-  bool Triangulate(const std::vector<vtkFFInput::PieceType>& pieces);
+  void Triangulate(const std::vector<vtkFFInput::PieceType>& pieces);
 
   /**
    * This process's cells, by ids over all processes, and its hidden points.
@@ -81,7 +81,7 @@ public:
   /**
    * Fetch the points of these ids, which ascend: they are the input then, and the run's.
    */
-  bool Fetch(const std::vector<vtkIdType>& ids);
+  void Fetch(const std::vector<vtkIdType>& ids);
   vtkFFPlanarInput& GetInput() { return this->Input; }
   std::int64_t IndexOf(std::int64_t id) const; ///< of a point that was fetched, in the input
 
@@ -102,14 +102,14 @@ public:
   void Do(double share, const std::function<void()>& work);
 
 private:
-  bool Take(const std::vector<vtkFFInput::PieceType>& pieces);
+  void Take(const std::vector<vtkFFInput::PieceType>& pieces);
   vtkDataArray* FindOwnWeights();
-  bool FitPlane();
-  bool Deal();
-  bool FindCells();
-  bool LookForVerticalPlane();
-  bool AddGhostCells();
-  bool FetchCells(bool withHidden, flipflop::Triangulation& triangulation);
+  void FitPlane();
+  void Deal();
+  void FindCells();
+  void LookForVerticalPlane();
+  void AddGhostCells();
+  void FetchCells(bool withHidden, flipflop::Triangulation& triangulation);
 
   vtkFFPlanarAlgorithm* const Filter;
   vtkFFRun& Run;

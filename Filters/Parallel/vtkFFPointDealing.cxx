@@ -149,7 +149,7 @@ void take(vtkFFBlockExchange::Messages& messages, flipflop::BlockPoints& dealt)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
+void vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
   vtkFFBlockExchange& exchange, flipflop::BlockPoints& dealt)
 {
   const int count = exchange.GetProcesses().GetCount();
@@ -162,10 +162,7 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
         sampleOf(points, keyOf, all, std::max(leastSample, count * sampleOfProcess));
       vtkFFBlockExchange::Add(sample.data(), sample.size(), messages[0]);
     });
-  if (!exchange.Exchange(messages))
-  {
-    return false;
-  }
+  exchange.Exchange(messages);
   exchange.Do(
     [&]
     {
@@ -187,10 +184,7 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
         }
       }
     });
-  if (!exchange.Exchange(messages))
-  {
-    return false;
-  }
+  exchange.Exchange(messages);
   exchange.Do(
     [&]
     {
@@ -208,11 +202,8 @@ bool vtkFFPointDealing::Deal(std::vector<Point>&& points, const KeyOf& keyOf,
         messages[process].swap(parts[static_cast<std::size_t>(process)]);
       }
     });
-  if (!exchange.Exchange(messages))
-  {
-    return false;
-  }
+  exchange.Exchange(messages);
   exchange.Do([&] { take(messages, dealt); });
-  return exchange.IsWell();
+  exchange.Agree();
 }
 VTK_ABI_NAMESPACE_END

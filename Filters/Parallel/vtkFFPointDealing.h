@@ -49,9 +49,9 @@ public:
 
   /**
    * Deal out the points of all processes. Ids ascend here and from process to process, and ascend
-   * in what this process has in the end. False if there is a failure, on any process. Collective.
+   * in what this process has in the end. Collective, as vtkFFBlockExchange::Exchange() is.
    */
-  static bool Deal(std::vector<Point>&& points, const KeyOf& keyOf, vtkFFBlockExchange& exchange,
+  static void Deal(std::vector<Point>&& points, const KeyOf& keyOf, vtkFFBlockExchange& exchange,
     flipflop::BlockPoints& dealt);
 };
 VTK_ABI_NAMESPACE_END

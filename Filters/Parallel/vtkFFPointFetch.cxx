@@ -87,7 +87,7 @@ bool vtkFFPointFetch::HasSeveralSources() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFPointFetch::SetPoints(vtkPointSet* own)
+void vtkFFPointFetch::SetPoints(vtkPointSet* own)
 {
   const int count = this->Exchange.GetProcesses().GetCount();
   this->Own = own;
@@ -100,10 +100,7 @@ bool vtkFFPointFetch::SetPoints(vtkPointSet* own)
         messages[0] = packSome(own, { this->GetBegin() }, this->GetBegin(), true);
       }
     });
-  if (!this->Exchange.Exchange(messages))
-  {
-    return false;
-  }
+  this->Exchange.Exchange(messages);
   this->Exchange.Do(
     [&]
     {
@@ -123,16 +120,13 @@ bool vtkFFPointFetch::SetPoints(vtkPointSet* own)
         }
       }
     });
-  if (!this->Exchange.Exchange(messages))
-  {
-    return false;
-  }
+  this->Exchange.Exchange(messages);
   this->Exchange.Do([&] { this->Kind = messages.empty() ? this->Own : unpack(messages[0]); });
-  return this->Exchange.IsWell();
+  this->Exchange.Agree();
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFPointFetch::Fetch(
+void vtkFFPointFetch::Fetch(
   const std::vector<vtkIdType>& ids, bool withData, vtkSmartPointer<vtkPointSet>& points)
 {
   vtkFFBlockExchange::Messages messages;
@@ -151,10 +145,7 @@ bool vtkFFPointFetch::Fetch(
         begin = end;
       }
     });
-  if (!this->Exchange.Exchange(messages))
-  {
-    return false;
-  }
+  this->Exchange.Exchange(messages);
   this->Exchange.Do(
     [&]
     {
@@ -164,10 +155,7 @@ bool vtkFFPointFetch::Fetch(
           this->GetBegin(), withData);
       }
     });
-  if (!this->Exchange.Exchange(messages))
-  {
-    return false;
-  }
+  this->Exchange.Exchange(messages);
   this->Exchange.Do(
     [&]
     {
@@ -201,6 +189,6 @@ bool vtkFFPointFetch::Fetch(
         throw vtkFFDamagedParcel();
       }
     });
-  return this->Exchange.IsWell();
+  this->Exchange.Agree();
 }
 VTK_ABI_NAMESPACE_END

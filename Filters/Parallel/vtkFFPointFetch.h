@@ -44,10 +44,10 @@ public:
   vtkIdType GetNumberOfPoints() const { return this->Begins.back(); }
 
   /**
-   * Have this process's points. After this, all processes know of what kind all points are. False
-   * if there is a failure, on any process. Collective.
+   * Have this process's points. After this, all processes know of what kind all points are.
+   * Collective, as vtkFFBlockExchange::Exchange() is.
    */
-  bool SetPoints(vtkPointSet* own);
+  void SetPoints(vtkPointSet* own);
 
   /**
    * Of what kind all points are: one of them, with what all have of data. No point if there is
@@ -61,10 +61,10 @@ public:
   bool HasSeveralSources() const;
 
   /**
-   * The points of these ids, which ascend; for no id, the kind. False if there is a failure, on any
-   * process. Collective.
+   * The points of these ids, which ascend; for no id, the kind. Collective, as
+   * vtkFFBlockExchange::Exchange() is.
    */
-  bool Fetch(
+  void Fetch(
     const std::vector<vtkIdType>& ids, bool withData, vtkSmartPointer<vtkPointSet>& points);
 
 private:

@@ -175,10 +175,8 @@ void takeHull(vtkPFFHullFilter* filter, vtkFFInput& input, bool mayStay, vtkIdTy
     vtkSmartPointer<vtkPolyData> share;
     flipflop::Options options = run.Options;
     options.facets = flipflop::FacetMode::Polygons; // as of each vtkFFHullResult
-    if (vtkFFHullShare::Take(hull.Data, options, exchange, hull.Hull, share, *duplicates))
-    {
-      hull.Data = share;
-    }
+    vtkFFHullShare::Take(hull.Data, options, exchange, hull.Hull, share, *duplicates);
+    hull.Data = share;
   }
   else
   {

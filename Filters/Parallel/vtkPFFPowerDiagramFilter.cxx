@@ -66,9 +66,9 @@ bool makePowerCells(flipflop::BlockResult& around, bool weighted, int block,
   return whole;
 }
 
-/// This process's part of the diagram, or that a cell is broken on some process. Collective.
+/// This process's part of the diagram. False if a cell is broken on some process. Collective.
 bool makeDiagram(vtkFFPowerDiagramFilter* filter, vtkFFJointTriangulation& joint, vtkFFRun& run,
-  flipflop::PowerDiagram& diagram, bool& isBroken)
+  flipflop::PowerDiagram& diagram)
 {
   const std::array<double, 4> corners = joint.FindBounds();
   vtkFFBlockExchange& exchange = joint.GetExchange();
@@ -79,10 +79,8 @@ bool makeDiagram(vtkFFPowerDiagramFilter* filter, vtkFFJointTriangulation& joint
   }
   flipflop::BlockResult around;
   std::vector<bool> ghosts;
-  if (!vtkFFGhostCells::Add(flipflop::FacetMode::Polygons, own, exchange, around, ghosts))
-  {
-    return false;
-  }
+  bool isBroken = false;
+  vtkFFGhostCells::Add(flipflop::FacetMode::Polygons, own, exchange, around, ghosts);
   exchange.Do(
     [&]
     {
@@ -94,12 +92,8 @@ bool makeDiagram(vtkFFPowerDiagramFilter* filter, vtkFFJointTriangulation& joint
       isBroken = !makePowerCells(
         around, joint.IsWeighted(), exchange.GetProcesses().GetRank(), box, run.Options, diagram);
     });
-  if (!exchange.IsWell())
-  {
-    return false;
-  }
-  isBroken = exchange.GetProcesses().Sum(vtkIdType(isBroken)) > 0;
-  return true;
+  exchange.Agree();
+  return exchange.GetProcesses().Sum(vtkIdType(isBroken)) == 0;
 }
 
 }
@@ -177,23 +171,15 @@ int vtkPFFPowerDiagramFilter::RequestData(
     vtkFFJointTriangulation joint(this, this->Controller, run);
     flipflop::BlockResult& cells = joint.GetCells();
     flipflop::PowerDiagram diagram;
-    bool isBroken = false;
-    std::vector<bool> duplicates;
-    if (!joint.Triangulate(blocks[0].Pieces) || !makeDiagram(this, joint, run, diagram, isBroken))
-    {
-      return;
-    }
-    if (isBroken)
+    joint.Triangulate(blocks[0].Pieces);
+    if (!makeDiagram(this, joint, run, diagram))
     {
       gather("rounding broke a power cell, and it takes all points to mend it");
       return;
     }
-    std::vector<vtkIdType> ids(diagram.siteIds.begin(), diagram.siteIds.end());
-    if (!vtkFFDuplicates::FindByPlaces(diagram.corners, joint.GetExchange(), duplicates) ||
-      !joint.Fetch(ids))
-    {
-      return;
-    }
+    std::vector<bool> duplicates;
+    vtkFFDuplicates::FindByPlaces(diagram.corners, joint.GetExchange(), duplicates);
+    joint.Fetch({ diagram.siteIds.begin(), diagram.siteIds.end() });
     const vtkFFJointTriangulation::CountsType counts = joint.Report(cells.cells);
     vtkPolyData* const output = vtkPolyData::GetData(outputs);
     joint.Do(1.0,
@@ -205,14 +191,12 @@ int vtkPFFPowerDiagramFilter::RequestData(
           output->GetPointData(), duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
         vtkFFRun::Look(run.Options, 1.0);
       });
-    if (joint.GetExchange().IsWell())
+    joint.GetExchange().Agree();
+    run.AddToReport(cells.cells, output);
+    this->NumberOfHiddenPoints += static_cast<vtkIdType>(counts.Hidden);
+    if (this->ReportAsFieldData)
     {
-      run.AddToReport(cells.cells, output);
-      this->NumberOfHiddenPoints += static_cast<vtkIdType>(counts.Hidden);
-      if (this->ReportAsFieldData)
-      {
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", counts.Hidden);
-      }
+      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", counts.Hidden);
     }
   };
   return vtkFFJointBlocks::Run(
