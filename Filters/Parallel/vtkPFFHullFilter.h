@@ -20,8 +20,9 @@
  *   share, that is the facets in some directions from the middle with
  *   their points. Together, the shares are the hull. No process holds
  *   more than its share and what surrounds it. A point may be on several
- *   processes; each facet is on one. A flat hull is one facet, and so on
- *   one process.
+ *   processes: all but one mark it in vtkGhostType as
+ *   vtkDataSetAttributes::DUPLICATEPOINT. Each facet is on one process.
+ *   A flat hull is one facet, and so on one process.
  *
  * - Ghost points (see SetSkipGhostPoints()) are left out on their
  *   process and not counted: ids count the remaining points. With a

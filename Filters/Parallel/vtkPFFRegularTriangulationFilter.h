@@ -47,9 +47,10 @@
  * - An error on any process is an error of all processes. Process 0
  *   reports it. The others only set their error code. A block at fault
  *   on any process has an empty result, and the other blocks have
- *   theirs. An abort on one process is an abort on all. Points that
- *   are gathered are an exception: once process 0 has them, only it
- *   can abort, and the others report no figures.
+ *   theirs.
+ * - An abort on one process is an abort on all. Points that are
+ *   gathered are an exception: once process 0 has them, only it can
+ *   abort, and the others report no figures.
  * - Process 0 reports the numbers of input points, of points that are
  *   not finite, of hidden points and of cells left out for all pieces.
  *   The other processes report these for their own pieces and shares.
