@@ -321,7 +321,8 @@ void testFaults()
     { 3, vtkFFErrorCode::InputError, "have 2 coordinates each" },
     { 5, vtkFFErrorCode::NonFiniteError,
       "first at point 3 of data set 5 of the composite, 1 such" },
-    { 6, vtkFFErrorCode::InputError, "is a vtkTable. It must be a vtkPointSet, vtkImageData or" } };
+    { 6, vtkFFErrorCode::InputError,
+      "is a vtkTable. It must be a vtkPointSet, vtkImageData or vtkRectilinearGrid." } };
   for (const Maker& maker : makersOfPoints())
   {
     check(maker, makeBlocks(leaves), faults);

@@ -210,15 +210,6 @@ def constrained_with_weights():
     return use_weights(algorithm)
 
 
-def constrained_in_blocks():
-    algorithm = constrained([[0, 1]])
-    blocks = vtkMultiBlockDataSet()
-    for k in range(2):
-        blocks.SetBlock(k, poly_data(TETRAHEDRON))
-    algorithm.SetInputData(blocks)
-    return algorithm
-
-
 def surface_of_lines():
     algorithm = surface([])
     lines = vtkCellArray()
@@ -350,7 +341,6 @@ FAILURES = {
     "constraints with points of their own": lambda: constrained_with_points("0 -3 0; 1 0 0; 0 3.5 0; -1 0 0"),
     "constraints with too few points": lambda: constrained_with_points("0 -3 0"),
     "constraints and weights": constrained_with_weights,
-    "constraints for two blocks": constrained_in_blocks,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
     "the CUDA engine for a surface": lambda: surface(FACETS, Engine=CUDA),
     "the CUDA engine for constraints": lambda: constrained([[0, 1]], Engine=CUDA),

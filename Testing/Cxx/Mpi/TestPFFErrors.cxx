@@ -253,7 +253,7 @@ void testWrongInput(Twins& both)
     {
       const bool wrong = rank() == process;
       both.Fails("a wrong input", wrong ? table.Get() : piece, "The data is a vtkTable");
-      both.Fails("no input", wrong ? nullptr : piece, "There is no input");
+      both.Fails("no input", wrong ? nullptr : piece, "There is no input. Set one.");
       if (!joinsBlocks(both))
       {
         both.Fails("other blocks", wrong ? other : piece, "different numbers of blocks");
