@@ -83,13 +83,18 @@ def test_triangulation(name, weighted):
         for part, value in chosen(points, one.hidden):
             if len(one.hidden) or not part.startswith("points"):  # a data set without points has no type of them
                 yield f"port 1, {part}", value
-        lowest = np.full(len(diagram.vertices), points[:, 2].min() + 0.0, np.float64)
-        yield "port 2, points double", np.column_stack([diagram.vertices, lowest])
-        yield "port 2, Polys Offsets", diagram.cells.offsets
-        yield "port 2, Polys Connectivity", diagram.cells.connectivity
-        yield "port 2, Cell data vtkOriginalPointIds idtype 1", diagram.sites
 
-    compare(f"triangulation, {'weight' if weighted else 'none'}: {name}", parts())
+    def diagram_parts():
+        lowest = np.full(len(diagram.vertices), points[:, 2].min() + 0.0, np.float64)
+        yield "points double", np.column_stack([diagram.vertices, lowest])
+        yield "Polys Offsets", diagram.cells.offsets
+        yield "Polys Connectivity", diagram.cells.connectivity
+        yield "Cell data vtkOriginalPointIds idtype 1", diagram.sites
+
+    kind = "weight" if weighted else "none"
+    compare(f"triangulation, {kind}: {name}", parts())
+    compare(f"power diagram, {kind}: {name}", diagram_parts())
+
 
 
 def test_convexify():

@@ -91,10 +91,10 @@ def test(window):
 
     # So does a change.
     yield from window.show_properties()
-    window.property_box("FacetMode").setCurrentText("Polygons")
+    window.property_box("NonFinitePoints").setCurrentText("Ignore")
     yield from press_and_see()
     yield from window.show_properties()
-    window.property_box("FacetMode").setCurrentText("Triangles")
+    window.property_box("NonFinitePoints").setCurrentText("Report an Error")
     _, times = apply()
     gui.check_equal(times, 1)
     gui.check_equal((yield from window.information())[0], whole)

@@ -61,7 +61,7 @@ def test(window):
 
     with open(os.path.join(os.environ["FLIPFLOP_SOURCE"], "Documentation", "ParaView.md")) as page:
         example = re.search("```python\n(.*?)```", page.read(), re.S).group(1)
-    visible, hidden, _, found = run("page.py", example)
+    visible, hidden, found = run("page.py", example)
     gui.check_equal(int(visible) + int(hidden), 10653)
     gui.check_equal(found.split()[1], "3.0")
     gui.check_equal(window.messages(), "")

@@ -154,7 +154,7 @@ class TestPieces(unittest.TestCase):
         if case.says:
             expected = [["Error", case.says.format(last=ranks.RANKS - 1)]]
         else:
-            _, expected = self.check_equal(results[0], pieces.append(datas), case)
+            _, expected = self.check_equal(results[0], pieces.append(datas, case.settings.get("CompositeMode")), case)
         self.assertEqual(results[0]["error"] != 0, case.fails)
         self.assertEqual(results[0]["points"][0] > 0, with_points > 0 and not case.fails)
         self.assertEqual(results[0]["messages"], expected)

@@ -75,6 +75,7 @@ def made_partitions(kind):
 
 
 WEIGHTS = {"Weights": ["POINTS", "Weight"]}
+IDS = {"VisiblePointIds": 1}  # as the panel of the power diagram has it
 UNLIKE = (
     "Processes have different numbers of blocks: process 0 has 2, process {last} has 3. Give all the same, "
     "without data where there is none, or merge the blocks."
@@ -116,13 +117,13 @@ CASES = {
     "UnlikePartitionsAsOne": Case(made_partitions("unlike_partitions"), AS_ONE),
     "Partitions": Case(made("partitions", "vtkPartitionedDataSet")),
     # In the plane.
-    "Disks": Case(made("disks"), WEIGHTS, DIAGRAM),
+    "Disks": Case(made("disks"), {**WEIGHTS, **IDS}, DIAGRAM),
     "Delaunay": Case(made("disks"), POLYGONS, DELAUNAY),
-    "Voronoi": Case(made("disks"), {}, DIAGRAM),
+    "Voronoi": Case(made("disks"), IDS, DIAGRAM),
     "DisksShared": Case(made("disks"), WEIGHTS, TRIANGULATION),
     "DelaunayShared": Case(made("disks"), POLYGONS, TRIANGULATION),
     "TerrainShared": Case(made("sainthelens"), {"Weights": ["POINTS", "Elevation"]}, TRIANGULATION),
-    "Terrain": Case(made("sainthelens"), {"Weights": ["POINTS", "Elevation"]}, DIAGRAM),
+    "Terrain": Case(made("sainthelens"), {"Weights": ["POINTS", "Elevation"], **IDS}, DIAGRAM),
     "TerrainOnOneRank": Case(real("autzen"), {}, TRIANGULATION, "one"),
     "BestPlane": Case(made("plane"), {"ProjectionPlaneMode": 2}, TRIANGULATION),
     "TriangulationOfBlocks": Case(made_blocks("blocks"), {}, TRIANGULATION),

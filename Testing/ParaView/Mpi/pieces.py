@@ -280,8 +280,11 @@ def blocks_of(data):
     return [[leaf] if leaf is not None else [] for leaf in leaves(data).values()]
 
 
-def append(datas):
-    """What the ranks have, as one: block by block, each rank's points after those of the rank before."""
+def append(datas, keeps_partitions=True):
+    """
+    What the ranks have, as one: block by block, each rank's points after those of the rank before. They are in
+    a block's first partition; the others, which count in flat indices, are kept without data or not at all.
+    """
     joined = []
     for block in zip(*(blocks_of(data) for data in datas)):
         present = [piece for pieces_of_rank in block for piece in pieces_of_rank]
@@ -302,6 +305,8 @@ def append(datas):
         return whole
     if first.IsA("vtkPartitionedDataSetCollection"):
         for place, appended in enumerate(joined):
+            if not keeps_partitions:
+                whole.SetNumberOfPartitions(place, 0 if appended is None else 1)
             if appended is not None:
                 whole.SetPartition(place, 0, appended)
         return whole
@@ -329,9 +334,10 @@ def serial(filter_class, data, settings):
 
 
 def rows(fields):
-    """Each tuple of a data set's arrays, as bytes, beside their names and types, sorted."""
+    """Each tuple of a data set's arrays but ghost marks, as bytes, beside their names and types, sorted."""
     columns = {}
-    for array in sorted(arrays(fields), key=lambda array: array.GetName()):
+    own = [array for array in arrays(fields) if array.GetName() != vtkDataSetAttributes.GhostArrayName()]
+    for array in sorted(own, key=lambda array: array.GetName()):
         if array.IsA("vtkStringArray"):
             column = [array.GetValue(i) for i in range(array.GetNumberOfValues())]
         else:
@@ -345,9 +351,9 @@ def rows(fields):
 def union(shares):
     """
     What polygonal data in shares has: each point of an id with its place and data, and the cells by the ids of
-    their corners, with their data. A point that several shares have is there once if it is the same.
+    their corners, with their data. Of a point that several shares have, all but one are marked as duplicates.
     """
-    points, cells, names = set(), [], set()
+    points, duplicates, cells, names = [], [], [], set()
     for poly in shares:
         if not poly.GetNumberOfPoints():
             continue
@@ -355,13 +361,17 @@ def union(shares):
         places = vtk_to_numpy(poly.GetPoints().GetData())
         point_names, point_rows = rows(poly.GetPointData())
         names.add((places.dtype.str, *point_names))
-        points.update((int(i), place.tobytes(), row) for i, place, row in zip(ids, places, point_rows))
+        ghosts_of = poly.GetPointGhostArray()
+        marks = vtk_to_numpy(ghosts_of) if ghosts_of else numpy.zeros(len(ids), numpy.uint8)
+        for i, place, row, mark in zip(ids, places, point_rows, marks):
+            (duplicates if mark else points).append((int(i), place.tobytes(), row))
         cell_rows = rows(poly.GetCellData())[1] or [()] * poly.GetNumberOfCells()
         corners = vtkIdList()
         for cell in range(poly.GetNumberOfCells()):
             poly.GetCellPoints(cell, corners)
             by_ids = tuple(int(ids[corners.GetId(k)]) for k in range(corners.GetNumberOfIds()))
             cells.append((poly.GetCellType(cell), by_ids, cell_rows[cell]))
+    assert set(duplicates) <= set(points), "a duplicate is not as the point that is its owner's"
     return names, sorted(points), sorted(cells)
 
 
