@@ -396,16 +396,17 @@ def test_every_function_takes_blocks():
     assert np.array_equal(convexify(surfaces)["a"].faces, convex_hull(starlike()).faces)
 
 
-def test_partitions_are_pieces_of_one_data_set():
-    pieces = [cloud(60), pv.ImageData(dimensions=(2, 2, 2))]
+def test_partitions():
+    """Each has a hull of its own, as VTK's filters have; one of all counts them as blocks."""
+    pieces = [cloud(60), pv.ImageData(dimensions=(2, 2, 2), origin=(0.5, 0.5, 0.5))]
     partitions = pv.PartitionedDataSet(pieces)
     hull = convex_hull(partitions)
-    assert type(hull) is pv.PartitionedDataSet and len(hull) == 1
-    points = np.vstack([piece.points for piece in pieces])
-    assert np.array_equal(hull[0].points, convex_hull(points).points)
+    assert type(hull) is pv.PartitionedDataSet and len(hull) == 2
+    for found, piece in zip(hull, pieces):
+        assert np.array_equal(found.points, convex_hull(piece).points)
     one = convex_hull(partitions, composite_mode="all_blocks")
-    assert np.array_equal(one.points, hull[0].points)
-    assert "BlockIndex" not in one.point_data and "heat" not in one.point_data
+    assert np.array_equal(one.points, convex_hull(np.vstack([piece.points for piece in pieces])).points)
+    assert set(one.point_data["BlockIndex"]) == {1, 2} and "heat" not in one.point_data
 
 
 def test_composites_that_pyvista_has_no_class_for():
@@ -417,7 +418,7 @@ def test_composites_that_pyvista_has_no_class_for():
     collection.SetPartitionedDataSet(0, partitions)
     hull = convex_hull(collection)
     assert hull.GetNumberOfPartitionedDataSets() == 1
-    assert hull.GetPartition(0, 0).GetNumberOfPoints() == 8
+    assert [hull.GetPartition(0, k).GetNumberOfPoints() for k in range(2)] == [8, 8]
     assert convex_hull(collection, composite_mode="all_blocks").n_points == 8
 
 

@@ -52,15 +52,13 @@ class Run:
         return hull
 
     def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: Report) -> pv.PolyData:
-        with_cells = [part for part in block.parts if part.mesh.GetNumberOfCells() > 0]
-        of = f" of {block.place}" if block.place else ""
-        if len(with_cells) > 1:
-            raise InputError(f"the surface{of} is spread over {len(with_cells)} partitions", "bad_argument")
-        if not with_cells and block.count:
+        part = block.checked().part
+        if part is not None and block.count and part.mesh.GetNumberOfCells() == 0:
+            of = f" of {block.place}" if block.place else ""
             raise InputError(f"the surface{of} has no cells, but {block.count} point(s)", "bad_argument")
-        cloud = Cloud([Block(with_cells or block.parts[:1], block.place)], False, False)
+        cloud = Cloud([block], False, False)
         settings = self._settings(cloud, report)
-        starts, corners, cell_of = surface_of(cloud.blocks[0].parts[0], block.place)
+        starts, corners, cell_of = surface_of(part, block.place)
         triangles = corners
         if cell_of is not None:
             cut = cloud.engine(by_cell(_core.triangulate_polygons, cell_of), cloud.array, starts, corners, settings)
@@ -179,8 +177,8 @@ def each_block(
                 continue
             finally:
                 done += block.count
-            for mesh in meshes if block.parts[0].mesh is not None else ():
-                pass_field_data(block.parts[0].mesh, mesh)
+            for mesh in meshes if block.part is not None and block.part.mesh is not None else ():
+                pass_field_data(block.part.mesh, mesh)
             made[-1] = [*meshes]
     if not is_tree(data):
         return [mesh for mesh in made[0] if mesh is not None]

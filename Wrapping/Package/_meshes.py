@@ -47,16 +47,16 @@ class Part:
 
 @dataclass
 class Block:
-    """What is one input of the engine: a data set, or partitions of one."""
+    """What is one input of the engine: a data set, which may be a leaf of a composite."""
 
-    parts: list[Part]
+    part: Part | None
     place: str = ""  # in words: of a composite's block
     flat_index: int = 0
-    fault: FlipFlopError | None = None  # why it has no parts, though it has data
+    fault: FlipFlopError | None = None  # why it has no part, though it has data
     count: int = field(init=False)
 
     def __post_init__(self) -> None:
-        self.count = sum(len(part.rows) for part in self.parts)
+        self.count = 0 if self.part is None else len(self.part.rows)
 
     def checked(self) -> Block:
         """The block; its fault is raised."""
@@ -103,31 +103,20 @@ def is_tree(data: Any) -> bool:
     return not isinstance(data, np.ndarray) and hasattr(data, "IsA") and bool(data.IsA("vtkDataObjectTree"))
 
 
-def is_partitioned(data: Any) -> bool:
-    """Whether it is a composite whose leaves are pieces of one data set."""
-    return is_tree(data) and bool(data.IsA("vtkPartitionedDataSet"))
-
-
 def blocks_of(data: Any, leaves: Sequence[str] = LEAVES) -> list[Block | None]:
-    """The blocks of a composite in the order of their flat indices, None where one is missing; or the one block."""
+    """The leaves of a composite in the order of their flat indices, None where one is missing; or the one block."""
     if not is_tree(data):
-        return [Block([_part_of(data, "", leaves)])]
-    if is_partitioned(data):
-        whole = _partitions_of(data, "", leaves)
-        return [Block(whole) if whole else None]
+        return [Block(_part_of(data, "", leaves))]
     found: list[Block | None] = []
     for nodes, leaf in _nodes(data):
+        if leaf is None:
+            found.append(None)
+            continue
         place, index = _place_of(nodes, data), nodes.GetCurrentFlatIndex()
-        parts: list[Part] = []
-        fault = None
         try:
-            if is_partitioned(leaf):
-                parts = _partitions_of(leaf, place, leaves)
-            elif leaf is not None:
-                parts = [_part_of(leaf, place, leaves)]
+            found.append(Block(_part_of(leaf, place, leaves), place, index))
         except FlipFlopError as error:
-            fault = error
-        found.append(Block(parts, place, index, fault) if parts or fault else None)
+            found.append(Block(None, place, index, error))
     return found
 
 
@@ -137,52 +126,28 @@ def composite_of(data: Any, meshes: Sequence[Any]) -> Any:
     made = kind()
     made.CopyStructure(data)
     pass_field_data(data, made)
-    if is_partitioned(data):
-        _put(made, meshes[0])
-        return made
     for (nodes, _), mesh in zip(_nodes(data), meshes):
-        if mesh is None:
-            continue
-        place = made.GetDataSet(nodes)
-        if is_partitioned(place):
-            _put(place, mesh)
-        else:
+        if mesh is not None:
             made.SetDataSet(nodes, mesh)
     if isinstance(made, pv.MultiBlock):
         made.wrap_nested()
     return made
 
 
-def _put(partitions: Any, mesh: Any) -> None:
-    if mesh is not None:
-        partitions.SetNumberOfPartitions(1)
-        partitions.SetPartition(0, mesh)
-
-
 def _nodes(tree: Any) -> Iterator[tuple[Any, Any]]:
-    """VTK's iterator at each place for a block, and what is there, in the order of flat indices."""
+    """VTK's iterator at each leaf, and what is there, in the order of flat indices."""
     nodes = tree.NewTreeIterator()
     nodes.SkipEmptyNodesOff()
-    nodes.VisitOnlyLeavesOff()
     nodes.InitTraversal()
     while not nodes.IsDoneWithTraversal():
-        leaf = nodes.GetCurrentDataObject()
-        partitions = leaf.GetNumberOfPartitions() if is_partitioned(leaf) else 0
-        if not is_tree(leaf) or is_partitioned(leaf):
-            yield nodes, leaf
-        for _ in range(partitions + 1):
-            nodes.GoToNextItem()
+        yield nodes, nodes.GetCurrentDataObject()
+        nodes.GoToNextItem()
 
 
 def _place_of(nodes: Any, tree: Any) -> str:
     index = nodes.GetCurrentFlatIndex()
     name = nodes.GetCurrentMetaData().Get(tree.NAME()) if nodes.HasCurrentMetaData() else None
     return f'the block "{name}" (flat index {index})' if name else f"the block of flat index {index}"
-
-
-def _partitions_of(data: Any, place: str, leaves: Sequence[str]) -> list[Part]:
-    found = [data.GetPartitionAsDataObject(k) for k in range(data.GetNumberOfPartitions())]
-    return [_part_of(partition, place, leaves) for partition in found if partition is not None]
 
 
 def _part_of(data: Any, place: str, leaves: Sequence[str]) -> Part:
@@ -265,7 +230,7 @@ class Cloud:
 
     def __init__(self, blocks: Sequence[Block], skip_ghost_points: bool, ignore: bool) -> None:
         self.blocks = blocks
-        self._parts = [part for block in blocks for part in block.parts]
+        self._parts = [block.part for block in blocks if block.part is not None]
         self._starts = np.cumsum([0, *(len(part.rows) for part in self._parts)])
         self._places = self._without_ghosts() if skip_ghost_points else None
         try:

@@ -38,7 +38,7 @@ from ._constraints import PolygonRule
 from ._mesh_constraints import constraints_of_call
 from ._mesh_runs import Output, Report, Run, each_block, report_of
 from ._mesh_transport import centroidal_cells, prescribed_areas
-from ._meshes import Block, blocks_of, data_of, is_partitioned, is_tree, pass_field_data
+from ._meshes import Block, blocks_of, data_of, is_tree, pass_field_data
 from ._projection import projection_of
 from ._results import Progress
 
@@ -123,7 +123,7 @@ def convex_hull(
         return each_block(data, lambda block, report: [run.hull([block], report)], 1, progress)[0]
     with report_of(progress) as report:
         blocks = [block.checked() for block in blocks_of(data) if block is not None]
-        hull = run.hull(blocks, report, not is_partitioned(data))
+        hull = run.hull(blocks, report, with_index=True)
     pass_field_data(data, hull)
     return hull
 
