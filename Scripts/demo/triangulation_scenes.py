@@ -30,7 +30,7 @@ def surface_actor(xyz, triangles):
 def surface_scene(name, weights, outputs, aspect, scale):
     """The points that appear, as a surface through their z; with weights, the hidden as dots."""
     view = view_of(name)
-    surface, hidden, _ = outputs
+    surface, hidden = outputs
     xyz, below = view.coordinates(surface), view.coordinates(hidden)
     origin = xyz.mean(axis=0)
     xyz -= origin
