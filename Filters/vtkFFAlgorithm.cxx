@@ -41,6 +41,13 @@ int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+void vtkFFAlgorithm::Modified()
+{
+  this->ResultTime.Modified();
+  this->OutputModified();
+}
+
+//------------------------------------------------------------------------------
 bool vtkFFAlgorithm::IsCUDAAvailable()
 {
   return flipflop::cudaStatus().present;

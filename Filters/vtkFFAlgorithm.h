@@ -44,7 +44,9 @@
 
 #include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkMath.h"                  // For vtkMath::ClampValue
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkTimeStamp.h" // For vtkTimeStamp
 
 #include <string> // For std::string
 
@@ -165,7 +167,11 @@ public:
    * Set/Get how facets are given: as triangles (the default), or as one polygon a facet. As
    * triangles, a facet of more than three corners is a fan from the corner of lowest id.
    */
-  vtkSetClampMacro(FacetMode, int, FACETS_AS_TRIANGLES, FACETS_AS_POLYGONS);
+  virtual void SetFacetMode(int mode)
+  {
+    this->ChangeOutput(
+      this->FacetMode, vtkMath::ClampValue<int>(mode, FACETS_AS_TRIANGLES, FACETS_AS_POLYGONS));
+  }
   vtkGetMacro(FacetMode, int);
   void SetFacetModeToTriangles() { this->SetFacetMode(FACETS_AS_TRIANGLES); }
   void SetFacetModeToPolygons() { this->SetFacetMode(FACETS_AS_POLYGONS); }
@@ -206,7 +212,7 @@ public:
    * precision. On by default. Attributes that describe the input's own surface (normals, tangents,
    * edge flags) become plain arrays: they would shade and draw another surface falsely.
    */
-  vtkSetMacro(PassPointData, bool);
+  virtual void SetPassPointData(bool on) { this->ChangeOutput(this->PassPointData, on); }
   vtkGetMacro(PassPointData, bool);
   vtkBooleanMacro(PassPointData, bool);
   //@}
@@ -216,7 +222,7 @@ public:
    * Set/Get whether the output's array vtkOriginalPointIds is given a second time under the name
    * OriginalPointIds: some applications hide the first name from their users. Off by default.
    */
-  vtkSetMacro(VisiblePointIds, bool);
+  virtual void SetVisiblePointIds(bool on) { this->ChangeOutput(this->VisiblePointIds, on); }
   vtkGetMacro(VisiblePointIds, bool);
   vtkBooleanMacro(VisiblePointIds, bool);
   //@}
@@ -236,7 +242,7 @@ public:
    *   FlipFlopSecondsTotal and so on. Documentation/Statistics.md says
    *   how to read them
    */
-  vtkSetMacro(ReportAsFieldData, bool);
+  virtual void SetReportAsFieldData(bool on) { this->ChangeOutput(this->ReportAsFieldData, on); }
   vtkGetMacro(ReportAsFieldData, bool);
   vtkBooleanMacro(ReportAsFieldData, bool);
   //@}
@@ -269,11 +275,32 @@ public:
   vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
   //@}
 
+  /**
+   * Have the next Update() work on the input again, even if that looks unchanged: its values may
+   * have been changed in place. Settings that concern the output alone do not call this, so that
+   * what the filter keeps of its last run serves them.
+   */
+  void Modified() override;
+
 protected:
   vtkFFAlgorithm();
   ~vtkFFAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  /**
+   * Change a setting that leaves valid what is kept of the last run, as Modified() does not.
+   */
+  template <class T>
+  void ChangeOutput(T& setting, T value)
+  {
+    if (setting != value)
+    {
+      setting = value;
+      this->OutputModified();
+    }
+  }
+  void OutputModified() { this->Superclass::Modified(); }
 
   /**
    * Forget what a subclass reports of its last run, for the next one.
@@ -296,7 +323,9 @@ private:
   void operator=(const vtkFFAlgorithm&) = delete;
 
   friend class vtkFFRun;
+  friend class vtkFFStamp;
 
+  vtkTimeStamp ResultTime; ///< of the last Modified(): a result that was kept before is not valid
   int EngineUsed = ENGINE_NONE;
   std::string EngineReason = "no engine has run";
   int Dimension = -1;

@@ -35,7 +35,6 @@ flipflop::Buffer<To> copyOf(const flipflop::Buffer<From>& from)
 vtkFFStamp stampOf(vtkFFPlanarAlgorithm* filter, const vtkFFPlanarInput& input)
 {
   vtkFFStamp stamp(filter, input.GetData());
-  stamp.Add(filter->GetProjectionPlaneMode());
   if (filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::TRANSFORM_PLANE)
   {
     stamp.Add(filter->GetTransform());

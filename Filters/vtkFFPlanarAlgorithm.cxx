@@ -29,7 +29,15 @@ void vtkFFPlanarAlgorithm::SetTransform(vtkAbstractTransform* transform)
 //------------------------------------------------------------------------------
 void vtkFFPlanarAlgorithm::StoreTransform(vtkAbstractTransform* transform)
 {
-  vtkSetObjectBodyMacro(Transform, vtkAbstractTransform, transform);
+  if (transform)
+  {
+    transform->Register(this);
+  }
+  if (this->Transform)
+  {
+    this->Transform->UnRegister(this);
+  }
+  this->ChangeOutput(this->Transform, transform);
 }
 
 //------------------------------------------------------------------------------

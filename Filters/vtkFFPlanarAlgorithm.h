@@ -133,7 +133,10 @@ public:
    * A negative radius is an error that names the point. So is a weight that is too large for a
    * double, though the value is finite.
    */
-  vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
+  virtual void SetWeightMode(int mode)
+  {
+    this->ChangeOutput(this->WeightMode, vtkMath::ClampValue<int>(mode, WEIGHTS, RADII));
+  }
   vtkGetMacro(WeightMode, int);
   void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
   void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
@@ -146,7 +149,7 @@ public:
    * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
    * infinity are errors.
    */
-  vtkSetMacro(WeightFactor, double);
+  virtual void SetWeightFactor(double value) { this->ChangeOutput(this->WeightFactor, value); }
   vtkGetMacro(WeightFactor, double);
   //@}
 
@@ -166,7 +169,10 @@ public:
    * rounding made concave, it is 2^-50 of the areas of the fan from the first corner. Arrays of the
    * input with these names are not passed to the power diagram's cells.
    */
-  vtkSetMacro(GenerateCellMeasures, bool);
+  virtual void SetGenerateCellMeasures(bool on)
+  {
+    this->ChangeOutput(this->GenerateCellMeasures, on);
+  }
   vtkGetMacro(GenerateCellMeasures, bool);
   vtkBooleanMacro(GenerateCellMeasures, bool);
   //@}

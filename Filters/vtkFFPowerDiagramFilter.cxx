@@ -95,7 +95,7 @@ void vtkFFPowerDiagramFilter::StorePowerDiagramBounds(
     std::copy(bounds, bounds + 4, this->PowerDiagramBounds);
     this->PowerDiagramLengths[0] = xmax - xmin;
     this->PowerDiagramLengths[1] = ymax - ymin;
-    this->Modified();
+    this->OutputModified();
   }
 }
 

@@ -106,7 +106,11 @@ public:
    * extent along x or y, the box has the extent of the other direction, half of it on either side.
    * A single position gets a box of side 1.
    */
-  vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
+  virtual void SetPowerDiagramBoxMode(int mode)
+  {
+    this->ChangeOutput(
+      this->PowerDiagramBoxMode, vtkMath::ClampValue<int>(mode, BOX_OF_POINTS, BOX_OF_BOUNDS));
+  }
   vtkGetMacro(PowerDiagramBoxMode, int);
   void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
   void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }

@@ -34,10 +34,9 @@ void vtkFFRegularTriangulationFilter::SetAlpha(double alpha)
     vtkErrorMacro(<< "Alpha is to be " << alpha
                   << "; it must be a length, or 0 for the whole triangulation.");
   }
-  else if (this->Alpha != alpha)
+  else
   {
-    this->Alpha = alpha;
-    this->Modified();
+    this->ChangeOutput(this->Alpha, alpha);
   }
 }
 
@@ -49,10 +48,9 @@ void vtkFFRegularTriangulationFilter::SetMaximumEdgeLength(double length)
     vtkErrorMacro(<< "Maximum Edge Length is to be " << length
                   << "; it must be a length, or 0 for edges of any length.");
   }
-  else if (this->MaximumEdgeLength != length)
+  else
   {
-    this->MaximumEdgeLength = length;
-    this->Modified();
+    this->ChangeOutput(this->MaximumEdgeLength, length);
   }
 }
 

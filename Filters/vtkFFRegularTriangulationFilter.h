@@ -116,13 +116,13 @@ public:
    */
   virtual void SetAlpha(double alpha);
   vtkGetMacro(Alpha, double);
-  vtkSetMacro(AlphaLines, bool);
+  virtual void SetAlphaLines(bool on) { this->ChangeOutput(this->AlphaLines, on); }
   vtkGetMacro(AlphaLines, bool);
   vtkBooleanMacro(AlphaLines, bool);
-  vtkSetMacro(AlphaVerts, bool);
+  virtual void SetAlphaVerts(bool on) { this->ChangeOutput(this->AlphaVerts, on); }
   vtkGetMacro(AlphaVerts, bool);
   vtkBooleanMacro(AlphaVerts, bool);
-  vtkSetMacro(GenerateAlphas, bool);
+  virtual void SetGenerateAlphas(bool on) { this->ChangeOutput(this->GenerateAlphas, on); }
   vtkGetMacro(GenerateAlphas, bool);
   vtkBooleanMacro(GenerateAlphas, bool);
   //@}
@@ -135,7 +135,7 @@ public:
    * starts at its lowest id; they are in lexicographic order. The points are those of the border.
    * Where several processes triangulate together, it is an error.
    */
-  vtkSetMacro(GenerateBoundary, bool);
+  virtual void SetGenerateBoundary(bool on) { this->ChangeOutput(this->GenerateBoundary, on); }
   vtkGetMacro(GenerateBoundary, bool);
   vtkBooleanMacro(GenerateBoundary, bool);
   //@}

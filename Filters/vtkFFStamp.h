@@ -35,20 +35,12 @@ public:
   vtkFFStamp() = default;
 
   /**
-   * Of an input, and of the settings that each engine's result depends on.
+   * Of an input, and of all settings but those that a filter changes with ChangeOutput().
    */
   vtkFFStamp(vtkFFAlgorithm* filter, vtkDataObject* input)
   {
     this->Add(input);
-    for (const double setting :
-      { static_cast<double>(filter->GetEngine()), static_cast<double>(filter->GetCUDAThreshold()),
-        static_cast<double>(filter->GetNumberOfThreads()),
-        static_cast<double>(filter->GetNonFinitePoints()),
-        static_cast<double>(filter->GetSkipGhostPoints()),
-        static_cast<double>(filter->GetVBiased()) })
-    {
-      this->Add(setting);
-    }
+    this->Words.push_back(filter->ResultTime);
   }
 
   /**

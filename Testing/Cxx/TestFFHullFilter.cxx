@@ -196,7 +196,6 @@ void testKept()
   {
     before.push_back(change);
     change(hull);
-    hull->Modified();
     progress->Texts.clear();
     FF_CHECK(succeeds(hull));
     const bool scans =
@@ -248,6 +247,10 @@ void testKept()
     points->GetPoints()->SetPoint(7, 0.0, 0.0, 0.0);
     points->GetPoints()->Modified();
     check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
+    points->GetPoints()->SetPoint(8, 9.0, 9.0, 9.0); // in place: nobody else can know
+    check(false, [](vtkFFHullFilter* f) { f->Modified(); });
+    points->GetPoints()->SetPoint(8, 0.0, 0.0, 0.0);
+    check(false, [](vtkFFHullFilter* f) { f->Modified(); });
     hull->SetNonFinitePointsToError();
     hull->SkipGhostPointsOn();
     hull->VBiasedOn();

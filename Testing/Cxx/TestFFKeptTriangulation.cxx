@@ -140,6 +140,12 @@ std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* tran
           input->GetPoints()->SetPoint(50, 3, 4, 5);
           input->GetPoints()->Modified();
         }) },
+    { "in place", true,
+      [change = once([=] { input->GetPoints()->SetPoint(51, 3, 5, 4); })](FilterT* f)
+      {
+        change(f); // which nobody else can know
+        f->Modified();
+      } },
     { "other points", true,
       once([=] { input->SetPoints(makePoints(randomPoints(2000, 302))->GetPoints()); }) },
     { "ghosts", true, [](FilterT* f) { f->SkipGhostPointsOff(); } },

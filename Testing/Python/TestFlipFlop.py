@@ -244,7 +244,7 @@ class TestHull(unittest.TestCase):
 
         messages = errors_of(hull)
         hull.AddObserver("ProgressEvent", lambda caller, event: caller.SetAbortExecute(1))
-        hull.SetInputData(poly_data(rng.standard_normal((100000, 3))))
+        hull.Modified()
         hull.Update()
         self.assertEqual(hull.GetOutput().GetNumberOfPoints(), 0)
         self.assertEqual(messages, [])
