@@ -234,16 +234,7 @@ vtkPolyData* vtkFFConstrainedDelaunayFilter::GetSource()
 //------------------------------------------------------------------------------
 void vtkFFConstrainedDelaunayFilter::SetMaximumEdgeLength(double length)
 {
-  if (!(length >= 0.0))
-  {
-    vtkErrorMacro(<< "Maximum Edge Length is to be " << length
-                  << "; it must be a length, or 0 for edges of any length.");
-  }
-  else if (this->MaximumEdgeLength != length)
-  {
-    this->MaximumEdgeLength = length;
-    this->Modified();
-  }
+  this->ChangeLength(this->MaximumEdgeLength, length, "Maximum Edge Length", "edges of any length");
 }
 
 //------------------------------------------------------------------------------

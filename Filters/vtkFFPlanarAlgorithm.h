@@ -186,6 +186,12 @@ protected:
   vtkFFPlanarAlgorithm();
   ~vtkFFPlanarAlgorithm() override;
 
+  /**
+   * ChangeOutput() of a length. A negative number and NaN are refused with an error, which has this
+   * name and what 0 stands for.
+   */
+  void ChangeLength(double& setting, double length, const char* name, const char* zero);
+
   int ProjectionPlaneMode = XY_PLANE;
   vtkAbstractTransform* Transform = nullptr;
   int WeightMode = WEIGHTS;

@@ -29,29 +29,13 @@ vtkFFRegularTriangulationFilter::~vtkFFRegularTriangulationFilter() = default;
 //------------------------------------------------------------------------------
 void vtkFFRegularTriangulationFilter::SetAlpha(double alpha)
 {
-  if (!(alpha >= 0.0))
-  {
-    vtkErrorMacro(<< "Alpha is to be " << alpha
-                  << "; it must be a length, or 0 for the whole triangulation.");
-  }
-  else
-  {
-    this->ChangeOutput(this->Alpha, alpha);
-  }
+  this->ChangeLength(this->Alpha, alpha, "Alpha", "the whole triangulation");
 }
 
 //------------------------------------------------------------------------------
 void vtkFFRegularTriangulationFilter::SetMaximumEdgeLength(double length)
 {
-  if (!(length >= 0.0))
-  {
-    vtkErrorMacro(<< "Maximum Edge Length is to be " << length
-                  << "; it must be a length, or 0 for edges of any length.");
-  }
-  else
-  {
-    this->ChangeOutput(this->MaximumEdgeLength, length);
-  }
+  this->ChangeLength(this->MaximumEdgeLength, length, "Maximum Edge Length", "edges of any length");
 }
 
 //------------------------------------------------------------------------------
