@@ -339,14 +339,14 @@ vtkDataObject* vtkFFPointInterpolator2D::GetSource()
 void vtkFFPointInterpolator2D::AddExcludedArray(const char* name)
 {
   this->ExcludedArrays.emplace_back(name ? name : "");
-  this->Modified();
+  this->OutputModified();
 }
 
 //------------------------------------------------------------------------------
 void vtkFFPointInterpolator2D::ClearExcludedArrays()
 {
   this->ExcludedArrays.clear();
-  this->Modified();
+  this->OutputModified();
 }
 
 //------------------------------------------------------------------------------
@@ -366,13 +366,7 @@ const char* vtkFFPointInterpolator2D::GetExcludedArray(int index)
 //------------------------------------------------------------------------------
 double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
 {
-  vtkFFStamp stamp(this, data);
-  if (vtkInformationVector* chosen =
-        this->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
-  {
-    vtkInformation* const choice = chosen->GetInformationObject(0);
-    stamp.Add(choice ? static_cast<double>(choice->GetMTime()) : 0.0);
-  }
+  const vtkFFStamp stamp(this, data);
   vtkFFStamp weightStamp;
   weightStamp.Add(this->WeightMode);
   weightStamp.Add(this->WeightFactor);

@@ -125,7 +125,11 @@ public:
    *   of one circle are cut into triangles. It takes longer. (With
    *   weights, values are continuous.)
    */
-  vtkSetClampMacro(InterpolationMode, int, LINEAR, NATURAL_NEIGHBOR);
+  virtual void SetInterpolationMode(int mode)
+  {
+    this->ChangeOutput(
+      this->InterpolationMode, vtkMath::ClampValue<int>(mode, LINEAR, NATURAL_NEIGHBOR));
+  }
   vtkGetMacro(InterpolationMode, int);
   void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
   void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
@@ -138,7 +142,10 @@ public:
    *
    * WEIGHTS (the default) or RADII: see vtkFFPlanarAlgorithm::SetWeightMode().
    */
-  vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
+  virtual void SetWeightMode(int mode)
+  {
+    this->ChangeOutput(this->WeightMode, vtkMath::ClampValue<int>(mode, WEIGHTS, RADII));
+  }
   vtkGetMacro(WeightMode, int);
   void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
   void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
@@ -150,7 +157,7 @@ public:
    * Set/Get the factor of all weights, or of all radii. 1 by default. See
    * vtkFFPlanarAlgorithm::SetWeightFactor().
    */
-  vtkSetMacro(WeightFactor, double);
+  virtual void SetWeightFactor(double value) { this->ChangeOutput(this->WeightFactor, value); }
   vtkGetMacro(WeightFactor, double);
   //@}
 
@@ -165,7 +172,11 @@ public:
    *   weights, by power distance). Points have NullValue only if there
    *   is none, or if they are not finite.
    */
-  vtkSetClampMacro(NullPointsStrategy, int, MASK_POINTS, CLOSEST_POINT);
+  virtual void SetNullPointsStrategy(int mode)
+  {
+    this->ChangeOutput(
+      this->NullPointsStrategy, vtkMath::ClampValue<int>(mode, MASK_POINTS, CLOSEST_POINT));
+  }
   vtkGetMacro(NullPointsStrategy, int);
   void SetNullPointsStrategyToMaskPoints() { this->SetNullPointsStrategy(MASK_POINTS); }
   void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
@@ -177,7 +188,7 @@ public:
   /**
    * Set/Get the value of all components at null points. 0 by default; NaN is possible.
    */
-  vtkSetMacro(NullValue, double);
+  virtual void SetNullValue(double value) { this->ChangeOutput(this->NullValue, value); }
   vtkGetMacro(NullValue, double);
   //@}
 
@@ -185,7 +196,10 @@ public:
   /**
    * Set/Get the name of the mask array. "vtkValidPointMask" by default.
    */
-  vtkSetMacro(ValidPointsMaskArrayName, std::string);
+  virtual void SetValidPointsMaskArrayName(std::string name)
+  {
+    this->ChangeOutput(this->ValidPointsMaskArrayName, name);
+  }
   vtkGetMacro(ValidPointsMaskArrayName, std::string);
   //@}
 
@@ -193,7 +207,7 @@ public:
   /**
    * Set/Get whether the z of the source's points is interpolated, too. On by default.
    */
-  vtkSetMacro(InterpolateZ, bool);
+  virtual void SetInterpolateZ(bool on) { this->ChangeOutput(this->InterpolateZ, on); }
   vtkGetMacro(InterpolateZ, bool);
   vtkBooleanMacro(InterpolateZ, bool);
   //@}
@@ -202,7 +216,7 @@ public:
   /**
    * Set/Get the name of the array of interpolated z. "Elevation" by default.
    */
-  vtkSetMacro(ZArrayName, std::string);
+  virtual void SetZArrayName(std::string name) { this->ChangeOutput(this->ZArrayName, name); }
   vtkGetMacro(ZArrayName, std::string);
   //@}
 
@@ -222,13 +236,13 @@ public:
    * Set/Get whether the input's point data, cell data and field data are passed to the output. On
    * by default.
    */
-  vtkSetMacro(PassPointArrays, bool);
+  virtual void SetPassPointArrays(bool on) { this->ChangeOutput(this->PassPointArrays, on); }
   vtkGetMacro(PassPointArrays, bool);
   vtkBooleanMacro(PassPointArrays, bool);
-  vtkSetMacro(PassCellArrays, bool);
+  virtual void SetPassCellArrays(bool on) { this->ChangeOutput(this->PassCellArrays, on); }
   vtkGetMacro(PassCellArrays, bool);
   vtkBooleanMacro(PassCellArrays, bool);
-  vtkSetMacro(PassFieldArrays, bool);
+  virtual void SetPassFieldArrays(bool on) { this->ChangeOutput(this->PassFieldArrays, on); }
   vtkGetMacro(PassFieldArrays, bool);
   vtkBooleanMacro(PassFieldArrays, bool);
   //@}

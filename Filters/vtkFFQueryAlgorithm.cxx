@@ -20,6 +20,13 @@ vtkFFQueryAlgorithm::vtkFFQueryAlgorithm()
 vtkFFQueryAlgorithm::~vtkFFQueryAlgorithm() = default;
 
 //------------------------------------------------------------------------------
+void vtkFFQueryAlgorithm::Modified()
+{
+  this->ResultTime.Modified();
+  this->OutputModified();
+}
+
+//------------------------------------------------------------------------------
 int vtkFFQueryAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());

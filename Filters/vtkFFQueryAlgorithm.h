@@ -35,6 +35,8 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
+#include "vtkMath.h"                  // For vtkMath::ClampValue
+#include "vtkTimeStamp.h"             // For vtkTimeStamp
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFQueryAlgorithm : public vtkDataSetAlgorithm
@@ -63,7 +65,10 @@ public:
    * backend is Sequential, as in Debian's ParaView and the wheels of VTK. -1 means all that the
    * machine has. The output does not depend on it.
    */
-  vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
+  virtual void SetNumberOfThreads(int count)
+  {
+    this->ChangeOutput(this->NumberOfThreads, vtkMath::ClampValue<int>(count, -1, VTK_INT_MAX));
+  }
   vtkGetMacro(NumberOfThreads, int);
   //@}
 
@@ -98,6 +103,12 @@ public:
    */
   vtkGetMacro(Dimension, int);
 
+  /**
+   * Have the next Update() work on the second input again, even if that looks unchanged: its values
+   * may have been changed in place. Settings that do not concern it do not call this.
+   */
+  void Modified() override;
+
 protected:
   vtkFFQueryAlgorithm();
   ~vtkFFQueryAlgorithm() override;
@@ -107,6 +118,20 @@ protected:
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  /**
+   * Change a setting that leaves valid what is kept of the second input, as Modified() does not.
+   */
+  template <class T>
+  void ChangeOutput(T& setting, T value)
+  {
+    if (setting != value)
+    {
+      setting = value;
+      this->OutputModified();
+    }
+  }
+  void OutputModified() { this->Superclass::Modified(); }
 
   int NumberOfThreads = 0;
   int NonFinitePoints = NON_FINITE_ERROR;
@@ -119,6 +144,9 @@ private:
   void operator=(const vtkFFQueryAlgorithm&) = delete;
 
   friend class vtkFFRun; // sets what the last run reports
+  friend class vtkFFStamp;
+
+  vtkTimeStamp ResultTime; ///< of the last Modified(): what was kept before is not valid
 
   vtkIdType LastBlock = -1; ///< of a composite, which the executive had the filter work on
   bool IsAborted = false;

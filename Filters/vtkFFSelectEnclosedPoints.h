@@ -79,7 +79,7 @@ public:
   /**
    * Set/Get whether the points that are not enclosed are selected instead. Off by default.
    */
-  vtkSetMacro(InsideOut, bool);
+  virtual void SetInsideOut(bool on) { this->ChangeOutput(this->InsideOut, on); }
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
   //@}
@@ -88,7 +88,10 @@ public:
   /**
    * Set/Get whether points on the surface count as enclosed. On by default.
    */
-  vtkSetMacro(SelectPointsOnSurface, bool);
+  virtual void SetSelectPointsOnSurface(bool on)
+  {
+    this->ChangeOutput(this->SelectPointsOnSurface, on);
+  }
   vtkGetMacro(SelectPointsOnSurface, bool);
   vtkBooleanMacro(SelectPointsOnSurface, bool);
   //@}
@@ -99,7 +102,7 @@ public:
    * distance's sign is exact: negative inside, 0 on the surface, positive outside. Its value is off
    * by no more than 1e-14 times the distance to the farthest vertex.
    */
-  vtkSetMacro(GenerateDistances, bool);
+  virtual void SetGenerateDistances(bool on) { this->ChangeOutput(this->GenerateDistances, on); }
   vtkGetMacro(GenerateDistances, bool);
   vtkBooleanMacro(GenerateDistances, bool);
   //@}

@@ -44,13 +44,12 @@ public:
   }
 
   /**
-   * The same of a second input, about which a filter asks.
+   * The same of a second input, which a filter queries.
    */
   vtkFFStamp(vtkFFQueryAlgorithm* filter, vtkDataObject* input)
   {
     this->Add(input);
-    this->Add(filter->GetNonFinitePoints());
-    this->Add(filter->GetSkipGhostPoints());
+    this->Words.push_back(filter->ResultTime);
   }
 
   /**

@@ -325,6 +325,7 @@ void testChanges(const Case& of)
   FF_CHECK_EQUAL(count([&] { filter->SetSkipGhostPoints(!filter->GetSkipGhostPoints()); }), 2);
   FF_CHECK_EQUAL(count([&] { second->Modified(); }), 2);
   FF_CHECK_EQUAL(count(touchBlock), 2);
+  FF_CHECK_EQUAL(count([&] { filter->Modified(); }), 2);
 
   vtkNew<vtkSphereSource> sphere;
   filter->SetInputConnection(1, sphere->GetOutputPort());
