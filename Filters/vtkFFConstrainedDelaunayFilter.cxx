@@ -316,7 +316,7 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
       vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
       this->NumberOfSplitPoints = work.Split ? work.Split->GetNumberOfPoints() : 0;
       write(this, input, work, run, output);
-      this->NumberOfDroppedCells = static_cast<vtkIdType>(work.DroppedCells);
+      this->NumberOfDroppedCells += static_cast<vtkIdType>(work.DroppedCells);
       run.AddToReport(work.Triangulation, output);
       if (this->ReportAsFieldData)
       {

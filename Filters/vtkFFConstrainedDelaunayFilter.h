@@ -145,7 +145,8 @@ public:
   //@{
   /**
    * Get the number of cells that the last run left out, since they are not inside polygons or for
-   * MaximumEdgeLength; and of points that it added where constraints cross.
+   * MaximumEdgeLength (the sum for several blocks); and of points that it added where constraints
+   * cross.
    */
   vtkGetMacro(NumberOfDroppedCells, vtkIdType);
   vtkGetMacro(NumberOfSplitPoints, vtkIdType);

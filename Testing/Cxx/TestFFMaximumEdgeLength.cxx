@@ -6,6 +6,7 @@
 
 #include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
@@ -130,6 +131,14 @@ void testLimits()
   FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 1);
   FF_CHECK_EQUAL(run.RunWith(makePoints({ { 0, 0, 5 } }))->GetNumberOfVerts(), 1);
   FF_CHECK(isEmpty(run.RunWith(makePoints(std::vector<Point>{}))));
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makePoints({ { 0, 0, 5 }, { 1, 0, 5 }, { 4, 0, 5 } }));
+  blocks->SetBlock(1, makePoints({ { 0, 0, 5 }, { 3, 0, 5 }, { 6, 0, 5 } }));
+  Watched<FilterT> both(blocks);
+  both->SetMaximumEdgeLength(2.0);
+  both.Run();
+  FF_CHECK_EQUAL(both->GetNumberOfDroppedCells(), 3);
 }
 
 }
