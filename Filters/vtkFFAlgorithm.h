@@ -234,7 +234,7 @@ public:
    * passed, except arrays whose names begin with FlipFlop, since they describe another run.
    *
    * - FlipFlopDimension, FlipFlopEngine, FlipFlopEngineReason (the
-   *   latter two are strings): as the Get functions tell
+   *   latter two are strings): as of the Get functions
    * - FlipFlopVolume, FlipFlopArea of a hull; FlipFlopHiddenPoints,
    *   FlipFlopDroppedCells of a triangulation
    * - the paper's statistics, an array for each member of

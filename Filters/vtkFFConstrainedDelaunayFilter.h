@@ -24,7 +24,7 @@
  * cross between points are an error that names both cells, unless they are to be split: see
  * SetSplitCrossingConstraints(). So is a constraint whose point is not there or is left out.
  *
- * Polygons also tell what is inside: see SetPolygonRule(). Cells that are not inside are left out
+ * Polygons also define what is inside: see SetPolygonRule(). Cells that are not inside are left out
  * and counted; if no cell is inside, a warning says so. All points stay in the output, also those
  * that no cell has any more.
  *
@@ -59,7 +59,7 @@ public:
   //@}
 
   /**
-   * How the source's polygons tell what is inside.
+   * How the polygons of the source define what is inside.
    */
   enum PolygonRuleType
   {
@@ -104,7 +104,7 @@ public:
 
   //@{
   /**
-   * Set/Get how the source's polygons tell what is inside. Without polygons, all
+   * Set/Get how polygons of the source define what is inside. Without polygons, all
    * cells stay. So they do where all points are on one line.
    *
    * - EVEN_ODD (the default): by nesting. A polygon keeps its inside,

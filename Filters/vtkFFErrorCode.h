@@ -5,7 +5,7 @@
  * @brief   why a Flip-Flop filter gave no result
  *
  * vtkFFErrorCode has the values of GetErrorCode() after a run of a Flip-Flop filter, in VTK's range
- * for users' codes. The message of the error tells the rest.
+ * for users' codes. The rest is in the message of the error.
  */
 
 #ifndef vtkFFErrorCode_h

@@ -5,7 +5,7 @@
  * @brief   the points of a filter's input, as the engine takes them
  *
  * vtkFFInput has the points of a data set, or those of several, one after another: without ghost
- * points, if these are to be skipped. It tells the run which points they are.
+ * points, if these are to be skipped. The run gets their ids.
  */
 
 #ifndef vtkFFInput_h

@@ -307,7 +307,7 @@ void vtkFFRun::ForwardStep(const char* name, void* self)
 bool vtkFFRun::ForwardProgress(double fraction, void* self)
 {
   auto* run = static_cast<vtkFFRun*>(self);
-  // Never back: a run that the CUDA engine gave up starts anew on the CPU.
+  // Never back: a run that the CUDA engine gave up starts again on the CPU.
   run->Reached = std::max(run->Reached, run->Part[0] + fraction * (run->Part[1] - run->Part[0]));
   run->Filter->UpdateProgress(run->Reached);
   return !run->IsAbortRequested();

@@ -87,7 +87,7 @@ public:
 
   //@{
   /**
-   * What is being worked on, as errors tell it. Points belong to parts, one after another: so many,
+   * What is being worked on, as errors name it. Points belong to parts, one after another: so many,
    * and a clause for each, " of the block of flat index 2". The points that the engine counts have
    * these ids among them (the same, if there are none), from the first id on.
    */
@@ -137,7 +137,7 @@ public:
   //@}
 
   /**
-   * For work outside of the engine that has these options: tell that this share of the part is
+   * For work outside of the engine that has these options: report that this share of the part is
    * done.
    *
    * @throw flipflop::Error Aborted, if somebody asked the filter to stop.

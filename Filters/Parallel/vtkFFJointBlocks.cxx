@@ -87,7 +87,7 @@ std::vector<BlockType> blocksOf(vtkDataObject* input, bool joined)
   }
   if (!vtkDataSet::SafeDownCast(input) && !vtkDataObjectTree::SafeDownCast(input))
   {
-    vtkFFGridPoints::PointsOf(input, ""); // tells what it must be
+    vtkFFGridPoints::PointsOf(input, ""); // throws what it must be
   }
   std::vector<BlockType> blocks;
   visitPlaces(input,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines and polygons of a second input are edges of the triangulation, which port 1 tells, and
-// polygons tell what is inside.
+// Lines and polygons of a second input are edges of the triangulation, which port 1 has, and
+// polygons define what is inside.
 #include "FFPlanar.h"
 
 #include "vtkFFConstrainedDelaunayFilter.h"
