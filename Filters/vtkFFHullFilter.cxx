@@ -10,14 +10,20 @@
 
 #include <flipflop/Error.h>
 
+#include "vtkCellArray.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <memory>
@@ -31,6 +37,42 @@ vtkStandardNewMacro(vtkFFHullFilter);
 
 namespace
 {
+
+/// Gives the output arrays of its own where they are the kept hull's, which must not change when
+/// somebody changes the output in place.
+void copyShared(vtkPolyData* kept, vtkPolyData* output)
+{
+  if (output->GetPoints())
+  {
+    vtkSmartPointer<vtkDataArray> positions;
+    positions.TakeReference(output->GetPoints()->GetData()->NewInstance());
+    positions->DeepCopy(output->GetPoints()->GetData());
+    vtkNew<vtkPoints> points;
+    points->SetData(positions);
+    output->SetPoints(points);
+  }
+  vtkNew<vtkPointData> data;
+  data->DeepCopy(output->GetPointData());
+  output->GetPointData()->ShallowCopy(data);
+  const auto copyOf = [](vtkCellArray* cells)
+  {
+    auto copy = vtkSmartPointer<vtkCellArray>::New();
+    copy->DeepCopy(cells);
+    return copy;
+  };
+  if (output->GetNumberOfVerts() > 0)
+  {
+    output->SetVerts(copyOf(output->GetVerts()));
+  }
+  if (output->GetNumberOfLines() > 0)
+  {
+    output->SetLines(copyOf(output->GetLines()));
+  }
+  if (output->GetPolys() == kept->GetPolys()) // and not fans of these
+  {
+    output->SetPolys(copyOf(output->GetPolys()));
+  }
+}
 
 /// Adds a piece of a streamed input to the hull of those before it.
 void addPiece(vtkFFHullFilter* filter, vtkDataObject* piece, vtkFFRun& run, vtkFFHullResult& whole)
@@ -196,7 +238,16 @@ int vtkFFHullFilter::RequestData(
     this->Kept->Stamp = stamp;
   }
   run.Parts = this->Kept->Parts;
-  run.Do([&] { this->WriteHull(this->Kept->Hull, run, vtkPolyData::GetData(outputVector)); });
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+  run.Do(
+    [&]
+    {
+      this->WriteHull(this->Kept->Hull, run, output);
+      if (keeps)
+      {
+        copyShared(this->Kept->Hull.Data, output);
+      }
+    });
   if (!keeps || run.Failure)
   {
     this->Kept.reset();

@@ -5,11 +5,14 @@
 #include "FFTest.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -247,6 +250,14 @@ void testKept()
     points->GetPoints()->SetPoint(7, 0.0, 0.0, 0.0);
     points->GetPoints()->Modified();
     check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
+    for (const bool polygons : { true, false }) // what somebody does to the output stays there
+    {
+      vtkPolyData* const output = hull->GetOutput();
+      output->GetPoints()->SetPoint(0, 7.0, 7.0, 7.0);
+      output->GetPointData()->GetArray("vtkOriginalPointIds")->SetTuple1(0, -5.0);
+      output->GetPolys()->ReverseCellAtId(0);
+      check(true, [=](vtkFFHullFilter* f) { f->SetFacetMode(polygons); });
+    }
     points->GetPoints()->SetPoint(8, 9.0, 9.0, 9.0); // in place: nobody else can know
     check(false, [](vtkFFHullFilter* f) { f->Modified(); });
     points->GetPoints()->SetPoint(8, 0.0, 0.0, 0.0);
