@@ -20,6 +20,7 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -156,6 +157,16 @@ std::vector<bool> findBlocks(
   return haveData;
 }
 
+/// With all of a machine's threads asked for, each process has those that vtkSMPTools would use:
+/// it may not be alone on the machine.
+void limitThreads(vtkFFRun& run)
+{
+  if (run.Options.threads == 0)
+  {
+    run.Options.threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  }
+}
+
 /// What a block's results become: with its field data, and nothing else yet.
 vtkSmartPointer<vtkInformationVector> makeResults(const BlockType& block, int ports)
 {
@@ -259,6 +270,7 @@ int vtkFFJointBlocks::Run(vtkFFAlgorithm* filter, vtkMultiProcessController* con
   };
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
   vtkFFRun run(filter, title, outputVector);
+  limitThreads(run);
   std::vector<BlockType> blocks;
   std::vector<bool> haveData;
   run.Do(check);
@@ -308,6 +320,7 @@ int vtkFFJointBlocks::Run(vtkFFAlgorithm* filter, vtkMultiProcessController* con
       filter->SetProgressShiftScale(done++ / count, 1.0 / count);
       const auto results = makeResults(block, ports);
       vtkFFRun runOfBlock(filter, title, results);
+      limitThreads(runOfBlock);
       tryWork({ block }, runOfBlock, results);
       runOfBlock.Finish(speaks);
       isAborted = runOfBlock.Failure.Kind == vtkFFFailure::Aborted;

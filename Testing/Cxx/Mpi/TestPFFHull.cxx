@@ -11,12 +11,14 @@
 #include "vtkPFFHullFilter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariantArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 using namespace fftest;
@@ -338,6 +340,23 @@ void testLimit()
   }
 }
 
+/// All threads of the machine are for a process alone; of several, each has what VTK would use.
+void testThreads()
+{
+  const std::string before = vtkSMPTools::GetBackend();
+  FF_CHECK(vtkSMPTools::SetBackend("Sequential"));
+  vtkNew<vtkPFFHullFilter> filter;
+  filter->SetNumberOfThreads(-1);
+  filter->ReportAsFieldDataOn();
+  filter->SetInputData(makePoints(spherePoints(100000, 8 + rank())));
+  filter->Update();
+  if (rank() == 0 && processes() > 1)
+  {
+    FF_CHECK_EQUAL(reported(filter->GetOutput(), "Threads"), 1);
+  }
+  vtkSMPTools::SetBackend(before.c_str());
+}
+
 }
 
 void testHull()
@@ -350,6 +369,7 @@ void testHull()
   testGhosts();
   testChain();
   testLimit();
+  testThreads();
 }
 
 void testHullShares()
