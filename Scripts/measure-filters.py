@@ -81,7 +81,7 @@ def methods(name):
         for macro in re.findall(r"\bvtk\w*Macro\(", body):
             count += 2 if "Boolean" in macro else 1
         body = re.sub(r"vtk\w*Macro\([^;]*\);|/\*.*?\*/|//[^\n]*|enum \w+\s*\{.*?\};", "", body, flags=re.DOTALL)
-        count += len(re.findall(r"\b[A-Z]\w+\([^;{]*\)\s*(?:const)?\s*(?:override)?\s*(?:;|\{)", body))
+        count += len(re.findall(r"(?<!->)(?<!::)\b[A-Z]\w+\([^;{]*\)\s*(?:const)?\s*(?:override)?\s*(?:;|\{)", body))
         base = re.search(rf"class \S+ (?:VTK_MARSHALAUTO )?{name}\s*: public (\w+)", text)
         name = base[1] if base and base[1].startswith("vtkFF") else None
     return count

@@ -157,6 +157,22 @@ std::vector<bool> findBlocks(
   return haveData;
 }
 
+/// Those for which some process has data; one without points, if there are none.
+std::vector<BlockType> blocksWithData(
+  const std::vector<BlockType>& blocks, const std::vector<bool>& haveData)
+{
+  std::vector<BlockType> there;
+  for (std::size_t b = 0; b < haveData.size(); ++b)
+  {
+    if (haveData[b])
+    {
+      there.push_back(blocks[b]);
+    }
+  }
+  there.resize(std::max<std::size_t>(there.size(), 1));
+  return there;
+}
+
 /// With all of a machine's threads asked for, each process has those that vtkSMPTools would use:
 /// it may not be alone on the machine.
 void limitThreads(vtkFFRun& run)
@@ -282,18 +298,9 @@ int vtkFFJointBlocks::Run(vtkFFAlgorithm* filter, vtkMultiProcessController* con
   auto* const tree = vtkDataObjectTree::GetData(outputVector, 0);
   if (run.Failure || !tree)
   {
-    std::vector<BlockType> there;
-    for (std::size_t b = 0; b < haveData.size(); ++b)
-    {
-      if (haveData[b])
-      {
-        there.push_back(blocks[b]);
-      }
-    }
-    there.resize(std::max<std::size_t>(there.size(), 1)); // no block is one without points
     if (!run.Failure)
     {
-      tryWork(there, run, outputVector);
+      tryWork(blocksWithData(blocks, haveData), run, outputVector);
     }
     return run.Finish(speaks);
   }

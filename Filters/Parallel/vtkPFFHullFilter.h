@@ -50,8 +50,8 @@
  * - Field data of a block is the field data of process 0's piece.
  * - Several processes cannot stream: NumberOfStreamDivisions of more
  *   than 1 is an error then.
- * - Several processes share the machine's threads: NumberOfThreads of
- *   -1 means 0 then.
+ * - Several processes share the machine's threads: then -1 means 0 for
+ *   NumberOfThreads.
  *
  * All processes must update the filter, with the same settings: make a change, also of the flag
  * that aborts, on all of them.

@@ -59,7 +59,7 @@
  *   an error.
  *
  * - Field data of a block is the field data of the process's own piece.
- * - NumberOfThreads of -1 means 0 where there are several processes.
+ * - Where there are several processes, -1 means 0 for NumberOfThreads.
  *
  * All processes must update the filter, with the same settings: make a change, also of the flag
  * that aborts, on all of them.
