@@ -66,27 +66,9 @@ const char* vtkFFAlgorithm::GetCUDAProblem()
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFFAlgorithm::GetEngineAsString()
-{
-  return this->Engine == ENGINE_CUDA ? "CUDA" : this->Engine == ENGINE_CPU ? "CPU" : "Automatic";
-}
-
-//------------------------------------------------------------------------------
 const char* vtkFFAlgorithm::GetEngineUsedAsString()
 {
   return this->EngineUsed == ENGINE_CUDA ? "CUDA" : this->EngineUsed == ENGINE_CPU ? "CPU" : "None";
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFFAlgorithm::GetFacetModeAsString()
-{
-  return this->FacetMode == FACETS_AS_POLYGONS ? "Polygons" : "Triangles";
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFFAlgorithm::GetNonFinitePointsAsString()
-{
-  return this->NonFinitePoints == NON_FINITE_IGNORE ? "Ignore" : "Error";
 }
 
 //------------------------------------------------------------------------------
@@ -94,11 +76,11 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
-  os << indent << "Engine: " << this->GetEngineAsString() << "\n";
+  os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "CUDAThreshold: " << this->CUDAThreshold << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "FacetMode: " << this->GetFacetModeAsString() << "\n";
-  os << indent << "NonFinitePoints: " << this->GetNonFinitePointsAsString() << "\n";
+  os << indent << "FacetMode: " << this->FacetMode << "\n";
+  os << indent << "NonFinitePoints: " << this->NonFinitePoints << "\n";
   os << indent << "SkipGhostPoints: " << onOff(this->SkipGhostPoints) << "\n";
   os << indent << "PassPointData: " << onOff(this->PassPointData) << "\n";
   os << indent << "VisiblePointIds: " << onOff(this->VisiblePointIds) << "\n";

@@ -114,10 +114,6 @@ public:
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_CUDA);
   vtkGetMacro(Engine, int);
-  void SetEngineToAutomatic() { this->SetEngine(ENGINE_AUTOMATIC); }
-  void SetEngineToCPU() { this->SetEngine(ENGINE_CPU); }
-  void SetEngineToCUDA() { this->SetEngine(ENGINE_CUDA); }
-  const char* GetEngineAsString();
   //@}
 
   //@{
@@ -173,9 +169,6 @@ public:
       this->FacetMode, vtkMath::ClampValue<int>(mode, FACETS_AS_TRIANGLES, FACETS_AS_POLYGONS));
   }
   vtkGetMacro(FacetMode, int);
-  void SetFacetModeToTriangles() { this->SetFacetMode(FACETS_AS_TRIANGLES); }
-  void SetFacetModeToPolygons() { this->SetFacetMode(FACETS_AS_POLYGONS); }
-  const char* GetFacetModeAsString();
   //@}
 
   //@{
@@ -186,9 +179,6 @@ public:
    */
   vtkSetClampMacro(NonFinitePoints, int, NON_FINITE_ERROR, NON_FINITE_IGNORE);
   vtkGetMacro(NonFinitePoints, int);
-  void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
-  void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
-  const char* GetNonFinitePointsAsString();
   //@}
 
   //@{

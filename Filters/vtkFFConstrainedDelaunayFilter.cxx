@@ -340,19 +340,13 @@ void vtkFFConstrainedDelaunayFilter::ForgetReport()
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFFConstrainedDelaunayFilter::GetPolygonRuleAsString()
-{
-  return this->PolygonRule == DIRECTION ? "Direction" : "EvenOdd";
-}
-
-//------------------------------------------------------------------------------
 void vtkFFConstrainedDelaunayFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SplitCrossingConstraints: " << (this->SplitCrossingConstraints ? "On" : "Off")
      << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
-  os << indent << "PolygonRule: " << this->GetPolygonRuleAsString() << "\n";
+  os << indent << "PolygonRule: " << this->PolygonRule << "\n";
   os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
   os << indent << "NumberOfSplitPoints: " << this->NumberOfSplitPoints << "\n";
 }

@@ -123,9 +123,6 @@ public:
    */
   vtkSetClampMacro(PolygonRule, int, EVEN_ODD, DIRECTION);
   vtkGetMacro(PolygonRule, int);
-  void SetPolygonRuleToEvenOdd() { this->SetPolygonRule(EVEN_ODD); }
-  void SetPolygonRuleToDirection() { this->SetPolygonRule(DIRECTION); }
-  const char* GetPolygonRuleAsString();
   //@}
 
   //@{

@@ -48,7 +48,7 @@ public:
    * Give @p planes the planes of the last output's cells, in the cells' order: the first corner of
    * each cell as its point, and the outward unit normal. So the implicit function is negative
    * inside the hull and positive outside; vtkClipPolyData, vtkExtractGeometry and others take it.
-   * With SetFacetModeToPolygons() there is one plane for each facet.
+   * With SetFacetMode(FACETS_AS_POLYGONS) there is one plane for each facet.
    *
    * The normals are rounded: off by no more than 1e-15 of each component, however thin a facet is.
    * So the function is not exact next to the surface; vtkFFSelectEnclosedPoints is.

@@ -256,16 +256,10 @@ int vtkFFHullFilter::RequestData(
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFFHullFilter::GetCompositeModeAsString()
-{
-  return this->CompositeMode == HULL_OF_ALL_BLOCKS ? "AllBlocks" : "EachBlock";
-}
-
-//------------------------------------------------------------------------------
 void vtkFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "CompositeMode: " << this->GetCompositeModeAsString() << "\n";
+  os << indent << "CompositeMode: " << this->CompositeMode << "\n";
   os << indent << "NumberOfStreamDivisions: " << this->NumberOfStreamDivisions << "\n";
 }
 VTK_ABI_NAMESPACE_END

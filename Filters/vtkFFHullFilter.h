@@ -38,8 +38,8 @@
  * - duplicates: the lowest id represents all
  * - NaN or infinite coordinate: an error naming the first point and the
  *   count, and empty output
- * - NaN or infinity with SetNonFinitePointsToIgnore(): left out and
- *   counted
+ * - NaN or infinity if NonFinitePoints is NON_FINITE_IGNORE: left
+ *   out and counted
  * - ghost points: left out, unless SkipGhostPoints is off
  * - too many points, no memory: an error, and empty output
  *
@@ -100,9 +100,6 @@ public:
    */
   virtual void SetCompositeMode(int mode);
   vtkGetMacro(CompositeMode, int);
-  void SetCompositeModeToEachBlock() { this->SetCompositeMode(HULL_OF_EACH_BLOCK); }
-  void SetCompositeModeToAllBlocks() { this->SetCompositeMode(HULL_OF_ALL_BLOCKS); }
-  const char* GetCompositeModeAsString();
   //@}
 
   //@{

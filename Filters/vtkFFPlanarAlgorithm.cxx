@@ -61,24 +61,10 @@ vtkMTimeType vtkFFPlanarAlgorithm::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFFPlanarAlgorithm::GetProjectionPlaneModeAsString()
-{
-  return this->ProjectionPlaneMode == BEST_FITTING_PLANE ? "BestFittingPlane"
-    : this->ProjectionPlaneMode == TRANSFORM_PLANE       ? "Transform"
-                                                         : "XYPlane";
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFFPlanarAlgorithm::GetWeightModeAsString()
-{
-  return this->WeightMode == RADII ? "Radii" : "Weights";
-}
-
-//------------------------------------------------------------------------------
 void vtkFFPlanarAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ProjectionPlaneMode: " << this->GetProjectionPlaneModeAsString() << "\n";
+  os << indent << "ProjectionPlaneMode: " << this->ProjectionPlaneMode << "\n";
   os << indent << "Transform: ";
   if (this->Transform)
   {
@@ -89,7 +75,7 @@ void vtkFFPlanarAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << "(none)\n";
   }
-  os << indent << "WeightMode: " << this->GetWeightModeAsString() << "\n";
+  os << indent << "WeightMode: " << this->WeightMode << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
   os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";
 }

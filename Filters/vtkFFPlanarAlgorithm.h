@@ -107,13 +107,6 @@ public:
    */
   vtkSetClampMacro(ProjectionPlaneMode, int, XY_PLANE, BEST_FITTING_PLANE);
   vtkGetMacro(ProjectionPlaneMode, int);
-  void SetProjectionPlaneModeToXYPlane() { this->SetProjectionPlaneMode(XY_PLANE); }
-  void SetProjectionPlaneModeToTransform() { this->SetProjectionPlaneMode(TRANSFORM_PLANE); }
-  void SetProjectionPlaneModeToBestFittingPlane()
-  {
-    this->SetProjectionPlaneMode(BEST_FITTING_PLANE);
-  }
-  const char* GetProjectionPlaneModeAsString();
   //@}
 
   //@{
@@ -138,9 +131,6 @@ public:
     this->ChangeOutput(this->WeightMode, vtkMath::ClampValue<int>(mode, WEIGHTS, RADII));
   }
   vtkGetMacro(WeightMode, int);
-  void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
-  void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
-  const char* GetWeightModeAsString();
   //@}
 
   //@{

@@ -462,34 +462,14 @@ int vtkFFPointInterpolator2D::RequestData(
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFFPointInterpolator2D::GetInterpolationModeAsString()
-{
-  return this->InterpolationMode == NATURAL_NEIGHBOR ? "NaturalNeighbor" : "Linear";
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFFPointInterpolator2D::GetWeightModeAsString()
-{
-  return this->WeightMode == RADII ? "Radii" : "Weights";
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFFPointInterpolator2D::GetNullPointsStrategyAsString()
-{
-  return this->NullPointsStrategy == CLOSEST_POINT ? "ClosestPoint"
-    : this->NullPointsStrategy == NULL_VALUE       ? "NullValue"
-                                                   : "MaskPoints";
-}
-
-//------------------------------------------------------------------------------
 void vtkFFPointInterpolator2D::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
-  os << indent << "InterpolationMode: " << this->GetInterpolationModeAsString() << "\n";
-  os << indent << "WeightMode: " << this->GetWeightModeAsString() << "\n";
+  os << indent << "InterpolationMode: " << this->InterpolationMode << "\n";
+  os << indent << "WeightMode: " << this->WeightMode << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
-  os << indent << "NullPointsStrategy: " << this->GetNullPointsStrategyAsString() << "\n";
+  os << indent << "NullPointsStrategy: " << this->NullPointsStrategy << "\n";
   os << indent << "NullValue: " << this->NullValue << "\n";
   os << indent << "ValidPointsMaskArrayName: " << this->ValidPointsMaskArrayName << "\n";
   os << indent << "InterpolateZ: " << onOff(this->InterpolateZ) << "\n";

@@ -131,9 +131,6 @@ public:
       this->InterpolationMode, vtkMath::ClampValue<int>(mode, LINEAR, NATURAL_NEIGHBOR));
   }
   vtkGetMacro(InterpolationMode, int);
-  void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
-  void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
-  const char* GetInterpolationModeAsString();
   //@}
 
   //@{
@@ -147,9 +144,6 @@ public:
     this->ChangeOutput(this->WeightMode, vtkMath::ClampValue<int>(mode, WEIGHTS, RADII));
   }
   vtkGetMacro(WeightMode, int);
-  void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
-  void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
-  const char* GetWeightModeAsString();
   //@}
 
   //@{
@@ -178,10 +172,6 @@ public:
       this->NullPointsStrategy, vtkMath::ClampValue<int>(mode, MASK_POINTS, CLOSEST_POINT));
   }
   vtkGetMacro(NullPointsStrategy, int);
-  void SetNullPointsStrategyToMaskPoints() { this->SetNullPointsStrategy(MASK_POINTS); }
-  void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
-  void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
-  const char* GetNullPointsStrategyAsString();
   //@}
 
   //@{

@@ -118,16 +118,10 @@ void vtkFFPowerDiagramFilter::StorePowerDiagramLengths(double x, double y, doubl
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFFPowerDiagramFilter::GetPowerDiagramBoxModeAsString()
-{
-  return this->PowerDiagramBoxMode == BOX_OF_BOUNDS ? "Bounds" : "Points";
-}
-
-//------------------------------------------------------------------------------
 void vtkFFPowerDiagramFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PowerDiagramBoxMode: " << this->GetPowerDiagramBoxModeAsString() << "\n";
+  os << indent << "PowerDiagramBoxMode: " << this->PowerDiagramBoxMode << "\n";
   const double* box = this->PowerDiagramBounds;
   os << indent << "PowerDiagramBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "
      << box[3] << ")\n";

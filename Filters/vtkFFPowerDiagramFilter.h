@@ -112,9 +112,6 @@ public:
       this->PowerDiagramBoxMode, vtkMath::ClampValue<int>(mode, BOX_OF_POINTS, BOX_OF_BOUNDS));
   }
   vtkGetMacro(PowerDiagramBoxMode, int);
-  void SetPowerDiagramBoxModeToPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
-  void SetPowerDiagramBoxModeToBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
-  const char* GetPowerDiagramBoxModeAsString();
   //@}
 
   /**

@@ -75,17 +75,11 @@ int vtkFFQueryAlgorithm::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFFQueryAlgorithm::GetNonFinitePointsAsString()
-{
-  return this->NonFinitePoints == NON_FINITE_IGNORE ? "Ignore" : "Error";
-}
-
-//------------------------------------------------------------------------------
 void vtkFFQueryAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "NonFinitePoints: " << this->GetNonFinitePointsAsString() << "\n";
+  os << indent << "NonFinitePoints: " << this->NonFinitePoints << "\n";
   os << indent << "SkipGhostPoints: " << (this->SkipGhostPoints ? "On" : "Off") << "\n";
   os << indent << "Dimension: " << this->Dimension << "\n";
 }

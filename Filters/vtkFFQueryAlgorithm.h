@@ -80,9 +80,6 @@ public:
    */
   vtkSetClampMacro(NonFinitePoints, int, NON_FINITE_ERROR, NON_FINITE_IGNORE);
   vtkGetMacro(NonFinitePoints, int);
-  void SetNonFinitePointsToError() { this->SetNonFinitePoints(NON_FINITE_ERROR); }
-  void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(NON_FINITE_IGNORE); }
-  const char* GetNonFinitePointsAsString();
   //@}
 
   //@{

@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
   // The hull is a cube: six polygons, eight points, however many points lie in its sides.
   vtkNew<vtkFFHullFilter> hull;
   hull->SetInputData(grid);
-  hull->SetFacetModeToPolygons();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   hull->Update();
 
   vtkPolyData* cube = hull->GetOutput();

@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   diagram->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weight"); // without: Voronoi
   diagram->SetPowerDiagramBounds(0.0, 8.0, 0.0, 5.0); // the town; or the points' own bounds
-  diagram->SetPowerDiagramBoxModeToBounds();
+  diagram->SetPowerDiagramBoxMode(vtkFFPowerDiagramFilter::BOX_OF_BOUNDS);
   diagram->Update();
 
   // Each district carries its shop's data, and says which one it is.

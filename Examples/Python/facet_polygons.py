@@ -27,7 +27,7 @@ grid.GetPointData().SetScalars(temperature)
 # The hull is a cube: six polygons, eight points, however many points lie in its sides.
 hull = vtkFFHullFilter()
 hull.SetInputData(grid)
-hull.SetFacetModeToPolygons()
+hull.SetFacetMode(hull.FACETS_AS_POLYGONS)
 hull.Update()
 
 cube = hull.GetOutput()

@@ -28,7 +28,7 @@ gauges.GetPointData().SetScalars(rain)
 diagram = vtkFFPowerDiagramFilter()
 diagram.SetInputData(gauges)
 diagram.SetPowerDiagramBounds(0.0, 1.0, 0.0, 1.0)
-diagram.SetPowerDiagramBoxModeToBounds()
+diagram.SetPowerDiagramBoxMode(diagram.BOX_OF_BOUNDS)
 diagram.Update()
 
 cells = diagram.GetOutput()

@@ -317,19 +317,11 @@ int vtkPFFHullFilter::RequestData(
 }
 
 //------------------------------------------------------------------------------
-const char* vtkPFFHullFilter::GetResultModeAsString()
-{
-  return this->ResultMode == RESULT_DISTRIBUTED ? "Distributed"
-    : this->ResultMode == RESULT_GATHERED       ? "Gathered"
-                                                : "Automatic";
-}
-
-//------------------------------------------------------------------------------
 void vtkPFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
-  os << indent << "ResultMode: " << this->GetResultModeAsString() << "\n";
+  os << indent << "ResultMode: " << this->ResultMode << "\n";
   os << indent << "GatheredPointsLimit: " << this->GatheredPointsLimit << "\n";
 }
 VTK_ABI_NAMESPACE_END

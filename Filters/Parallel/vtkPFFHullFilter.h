@@ -112,10 +112,6 @@ public:
    */
   vtkSetClampMacro(ResultMode, int, RESULT_AUTOMATIC, RESULT_DISTRIBUTED);
   vtkGetMacro(ResultMode, int);
-  void SetResultModeToAutomatic() { this->SetResultMode(RESULT_AUTOMATIC); }
-  void SetResultModeToGathered() { this->SetResultMode(RESULT_GATHERED); }
-  void SetResultModeToDistributed() { this->SetResultMode(RESULT_DISTRIBUTED); }
-  const char* GetResultModeAsString();
   //@}
 
   //@{

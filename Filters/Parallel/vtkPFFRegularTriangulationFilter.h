@@ -55,7 +55,7 @@
  *   not finite, of hidden points and of cells left out for all pieces.
  *   The other processes report these for their own pieces and shares.
  *   The dimension is that of all points; all other statistics are of
- *   the process's own work. The CPU does all work; SetEngineToCUDA() is
+ *   the process's own work. The CPU does all work; SetEngine(ENGINE_CUDA) is
  *   an error.
  *
  * - Field data of a block is the field data of the process's own piece.

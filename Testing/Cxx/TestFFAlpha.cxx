@@ -159,7 +159,7 @@ void testBoundary()
   }
   Run run(makeWeighted(points, weights), "weights");
   run->GenerateBoundaryOn();
-  run->SetFacetModeToPolygons();
+  run->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   run.Run();
   vtkPolyData* border = run->GetBoundaryOutput();
   const Ids outer{ 0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4, 0 }; // counter-clockwise
@@ -178,7 +178,7 @@ void testWeights()
 {
   const auto input = makeWeighted({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 9, 0 } }, { 2, 2, 1 });
   Run run(input, "weights");
-  run->SetWeightModeToRadii();
+  run->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
   run->SetAlpha(1e-9);
   run->AlphaLinesOn();
   run->AlphaVertsOn();

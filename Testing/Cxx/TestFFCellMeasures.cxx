@@ -70,7 +70,7 @@ void testTriangles()
   FF_CHECK(run.IsCell(0, 4, { 8.0 / 3, 2.0 / 3, 5 }));
   FF_CHECK(run.IsCell(1, 4, { 4.0 / 3, 4.0 / 3, 5 }));
   FF_CHECK_EQUAL(run->GetOutput(1)->GetCellData()->GetNumberOfArrays(), 0);
-  run->SetFacetModeToPolygons();
+  run->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   run.Run();
   FF_CHECK(run.IsCell(0, 8, { 2, 1, 5 }));
 
@@ -85,7 +85,7 @@ void testTriangles()
 
   // A square of side 2 that stands upright, at y = 3: in its plane, and back in space.
   run->SetInputData(makePoints({ { 0, 3, 0 }, { 2, 3, 0 }, { 2, 3, 2 }, { 0, 3, 2 } }));
-  run->SetProjectionPlaneModeToBestFittingPlane();
+  run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::BEST_FITTING_PLANE);
   run.Run();
   FF_CHECK(run.IsCell(0, 4, { 1, 3, 1 }));
   vtkNew<vtkTransform> transform;

@@ -172,7 +172,7 @@ void check(const Maker& maker, vtkCompositeDataSet* input, const std::vector<Fau
   filter->AddObserver(vtkCommand::ProgressEvent, progress);
   filter->SetInputDataObject(input);
   vtkNew<vtkFFHullFilter> behind; // runs with what there is
-  behind->SetCompositeModeToAllBlocks();
+  behind->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   behind->SetInputConnection(filter->GetOutputPort());
   FF_CHECK(succeeds(behind));
   checkProgress(progress->Values);
@@ -301,7 +301,7 @@ void testAMR()
   hull->SetInputData(levels);
   hull->Update();
   FF_CHECK_EQUAL(hull->GetVolume(), 64.0 + 8.0 + 8.0);
-  hull->SetCompositeModeToAllBlocks();
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   hull->Update();
   FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), 8);
   FF_CHECK_EQUAL(hull->GetVolume(), 64.0);

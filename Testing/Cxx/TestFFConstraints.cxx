@@ -239,7 +239,7 @@ void testRules()
     FF_CHECK_EQUAL(run->GetOutput()->GetNumberOfPoints(), 36);
   }
   // As given, they also nest by direction.
-  run->SetPolygonRuleToDirection();
+  run->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
   FF_CHECK(run.PolysWith({}, rings) == expected);
   // A polygon alone, the other way round: the cells outside are what is left.
   const std::size_t inside = run.PolysWith({}, { { 7, 10, 28, 25 } }).size();
@@ -249,7 +249,7 @@ void testRules()
   // Where nothing is left, a warning says so.
   Run none(makePoints(kite), makeConstraints({}, { { 0, 3, 2, 1 } }));
   FF_CHECK_EQUAL(none.Watched::Run()->GetNumberOfPolys(), 2);
-  none->SetPolygonRuleToDirection();
+  none->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
   none->Update();
   FF_CHECK_EQUAL(none->GetOutput()->GetNumberOfPolys(), 0);
   FF_CHECK_EQUAL(none->GetOutput()->GetNumberOfPoints(), 4);
@@ -322,20 +322,22 @@ void testErrors()
   bad[0][2] = notANumber;
   fail(makePoints(bad), line,
     "Point 0 of cell 0 of the source is left out: it has a coordinate that is NaN or infinite.",
-    vtkFFErrorCode::ConstraintError, [](Filter* filter) { filter->SetNonFinitePointsToIgnore(); });
+    vtkFFErrorCode::ConstraintError,
+    [](Filter* filter) { filter->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); });
   const std::string rule = "The polygons disagree about what is inside: what is on the left of a "
                            "side is inside, and holes run clockwise. Reverse cell ";
   const Cells squares = { { 0, 3, 15, 12 }, { 5, 6, 10, 9 } };
   const auto byDirection = [](Filter* filter)
   {
-    filter->SetPolygonRuleToDirection();
+    filter->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
     filter->SplitCrossingConstraintsOn();
   };
   fail(makePoints(gridOf(4, 4)), makeConstraints({ { 0, 1 } }, squares),
     rule +
       "2 of the source, which disagrees with cell 1 of the source, or set Polygon Rule to "
       "Even-Odd.",
-    vtkFFErrorCode::ConstraintError, [](Filter* filter) { filter->SetPolygonRuleToDirection(); });
+    vtkFFErrorCode::ConstraintError,
+    [](Filter* filter) { filter->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION); });
   // Where they are split, their cells are named.
   fail(makePoints(gridOf(4, 4)), makeConstraints({ { 0, 15 }, { 1, 4 } }, squares),
     rule + "3 of the source, which disagrees with cell 2 of the source",
@@ -349,7 +351,8 @@ void testErrors()
   }
   fail(input, line,
     "The CUDA engine was asked for, but constraints are the CPU's. Set Engine to Automatic or CPU.",
-    vtkFFErrorCode::SettingError, [](Filter* filter) { filter->SetEngineToCUDA(); });
+    vtkFFErrorCode::SettingError,
+    [](Filter* filter) { filter->SetEngine(vtkFFAlgorithm::ENGINE_CUDA); });
   auto damaged = makeConstraints({ { 0, 2 } });
   damaged->GetLines()->GetConnectivityArray()->SetNumberOfTuples(1);
   fail(input, damaged,

@@ -125,7 +125,7 @@ void testVoxels()
   {
     checkHull(surface);
     vtkNew<vtkFFConvexifyFilter> convexify;
-    convexify->SetFacetModeToPolygons();
+    convexify->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
     convexify->SetInputData(surface);
     FF_CHECK(succeeds(convexify));
     FF_CHECK_EQUAL(convexify->GetVolume(), 3.5);

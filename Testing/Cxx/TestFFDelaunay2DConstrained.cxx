@@ -69,7 +69,7 @@ Triangles filtered(const Situation& given, const std::vector<Point>& flat,
   given.SetInputs(run.Get());
   run->SetTransform(transform);
   const Triangles found = trianglesOf(run.Run(), flat);
-  run->SetPolygonRuleToDirection();
+  run->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
   FF_CHECK(trianglesOf(run.Run(), flat) == found);
   if (dropped)
   {
@@ -209,7 +209,7 @@ void testHole()
   Watched<vtkFFConstrainedDelaunayFilter> run(nullptr);
   given.SetInputs(run.Get());
   FF_CHECK(trianglesOf(run.Run(), given.Points) == found);
-  run->SetPolygonRuleToDirection();
+  run->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
   run.Fail("The polygons disagree about what is inside", vtkFFErrorCode::ConstraintError);
 }
 

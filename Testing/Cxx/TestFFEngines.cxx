@@ -69,13 +69,13 @@ void testChoice(vtkFFAlgorithm* filter, bool weights)
   FF_CHECK_EQUAL(filter->GetEngine(), int(vtkFFAlgorithm::ENGINE_AUTOMATIC));
   FF_CHECK_EQUAL(filter->GetCUDAThreshold(), VTK_ID_MAX);
   check(filter, cpu);
-  filter->SetEngineToCPU();
+  filter->SetEngine(vtkFFAlgorithm::ENGINE_CPU);
   check(filter, cpu, "asked for");
   vtkNew<vtkPolyData> reference;
   reference->DeepCopy(filter->GetOutput());
   FF_CHECK(reference->GetNumberOfPolys() > 0);
 
-  filter->SetEngineToAutomatic();
+  filter->SetEngine(vtkFFAlgorithm::ENGINE_AUTOMATIC);
   for (const vtkIdType threshold : { 3001, 3000, 0 })
   {
     filter->SetCUDAThreshold(threshold);
@@ -86,7 +86,7 @@ void testChoice(vtkFFAlgorithm* filter, bool weights)
                             : "");
     FF_CHECK(isIdentical(filter->GetOutput(), reference, "automatic"));
   }
-  filter->SetEngineToCUDA();
+  filter->SetEngine(vtkFFAlgorithm::ENGINE_CUDA);
   if (available)
   {
     check(filter, cuda, vtkFFAlgorithm::GetCUDADeviceName());
@@ -99,7 +99,7 @@ void testChoice(vtkFFAlgorithm* filter, bool weights)
       { "The CUDA engine was asked for, but ", vtkFFAlgorithm::GetCUDAProblem(),
         "Set Engine to Automatic or CPU" });
   }
-  filter->SetEngineToAutomatic(); // none the worse for it
+  filter->SetEngine(vtkFFAlgorithm::ENGINE_AUTOMATIC); // none the worse for it
   check(filter, available ? cuda : cpu);
   FF_CHECK(isIdentical(filter->GetOutput(), reference, "again"));
 
@@ -114,10 +114,10 @@ void testNoChoice(vtkFFAlgorithm* filter, const std::string& reason)
   filter->SetInputDataObject(makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
   filter->SetCUDAThreshold(0);
   check(filter, vtkFFAlgorithm::ENGINE_CPU, reason);
-  filter->SetEngineToCUDA();
+  filter->SetEngine(vtkFFAlgorithm::ENGINE_CUDA);
   checkFails(
     filter, vtkFFErrorCode::SettingError, { "The CUDA engine was asked for, but " + reason });
-  filter->SetEngineToCPU();
+  filter->SetEngine(vtkFFAlgorithm::ENGINE_CPU);
   check(filter, vtkFFAlgorithm::ENGINE_CPU, "asked for");
 }
 
@@ -147,7 +147,7 @@ void testFlat()
   hull->SetInputData(makePoints(flat));
   if (vtkFFAlgorithm::IsCUDAAvailable())
   {
-    hull->SetEngineToCUDA();
+    hull->SetEngine(vtkFFAlgorithm::ENGINE_CUDA);
     check(hull, vtkFFAlgorithm::ENGINE_CPU, "span too little");
   }
 }

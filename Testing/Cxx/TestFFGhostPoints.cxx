@@ -145,7 +145,7 @@ void testAllBlocks()
   blocks->SetBlock(1, makePoints({ { 5, 5, 5 } }));
   blocks->SetBlock(2, makeAmidGhosts());
   vtkNew<vtkFFHullFilter> hull;
-  hull->SetCompositeModeToAllBlocks();
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   hull->VisiblePointIdsOn();
   hull->SetInputData(blocks);
   FF_CHECK(succeeds(hull));

@@ -72,7 +72,7 @@ void testCube()
     { 18, 26, 24 } };
   FF_CHECK(cellsByOriginalIds(output, output->GetPolys()) == triangles);
 
-  hull->SetFacetModeToPolygons();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   hull->Update();
   const Cells quads{ { 0, 2, 20, 18 }, { 0, 6, 8, 2 }, { 0, 18, 24, 6 }, { 2, 8, 26, 20 },
     { 6, 24, 26, 8 }, { 18, 20, 26, 24 } };
@@ -90,7 +90,7 @@ void testPrism()
     { 0, 4, 3 }, { 1, 1, 1 }, { 2, 2, 0 } });
   vtkNew<vtkFFHullFilter> hull;
   hull->SetInputData(input);
-  hull->SetFacetModeToPolygons();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   hull->Update();
   vtkPolyData* output = hull->GetOutput();
   const Cells expected{ { 0, 1, 4, 3 }, { 0, 2, 1 }, { 0, 3, 5, 2 }, { 1, 2, 5, 4 }, { 3, 4, 5 } };
@@ -225,31 +225,32 @@ void testKept()
   for (vtkDataObject* input :
     { static_cast<vtkDataObject*>(points), static_cast<vtkDataObject*>(blocks) })
   {
-    before = { [](vtkFFHullFilter* f) { f->SetCompositeModeToAllBlocks(); },
+    before = { [](vtkFFHullFilter* f) { f->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); },
       [](vtkFFHullFilter* f) { f->SetNumberOfThreads(1); } };
     for (const Change& change : before)
     {
       change(hull);
     }
     hull->SetInputDataObject(input);
-    check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
-    check(true, [](vtkFFHullFilter* f) { f->SetFacetModeToPolygons(); });
+    check(false, [](vtkFFHullFilter* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES); });
+    check(true, [](vtkFFHullFilter* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); });
     check(true, [](vtkFFHullFilter* f) { f->VisiblePointIdsOn(); });
     check(true, [](vtkFFHullFilter* f) { f->ReportAsFieldDataOn(); });
     check(true, [](vtkFFHullFilter* f) { f->PassPointDataOff(); });
-    check(true, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
+    check(true, [](vtkFFHullFilter* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES); });
     check(true, [](vtkFFHullFilter* f) { f->PassPointDataOn(); });
     check(true, [](vtkFFHullFilter* f) { f->ReportAsFieldDataOff(); });
     check(true, [](vtkFFHullFilter* f) { f->VisiblePointIdsOff(); });
-    check(false, [](vtkFFHullFilter* f) { f->SetNonFinitePointsToIgnore(); });
+    check(
+      false, [](vtkFFHullFilter* f) { f->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); });
     check(false, [](vtkFFHullFilter* f) { f->SkipGhostPointsOff(); });
     check(false, [](vtkFFHullFilter* f) { f->VBiasedOff(); });
     points->GetPoints()->SetPoint(7, 9.0, 9.0, 9.0); // of the input, or of a block
     points->GetPoints()->Modified();
-    check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToPolygons(); });
+    check(false, [](vtkFFHullFilter* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); });
     points->GetPoints()->SetPoint(7, 0.0, 0.0, 0.0);
     points->GetPoints()->Modified();
-    check(false, [](vtkFFHullFilter* f) { f->SetFacetModeToTriangles(); });
+    check(false, [](vtkFFHullFilter* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES); });
     for (const bool polygons : { true, false }) // what somebody does to the output stays there
     {
       vtkPolyData* const output = hull->GetOutput();
@@ -262,7 +263,7 @@ void testKept()
     check(false, [](vtkFFHullFilter* f) { f->Modified(); });
     points->GetPoints()->SetPoint(8, 0.0, 0.0, 0.0);
     check(false, [](vtkFFHullFilter* f) { f->Modified(); });
-    hull->SetNonFinitePointsToError();
+    hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_ERROR);
     hull->SkipGhostPointsOn();
     hull->VBiasedOn();
   }
@@ -272,7 +273,7 @@ void testKept()
   points->Modified();
   hull->SetInputData(points);
   FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError, { "point 7," }));
-  hull->SetFacetModeToPolygons();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError, { "point 7," }));
 }
 

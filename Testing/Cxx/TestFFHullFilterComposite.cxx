@@ -88,7 +88,7 @@ void checkBox(vtkFFHullFilter* hull, unsigned int first, unsigned int last)
 
 void testAllBlocks(vtkFFHullFilter* hull)
 {
-  hull->SetFacetModeToPolygons();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   for (const int type : { VTK_DOUBLE, VTK_FLOAT })
   {
     hull->SetInputData(makeBlocks(type));
@@ -150,7 +150,7 @@ void testErrors(vtkFFHullFilter* hull)
   hull->SetInputData(bad);
   FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError,
     { "first at point 2 of the block of flat index 6, 1 such point(s) in all." }));
-  hull->SetNonFinitePointsToIgnore();
+  hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
   FF_CHECK(succeeds(hull));
   FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 1);
   FF_CHECK_EQUAL(hull->GetVolume(), 21.0);
@@ -168,7 +168,7 @@ int TestFFHullFilterComposite(int, char*[])
 {
   vtkNew<vtkFFHullFilter> hull;
   FF_CHECK_EQUAL(hull->GetCompositeMode(), int(vtkFFHullFilter::HULL_OF_EACH_BLOCK));
-  hull->SetCompositeModeToAllBlocks();
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   testAllBlocks(hull);
   testChangeOfType(hull);
   testErrors(hull);

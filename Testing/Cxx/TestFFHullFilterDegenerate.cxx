@@ -110,7 +110,7 @@ void testCoplanar()
     }
     const auto hull = check(makePoints(points), 2, { 1, 2, 4, 5 }, 1);
     FF_CHECK(plane == 3 || hull->GetArea() == 4.0);
-    hull->SetFacetModeToTriangles();
+    hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES);
     hull->Update();
     FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPolys(), 2);
     FF_CHECK(plane == 3 || hull->GetArea() == 4.0);
@@ -194,11 +194,11 @@ void testNonFinite()
         hull->SetInputData(input);
         for (int again = 0; again < 2; ++again) // and back
         {
-          hull->SetNonFinitePointsToError();
+          hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_ERROR);
           FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError,
             { "A coordinate is NaN or infinite: first at point 123, 3 such point(s) in all." }));
           FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
-          hull->SetNonFinitePointsToIgnore();
+          hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
           FF_CHECK(succeeds(hull));
           FF_CHECK_EQUAL(hull->GetNumberOfNonFinitePoints(), 3);
           FF_CHECK_EQUAL(hull->GetNumberOfInputPoints(), 1000);

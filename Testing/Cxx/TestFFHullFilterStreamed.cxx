@@ -110,7 +110,7 @@ struct Pair
       }
     }
     this->Source->SetPieces(pieces);
-    this->Plain->SetCompositeModeToAllBlocks();
+    this->Plain->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
     this->Plain->SetInputData(whole);
     return this->Compare(static_cast<int>(pieces.size()), what);
   }
@@ -176,10 +176,10 @@ void testSettings()
 {
   const auto whole = makeDecorated(lattice(2000, 3));
   const std::vector<std::function<void(vtkFFHullFilter*)>> settings{ [](vtkFFHullFilter* hull)
-    { hull->SetFacetModeToPolygons(); },
+    { hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); },
     [](vtkFFHullFilter* hull) { hull->PassPointDataOff(); },
     [](vtkFFHullFilter* hull) { hull->VisiblePointIdsOn(); },
-    [](vtkFFHullFilter* hull) { hull->SetCompositeModeToAllBlocks(); },
+    [](vtkFFHullFilter* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); },
     [](vtkFFHullFilter* hull) { hull->SetNumberOfThreads(2); } };
   for (std::size_t i = 0; i < settings.size(); ++i)
   {
@@ -226,7 +226,8 @@ void testKinds()
 
 void testNonFiniteIgnored()
 {
-  Pair pair([](vtkFFHullFilter* hull) { hull->SetNonFinitePointsToIgnore(); });
+  Pair pair(
+    [](vtkFFHullFilter* hull) { hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); });
   auto points = randomPoints(500, 80);
   for (std::size_t i = 0; i < points.size(); i += 9)
   {
@@ -328,7 +329,8 @@ void testBlocks()
     }
     partitions.emplace_back(set);
   }
-  Pair pair([](vtkFFHullFilter* hull) { hull->SetCompositeModeToAllBlocks(); });
+  Pair pair(
+    [](vtkFFHullFilter* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); });
   FF_CHECK(pair.Run(partitions, "partitions"));
   FF_CHECK(pair.Run(blocks, "blocks"));
   pair.Streaming->Modified();
@@ -336,7 +338,7 @@ void testBlocks()
   vtkDataArray* indices = pair.Streaming->GetOutput()->GetPointData()->GetArray("BlockIndex");
   FF_CHECK(indices && indices->GetRange()[0] == 1 && indices->GetRange()[1] == 4);
 
-  pair.Streaming->SetCompositeModeToEachBlock();
+  pair.Streaming->SetCompositeMode(vtkFFHullFilter::HULL_OF_EACH_BLOCK);
   FF_CHECK(fails(pair.Streaming, vtkFFErrorCode::SettingError,
     { "A composite that is streamed has one hull. Set Composite Mode to Hull of All Blocks, or "
       "Number Of Stream Divisions to 1." }));

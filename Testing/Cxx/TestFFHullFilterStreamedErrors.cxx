@@ -217,7 +217,7 @@ void testBadBlocks()
   vtkNew<vtkFFHullFilter> hull;
   hull->SetInputConnection(source->GetOutputPort());
   hull->SetNumberOfStreamDivisions(3);
-  hull->SetCompositeModeToAllBlocks();
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   const auto deliver = [&](int bad, unsigned int at, vtkDataObject* block)
   {
     std::vector<vtkSmartPointer<vtkDataObject>> pieces;

@@ -67,7 +67,7 @@ void testCube()
 {
   vtkNew<vtkFFHullFilter> hull;
   hull->SetInputData(makePoints(cubeCorners(), VTK_LONG_LONG));
-  hull->SetFacetModeToPolygons();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   hull->Update();
   vtkNew<vtkPlanes> planes;
   FF_CHECK(hull->GetPlanes(planes));
@@ -76,7 +76,7 @@ void testCube()
   FF_CHECK_EQUAL(at(planes, 0.5, 0.5, 0.75), -0.25);
   FF_CHECK_EQUAL(at(planes, 3, 0.5, 0.5), 2.0);
   FF_CHECK_EQUAL(at(planes, 0, 1, 0.25), 0.0);
-  hull->SetFacetModeToTriangles();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES);
   hull->Update();
   FF_CHECK(hull->GetPlanes(planes));
   FF_CHECK_EQUAL(planes->GetNumberOfPlanes(), 12);
@@ -121,7 +121,7 @@ void testErrors()
   isNone(
     "The output is a vtkMultiBlockDataSet, which has no planes of its own. Take the hull of one "
     "block, or one hull of all blocks.");
-  hull->SetCompositeModeToAllBlocks();
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   hull->Update();
   errors->Clear();
   FF_CHECK(hull->GetPlanes(planes));

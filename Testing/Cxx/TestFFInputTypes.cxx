@@ -97,7 +97,7 @@ void checkPoints(vtkDataSet* data, int type, const std::string& what)
     check(filter, data, stored);
   }
   vtkNew<vtkFFHullFilter> all;
-  all->SetCompositeModeToAllBlocks();
+  all->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   vtkNew<vtkMultiBlockDataSet> blocks[2];
   blocks[0]->SetBlock(1, data);
   blocks[1]->SetBlock(1, stored);
@@ -215,7 +215,7 @@ void testWrongTypes()
   auto filters = filtersOfPoints();
   filters.push_back(vtkSmartPointer<vtkFFConvexifyFilter>::New());
   vtkNew<vtkFFHullFilter> all;
-  all->SetCompositeModeToAllBlocks();
+  all->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   filters.emplace_back(all);
   vtkNew<vtkTable> table;
   const auto cube = makeVoxels({ { 0, 0, 0 } });

@@ -125,7 +125,7 @@ std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* tran
     { "no point data", false, [](FilterT* f) { f->PassPointDataOff(); } },
     { "unused transform", false, [=](FilterT* f) { f->StoreTransform(transform); } },
     { "weight factor", true, [](FilterT* f) { f->SetWeightFactor(0.5); } },
-    { "weight mode", true, [](FilterT* f) { f->SetWeightModeToRadii(); } },
+    { "weight mode", true, [](FilterT* f) { f->SetWeightMode(vtkFFPlanarAlgorithm::RADII); } },
     { "a weight", true,
       once(
         [=]
@@ -149,12 +149,15 @@ std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* tran
     { "other points", true,
       once([=] { input->SetPoints(makePoints(randomPoints(2000, 302))->GetPoints()); }) },
     { "ghosts", true, [](FilterT* f) { f->SkipGhostPointsOff(); } },
-    { "fitted plane", true, [](FilterT* f) { f->SetProjectionPlaneModeToBestFittingPlane(); } },
-    { "transformed", true, [](FilterT* f) { f->SetProjectionPlaneModeToTransform(); } },
+    { "fitted plane", true,
+      [](FilterT* f) { f->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::BEST_FITTING_PLANE); } },
+    { "transformed", true,
+      [](FilterT* f) { f->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE); } },
     { "point data", false, [](FilterT* f) { f->PassPointDataOn(); } },
     { "the transform", true, once([=] { transform->RotateX(20.0); }) },
     { "variant", true, [](FilterT* f) { f->VBiasedOff(); } },
-    { "policy", true, [](FilterT* f) { f->SetNonFinitePointsToIgnore(); } },
+    { "policy", true,
+      [](FilterT* f) { f->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); } },
     { "no weights", true, [](FilterT* f) { useWeights(f, ""); } },
     { "unused factor", false, [](FilterT* f) { f->SetWeightFactor(7.0); } },
   };
@@ -172,9 +175,12 @@ void testTriangulation()
     { "border", false, [](Triangulation* f) { f->GenerateBoundaryOn(); } },
     { "length", false, [](Triangulation* f) { f->SetMaximumEdgeLength(0.06); } },
     { "no alpha", false, [](Triangulation* f) { f->SetAlpha(0.0); } },
-    { "polygons", true, [](Triangulation* f) { f->SetFacetModeToPolygons(); } },
-    { "triangles", false, [](Triangulation* f) { f->SetFacetModeToTriangles(); } },
-    { "polygons again", false, [](Triangulation* f) { f->SetFacetModeToPolygons(); } },
+    { "polygons", true,
+      [](Triangulation* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); } },
+    { "triangles", false,
+      [](Triangulation* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES); } },
+    { "polygons again", false,
+      [](Triangulation* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); } },
     { "any length", false, [](Triangulation* f) { f->SetMaximumEdgeLength(0.0); } },
   };
   vtkNew<vtkTransform> transform;
@@ -189,8 +195,9 @@ void testDiagram()
   std::vector<Change<Diagram>> changes{
     { "box", false, [](Diagram* f) { f->SetPowerDiagramBounds(-0.5, 0.25, -2, 3); } },
     { "other box", false, [](Diagram* f) { f->StorePowerDiagramCorner(0.1, 0.2, 0); } },
-    { "box of points", false, [](Diagram* f) { f->SetPowerDiagramBoxModeToPoints(); } },
-    { "facets", false, [](Diagram* f) { f->SetFacetModeToPolygons(); } },
+    { "box of points", false,
+      [](Diagram* f) { f->SetPowerDiagramBoxMode(vtkFFPowerDiagramFilter::BOX_OF_POINTS); } },
+    { "facets", false, [](Diagram* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); } },
   };
   vtkNew<vtkTransform> transform;
   const auto further = changesOfAll<Diagram>(input, transform);
@@ -238,7 +245,7 @@ void testOtherRuns()
   // What is set as it was does not even make an output again.
   const vtkMTimeType time = run->GetMTime();
   run->SetTransform(nullptr);
-  run->SetProjectionPlaneModeToXYPlane();
+  run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);
   run->SetWeightFactor(1.0);
   run->SetAlpha(0.0);
   FF_CHECK_EQUAL(run->GetMTime(), time);

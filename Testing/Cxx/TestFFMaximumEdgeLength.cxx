@@ -114,7 +114,7 @@ void testLimits()
     p[2] = 0.0;
   }
   run->SetInputData(makePoints(points));
-  run->SetProjectionPlaneModeToBestFittingPlane();
+  run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::BEST_FITTING_PLANE);
   expectWithin(run, 1.5, { 1, 1, 1 });
   vtkNew<vtkTransform> transform;
   transform->Scale(2.0, 0.5, 1.0);
@@ -123,7 +123,7 @@ void testLimits()
   expectWithin(run, 2.5, { 2, 0.5, 0 });
 
   // Lines are cells, too; a vertex has no edge.
-  run->SetProjectionPlaneModeToXYPlane();
+  run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);
   run->SetMaximumEdgeLength(2.0);
   vtkPolyData* output =
     run.RunWith(makePoints({ { 0, 0, 5 }, { 1, 0, 5 }, { 4, 0, 5 }, { 6, 0, 5 } }));

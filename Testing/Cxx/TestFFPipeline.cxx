@@ -101,7 +101,7 @@ void testError()
   FF_CHECK_EQUAL(hull->GetErrorCode(), static_cast<unsigned long>(vtkFFErrorCode::NonFiniteError));
   FF_CHECK(errorsBehind->Messages.empty());
   FF_CHECK(isEmpty(behind->GetOutput()));
-  hull->SetNonFinitePointsToIgnore();
+  hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
   FF_CHECK_EQUAL(behind->GetExecutive()->Update(), 1);
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
   FF_CHECK_EQUAL(hull->GetErrorCode(), static_cast<unsigned long>(vtkFFErrorCode::NoError));
@@ -117,21 +117,24 @@ void testModification()
   hull->SetInputData(input);
   hull->Update();
   hull->Update();
-  hull->SetFacetModeToTriangles();
-  hull->SetEngineToAutomatic();
-  hull->SetNonFinitePointsToError();
+  hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES);
+  hull->SetEngine(vtkFFAlgorithm::ENGINE_AUTOMATIC);
+  hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_ERROR);
   hull->PassPointDataOn();
   hull->SetNumberOfThreads(0);
   hull->VBiasedOn();
-  hull->SetCompositeModeToEachBlock();
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_EACH_BLOCK);
   hull->SetNumberOfStreamDivisions(1);
   hull->Update();
   FF_CHECK_EQUAL(runs.Count, 1);
-  const std::vector<std::function<void()>> changes{ [&] { hull->SetFacetModeToPolygons(); },
-    [&] { hull->SetEngineToCPU(); }, [&] { hull->SetNonFinitePointsToIgnore(); },
+  const std::vector<std::function<void()>> changes{ [&]
+    { hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); },
+    [&] { hull->SetEngine(vtkFFAlgorithm::ENGINE_CPU); },
+    [&] { hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); },
     [&] { hull->PassPointDataOff(); }, [&] { hull->SetNumberOfThreads(2); },
     [&] { hull->VBiasedOff(); }, [&] { hull->SkipGhostPointsOff(); },
-    [&] { hull->ReportAsFieldDataOn(); }, [&] { hull->SetCompositeModeToAllBlocks(); },
+    [&] { hull->ReportAsFieldDataOn(); },
+    [&] { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); },
     [&]
     {
       FF_CHECK_EQUAL(hull->GetVolume(), 1.0);

@@ -224,7 +224,7 @@ int TestFFPointData(int, char*[])
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, input);
   vtkNew<vtkFFHullFilter> all;
-  all->SetCompositeModeToAllBlocks();
+  all->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   testFilter(all, blocks, data);
   testHullOfHull();
   return result();

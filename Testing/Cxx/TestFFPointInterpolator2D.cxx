@@ -139,7 +139,7 @@ void testModes()
   FF_CHECK(valuesBy(filter) == (std::vector<double>{ 0.0, 1.0, 0.5, 0.5 }));
   FF_CHECK_EQUAL(
     filter->GetOutput()->GetPointData()->GetArray("values")->GetDataType(), VTK_DOUBLE);
-  filter->SetInterpolationModeToNaturalNeighbor();
+  filter->SetInterpolationMode(vtkFFPointInterpolator2D::NATURAL_NEIGHBOR);
   const auto natural = valuesBy(filter);
   FF_CHECK(isNear(natural[0], 0.5) && natural[1] == 1.0 && isNear(natural[2], 0.5));
   FF_CHECK(natural[3] > 0.5 && natural[3] < 1.0);
@@ -158,13 +158,13 @@ void testNullPoints()
   FF_CHECK(valuesOf(filter->GetOutput(), "vtkValidPointMask") == mask);
   filter->SetValidPointsMaskArrayName("mask");
   FF_CHECK(valuesBy(filter, "mask") == mask);
-  filter->SetNullPointsStrategyToNullValue();
+  filter->SetNullPointsStrategy(vtkFFPointInterpolator2D::NULL_VALUE);
   FF_CHECK(valuesBy(filter) == (std::vector<double>{ 15, -7, -7, 30 }));
   FF_CHECK(!filter->GetOutput()->GetPointData()->HasArray("mask"));
-  filter->SetNullPointsStrategyToClosestPoint();
+  filter->SetNullPointsStrategy(vtkFFPointInterpolator2D::CLOSEST_POINT);
   FF_CHECK(valuesBy(filter) == (std::vector<double>{ 15, 20, 10, 30 }));
   filter->SetNullValue(nan);
-  filter->SetNullPointsStrategyToMaskPoints();
+  filter->SetNullPointsStrategy(vtkFFPointInterpolator2D::MASK_POINTS);
   FF_CHECK(std::isnan(valuesBy(filter)[1]));
 
   // Values that are NaN make no null points.
@@ -180,7 +180,7 @@ void testNullPoints()
   FF_CHECK_EQUAL(filter->GetDimension(), 1);
   filter->SetSourceData(makeWeighted({ { 2, 0, 0 } }, { 10 }, VTK_INT, "values"));
   FF_CHECK(valuesBy(filter) == (std::vector<double>{ 10, 0, 0, 0 }));
-  filter->SetNullPointsStrategyToClosestPoint();
+  filter->SetNullPointsStrategy(vtkFFPointInterpolator2D::CLOSEST_POINT);
   FF_CHECK(valuesBy(filter) == (std::vector<double>{ 10, 10, 10, 10 }));
   filter->SetSourceData(makeWeighted({}, {}, VTK_INT, "values"));
   FF_CHECK(valuesBy(filter) == (std::vector<double>{ 0, 0, 0, 0 }));
@@ -282,9 +282,9 @@ void testWeights()
   for (const int mode : { 0, 1 })
   {
     filter->SetInterpolationMode(mode);
-    filter->SetWeightModeToWeights();
+    filter->SetWeightMode(vtkFFPointInterpolator2D::WEIGHTS);
     FF_CHECK_EQUAL(valuesBy(filter)[0], 99.0);
-    filter->SetWeightModeToRadii();
+    filter->SetWeightMode(vtkFFPointInterpolator2D::RADII);
     FF_CHECK(isNear(valuesBy(filter)[0], 1.0));
   }
   filter->SetWeightFactor(nan);
@@ -329,8 +329,8 @@ void testErrors()
   filter->SetSourceData(wrong);
   FF_CHECK(failsInPart(filter, vtkFFErrorCode::NonFiniteError,
     { "A coordinate or a weight is NaN or infinite: first at point 5 of the source, 2 such" }));
-  filter->SetNonFinitePointsToIgnore();
-  filter->SetNullPointsStrategyToClosestPoint();
+  filter->SetNonFinitePoints(vtkFFQueryAlgorithm::NON_FINITE_IGNORE);
+  filter->SetNullPointsStrategy(vtkFFPointInterpolator2D::CLOSEST_POINT);
   filter->SetNullValue(-1.0);
   filter->SetSourceData(source);
   const auto found = valuesBy(filter, "height");
@@ -347,8 +347,8 @@ void testPrint()
   filter->SetNullPointsStrategy(9);
   std::ostringstream text;
   filter->Print(text);
-  for (const std::string name : { "InterpolationMode: NaturalNeighbor", "WeightMode: Weights",
-         "WeightFactor: 1", "NullPointsStrategy: ClosestPoint", "NullValue: 0", "InterpolateZ: On",
+  for (const std::string name : { "InterpolationMode: 1", "WeightMode: 0", "WeightFactor: 1",
+         "NullPointsStrategy: 2", "NullValue: 0", "InterpolateZ: On",
          "ValidPointsMaskArrayName: vtkValidPointMask", "ZArrayName: Elevation",
          "ExcludedArrays: 1", "PassPointArrays: On", "PassCellArrays: On", "PassFieldArrays: On" })
   {

@@ -221,7 +221,7 @@ void testErrors(const Case& of)
   FF_CHECK(errors->Has("is of type vtkTable, but a vtkCompositeDataSet is required"));
   FF_CHECK(errors->Has(std::string("Input port 1 of algorithm ") + filter->GetClassName()));
 
-  filter->SetNonFinitePointsToIgnore();
+  filter->SetNonFinitePoints(vtkFFQueryAlgorithm::NON_FINITE_IGNORE);
   FF_CHECK(answersOf(of, wrong, wrong) == (Answers{ 1, 1, 1, 1, 0, 1, 0, 1 }));
 }
 
@@ -335,17 +335,17 @@ void testChanges(const Case& of)
   FF_CHECK(succeeds(filter) && answersIn(of, filter->GetOutput()) == Answers{ 0 });
   const vtkMTimeType time = filter->GetOutput()->GetUpdateTime();
   filter->SetNumberOfThreads(0);
-  filter->SetNonFinitePointsToError();
+  filter->SetNonFinitePoints(vtkFFQueryAlgorithm::NON_FINITE_ERROR);
   filter->SkipGhostPointsOn();
   filter->Update();
   FF_CHECK_EQUAL(filter->GetOutput()->GetUpdateTime(), time);
 
   filter->SetNumberOfThreads(-7);
-  filter->SetNonFinitePointsToIgnore();
+  filter->SetNonFinitePoints(vtkFFQueryAlgorithm::NON_FINITE_IGNORE);
   std::ostringstream text;
   filter->Print(text);
   for (const std::string name :
-    { "NumberOfThreads: -1", "NonFinitePoints: Ignore", "SkipGhostPoints: On", "Dimension: " })
+    { "NumberOfThreads: -1", "NonFinitePoints: 1", "SkipGhostPoints: On", "Dimension: " })
   {
     FF_CHECK(text.str().find("\n  " + name) != std::string::npos);
   }

@@ -126,7 +126,7 @@ void testRanges()
     }
     const auto input = makePoints(points);
     Watched<vtkFFRegularTriangulationFilter> run(input);
-    run->SetFacetModeToPolygons();
+    run->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
     FF_CHECK_EQUAL(run.Run()->GetNumberOfPolys(), 4);
     FF_CHECK(isTriangulationOf(input, nullptr, run.Get()));
   }

@@ -38,14 +38,14 @@ void testNonFinite(int type, bool weighted)
       for (int mode = 0; mode < 3; ++mode)
       {
         run->SetProjectionPlaneMode(mode);
-        run->SetNonFinitePointsToError();
+        run->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_ERROR);
         run->Update();
         FF_CHECK(run.Errors->Has("point 123, 3 such point(s) in all."));
         FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), 3);
         run.Fail("NaN or infinite", vtkFFErrorCode::NonFiniteError);
 
         // Left out, the others have their result, with the ids of the whole input.
-        run->SetNonFinitePointsToIgnore();
+        run->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
         vtkPolyData* output = run.Run();
         FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), 3);
         FF_CHECK_EQUAL(run->GetNumberOfInputPoints(), 1000);
@@ -57,7 +57,7 @@ void testNonFinite(int type, bool weighted)
   }
   Watched<FilterT> none(
     makePoints({ { notANumber, 0, 0 }, { 0, infinity, 0 }, { 0, 0, notANumber } }));
-  none->SetNonFinitePointsToIgnore();
+  none->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
   for (const int mode : { 0, 2 })
   {
     none->SetProjectionPlaneMode(mode);
@@ -72,7 +72,7 @@ template <class FilterT>
 void testTransform(bool needsInverse)
 {
   Watched<FilterT> run(makePoints(randomPoints(50, 33)));
-  run->SetProjectionPlaneModeToTransform();
+  run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE);
   run.Fail("no Transform is set", vtkFFErrorCode::SettingError);
   vtkNew<vtkMatrix4x4> matrix;
   matrix->SetElement(2, 2, 0.0);
@@ -85,7 +85,7 @@ void testTransform(bool needsInverse)
     run->GenerateCellMeasuresOn();
   }
   run.Fail("no inverse", vtkFFErrorCode::InputError);
-  run->SetProjectionPlaneModeToXYPlane();
+  run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);
   FF_CHECK(run.Run()->GetNumberOfPolys() > 0);
 }
 
@@ -97,7 +97,7 @@ void testBox()
   {
     run->SetPowerDiagramBounds(box.data());
     run.Fail("(xmin, xmax, ymin, ymax)", vtkFFErrorCode::SettingError);
-    run->SetPowerDiagramBoxModeToPoints();
+    run->SetPowerDiagramBoxMode(vtkFFPowerDiagramFilter::BOX_OF_POINTS);
     FF_CHECK_EQUAL(run.Run()->GetNumberOfPolys(), 50); // the bounds are not in use
   }
   run->SetPowerDiagramBounds(0, 1, 0, 1);

@@ -257,7 +257,7 @@ void testTransform()
   std::ostringstream printed;
   run->Print(printed);
   FF_CHECK(printed.str().find("Matrix") != std::string::npos);
-  run->SetProjectionPlaneModeToXYPlane(); // which does not use it
+  run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE); // which does not use it
   FF_CHECK(polysOf(run.Watched::Run()) == before);
 }
 

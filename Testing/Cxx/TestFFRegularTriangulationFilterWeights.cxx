@@ -114,12 +114,12 @@ void testWideIntegers()
     array->SetTypedComponent(5, 0, value);
     array->Modified();
     run->SetWeightFactor(1.0);
-    run->SetWeightModeToWeights();
+    run->SetWeightMode(vtkFFPlanarAlgorithm::WEIGHTS);
     const char* words = "A weight is a 64-bit integer that no double holds: first at point 5.";
     run.Fail(words, vtkFFErrorCode::InputError);
     run->SetWeightFactor(0.5);
     run.Fail(words, vtkFFErrorCode::InputError);
-    run->SetWeightModeToRadii();
+    run->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
     run.Fail("A radius is a 64-bit integer that no double holds: first at point 5.",
       vtkFFErrorCode::InputError);
     FF_CHECK(run.Errors->Messages[0].find("offset") == std::string::npos);

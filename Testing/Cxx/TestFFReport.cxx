@@ -111,7 +111,7 @@ void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input, const Names& own)
 {
   const Names none{ "time" };
   FF_CHECK(!filter->GetReportAsFieldData());
-  filter->SetNonFinitePointsToIgnore();
+  filter->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
   filter->SetInputDataObject(input);
   for (const bool on : { false, true, false })
   {
@@ -170,9 +170,9 @@ void testAllBlocks()
   blocks->SetBlock(0, makeInput(100));
   blocks->SetBlock(1, makeInput(300));
   vtkNew<vtkFFHullFilter> hull;
-  hull->SetNonFinitePointsToIgnore();
+  hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
   hull->ReportAsFieldDataOn();
-  hull->SetCompositeModeToAllBlocks();
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   hull->SetInputData(blocks);
   FF_CHECK(succeeds(hull));
   FF_CHECK_EQUAL(reported(hull->GetOutput(), "Points"), 400);

@@ -222,7 +222,7 @@ void testSurfaces()
   FF_CHECK_EQUAL(distance(0), std::numeric_limits<double>::infinity());
 
   // A point that is not finite; none at all; a composite.
-  filter->SetNonFinitePointsToIgnore();
+  filter->SetNonFinitePoints(vtkFFQueryAlgorithm::NON_FINITE_IGNORE);
   filter->SetInputData(makePoints({ { 0, std::nan(""), 0 } }));
   FF_CHECK(succeeds(filter) && std::isnan(distance(0)) && !filter->IsInside(0));
   vtkNew<vtkPolyData> none;

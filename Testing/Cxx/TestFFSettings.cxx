@@ -41,14 +41,14 @@ void testTransform(vtkFFPlanarAlgorithm* filter)
     filter->SetTransform(transform);
     FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Planar::TRANSFORM_PLANE));
     FF_CHECK_EQUAL(dimension(), 2);
-    filter->SetProjectionPlaneModeToXYPlane();
+    filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);
     FF_CHECK_EQUAL(dimension(), 1);
   }
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(3)); // warnings of a vertical plane
   filter->RemoveObserver(errors);
 
   // None leaves the mode, which needs one then.
-  filter->SetProjectionPlaneModeToTransform();
+  filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE);
   filter->SetTransform(nullptr);
   FF_CHECK_EQUAL(filter->GetProjectionPlaneMode(), int(Planar::TRANSFORM_PLANE));
   FF_CHECK(fails(filter, vtkFFErrorCode::SettingError, { "no Transform is set" }));
@@ -79,19 +79,19 @@ void testBounds()
   filter->SetPowerDiagramBounds(0, 1, 0, 1); // what they are
   FF_CHECK_EQUAL(filter->GetPowerDiagramBoxMode(), int(Filter::BOX_OF_BOUNDS));
   FF_CHECK_EQUAL(widthOf(filter), 1.0);
-  filter->SetPowerDiagramBoxModeToPoints();
+  filter->SetPowerDiagramBoxMode(vtkFFPowerDiagramFilter::BOX_OF_POINTS);
   FF_CHECK_EQUAL(widthOf(filter), 4.0);
   const double bounds[4] = { -8, 8, -8, 8 };
   filter->SetPowerDiagramBounds(bounds);
   FF_CHECK_EQUAL(widthOf(filter), 16.0);
-  filter->SetPowerDiagramBoxModeToPoints();
+  filter->SetPowerDiagramBoxMode(vtkFFPowerDiagramFilter::BOX_OF_POINTS);
   const vtkMTimeType time = filter->GetMTime();
   filter->StorePowerDiagramBounds(-8, 8, -8, 8);
   FF_CHECK_EQUAL(filter->GetMTime(), time);
   filter->StorePowerDiagramBounds(-9, 9, -8, 8);
   FF_CHECK(filter->GetMTime() > time);
   FF_CHECK_EQUAL(widthOf(filter), 4.0);
-  filter->SetPowerDiagramBoxModeToBounds();
+  filter->SetPowerDiagramBoxMode(vtkFFPowerDiagramFilter::BOX_OF_BOUNDS);
   FF_CHECK_EQUAL(widthOf(filter), 18.0);
 }
 

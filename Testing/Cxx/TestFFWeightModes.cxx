@@ -108,22 +108,22 @@ void testErrors()
     return makeWeighted(points, values);
   };
   Watched<FilterT> run(with(-0.0, 1.0), "weights");
-  run->SetWeightModeToRadii();
+  run->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
   run.Run();
   run->SetInputData(with(-1e-300, -1.0));
   run.Fail("A radius is negative: first at point 4.", vtkFFErrorCode::InputError);
   run->SetWeightFactor(-1.0);
   run.Fail("A radius is negative: first at point 4.", vtkFFErrorCode::InputError);
   run->SetWeightFactor(1.0);
-  run->SetWeightModeToWeights();
+  run->SetWeightMode(vtkFFPlanarAlgorithm::WEIGHTS);
   run.Run();
 
   // What is not finite is as ever: an error or left out, and not a negative radius.
   run->SetInputData(with(-infinity, notANumber));
-  run->SetWeightModeToRadii();
+  run->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
   run.Fail("A coordinate or a weight is NaN or infinite: first at point 4, 2",
     vtkFFErrorCode::NonFiniteError);
-  run->SetNonFinitePointsToIgnore();
+  run->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
   run.Run();
   FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), 2);
 
@@ -135,7 +135,7 @@ void testErrors()
   run.Fail(
     "The square of a radius, times Weight Factor, is more than a double holds: first at point 4.",
     vtkFFErrorCode::InputError);
-  run->SetWeightModeToWeights();
+  run->SetWeightMode(vtkFFPlanarAlgorithm::WEIGHTS);
   run->SetWeightFactor(1e200);
   run.Fail("A weight, times Weight Factor, is more than a double holds: first at point 4.",
     vtkFFErrorCode::InputError);
@@ -168,7 +168,7 @@ void testPlaces()
     blocks->SetBlock(i, i == 17 ? second : first);
   }
   Watched<FilterT> run(blocks, "weights");
-  run->SetWeightModeToRadii();
+  run->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
   run->Update();
   FF_CHECK_EQUAL(run.Errors->Messages.size(), std::size_t(1));
   FF_CHECK(
@@ -193,7 +193,7 @@ void testInterpolator()
   filter->SetSourceData(makeWeighted(points, weights));
   FF_CHECK(succeeds(filter));
   const auto byWeights = copyOf(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)));
-  filter->SetWeightModeToRadii();
+  filter->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
   filter->SetWeightFactor(1.5);
   filter->SetSourceData(makeWeighted(points, radii));
   FF_CHECK(succeeds(filter));

@@ -82,7 +82,7 @@ def use_weights(triangulation):
 def hull_of(data, ignore=False):
     hull = vtkFFHullFilter()
     hull.SetNonFinitePoints(ignore)
-    hull.SetFacetModeToPolygons()
+    hull.SetFacetMode(hull.FACETS_AS_POLYGONS)
     hull.SetInputData(data)
     return outcome(hull)
 
@@ -91,7 +91,7 @@ def triangulation_of(data, ignore=False):
     """(the triangulation, ids of the hidden points, ids of the points with a power cell)"""
     triangulation = vtkFFRegularTriangulationFilter()
     triangulation.SetNonFinitePoints(ignore)
-    triangulation.SetFacetModeToPolygons()
+    triangulation.SetFacetMode(triangulation.FACETS_AS_POLYGONS)
     diagram = vtkFFPowerDiagramFilter()
     diagram.SetNonFinitePoints(ignore)
     diagram.SetInputData(data)

@@ -277,7 +277,7 @@ void drawOwn(Bytes& bytes, vtkFFPlanarAlgorithm* filter)
       filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
       break;
     case 8:
-      filter->SetProjectionPlaneModeToTransform();
+      filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE);
       filter->SetTransform(drawTransform(bytes));
       break;
     case 9:

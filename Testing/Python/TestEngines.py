@@ -49,7 +49,7 @@ class TestEngines(unittest.TestCase):
             with self.subTest(filter_class.__name__):
                 algorithm = filter_class()
                 algorithm.SetInputData(poly_data(count))
-                algorithm.SetEngineToCPU()
+                algorithm.SetEngine(algorithm.ENGINE_CPU)
                 algorithm.Update()
                 self.assertEqual(algorithm.GetEngineUsed(), vtkFFAlgorithm.ENGINE_CPU)
                 self.assertIn("asked for", algorithm.GetEngineReason())
@@ -61,7 +61,7 @@ class TestEngines(unittest.TestCase):
 
     def test_automatic(self):
         for algorithm, expected in self.each():
-            algorithm.SetEngineToAutomatic()
+            algorithm.SetEngine(algorithm.ENGINE_AUTOMATIC)
             algorithm.Update()
             self.assertEqual(algorithm.GetEngineUsed(), vtkFFAlgorithm.ENGINE_CPU)
             self.assertTrue(algorithm.GetEngineReason())
@@ -78,7 +78,7 @@ class TestEngines(unittest.TestCase):
     def test_without_device(self):
         for algorithm, expected in self.each():
             messages = errors_of(algorithm)
-            algorithm.SetEngineToCUDA()
+            algorithm.SetEngine(algorithm.ENGINE_CUDA)
             algorithm.Update()
             self.assertEqual(len(messages), 1)
             self.assertIn(PROBLEM, messages[0])
@@ -86,7 +86,7 @@ class TestEngines(unittest.TestCase):
             self.assertNotEqual(algorithm.GetErrorCode(), 0)
             self.assertEqual(algorithm.GetEngineUsed(), vtkFFAlgorithm.ENGINE_NONE)
             self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
-            algorithm.SetEngineToAutomatic()
+            algorithm.SetEngine(algorithm.ENGINE_AUTOMATIC)
             algorithm.Update()
             self.assertEqual(len(messages), 1)
             self.assertEqual(result(algorithm), expected)
@@ -94,7 +94,7 @@ class TestEngines(unittest.TestCase):
     @unittest.skipUnless(AVAILABLE, PROBLEM)
     def test_with_device(self):
         for algorithm, expected in self.each():
-            algorithm.SetEngineToCUDA()
+            algorithm.SetEngine(algorithm.ENGINE_CUDA)
             algorithm.Update()
             self.assertEqual(algorithm.GetErrorCode(), 0)
             self.assertEqual(algorithm.GetEngineUsed(), vtkFFAlgorithm.ENGINE_CUDA)
@@ -110,7 +110,7 @@ class TestEngines(unittest.TestCase):
         convexify.Update()
         self.assertIn("this filter runs on the CPU", convexify.GetEngineReason())
         self.assertGreater(convexify.GetOutput().GetNumberOfPolys(), 0)
-        convexify.SetEngineToCUDA()
+        convexify.SetEngine(convexify.ENGINE_CUDA)
         convexify.Update()
         self.assertEqual(len(messages), 1)
         self.assertIn("this filter runs on the CPU", messages[0])

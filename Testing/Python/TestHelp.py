@@ -58,7 +58,7 @@ class TestHelp(unittest.TestCase):
         self.assertGreater(counted, 100)
 
     def test_choices_say_what_they_choose(self):
-        for name in ("SetFacetMode", "SetFacetModeToPolygons", "GetFacetModeAsString"):
+        for name in ("SetFacetMode", "GetFacetMode"):
             self.assertIn("one polygon a", getattr(vtkflipflop.vtkFFHullFilter, name).__doc__)
         self.assertIn("array vtkOriginalPointIds", vtkflipflop.vtkFFAlgorithm.VisiblePointIdsOn.__doc__)
 

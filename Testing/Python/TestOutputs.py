@@ -70,7 +70,7 @@ def cases():
     for name, data in inputs():
         for facets in ("Triangles", "Polygons"):
             hull = vtkFFHullFilter()
-            getattr(hull, f"SetFacetModeTo{facets}")()
+            hull.SetFacetMode(getattr(hull, f"FACETS_AS_{facets.upper()}"))
             hull.SetInputData(data)
             yield f"hull, {facets.lower()}: {name}", hull
         for kind, planar in PLANAR.items():

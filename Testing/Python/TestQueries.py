@@ -140,7 +140,7 @@ class TestSelectEnclosedPoints(unittest.TestCase):
         self.assertEqual(len(messages), 1)
         self.assertIn("first at point 1 of the surface, 7 such point(s)", messages[0])
         self.assertNotEqual(select.GetErrorCode(), 0)
-        select.SetNonFinitePointsToIgnore()
+        select.SetNonFinitePoints(select.NON_FINITE_IGNORE)
         select.Update()
         self.assertEqual(list(array(select.GetOutput(), "SelectedPoints")), [1] + 7 * [0])
 
@@ -164,8 +164,8 @@ class TestPointInterpolator2D(unittest.TestCase):
 
     def test_linear_function(self):
         at = np.array([self.image.GetPoint(i) for i in range(400)])
-        for mode in ("Linear", "NaturalNeighbor"):
-            getattr(self.filter, f"SetInterpolationModeTo{mode}")()
+        for mode in (self.filter.LINEAR, self.filter.NATURAL_NEIGHBOR):
+            self.filter.SetInterpolationMode(mode)
             self.filter.Update()
             output = self.filter.GetOutput()
             self.assertTrue(output.IsA("vtkImageData"))
@@ -179,7 +179,7 @@ class TestPointInterpolator2D(unittest.TestCase):
             self.assertTrue(output.GetPointData().HasArray("Elevation"))
 
     def test_settings(self):
-        self.filter.SetNullPointsStrategyToClosestPoint()
+        self.filter.SetNullPointsStrategy(self.filter.CLOSEST_POINT)
         self.filter.SetZArrayName("z")
         self.filter.AddExcludedArray("values")
         self.filter.Update()

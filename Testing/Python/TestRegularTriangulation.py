@@ -239,7 +239,7 @@ class TestTriangulation(unittest.TestCase):
         self.assertNotEqual(triangulation.GetErrorCode(), 0)
         self.assertEqual(triangulation.GetOutput().GetNumberOfPoints(), 0)
 
-        triangulation.SetNonFinitePointsToIgnore()
+        triangulation.SetNonFinitePoints(triangulation.NON_FINITE_IGNORE)
         triangulation.Update()
         self.assertEqual(len(messages), 1)
         self.assertEqual(triangulation.GetNumberOfNonFinitePoints(), 3)

@@ -128,7 +128,7 @@ def expect_same(found, expected):
 def test_hulls(name, facets):
     mesh = with_data(MESHES[name]())
     algorithm = vtkFFHullFilter()
-    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
     (expected,) = outputs_of(algorithm, mesh)
     expect_same(convex_hull(mesh, facets=facets.lower()), expected)
     algorithm.SkipGhostPointsOff()
@@ -147,7 +147,7 @@ def planar_filter(make, projection, weights):
         algorithm.SetTransform(transform)
         settings["transform"] = TRANSFORM
     elif projection == "best_fitting_plane":
-        algorithm.SetProjectionPlaneModeToBestFittingPlane()
+        algorithm.SetProjectionPlaneMode(algorithm.BEST_FITTING_PLANE)
         settings["projection_plane_mode"] = projection
     if weights:
         algorithm.SetInputArrayToProcess(0, 0, 0, 0, weights)
@@ -175,7 +175,7 @@ def test_triangulations(name, projection, weights):
     expect_same(shown, expected)
     expect_same(left, hidden)
     expect_same(power_diagram(mesh, weights, **settings), cells)
-    algorithm.SetFacetModeToPolygons()
+    algorithm.SetFacetMode(algorithm.FACETS_AS_POLYGONS)
     expect_same(
         regular_triangulation(mesh, weights, facets="polygons", **settings), outputs_of(algorithm, mesh)[0]
     )
@@ -209,7 +209,7 @@ def test_radii_and_factors(name, array, factor, radii):
 def test_long_edges(name, projection, facets):
     mesh = with_data(MESHES[name]())
     algorithm, settings = triangulation_filter(projection, None)
-    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
     for limit in (1e-9, 0.05, 1.0, 2.0**0.5, 30.0, np.inf):
         algorithm.SetMaximumEdgeLength(limit)
         expected = outputs_of(algorithm, mesh)[0]
@@ -234,7 +234,7 @@ def test_alpha_complexes(name, projection, weights):
 def test_constraints(name, facets):
     mesh = with_data(MESHES[name]())
     algorithm, settings = planar_filter(vtkFFConstrainedDelaunayFilter, "xy_plane", None)
-    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
     # Edges of the triangulation, some as lines and one triangle as a polygon, cross nothing.
     faces = regular_triangulation(mesh)
     ids = faces["vtkOriginalPointIds"]
@@ -259,13 +259,13 @@ def test_points_that_are_not_finite():
     mesh = with_data(MESHES["ghosts"]())
     mesh.points[[4, 9, 100], [0, 1, 2]] = np.nan, np.inf, np.nan
     hull = vtkFFHullFilter()
-    hull.SetNonFinitePointsToIgnore()
+    hull.SetNonFinitePoints(hull.NON_FINITE_IGNORE)
     expect_same(convex_hull(mesh, non_finite="ignore"), outputs_of(hull, mesh)[0])
     for projection in ("xy_plane", "best_fitting_plane", "transform"):
         algorithm, settings = triangulation_filter(projection, "weight")
-        algorithm.SetNonFinitePointsToIgnore()
+        algorithm.SetNonFinitePoints(algorithm.NON_FINITE_IGNORE)
         diagram = diagram_filter(projection, "weight")
-        diagram.SetNonFinitePointsToIgnore()
+        diagram.SetNonFinitePoints(diagram.NON_FINITE_IGNORE)
         expected = outputs_of(algorithm, mesh)
         settings["non_finite"] = "ignore"
         found = regular_triangulation(mesh, "weight", return_hidden_points=True, **settings)
@@ -277,7 +277,7 @@ def test_points_that_are_not_finite():
 def test_composites():
     hull = vtkFFHullFilter()
     expect_same(convex_hull(blocks()), outputs_of(hull, blocks())[0])
-    hull.SetCompositeModeToAllBlocks()
+    hull.SetCompositeMode(hull.HULL_OF_ALL_BLOCKS)
     expect_same(convex_hull(blocks(), composite_mode="all_blocks"), outputs_of(hull, blocks())[0])
     algorithm, settings = triangulation_filter("best_fitting_plane", "weight")
     expected = outputs_of(algorithm, blocks())
@@ -306,7 +306,7 @@ def test_surfaces(kernel, facets):
     surface.points *= 1 + 0.2 * np.random.default_rng(2).random((surface.n_points, 1))
     surface = with_data(surface)
     algorithm = vtkFFConvexifyFilter()
-    getattr(algorithm, f"SetFacetModeTo{facets}")()
+    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
     if kernel:
         algorithm.SetKernelPoint(*kernel)
     quads = with_data(pv.Cube().clean())

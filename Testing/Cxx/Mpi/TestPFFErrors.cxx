@@ -40,7 +40,8 @@ std::vector<Twins> makeTwins()
   std::vector<Twins> all;
   all.push_back(twins<vtkPFFHullFilter, vtkFFHullFilter>());
   all.push_back(twins<vtkPFFHullFilter, vtkFFHullFilter>());
-  all.back().Set<vtkFFHullFilter>([](auto* hull) { hull->SetCompositeModeToAllBlocks(); });
+  all.back().Set<vtkFFHullFilter>(
+    [](auto* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); });
   all.push_back(twins<vtkPFFRegularTriangulationFilter, Triangulation>());
   all.push_back(twins<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
   all.push_back(twins<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
@@ -305,7 +306,8 @@ void testWeights()
 void testSettings()
 {
   Twins both = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
-  both.Set<Triangulation>([](auto* filter) { filter->SetProjectionPlaneModeToTransform(); });
+  both.Set<Triangulation>(
+    [](auto* filter) { filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE); });
   both.Run("no transform", makePieces());
   FF_CHECK(both.Distributed->GetErrorCode() != vtkErrorCode::NoError);
   using Diagram = vtkFFPowerDiagramFilter;
@@ -323,7 +325,7 @@ void testSeveral()
 {
   const Pieces pieces = makePieces();
   Twins cuda = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
-  cuda.Distributed->SetEngineToCUDA();
+  cuda.Distributed->SetEngine(vtkFFAlgorithm::ENGINE_CUDA);
   cuda.Fails("CUDA", ownOf(pieces),
     "The CUDA engine was asked for, but several processes triangulate together on their CPUs. "
     "Set Engine to Automatic or CPU.");

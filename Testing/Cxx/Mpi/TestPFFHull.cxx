@@ -33,7 +33,8 @@ Twins hulls()
   Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
   if (keepsShares)
   {
-    vtkPFFHullFilter::SafeDownCast(both.Distributed)->SetResultModeToDistributed();
+    vtkPFFHullFilter::SafeDownCast(both.Distributed)
+      ->SetResultMode(vtkPFFHullFilter::RESULT_DISTRIBUTED);
   }
   return both;
 }
@@ -116,10 +117,11 @@ void testSettings()
   decorate(pieces);
   using Hull = vtkFFHullFilter;
   const std::pair<std::string, void (*)(Hull*)> settings[] = {
-    { "polygons", [](Hull* hull) { hull->SetFacetModeToPolygons(); } },
+    { "polygons", [](Hull* hull) { hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); } },
     { "visible ids", [](Hull* hull) { hull->VisiblePointIdsOn(); } },
     { "field data", [](Hull* hull) { hull->ReportAsFieldDataOn(); } },
-    { "all blocks of no composite", [](Hull* hull) { hull->SetCompositeModeToAllBlocks(); } },
+    { "all blocks of no composite",
+      [](Hull* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); } },
     { "V-biased", [](Hull* hull) { hull->VBiasedOn(); } },
     { "one thread", [](Hull* hull) { hull->SetNumberOfThreads(1); } },
     { "no point data", [](Hull* hull) { hull->PassPointDataOff(); } },
@@ -318,7 +320,7 @@ void testLimit()
 {
   Twins both = hulls();
   auto* filter = vtkPFFHullFilter::SafeDownCast(both.Distributed);
-  filter->SetResultModeToAutomatic();
+  filter->SetResultMode(vtkPFFHullFilter::RESULT_AUTOMATIC);
   const Pieces pieces =
     split(shapes()[2].second, byTurns); // all extreme: all are in the pieces' hulls
   for (const vtkIdType limit : { 2999, 3000 })

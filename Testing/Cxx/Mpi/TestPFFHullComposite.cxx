@@ -149,9 +149,11 @@ void testStructures()
     both.Fails(
       "no composite on one", other, "Processes have different numbers of blocks: process 0 has");
   }
-  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* filter) { filter->SetCompositeModeToAllBlocks(); });
+  both.Set<vtkFFHullFilter>(
+    [](vtkFFHullFilter* filter) { filter->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); });
   both.Run("all blocks of another structure", piece, whole);
-  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* filter) { filter->SetCompositeModeToEachBlock(); });
+  both.Set<vtkFFHullFilter>(
+    [](vtkFFHullFilter* filter) { filter->SetCompositeMode(vtkFFHullFilter::HULL_OF_EACH_BLOCK); });
   both.Run("the same structure afterwards", leaves);
 }
 

@@ -104,11 +104,12 @@ void testPieces(Twins& both)
     { "weights None", [](Filter* filter) { useWeights(filter, "None"); } },
     { "weights", [](Filter* filter) { useWeights(filter); } },
     { "best-fitting plane",
-      [](Filter* filter) { filter->SetProjectionPlaneModeToBestFittingPlane(); } },
+      [](Filter* filter)
+      { filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::BEST_FITTING_PLANE); } },
     { "polygons, visible ids, field data",
       [](Filter* filter)
       {
-        filter->SetFacetModeToPolygons();
+        filter->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
         filter->VisiblePointIdsOn();
         filter->ReportAsFieldDataOn();
       } },
@@ -116,8 +117,8 @@ void testPieces(Twins& both)
     { "plain again",
       [](Filter* filter)
       {
-        filter->SetProjectionPlaneModeToXYPlane();
-        filter->SetFacetModeToTriangles();
+        filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);
+        filter->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES);
         filter->VisiblePointIdsOff();
         filter->ReportAsFieldDataOff();
         filter->PassPointDataOn();
