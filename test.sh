@@ -44,10 +44,10 @@ if [ "$what" = wheel ]; then
   }
   say "Test: the wheel with numpy alone"
   in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestReadme.py" \
-    "$top/Testing/Wheel/TestImports.py"
+    "$top/Testing/Wheel/TestImports.py" "$top/Testing/Wheel/TestTutorials.py"
   say "Test: the wheel with PyVista and the VTK of its classes"
   start_display
-  in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy" "$top/Testing/Python" "$top/Testing/Wheel" \
+  in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy shapely geopandas rasterio" "$top/Testing/Python" "$top/Testing/Wheel" \
     "$top/Testing/Arrays/TestTyping.py"
   exit
 fi

@@ -30,7 +30,8 @@ endforeach()
 
 # In the order of the navigation's tree.
 file(GLOB pages CONFIGURE_DEPENDS
-  "${PROJECT_SOURCE_DIR}/Documentation/*.md" "${PROJECT_SOURCE_DIR}/Documentation/*.dox")
+  "${PROJECT_SOURCE_DIR}/Documentation/*.md" "${PROJECT_SOURCE_DIR}/Documentation/Tutorials/*.md"
+  "${PROJECT_SOURCE_DIR}/Documentation/*.dox")
 file(GLOB further_pages CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/*.md" "${PROJECT_SOURCE_DIR}/Data/*.md")
 
 set(documentation_folder "${PROJECT_BINARY_DIR}/Documentation")

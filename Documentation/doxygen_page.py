@@ -25,8 +25,10 @@ def label(page, anchor=""):
 
 def in_doxygen(page, link):
     target, _, anchor = link["target"].partition("#")
-    if link["picture"] or ":" in link["target"]:
+    if ":" in link["target"]:
         return link[0]
+    if link["picture"]:  # Doxygen looks in IMAGE_PATH
+        return f"![{link['text']}]({os.path.basename(target)})"
     path = os.path.join(os.path.dirname(page), target) if target else page
     if path.endswith(".md"):
         return f"[{link['text']}](#{label(path, anchor)})"

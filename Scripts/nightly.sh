@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# nightly.sh [sanitizers|tests|compilers|windows|wheels|fuzz]...: what takes too long for every change. By default all:
+# nightly.sh [sanitizers|tests|compilers|windows|wheels|reference|fuzz]...: what takes too long for every change. By default all:
 #   sanitizers  every test that a sanitizer can find something in (test.sh runs a part of them), and where there is
 #               nvcc, the device's code
 #   tests       the tests that only FLIPFLOP_NIGHTLY builds: the tests of the tests, by mutants; the pictures beside
@@ -10,18 +10,19 @@
 #   compilers   clang with libc++, compiled only
 #   windows     MinGW-w64, run by Wine
 #   wheels      the wheels for each Python that is here, beside each VTK and PyVista (Testing/Wheel/matrix.py)
+#   reference   the reference of C++ and of Python, rendered
 #   fuzz        each fuzzer for half an hour
 # The first failure ends it.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests compilers windows wheels fuzz)
+[ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests compilers windows wheels reference fuzz)
 
 for part in "${parts[@]}"; do
   case "$part" in
-    sanitizers | tests | compilers | windows | wheels | fuzz) ;;
-    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|wheels|fuzz]..." >&2; exit 2 ;;
+    sanitizers | tests | compilers | windows | wheels | reference | fuzz) ;;
+    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|wheels|reference|fuzz]..." >&2; exit 2 ;;
   esac
 done
 
@@ -56,6 +57,7 @@ for part in "${parts[@]}"; do
       PYTHON="${pythons[*]}" "$top/Scripts/wheel/build-wheel.sh" "$top/build/wheels"
       "$python" "$top/Testing/Wheel/matrix.py" "$top"/build/wheels/repaired/*.whl
       ;;
+    reference) "$top/Scripts/build-reference.sh" ;;
     fuzz)
       for entry in Engine Filters; do
         "$top/Scripts/fuzz.sh" "$entry" 1800

@@ -7,6 +7,11 @@
 /// order and the host does not wait; memory comes from a pool of our own in the stream's order, and
 /// the pool keeps it for the next run. Large copies go through pinned memory in pieces, two at a
 /// time: one is packed or unpacked while the other is under way.
+///
+/// It uses the device that is current for the thread, and shares nothing with the application: its
+/// streams do not wait for the default stream, and no limit and no flag of the device is changed.
+/// At most an eighth of the device's memory is kept for each of two runs at once;
+/// releaseCudaMemory() gives it back.
 #ifndef flipflop_CudaExecutor_h
 #define flipflop_CudaExecutor_h
 

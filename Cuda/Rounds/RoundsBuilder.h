@@ -1,7 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rounds as an engine of a run.
+/// The rounds as an engine of a run (GeometryRun.h), which has all else: the arithmetic, the
+/// starting tetrahedron, inputs of lower dimension, the finish where there are ties.
+///
+/// The builder scans all points while it copies them to the executor, a piece at a time, so the
+/// host reads them once. Points that the device has already are not copied. The perturbed hull is
+/// unique, so the output is the CPU engine's bit for bit, whatever order the rounds take; the
+/// statistics differ.
 #ifndef flipflop_RoundsBuilder_h
 #define flipflop_RoundsBuilder_h
 

@@ -10,6 +10,12 @@
 /// is enough: a facet of all known points, around an active point, has its corners among the
 /// corners of the facets that were there before, and the points that are new.
 ///
+/// Rounds end. In each, the number of blocks that a facet asks and of points in an answer doubles.
+/// Take a facet that points from answers make around an active point. A point in conflict with it
+/// was in conflict with one of the two facets that shared an edge of it before. Both were around
+/// the same point, so when answers hold all points in conflict, these are known. Hence there are at
+/// most log2(n) + 2 rounds, n being the greater of the blocks and the points of a block.
+///
 /// A point that is settled stays so. A facet of it may still grow, by points on it that the cell of
 /// another block needs; but what is around the point is no longer among what is triangulated.
 #ifndef flipflop_OpenFacets_h

@@ -1,5 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Why a point that is dismissed here is inside, for nothing checks that later. Lengths are |x| =
+// max |x_i| u_i, with powers of two u_i such that no point is further from s than 1.
+//
+// 1. The gauge g(x) of the polyhedron is the least t for which s + x / t is in it. So s + x is
+//    inside if g(x) < 1, and g is convex with g(t x) = t g(x). In the directions of a cell, g(x)
+//    is at most G |x|, where G is the greatest gauge of the cell's four corners, taken at length
+//    1.
+// 2. A cube around s. Let n = (b - a) x (c - a) be the normal of a triangle abc, and D = n . (a
+//    - s) the height of its plane over s. Computed heights are off by at most e, so D >= depth =
+//    (computed) - e. Let slope be the computed sum of |n_i| / u_i, and r the least depth /
+//    (slope + 8 e). If depth is positive for all triangles that have an area, all x with |x| <=
+//    r are inside all planes. So g(x) <= |x| / r. If depth is not positive for one of them,
+//    nothing is dismissed. Nothing is dismissed either if r is below 1e-20, which float could
+//    not tell from s.
+// 3. A corner's direction d, |d| = 1/2, was found in the cone of abc by three rounded
+//    determinants that are not negative; the true ones are at least -E. By Cramer's rule, d is
+//    the sum of (a - s), (b - s), (c - s) with coefficients of at least -E / D; their sum is S =
+//    n . d / D. The negative ones sum to -N, where N <= 3 E / D. Corners are in the polyhedron,
+//    so g(a - s) <= 1, and g(s - a) <= 1 / r by 2. Since g is convex, g(d) <= (S + N) + N / r <=
+//    (n . d + 3 E (1 + 1 / r)) / D. That numerator is not negative, so a larger numerator and a
+//    smaller D give an upper bound: n . d <= rise + e, and D >= depth. With sum = (rise + e) /
+//    depth and negative = E / depth, the gauge at length 1 is at most 2 sum + 6 negative (1 + 1
+//    / r).
+// 4. Rounding. A few operations compute these bounds, each off by 2^-53 of its result. Factors
+//    of 1 + 1e-12 and 1 - 1e-12 cover that. A point's direction is rounded to float, by less
+//    than 1e-6, and may fall into the next cell: by 2 that adds 1e-6 / r to G. Its length and
+//    the limit are off by less than 1e-6 each, so the limit is (1 - 2e-6) / (G + 1e-6 / r).
+//
+// Testing/Engine/Geometry/TestHullLocator.cxx compares the farthest points that are dismissed
+// with the planes, in rationals: of thin and far polyhedra, of needles, and for kernel points as
+// near to the border as 1e-15. The greatest gauge there is 0.999997.
 #include "Geometry/HullLocator.h"
 
 #include "Geometry/VisibilityWalk.h"
@@ -129,7 +161,7 @@ void HullLocator::buildGrid(const HullGeometry& geometry, StepPoll& poll)
         {
           // direction = alpha * (a - s) + beta * (b - s) + gamma * (c - s): the gauge is at most
           // the coefficients' sum, and what rounding lets be negative counts with the gauge of its
-          // opposite. Documentation/Exactness.md, "What is dismissed without a sign", derives this.
+          // opposite. The head of this file derives this, in step 3.
           const HullPlane& plane = this->cones[found].plane;
           const double depth = -plane.height(this->kernel) - plane.error();
           if (depth > 0)

@@ -1,5 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Why a point that is dropped is inside. A triangle's plane has the normal n and goes through
+// the corner a. A point p is dropped if n . (p - a) + e, as computed, is negative for all
+// planes. Here e is the bound of the first step's error for the whole determinant. Scaling n and
+// e by a power of two is exact, and the rounded sum of two numbers has the sign of the exact
+// one, so p is strictly inside each plane. Two kinds of triangles are not compared:
+// - those without area, by an exact sign: they bound nothing;
+// - those in a side of the points' bounding box: no point is above it, but a point may be on it,
+//   and may be a duplicate of a vertex all of whose planes are such sides. Such a vertex is a
+//   corner of the box. So points at the box's corners are looked up among the vertices, as are
+//   all others that the bound leaves open.
+// A point counts as above a plane if the computed sum is more than 3 e. Exact signs insert the
+// furthest one. Testing/Engine/Geometry/TestHullPlanes.cxx compares points about the border with
+// exact signs.
 #include "Geometry/HullPlanes.h"
 
 #include "Geometry/HullCones.h"
