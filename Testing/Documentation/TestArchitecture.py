@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tree keeps what Documentation/Architecture.md promises: which folder, and which room, may use which."""
+"""The tree keeps what Documentation/Architecture.md promises: which folder, and which module, may use which."""
 
 import os
 import re
@@ -11,8 +11,8 @@ from dependencies import (
     dependencies,
     folders,
     private_includes,
-    room_dependencies,
-    rooms,
+    module_dependencies,
+    modules,
 )
 from tree import TOP, read
 
@@ -26,8 +26,8 @@ PROMISED = {
 }
 
 
-# The rooms of a folder of the library: each may use those before it.
-ROOMS = {
+# The modules of a folder of the library: each may use those before it.
+MODULES = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
                "Surface", "PowerDiagram", "Validate", "Query", "Alpha", "Constraints", "Blocks",
                "Transport"],
@@ -41,12 +41,12 @@ def of_page(page):
 
 
 def upward(pairs, order):
-    """Those that use a room which is not before them."""
+    """Those that use a module which is not before them."""
     return {(user, used) for user, used in pairs if order.index(used) > order.index(user)}
 
 
 def of_table(page, folder):
-    """The rooms that the page's table names, in its order."""
+    """The modules that the page's table names, in its order."""
     return re.findall(rf"^\| `{folder}/(\w+)/` \|", page, re.MULTILINE)
 
 
@@ -65,17 +65,17 @@ class TestArchitecture(unittest.TestCase):
     def test_the_library_keeps_its_promises(self):
         self.assertEqual(broken_promises(dependencies()), set())
 
-    def test_rooms_use_only_those_before_them(self):
-        for folder, order in ROOMS.items():
-            self.assertEqual(set(rooms(TOP, folder)), set(order))
-            self.assertEqual(upward(room_dependencies(TOP, folder), order), set())
+    def test_modules_use_only_those_before_them(self):
+        for folder, order in MODULES.items():
+            self.assertEqual(set(modules(TOP, folder)), set(order))
+            self.assertEqual(upward(module_dependencies(TOP, folder), order), set())
             self.assertEqual(private_includes(TOP, folder), set())
 
-    def test_the_page_tells_of_every_room(self):
+    def test_the_page_tells_of_every_module(self):
         page = read("Documentation", "Architecture.md")
-        for folder, order in ROOMS.items():
+        for folder, order in MODULES.items():
             self.assertEqual(of_table(page, folder), order)
-        self.assertIn("](Figures/rooms.svg)", page)
+        self.assertIn("](Figures/modules.svg)", page)
 
 def make_tree(top, files):
     for path, text in files.items():
@@ -125,14 +125,14 @@ class TestDependencies(unittest.TestCase):
             )
             self.assertEqual(dependencies(top), self.USES)
             self.assertEqual(broken_promises(dependencies(top)), set())
-            self.assertEqual(rooms(top, "Engine"), ["Mesh", "Run"])
-            self.assertEqual(room_dependencies(top, "Engine"), {("Run", "Mesh")})
+            self.assertEqual(modules(top, "Engine"), ["Mesh", "Run"])
+            self.assertEqual(module_dependencies(top, "Engine"), {("Run", "Mesh")})
             self.assertEqual(private_includes(top, "Engine"), set())
 
     def test_a_way_up_is_noticed(self):
         with tempfile.TemporaryDirectory() as top:
             make_tree(top, {**self.FILES, "Engine/Mesh/Up.h": '#include "Run/Run.h"\n'})
-            found = room_dependencies(top, "Engine")
+            found = module_dependencies(top, "Engine")
             self.assertEqual(upward(found, ["Mesh", "Run"]), {("Mesh", "Run")})
 
     def test_a_private_header_in_a_public_one_is_noticed(self):

@@ -6,7 +6,7 @@ import html
 import re
 import unittest
 
-from dependencies import dependencies, folders, reduced, room_dependencies, rooms
+from dependencies import dependencies, folders, reduced, module_dependencies, modules
 from tree import TOP, read
 
 
@@ -21,7 +21,7 @@ def of_picture(svg):
     """The boxes and arrows that were drawn."""
     titles = [html.unescape(title) for title in re.findall(r"<title>(.*?)</title>", svg)]
     arrows = {tuple(title.split("->")) for title in titles if "->" in title}
-    return {title for title in titles if "->" not in title} - {"architecture", "rooms"}, arrows
+    return {title for title in titles if "->" not in title} - {"architecture", "modules"}, arrows
 
 
 def words_of_source(dot):
@@ -35,7 +35,7 @@ def words_of_picture(svg):
 
 
 SOURCE = read("Documentation", "architecture.dot")
-ROOMS_SOURCE = read("Documentation", "rooms.dot")
+MODULES_SOURCE = read("Documentation", "modules.dot")
 
 
 class TestPictures(unittest.TestCase):
@@ -49,13 +49,13 @@ class TestPictures(unittest.TestCase):
         self.assertEqual(of_picture(picture), of_source(SOURCE))
         self.assertEqual(words_of_picture(picture), words_of_source(SOURCE))
 
-    def test_the_picture_of_rooms(self):
-        boxes, arrows = of_source(ROOMS_SOURCE)
-        self.assertEqual(boxes, set(rooms(TOP, "Engine")))
-        self.assertEqual(arrows, reduced(room_dependencies(TOP, "Engine")))
-        picture = read("Documentation", "Figures", "rooms.svg")
+    def test_the_picture_of_modules(self):
+        boxes, arrows = of_source(MODULES_SOURCE)
+        self.assertEqual(boxes, set(modules(TOP, "Engine")))
+        self.assertEqual(arrows, reduced(module_dependencies(TOP, "Engine")))
+        picture = read("Documentation", "Figures", "modules.svg")
         self.assertEqual(of_picture(picture), (boxes, arrows))
-        self.assertEqual(words_of_picture(picture), words_of_source(ROOMS_SOURCE))
+        self.assertEqual(words_of_picture(picture), words_of_source(MODULES_SOURCE))
 
     def test_mutants_are_noticed(self):
         self.assertIn("  Cuda -> Engine;", SOURCE)

@@ -74,20 +74,20 @@ def dependencies(top=TOP):
     return {(user, used) for user, used in found if user != used}
 
 
-def rooms(top, folder):
-    """The rooms of a folder: its own folders, but for the public headers."""
+def modules(top, folder):
+    """The modules of a folder: its own folders, but for the public headers."""
     return [name for name in folders(os.path.join(top, folder)) if name != "include"]
 
 
-def room_dependencies(top, folder):
-    """The pairs (room, another of the same folder that it includes a header of)."""
-    all_rooms = set(rooms(top, folder))
+def module_dependencies(top, folder):
+    """The pairs (module, another of the same folder that it includes a header of)."""
+    all_modules = set(modules(top, folder))
     return {
-        (room, name.split("/")[0])
-        for room in all_rooms
-        for _, text in sources(top, os.path.join(folder, room), CXX)
+        (module, name.split("/")[0])
+        for module in all_modules
+        for _, text in sources(top, os.path.join(folder, module), CXX)
         for name in INCLUDE.findall(text)
-        if name.split("/")[0] in all_rooms - {room}
+        if name.split("/")[0] in all_modules - {module}
     }
 
 
@@ -97,7 +97,7 @@ def private_includes(top, folder):
         name
         for _, text in sources(top, os.path.join(folder, "include"), CXX)
         for name in INCLUDE.findall(text)
-        if f'"{name}"' in text or name.split("/")[0] in rooms(top, folder)
+        if f'"{name}"' in text or name.split("/")[0] in modules(top, folder)
     }
 
 
