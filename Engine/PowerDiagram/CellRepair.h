@@ -1,7 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What rounding the corners of a diagram broke, mended.
+/// Repair of cells that rounding has broken: it may turn a thin cell over, or move a corner across
+/// an edge.
+///
+/// Corners a few units apart are merged, tips are cut off, and what has no inside goes to a
+/// neighbour. Each step keeps the pairing of edges: every edge inside the box is there once in
+/// either direction. Cells that pair so sum to the box wherever their corners are. So once each is
+/// simple and counter-clockwise (PlanarRings.h, exact signs), they fill the box without gap or
+/// overlap. Where all rounded cells are convex, nothing is changed.
 #ifndef flipflop_CellRepair_h
 #define flipflop_CellRepair_h
 
