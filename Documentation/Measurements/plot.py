@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One plot for each table of measurements in this folder: plot.py [FILE.csv]...
 
-By default all, into Documentation/Figures. A file's name ends with its date, which the picture's name leaves out. A plot of peers shows how many times as long as FlipFlop each of them takes.
+By default all, into Documentation/Figures. A file's name ends with its date, which the picture's name leaves out. A plot
+of peers shows how many times as long as FlipFlop each of them takes.
 """
 
 import csv
@@ -58,7 +59,8 @@ def by_case(rows):
 def plain_ticks(axis):
     """1, 2, 5 and so on, as numbers, within what a logarithmic axis shows."""
     low, high = axis.get_view_interval()
-    axis.set_ticks([step * 10.0**power for power in range(-3, 5) for step in (1, 2, 5) if low <= step * 10.0**power <= high])
+    ticks = [step * 10.0**power for power in range(-3, 5) for step in (1, 2, 5)]
+    axis.set_ticks([tick for tick in ticks if low <= tick <= high])
     axis.set_major_formatter("{x:g}")
     axis.set_minor_locator(NullLocator())
 
