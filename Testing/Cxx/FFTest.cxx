@@ -548,6 +548,23 @@ bool isEmpty(vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
+std::string printedReport(vtkFFAlgorithm* filter)
+{
+  std::stringstream lines;
+  filter->Print(lines);
+  std::string report;
+  for (std::string line; std::getline(lines, line);)
+  {
+    for (const char* name : { "EngineUsed", "EngineReason", "Dimension", "Volume", "Area",
+           "NumberOfInput", "NumberOfHidden", "NumberOfDropped", "NumberOfSplit" })
+    {
+      report += line.find(name) == 2 ? line + "\n" : std::string();
+    }
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
 bool hasForgotten(vtkFFAlgorithm* filter)
 {
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
@@ -562,24 +579,8 @@ bool hasForgotten(vtkFFAlgorithm* filter)
   }
   vtkSmartPointer<vtkFFAlgorithm> fresh;
   fresh.TakeReference(filter->NewInstance());
-  const auto reportOf = [](vtkFFAlgorithm* of)
-  {
-    std::ostringstream printed;
-    of->Print(printed);
-    std::istringstream lines(printed.str());
-    std::string report;
-    for (std::string line; std::getline(lines, line);)
-    {
-      for (const char* name : { "EngineUsed", "EngineReason", "Dimension", "Volume", "Area",
-             "NumberOfInput", "NumberOfHidden", "NumberOfDropped", "NumberOfSplit" })
-      {
-        report += line.find(name) == 2 ? line + "\n" : std::string();
-      }
-    }
-    return report;
-  };
-  const std::string found = reportOf(filter);
-  const std::string expected = reportOf(fresh);
+  const std::string found = printedReport(filter);
+  const std::string expected = printedReport(fresh);
   if (found != expected || found.find("NumberOfInputPoints: 0") == std::string::npos)
   {
     std::cerr << "the report is of a run:\n" << found;

@@ -171,6 +171,9 @@ bool isEmpty(vtkPolyData* output);
 /// for points that are not finite.
 bool hasForgotten(vtkFFAlgorithm* filter);
 
+/// What a filter prints of its last run: the engine, the dimension and the numbers.
+std::string printedReport(vtkFFAlgorithm* filter);
+
 /// The array vtkOriginalPointIds.
 std::vector<vtkIdType> originalIds(vtkPolyData* output);
 

@@ -123,30 +123,6 @@ void testParts()
   FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
 }
 
-/// A threshold of the array is the complex of any alpha.
-void testAlphasOfAll()
-{
-  const auto input = makePoints(randomPoints(500, 8));
-  Run all(input);
-  all->GenerateAlphasOn();
-  const std::vector<double> alphas = valuesOf(all.Run(), "Alpha");
-  const Cells cells = polysOf(all->GetOutput());
-  Run run(input);
-  for (const std::size_t cell : { 0, 17, 400 })
-  {
-    Cells expected;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-    {
-      if (alphas[i] <= alphas[cell])
-      {
-        expected.push_back(cells[i]);
-      }
-    }
-    run->SetAlpha(alphas[cell]);
-    FF_CHECK(polysOf(run.Run()) == expected);
-  }
-}
-
 /// Nine squares of a grid, whose middle one alpha takes out: its circle is larger by weights.
 void testBoundary()
 {
@@ -215,7 +191,6 @@ int TestFFAlpha(int, char*[])
 {
   testAgainstDelaunay2D();
   testParts();
-  testAlphasOfAll();
   testBoundary();
   testWeights();
   testOtherInputs();

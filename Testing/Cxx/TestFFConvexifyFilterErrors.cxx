@@ -11,7 +11,6 @@
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -180,57 +179,28 @@ void testCellArrays()
   refusesInput(input, { "not valid", "corners -3 to 8" });
 }
 
-/// Triangles that make no closed, oriented manifold.
+/// Triangles that make no closed, oriented, star-shaped manifold: each of the engine's errors.
 void testTriangles()
 {
   const auto surface = [](std::size_t which, const std::vector<vtkIdType>& other)
   { return makeSurface(corners, with(tetrahedron, which, other)); };
-  refuses(surface(3, { 1, 2, 4 }), { "cell 3", "1 such cell" });
   refuses(surface(3, { 1, 2, -1 }), { "cell 3", "does not exist" });
-  refuses(surface(3, { 1, 2, std::numeric_limits<vtkIdType>::max() }), { "cell 3" });
-  refuses(makeSurface(corners, with(with(tetrahedron, 3, { 1, 2, 1 }), 1, { 3, 3, 3 })),
-    { "cell 1", "2 such cell" });
+  refuses(surface(3, { 1, 2, std::numeric_limits<vtkIdType>::max() }), { "cell 3", "1 such cell" });
   refuses(makeSurface({}, tetrahedron), { "cell 0", "4 such cell" });
   refuses(surface(3, {}), { "not closed", "cell 0", "3 such edge" });
   refuses(surface(3, { 2, 1, 3 }), { "not oriented", "cell 0" });
-
   // A fin on the edge of triangles 0 and 1, with both its sides.
   auto points = corners;
   points.push_back({ 0.5, -1, -1 });
   auto cells = tetrahedron;
   cells.insert(cells.end(), { { 0, 1, 4 }, { 1, 0, 4 } });
   refuses(makeSurface(points, cells), { "not a manifold", "cell 0" });
-  // Two tetrahedra that share a corner, 3: two fans there.
-  points = corners;
-  points.insert(points.end(), { { 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 } });
-  cells = tetrahedron;
-  cells.insert(cells.end(), { { 4, 5, 6 }, { 4, 3, 5 }, { 4, 6, 3 }, { 5, 3, 6 } });
-  refuses(makeSurface(points, cells), { "not a manifold", "cell 1", "1 such edge" });
-  // Of a cube's triangles, one turned over: it and its neighbours are at odds.
-  const auto cube = makeVoxels({ { 0, 0, 0 } });
-  cube->ReverseCell(7);
-  refuses(cube, { "not oriented", "cell" });
-}
 
-void testNotStarShaped()
-{
   // A U: no point sees the inside of both its arms' inner walls.
   const auto u = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 2, 1, 0 } });
   refuses(u, { "Use Kernel Point" });
-  const double inTheBase[3] = { 1.5, 0.5, 0.5 };
-  refuses(u, { "not star-shaped", "does not see", "cell" }, inTheBase);
-
-  const auto cube = makeVoxels({ { 0, 0, 0 } });
-  // Outside, on a facet, just outside, and on a corner.
-  for (const Point& kernel : { Point{ 2.0, 0.5, 0.5 }, Point{ 1.0, 0.5, 0.5 },
-         Point{ 0.5, 0.5, std::nextafter(1.0, 2.0) }, Point{ 0.0, 0.0, 0.0 } })
-  {
-    refuses(cube, { "not star-shaped", kernel[0] > 0.0 ? "2 such triangle" : "6 such triangle" },
-      kernel.data());
-  }
-  // Flat: closed and oriented, but without an inside.
-  refuses(makeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, tetrahedron),
-    { "star-shaped" });
+  const double onAFacet[3] = { 1.0, 0.5, 0.5 };
+  refuses(makeVoxels({ { 0, 0, 0 } }), { "not star-shaped", "2 such triangle" }, onAFacet);
 }
 
 void testNumbers()
@@ -265,7 +235,6 @@ int TestFFConvexifyFilterErrors(int, char*[])
   testCellArrays<vtkTypeInt32Array>();
   testCellArrays<vtkTypeInt64Array>();
   testTriangles();
-  testNotStarShaped();
   testNumbers();
   return result();
 }

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points that vtkGhostType marks as another piece's or as hidden: left out, or counted like others.
 // Ids are those of the input either way, and marks of points never become other marks of cells.
+#include "FFCases.h"
 #include "FFTest.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFHullFilter.h"
-#include "vtkFFPowerDiagramFilter.h"
-#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -56,13 +53,10 @@ Ids idsOf(vtkFFAlgorithm* filter)
 }
 
 /// Of each filter.
-void testFilter(vtkFFAlgorithm* filter, bool weights)
+void testFilter(const FilterCase& of)
 {
+  const auto filter = of.New();
   FF_CHECK(filter->GetSkipGhostPoints());
-  if (weights)
-  {
-    useWeights(filter);
-  }
   filter->SetInputDataObject(makeAmidGhosts());
   FF_CHECK(succeeds(filter));
   FF_CHECK(idsOf(filter) == (Ids{ 1, 3, 4, 6 }));
@@ -71,7 +65,7 @@ void testFilter(vtkFFAlgorithm* filter, bool weights)
 
   // Off, they count. Their weights, too.
   filter->SkipGhostPointsOff();
-  if (weights)
+  if (of.IsWeighted)
   {
     FF_CHECK(
       fails(filter, vtkFFErrorCode::NonFiniteError, { "first at point 0, 4 such point(s)" }));
@@ -216,11 +210,10 @@ void testMarksOfCells()
 
 int TestFFGhostPoints(int, char*[])
 {
-  testFilter(vtkNew<vtkFFHullFilter>(), false);
-  testFilter(vtkNew<vtkFFRegularTriangulationFilter>(), false);
-  testFilter(vtkNew<vtkFFRegularTriangulationFilter>(), true);
-  testFilter(vtkNew<vtkFFPowerDiagramFilter>(), true);
-  testFilter(vtkNew<vtkFFConstrainedDelaunayFilter>(), false);
+  for (const FilterCase& of : casesOfPoints())
+  {
+    testFilter(of);
+  }
   testAllBlocks();
   testHiddenPoints();
   testMarksOfCells();

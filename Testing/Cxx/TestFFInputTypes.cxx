@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the filters take: data sets whose points are not stored give what a point set of the same
 // points gives. All else is an error.
+#include "FFCases.h"
 #include "FFTest.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
-#include "vtkFFConvexifyFilter.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFHullFilter.h"
-#include "vtkFFPowerDiagramFilter.h"
-#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -31,14 +27,6 @@ using namespace fftest;
 
 namespace
 {
-
-std::vector<vtkSmartPointer<vtkFFAlgorithm>> filtersOfPoints()
-{
-  return { vtkSmartPointer<vtkFFHullFilter>::New(),
-    vtkSmartPointer<vtkFFRegularTriangulationFilter>::New(),
-    vtkSmartPointer<vtkFFPowerDiagramFilter>::New(),
-    vtkSmartPointer<vtkFFConstrainedDelaunayFilter>::New() };
-}
 
 /// A weight for each point, and field data.
 void decorate(vtkDataSet* data)
@@ -88,20 +76,14 @@ void checkPoints(vtkDataSet* data, int type, const std::string& what)
         what + ", " + filter->GetClassName() + ", port " + std::to_string(port)));
     }
   };
-  for (const auto& filter : filtersOfPoints())
+  for (const FilterCase& of : casesOfPoints())
   {
-    if (!filter->IsA("vtkFFConstrainedDelaunayFilter"))
-    {
-      useWeights(filter);
-    }
-    check(filter, data, stored);
+    check(of.New(), data, stored);
   }
-  vtkNew<vtkFFHullFilter> all;
-  all->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   vtkNew<vtkMultiBlockDataSet> blocks[2];
   blocks[0]->SetBlock(1, data);
   blocks[1]->SetBlock(1, stored);
-  check(all, blocks[0], blocks[1]);
+  check(makeHullOfAllBlocks(), blocks[0], blocks[1]);
 }
 
 void testImages()
@@ -129,8 +111,10 @@ void testImages()
   flat->SetExtent(0, 9, 0, 8, 5, 5);
   decorate(flat);
   checkPoints(flat, VTK_DOUBLE, "a flat image");
-  for (const auto& filter : filtersOfPoints())
+  for (const FilterCase& of : casesOfPoints())
   {
+    const auto filter = of.New();
+    useWeights(filter, ""); // of which there are none
     filter->SetInputDataObject(vtkSmartPointer<vtkImageData>::New());
     FF_CHECK(succeeds(filter));
     FF_CHECK_EQUAL(filter->GetDimension(), -1);
@@ -176,8 +160,10 @@ void testRectilinearGrids()
   vtkTypeInt64Array::SafeDownCast(wide->GetYCoordinates())->SetValue(2, (1ll << 53) + 1);
   const auto nan = makeGrid<vtkDoubleArray, vtkDoubleArray, vtkDoubleArray>();
   nan->GetYCoordinates()->SetComponent(1, 0, std::numeric_limits<double>::quiet_NaN());
-  for (const auto& filter : filtersOfPoints())
+  for (const FilterCase& of : casesOfPoints())
   {
+    const auto filter = of.New();
+    useWeights(filter, ""); // of which there are none
     filter->SetInputDataObject(bare);
     FF_CHECK(fails(filter, vtkFFErrorCode::InputError,
       { "vtkRectilinearGrid has 1 x coordinate(s)", "needs 3" }));
@@ -200,8 +186,10 @@ void testTooMany()
   {
     vtkNew<vtkImageData> image;
     image->SetDimensions(size[0], size[1], size[2]);
-    for (const auto& filter : filtersOfPoints())
+    for (const FilterCase& of : casesOfPoints())
     {
+      const auto filter = of.New();
+      useWeights(filter, ""); // of which there are none
       filter->SetInputDataObject(image);
       FF_CHECK(fails(
         filter, vtkFFErrorCode::MemoryError, { "points are more than 32-bit indices can name" }));
@@ -212,15 +200,13 @@ void testTooMany()
 /// VTK's executive refuses the wrong types, and no input. The filter works again afterwards.
 void testWrongTypes()
 {
-  auto filters = filtersOfPoints();
-  filters.push_back(vtkSmartPointer<vtkFFConvexifyFilter>::New());
-  vtkNew<vtkFFHullFilter> all;
-  all->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
-  filters.emplace_back(all);
   vtkNew<vtkTable> table;
   const auto cube = makeVoxels({ { 0, 0, 0 } });
-  for (const auto& filter : filters)
+  cube->GetPointData()->AddArray(
+    makeWeighted({}, std::vector<double>(8, 0.0))->GetPointData()->GetArray("weights"));
+  for (const FilterCase& of : filterCases())
   {
+    const auto filter = of.New();
     for (vtkDataObject* wrong : { static_cast<vtkDataObject*>(nullptr),
            static_cast<vtkDataObject*>(table), static_cast<vtkDataObject*>(nullptr) })
     {

@@ -117,7 +117,7 @@ bool isRefused(const std::string& parcel)
 
 void testDamaged()
 {
-  const std::string parcel = vtkFFParcel::Pack(makeInput(5, VTK_DOUBLE));
+  const std::string parcel = vtkFFParcel::Pack(makeInput(3, VTK_FLOAT));
   for (std::size_t size = 0; size < parcel.size(); ++size)
   {
     FF_CHECK(isRefused(parcel.substr(0, size)));
@@ -131,7 +131,7 @@ void testDamaged()
   std::size_t taken = 0;
   for (std::size_t place = 0; place < parcel.size(); ++place)
   {
-    for (const int change : { 0x01, 0x02, 0x10, 0x80, 0xff })
+    for (const int change : { 0x01, 0xff })
     {
       std::string damaged = parcel;
       damaged[place] = static_cast<char>(damaged[place] ^ change);

@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The filters as a part of a pipeline: progress, abort, errors, what makes them run again,
 // PrintSelf, subclasses.
+#include "FFCases.h"
 #include "FFTest.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
-#include "vtkFFConvexifyFilter.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFHullFilter.h"
-#include "vtkFFPowerDiagramFilter.h"
-#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
-#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,26 +159,6 @@ void testModification()
   FF_CHECK_EQUAL(hull->GetNonFinitePoints(), int(vtkFFAlgorithm::NON_FINITE_IGNORE));
 }
 
-/// From a source, through both filters.
-void testPipeline()
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(16);
-  sphere->SetPhiResolution(16);
-  vtkNew<vtkFFHullFilter> hull;
-  hull->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkFFConvexifyFilter> again;
-  again->SetInputConnection(hull->GetOutputPort());
-  for (const int resolution : { 16, 32 })
-  {
-    sphere->SetThetaResolution(resolution);
-    FF_CHECK(succeeds(again));
-    FF_CHECK(hull->GetOutput()->GetNumberOfPoints() > 10 * resolution);
-    FF_CHECK_EQUAL(again->GetOutput()->GetNumberOfPoints(), hull->GetOutput()->GetNumberOfPoints());
-    FF_CHECK_EQUAL(again->GetOutput()->GetNumberOfPolys(), hull->GetOutput()->GetNumberOfPolys());
-  }
-}
-
 void testPrint(vtkFFAlgorithm* filter, std::vector<std::string> names)
 {
   std::ostringstream text;
@@ -230,37 +205,18 @@ void testSubclass()
 
 int TestFFPipeline(int, char*[])
 {
+  const auto points = makeWeighted(spherePoints(100000, 41), std::vector<double>(100000, 0.0));
   vtkNew<vtkFFHullFilter> hull;
-  vtkNew<vtkFFConvexifyFilter> convexify;
-  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
-  vtkNew<vtkFFPowerDiagramFilter> diagram;
-  vtkNew<vtkFFConstrainedDelaunayFilter> constrained;
-  const auto points = makePoints(spherePoints(100000, 41));
-  testProgress(hull, points, "Convex hull",
-    { "Convex hull: scanning", "Convex hull: sorting", "Convex hull: finishing" });
-  testProgress(
-    convexify, hull->GetOutput(), "Convexify", { "Convexify: flipping", "Convexify: finishing" });
-  testProgress(triangulation, points, "Regular triangulation",
-    { "Regular triangulation: scanning", "Regular triangulation: finishing" });
-  testProgress(
-    diagram, points, "Power diagram", { "Power diagram: scanning", "Power diagram: making cells" });
-  testProgress(constrained, points, "Constrained Delaunay triangulation", {});
+  hull->SetInputData(points);
+  hull->Update();
+  for (const FilterCase& of : filterCases())
+  {
+    const auto filter = of.New();
+    testPrint(filter, of.Settings);
+    testProgress(filter, of.TakesSurface ? hull->GetOutput() : points.Get(), of.Title, of.Steps);
+  }
   testError();
   testModification();
-  testPipeline();
-  const std::vector<std::string> planar{ "ProjectionPlaneMode", "Transform", "WeightMode",
-    "WeightFactor", "GenerateCellMeasures" };
-  testPrint(hull, { "Volume", "Area", "CompositeMode", "NumberOfStreamDivisions" });
-  testPrint(convexify, { "Volume", "Area", "KernelPoint", "UseKernelPoint" });
-  testPrint(triangulation, planar);
-  testPrint(triangulation,
-    { "Alpha", "AlphaLines", "AlphaVerts", "GenerateAlphas", "GenerateBoundary",
-      "MaximumEdgeLength", "NumberOfHiddenPoints", "NumberOfDroppedCells" });
-  testPrint(diagram, planar);
-  testPrint(diagram, { "PowerDiagramBounds", "PowerDiagramBoxMode" });
-  testPrint(constrained, planar);
-  testPrint(constrained,
-    { "SplitCrossingConstraints", "PolygonRule", "NumberOfDroppedCells", "NumberOfSplitPoints" });
   testSubclass();
   return result();
 }

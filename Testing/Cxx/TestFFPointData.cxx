@@ -3,6 +3,7 @@
 // Point data goes along with the points: every array, in full type, with names and attributes. The
 // attributes that describe the input's own surface, its normals first, would shade and draw another
 // surface falsely: their arrays go along, but are not active.
+#include "FFCases.h"
 #include "FFPieceSource.h"
 #include "FFTest.h"
 
@@ -10,11 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
-#include "vtkFFConvexifyFilter.h"
-#include "vtkFFHullFilter.h"
-#include "vtkFFPowerDiagramFilter.h"
-#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -110,6 +106,7 @@ vtkSmartPointer<vtkPolyData> makeInput()
   add<vtkUnsignedCharArray>(data, "colours", 4, narrow)->SetComponentName(2, "b");
   add<vtkBitArray>(data, "bits", 1, narrow);
   add<vtkStringArray>(data, "names", 1, [](int id, int) { return vtkVariant(std::to_string(id)); });
+  add<vtkDoubleArray>(data, "weights", 1, [](int id, int) { return 0.01 * (id % 3); });
   add<vtkDoubleArray>(data, "too short", 1, fine)->SetNumberOfTuples(count - 1);
   vtkNew<vtkDoubleArray> time;
   time->SetName("time");
@@ -214,18 +211,19 @@ int TestFFPointData(int, char*[])
 {
   const auto input = makeInput();
   vtkPointData* const data = input->GetPointData();
-  testFilter(vtkNew<vtkFFHullFilter>(), input, data);
-  testFilter(vtkNew<vtkFFConvexifyFilter>(), input, data);
-  testFilter(vtkNew<vtkFFPowerDiagramFilter>(), input, data);
-  testFilter(vtkNew<vtkFFConstrainedDelaunayFilter>(), input, data);
-  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
-  triangulation->GenerateBoundaryOn();
-  testFilter(triangulation, input, data);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, input);
-  vtkNew<vtkFFHullFilter> all;
-  all->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
-  testFilter(all, blocks, data);
+  for (const FilterCase& of : filterCases())
+  {
+    const auto filter = of.New();
+    if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
+    {
+      triangulation->GenerateBoundaryOn();
+    }
+    auto* const hull = vtkFFHullFilter::SafeDownCast(filter);
+    const bool joins = hull && hull->GetCompositeMode() == vtkFFHullFilter::HULL_OF_ALL_BLOCKS;
+    testFilter(filter, joins ? static_cast<vtkDataObject*>(blocks) : input.Get(), data);
+  }
   testHullOfHull();
   return result();
 }

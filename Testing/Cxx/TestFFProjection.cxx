@@ -1,23 +1,130 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// However points are projected, the work asks on its way whether to go on, and stops when told to.
+// The plane in which points are triangulated: z left out, after a transform, or the one that fits
+// best. The output's points stay where they were; the power diagram lies in the plane. However
+// points are projected, an abort ends the work.
 #include "FFPlanar.h"
 
+#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFProjection.h"
-#include <flipflop/Error.h>
-#include <flipflop/Options.h>
-
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkObjectFactory.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
 #include "vtkTransform.h"
 
+#include <flipflop/Error.h>
+
+#include <cmath>
 #include <functional>
-#include <vector>
 
 using namespace fftest;
 
 namespace
 {
+
+constexpr int XY = vtkFFPlanarAlgorithm::XY_PLANE;
+constexpr int Fitted = vtkFFPlanarAlgorithm::BEST_FITTING_PLANE;
+
+/// A sheet that lies flat, and the same where a transform moves it: one result.
+void testPlanes()
+{
+  const auto sheet = randomWeighted(800, 71);
+  const auto placed = copyOf(sheet);
+  vtkNew<vtkTransform> transform;
+  transform->Translate(10.0, -7.0, 3.0);
+  transform->RotateWXYZ(72.0, 1.0, 0.5, 2.0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const auto flat = copyOf(sheet);
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+  {
+    const double* const p = sheet->GetPoint(i);
+    flat->GetPoints()->SetPoint(i, p[0], p[1], 0.0);
+  }
+  transform->TransformPoints(flat->GetPoints(), points);
+  placed->SetPoints(points);
+
+  // In XY, z does not matter.
+  Watched<vtkFFRegularTriangulationFilter> run(sheet, "weights");
+  const Cells expected = polysOf(run.Run());
+  FF_CHECK(isTriangulationOf(sheet, "weights", run.Get()));
+  FF_CHECK(polysOf(run.RunWith(flat)) == expected);
+  Watched<vtkFFPowerDiagramFilter> diagram(flat, "weights");
+  const auto cells = copyOf(diagram.Run());
+
+  for (const bool fits : { true, false })
+  {
+    for (vtkFFPlanarAlgorithm* filter : { static_cast<vtkFFPlanarAlgorithm*>(run.Get()),
+           static_cast<vtkFFPlanarAlgorithm*>(diagram.Get()) })
+    {
+      filter->SetTransform(fits ? nullptr : transform->GetInverse());
+      filter->SetProjectionPlaneMode(fits ? Fitted : vtkFFPlanarAlgorithm::TRANSFORM_PLANE);
+    }
+    vtkPolyData* const output = run.RunWith(placed);
+    FF_CHECK(polysOf(output) == expected);
+    const Ids ids = originalIds(output);
+    for (std::size_t i = 0; i < ids.size(); ++i) // the points stay, with every bit
+    {
+      Point p;
+      output->GetPoint(static_cast<vtkIdType>(i), p.data());
+      FF_CHECK(std::equal(p.begin(), p.end(), placed->GetPoint(ids[i])));
+    }
+    vtkPolyData* const there = diagram.RunWith(placed);
+    FF_CHECK(fits || cellsOf(there->GetPolys()) == cellsOf(cells->GetPolys()));
+    FF_CHECK(there->GetNumberOfPolys() > 100);
+    for (vtkIdType i = 0; i < there->GetNumberOfPoints(); ++i)
+    {
+      double q[3];
+      transform->GetInverse()->TransformPoint(there->GetPoint(i), q);
+      FF_CHECK(std::fabs(q[2]) < 1e-12);
+      FF_CHECK(fits || vtkMath::Distance2BetweenPoints(q, cells->GetPoint(i)) < 1e-12);
+    }
+  }
+}
+
+/// What lies in a vertical plane, and not on a line, brings a hint of the mode that fits: by each
+/// filter.
+template <class FilterT>
+void testVerticalPlane()
+{
+  const auto hints = [](vtkDataObject* input, int mode = XY, const char* block = "")
+  {
+    Watched<FilterT> run(input);
+    run->SetProjectionPlaneMode(mode);
+    run->Update();
+    FF_CHECK_EQUAL(run->GetErrorCode(), vtkFFErrorCode::NoError);
+    FF_CHECK(run.Errors->Messages.empty() ||
+      run.Errors->Has(std::string("The points") + block + " are in one vertical plane"));
+    FF_CHECK(run.Errors->Messages.empty() ||
+      run.Errors->Has("set Projection Plane Mode to Best-Fitting Plane."));
+    return run.Errors->Messages.size();
+  };
+  std::vector<Point> wall;
+  for (const Point& p : gridOf(5, 4))
+  {
+    wall.push_back({ 3.0 * p[0], -p[0], 0.5 * p[1] });
+  }
+  const auto upright = makePoints(wall);
+  FF_CHECK_EQUAL(hints(upright), std::size_t(1));
+  FF_CHECK_EQUAL(hints(upright, Fitted), std::size_t(0));
+
+  // One bit off the plane, in it on a line, on an upright line: nothing to hint at.
+  wall[7][0] = std::nextafter(wall[7][0], 7.0);
+  FF_CHECK_EQUAL(hints(makePoints(wall)), std::size_t(0));
+  FF_CHECK_EQUAL(hints(makePoints({ { 0, 0, 0 }, { 1, 2, 3 }, { 2, 4, 6 } })), std::size_t(0));
+  FF_CHECK_EQUAL(hints(makePoints({ { 1, 2, 0 }, { 1, 2, 3 }, { 1, 2, 6 } })), std::size_t(0));
+  // One bit off the line in space; points above each other, of which one is hidden.
+  const double near = std::nextafter(3.0, 4.0);
+  FF_CHECK_EQUAL(hints(makePoints({ { 0, 0, 0 }, { 1, 2, near }, { 2, 4, 6 } })), std::size_t(1));
+  FF_CHECK_EQUAL(hints(makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 5 } })), std::size_t(1));
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makePoints(cubeCorners()));
+  blocks->SetBlock(1, upright);
+  FF_CHECK_EQUAL(hints(blocks, XY, " of data set 1 of the composite"), std::size_t(1));
+}
 
 constexpr int pointCount = 300000;
 
@@ -82,44 +189,14 @@ void testEachProjection()
   testStops(4, [&](vtkFFProjection& projection) { projection.ByTransform(points, transform); });
 }
 
-/// A transform during which somebody asks the filter to stop.
-class StoppingTransform : public vtkTransform
-{
-public:
-  static StoppingTransform* New();
-  vtkTypeMacro(StoppingTransform, vtkTransform);
-
-  using vtkTransform::InternalTransformPoint;
-  void InternalTransformPoint(const double in[3], double out[3]) override
-  {
-    this->Superclass::InternalTransformPoint(in, out);
-    if (++this->Calls == 1000)
-    {
-      this->Filter->SetAbortExecute(1);
-    }
-  }
-
-  vtkFFRegularTriangulationFilter* Filter = nullptr;
-  int Calls = 0;
-};
-vtkStandardNewMacro(StoppingTransform);
-
-void testFilterStops()
-{
-  Watched<vtkFFRegularTriangulationFilter> run(makePoints(randomPoints(pointCount, 82)));
-  vtkNew<StoppingTransform> transform;
-  transform->Filter = run.Get();
-  run->SetTransform(transform);
-  FF_CHECK(isEmpty(run.Run()));
-  FF_CHECK(transform->Calls >= 1000);
-  FF_CHECK(transform->Calls < pointCount);
-}
-
 }
 
 int TestFFProjection(int, char*[])
 {
+  testPlanes();
+  testVerticalPlane<vtkFFRegularTriangulationFilter>();
+  testVerticalPlane<vtkFFPowerDiagramFilter>();
+  testVerticalPlane<vtkFFConstrainedDelaunayFilter>();
   testEachProjection();
-  testFilterStops();
   return result();
 }

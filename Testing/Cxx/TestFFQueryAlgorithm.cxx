@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the filters that answer questions share, as parts of a pipeline: composites, ghosts, errors
 // in words, threads, progress, abort, what makes them run again, and what they keep.
+#include "FFPieceSource.h"
 #include "FFTest.h"
 
 #include "vtkDataArray.h"
@@ -272,6 +273,21 @@ void testRuns()
   }
 }
 
+/// Of whatever piece of the input, all of the second input is the other side.
+void testPieces()
+{
+  for (const Case& of : cases())
+  {
+    vtkNew<PieceSource> source;
+    source->SetWhole(makePoints(cubeCorners()));
+    of.Filter->SetInputData(makePoints({ { 0.5, 0.5, 0.5 } }));
+    of.Filter->SetInputConnection(1, source->GetOutputPort());
+    of.Filter->UpdatePiece(0, 2, 0);
+    FF_CHECK((source->Asked == std::vector<std::pair<int, int>>{ { 0, 1 } }));
+    FF_CHECK(answersIn(of, of.Filter->GetOutput()) == Answers{ 1 });
+  }
+}
+
 /// A run comes after changes alone. The second input is prepared again if it or a setting of it has
 /// changed. To see that, its points move here, of which nobody is told.
 void testChanges(const Case& of)
@@ -357,6 +373,7 @@ int TestFFQueryAlgorithm(int, char*[])
 {
   testComposites();
   testGhosts();
+  testPieces();
   testRuns();
   for (const Case& of : cases())
   {

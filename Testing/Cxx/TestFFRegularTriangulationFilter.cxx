@@ -1,333 +1,117 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangulations known by heart, by brute force and by the oracle, in both facet modes; one answer
-// for any number of threads; the data of points.
+// The triangulation filter gives what the engine gives: of each dimension, with hidden points on
+// port 1, in both facet modes, on any number of threads. The power diagram has an answer where it
+// has one, and without a source the constrained triangulation is the same. The engine's tests have
+// the geometry.
 #include "FFPlanar.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPoints.h"
-#include "vtkStringArray.h"
-
-#include <algorithm>
-#include <cmath>
-#include <set>
 
 using namespace fftest;
 
 namespace
 {
 
-/// A run that the oracle has judged.
-struct Run : Watched<vtkFFRegularTriangulationFilter>
+struct Row
 {
-  explicit Run(vtkPolyData* input, const char* weights = nullptr, bool polygons = false)
-    : Watched(input, weights)
-  {
-    this->Filter->SetFacetMode(polygons);
-    this->Output = this->Watched::Run();
-    FF_CHECK(isTriangulationOf(input, weights, this->Filter));
-  }
-  Cells Polys() { return polysOf(this->Output); }
-  Ids Hidden() { return originalIds(this->Filter->GetHiddenPointsOutput()); }
-
-  vtkPolyData* Output;
+  std::vector<Point> Points;
+  std::vector<double> Weights;
+  int Dimension;
+  Cells Triangles; ///< or lines, or vertices, by ids of the input
+  Cells Polygons;
+  Ids Hidden;
 };
 
-/// A square with its centre, which a weight can hide or let hide others.
-void testSquare()
+Cells cellsOfAnyKind(vtkPolyData* output)
 {
-  const std::vector<Point> points{ { 2, 2, 1 }, { 0, 2, 2 }, { 1, 1, 3 }, { 0, 0, 4 },
+  Cells all;
+  for (vtkCellArray* cells : { output->GetVerts(), output->GetLines(), output->GetPolys() })
+  {
+    const Cells some = cellsByOriginalIds(output, cells);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+/// The rows of the table in the documentation of vtkFFRegularTriangulationFilter.
+void testDimensions()
+{
+  const std::vector<Point> square{ { 2, 2, 1 }, { 0, 2, 2 }, { 1, 1, 3 }, { 0, 0, 4 },
     { 2, 0, 5 } };
-  Run star(makePoints(points));
-  FF_CHECK((star.Polys() == Cells{ { 0, 1, 2 }, { 0, 2, 4 }, { 1, 3, 2 }, { 2, 3, 4 } }));
-  FF_CHECK(star.Hidden().empty());
-
-  // The centre's power distance from the square's circle is -2 - w: at w = -2 it is a tie.
-  for (const double weight : { -1.9999999, -2.0, -3.0 })
+  const Cells star{ { 0, 1, 2 }, { 0, 2, 4 }, { 1, 3, 2 }, { 2, 3, 4 } };
+  // Not in a vertical plane. Sorted along the line it is 1 2 4 0 3.
+  const std::vector<Point> line{ { 2, 4, 2 }, { -3, -6, -3 }, { 0, 0, 0 }, { 5, 10, 5 },
+    { 1, 2, 1 }, { 5, 10, 5 } };
+  const Row rows[] = {
+    { {}, {}, -1, {}, {}, {} },
+    { { { 1, 2, 0 }, { 1, 2, 5 }, { 1, 2, 9 } }, { -3, -1, -3 }, 0, { { 1 } }, { { 1 } },
+      { 0, 2 } },
+    { line, {}, 1, { { 0, 3 }, { 0, 4 }, { 1, 2 }, { 2, 4 } },
+      { { 0, 3 }, { 0, 4 }, { 1, 2 }, { 2, 4 } }, { 5 } },
+    { line, { 0, 0, 0, 0, 1000, 0.5 }, 1, { { 1, 4 }, { 4, 5 } }, { { 1, 4 }, { 4, 5 } },
+      { 0, 2, 3 } },
+    { square, {}, 2, star, star, {} },
+    // The centre's power distance from the square's circle is -2 - w: at w = -2 it is a tie.
+    { square, { 0, 0, -1.9999999, 0, 0 }, 2, star, star, {} },
+    { square, { 0, 0, -2, 0, 0 }, 2, { { 0, 1, 3 }, { 0, 3, 4 } }, { { 0, 1, 3, 4 } }, { 2 } },
+  };
+  for (const Row& row : rows)
   {
-    const auto weighted = makeWeighted(points, { 0, 0, weight, 0, 0 });
-    const bool isHidden = weight <= -2.0;
-    Run triangles(weighted, "weights");
-    FF_CHECK(triangles.Polys() == (isHidden ? Cells{ { 0, 1, 3 }, { 0, 3, 4 } } : star.Polys()));
-    FF_CHECK(triangles.Hidden() == (isHidden ? Ids{ 2 } : Ids{}));
-    Run polygons(weighted, "weights", true);
-    FF_CHECK(polygons.Polys() == (isHidden ? Cells{ { 0, 1, 3, 4 } } : star.Polys()));
-  }
-  // Of one position, the point of greatest weight; of one weight, the lower id.
-  auto doubled = points;
-  doubled.insert(doubled.end(), points.begin(), points.end());
-  FF_CHECK((Run(makePoints(doubled)).Hidden() == Ids{ 5, 6, 7, 8, 9 }));
-  Run greater(makeWeighted(doubled, { 0, 0, 0, 0, 0, 0, 0.5, 0, 0, 0 }), "weights");
-  FF_CHECK((greater.Hidden() == Ids{ 1, 5, 7, 8, 9 }));
-  FF_CHECK_EQUAL(greater.Output->GetNumberOfPolys(), 4);
-}
-
-/// Points on lattices: many on one circle, many on one line.
-void testGrid()
-{
-  const auto grid = makePoints(gridOf(9, 7));
-  Run quads(grid, nullptr, true);
-  FF_CHECK_EQUAL(quads.Output->GetNumberOfPolys(), 8 * 6);
-  FF_CHECK((quads.Polys().front() == Ids{ 0, 1, 10, 9 }));
-  Run triangles(grid);
-  FF_CHECK_EQUAL(triangles.Output->GetNumberOfPolys(), 2 * 8 * 6);
-  FF_CHECK((triangles.Polys().front() == Ids{ 0, 1, 10 }));
-
-  // Twelve lattice points on one circle.
-  std::vector<Point> circle;
-  for (const Point& p : gridOf(11, 11))
-  {
-    if ((p[0] - 5) * (p[0] - 5) + (p[1] - 5) * (p[1] - 5) == 25)
+    const char* const weights = row.Weights.empty() ? nullptr : "weights";
+    const auto input = weights ? makeWeighted(row.Points, row.Weights) : makePoints(row.Points);
+    Watched<vtkFFRegularTriangulationFilter> run(input, weights);
+    for (const bool polygons : { false, true })
     {
-      circle.push_back(p);
+      run->SetFacetMode(polygons);
+      vtkPolyData* const output = run.Run();
+      FF_CHECK(cellsOfAnyKind(output) == (polygons ? row.Polygons : row.Triangles));
+      FF_CHECK(originalIds(run->GetHiddenPointsOutput()) == row.Hidden);
+      FF_CHECK_EQUAL(run->GetNumberOfHiddenPoints(), vtkIdType(row.Hidden.size()));
+      FF_CHECK_EQUAL(run->GetDimension(), row.Dimension);
+      FF_CHECK(row.Dimension < 0 || isTriangulationOf(input, weights, run.Get(), row.Dimension));
     }
+    Watched<vtkFFPowerDiagramFilter> diagram(input, weights);
+    FF_CHECK((diagram.Run()->GetNumberOfPolys() > 0) == (row.Dimension >= 0));
+    FF_CHECK_EQUAL(diagram->GetDimension(), row.Dimension);
+    FF_CHECK_EQUAL(diagram->GetNumberOfHiddenPoints(), vtkIdType(row.Hidden.size()));
   }
-  Run polygon(makePoints(circle), nullptr, true);
-  FF_CHECK_EQUAL(polygon.Output->GetNumberOfPolys(), 1);
-  FF_CHECK_EQUAL(polygon.Polys().front().size(), std::size_t(12));
-  FF_CHECK_EQUAL(Run(makePoints(circle)).Output->GetNumberOfPolys(), 10);
+  Watched<vtkFFRegularTriangulationFilter> none(
+    vtkSmartPointer<vtkPolyData>::New()); // not even a vtkPoints
+  FF_CHECK(isEmpty(none.Run()) && isEmpty(none->GetOutput(1)) && isEmpty(none->GetOutput(2)));
+  FF_CHECK_EQUAL(none.RunWith(makePoints({}, VTK_INT))->GetPoints()->GetDataType(), VTK_INT);
 }
 
-struct Site
+/// One output, whatever the threads and the variant.
+void testThreads()
 {
-  long long X, Y, W;
-  long long Lift() const { return X * X + Y * Y - W; }
-};
-
-long long turn(const Site& a, const Site& b, const Site& c)
-{
-  return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
-}
-
-/// Below 0 when d lies beneath the plane of the lifts of a, b, c, which turn left.
-long long above(const Site& a, const Site& b, const Site& c, const Site& d)
-{
-  const long long m[3][3] = { { b.X - a.X, b.Y - a.Y, b.Lift() - a.Lift() },
-    { c.X - a.X, c.Y - a.Y, c.Lift() - a.Lift() }, { d.X - a.X, d.Y - a.Y, d.Lift() - a.Lift() } };
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-/// The strict corners of the hull of some sites, counter-clockwise from the lowest id, which stands
-/// for its duplicates: Andrew's monotone chain.
-Ids corners(const std::vector<Site>& sites, Ids ids)
-{
-  const auto at = [&](vtkIdType id) { return sites[static_cast<std::size_t>(id)]; };
-  const auto position = [&](vtkIdType id) { return std::make_pair(at(id).X, at(id).Y); };
-  std::stable_sort(
-    ids.begin(), ids.end(), [&](vtkIdType a, vtkIdType b) { return position(a) < position(b); });
-  ids.erase(std::unique(ids.begin(), ids.end(),
-              [&](vtkIdType a, vtkIdType b) { return position(a) == position(b); }),
-    ids.end());
-  Ids ring;
-  for (int half = 0; half < 2; ++half)
-  {
-    const std::size_t begin = ring.size();
-    for (const vtkIdType id : ids)
-    {
-      while (
-        ring.size() >= begin + 2 && turn(at(ring[ring.size() - 2]), at(ring.back()), at(id)) <= 0)
-      {
-        ring.pop_back();
-      }
-      ring.push_back(id);
-    }
-    ring.pop_back(); // the other half begins there
-    std::reverse(ids.begin(), ids.end());
-  }
-  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-  return ring;
-}
-
-/// All facets of the lower hull, by trying each triple.
-Cells bruteForce(const std::vector<Site>& sites)
-{
-  std::set<Ids> facets;
-  for (const Site& a : sites)
-  {
-    for (const Site& b : sites)
-    {
-      for (const Site& c : sites)
-      {
-        Ids flat;
-        bool isEmpty = turn(a, b, c) > 0;
-        for (std::size_t d = 0; d < sites.size() && isEmpty; ++d)
-        {
-          const long long side = above(a, b, c, sites[d]);
-          isEmpty = side >= 0;
-          if (side == 0)
-          {
-            flat.push_back(static_cast<vtkIdType>(d));
-          }
-        }
-        if (isEmpty)
-        {
-          facets.insert(corners(sites, flat));
-        }
-      }
-    }
-  }
-  return Cells(facets.begin(), facets.end());
-}
-
-void testBruteForce()
-{
-  for (unsigned int seed = 1; seed <= 40; ++seed)
-  {
-    const double size = seed % 4 ? 3.0 + seed : 2.0;
-    const double range = seed % 3 * size * 2.0;
-    std::vector<Point> points;
-    std::vector<double> weights;
-    std::vector<Site> sites;
-    for (const Point& p : randomPoints(25, 100 + seed))
-    {
-      const Site site{ std::llround(size * p[0]), std::llround(size * p[1]),
-        std::llround(range * p[2]) };
-      sites.push_back(site);
-      points.push_back({ double(site.X), double(site.Y), p[2] });
-      weights.push_back(double(site.W));
-    }
-    const auto input = makeWeighted(points, weights);
-    FF_CHECK(Run(input, "weights", true).Polys() == bruteForce(sites));
-    Run triangles(input, "weights");
-  }
-}
-
-void testRandom()
-{
-  for (unsigned int seed = 1; seed <= 12; ++seed)
-  {
-    const auto points = randomPoints(static_cast<int>(40 * seed * seed), seed);
-    std::vector<double> weights;
-    for (const Point& p : points)
-    {
-      weights.push_back(p[2] * 0.05 / seed);
-    }
-    const auto input = makePoints(points);
-    Run delaunay(input);
-    FF_CHECK(delaunay.Hidden().empty());
-    Run weighted(makeWeighted(points, weights), "weights");
-    FF_CHECK(seed > 2 || !weighted.Hidden().empty());
-
-    // Without constraints, the constrained triangulation is the same.
-    Watched<vtkFFConstrainedDelaunayFilter> constrained(input);
-    FF_CHECK(isIdentical(constrained.Run(), delaunay.Output, "no source"));
-    FF_CHECK(isEmpty(constrained->GetFixedEdgesOutput()));
-  }
-}
-
-/// One answer: whatever the threads, the variant and the order of magnitude of all weights.
-void testDeterminism()
-{
-  const auto points = randomPoints(30000, 5);
-  std::vector<double> weights;
-  for (const Point& p : points)
-  {
-    weights.push_back(std::ldexp(std::floor(1024.0 * p[2]), -24));
-  }
-  Run run(makeWeighted(points, weights), "weights");
-  const auto expected = copyOf(run.Output);
-  const auto hidden = run.Hidden();
-  FF_CHECK(!hidden.empty());
-  for (const int threads : { 1, 2, 3, 8, 0, -1 })
+  const auto input = randomWeighted(30000, 5);
+  Watched<vtkFFRegularTriangulationFilter> run(input, "weights");
+  run->SetNumberOfThreads(1);
+  const auto expected = copyOf(run.Run());
+  const auto hidden = originalIds(run->GetHiddenPointsOutput());
+  FF_CHECK(!hidden.empty() && isTriangulationOf(input, "weights", run.Get()));
+  for (const int threads : { 2, -1 })
   {
     run->SetNumberOfThreads(threads);
-    run->SetVBiased(threads % 2 == 0);
-    FF_CHECK(isSame(run.Watched::Run(), expected));
-    FF_CHECK(run.Hidden() == hidden);
+    run->SetVBiased(threads < 0);
+    FF_CHECK(isSame(run.Run(), expected));
+    FF_CHECK(originalIds(run->GetHiddenPointsOutput()) == hidden);
   }
-  for (double& weight : weights)
-  {
-    weight += 3.0; // exact: all are multiples of 2^-24
-  }
-  Run shifted(makeWeighted(points, weights), "weights");
-  FF_CHECK(shifted.Polys() == run.Polys());
-  FF_CHECK(shifted.Hidden() == hidden);
-}
-
-/// Floats stay floats; each port has the data of its points.
-void testPointData()
-{
-  const auto input = randomWeighted(2000, 41);
-  input->SetPoints(makePoints(randomPoints(2000, 41), VTK_FLOAT)->GetPoints());
-  vtkNew<vtkStringArray> names;
-  names->SetName("names");
-  vtkNew<vtkFloatArray> vectors;
-  vectors->SetName("velocity");
-  vectors->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < 2000; ++i)
-  {
-    names->InsertNextValue("point " + std::to_string(i));
-    vectors->InsertNextTuple3(double(i), 0.1, 0.2);
-  }
-  input->GetPointData()->AddArray(names);
-  input->GetPointData()->SetVectors(vectors);
-  vtkNew<vtkDoubleArray> field;
-  field->SetName("time");
-  field->InsertNextValue(4.5);
-  input->GetFieldData()->AddArray(field);
-
-  Watched<vtkFFRegularTriangulationFilter> run(input, "weights");
-  run->VisiblePointIdsOn();
-  run->GenerateBoundaryOn();
-  run.Run();
-  FF_CHECK(isTriangulationOf(input, "weights", run.Get()));
-  FF_CHECK(run->GetNumberOfHiddenPoints() > 0);
-  vtkIdType sum = 0;
-  for (int port = 0; port < 3; ++port)
-  {
-    vtkPolyData* output = run->GetOutput(port);
-    const auto ids = originalIds(output);
-    sum += port < 2 ? output->GetNumberOfPoints() : 0;
-    FF_CHECK(!ids.empty());
-    FF_CHECK_EQUAL(output->GetPoints()->GetDataType(), VTK_FLOAT);
-    FF_CHECK(output->GetFieldData()->HasArray("time"));
-    FF_CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), 5);
-    auto* passed = vtkStringArray::SafeDownCast(output->GetPointData()->GetAbstractArray("names"));
-    auto* velocity = vtkFloatArray::SafeDownCast(output->GetPointData()->GetVectors());
-    auto* weights = vtkDoubleArray::SafeDownCast(output->GetPointData()->GetArray("weights"));
-    auto* visible =
-      vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetArray("OriginalPointIds"));
-    auto* given = input->GetPointData()->GetArray("weights");
-    if (!passed || !velocity || !weights || !visible)
-    {
-      FF_CHECK(!"an array is missing, or of another type");
-      continue;
-    }
-    for (std::size_t k = 0; k < ids.size(); ++k)
-    {
-      const auto i = static_cast<vtkIdType>(k);
-      FF_CHECK(passed->GetValue(i) == "point " + std::to_string(ids[k]));
-      FF_CHECK(velocity->GetTypedComponent(i, 0) == static_cast<float>(ids[k]));
-      FF_CHECK(weights->GetValue(i) == given->GetTuple1(ids[k]));
-      FF_CHECK_EQUAL(visible->GetValue(i), ids[k]);
-    }
-  }
-  FF_CHECK_EQUAL(sum, 2000);
-
-  run->PassPointDataOff();
-  run->VisiblePointIdsOff();
-  run.Run();
-  for (int port = 0; port < 3; ++port)
-  {
-    FF_CHECK_EQUAL(run->GetOutput(port)->GetPointData()->GetNumberOfArrays(), 1);
-  }
+  Watched<vtkFFRegularTriangulationFilter> delaunay(input);
+  Watched<vtkFFConstrainedDelaunayFilter> constrained(input);
+  FF_CHECK(isIdentical(constrained.Run(), delaunay.Run(), "no source"));
+  FF_CHECK(isEmpty(constrained->GetFixedEdgesOutput()));
 }
 
 }
 
 int TestFFRegularTriangulationFilter(int, char*[])
 {
-  testSquare();
-  testGrid();
-  testBruteForce();
-  testRandom();
-  testDeterminism();
-  testPointData();
+  testDimensions();
+  testThreads();
   return result();
 }

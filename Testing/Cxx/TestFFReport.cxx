@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run found, as field data of its output: on request, with every documented name, of each
 // data set alone, with what the input brought.
+#include "FFCases.h"
 #include "FFTest.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
-#include "vtkFFConvexifyFilter.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFHullFilter.h"
-#include "vtkFFPowerDiagramFilter.h"
-#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -130,13 +126,11 @@ void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input, const Names& own)
   // A run reports itself alone.
   filter->ReportAsFieldDataOn();
   FF_CHECK(succeeds(filter));
-  const vtkIdType points = filter->GetNumberOfInputPoints();
-  const double checks = reported(filter->GetOutput(), "EdgeChecks");
-  FF_CHECK(checks > 0);
-  filter->SetNumberOfThreads(1);
+  const std::string before = printedReport(filter);
   filter->Modified();
   FF_CHECK(succeeds(filter));
-  FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), points);
+  FF_CHECK_EQUAL(printedReport(filter), before);
+  FF_CHECK(reported(filter->GetOutput(), "EdgeChecks") > 0);
 
   // The report of a filter upstream is not passed on.
   vtkNew<vtkFFHullFilter> second;
@@ -184,18 +178,13 @@ void testAllBlocks()
 
 int TestFFReport(int, char*[])
 {
-  const Names ofHull{ "FlipFlopVolume", "FlipFlopArea" };
   const auto input = makeInput(500);
   const auto ell = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
   ell->GetFieldData()->PassData(input->GetFieldData());
-  testFilter(vtkNew<vtkFFHullFilter>(), input, ofHull);
-  testFilter(vtkNew<vtkFFConvexifyFilter>(), ell, ofHull);
-  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
-  useWeights(triangulation);
-  testFilter(triangulation, input, { "FlipFlopHiddenPoints", "FlipFlopDroppedCells" });
-  testFilter(vtkNew<vtkFFPowerDiagramFilter>(), input, { "FlipFlopHiddenPoints" });
-  testFilter(vtkNew<vtkFFConstrainedDelaunayFilter>(), input,
-    { "FlipFlopDroppedCells", "FlipFlopSplitPoints" });
+  for (const FilterCase& of : filterCases())
+  {
+    testFilter(of.New(), of.TakesSurface ? ell : input, of.Report);
+  }
   testNone();
   testAllBlocks();
   return result();

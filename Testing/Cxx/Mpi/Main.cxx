@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program that mpiexec starts: runs the test that is named, on all processes, and fails on all
 // of them when any found something wrong.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkMPIController.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Data in pieces, and as it is whole.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkBitArray.h"
 #include "vtkCharArray.h"
@@ -23,7 +23,24 @@ namespace fftest
 {
 
 //------------------------------------------------------------------------------
-Pieces split(const std::vector<Point>& points, const std::function<int(int)>& owner, int type)
+int byTurns(int i)
+{
+  return i % processes();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, Owner>> dealings(std::size_t count)
+{
+  const int last = processes() - 1;
+  const int size = static_cast<int>(count) / processes() + 1;
+  return { { "by turns", byTurns }, { "in runs", [=](int i) { return i / size; } },
+    { "to the first", [](int) { return 0; } }, { "to the last", [=](int) { return last; } },
+    { "not to the first", [=](int i) { return last == 0 ? 0 : 1 + i % last; } },
+    { "to first and last", [=](int i) { return i % 3 == 1 ? last : 0; } } };
+}
+
+//------------------------------------------------------------------------------
+Pieces split(const std::vector<Point>& points, const Owner& owner, int type)
 {
   std::vector<std::vector<Point>> parts(static_cast<std::size_t>(processes()));
   for (std::size_t i = 0; i < points.size(); ++i)

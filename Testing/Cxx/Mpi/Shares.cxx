@@ -2,27 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shares.h"
 
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 #include "vtkFFParcel.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
-#include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 namespace fftest
 {
 namespace
 {
+
+using Key = std::vector<vtkIdType>;
 
 /// All processes' texts, on process 0.
 std::vector<std::string> gather(const std::string& own)
@@ -45,288 +46,176 @@ std::vector<std::string> gather(const std::string& own)
   return all;
 }
 
-vtkCellArray* cellsOf(vtkPolyData* data, int kind)
+/// What names each point: its id, or its position where it has none, as in a power diagram.
+std::vector<Key> keysOf(vtkPolyData* data)
 {
-  return kind == 0 ? data->GetVerts() : kind == 1 ? data->GetLines() : data->GetPolys();
-}
-
-/// Vertices, lines or polygons; -1: no cells.
-int kindOf(vtkPolyData* data)
-{
-  int kind = -1;
-  for (int k = 0; k < 3; ++k)
+  vtkDataArray* const ids = data->GetPointData()->GetArray("vtkOriginalPointIds");
+  std::vector<Key> keys;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    kind = cellsOf(data, k)->GetNumberOfCells() > 0 ? k : kind;
-  }
-  return kind;
-}
-
-/// Power diagrams have ids for their cells alone.
-bool isDiagram(vtkPolyData* data)
-{
-  return data->GetCellData()->HasArray("vtkOriginalPointIds") != 0;
-}
-
-/// The cells of one kind, each as the places of its corners.
-std::vector<std::vector<vtkIdType>> cellsByPlaces(vtkCellArray* cells)
-{
-  std::vector<std::vector<vtkIdType>> byPlaces;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    cells->GetCellAtId(i, size, corners);
-    byPlaces.emplace_back(corners, corners + size);
-  }
-  return byPlaces;
-}
-
-/// Where values are: in whose share, and at which place there.
-using Places = std::vector<std::pair<std::size_t, vtkIdType>>;
-
-vtkSmartPointer<vtkAbstractArray> select(
-  const std::vector<vtkAbstractArray*>& parts, const Places& places)
-{
-  vtkSmartPointer<vtkAbstractArray> array;
-  array.TakeReference(parts[0]->NewInstance());
-  array->SetName(parts[0]->GetName());
-  array->SetNumberOfComponents(parts[0]->GetNumberOfComponents());
-  array->CopyComponentNames(parts[0]);
-  for (const auto& place : places)
-  {
-    array->InsertNextTuple(place.second, parts[place.first]);
-  }
-  return array;
-}
-
-void select(
-  const std::vector<vtkDataSetAttributes*>& parts, const Places& places, vtkDataSetAttributes* to)
-{
-  for (int i = 0; i < parts[0]->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* first = parts[0]->GetAbstractArray(i);
-    std::vector<vtkAbstractArray*> arrays;
-    for (vtkDataSetAttributes* part : parts)
+    if (ids)
     {
-      FF_CHECK_EQUAL(part->GetNumberOfArrays(), parts[0]->GetNumberOfArrays());
-      vtkAbstractArray* array = part->GetAbstractArray(i);
-      if (!array || array->GetDataType() != first->GetDataType() ||
-        std::string(array->GetName() ? array->GetName() : "") !=
-          (first->GetName() ? first->GetName() : ""))
-      {
-        std::cerr << "not all processes have the same arrays\n";
-        ++failures();
-        return;
-      }
-      arrays.push_back(array);
+      keys.push_back({ static_cast<vtkIdType>(ids->GetTuple1(i)) });
+      continue;
     }
-    const int index = to->AddArray(select(arrays, places));
-    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+    double position[3];
+    data->GetPoint(i, position);
+    std::transform(position, position + 3, position, [](double x) { return x + 0.0; }); // no -0
+    keys.emplace_back(3);
+    static_assert(sizeof(position) == 3 * sizeof(vtkIdType), "a coordinate is a number of a key");
+    std::memcpy(keys.back().data(), position, sizeof(position));
+  }
+  return keys;
+}
+
+std::vector<Key> cellKeysOf(vtkPolyData* data)
+{
+  const std::vector<Key> points = keysOf(data);
+  std::vector<Key> keys;
+  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines(), data->GetPolys() })
+  {
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
     {
-      if (parts[0]->GetAbstractAttribute(attribute) == first)
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      cells->GetCellAtId(i, size, corners);
+      keys.emplace_back();
+      for (vtkIdType k = 0; k < size; ++k)
       {
-        to->SetActiveAttribute(index, attribute);
+        const Key& corner = points[static_cast<std::size_t>(corners[k])];
+        keys.back().insert(keys.back().end(), corner.begin(), corner.end());
       }
     }
   }
+  return keys;
 }
 
-/// Takes the marks of duplicates away. Returns how many points have none.
-vtkIdType countOwned(const std::vector<Share>& shares)
+bool isMarks(vtkAbstractArray* array)
 {
-  constexpr int mark = vtkDataSetAttributes::DUPLICATEPOINT;
-  vtkIdType owned = 0;
+  return array->GetName() && !std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName());
+}
+
+/// Whether a tuple of all arrays but the marks is the same, in arrays of the same names and types.
+bool isSameTuple(vtkDataSetAttributes* one, vtkIdType i, vtkDataSetAttributes* other, vtkIdType j)
+{
+  for (int k = 0; k < one->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const a = one->GetAbstractArray(k);
+    vtkAbstractArray* const b =
+      a->GetName() ? other->GetAbstractArray(a->GetName()) : other->GetAbstractArray(k);
+    if (isMarks(a))
+    {
+      continue;
+    }
+    const int size = a->GetNumberOfComponents();
+    bool isSame = b && b->GetDataType() == a->GetDataType() && b->GetNumberOfComponents() == size;
+    for (int c = 0; isSame && c < size; ++c)
+    {
+      const vtkVariant x = a->GetVariantValue(i * size + c);
+      const vtkVariant y = b->GetVariantValue(j * size + c);
+      isSame = x == y || (x.ToString() == "nan" && y.ToString() == "nan");
+    }
+    if (!isSame)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether there are the same arrays but marks, as the same attributes.
+bool hasSameArrays(vtkDataSetAttributes* one, vtkDataSetAttributes* other)
+{
+  const auto count = [](vtkDataSetAttributes* data)
+  { return data->GetNumberOfArrays() - data->HasArray(vtkDataSetAttributes::GhostArrayName()); };
+  bool isSame = count(one) == count(other);
+  for (int k = 0; k < vtkDataSetAttributes::NUM_ATTRIBUTES; ++k)
+  {
+    vtkAbstractArray* const a = one->GetAbstractAttribute(k);
+    vtkAbstractArray* const b = other->GetAbstractAttribute(k);
+    isSame = isSame && !a == !b &&
+      (!a || std::string(a->GetName() ? a->GetName() : "") == (b->GetName() ? b->GetName() : ""));
+  }
+  return isSame;
+}
+
+/// The mark of a point but for that of a duplicate, and whether it has that one.
+std::pair<int, bool> markOf(vtkPolyData* data, vtkIdType point)
+{
+  constexpr int duplicate = vtkDataSetAttributes::DUPLICATEPOINT;
+  vtkDataArray* const marks =
+    data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  const int mark = marks ? static_cast<int>(marks->GetTuple1(point)) : 0;
+  return { mark & ~duplicate, (mark & duplicate) != 0 };
+}
+
+/// Where each key is.
+std::map<Key, vtkIdType> indicesOf(const std::vector<Key>& keys)
+{
+  std::map<Key, vtkIdType> indices;
+  for (const Key& key : keys)
+  {
+    indices.emplace(key, static_cast<vtkIdType>(indices.size()));
+  }
+  return indices;
+}
+
+/// Whether each point is one of the whole's, with its data, and what is not marked is there once.
+bool arePointsOf(const std::vector<Share>& shares, vtkPolyData* whole)
+{
+  const auto indices = indicesOf(keysOf(whole));
+  std::vector<int> owners(indices.size());
+  bool good = indices.size() == static_cast<std::size_t>(whole->GetNumberOfPoints());
   for (const Share& share : shares)
   {
-    const vtkIdType count = share.Points->GetNumberOfPoints();
-    vtkDataArray* marks =
-      share.Points->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName());
-    for (vtkIdType i = 0; i < count; ++i)
+    const std::vector<Key> keys = keysOf(share.Points);
+    good = good &&
+      (keys.empty() ||
+        (hasSameArrays(share.Points->GetPointData(), whole->GetPointData()) &&
+          share.Points->GetPoints()->GetDataType() == whole->GetPoints()->GetDataType()));
+    for (std::size_t i = 0; good && i < keys.size(); ++i)
     {
-      const int value = marks ? static_cast<int>(marks->GetTuple1(i)) : 0;
-      owned += !(value & mark);
-      if (marks)
+      const auto own = static_cast<vtkIdType>(i);
+      const auto at = indices.find(keys[i]);
+      good = at != indices.end() &&
+        std::equal(whole->GetPoint(at->second), whole->GetPoint(at->second) + 3,
+          Point{ share.Points->GetPoint(own)[0], share.Points->GetPoint(own)[1],
+            share.Points->GetPoint(own)[2] }
+            .begin()) &&
+        markOf(share.Points, own).first == markOf(whole, at->second).first &&
+        isSameTuple(share.Points->GetPointData(), own, whole->GetPointData(), at->second);
+      if (good && !markOf(share.Points, own).second)
       {
-        marks->SetTuple1(i, value & ~mark);
+        ++owners[static_cast<std::size_t>(at->second)];
       }
     }
   }
-  return owned;
+  return good && std::all_of(owners.begin(), owners.end(), [](int count) { return count == 1; });
 }
 
-/// The points of all shares; returns their ids.
-std::vector<vtkIdType> joinPoints(const std::vector<Share>& shares, vtkPolyData* joined)
+/// Whether the cells are the whole's, each on one process, with its data.
+bool areCellsOf(const std::vector<Share>& shares, vtkPolyData* whole)
 {
-  std::map<vtkIdType, std::pair<std::size_t, vtkIdType>> firsts;
-  Places others; // further places of points
-  Places theirFirsts;
-  for (std::size_t process = 0; process < shares.size(); ++process)
+  const auto indices = indicesOf(cellKeysOf(whole));
+  std::vector<int> holders(indices.size());
+  bool good = indices.size() == static_cast<std::size_t>(whole->GetNumberOfCells());
+  for (const Share& share : shares)
   {
-    vtkPolyData* points = shares[process].Points; // none after an error
-    const auto ids =
-      points->GetNumberOfPoints() > 0 ? originalIds(points) : std::vector<vtkIdType>();
-    for (std::size_t i = 0; i < ids.size(); ++i)
+    good = good &&
+      (share.Cells.empty() || hasSameArrays(share.CellData->GetPointData(), whole->GetCellData()));
+    for (std::size_t i = 0; good && i < share.Cells.size(); ++i)
     {
-      const std::pair<std::size_t, vtkIdType> place{ process, static_cast<vtkIdType>(i) };
-      const auto added = firsts.emplace(ids[i], place);
-      if (!added.second)
+      const auto at = indices.find(share.Cells[i]);
+      good = at != indices.end() &&
+        isSameTuple(share.CellData->GetPointData(), static_cast<vtkIdType>(i), whole->GetCellData(),
+          at->second);
+      if (good)
       {
-        others.push_back(place);
-        theirFirsts.push_back(added.first->second);
+        ++holders[static_cast<std::size_t>(at->second)];
       }
     }
   }
-  std::vector<vtkIdType> ids;
-  Places places;
-  for (const auto& first : firsts)
-  {
-    ids.push_back(first.first);
-    places.push_back(first.second);
-  }
-  const auto take = [&](const Places& which, vtkPolyData* to)
-  {
-    std::vector<vtkAbstractArray*> points;
-    std::vector<vtkDataSetAttributes*> data;
-    for (const Share& share : shares)
-    {
-      data.push_back(share.Points->GetPointData());
-      points.push_back(share.Points->GetPoints() ? share.Points->GetPoints()->GetData() : nullptr);
-      FF_CHECK((points.back() ? points.back()->GetDataType() : 0) ==
-        (points[0] ? points[0]->GetDataType() : 0));
-    }
-    if (points[0])
-    {
-      vtkNew<vtkPoints> array;
-      array->SetData(vtkDataArray::SafeDownCast(select(points, which)));
-      to->SetPoints(array);
-    }
-    select(data, which, to->GetPointData());
-  };
-  take(places, joined);
-  vtkNew<vtkPolyData> again;
-  vtkNew<vtkPolyData> first;
-  take(others, again);
-  take(theirFirsts, first);
-  FF_CHECK(isIdentical(again, first, "a point that several processes have"));
-  return ids;
-}
-
-vtkSmartPointer<vtkPolyData> joinDiagrams(vtkPolyData* own)
-{
-  const std::vector<Share> shares = gatherShares(own);
-  if (rank() > 0)
-  {
-    return nullptr;
-  }
-  const vtkIdType owned = countOwned(shares);
-  auto joined = vtkSmartPointer<vtkPolyData>::New();
-  std::map<vtkIdType, std::pair<std::size_t, vtkIdType>> sites;
-  std::vector<vtkDataSetAttributes*> data;
-  for (std::size_t process = 0; process < shares.size(); ++process)
-  {
-    data.push_back(shares[process].CellData->GetPointData());
-    vtkDataArray* ids = shares[process].CellData->GetPointData()->GetArray("vtkOriginalPointIds");
-    for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
-    {
-      const auto id = static_cast<vtkIdType>(ids->GetTuple1(i));
-      FF_CHECK(sites.emplace(id, std::make_pair(process, i)).second);
-    }
-  }
-  Places places;
-  std::map<Point, vtkIdType> numbers; // of corners, in the order of their first use
-  vtkNew<vtkPoints> corners;
-  corners->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (const auto& site : sites)
-  {
-    places.push_back(site.second);
-    const Share& share = shares[site.second.first];
-    const auto& cell = share.Cells[static_cast<std::size_t>(site.second.second)];
-    cells->InsertNextCell(static_cast<int>(cell.size()));
-    for (const vtkIdType place : cell)
-    {
-      Point corner;
-      share.Points->GetPoint(place, corner.data());
-      const auto number = numbers.emplace(corner, corners->GetNumberOfPoints());
-      if (number.second)
-      {
-        corners->InsertNextPoint(corner.data());
-      }
-      cells->InsertCellPoint(number.first->second);
-    }
-  }
-  joined->SetPoints(corners);
-  FF_CHECK_EQUAL(owned, joined->GetNumberOfPoints());
-  if (!sites.empty())
-  {
-    joined->SetPolys(cells);
-  }
-  select(data, places, joined->GetCellData());
-  joined->GetFieldData()->PassData(own->GetFieldData());
-  return joined;
-}
-
-vtkSmartPointer<vtkPolyData> join(vtkPolyData* own)
-{
-  int ownIs = isDiagram(own);
-  int anyIs = 0;
-  vtkMultiProcessController::GetGlobalController()->AllReduce(
-    &ownIs, &anyIs, 1, vtkCommunicator::MAX_OP);
-  if (anyIs)
-  {
-    return joinDiagrams(own);
-  }
-  // What kind of cells there are: some may have none.
-  int ownKind = kindOf(own);
-  int kind = -1;
-  vtkMultiProcessController::GetGlobalController()->AllReduce(
-    &ownKind, &kind, 1, vtkCommunicator::MAX_OP);
-  const std::vector<Share> shares = gatherShares(own);
-  if (rank() > 0)
-  {
-    return nullptr;
-  }
-  auto joined = vtkSmartPointer<vtkPolyData>::New();
-  const vtkIdType owned = countOwned(shares);
-  const std::vector<vtkIdType> ids = joinPoints(shares, joined);
-  FF_CHECK_EQUAL(owned, joined->GetNumberOfPoints());
-  std::vector<std::pair<std::vector<vtkIdType>, std::pair<std::size_t, vtkIdType>>> cells;
-  std::vector<vtkDataSetAttributes*> data;
-  for (std::size_t process = 0; process < shares.size(); ++process)
-  {
-    data.push_back(shares[process].CellData->GetPointData());
-    for (std::size_t i = 0; i < shares[process].Cells.size(); ++i)
-    {
-      cells.push_back({ shares[process].Cells[i], { process, static_cast<vtkIdType>(i) } });
-    }
-  }
-  std::sort(cells.begin(), cells.end());
-  Places places;
-  vtkNew<vtkCellArray> array;
-  for (const auto& cell : cells)
-  {
-    places.push_back(cell.second);
-    array->InsertNextCell(static_cast<int>(cell.first.size()));
-    for (const vtkIdType id : cell.first)
-    {
-      array->InsertCellPoint(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
-    }
-  }
-  if (kind == 0)
-  {
-    joined->SetVerts(array);
-  }
-  else if (kind == 1)
-  {
-    joined->SetLines(array);
-  }
-  else if (kind == 2)
-  {
-    joined->SetPolys(array);
-  }
-  select(data, places, joined->GetCellData());
-  joined->GetFieldData()->PassData(own->GetFieldData());
-  return joined;
+  return good && std::all_of(holders.begin(), holders.end(), [](int count) { return count == 1; });
 }
 
 }
@@ -334,12 +223,8 @@ vtkSmartPointer<vtkPolyData> join(vtkPolyData* own)
 //------------------------------------------------------------------------------
 std::vector<Share> gatherShares(vtkPolyData* own)
 {
-  const int kind = kindOf(own);
-  const std::vector<std::vector<vtkIdType>> cells = kind < 0 ? std::vector<std::vector<vtkIdType>>()
-    : isDiagram(own)                                         ? cellsByPlaces(cellsOf(own, kind))
-                     : cellsByOriginalIds(own, cellsOf(own, kind));
   std::string packed;
-  for (const auto& cell : cells)
+  for (const Key& cell : cellKeysOf(own))
   {
     const auto size = static_cast<vtkIdType>(cell.size());
     packed.append(reinterpret_cast<const char*>(&size), sizeof(size));
@@ -369,24 +254,24 @@ std::vector<Share> gatherShares(vtkPolyData* own)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> joinShares(vtkDataObject* own)
+bool areSharesOf(vtkPolyData* own, vtkPolyData* whole, const std::string& what)
 {
-  if (auto* data = vtkPolyData::SafeDownCast(own))
+  const std::vector<Share> shares = gatherShares(own);
+  if (rank() > 0)
   {
-    return join(data);
+    return true;
   }
-  auto* tree = vtkDataObjectTree::SafeDownCast(own);
-  vtkSmartPointer<vtkDataObjectTree> joined;
-  joined.TakeReference(tree->NewInstance());
-  joined->CopyStructure(tree);
-  vtkSmartPointer<vtkDataObjectTreeIterator> leaves;
-  leaves.TakeReference(tree->NewTreeIterator());
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  bool good = arePointsOf(shares, whole);
+  if (!good)
   {
-    const auto leaf = join(vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject()));
-    joined->SetDataSet(leaves, leaf);
+    std::cerr << what << ": the points are not those of one process\n";
   }
-  return joined;
+  if (!areCellsOf(shares, whole))
+  {
+    std::cerr << what << ": the cells are not those of one process\n";
+    good = false;
+  }
+  return good;
 }
 
 }

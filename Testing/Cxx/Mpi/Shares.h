@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// An output of which each process has a share, joined to what one process would have.
+/// An output of which each process has a share, compared with what one process has.
 #ifndef Shares_h
 #define Shares_h
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
 #include <vector>
-
-class vtkDataObject;
 
 namespace fftest
 {
@@ -19,20 +18,18 @@ namespace fftest
 struct Share
 {
   vtkSmartPointer<vtkPolyData> Points;
-  vtkSmartPointer<vtkPolyData> CellData;     // as point data
-  std::vector<std::vector<vtkIdType>> Cells; // by their corners' ids; of a diagram, their places
+  vtkSmartPointer<vtkPolyData> CellData; ///< as point data
+  /// Of each cell its corners: an id each, or of a power diagram three coordinates.
+  std::vector<std::vector<vtkIdType>> Cells;
 };
 
 /// All processes' shares, on process 0; none on the others. Collective.
 std::vector<Share> gatherShares(vtkPolyData* own);
 
-/// What all processes have of an output, on process 0: points by ascending id, each once; cells in
-/// canonical form, as often as they are there; their data. All processes but one must mark a point
-/// as a duplicate. The corners of a power diagram, which have no ids, are numbered as one process
-/// would. Null on the others. A point that several have must be the same, and all must have the
-/// same arrays: otherwise it is a failure. Leaves of composites are joined with those in the same
-/// place. Collective.
-vtkSmartPointer<vtkDataObject> joinShares(vtkDataObject* own);
+/// Whether the shares of all processes are the output of one, which process 0 has: its points, each
+/// unmarked on one process, its cells, each on one process, and their data. Says what is not so.
+/// Collective.
+bool areSharesOf(vtkPolyData* own, vtkPolyData* whole, const std::string& what);
 
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is wrong on one process, or with the settings of all, is an error of all, told once, of the
 // points as a whole; nobody waits for ever, and the next run is none the worse for it.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
@@ -35,20 +35,20 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 using Triangulation = vtkFFRegularTriangulationFilter;
 
-std::vector<Twins> makeTwins()
+std::vector<DistributedVersusSerial> makeComparisons()
 {
-  std::vector<Twins> all;
-  all.push_back(twins<vtkPFFHullFilter, vtkFFHullFilter>());
-  all.push_back(twins<vtkPFFHullFilter, vtkFFHullFilter>());
+  std::vector<DistributedVersusSerial> all;
+  all.push_back(compare<vtkPFFHullFilter, vtkFFHullFilter>());
+  all.push_back(compare<vtkPFFHullFilter, vtkFFHullFilter>());
   all.back().Set<vtkFFHullFilter>(
     [](auto* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); });
-  all.push_back(twins<vtkPFFRegularTriangulationFilter, Triangulation>());
-  all.push_back(twins<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
-  all.push_back(twins<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
+  all.push_back(compare<vtkPFFRegularTriangulationFilter, Triangulation>());
+  all.push_back(compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
+  all.push_back(compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
   return all;
 }
 
-bool joinsBlocks(const Twins& both)
+bool joinsBlocks(const DistributedVersusSerial& both)
 {
   auto* hull = vtkFFHullFilter::SafeDownCast(both.Distributed);
   return hull && hull->GetCompositeMode() == vtkFFHullFilter::HULL_OF_ALL_BLOCKS;
@@ -56,7 +56,7 @@ bool joinsBlocks(const Twins& both)
 
 Pieces makePieces()
 {
-  const Pieces pieces = split(randomPoints(600, 91), [](int i) { return i % processes(); });
+  const Pieces pieces = split(randomPoints(600, 91), byTurns);
   decorate(pieces);
   for (vtkPolyData* piece : pieces)
   {
@@ -84,7 +84,8 @@ void spoil(const Pieces& pieces, int process, vtkIdType point, double value)
 }
 
 /// Fails on all, and does its work the next time.
-void refuses(Twins& both, const std::string& what, const Pieces& pieces, const std::string& part)
+void refuses(DistributedVersusSerial& both, const std::string& what, const Pieces& pieces,
+  const std::string& part)
 {
   both.Run(what, pieces);
   FF_CHECK(both.Distributed->GetErrorCode() != vtkErrorCode::NoError);
@@ -94,7 +95,7 @@ void refuses(Twins& both, const std::string& what, const Pieces& pieces, const s
   FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
 }
 
-void testNonFinite(Twins& both)
+void testNonFinite(DistributedVersusSerial& both)
 {
   const auto ignore = [&](bool ignores)
   { both.Set<vtkFFAlgorithm>([=](auto* filter) { filter->SetNonFinitePoints(ignores); }); };
@@ -137,7 +138,7 @@ void testNonFinite(Twins& both)
 }
 
 /// The messages name block and point: of each block at fault, or of all blocks.
-void testBlocks(Twins& both)
+void testBlocks(DistributedVersusSerial& both)
 {
   for (const auto& [first, second] : { std::pair<int, int>{ 1, 3 }, { 2, 2 }, { 0, 1 } })
   {
@@ -173,7 +174,7 @@ void testBlocks(Twins& both)
 }
 
 /// 2^53 + 1 and its like.
-void testInexact(Twins& both)
+void testInexact(DistributedVersusSerial& both)
 {
   const auto make = [](int number, vtkTypeInt64 value)
   {
@@ -205,7 +206,7 @@ void testInexact(Twins& both)
 }
 
 /// Whoever asks to abort, at whatever time: all stop, without an error.
-void testAbort(Twins& both)
+void testAbort(DistributedVersusSerial& both)
 {
   const Pieces pieces = makePieces();
   for (const int process : { 0, 1, 4 })
@@ -227,7 +228,7 @@ void testAbort(Twins& both)
 }
 
 /// Progress goes from 0 to 1 on every process, and never back.
-void testProgress(Twins& both)
+void testProgress(DistributedVersusSerial& both)
 {
   vtkNew<ProgressObserver> progress;
   const unsigned long tag = both.Distributed->AddObserver(vtkCommand::ProgressEvent, progress);
@@ -241,7 +242,7 @@ void testProgress(Twins& both)
 
 /// On one process no data set, no input at all, or another number of blocks: the others do not
 /// wait.
-void testWrongInput(Twins& both)
+void testWrongInput(DistributedVersusSerial& both)
 {
   const Pieces pieces = makePieces();
   vtkNew<vtkTable> table;
@@ -267,7 +268,7 @@ void testWrongInput(Twins& both)
 
 void testWeights()
 {
-  Twins both = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  DistributedVersusSerial both = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   both.Set<Triangulation>([](auto* filter) { useWeights(filter); });
   const auto last = static_cast<std::size_t>(processes() - 1);
   const auto place = std::to_string(
@@ -305,13 +306,13 @@ void testWeights()
 /// One process speaks for all, though all have the same settings.
 void testSettings()
 {
-  Twins both = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  DistributedVersusSerial both = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   both.Set<Triangulation>(
     [](auto* filter) { filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE); });
   both.Run("no transform", makePieces());
   FF_CHECK(both.Distributed->GetErrorCode() != vtkErrorCode::NoError);
   using Diagram = vtkFFPowerDiagramFilter;
-  Twins diagrams = twins<vtkPFFPowerDiagramFilter, Diagram>();
+  DistributedVersusSerial diagrams = compare<vtkPFFPowerDiagramFilter, Diagram>();
   diagrams.Set<Diagram>([](auto* filter) { filter->SetPowerDiagramBounds(1, 0, 0, 1); });
   diagrams.Run("no box", makePieces());
   FF_CHECK(diagrams.Distributed->GetErrorCode() != vtkErrorCode::NoError);
@@ -324,24 +325,25 @@ void testSettings()
 void testSeveral()
 {
   const Pieces pieces = makePieces();
-  Twins cuda = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  DistributedVersusSerial cuda = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   cuda.Distributed->SetEngine(vtkFFAlgorithm::ENGINE_CUDA);
   cuda.Fails("CUDA", ownOf(pieces),
     "The CUDA engine was asked for, but several processes triangulate together on their CPUs. "
     "Set Engine to Automatic or CPU.");
-  Twins boundary = twins<vtkPFFRegularTriangulationFilter, Triangulation>();
+  DistributedVersusSerial boundary = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   boundary.Set<Triangulation>([](auto* filter) { filter->GenerateBoundaryOn(); });
   boundary.Fails("boundary", ownOf(pieces),
     "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha Verts, "
     "Generate Alphas and Generate Boundary must be off. To have them, bring all points to one "
     "process.");
-  Twins constrained = twins<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>();
+  DistributedVersusSerial constrained =
+    compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>();
   vtkNew<vtkPolyData> source;
   vtkFFConstrainedDelaunayFilter::SafeDownCast(constrained.Distributed)->SetSourceData(source);
   constrained.Fails("constraints", ownOf(pieces),
     "Constraints need all points on one process, and several triangulate together. Bring all "
     "points to one process, or take the source away.");
-  Twins streamed = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  DistributedVersusSerial streamed = compare<vtkPFFHullFilter, vtkFFHullFilter>();
   auto* hull = vtkFFHullFilter::SafeDownCast(streamed.Distributed);
   for (int process = 0; process <= processes(); ++process)
   {
@@ -358,8 +360,8 @@ void testSeveral()
 
 void testErrors()
 {
-  std::vector<Twins> all = makeTwins();
-  for (Twins& both : all)
+  std::vector<DistributedVersusSerial> all = makeComparisons();
+  for (DistributedVersusSerial& both : all)
   {
     testNonFinite(both);
     testBlocks(both);

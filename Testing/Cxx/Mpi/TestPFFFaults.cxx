@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Something is thrown, or a stop is asked for, on one process at any step: then all processes have
 // failed, or none, and nobody waits for another.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkCommunicator.h"
 #include "vtkErrorCode.h"
@@ -99,7 +99,7 @@ void testFaults()
 {
   const char* wanted = std::getenv("FLIPFLOP_TEST_CASES");
   const int cases = wanted ? std::atoi(wanted) : 30;
-  const Pieces pieces = split(randomPoints(300, 130), [](int i) { return i % processes(); });
+  const Pieces pieces = split(randomPoints(300, 130), byTurns);
   std::mt19937 generator(1);
   const auto below = [&](int end) { return static_cast<int>(generator() % unsigned(end)); };
   int most = run(pieces, 1, 0, -1, false);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hull of points in pieces is the hull of all of them: of any dimension, type and kind of
 // pieces, with all of its point data and reports.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -28,20 +28,15 @@ namespace
 
 bool keepsShares = false; // the tests run both ways
 
-Twins hulls()
+DistributedVersusSerial hulls()
 {
-  Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  DistributedVersusSerial both = compare<vtkPFFHullFilter, vtkFFHullFilter>();
   if (keepsShares)
   {
     vtkPFFHullFilter::SafeDownCast(both.Distributed)
       ->SetResultMode(vtkPFFHullFilter::RESULT_DISTRIBUTED);
   }
   return both;
-}
-
-int byTurns(int i)
-{
-  return i % processes();
 }
 
 /// Points in shapes that give few and many corners, and ties.
@@ -77,20 +72,9 @@ std::vector<std::pair<std::string, std::vector<Point>>> shapes()
     { "one point", { { 1, 2, 3 } } }, { "no point", {} } };
 }
 
-/// Ways to deal points out; with some, processes get nothing.
-std::vector<std::pair<std::string, std::function<int(int)>>> dealings(std::size_t count)
-{
-  const int last = processes() - 1;
-  const int size = static_cast<int>(count) / processes() + 1;
-  return { { "by turns", byTurns }, { "in runs", [=](int i) { return i / size; } },
-    { "to the first", [](int) { return 0; } }, { "to the last", [=](int) { return last; } },
-    { "not to the first", [=](int i) { return last == 0 ? 0 : 1 + i % last; } },
-    { "to first and last", [=](int i) { return i % 3 == 1 ? last : 0; } } };
-}
-
 void testShapes()
 {
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   for (const auto& shape : shapes())
   {
     for (const auto& dealing : dealings(shape.second.size()))
@@ -112,7 +96,7 @@ void testShapes()
 /// What the settings ask for, on points with many ties.
 void testSettings()
 {
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   const Pieces pieces = split(shapes()[3].second, byTurns);
   decorate(pieces);
   using Hull = vtkFFHullFilter;
@@ -138,7 +122,7 @@ void testSettings()
 /// own.
 void testDuplicates()
 {
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   Pieces pieces;
   for (int k = 0; k < processes(); ++k)
   {
@@ -158,7 +142,7 @@ void testDuplicates()
 /// Types that differ become doubles; integers stay what they are.
 void testTypes()
 {
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   const std::vector<Point> points = randomPoints(600, 72);
   const std::vector<std::vector<int>> mixtures{ { VTK_FLOAT, VTK_DOUBLE },
     { VTK_DOUBLE, VTK_FLOAT }, { VTK_FLOAT, VTK_INT }, { VTK_INT, VTK_FLOAT, VTK_FLOAT },
@@ -194,7 +178,7 @@ void testTypes()
 /// Only what all pieces with a point have is passed; those without have no say.
 void testUnlikeData()
 {
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   const auto points = randomPoints(300, 73);
   Pieces pieces = split(points, byTurns);
   decorate(pieces);
@@ -261,7 +245,7 @@ vtkSmartPointer<vtkPolyData> amidGhosts(vtkPolyData* own, int type)
 
 void testGhosts()
 {
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   for (const int type : { VTK_DOUBLE, VTK_FLOAT, VTK_INT })
   {
     auto points = randomPoints(500, 74);
@@ -307,18 +291,18 @@ void testChain()
 {
   const Pieces pieces = split(shapes()[2].second, byTurns);
   decorate(pieces);
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   both.Run("first", pieces);
   vtkNew<vtkPolyData> first;
   first->ShallowCopy(both.Distributed->GetOutput());
-  Twins second = hulls();
-  second.Run("second", first, both.Plain->GetOutput());
+  DistributedVersusSerial second = hulls();
+  second.Run("second", first, both.Serial->GetOutput());
 }
 
 /// Large hulls stay where they are, by the limit that is set.
 void testLimit()
 {
-  Twins both = hulls();
+  DistributedVersusSerial both = hulls();
   auto* filter = vtkPFFHullFilter::SafeDownCast(both.Distributed);
   filter->SetResultMode(vtkPFFHullFilter::RESULT_AUTOMATIC);
   const Pieces pieces =

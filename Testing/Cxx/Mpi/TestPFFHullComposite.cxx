@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Blocks in pieces: a hull of each block, and one of all, wherever the pieces are.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFFHullFilter.h"
@@ -40,7 +40,7 @@ std::vector<Pieces> makeLeaves(int type = VTK_DOUBLE)
 
 void runAll(const std::string& what, const std::vector<Pieces>& leaves)
 {
-  Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  DistributedVersusSerial both = compare<vtkPFFHullFilter, vtkFFHullFilter>();
   for (const int mode : modes)
   {
     for (const bool report : { false, true })
@@ -88,7 +88,7 @@ void testBlocks()
 void testUnlikeBlocks()
 {
   auto leaves = makeLeaves(VTK_FLOAT);
-  leaves[2] = split(randomPoints(300, 85), [](int i) { return i % processes(); });
+  leaves[2] = split(randomPoints(300, 85), byTurns);
   decorate(leaves[2]);
   for (vtkPolyData* piece : leaves[1])
   {
@@ -110,7 +110,7 @@ void testFieldData()
   {
     blocks->GetBlock(0)->GetFieldData()->AddArray(time);
   }
-  Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  DistributedVersusSerial both = compare<vtkPFFHullFilter, vtkFFHullFilter>();
   both.Set<vtkFFHullFilter>([](vtkFFHullFilter* filter) { filter->ReportAsFieldDataOn(); });
   both.Run("field data of a block", piece, whole);
   if (rank() == 0)
@@ -140,7 +140,7 @@ void testStructures()
   {
     piece->SetBlock(2, leaves[2][own]);
   }
-  Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  DistributedVersusSerial both = compare<vtkPFFHullFilter, vtkFFHullFilter>();
   if (processes() > 1) // one alone is like itself
   {
     both.Fails(
@@ -172,7 +172,7 @@ void testPartitions()
     wholeParts->SetPartition(0, append(leaves[k]));
     whole->SetPartitionedDataSet(k, wholeParts);
   }
-  Twins both = twins<vtkPFFHullFilter, vtkFFHullFilter>();
+  DistributedVersusSerial both = compare<vtkPFFHullFilter, vtkFFHullFilter>();
   for (const int mode : modes)
   {
     both.Set<vtkFFHullFilter>([=](vtkFFHullFilter* filter) { filter->SetCompositeMode(mode); });

@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Few points at few places, dealt out at random: many small ties of every kind.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkPFFHullFilter.h"
+#include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <random>
 
 using namespace fftest;
@@ -62,14 +65,20 @@ void addWeights(const Pieces& pieces, unsigned int seed)
 
 void testRandomPartitions()
 {
-  Twins hulls = twins<vtkPFFHullFilter, vtkFFHullFilter>();
-  Twins triangulations = twins<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>();
-  triangulations.Set<vtkFFRegularTriangulationFilter>(
-    [](vtkFFRegularTriangulationFilter* filter)
-    {
-      useWeights(filter);
-      filter->SetNumberOfThreads(1);
-    });
+  DistributedVersusSerial hulls = compare<vtkPFFHullFilter, vtkFFHullFilter>();
+  DistributedVersusSerial triangulations =
+    compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>();
+  DistributedVersusSerial diagrams = compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>();
+  for (DistributedVersusSerial* both : { &triangulations, &diagrams })
+  {
+    both->Set<vtkFFPlanarAlgorithm>(
+      [](vtkFFPlanarAlgorithm* filter)
+      {
+        useWeights(filter);
+        filter->SetNumberOfThreads(1);
+      });
+  }
+  const auto hasPoints = [](vtkPolyData* piece) { return piece->GetNumberOfPoints() > 0; };
   for (unsigned int seed = 1; seed <= partitions; ++seed)
   {
     const Pieces pieces = makeCase(seed);
@@ -84,6 +93,11 @@ void testRandomPartitions()
     if (seed % 3 == 0)
     {
       triangulations.Run("triangulation of seed " + std::to_string(seed), pieces);
+    }
+    else if (std::count_if(pieces.begin(), pieces.end(), hasPoints) > 1)
+    {
+      // Without a warning, since nothing has to be gathered, one process alone mends broken cells.
+      diagrams.Run("power diagram of seed " + std::to_string(seed), pieces);
     }
   }
 }

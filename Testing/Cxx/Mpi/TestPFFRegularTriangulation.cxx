@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The triangulation of points in pieces is that of all of them, on every port: each process has a
 // share of it. A warning says when one process has to hold what several had.
-#include "Twins.h"
+#include "DistributedVersusSerial.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -26,28 +26,23 @@ namespace
 using Filter = vtkFFPlanarAlgorithm;
 
 /// Of each filter.
-std::vector<Twins> makeTwins()
+std::vector<DistributedVersusSerial> makeComparisons()
 {
-  std::vector<Twins> all;
-  all.push_back(twins<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
-  all.push_back(twins<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
-  all.push_back(twins<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
+  std::vector<DistributedVersusSerial> all;
+  all.push_back(compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
+  all.push_back(compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
+  all.push_back(compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
   return all;
 }
 
-bool takesWeights(const Twins& both)
+bool takesWeights(const DistributedVersusSerial& both)
 {
-  return !vtkFFConstrainedDelaunayFilter::SafeDownCast(both.Plain);
-}
-
-int byTurns(int i)
-{
-  return i % processes();
+  return !vtkFFConstrainedDelaunayFilter::SafeDownCast(both.Serial);
 }
 
 /// With data of every kind, and weights that hide some points.
-Pieces makePieces(const std::vector<Point>& points, const std::function<int(int)>& owner = byTurns,
-  int type = VTK_DOUBLE)
+Pieces makePieces(
+  const std::vector<Point>& points, const Owner& owner = byTurns, int type = VTK_DOUBLE)
 {
   const Pieces pieces = split(points, owner, type);
   decorate(pieces);
@@ -64,7 +59,7 @@ Pieces makePieces(const std::vector<Point>& points, const std::function<int(int)
 }
 
 /// Nothing is gathered, unless that is told with a reason.
-void checkWarnings(const Twins& both)
+void checkWarnings(const DistributedVersusSerial& both)
 {
   for (const std::string& warning : both.Warnings->Messages)
   {
@@ -74,13 +69,13 @@ void checkWarnings(const Twins& both)
   }
 }
 
-void run(Twins& both, const std::string& what, const Pieces& pieces)
+void run(DistributedVersusSerial& both, const std::string& what, const Pieces& pieces)
 {
   both.Run(what, pieces);
   checkWarnings(both);
 }
 
-void testPieces(Twins& both)
+void testPieces(DistributedVersusSerial& both)
 {
   const std::vector<Point> random = randomPoints(1000, 101);
   std::vector<Point> grid;
@@ -93,12 +88,6 @@ void testPieces(Twins& both)
   const std::vector<std::pair<std::string, std::vector<Point>>> shapes{ { "random", random },
     { "grid", grid }, { "line", line }, { "one position", std::vector<Point>(9, Point{ 1, 2, 3 }) },
     { "one point", { { 1, 2, 3 } } }, { "no point", {} } };
-  const int last = processes() - 1;
-  const std::vector<std::pair<std::string, std::function<int(int)>>> dealings{ { "by turns",
-                                                                                 byTurns },
-    { "to the first", [](int) { return 0; } }, { "to the last", [=](int) { return last; } },
-    { "not to the first", [=](int i) { return last == 0 ? 0 : 1 + i % last; } },
-    { "to first and last", [=](int i) { return i % 3 == 1 ? last : 0; } } };
   const std::pair<std::string, void (*)(Filter*)> settings[] = {
     { "without weights", [](Filter* filter) { useWeights(filter, ""); } },
     { "weights None", [](Filter* filter) { useWeights(filter, "None"); } },
@@ -114,7 +103,7 @@ void testPieces(Twins& both)
         filter->ReportAsFieldDataOn();
       } },
     { "no point data", [](Filter* filter) { filter->PassPointDataOff(); } },
-    { "plain again",
+    { "as at first",
       [](Filter* filter)
       {
         filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);
@@ -126,7 +115,7 @@ void testPieces(Twins& both)
   };
   for (const auto& shape : shapes)
   {
-    for (const auto& dealing : dealings)
+    for (const auto& dealing : dealings(shape.second.size()))
     {
       const Pieces pieces = makePieces(shape.second, dealing.second);
       for (const auto& setting : settings)
@@ -148,13 +137,13 @@ void testPieces(Twins& both)
   }
 }
 
-void testTypes(Twins& both)
+void testTypes(DistributedVersusSerial& both)
 {
   const auto points = randomPoints(500, 102);
   run(both, "floats", makePieces(points, byTurns, VTK_FLOAT));
   Pieces mixed = makePieces(points);
   mixed[0] = makePieces(points, byTurns, VTK_FLOAT)[0];
-  run(both, "a float piece beside doubles", mixed);
+  run(both, "a float piece with doubles", mixed);
   // Nothing but duplicates of others' points, on one process.
   if (processes() > 1)
   {
@@ -170,7 +159,7 @@ void testTypes(Twins& both)
   }
 }
 
-void testBlocks(Twins& both)
+void testBlocks(DistributedVersusSerial& both)
 {
   both.Set<Filter>([](Filter* filter) { filter->ReportAsFieldDataOn(); });
   std::vector<Pieces> leaves;
@@ -201,8 +190,8 @@ void testBlocks(Twins& both)
 
 void testTriangulation()
 {
-  std::vector<Twins> all = makeTwins();
-  for (Twins& both : all)
+  std::vector<DistributedVersusSerial> all = makeComparisons();
+  for (DistributedVersusSerial& both : all)
   {
     testPieces(both);
     testTypes(both);

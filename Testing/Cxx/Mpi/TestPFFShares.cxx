@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What all processes have of a triangulation is what one would have, for the families of the
-// engine's tests and however the points are dealt out. Each process has about as much, and on
-// request what surrounds it.
+// What all processes have of a triangulation is what one would have, in all settings. Each process
+// has about as much, and on request what surrounds it. The engine's tests have the families of
+// points.
+#include "DistributedVersusSerial.h"
 #include "Shares.h"
-#include "Twins.h"
 
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
@@ -18,7 +18,6 @@
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 #include "vtkTransform.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,38 +36,12 @@ namespace
 
 using Filter = vtkFFRegularTriangulationFilter;
 
-Twins triangulations()
+DistributedVersusSerial triangulations()
 {
-  Twins both = twins<vtkPFFRegularTriangulationFilter, Filter>();
+  DistributedVersusSerial both = compare<vtkPFFRegularTriangulationFilter, Filter>();
   both.Set<Filter>([](Filter* filter) { filter->SetNumberOfThreads(1); });
   return both;
 }
-
-void useAll(Twins& both, std::uint64_t which)
-{
-  both.Set<vtkFFPlanarAlgorithm>(
-    [=](vtkFFPlanarAlgorithm* filter)
-    {
-      useWeights(filter, which % 4 == 3 ? "" : "weights");
-      filter->SetFacetMode(static_cast<int>(which % 2));
-    });
-}
-
-/// Triangulations and power diagrams, of what these numbers choose.
-class All
-{
-public:
-  void Run(const std::string& what, std::uint64_t which, const Pieces& pieces)
-  {
-    Twins& both = which % 3 == 1 ? this->Diagrams : this->Triangulations;
-    useAll(both, which);
-    both.Run(what, pieces);
-  }
-
-private:
-  Twins Triangulations = triangulations();
-  Twins Diagrams = twins<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>();
-};
 
 /// Points with weights: x, y and the weight of each, at some height.
 Pieces makeWeightedPieces(const Cloud& cloud, const std::function<int(int)>& owner)
@@ -89,112 +62,24 @@ Pieces makeWeightedPieces(const Cloud& cloud, const std::function<int(int)>& own
   return pieces;
 }
 
-/// How points are dealt, by a number: by turns, in runs, at random, to some processes only.
-std::function<int(int)> dealing(std::uint64_t which, std::size_t count)
+/// Deals points out at random, or in runs.
+std::function<int(int)> atRandom()
 {
-  const int all = processes();
-  switch (which % 5)
-  {
-    case 0:
-      return [=](int i) { return i % all; };
-    case 1:
-      return [=](int i) {
-        return static_cast<int>(
-          static_cast<std::size_t>(i) * all / std::max<std::size_t>(count, 1));
-      };
-    case 2:
-      return [=](int) { return static_cast<int>(which / 5 % static_cast<std::uint64_t>(all)); };
-    case 3:
-      return [=](int i) { return i % 7 == 3 ? all - 1 : 0; };
-    default:
-    {
-      const auto random = std::make_shared<Random>(which);
-      return [=](int) { return random->integer(0, all - 1); };
-    }
-  }
+  const auto random = std::make_shared<Random>(4);
+  return [=](int) { return random->integer(0, processes() - 1); };
 }
 
-void testFamilies()
+std::function<int(int)> inRuns(std::size_t count)
 {
-  All both;
-  std::uint64_t which = 0;
-  for (const auto& family : flipflop::test::weightedFamilies())
-  {
-    Random random(7);
-    const Cloud cloud = family.make(200, random);
-    ++which;
-    both.Run(family.name, which, makeWeightedPieces(cloud, dealing(which, cloud.size())));
-  }
-  for (const auto& input : flipflop::test::smallWeightedInputs())
-  {
-    const Cloud cloud = input.make();
-    ++which;
-    both.Run(input.name, which, makeWeightedPieces(cloud, dealing(which, cloud.size())));
-  }
-}
-
-/// A scan and a digital elevation model, as they lie in the file and shuffled.
-void testRealData()
-{
-  Twins both = triangulations();
-  for (const std::string name : { "autzen", "sainthelens" })
-  {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName((FLIPFLOP_TEST_DATA "/../../Data/" + name + ".vtp").c_str());
-    reader->Update();
-    vtkPolyData* read = reader->GetOutput();
-    std::vector<Point> points(static_cast<std::size_t>(read->GetNumberOfPoints()));
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      read->GetPoint(static_cast<vtkIdType>(i), points[i].data());
-    }
-    for (const std::uint64_t which : { 1, 4 })
-    {
-      both.Set<Filter>([&](Filter* filter) { filter->SetFacetMode(which == 4); });
-      both.Run(
-        name, split(points, dealing(which, points.size()), read->GetPoints()->GetDataType()));
-    }
-  }
-}
-
-/// Small integers, so that there are ties of all kinds, and weights of several ranges.
-void testRandomDealings()
-{
-  All both;
-  const char* wanted = std::getenv("FLIPFLOP_TEST_CASES");
-  const int cases = wanted ? std::atoi(wanted) : 30;
-  for (int seed = 0; seed < cases; ++seed)
-  {
-    Random random(static_cast<std::uint64_t>(seed) + 1);
-    const int reach = random.integer(1, 12);
-    const int heaviest = seed % 3 ? random.integer(0, 3) : 1000;
-    const Cloud cloud =
-      flipflop::test::smallIntegerSites(random.integer(0, 150), 0, reach, 0, heaviest, random);
-    const auto which = static_cast<std::uint64_t>(random.integer(0, 1000));
-    both.Run("seed " + std::to_string(seed), which,
-      makeWeightedPieces(cloud, dealing(4 + 5 * which, cloud.size())));
-  }
-}
-
-/// A weight that hides all but the border, and one that hides nothing but reaches everything.
-void testGiantWeight()
-{
-  Twins both = triangulations();
-  both.Set<Filter>([](Filter* filter) { useWeights(filter); });
-  for (const double weight : { 0.3, 10.0, 1e6 })
-  {
-    Cloud cloud = flipflop::test::randomSites(400, 1e-4, 5);
-    cloud[123][2] = weight;
-    both.Run("one giant weight", makeWeightedPieces(cloud, dealing(0, cloud.size())));
-  }
+  return [=](int i) { return static_cast<int>(static_cast<std::size_t>(i * processes()) / count); };
 }
 
 /// Each of the settings that decide about the cells or are computed from them.
 void testSettings()
 {
-  Twins both = triangulations();
+  DistributedVersusSerial both = triangulations();
   const Cloud cloud = flipflop::test::randomSites(400, 1e-3, 6);
-  const Pieces pieces = makeWeightedPieces(cloud, dealing(4, cloud.size()));
+  const Pieces pieces = makeWeightedPieces(cloud, atRandom());
   vtkNew<vtkTransform> transform;
   transform->RotateX(30);
   transform->Scale(1, 2, 3);
@@ -222,7 +107,7 @@ void testSettings()
   // An alpha complex, with and without weights: each process judges its own cells.
   for (const bool weighted : { true, false })
   {
-    Twins alpha = triangulations();
+    DistributedVersusSerial alpha = triangulations();
     alpha.Set<Filter>(
       [weighted](Filter* filter)
       {
@@ -239,13 +124,13 @@ void testSettings()
       rank() > 0 || Filter::SafeDownCast(alpha.Distributed)->GetNumberOfDroppedCells() > 100);
   }
   // In one vertical plane: a warning, once.
-  Twins upright = triangulations();
+  DistributedVersusSerial upright = triangulations();
   std::vector<Point> wall;
   for (int i = 0; i < 60; ++i)
   {
     wall.push_back({ double(i % 12), double(i % 12), double(i / 12) });
   }
-  upright.Run("upright", split(wall, dealing(4, wall.size())));
+  upright.Run("upright", split(wall, atRandom()));
   FF_CHECK_EQUAL(upright.Warnings->Messages.size(), std::size_t(rank() == 0));
 }
 
@@ -283,13 +168,13 @@ std::map<vtkIdType, std::size_t> ownersOf(const std::vector<Share>& shares)
 }
 
 /// The cells that are a process's own are all cells, and the marked ones surround its points.
-void checkGhosts(const std::vector<Share>& shares, vtkPolyData* plain, vtkCellArray* cells)
+void checkGhosts(const std::vector<Share>& shares, vtkPolyData* serial, vtkCellArray* cells)
 {
   std::map<Cell, std::vector<std::size_t>> havers;
   std::map<Cell, double> areas;
   std::set<Cell> all;
   const auto owners = ownersOf(shares);
-  FF_CHECK_EQUAL(owners.size(), originalIds(plain).size());
+  FF_CHECK_EQUAL(owners.size(), originalIds(serial).size());
   for (std::size_t process = 0; process < shares.size(); ++process)
   {
     const Share& share = shares[process];
@@ -309,7 +194,7 @@ void checkGhosts(const std::vector<Share>& shares, vtkPolyData* plain, vtkCellAr
       FF_CHECK_EQUAL(areas.emplace(cell, own).first->second, own);
     }
   }
-  const auto expected = cellsByOriginalIds(plain, cells);
+  const auto expected = cellsByOriginalIds(serial, cells);
   FF_CHECK(std::equal(all.begin(), all.end(), expected.begin(), expected.end()));
   for (const auto& cell : havers)
   {
@@ -328,13 +213,13 @@ void testGhosts()
     return;
   }
   vtkNew<vtkPFFRegularTriangulationFilter> filter;
-  vtkNew<Filter> plain;
+  vtkNew<Filter> serial;
   filter->GenerateGhostCellsOn();
   FF_CHECK(filter->GetGenerateGhostCells());
   // The line is in a vertical plane.
   vtkNew<ErrorObserver> warnings;
   filter->AddObserver(vtkCommand::WarningEvent, warnings);
-  plain->AddObserver(vtkCommand::WarningEvent, warnings);
+  serial->AddObserver(vtkCommand::WarningEvent, warnings);
   std::vector<Cloud> clouds{ flipflop::test::randomSites(500, 1e-3, 8),
     flipflop::test::squareGrid(15), flipflop::test::cocircularIntegers(5525) };
   Cloud line;
@@ -348,8 +233,8 @@ void testGhosts()
   {
     for (const int facets : { 0, 1 })
     {
-      const Pieces pieces = makeWeightedPieces(clouds[i], dealing(4, clouds[i].size()));
-      for (Filter* either : { static_cast<Filter*>(filter.Get()), plain.Get() })
+      const Pieces pieces = makeWeightedPieces(clouds[i], atRandom());
+      for (Filter* either : { static_cast<Filter*>(filter.Get()), serial.Get() })
       {
         useWeights(either);
         either->SetFacetMode(facets);
@@ -360,10 +245,10 @@ void testGhosts()
       const auto shares = gatherShares(filter->GetOutput());
       if (rank() == 0)
       {
-        plain->SetInputDataObject(append(pieces));
-        plain->Update();
-        const int dimension = plain->GetDimension();
-        vtkPolyData* output = plain->GetOutput();
+        serial->SetInputDataObject(append(pieces));
+        serial->Update();
+        const int dimension = serial->GetDimension();
+        vtkPolyData* output = serial->GetOutput();
         checkGhosts(shares, output,
           dimension == 0     ? output->GetVerts()
             : dimension == 1 ? output->GetLines()
@@ -392,7 +277,7 @@ void testBalance()
   }
   for (const Cloud& cloud : clouds)
   {
-    const Pieces pieces = makeWeightedPieces(cloud, dealing(1, cloud.size()));
+    const Pieces pieces = makeWeightedPieces(cloud, inRuns(cloud.size()));
     vtkNew<ErrorObserver> warnings; // the line is in a vertical plane
     const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, warnings);
     filter->SetInputDataObject(pieces[static_cast<std::size_t>(rank())]);
@@ -408,10 +293,6 @@ void testBalance()
 
 void testShares()
 {
-  testFamilies();
-  testRealData();
-  testRandomDealings();
-  testGiantWeight();
   testSettings();
   testGhosts();
   testBalance();

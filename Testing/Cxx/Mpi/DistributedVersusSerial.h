@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of several processes share: data in pieces, and a distributed filter beside its
-/// plain one, whose results, reports and errors must be the same.
-#ifndef Twins_h
-#define Twins_h
+/// What the tests of several processes share: data in pieces, and a distributed filter compared
+/// with the serial one: their results, reports and errors must be the same.
+#ifndef DistributedVersusSerial_h
+#define DistributedVersusSerial_h
 
 #include "FFTest.h"
 
@@ -32,9 +32,17 @@ int processes();
 /// A piece for each process, the same on all: tests make all of them and use their own.
 using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
 
+/// The process that gets a point.
+using Owner = std::function<int(int)>;
+
+/// Each process in turn.
+int byTurns(int i);
+
+/// Ways to deal so many points out; with some, processes get nothing.
+std::vector<std::pair<std::string, Owner>> dealings(std::size_t count);
+
 /// Points by an owner for each, as pieces of the type; some may be empty.
-Pieces split(
-  const std::vector<Point>& points, const std::function<int(int)>& owner, int type = VTK_DOUBLE);
+Pieces split(const std::vector<Point>& points, const Owner& owner, int type = VTK_DOUBLE);
 
 /// The pieces as arrays of arrays of every kind: attributes, names of components, strings, wide
 /// integers, NaN. Each value tells of piece and point.
@@ -52,26 +60,26 @@ vtkSmartPointer<vtkMultiBlockDataSet> appendBlocks(const std::vector<Pieces>& le
 /// What a process has of it.
 vtkSmartPointer<vtkMultiBlockDataSet> pieceOfBlocks(const std::vector<Pieces>& leaves);
 
-/// A distributed filter on each process, and on process 0 the plain one. Where each process has a
+/// A distributed filter on each process, and on process 0 the serial one. Where each process has a
 /// share of the output, their union is compared.
-class Twins
+class DistributedVersusSerial
 {
 public:
   /// Which takes over both.
-  Twins(vtkFFAlgorithm* distributed, vtkFFAlgorithm* plain);
+  DistributedVersusSerial(vtkFFAlgorithm* distributed, vtkFFAlgorithm* serial);
 
   /// Do the same to both.
   template <class FilterT, class Change>
   void Set(Change&& change)
   {
-    for (vtkFFAlgorithm* filter : { this->Distributed.Get(), this->Plain.Get() })
+    for (vtkFFAlgorithm* filter : { this->Distributed.Get(), this->Serial.Get() })
     {
       change(FilterT::SafeDownCast(filter));
     }
   }
 
-  /// Runs both, the plain one for @p whole, and compares all that they give and report. Where the
-  /// plain filter has an error, it must be all processes' error. Collective.
+  /// Runs both, the serial one for @p whole, and compares all that they give and report. Where the
+  /// serial filter has an error, it must be all processes' error. Collective.
   bool Run(const std::string& what, vtkDataObject* piece, vtkDataObject* whole);
   bool Run(const std::string& what, const Pieces& pieces);
   bool Run(const std::string& what, const std::vector<Pieces>& leaves);
@@ -81,7 +89,7 @@ public:
   bool Fails(const std::string& what, vtkDataObject* piece, const std::string& part);
 
   vtkSmartPointer<vtkFFAlgorithm> Distributed;
-  vtkSmartPointer<vtkFFAlgorithm> Plain;
+  vtkSmartPointer<vtkFFAlgorithm> Serial;
 
   /// Of the last run, of the distributed filter.
   ///@{
@@ -90,23 +98,24 @@ public:
   ///@}
 
 private:
-  /// Whether each process has a share of the output. Otherwise process 0 has it whole.
+  /// Whether each process has a share of the output. Otherwise process 0 has it whole. Collective.
   bool HasShares() const;
 
-  /// Whether the plain filter has a result, maybe beside an error. Collective.
+  /// Whether the serial filter has a result, maybe with an error. Collective.
   bool HasResult() const;
-  bool CheckShares(const std::string& what);
-  bool CheckOutputs(const std::string& what);
-  bool CheckReports(const std::string& what);
-  vtkNew<ErrorObserver> PlainErrors;
-  vtkNew<ErrorObserver> PlainWarnings;
+  bool CheckOutput(const std::string& what, vtkDataObject* own, vtkDataObject* serial);
+  bool CheckReport(const std::string& what);
+
+  vtkNew<ErrorObserver> SerialErrors;
+  vtkNew<ErrorObserver> SerialWarnings;
 };
 
-/// The twins of a filter.
-template <class DistributedT, class PlainT>
-Twins twins()
+/// The comparison of a filter with the serial one.
+template <class DistributedT, class SerialT>
+DistributedVersusSerial compare()
 {
-  return Twins(vtkSmartPointer<DistributedT>::New(), vtkSmartPointer<PlainT>::New());
+  return DistributedVersusSerial(
+    vtkSmartPointer<DistributedT>::New(), vtkSmartPointer<SerialT>::New());
 }
 
 /// Whether no process has found anything wrong so far. Collective.

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A setting that concerns the output alone takes the triangulation of the last run, and gives what
-// a new filter gives, bit for bit. Whatever the triangulation depends on has the engine run again.
+// A setting that concerns the output alone takes the hull or triangulation of the last run, and
+// gives what a new filter gives, bit for bit. Whatever it depends on has the engine run again.
 #include "FFPlanar.h"
 
+#include "vtkFFHullFilter.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
@@ -20,6 +21,7 @@ using namespace fftest;
 namespace
 {
 
+using Hull = vtkFFHullFilter;
 using Triangulation = vtkFFRegularTriangulationFilter;
 using Diagram = vtkFFPowerDiagramFilter;
 
@@ -49,11 +51,19 @@ vtkSmartPointer<vtkPolyData> withoutReport(vtkPolyData* output)
 
 /// Makes one change after the other. After each, a filter to which all are made at once agrees.
 template <class FilterT>
-void testChanges(
-  vtkDataObject* input, const char* weights, const std::vector<Change<FilterT>>& changes)
+void testChanges(vtkDataObject* input, const char* weights,
+  const std::vector<Change<FilterT>>& changes, bool joins = false)
 {
+  const auto set = [=](FilterT* filter)
+  {
+    filter->ReportAsFieldDataOn();
+    if (auto* hull = vtkFFHullFilter::SafeDownCast(filter))
+    {
+      hull->SetCompositeMode(joins);
+    }
+  };
   Watched<FilterT> run(input, weights);
-  run->ReportAsFieldDataOn();
+  set(run.Get());
   run.Run();
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
@@ -69,15 +79,13 @@ void testChanges(
     same.TakeReference(input->NewInstance());
     same->ShallowCopy(input);
     Watched<FilterT> fresh(same, weights);
+    set(fresh.Get());
     for (std::size_t k = 0; k <= i; ++k)
     {
       changes[k].Make(fresh.Get());
     }
     fresh.Run();
-    FF_CHECK_EQUAL(run->GetNumberOfHiddenPoints(), fresh->GetNumberOfHiddenPoints());
-    FF_CHECK_EQUAL(run->GetNumberOfInputPoints(), fresh->GetNumberOfInputPoints());
-    FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), fresh->GetNumberOfNonFinitePoints());
-    FF_CHECK_EQUAL(run->GetDimension(), fresh->GetDimension());
+    FF_CHECK_EQUAL(printedReport(run.Get()), printedReport(fresh.Get()));
     for (int port = 0; port < run->GetNumberOfOutputPorts(); ++port)
     {
       FF_CHECK(isIdentical(withoutReport(run->GetOutput(port)),
@@ -102,22 +110,23 @@ vtkSmartPointer<vtkPolyData> makeInput()
   return input;
 }
 
+/// A change of data, made once for both filters.
+std::function<void(void*)> once(const std::function<void()>& change)
+{
+  auto isMade = std::make_shared<bool>(false);
+  return [=](void*)
+  {
+    if (!*isMade)
+    {
+      *isMade = true;
+      change();
+    }
+  };
+}
+
 template <class FilterT>
 std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* transform)
 {
-  // A change of data is made once, for both filters.
-  const auto once = [](const std::function<void()>& change)
-  {
-    auto isMade = std::make_shared<bool>(false);
-    return [=](FilterT*)
-    {
-      if (!*isMade)
-      {
-        *isMade = true;
-        change();
-      }
-    };
-  };
   return {
     { "report", false, [](FilterT* f) { f->ReportAsFieldDataOff(), f->ReportAsFieldDataOn(); } },
     { "measures", false, [](FilterT* f) { f->GenerateCellMeasuresOn(); } },
@@ -205,16 +214,58 @@ void testDiagram()
   testChanges(input, "weights", changes);
 }
 
-/// In each dimension.
-void testDegenerate()
+/// Of points, and of the blocks of a composite that have one hull.
+void testHull(bool joins)
 {
-  for (const std::vector<Point>& points : { std::vector<Point>{}, { { 1, 2, 3 }, { 1, 2, 3 } },
-         { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } } })
+  const auto points = makeInput();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makePoints(gridOf(5, 5)));
+  blocks->SetBlock(1, points);
+  // A composite does not know that its data changed, so a setting of the output changes as well.
+  const auto move = [=](double x, const std::function<void(Hull*)>& set)
   {
-    testChanges<Triangulation>(makePoints(points), nullptr,
-      { { "measures", false, [](Triangulation* f) { f->GenerateCellMeasuresOn(); } },
-        { "border", false, [](Triangulation* f) { f->GenerateBoundaryOn(); } } });
-  }
+    const auto change = once(
+      [=]
+      {
+        points->GetPoints()->SetPoint(8, x, x, x);
+        points->GetPoints()->Modified();
+      });
+    return [=](Hull* f)
+    {
+      change(f);
+      set(f);
+    };
+  };
+  testChanges<Hull>(joins ? static_cast<vtkDataObject*>(blocks) : points.Get(), nullptr,
+    {
+      { "polygons", false, [](Hull* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); } },
+      { "visible ids", false, [](Hull* f) { f->VisiblePointIdsOn(); } },
+      { "no point data", false, [](Hull* f) { f->PassPointDataOff(); } },
+      { "triangles", false, [](Hull* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES); } },
+      { "point data", false, [](Hull* f) { f->PassPointDataOn(); } },
+      { "policy", true, [](Hull* f) { f->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); } },
+      { "ghosts", true, [](Hull* f) { f->SkipGhostPointsOff(); } },
+      { "variant", true, [](Hull* f) { f->VBiasedOff(); } },
+      { "a point", true, move(9.0, [](Hull* f) { f->SetFacetMode(1); }) },
+      { "back", true, move(0.0, [](Hull* f) { f->SetFacetMode(0); }) },
+      { "no point data, of a new point", true, move(8.0, [](Hull* f) { f->PassPointDataOff(); }) },
+      { "point data, of which nothing is kept", true, [](Hull* f) { f->PassPointDataOn(); } },
+    },
+    joins);
+}
+
+/// What somebody does to the output of a hull stays there.
+void testChangedOutput()
+{
+  Watched<Hull> run(makeInput());
+  const auto expected = copyOf(run.Run());
+  run->GetOutput()->GetPoints()->SetPoint(0, 7.0, 7.0, 7.0);
+  run->GetOutput()->GetPointData()->GetArray("vtkOriginalPointIds")->SetTuple1(0, -5.0);
+  run->GetOutput()->GetPolys()->ReverseCellAtId(0);
+  run->VisiblePointIdsOn();
+  run.Run();
+  run->VisiblePointIdsOff();
+  FF_CHECK(isIdentical(run.Run(), expected, "after a change of the output"));
 }
 
 /// After a failure, an abort, another input and a change upstream.
@@ -291,11 +342,13 @@ void testNotKept()
 
 }
 
-int TestFFKeptTriangulation(int, char*[])
+int TestFFKept(int, char*[])
 {
   testTriangulation();
   testDiagram();
-  testDegenerate();
+  testHull(false);
+  testHull(true);
+  testChangedOutput();
   testOtherRuns();
   testNotKept();
   return result();

@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Radii and factors give the triangulation of the weights that double arithmetic makes of them, to
-// the last bit; what makes no weight is refused by name.
+// Which array has the weights; weights from radii and factors, to the last bit; what is no array of
+// weights, or makes no weight, is an error that names it.
 #include "FFPlanar.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFFPointInterpolator2D.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
 
 #include <cmath>
+#include <functional>
 
 using namespace fftest;
 
@@ -17,55 +20,89 @@ namespace
 {
 
 using Filter = vtkFFRegularTriangulationFilter;
+using Run = Watched<Filter>;
 
 /// The output by the mode and the factor.
-template <class FilterT = Filter>
 vtkSmartPointer<vtkPolyData> outputOf(
-  vtkPolyData* input, int mode = Filter::WEIGHTS, double factor = 1.0, int threads = 0)
+  vtkPolyData* input, int mode = Filter::WEIGHTS, double factor = 1.0)
 {
-  Watched<FilterT> run(input, "weights");
+  Run run(input, "weights");
   run->PassPointDataOff();
   run->SetWeightMode(mode);
   run->SetWeightFactor(factor);
-  run->SetNumberOfThreads(threads);
   return run.Run();
 }
 
-/// By any mode and factor, for any type of array: as with the weights that are computed here.
-void testComputed()
+/// An array by name, the active scalars, an empty name, None, and none.
+void testChoice()
 {
-  const auto points = randomPoints(3000, 61);
-  for (const int type : { VTK_DOUBLE, VTK_FLOAT, VTK_INT })
+  const auto input = randomWeighted(600, 51);
+  Run run(input);
+  const auto delaunay = copyOf(run.Run());
+  const auto isWeighted = [&] { return !isSame(run.Run(), delaunay); };
+  useWeights(run.Get());
+  FF_CHECK(isWeighted());
+  for (const char* none : { "", "None" })
   {
-    std::vector<double> values;
-    for (int i = 0; i < 3000; ++i)
-    {
-      values.push_back(type == VTK_INT ? (i % 3 ? 0 : i % 4) : 0.001 * (i * (i % 101) * 37 % 101));
-    }
-    const auto input = makeWeighted(points, values, type);
-    vtkDataArray* array = input->GetPointData()->GetArray("weights");
-    for (const int mode : { int(Filter::WEIGHTS), int(Filter::RADII) })
-    {
-      for (const double factor : { 1.0, 0.3, -0.7, 1e-5, 0.0 })
-      {
-        std::vector<double> weights;
-        for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-        {
-          const double scaled = factor * array->GetTuple1(i);
-          weights.push_back(mode == Filter::RADII ? scaled * scaled : scaled);
-        }
-        const auto weighted = makeWeighted(points, weights);
-        const auto expected = outputOf(weighted);
-        for (const int threads : { 0, 3, 1 })
-        {
-          FF_CHECK(isSame(outputOf(input, mode, factor, threads), expected));
-        }
-        using Diagram = vtkFFPowerDiagramFilter;
-        FF_CHECK(isIdentical(
-          outputOf<Diagram>(input, mode, factor), outputOf<Diagram>(weighted), "cells"));
-      }
-    }
+    useWeights(run.Get(), none);
+    FF_CHECK(!isWeighted());
   }
+  // None in cell data is none either, and no error: points are what weights belong to.
+  run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "None");
+  FF_CHECK(!isWeighted());
+  run->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  run.Fail("active Scalars", vtkFFErrorCode::InputError);
+  input->GetPointData()->SetActiveScalars("weights");
+  input->Modified();
+  FF_CHECK(isWeighted());
+  // An array may have that name.
+  input->GetPointData()->GetArray("weights")->SetName("None");
+  useWeights(run.Get(), "None");
+  FF_CHECK(isWeighted());
+}
+
+template <class FilterT>
+void testWrongArrays()
+{
+  const auto input = makePoints(randomPoints(10, 52));
+  vtkNew<vtkStringArray> names;
+  names->SetName("names");
+  names->SetNumberOfValues(10);
+  input->GetPointData()->AddArray(names);
+  const auto add = [&](const char* name, int components, vtkIdType tuples)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples);
+    array->Fill(0.0);
+    input->GetPointData()->AddArray(array);
+  };
+  add("vectors", 3, 10);
+  add("too short", 1, 9);
+  add("too long", 1, 11);
+
+  Watched<FilterT> run(input);
+  const auto check = [&](const std::string& name, const std::string& what, int association)
+  {
+    run->SetInputArrayToProcess(0, 0, 0, association, name.c_str());
+    run.Fail(what, vtkFFErrorCode::InputError);
+    FF_CHECK(run.Errors->Has("\"" + name + "\""));
+  };
+  constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  check("absent", "missing", points);
+  check("names", "vtkStringArray", points);
+  check("vectors", "3 components", points);
+  check("too short", "9 value(s) for 10 point(s)", points);
+  check("too long", "11 value(s) for 10 point(s)", points);
+  check("heat of the cell", "point data", vtkDataObject::FIELD_ASSOCIATION_CELLS);
+
+  // No point needs no weights.
+  useWeights(run.Get(), "absent");
+  run.RunWith(makePoints(std::vector<Point>{}));
+  useWeights(run.Get(), "");
+  FF_CHECK(run.RunWith(input)->GetNumberOfPolys() > 0);
 }
 
 /// On a line, between two points of weight 4 and at a distance of 1 and 2 from them, a point
@@ -152,7 +189,6 @@ void testErrors()
 }
 
 /// Points are named as the user counts them: in their data set, and with ghosts.
-template <class FilterT>
 void testPlaces()
 {
   const auto points = randomPoints(10, 64);
@@ -167,7 +203,7 @@ void testPlaces()
   {
     blocks->SetBlock(i, i == 17 ? second : first);
   }
-  Watched<FilterT> run(blocks, "weights");
+  Run run(blocks, "weights");
   run->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
   run->Update();
   FF_CHECK_EQUAL(run.Errors->Messages.size(), std::size_t(1));
@@ -206,14 +242,15 @@ void testInterpolator()
 
 }
 
-int TestFFWeightModes(int, char*[])
+int TestFFWeights(int, char*[])
 {
-  testComputed();
+  testChoice();
+  testWrongArrays<Filter>();
+  testWrongArrays<vtkFFPowerDiagramFilter>();
   testLastBit();
   testErrors<Filter>();
   testErrors<vtkFFPowerDiagramFilter>();
-  testPlaces<Filter>();
-  testPlaces<vtkFFPowerDiagramFilter>();
+  testPlaces();
   testInterpolator();
   return result();
 }

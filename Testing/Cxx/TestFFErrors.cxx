@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What cannot be done is an error that says what and where, with all outputs empty; the next run is
 // none the worse for it. Wrong weight arrays are in the test of weights.
+#include "FFCases.h"
 #include "FFPlanar.h"
 
-#include "vtkFFConstrainedDelaunayFilter.h"
-#include "vtkFFPowerDiagramFilter.h"
-#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
 
@@ -15,56 +13,53 @@ using namespace fftest;
 namespace
 {
 
-/// A coordinate, z included, or a weight: in each mode of projection.
-template <class FilterT>
-void testNonFinite(int type, bool weighted)
+/// A coordinate, z included, or a weight, in each mode of projection: an error that names the first
+/// and counts all; or they are left out, and the others keep their ids.
+void testNonFinite(const FilterCase& of, int type)
 {
-  for (const double value : { notANumber, infinity, -infinity })
+  const auto filter = of.New();
+  auto* const planar = vtkFFPlanarAlgorithm::SafeDownCast(filter);
+  if (planar)
   {
-    for (std::size_t axis = 0; axis < (weighted ? 4 : 3); ++axis)
+    planar->SetTransform(vtkNew<vtkTransform>());
+  }
+  const double values[] = { notANumber, infinity, -infinity };
+  for (std::size_t axis = 0; axis < (of.IsWeighted ? 4 : 3); ++axis)
+  {
+    auto points = randomPoints(1000, 31);
+    std::vector<double> weights(1000, 0.0);
+    (axis < 3 ? points[123][axis] : weights[123]) = values[axis % 3];
+    points[456][2] = infinity;
+    points[999] = { notANumber, 0.0, 0.0 };
+    weights[999] = -infinity;
+    const auto input = makeWeighted(points, weights);
+    input->SetPoints(makePoints(points, type)->GetPoints());
+    filter->SetInputDataObject(input);
+    for (int mode = 0; mode < (planar ? 3 : 1); ++mode)
     {
-      auto points = randomPoints(1000, 31);
-      std::vector<double> weights(1000, 0.0);
-      (axis < 3 ? points[123][axis] : weights[123]) = value;
-      points[456][2] = value;
-      points[999] = { value, value, value };
-      weights[999] = value;
-      const auto input = makeWeighted(points, weights);
-      input->SetPoints(makePoints(points, type)->GetPoints());
-
-      vtkNew<vtkTransform> identity;
-      Watched<FilterT> run(input, weighted ? "weights" : nullptr);
-      run->SetTransform(identity);
-      for (int mode = 0; mode < 3; ++mode)
+      if (planar)
       {
-        run->SetProjectionPlaneMode(mode);
-        run->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_ERROR);
-        run->Update();
-        FF_CHECK(run.Errors->Has("point 123, 3 such point(s) in all."));
-        FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), 3);
-        run.Fail("NaN or infinite", vtkFFErrorCode::NonFiniteError);
-
-        // Left out, the others have their result, with the ids of the whole input.
-        run->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
-        vtkPolyData* output = run.Run();
-        FF_CHECK_EQUAL(run->GetNumberOfNonFinitePoints(), 3);
-        FF_CHECK_EQUAL(run->GetNumberOfInputPoints(), 1000);
-        FF_CHECK(output->GetNumberOfPolys() > 900);
-        FF_CHECK(!output->GetPointData()->HasArray("vtkOriginalPointIds") ||
-          (originalIds(output).size() == 997 && originalIds(output).back() == 998));
+        planar->SetProjectionPlaneMode(mode);
       }
+      filter->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_ERROR);
+      FF_CHECK(fails(filter, vtkFFErrorCode::NonFiniteError,
+        { "NaN or infinite: first at point 123, 3 such point(s) in all." }));
+      FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
+      filter->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
+      FF_CHECK(succeeds(filter));
+      FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
+      FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), 1000);
+      FF_CHECK(filter->GetOutput()->GetNumberOfPolys() > 50);
+      auto* const hull = vtkFFHullFilter::SafeDownCast(filter);
+      FF_CHECK(!hull || isHullOf(input, hull->GetOutput(), 3));
     }
   }
-  Watched<FilterT> none(
-    makePoints({ { notANumber, 0, 0 }, { 0, infinity, 0 }, { 0, 0, notANumber } }));
-  none->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
-  for (const int mode : { 0, 2 })
-  {
-    none->SetProjectionPlaneMode(mode);
-    FF_CHECK(isEmpty(none.Run()));
-    FF_CHECK_EQUAL(none->GetDimension(), -1);
-    FF_CHECK_EQUAL(none->GetNumberOfNonFinitePoints(), 3);
-  }
+  filter->SetInputDataObject(
+    makeWeighted({ { notANumber, 0, 0 }, { 0, infinity, 0 }, { 0, 0, notANumber } }, { 0, 0, 0 }));
+  FF_CHECK(succeeds(filter));
+  FF_CHECK(isEmpty(filter->GetOutput()));
+  FF_CHECK_EQUAL(filter->GetDimension(), -1);
+  FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
 }
 
 /// A plane by a transform that is not there; one that flattens, so that nothing leads back.
@@ -131,13 +126,14 @@ void testRefused(const std::string& words, const Set& set, const Get& get)
 
 }
 
-int TestFFRegularTriangulationFilterErrors(int, char*[])
+int TestFFErrors(int, char*[])
 {
   using Filter = vtkFFRegularTriangulationFilter;
-  testNonFinite<Filter>(VTK_DOUBLE, true);
-  testNonFinite<Filter>(VTK_FLOAT, true);
-  testNonFinite<vtkFFPowerDiagramFilter>(VTK_DOUBLE, true);
-  testNonFinite<vtkFFConstrainedDelaunayFilter>(VTK_DOUBLE, false);
+  for (const FilterCase& of : casesOfPoints())
+  {
+    testNonFinite(of, VTK_DOUBLE);
+    testNonFinite(of, VTK_FLOAT);
+  }
   testTransform<Filter>(false);
   testTransform<vtkFFConstrainedDelaunayFilter>(false);
   testTransform<vtkFFPowerDiagramFilter>(true);

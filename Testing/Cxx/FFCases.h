@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The filters, for the tests of what they have in common.
+#ifndef FFCases_h
+#define FFCases_h
+
+#include "FFTest.h"
+
+#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFConvexifyFilter.h"
+#include "vtkFFHullFilter.h"
+#include "vtkFFPowerDiagramFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fftest
+{
+
+/// A filter, and what is its own.
+struct FilterCase
+{
+  std::function<vtkSmartPointer<vtkFFAlgorithm>()> New;
+  bool TakesSurface; ///< or points
+  bool IsWeighted;   ///< by the array "weights", which New() chooses
+  std::string Title; ///< of its progress
+  std::vector<std::string> Steps;
+  std::vector<std::string> Settings; ///< that it prints, besides those of vtkFFAlgorithm
+  std::vector<std::string> Report;   ///< arrays of field data, besides those of vtkFFAlgorithm
+};
+
+template <class FilterT>
+vtkSmartPointer<vtkFFAlgorithm> makeFilter()
+{
+  return vtkSmartPointer<FilterT>::New();
+}
+
+template <class FilterT>
+vtkSmartPointer<vtkFFAlgorithm> makeWeightedFilter()
+{
+  auto filter = vtkSmartPointer<FilterT>::New();
+  useWeights(filter);
+  return filter;
+}
+
+inline vtkSmartPointer<vtkFFAlgorithm> makeHullOfAllBlocks()
+{
+  auto filter = vtkSmartPointer<vtkFFHullFilter>::New();
+  filter->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
+  return filter;
+}
+
+inline std::vector<FilterCase> filterCases()
+{
+  const std::string planar[] = { "ProjectionPlaneMode", "Transform", "WeightMode", "WeightFactor",
+    "GenerateCellMeasures" };
+  const auto withPlanar = [&](std::vector<std::string> own)
+  {
+    own.insert(own.end(), std::begin(planar), std::end(planar));
+    return own;
+  };
+  const std::vector<std::string> hullSettings{ "Volume", "Area", "CompositeMode",
+    "NumberOfStreamDivisions" };
+  const std::vector<std::string> hullSteps{ "Convex hull: scanning", "Convex hull: sorting",
+    "Convex hull: finishing" };
+  const std::vector<std::string> hullReport{ "FlipFlopVolume", "FlipFlopArea" };
+  return {
+    { makeFilter<vtkFFHullFilter>, false, false, "Convex hull", hullSteps, hullSettings,
+      hullReport },
+    { makeHullOfAllBlocks, false, false, "Convex hull", hullSteps, hullSettings, hullReport },
+    { makeFilter<vtkFFConvexifyFilter>, true, false, "Convexify",
+      { "Convexify: flipping", "Convexify: finishing" },
+      { "Volume", "Area", "KernelPoint", "UseKernelPoint" }, hullReport },
+    { makeWeightedFilter<vtkFFRegularTriangulationFilter>, false, true, "Regular triangulation",
+      { "Regular triangulation: scanning", "Regular triangulation: finishing" },
+      withPlanar({ "Alpha", "AlphaLines", "AlphaVerts", "GenerateAlphas", "GenerateBoundary",
+        "MaximumEdgeLength", "NumberOfHiddenPoints", "NumberOfDroppedCells" }),
+      { "FlipFlopHiddenPoints", "FlipFlopDroppedCells" } },
+    { makeWeightedFilter<vtkFFPowerDiagramFilter>, false, true, "Power diagram",
+      { "Power diagram: scanning", "Power diagram: making cells" },
+      withPlanar({ "PowerDiagramBounds", "PowerDiagramBoxMode", "NumberOfHiddenPoints" }),
+      { "FlipFlopHiddenPoints" } },
+    { makeFilter<vtkFFConstrainedDelaunayFilter>, false, false,
+      "Constrained Delaunay triangulation", {},
+      withPlanar({ "MaximumEdgeLength", "SplitCrossingConstraints", "PolygonRule",
+        "NumberOfDroppedCells", "NumberOfSplitPoints" }),
+      { "FlipFlopDroppedCells", "FlipFlopSplitPoints" } },
+  };
+}
+
+/// Those that take points, whatever cells these have.
+inline std::vector<FilterCase> casesOfPoints()
+{
+  std::vector<FilterCase> cases;
+  for (const FilterCase& one : filterCases())
+  {
+    if (!one.TakesSurface)
+    {
+      cases.push_back(one);
+    }
+  }
+  return cases;
+}
+
+}
+
+#endif
