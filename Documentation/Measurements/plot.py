@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One plot for each table of measurements in this folder: plot.py [FILE.csv]...
 
-By default all, into Documentation/Figures. A file's name ends with its date, which the picture's name leaves out. A plot
-of peers shows how many times as long as FlipFlop each of them takes.
+By default all, into Documentation/Figures. A file's name ends with its date, which the picture's has not. A plot of
+peers shows how many times as long as FlipFlop each of them takes.
 """
 
 import csv

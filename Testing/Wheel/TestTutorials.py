@@ -26,7 +26,13 @@ def missing(code):
     names = set(re.findall(r"^(?:import|from) (\w+)", code, re.MULTILINE))
     # PyVista is looked for through us, too.
     names |= {"pyvista"} if "vtkflipflop.pyvista" in code else set()
-    return {name for name in names if importlib.util.find_spec(name) is None}
+    lacking = {name for name in names if importlib.util.find_spec(name) is None}
+    if "pv.Plotter" in code and not lacking:
+        try:
+            importlib.import_module("pyvista.plotting")
+        except ImportError:
+            return {"a PyVista that can draw"}
+    return lacking
 
 
 @pytest.fixture(scope="module")
