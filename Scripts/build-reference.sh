@@ -23,9 +23,7 @@ cp -r "$top/build/reference-cpp/Documentation/html" "$reference/cpp"
 say "Python: pdoc"
 "$python" -m venv --clear "$top/build/reference-python"
 "$top/build/reference-python/bin/pip" install --quiet pdoc "$wheel[pyvista]"
-# pdoc cannot say where the attributes of exceptions come from, and warns of each.
-(cd "$reference" && PYTHONWARNINGS=ignore "$top/build/reference-python/bin/pdoc" --docformat numpy --no-show-source \
-  --output-directory python vtkflipflop.arrays vtkflipflop.pyvista)
+(cd "$reference" && "$top/build/reference-python/bin/python" -B "$top/Documentation/python_reference.py" python)
 "$python" -B "$top/Documentation/notebooks.py" "$reference/notebooks"
 
 cat >"$reference/index.html" <<'EOF'
