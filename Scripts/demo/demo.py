@@ -13,7 +13,7 @@ The VTK filters compute; with --paraview, in pvpython, the plugin that PV_PLUGIN
     pvpython demo.py --paraview --output demo-output/paraview Data/*.vtp
 
 A few files are also pictured side by side, in the order given: hulls.png and triangulations.png.
-Those in Documentation/Figures are the ones that this writes to demo-output:
+README's picture has the first of the one and the last two of the other, of this command:
 
     ./demo.sh Data/spot.vtp Data/sainthelens.vtp Data/autzen.vtp
 """
