@@ -242,33 +242,6 @@ TEST(Alpha, OfConstrainedAndMissingCells)
   EXPECT_EQ(rest.vertices.size(), 1u);
 }
 
-TEST(Alpha, IsTheSameOnAnyThreads)
-{
-  const Cloud sites = randomSites(effort(30000), 1e-5, 12);
-  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-  Options one;
-  one.threads = 1;
-  const double alpha = 0.004;
-  const AlphaComplex first =
-    alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, true, one);
-  const std::vector<double> alphas = alphasOf(sites, triangulation, one);
-  EXPECT_GT(first.cellCount, 0);
-  EXPECT_LT(first.cellCount, triangulation.cellCount());
-  EXPECT_EQ(first.cellCount,
-    std::count_if(alphas.begin(), alphas.end(), [=](double a) { return a <= alpha; }));
-  for (const int threads : { 2, 4 })
-  {
-    Options options;
-    options.threads = threads;
-    const AlphaComplex again =
-      alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, true, options);
-    EXPECT_TRUE(std::equal(first.cells.begin(), first.cells.end(), again.cells.begin()));
-    EXPECT_TRUE(
-      std::equal(first.edges.begin(), first.edges.end(), again.edges.begin(), again.edges.end()));
-    EXPECT_EQ(alphasOf(sites, triangulation, options), alphas);
-  }
-}
-
 TEST(Alpha, Errors)
 {
   const Cloud sites = randomSites(20, 0, 11);
@@ -278,27 +251,16 @@ TEST(Alpha, Errors)
     ErrorCode::BadArgument);
   expectError(
     [&] { cellAlphas(viewOf(sites), WeightView(), right, nullptr); }, ErrorCode::BadArgument);
-  const double weights[2] = { 0, 1 };
-  expectError(
-    [&] { alphaComplex(viewOf(sites), WeightView(weights, 2), right, 1); }, ErrorCode::WeightCount);
-  const auto expectBad = [&](const std::function<void(Triangulation&)>& change)
+  for (const std::size_t other : { 0, 2 })
   {
     Triangulation broken = triangulationOf(sites, FacetMode::Triangles);
-    change(broken);
+    broken.connectivity[1] = broken.connectivity[other]; // a corner twice, or turned over
+    broken.connectivity[2] = right.connectivity[1];
     expectError(
       [&] { alphaComplex(viewOf(sites), WeightView(), broken, 1, true); }, ErrorCode::BadArgument);
     expectError([&] { cellAlphas(viewOf(sites), WeightView(), broken, alphas.data()); },
       ErrorCode::BadArgument);
-  };
-  expectBad([](Triangulation& t) { t.dimension = 3; });
-  expectBad([](Triangulation& t) { t.connectivity[0] = 20; });
-  expectBad([](Triangulation& t) { t.pointIds[1] = 20; });
-  expectBad([](Triangulation& t) { std::swap(t.connectivity[1], t.connectivity[2]); });
-  expectBad([](Triangulation& t) { t.connectivity[1] = t.connectivity[0]; });
-  Watch watch;
-  watch.stopAt = 1;
-  expectError([&] { alphaComplex(viewOf(sites), WeightView(), right, 1, true, watch.options(1)); },
-    ErrorCode::Aborted);
+  }
 }
 
 }

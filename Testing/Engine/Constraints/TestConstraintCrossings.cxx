@@ -376,33 +376,6 @@ TEST(ConstraintCrossings, ErrorsNameThePlace)
   }
 }
 
-TEST(ConstraintCrossings, ReportProgressAndStop)
-{
-  Random random(8);
-  Case given;
-  for (int i = 0; i < 4000; ++i)
-  {
-    given.cloud.push_back({ random.uniform(), random.uniform(), 0 });
-    given.segments.push_back({ i, i / 2 });
-  }
-  given.segments.resize(400);
-  Watch all;
-  splitCrossings(viewOf(given.cloud), given.view(), all.options(2));
-  all.expectOrder();
-  EXPECT_GE(std::count(all.steps.begin(), all.steps.end(), "splitting crossings"), 2);
-  for (int stop = 1; stop <= static_cast<int>(all.fractions.size()); ++stop)
-  {
-    Watch watch;
-    watch.stopAt = stop;
-    expectError([&] { splitCrossings(viewOf(given.cloud), given.view(), watch.options(1)); },
-      ErrorCode::Aborted);
-    if (static_cast<int>(watch.fractions.size()) < stop)
-    {
-      break;
-    }
-  }
-}
-
 }
 
 }

@@ -306,30 +306,6 @@ TEST(Constraints, HubsAndGridsHaveOneAnswer)
   expectOneAnswer(grid, lines);
 }
 
-TEST(Constraints, ReportProgressAndStop)
-{
-  Random random(3);
-  Cloud cloud;
-  std::vector<Segment> segments;
-  streets(60, random, cloud, segments);
-  Watch all;
-  constrainedTriangulation(viewOf(cloud), viewOf(segments), all.options(2));
-  all.expectOrder();
-  EXPECT_EQ(std::count(all.steps.begin(), all.steps.end(), "inserting constraints"), 1);
-  for (int stop = 1; stop <= static_cast<int>(all.fractions.size()); ++stop)
-  {
-    Watch watch;
-    watch.stopAt = stop;
-    test::expectError([&]
-      { constrainedTriangulation(viewOf(cloud), viewOf(segments), watch.options(1)); },
-      ErrorCode::Aborted);
-    if (static_cast<int>(watch.fractions.size()) < stop)
-    {
-      break;
-    }
-  }
-}
-
 /// What is wrong with a result does not pass.
 TEST(Constraints, FaultsAreFound)
 {

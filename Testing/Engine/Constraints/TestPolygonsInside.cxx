@@ -301,19 +301,6 @@ TEST(PolygonsInside, IsThatOfTheDepth)
   }
 }
 
-TEST(PolygonsInside, ReportsProgressAndStops)
-{
-  const Sides sides({ { 0, 3, 15, 12 } });
-  const ConstrainedTriangulation result = constrainedTriangulation(viewOf(grid), sides.view());
-  Watch watch;
-  insideOf(result, watch.options(1));
-  watch.expectOrder();
-  Watch stopped;
-  stopped.stopAt = 1;
-  std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
-  expectError([&] { cellsInside(result, inside.data(), stopped.options(1)); }, ErrorCode::Aborted);
-}
-
 }
 
 }

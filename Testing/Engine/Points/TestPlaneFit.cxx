@@ -178,32 +178,6 @@ TEST(PlaneFit, OfPointsThatSpanLess)
   }
 }
 
-TEST(PlaneFit, IsTheSameOfFloatsStridesAndThreads)
-{
-  const Cloud cloud = fromFamily("gaussian", 50000, 3).make();
-  const std::vector<float> floats = floatsOf(cloud);
-  std::vector<double> wide;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-  {
-    wide.insert(wide.end(), { floats[3 * i], floats[3 * i + 1], floats[3 * i + 2], 9e99 });
-  }
-  const auto count = static_cast<std::int64_t>(cloud.size());
-  const PointView narrow(floats.data(), count);
-  const PointView strided(wide.data(), count, 4);
-  const FittedPlane plane = fitPlane(narrow);
-  const FittedPlane same = fitPlane(strided);
-  EXPECT_EQ(plane.origin, same.origin);
-  EXPECT_EQ(plane.first, same.first);
-  EXPECT_EQ(plane.second, same.second);
-  Options options;
-  options.threads = 1;
-  const Buffer<double> places = placesInPlane(narrow, plane, options);
-  options.threads = 4;
-  const Buffer<double> others = placesInPlane(strided, plane, options);
-  ASSERT_EQ(places.size(), others.size());
-  EXPECT_EQ(std::memcmp(places.data(), others.data(), places.size() * sizeof(double)), 0);
-}
-
 TEST(PlaneFit, LeavesOutWhatIsNotFinite)
 {
   Cloud cloud = tilted({ 1, 2, 3 }, { 0, 0, 0 }, 0.0);
@@ -275,35 +249,6 @@ TEST(PlaneFit, OfVerySmallAndVeryLargeCoordinates)
     EXPECT_EQ(plane.first, expected.first);
     EXPECT_EQ(plane.second, expected.second);
   }
-}
-
-TEST(PlaneFit, Stops)
-{
-  const Cloud cloud = fromFamily("gaussian", 100, 3).make();
-  Options options;
-  options.progress = [](double, void*) { return false; };
-  const FittedPlane plane = fitPlane(viewOf(cloud));
-  for (const bool fit : { true, false })
-  {
-    try
-    {
-      fit ? static_cast<void>(fitPlane(viewOf(cloud), options))
-          : static_cast<void>(placesInPlane(viewOf(cloud), plane, options));
-      ADD_FAILURE();
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.code(), ErrorCode::Aborted);
-    }
-  }
-}
-
-TEST(PlaneFit, RefusesWhatIsNoArray)
-{
-  PointView view;
-  view.count = 3;
-  EXPECT_THROW(fitPlane(view), Error);
-  EXPECT_THROW(placesInPlane(view, FittedPlane()), Error);
 }
 
 }

@@ -47,11 +47,6 @@ TEST(PowerDiagramErrors, BadArguments)
   {
     expectError(bad, points, weights, good, wrong.data());
   }
-  expectError(bad, PointView(static_cast<const double*>(nullptr), 4), weights, good, box);
-  expectError(bad, PointView(sites.data()->data(), -1), WeightView(), good, box);
-  expectError(bad, PointView(sites.data()->data(), 4, 1), weights, good, box);
-  expectError(bad, points, WeightView(sites.data()->data(), 4, 0), good, box);
-  expectError(ErrorCode::WeightCount, points, WeightView(sites.data()->data(), 3, 3), good, box);
 
   // Triangulations of something else, or of nothing.
   expectError(bad, PointView(sites.data()->data(), 3), WeightView(), good, box);
@@ -81,9 +76,6 @@ TEST(PowerDiagramErrors, BadArguments)
   expectError(bad, points, weights, spoilt([](Triangulation& t) { t.offsets[2] = 5; }), box);
   expectError(bad, points, weights, spoilt([](Triangulation& t) { t.cellSize = -1; }), box);
   expectError(bad, points, weights, spoilt([](Triangulation& t) { t.cellSize = 4; }), box);
-  Cloud broken = sites;
-  broken[2][1] = nan;
-  expectError(bad, viewOf(broken), weightsOf(broken), good, box);
 }
 
 TEST(PowerDiagramErrors, OtherWeights)
@@ -109,56 +101,6 @@ TEST(PowerDiagramErrors, OtherWeights)
     test::expectError([&]
       { powerDiagram(viewOf(sites), weightsOf(sites), triangulation, ConvexDomain(polygon, 4)); },
       ErrorCode::BadArgument);
-  }
-}
-
-/// The progress told, and when to stop.
-struct Watch
-{
-  std::vector<double> told;
-  double stopAt = 2.0;
-
-  static bool hear(double fraction, void* self)
-  {
-    auto* watch = static_cast<Watch*>(self);
-    watch->told.push_back(fraction);
-    return fraction < watch->stopAt;
-  }
-};
-
-TEST(PowerDiagramErrors, TellsProgressAndStops)
-{
-  Random random(5);
-  Cloud sites(20000);
-  for (Point& site : sites)
-  {
-    site = { random.uniform(), random.uniform(), 0 };
-  }
-  Options options;
-  options.facets = FacetMode::Polygons;
-  const Triangulation triangulation = regularTriangulation(viewOf(sites), WeightView(), options);
-  const double box[] = { 0, 1, 0, 1 };
-  Watch watch;
-  options.progress = &Watch::hear;
-  options.progressContext = &watch;
-  powerDiagram(viewOf(sites), WeightView(), triangulation, box, options);
-  ASSERT_GE(watch.told.size(), 2u);
-  EXPECT_TRUE(std::is_sorted(watch.told.begin(), watch.told.end()));
-  EXPECT_EQ(watch.told.front(), 0.0);
-  EXPECT_EQ(watch.told.back(), 1.0);
-
-  for (const double mark : { 0.0, 1.0 })
-  {
-    watch.stopAt = mark;
-    try
-    {
-      powerDiagram(viewOf(sites), WeightView(), triangulation, box, options);
-      ADD_FAILURE() << "not stopped at " << mark;
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.code(), ErrorCode::Aborted);
-    }
   }
 }
 

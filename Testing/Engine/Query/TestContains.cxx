@@ -83,45 +83,13 @@ TEST(Contains, PointsWhoseBitsReachLowerThanTheHulls)
     sidesOf(HullQueries(viewOf(cloud), hull), queries, 1), sidesByBruteForce(cloud, hull, queries));
 }
 
-TEST(Contains, ManyPointsOnAnyThreads)
+TEST(Contains, ManyPoints)
 {
   const Cloud cloud = fromFamily("ball", 3000, 5).make();
-  const Cloud queries = joined(queriesAbout(cloud, 12, effort(20000)), cloud);
+  const Cloud queries = joined(queriesAbout(cloud, 12, effort(2000)), cloud);
   const Hull polygons = hullOf(cloud, FacetMode::Polygons);
   const HullQueries hull(viewOf(cloud), polygons);
-  const std::vector<std::int8_t> one = sidesOf(hull, queries, 1);
-  EXPECT_EQ(sidesOf(hull, queries, 2), one);
-  EXPECT_EQ(sidesOf(hull, queries, 4), one);
-  const Cloud some(queries.begin(), queries.begin() + effort(2000));
-  EXPECT_EQ(sidesOf(hull, some, 1), sidesByBruteForce(cloud, polygons, some));
-}
-
-TEST(Contains, FloatsAndStrides)
-{
-  const Cloud cloud = roundedToFloat(fromFamily("ball", 200, 6).make());
-  const Cloud queries = roundedToFloat(queriesAbout(cloud, 13, 500));
-  Cloud finite;
-  std::copy_if(queries.begin(), queries.end(), std::back_inserter(finite),
-    [](const Point& p)
-    { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); });
-  const std::vector<float> floats = floatsOf(cloud);
-  const std::vector<float> asked = floatsOf(finite);
-  std::vector<double> wide(5 * finite.size());
-  for (std::size_t i = 0; i < finite.size(); ++i)
-  {
-    std::copy(finite[i].begin(), finite[i].end(), wide.begin() + 5 * static_cast<int>(i));
-  }
-  const auto count = static_cast<std::int64_t>(finite.size());
-  const Hull polygons = hullOf(cloud, FacetMode::Polygons);
-  const HullQueries hull(
-    PointView(floats.data(), static_cast<std::int64_t>(cloud.size())), polygons);
-  const std::vector<std::int8_t> wanted = sidesByBruteForce(cloud, polygons, finite);
-  std::vector<std::int8_t> sides(finite.size(), 99);
-  hull.contains(PointView(asked.data(), count), sides.data());
-  EXPECT_EQ(sides, wanted);
-  std::fill(sides.begin(), sides.end(), std::int8_t(99));
-  hull.contains(PointView(wide.data(), count, 5), sides.data());
-  EXPECT_EQ(sides, wanted);
+  EXPECT_EQ(sidesOf(hull, queries, 1), sidesByBruteForce(cloud, polygons, queries));
 }
 
 }

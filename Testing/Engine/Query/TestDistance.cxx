@@ -149,17 +149,6 @@ TEST(Distance, FarBesideAThinHull)
   }
 }
 
-TEST(Distance, OnAnyThreads)
-{
-  const Cloud cloud = fromFamily("ball", 3000, 5).make();
-  const Cloud queries = joined(queriesAbout(cloud, 33, effort(10000)), cloud);
-  const HullQueries hull(viewOf(cloud), hullOf(cloud, FacetMode::Polygons));
-  const std::vector<double> one = distancesOf(hull, queries, 1);
-  EXPECT_EQ(distancesOf(hull, queries, 2), one);
-  EXPECT_EQ(
-    distancesOf(HullQueries(viewOf(cloud), hullOf(cloud, FacetMode::Polygons)), queries, 4), one);
-}
-
 }
 }
 }

@@ -120,23 +120,6 @@ TEST(EdgeLengths, OfPolygons)
   EXPECT_EQ(withinOf(square, triangulationOf(square, FacetMode::Triangles), 1)[0], 0);
 }
 
-TEST(EdgeLengths, AreTheSameOnAnyThreads)
-{
-  const Cloud sites = randomSites(effort(30000), 1e-5, 12);
-  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-  Options one;
-  one.threads = 1;
-  const auto first = withinOf(sites, triangulation, 0.01, one);
-  EXPECT_GT(std::count(first.begin(), first.end(), 0), 0);
-  EXPECT_GT(std::count(first.begin(), first.end(), 1), 0);
-  for (const int threads : { 2, 4 })
-  {
-    Options options;
-    options.threads = threads;
-    EXPECT_EQ(withinOf(sites, triangulation, 0.01, options), first);
-  }
-}
-
 TEST(EdgeLengths, KeptCells)
 {
   Cloud sites = randomSites(60, 0, 13);
@@ -189,22 +172,6 @@ TEST(EdgeLengths, Errors)
   }
   expectError(
     [&] { cellsWithinEdgeLength(viewOf(sites), right, 1, nullptr); }, ErrorCode::BadArgument);
-  const auto expectBad = [&](const std::function<void(Triangulation&)>& change)
-  {
-    Triangulation broken = triangulationOf(sites, FacetMode::Triangles);
-    change(broken);
-    expectError([&] { cellsWithinEdgeLength(viewOf(sites), broken, 1, within.data()); },
-      ErrorCode::BadArgument);
-  };
-  expectBad([](Triangulation& t) { t.dimension = 3; });
-  expectBad([](Triangulation& t) { t.connectivity[0] = 20; });
-  expectBad([](Triangulation& t) { t.pointIds[1] = 20; });
-  expectBad([](Triangulation& t) { t.cellSize = -1; });
-  Watch watch;
-  watch.stopAt = 1;
-  expectError([&]
-    { cellsWithinEdgeLength(viewOf(sites), right, 1, within.data(), watch.options(1)); },
-    ErrorCode::Aborted);
 }
 
 }

@@ -107,15 +107,6 @@ TEST(FacetPlanes, OfACube)
   EXPECT_EQ(found, wanted);
 }
 
-TEST(FacetPlanes, OnAnyThreads)
-{
-  const Cloud cloud = fromFamily("shell0", effort(9000), 6).make();
-  const Hull hull = hullOf(cloud, FacetMode::Triangles);
-  const Buffer<double> one = facetPlanes(viewOf(cloud), hull, onThreads(1));
-  EXPECT_TRUE(sameBits(facetPlanes(viewOf(cloud), hull, onThreads(2)), one));
-  EXPECT_TRUE(sameBits(facetPlanes(viewOf(cloud), hull, onThreads(4)), one));
-}
-
 }
 }
 }

@@ -288,20 +288,6 @@ TEST(MinimalBox, OfNothing)
   EXPECT_EQ(box.lengths[0], 0);
 }
 
-TEST(MinimalBox, OnAnyThreads)
-{
-  for (const int count : { 20, 9000 })
-  {
-    const Cloud cloud = fromFamily("shell0", effort(count), 6).make();
-    const OrientedBox one = boxOf(cloud, 1);
-    for (const int threads : { 2, 4 })
-    {
-      const OrientedBox other = boxOf(cloud, threads);
-      EXPECT_EQ(std::memcmp(&one, &other, sizeof(one)), 0);
-    }
-  }
-}
-
 }
 }
 }

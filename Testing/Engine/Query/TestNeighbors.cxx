@@ -46,9 +46,9 @@ std::vector<std::int64_t> neighborsByMap(const CellComplex& complex)
   return result;
 }
 
-std::vector<std::int64_t> neighborsOf(const CellComplex& complex, int threads)
+std::vector<std::int64_t> neighborsOf(const CellComplex& complex)
 {
-  const Buffer<std::int64_t> found = cellNeighbors(complex, onThreads(threads));
+  const Buffer<std::int64_t> found = cellNeighbors(complex);
   return std::vector<std::int64_t>(found.begin(), found.end());
 }
 
@@ -59,7 +59,7 @@ TEST(Neighbors, OfHulls)
     for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
     {
       const Hull hull = hullOf(cloud, facets);
-      const std::vector<std::int64_t> found = neighborsOf(hull, 1);
+      const std::vector<std::int64_t> found = neighborsOf(hull);
       EXPECT_EQ(found, neighborsByMap(hull)) << name;
       EXPECT_EQ(std::count(found.begin(), found.end(), -1) > 0, hull.dimension < 3) << name;
     }
@@ -79,7 +79,7 @@ TEST(Neighbors, OfTriangulations)
         options.facets = facets;
         const Triangulation triangulation =
           regularTriangulation(viewOf(cloud), WeightView(), options);
-        const std::vector<std::int64_t> found = neighborsOf(triangulation, 1);
+        const std::vector<std::int64_t> found = neighborsOf(triangulation);
         EXPECT_EQ(found, neighborsByMap(triangulation)) << name;
         EXPECT_GT(std::count(found.begin(), found.end(), -1), 0) << name;
       }
@@ -93,7 +93,7 @@ TEST(Neighbors, OfAChain)
   const Triangulation chain = regularTriangulation(viewOf(cloud), WeightView());
   ASSERT_EQ(chain.dimension, 1);
   // Cells 0-3, 1-2, 2-3.
-  EXPECT_EQ(neighborsOf(chain, 1), (std::vector<std::int64_t>{ -1, 2, -1, 2, 1, 0 }));
+  EXPECT_EQ(neighborsOf(chain), (std::vector<std::int64_t>{ -1, 2, -1, 2, 1, 0 }));
 }
 
 TEST(Neighbors, OfNothing)
@@ -101,14 +101,11 @@ TEST(Neighbors, OfNothing)
   EXPECT_TRUE(cellNeighbors(Hull()).empty());
 }
 
-TEST(Neighbors, OnAnyThreads)
+TEST(Neighbors, OfALargeHull)
 {
   const Cloud cloud = fromFamily("shell0", effort(9000), 6).make();
   const Hull hull = hullOf(cloud, FacetMode::Triangles);
-  const std::vector<std::int64_t> one = neighborsOf(hull, 1);
-  EXPECT_EQ(one, neighborsByMap(hull));
-  EXPECT_EQ(neighborsOf(hull, 2), one);
-  EXPECT_EQ(neighborsOf(hull, 4), one);
+  EXPECT_EQ(neighborsOf(hull), neighborsByMap(hull));
 }
 
 TEST(Neighbors, AnEdgeOfThreeCellsIsAnError)

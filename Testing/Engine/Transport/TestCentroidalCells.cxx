@@ -113,18 +113,6 @@ TEST(CentroidalCells, EndsAtCentroids)
   EXPECT_NEAR(whole, 1, 1e-14);
 }
 
-TEST(CentroidalCells, ThreadsDoNotMatter)
-{
-  const Numbers sites = randomNumbers(30000, 0, 1, 4);
-  const CentroidalCells one = lloyd(sites, {}, unitBox, 3);
-  const CentroidalCells two = lloyd(sites, {}, unitBox, 3, 0, 2);
-  EXPECT_TRUE(sameBits(one.sites, two.sites));
-  EXPECT_TRUE(sameBits(one.areas, two.areas));
-  EXPECT_TRUE(sameBits(one.centroids, two.centroids));
-  EXPECT_EQ(bitDifference(one.cells, two.cells), "");
-  EXPECT_EQ(one.lastMove, two.lastMove);
-}
-
 TEST(CentroidalCells, AGridStays)
 {
   const CentroidalCells found = lloyd(grid(8), {}, unitBox, 50, 1e-12);
@@ -169,14 +157,6 @@ TEST(CentroidalCells, FewSites)
   const CentroidalCells none = centroidalCells(PointView(), WeightView(), unitBox, 5, 0);
   EXPECT_TRUE(none.converged);
   EXPECT_TRUE(none.sites.empty());
-}
-
-TEST(CentroidalCells, FloatsAndStrides)
-{
-  const float rows[] = { 0.25f, 0.5f, 9, 0.75f, 0.25f, 9 };
-  const CentroidalCells a = centroidalCells(PointView(rows, 2, 3), WeightView(), unitBox, 2, 0);
-  const CentroidalCells b = lloyd({ 0.25, 0.5, 0.75, 0.25 }, {}, unitBox, 2);
-  EXPECT_TRUE(sameBits(a.sites, b.sites));
 }
 
 /// In another unit, by a power of two, sites are the same; also where cubes of lengths are no
@@ -238,24 +218,10 @@ TEST(CentroidalCells, ToTheEndsOfAreas)
   expectError([&] { lloydAt(511); }, ErrorCode::BadArgument);
 }
 
-TEST(CentroidalCells, StopsWhenAsked)
-{
-  const Numbers sites = randomNumbers(2000, 0, 1, 16);
-  int calls = 0;
-  Options options;
-  options.progressContext = &calls;
-  options.progress = [](double, void* context) { return ++*static_cast<int*>(context) < 10; };
-  expectError([&] { centroidalCells(sitesView(sites), WeightView(), unitBox, 100, 0, options); },
-    ErrorCode::Aborted);
-}
-
 TEST(CentroidalCells, Errors)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Numbers sites{ 0.2, 0.2, 0.5, 0.7, 0.8, 0.3 };
-  expectError([&] { lloyd({ 0.1, 0.1, nan, 0.3 }, {}, unitBox, 3); }, ErrorCode::NonFinite, 1, 1);
-  expectError([&] { lloyd(sites, { 0, 0, nan }, unitBox, 3); }, ErrorCode::NonFinite, 2, 1);
-  expectError([&] { lloyd(sites, { 0, 0 }, unitBox, 3); }, ErrorCode::WeightCount, 3, 2);
   expectError([&] { lloyd(sites, {}, nullptr, 3); }, ErrorCode::BadArgument);
   // An area that is no normal double, and one that is, of a width that is none.
   for (const double size : { 1e-200, 1e-162, 1e155, 1e200 })

@@ -1,0 +1,459 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Testing/Engine/Calls/EveryCall.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+#include "Testing/Engine/Inputs/Surfaces.h"
+
+#include <flipflop/AlphaComplex.h>
+#include <flipflop/Batch.h>
+#include <flipflop/CellBoundary.h>
+#include <flipflop/CentroidalCells.h>
+#include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/ConstraintCrossings.h>
+#include <flipflop/EdgeLengths.h>
+#include <flipflop/FlipFlop.h>
+#include <flipflop/HullQueries.h>
+#include <flipflop/Measures.h>
+#include <flipflop/Neighbors.h>
+#include <flipflop/PlaneFit.h>
+#include <flipflop/PowerDiagram.h>
+#include <flipflop/PrescribedAreas.h>
+#include <flipflop/SurfacePolygons.h>
+#include <flipflop/TriangulationQueries.h>
+
+#include <array>
+#include <memory>
+
+namespace flipflop
+{
+namespace test
+{
+
+namespace
+{
+
+template <class T>
+Bits bitsOf(const T* values, std::size_t count)
+{
+  return std::to_string(count) + ":" +
+    (count ? Bits(reinterpret_cast<const char*>(values), count * sizeof(T)) : Bits());
+}
+
+template <class T>
+Bits bitsOf(const std::vector<T>& values)
+{
+  return bitsOf(values.data(), values.size());
+}
+
+template <class T>
+Bits bitsOf(const Buffer<T>& values)
+{
+  return bitsOf(values.data(), values.size());
+}
+
+Bits bitsOf(const CellComplex& cells)
+{
+  return std::to_string(cells.dimension) + bitsOf(cells.pointIds) + bitsOf(cells.connectivity) +
+    bitsOf(cells.offsets);
+}
+
+Bits bitsOf(const Hull& hull)
+{
+  const double sizes[] = { hull.volume, hull.area };
+  return bitsOf(static_cast<const CellComplex&>(hull)) + bitsOf(sizes, 2);
+}
+
+Bits bitsOf(const Triangulation& triangulation)
+{
+  return bitsOf(static_cast<const CellComplex&>(triangulation)) + bitsOf(triangulation.hiddenIds);
+}
+
+Bits bitsOf(const ConstrainedTriangulation& result)
+{
+  return bitsOf(static_cast<const Triangulation&>(result)) + bitsOf(result.fixedEdges) +
+    bitsOf(result.constraintOf) + bitsOf(result.balance) + bitsOf(result.sideOf);
+}
+
+Bits bitsOf(const PowerDiagram& diagram)
+{
+  return bitsOf(diagram.corners) + bitsOf(diagram.connectivity) + bitsOf(diagram.offsets) +
+    bitsOf(diagram.siteIds);
+}
+
+Bits bitsOf(const FittedPlane& plane)
+{
+  return bitsOf(plane.start.data(), 3) + bitsOf(plane.origin.data(), 3) +
+    bitsOf(plane.first.data(), 3) + bitsOf(plane.second.data(), 3);
+}
+
+template <class Result>
+Bits bitsOf(const Batch<Result>& batch)
+{
+  Bits bits;
+  for (const Result& result : batch.results)
+  {
+    bits += bitsOf(result);
+  }
+  for (const SetError& fault : batch.errors)
+  {
+    throw Error(fault.error);
+  }
+  return bits;
+}
+
+/// So many numbers, and what a call writes into them.
+template <class T, class Write>
+Bits bitsWritten(std::size_t count, const Write& write)
+{
+  std::vector<T> values(count);
+  write(values.data());
+  return bitsOf(values);
+}
+
+template <class T>
+std::size_t sizeOf(const T& value)
+{
+  return static_cast<std::size_t>(value);
+}
+
+const double box[4] = { 0.1, 0.9, 0.2, 0.7 };
+
+struct Table
+{
+  std::vector<Call> calls;
+
+  /// @param run (points, weights, options) -> Bits
+  template <class Run>
+  void add(const char* name, const Cloud& cloud, bool planar, bool weighted,
+    NonFinitePoint nonFinite, const Run& run)
+  {
+    this->calls.push_back({ name, cloud, planar, weighted, nonFinite, run });
+  }
+};
+
+using Points = const PointView&;
+using Weights = const WeightView&;
+
+void addRuns(Table& table, const Cloud& body, const Cloud& sites)
+{
+  const NonFinitePoint refused = NonFinitePoint::IsRefused;
+  table.add("convexHull", body, false, false, refused,
+    [](Points points, Weights, const Options& options)
+    { return bitsOf(convexHull(points, options)); });
+  table.add("regularTriangulation", sites, true, true, refused,
+    [](Points points, Weights weights, const Options& options)
+    { return bitsOf(regularTriangulation(points, weights, options)); });
+  // One set of none and one of all, so that the point at fault has the same number.
+  const auto batchOf = [](Points points, const auto& run)
+  {
+    const std::int64_t offsets[] = { 0, 0, std::max<std::int64_t>(points.count, 0) };
+    SetView sets;
+    sets.offsets = offsets;
+    sets.count = 2;
+    return bitsOf(run(sets));
+  };
+  table.add("convexHulls", body, false, false, refused,
+    [=](Points points, Weights, const Options& options)
+    {
+      return batchOf(
+        points, [&](const SetView& sets) { return convexHulls(points, sets, options); });
+    });
+  table.add("regularTriangulations", sites, true, true, refused,
+    [=](Points points, Weights weights, const Options& options)
+    {
+      return batchOf(points,
+        [&](const SetView& sets) { return regularTriangulations(points, sets, weights, options); });
+    });
+  const auto surface = std::make_shared<Surface>(perturbedIcosphere(5, 0.05, 64));
+  table.add("flipFlop", roundedToFloat(surface->points), false, false, refused,
+    [=](Points points, Weights, const Options& options)
+    { return bitsOf(flipFlop(points, surface->view(), nullptr, options)); });
+  // The lines of a grid and its diagonals: they meet at its points.
+  constexpr int Side = 50;
+  using Segment = std::array<std::int64_t, 2>;
+  const auto lines = std::make_shared<std::vector<Segment>>();
+  for (int i = 0; i < Side; ++i)
+  {
+    lines->push_back({ Side * i, Side * i + Side - 1 });
+    lines->push_back({ i, Side * (Side - 1) + i });
+    lines->push_back({ i, Side * (Side - 1 - i) + Side - 1 });
+  }
+  table.add("constrainedTriangulation", squareGrid(Side), true, false, refused,
+    [=](Points points, Weights, const Options& options)
+    {
+      const ConstraintView constraints((*lines)[0].data(), 3 * Side);
+      return bitsOf(constrainedTriangulation(points, constraints, options));
+    });
+  const auto chords = std::make_shared<std::vector<Segment>>();
+  for (int i = 0; i < 300; ++i)
+  {
+    chords->push_back({ 5 * i, 5 * i / 2 });
+  }
+  table.add("splitCrossings", sites, true, false, refused,
+    [=](Points points, Weights, const Options& options)
+    {
+      const SplitConstraints split =
+        splitCrossings(points, ConstraintView((*chords)[0].data(), 300), options);
+      return bitsOf(split.ends) + bitsOf(split.constraintOf) + bitsOf(split.places) +
+        bitsOf(split.crossing) + bitsOf(split.offsets);
+    });
+  table.add("centroidalCells", sites, true, true, refused,
+    [](Points points, Weights weights, const Options& options)
+    {
+      const CentroidalCells found = centroidalCells(points, weights, box, 2, 0, options);
+      return bitsOf(found.sites) + bitsOf(found.cells) + bitsOf(found.areas) +
+        bitsOf(found.centroids) + bitsOf(&found.lastMove, 1);
+    });
+  table.add("prescribedAreas", sites, true, false, refused,
+    [](Points points, Weights, const Options& options)
+    {
+      const PrescribedAreas found = prescribedAreas(points, WeightView(), box, 1e-6, 2, options);
+      return bitsOf(found.weights) + bitsOf(found.areas) + bitsOf(found.centroids);
+    });
+  table.add("fitPlane", body, false, false, NonFinitePoint::IsLeftOut,
+    [](Points points, Weights, const Options& options)
+    { return bitsOf(fitPlane(points, options)); });
+  const FittedPlane plane = fitPlane(viewOf(body));
+  table.add("placesInPlane", body, false, false, NonFinitePoint::IsLeftOut,
+    [=](Points points, Weights, const Options& options)
+    { return bitsOf(placesInPlane(points, plane, options)); });
+}
+
+void addQueriesOfHulls(Table& table, const Cloud& body)
+{
+  const NonFinitePoint refused = NonFinitePoint::IsRefused;
+  const auto hull = std::make_shared<Hull>(convexHull(viewOf(body)));
+  const auto queries = std::make_shared<HullQueries>(viewOf(body), *hull);
+  table.add("HullQueries", body, false, false, NonFinitePoint::IsBadArgument,
+    [=](Points points, Weights, const Options& options)
+    {
+      const Diameter found = HullQueries(points, *hull, options).diameter();
+      return bitsOf(&found.length, 1);
+    });
+  const auto add = [&](const char* name, auto value, auto ask)
+  {
+    using Value = decltype(value);
+    table.add(name, body, false, false, refused,
+      [=](Points points, Weights, const Options& options)
+      {
+        return bitsWritten<Value>(sizeOf(std::max<std::int64_t>(points.count, 0) % 100000),
+          [&](Value* values) { ask(*queries, points, values, options); });
+      });
+  };
+  add("contains", std::int8_t(0),
+    [](const HullQueries& of, Points points, std::int8_t* values, const Options& o)
+    { of.contains(points, values, o); });
+  add("support", std::int64_t(0),
+    [](const HullQueries& of, Points points, std::int64_t* values, const Options& o)
+    { of.support(points, values, o); });
+  add("distance", 0.0,
+    [](const HullQueries& of, Points points, double* values, const Options& o)
+    { of.distance(points, values, o); });
+  const NonFinitePoint unread = NonFinitePoint::IsNotRead;
+  table.add("diameter", body, false, false, unread,
+    [=](Points, Weights, const Options& options)
+    {
+      const Diameter found = queries->diameter(options);
+      return bitsOf(&found.first, 1) + bitsOf(&found.second, 1) + bitsOf(&found.length, 1);
+    });
+  table.add("minimalBox", body, false, false, unread,
+    [=](Points, Weights, const Options& options)
+    {
+      const OrientedBox found = queries->minimalBox(options);
+      return bitsOf(found.center, 3) + bitsOf(found.axes[0], 9) + bitsOf(found.lengths, 3) +
+        bitsOf(&found.lowerBound, 1);
+    });
+  table.add("facetPlanes", body, false, false, NonFinitePoint::IsBadArgument,
+    [=](Points points, Weights, const Options& options)
+    { return bitsOf(facetPlanes(points, *hull, options)); });
+  table.add("cellNeighbors", body, false, false, unread,
+    [=](Points, Weights, const Options& options) { return bitsOf(cellNeighbors(*hull, options)); });
+}
+
+void addQueriesOfTriangulations(Table& table, const Cloud& sites)
+{
+  const NonFinitePoint refused = NonFinitePoint::IsRefused;
+  const NonFinitePoint bad = NonFinitePoint::IsBadArgument;
+  const NonFinitePoint unread = NonFinitePoint::IsNotRead;
+  Options polygons;
+  polygons.facets = FacetMode::Polygons;
+  const auto found = std::make_shared<Triangulation>(
+    regularTriangulation(viewOf(sites), weightsOf(sites), polygons));
+  const auto queries =
+    std::make_shared<TriangulationQueries>(viewOf(sites), weightsOf(sites), *found);
+  const auto given = std::make_shared<Cloud>(sites);
+  table.add("TriangulationQueries", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    {
+      std::int64_t id = -2;
+      TriangulationQueries(points, weights, *found, options).nearest(PointView(box, 1, 2), &id);
+      return bitsOf(&id, 1);
+    });
+  const auto add = [&](const char* name, auto value, auto ask)
+  {
+    using Value = decltype(value);
+    table.add(name, sites, true, false, refused,
+      [=](Points points, Weights, const Options& options)
+      {
+        return bitsWritten<Value>(sizeOf(std::max<std::int64_t>(points.count, 0) % 100000),
+          [&](Value* values) { ask(*queries, points, values, options); });
+      });
+  };
+  add("locate", std::int64_t(0),
+    [](const TriangulationQueries& of, Points points, std::int64_t* values, const Options& o)
+    { of.locate(points, values, o); });
+  add("nearest", std::int64_t(0),
+    [](const TriangulationQueries& of, Points points, std::int64_t* values, const Options& o)
+    { of.nearest(points, values, o); });
+  add("interpolateLinear", 0.0,
+    [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
+    { of.interpolateLinear(given->data()->data(), 1, points, values, o); });
+  add("interpolateNatural", 0.0,
+    [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
+    { of.interpolateNatural(given->data()->data(), 1, points, values, o); });
+  table.add("powerDiagram", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    { return bitsOf(powerDiagram(points, weights, *found, box, options)); });
+  table.add("powerDiagramInAPolygon", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    {
+      const double polygon[] = { 0.1, 0, 0.9, 0.2, 0.7, 0.8, 0.2, 0.9 };
+      return bitsOf(powerDiagram(points, weights, *found, ConvexDomain(polygon, 4), options));
+    });
+  table.add("alphaComplex", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    {
+      const AlphaComplex alpha = alphaComplex(points, weights, *found, 0.01, true, options);
+      return bitsOf(alpha.cells) + bitsOf(alpha.edges) + bitsOf(alpha.edgeAlphas) +
+        bitsOf(alpha.vertices) + bitsOf(alpha.vertexAlphas);
+    });
+  const std::size_t cells = sizeOf(found->cellCount());
+  table.add("cellAlphas", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    {
+      return bitsWritten<double>(
+        cells, [&](double* alphas) { cellAlphas(points, weights, *found, alphas, options); });
+    });
+  table.add("cellsWithinEdgeLength", sites, true, false, bad,
+    [=](Points points, Weights, const Options& options)
+    {
+      return bitsWritten<std::uint8_t>(cells,
+        [&](std::uint8_t* within)
+        { cellsWithinEdgeLength(points, *found, 0.02, within, options); });
+    });
+  table.add("cellMeasures", sites, true, false, bad,
+    [=](Points points, Weights, const Options& options)
+    {
+      return bitsWritten<double>(3 * cells,
+        [&](double* values) { cellMeasures(points, *found, values, values + cells, options); });
+    });
+  const auto diagram =
+    std::make_shared<PowerDiagram>(powerDiagram(viewOf(sites), weightsOf(sites), *found, box));
+  const std::size_t regions = diagram->siteIds.size();
+  table.add("cellMeasuresOfADiagram", sites, true, false, unread,
+    [=](Points, Weights, const Options& options)
+    {
+      return bitsWritten<double>(3 * regions,
+        [&](double* values) { cellMeasures(*diagram, values, values + regions, options); });
+    });
+  table.add("cellBoundary", sites, true, false, unread,
+    [=](Points, Weights, const Options& options)
+    {
+      const CellBoundary border = cellBoundary(*found, options);
+      return bitsOf(border.connectivity) + bitsOf(border.offsets);
+    });
+  const std::int64_t square[] = { 0, 1, 1, 2, 2, 0 };
+  const auto inside = std::make_shared<ConstrainedTriangulation>(
+    constrainedTriangulation(viewOf(sites), ConstraintView(square, 3, 3)));
+  table.add("cellsInside", sites, true, false, unread,
+    [=](Points, Weights, const Options& options)
+    {
+      return bitsWritten<std::uint8_t>(sizeOf(inside->cellCount()),
+        [&](std::uint8_t* kept) { cellsInside(*inside, kept, options); });
+    });
+}
+
+void addPolygons(Table& table)
+{
+  // A comb: one polygon of so many corners that it is cut in steps.
+  const auto corners = std::make_shared<std::vector<std::int64_t>>();
+  Cloud teeth = { { 9000, -1, 0 }, { 0, -1, 0 } };
+  for (int i = 0; i < 4000; ++i)
+  {
+    teeth.push_back({ { double(i), i % 2 ? 5.0 : 0.0, 0 } });
+  }
+  for (std::size_t i = 0; i < teeth.size(); ++i)
+  {
+    corners->push_back(static_cast<std::int64_t>(i));
+  }
+  const auto offsets = std::make_shared<std::vector<std::int64_t>>(
+    std::vector<std::int64_t>{ 0, static_cast<std::int64_t>(teeth.size()) });
+  table.add("triangulatePolygons", teeth, false, false, NonFinitePoint::IsLeftOut,
+    [=](Points points, Weights, const Options& options)
+    {
+      PolygonView view;
+      view.corners = corners->data();
+      view.offsets = offsets->data();
+      view.count = 1;
+      const PolygonTriangles cut = triangulatePolygons(points, view, options);
+      return bitsOf(cut.corners) + bitsOf(cut.polygonIds);
+    });
+}
+
+}
+
+WeightView Call::weights() const
+{
+  return this->weighted ? weightsOf(this->cloud) : WeightView();
+}
+
+Bits Call::operator()(const Options& options) const
+{
+  return this->run(viewOf(this->cloud), this->weights(), options);
+}
+
+std::vector<Call> everyCall()
+{
+  const Cloud body = roundedToFloat(fromFamily("ball", 4500, 5).make());
+  const Cloud sites = roundedToFloat(randomSites(4500, 1e-4, 72));
+  Table table;
+  addRuns(table, body, sites);
+  addQueriesOfHulls(table, roundedToFloat(fromFamily("shell0", 2100, 6).make()));
+  addQueriesOfTriangulations(table, sites);
+  addPolygons(table);
+  return table.calls;
+}
+
+std::vector<CallOnCells> everyCallOnCells()
+{
+  return {
+    { "cellBoundary", [](const Cloud&, const Triangulation& cells) { cellBoundary(cells); } },
+    { "cellMeasures",
+      [](const Cloud& sites, const Triangulation& cells)
+      { cellMeasures(viewOf(sites), cells, nullptr, nullptr); } },
+    { "cellsWithinEdgeLength",
+      [](const Cloud& sites, const Triangulation& cells)
+      {
+        std::uint8_t within[100];
+        cellsWithinEdgeLength(viewOf(sites), cells, 1, within);
+      } },
+    { "cellAlphas",
+      [](const Cloud& sites, const Triangulation& cells)
+      {
+        double alphas[100];
+        cellAlphas(viewOf(sites), WeightView(), cells, alphas);
+      } },
+    { "alphaComplex",
+      [](const Cloud& sites, const Triangulation& cells)
+      { alphaComplex(viewOf(sites), WeightView(), cells, 1, true); } },
+    { "powerDiagram",
+      [](const Cloud& sites, const Triangulation& cells)
+      { powerDiagram(viewOf(sites), WeightView(), cells, box); } },
+    { "TriangulationQueries",
+      [](const Cloud& sites, const Triangulation& cells)
+      { TriangulationQueries(viewOf(sites), WeightView(), cells); } },
+  };
+}
+
+}
+}
