@@ -222,7 +222,7 @@ flipflop::Hull vtkFFSurfaceCells::FlipFlop(
 {
   try
   {
-    return flipflop::flipFlop(points, this->View, kernel, options);
+    return flipflop::convexify(points, this->View, kernel, options);
   }
   catch (const flipflop::Error& error)
   {

@@ -15,7 +15,7 @@
 #include "vtkFFMarks.h"
 #include "vtkType.h"
 
-#include <flipflop/FlipFlop.h>
+#include <flipflop/Convexify.h>
 #include <flipflop/SurfacePolygons.h>
 
 #include <cstdint>
@@ -65,7 +65,7 @@ public:
   /**
    * The surface's hull by flips.
    *
-   * @throw flipflop::Error as flipFlop(), with cells for triangles.
+   * @throw flipflop::Error as convexify(), with cells for triangles.
    */
   flipflop::Hull FlipFlop(const flipflop::PointView& points, const double* kernel,
     const flipflop::Options& options) const;

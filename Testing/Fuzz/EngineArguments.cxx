@@ -4,7 +4,7 @@
 #include "EngineCalls.h"
 
 #include <flipflop/ConvexHull.h>
-#include <flipflop/FlipFlop.h>
+#include <flipflop/Convexify.h>
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/RegularTriangulation.h>
 #include <flipflop/Validate.h>
@@ -106,7 +106,7 @@ void fuzzArguments(Bytes& bytes)
   TriangleView triangles;
   triangles.corners = bytes.oneOf(4) ? nullptr : corners;
   triangles.count = drawCount(bytes);
-  const auto surface = attempt([&] { return flipFlop(points, triangles, nullptr, options); });
+  const auto surface = attempt([&] { return convexify(points, triangles, nullptr, options); });
   if (inSpace)
   {
     expectFault(surface, inSpace);

@@ -6,7 +6,7 @@
 
 #include "Predicates/PlaneOrientation.h"
 #include "Testing/Engine/Conformance/Compare.h"
-#include <flipflop/FlipFlop.h>
+#include <flipflop/Convexify.h>
 #include <flipflop/SurfacePolygons.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ void fuzzFlipFlop(Bytes& bytes)
 
   const auto call = [&](const Options& chosen)
   {
-    return flipFlop(
+    return convexify(
       scalars.points(), surface.view(), kernels >= 2 ? kernel.data() : nullptr, chosen);
   };
   const auto outcome = attempt([&] { return call(options); });

@@ -9,8 +9,8 @@
 #include "Views.h"
 
 #include <flipflop/Batch.h>
+#include <flipflop/Convexify.h>
 #include <flipflop/Engines.h>
-#include <flipflop/FlipFlop.h>
 #include <flipflop/PlaneFit.h>
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/SurfacePolygons.h>
@@ -76,7 +76,7 @@ Handle<Hull> convexified(const InputArray& points, const Corners& triangles,
   surface.corners = triangles.data();
   surface.count = static_cast<std::int64_t>(triangles.shape(0));
   return handleOf(settings.run([&](const Options& options)
-    { return flipFlop(places, surface, kernel ? kernel->data() : nullptr, options); }));
+    { return convexify(places, surface, kernel ? kernel->data() : nullptr, options); }));
 }
 
 /// Polygons as triangles: the corners of these, and the polygon of each.

@@ -66,7 +66,7 @@ class HullQueries
 {
 public:
   /// @param points of the hull; not needed any more afterwards
-  /// @param hull   as convexHull() or flipFlop() give it, in triangles or polygons; of any
+  /// @param hull   as convexHull() or convexify() give it, in triangles or polygons; of any
   ///               dimension. That it is convex is not checked: see validate().
   /// @param options threads, progress
   /// @param space  Plane: the points are in the plane. The hull is that of the same points with one
@@ -169,7 +169,7 @@ private:
 /// cell is. The corners of the hull give n . x + d at most 2e-15 times the hull's largest
 /// coordinate.
 /// @param points  of the hull
-/// @param hull    in triangles or polygons, as convexHull() or flipFlop() give it
+/// @param hull    in triangles or polygons, as convexHull() or convexify() give it
 /// @param options threads, progress
 /// @throw Error   BadArgument (also for a hull that has not the form which Hull promises, or is not
 ///                one of these points), TooManyPoints, OutOfMemory, Aborted

@@ -6,7 +6,7 @@
 #define flipflop_test_Surfaces_h
 
 #include "Testing/Engine/Inputs/Inputs.h"
-#include <flipflop/FlipFlop.h>
+#include <flipflop/Convexify.h>
 
 #include <array>
 #include <cstdint>

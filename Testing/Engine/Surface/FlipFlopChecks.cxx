@@ -201,7 +201,7 @@ Hull expectFlipFlop(const Surface& surface, const double* kernel)
         Hull hull;
         try
         {
-          hull = flipFlop(
+          hull = convexify(
             view, turned ? inward.view() : surface.view(), search ? nullptr : kernel, options);
           fault = difference(hull, wanted, facets);
           const Statistics& s = hull.statistics;
@@ -413,7 +413,7 @@ std::optional<ErrorCode> codeOf(const Surface& surface, const double* kernel)
 {
   try
   {
-    flipFlop(viewOf(surface.points), surface.view(), kernel);
+    convexify(viewOf(surface.points), surface.view(), kernel);
     return std::nullopt;
   }
   catch (const Error& error)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of flipFlop() share: its expected hull, and exact facts about surfaces.
+/// What the tests of convexify() share: its expected hull, and exact facts about surfaces.
 #ifndef flipflop_test_FlipFlopChecks_h
 #define flipflop_test_FlipFlopChecks_h
 
@@ -18,8 +18,8 @@ namespace test
 /// The hull of the points that triangles use, by their ids.
 ReferenceHull hullOfUsed(const Surface& surface);
 
-/// flipFlop in every variant (threads, facets, V-biased, both orientations, kernel given or found,
-/// float where the points are) is that hull. @return one of them, triangles, not V-biased.
+/// convexify() in every variant (threads, facets, V-biased, both orientations, kernel given or
+/// found, float where the points are) is that hull. @return one of them, triangles, not V-biased.
 Hull expectFlipFlop(const Surface& surface, const double* kernel);
 
 /// Does the kernel strictly see the inside of every triangle? Exactly.
@@ -44,7 +44,7 @@ struct VFlips
 };
 VFlips flipByVAlone(const Surface& surface, const double* kernel, std::uint64_t seed);
 
-/// The error that flipFlop throws; none if it does not throw.
+/// The error that convexify() throws; none if it does not throw.
 std::optional<ErrorCode> codeOf(const Surface& surface, const double* kernel);
 
 }

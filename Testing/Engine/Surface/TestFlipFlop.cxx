@@ -30,7 +30,7 @@ TEST(FlipFlop, ConvexPolyhedraStayAsTheyAre)
     const double middle[3] = { 0.5 * side, 0.5 * side, 0.5 * side };
     SCOPED_TRACE("cube " + std::to_string(side));
     expectFlipFlop(cube, middle);
-    EXPECT_EQ(flipFlop(viewOf(cube.points), cube.view(), middle).pointIds.size(), 8u);
+    EXPECT_EQ(convexify(viewOf(cube.points), cube.view(), middle).pointIds.size(), 8u);
   }
 }
 
@@ -43,7 +43,7 @@ TEST(FlipFlop, SunkenFacets)
     { 4, 3, 1 } };
   const double kernel[3] = { 1, 1, 1 };
   expectFlipFlop(surface, kernel);
-  const Hull hull = flipFlop(viewOf(surface.points), surface.view(), kernel);
+  const Hull hull = convexify(viewOf(surface.points), surface.view(), kernel);
   EXPECT_EQ(hull.pointIds.size(), 4u);
   EXPECT_GE(hull.statistics.flips31, 1);
   EXPECT_EQ(hull.volume, 9.0 * 9 * 9 / 6);
@@ -59,7 +59,7 @@ TEST(FlipFlop, RaisedMiddlesStayAndDiagonalsTurn)
     { 0, 3, 4 } };
   const double kernel[3] = { 0, 0, -0.5 };
   expectFlipFlop(surface, kernel);
-  const Hull hull = flipFlop(viewOf(surface.points), surface.view(), kernel);
+  const Hull hull = convexify(viewOf(surface.points), surface.view(), kernel);
   EXPECT_EQ(hull.pointIds.size(), 5u);
   EXPECT_GE(hull.statistics.flips22, 1);
   EXPECT_EQ(hull.statistics.flips31, 0);
@@ -138,7 +138,7 @@ TEST(FlipFlop, ManySmallStars)
     try
     {
       const Hull hull =
-        flipFlop(viewOf(star.points), star.view(), seed % 5 ? origin : nullptr, options);
+        convexify(viewOf(star.points), star.view(), seed % 5 ? origin : nullptr, options);
       fault = difference(hull, wanted, FacetMode::Polygons);
     }
     catch (const Error& error)
@@ -212,7 +212,7 @@ TEST(FlipFlop, ShapesAndRanges)
 TEST(FlipFlop, AnyKernelGivesTheSameHull)
 {
   const Surface surface = perturbedIcosphere(3, 0.1, 7);
-  const Hull first = flipFlop(viewOf(surface.points), surface.view(), origin);
+  const Hull first = convexify(viewOf(surface.points), surface.view(), origin);
   Random random(8);
   int tried = 0;
   for (int i = 0; i < 40; ++i)
@@ -222,10 +222,11 @@ TEST(FlipFlop, AnyKernelGivesTheSameHull)
     if (seesAll(surface, kernel))
     {
       ++tried;
-      EXPECT_EQ(bitDifference(flipFlop(viewOf(surface.points), surface.view(), kernel), first), "");
+      EXPECT_EQ(
+        bitDifference(convexify(viewOf(surface.points), surface.view(), kernel), first), "");
     }
   }
-  EXPECT_EQ(bitDifference(flipFlop(viewOf(surface.points), surface.view(), nullptr), first), "");
+  EXPECT_EQ(bitDifference(convexify(viewOf(surface.points), surface.view(), nullptr), first), "");
   EXPECT_GT(tried, 0) << "seed 8";
 }
 

@@ -30,7 +30,7 @@ Found run(const PointView& points, const TriangleView& triangles, const double* 
   Found found;
   try
   {
-    flipFlop(points, triangles, kernel, options);
+    convexify(points, triangles, kernel, options);
   }
   catch (const Error& error)
   {
@@ -353,7 +353,7 @@ TEST(FlipFlopErrors, UnusedNonFinitePointsDoNotCount)
   Surface surface = icosphere(1);
   const std::size_t before = surface.points.size();
   surface.points.push_back(Point{ std::numeric_limits<double>::quiet_NaN(), 0, 0 });
-  const Hull hull = flipFlop(viewOf(surface.points), surface.view(), origin);
+  const Hull hull = convexify(viewOf(surface.points), surface.view(), origin);
   EXPECT_EQ(hull.pointIds.size(), before);
 }
 
@@ -384,7 +384,7 @@ TEST(FlipFlopErrors, NothingAtAll)
   const Cloud points = integerGrid(2);
   try
   {
-    const Hull hull = flipFlop(viewOf(points), TriangleView(), origin);
+    const Hull hull = convexify(viewOf(points), TriangleView(), origin);
     EXPECT_EQ(hull.dimension, -1);
     EXPECT_TRUE(hull.pointIds.empty());
   }

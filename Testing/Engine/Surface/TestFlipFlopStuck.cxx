@@ -34,7 +34,7 @@ void expectStuckThenFree(const Surface& surface, bool fromTheStart)
       Options options;
       options.vBiased = vBiased;
       options.threads = threads;
-      const Hull hull = flipFlop(viewOf(surface.points), surface.view(), stuckKernel, options);
+      const Hull hull = convexify(viewOf(surface.points), surface.view(), stuckKernel, options);
       EXPECT_GT(hull.statistics.labelled, 0);
       EXPECT_GT(hull.statistics.flipsD, 0);
       EXPECT_GT(hull.statistics.flips31, 0);
@@ -129,7 +129,7 @@ TEST(FlipFlopStuck, RoughSpheresThatGetStuck)
     Options options;
     options.facets = FacetMode::Polygons;
     options.threads = 1;
-    const Hull hull = flipFlop(viewOf(rough.points), rough.view(), origin, options);
+    const Hull hull = convexify(viewOf(rough.points), rough.view(), origin, options);
     EXPECT_EQ(difference(hull, hullOfUsed(rough), FacetMode::Polygons), "")
       << "seed " << 300 + seed;
     labelled += hull.statistics.labelled;

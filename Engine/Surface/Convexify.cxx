@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <flipflop/FlipFlop.h>
+#include <flipflop/Convexify.h>
 
 #include "FlipFlop/Patches.h"
 #include "Geometry/HullCones.h"
@@ -101,7 +101,7 @@ Polyhedron makePolyhedron(const PointSource& source, const std::vector<std::uint
     Triangle& triangle = polyhedron.triangles[t];
     std::copy(corner.begin() + 3 * t, corner.begin() + 3 * t + 3, triangle.v);
     triangle.flags = 0;
-    triangle.note = 0;
+    triangle.flatEdges = 0;
   }
   const TopologyFault fault = linkTriangles(
     polyhedron.triangles.data(), polyhedron.triangleCount(), polyhedron.vertexCount());
@@ -173,7 +173,7 @@ void chooseKernel(HullRun& run, Polyhedron& polyhedron, const double* kernel)
 
 }
 
-Hull flipFlop(const PointView& points, const TriangleView& triangles, const double* kernel,
+Hull convexify(const PointView& points, const TriangleView& triangles, const double* kernel,
   const Options& options)
 {
   // Checks the arguments before anything is read.
