@@ -76,7 +76,7 @@ struct GatherTriangles : Kernel
       copy.twin[e] = halfEdge(this->trianglePlaces[triangleOf(twin)], cornerOf(twin));
     }
     copy.flags = 0;
-    copy.note = 0;
+    copy.flatEdges = 0;
     this->result[this->trianglePlaces[i]] = copy;
   }
 };

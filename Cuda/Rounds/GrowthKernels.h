@@ -315,11 +315,12 @@ struct Insert : Kernel
       triangle.v[0] = parent.v[k];
       triangle.v[1] = parent.v[nextCorner(k)];
       triangle.v[2] = vertex;
-      triangle.flags = 0;
+      // No edge waits while cones grow: flags is the last round in which the triangle was split.
+      triangle.flags = k == 0 ? this->round : 0;
       triangle.twin[0] = parent.twin[k]; // by its old number
       triangle.twin[1] = halfEdge(child[nextCorner(k)], 2);
       triangle.twin[2] = halfEdge(child[previousCorner(k)], 1);
-      splitRound(triangle) = k == 0 ? this->round : 0;
+      triangle.flatEdges = 0;
       d.furthest[child[k]] = 0;
       d.candidates[(this->round & 1) ^ 1][3 * place + static_cast<std::uint32_t>(k)] = child[k];
     }
@@ -349,7 +350,7 @@ struct LinkSplits : Kernel
       const std::uint32_t h = halfEdge(this->childOf(t, k), 0);
       std::uint32_t& twin = d.mesh.triangles[triangleOf(h)].twin[0];
       const std::uint32_t other = triangleOf(twin);
-      if (splitRound(d.mesh.triangles[other]) == this->round)
+      if (d.mesh.triangles[other].flags == this->round)
       {
         twin = halfEdge(this->childOf(other, cornerOf(twin)), 0);
       }

@@ -22,7 +22,6 @@ EdgeInsertion::EdgeInsertion(const Geometry& signs, Polyhedron& surface, Monitor
       {
         monitor.poll();
       }
-      this->mesh.triangles[t].flags &= ~EdgesFixed; // they were ties
       setLeaving(this->leaving, this->mesh, t);
     });
 }
@@ -202,7 +201,7 @@ void EdgeInsertion::setFlat(std::uint32_t h, bool flat)
 {
   for (const std::uint32_t side : { h, this->mesh.twin(h) })
   {
-    std::uint32_t& bits = flatEdges(this->mesh.triangles[triangleOf(side)]);
+    std::uint32_t& bits = this->mesh.triangles[triangleOf(side)].flatEdges;
     const std::uint32_t bit = 1u << cornerOf(side);
     bits = flat ? bits | bit : bits & ~bit;
   }

@@ -352,7 +352,7 @@ private:
       triangle.v[1] = edge[i + 1].from;
       triangle.v[2] = edge[i + 2].from;
       triangle.flags = 0;
-      flatEdges(triangle) = (i == 0 ? 0u : 1u) | (isLast ? 0u : 4u);
+      triangle.flatEdges = (i == 0 ? 0u : 1u) | (isLast ? 0u : 4u);
       if (i == 0)
       {
         this->linkOuter(halfEdge(slot[0], 0), edge[0], edge[1].from);

@@ -39,7 +39,7 @@ public:
   {
   }
 
-  /// Remove them all. Afterwards flatEdges() tells which edges are flat.
+  /// Remove them all. Afterwards Triangle::flatEdges tells which edges are flat.
   /// @return whether there is any flat edge
   bool remove()
   {
@@ -71,7 +71,7 @@ public:
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t)
       {
-        if (flatEdges(this->polyhedron.triangles[t]) != 0)
+        if (this->polyhedron.triangles[t].flatEdges != 0)
         {
           anyFlat.store(true, std::memory_order_relaxed);
         }
@@ -328,7 +328,7 @@ private:
     }
   }
 
-  /// Set flatEdges(), by the marks on the lower side of each edge.
+  /// Set Triangle::flatEdges, by the marks on the lower side of each edge.
   void markFlat(const FlatEdges& flat)
   {
     const Mesh mesh = this->polyhedron.mesh();
@@ -344,7 +344,7 @@ private:
           [&](int e)
           {
             const std::uint32_t h = std::min(halfEdge(t, e), triangle.twin[e]);
-            flatEdges(triangle) |=
+            triangle.flatEdges |=
               (mesh.triangles[triangleOf(h)].flags / EdgeTied >> cornerOf(h) & 1) << e;
           });
       });
@@ -358,8 +358,8 @@ private:
         for (int e = 0; e < 3; ++e)
         {
           const std::uint32_t twin = mesh.triangles[strip].twin[e];
-          flatEdges(mesh.triangles[strip]) |= 1u << e;
-          flatEdges(mesh.triangles[triangleOf(twin)]) |= 1u << cornerOf(twin);
+          mesh.triangles[strip].flatEdges |= 1u << e;
+          mesh.triangles[triangleOf(twin)].flatEdges |= 1u << cornerOf(twin);
         }
       }
     }

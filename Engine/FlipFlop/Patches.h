@@ -67,7 +67,7 @@ public:
       const Triangle& triangle = base.triangles[t];
       this->triangles[t] = triangle;
       this->triangles[t].flags = 0;
-      this->triangles[t].note = 0;
+      this->triangles[t].flatEdges = 0;
       for (int e = 0; e < 3; ++e)
       {
         this->baseTwins[halfEdge(t, e)] = triangle.twin[e];

@@ -41,7 +41,7 @@ Polyhedron makeTetrahedron(const Vertex* corner)
   {
     std::copy(corners[t], corners[t] + 3, result.triangles[t].v);
     result.triangles[t].flags = 0;
-    result.triangles[t].note = 0;
+    result.triangles[t].flatEdges = 0;
   }
   static constexpr std::uint32_t twins[6][2] = { { halfEdge(0, 0), halfEdge(1, 2) },
     { halfEdge(0, 1), halfEdge(2, 2) }, { halfEdge(0, 2), halfEdge(3, 2) },

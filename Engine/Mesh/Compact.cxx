@@ -58,9 +58,9 @@ Polyhedron compact(Polyhedron&& old)
   const std::uint32_t vertexCount = startsFromCounts(vertexNext);
   Polyhedron result(vertexCount, triangleCount);
 
-  // New numbers; a vertex keeps its own where its flags were.
-  old.eachTriangle([&](std::uint32_t t, std::size_t piece)
-    { newNumber(old.triangles[t]) = triangleNext[piece]++; });
+  // New numbers, where the flags were. None is as high as TriangleDead.
+  old.eachTriangle(
+    [&](std::uint32_t t, std::size_t piece) { old.triangles[t].flags = triangleNext[piece]++; });
   eachVertex(old,
     [&](Vertex& vertex, std::size_t run)
     {
@@ -75,15 +75,15 @@ Polyhedron compact(Polyhedron&& old)
     [&](std::uint32_t t, std::size_t)
     {
       Triangle& triangle = old.triangles[t];
-      Triangle& copy = result.triangles[newNumber(triangle)];
+      Triangle& copy = result.triangles[triangle.flags];
       for (int e = 0; e < 3; ++e)
       {
         const std::uint32_t twin = triangle.twin[e];
         copy.v[e] = old.vertices[triangle.v[e]].flags;
-        copy.twin[e] = halfEdge(newNumber(old.triangles[triangleOf(twin)]), cornerOf(twin));
+        copy.twin[e] = halfEdge(old.triangles[triangleOf(twin)].flags, cornerOf(twin));
       }
       copy.flags = 0;
-      copy.note = 0;
+      copy.flatEdges = 0;
     });
   return result;
 }

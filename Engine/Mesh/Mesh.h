@@ -24,33 +24,11 @@ namespace flipflop
 
 struct alignas(32) Triangle
 {
-  std::uint32_t v[3];    ///< corners, counter-clockwise from outside
-  std::uint32_t flags;   ///< TriangleDead; or bit e: half-edge e waits to be checked, EdgeTied
-  std::uint32_t twin[3]; ///< opposite half-edges, or border slots
-  std::uint32_t note;    ///< what a stage keeps here, by one of the three names below; else 0
+  std::uint32_t v[3];      ///< corners, counter-clockwise from outside
+  std::uint32_t flags;     ///< TriangleDead; or bit e: half-edge e waits; EdgeTied, EdgeFixed
+  std::uint32_t twin[3];   ///< opposite half-edges, or border slots
+  std::uint32_t flatEdges; ///< in the finish, bit e: the edge e is exactly flat; before, 0
 };
-
-/// While compact() renumbers: the triangle's number in the copy.
-FF_HD inline std::uint32_t& newNumber(Triangle& triangle)
-{
-  return triangle.note;
-}
-
-/// In the finish: bit e tells that the edge e is exactly flat.
-FF_HD inline std::uint32_t& flatEdges(Triangle& triangle)
-{
-  return triangle.note;
-}
-FF_HD inline std::uint32_t flatEdges(const Triangle& triangle)
-{
-  return triangle.note;
-}
-
-/// In rounds of splits: the last round in which the triangle was split.
-FF_HD inline std::uint32_t& splitRound(Triangle& triangle)
-{
-  return triangle.note;
-}
 
 constexpr std::uint32_t TriangleDead = 0x80000000u;
 
@@ -58,10 +36,9 @@ constexpr std::uint32_t TriangleDead = 0x80000000u;
 constexpr std::uint32_t EdgeTied = 8;
 constexpr std::uint32_t EdgesTied = 7 * EdgeTied;
 
-/// The same bits while constraints are inserted, when ties are of no more use: the edge e is a part
-/// of a constraint, and is never flipped.
-constexpr std::uint32_t EdgeFixed = EdgeTied;
-constexpr std::uint32_t EdgesFixed = EdgesTied;
+/// Shifted by e: the edge e is a part of a constraint, and is never flipped. Both its half-edges
+/// are marked.
+constexpr std::uint32_t EdgeFixed = 64;
 
 FF_HD constexpr int nextCorner(int e)
 {
@@ -95,7 +72,7 @@ FF_HD constexpr std::uint32_t previousHalfEdge(std::uint32_t h)
 /// In the finish: is the edge of h exactly flat?
 inline bool isFlat(const Triangle* triangles, std::uint32_t h)
 {
-  return (flatEdges(triangles[triangleOf(h)]) >> cornerOf(h) & 1) != 0;
+  return (triangles[triangleOf(h)].flatEdges >> cornerOf(h) & 1) != 0;
 }
 
 /// The mesh's arrays, owned elsewhere.
@@ -121,7 +98,7 @@ struct Mesh
     triangle.v[1] = b;
     triangle.v[2] = c;
     triangle.flags = 0;
-    triangle.note = 0;
+    triangle.flatEdges = 0;
   }
 
   void removeTriangle(std::uint32_t t) const { this->triangles[t].flags = TriangleDead; }
@@ -240,23 +217,23 @@ FF_HD FF_INLINE void replaceTriangles(const Mesh& mesh, const FlipPlan& plan)
 FF_INLINE void flip(const Mesh& mesh, const FlipPlan& plan)
 {
   std::uint32_t other[4];
-  std::uint32_t tied[4];
-  std::uint32_t anyTied = 0;
+  std::uint32_t marks[4];
+  std::uint32_t anyMark = 0;
   for (int i = 0; i < plan.outerCount; ++i)
   {
     const Triangle& triangle = mesh.triangles[triangleOf(plan.from[i])];
     other[i] = triangle.twin[cornerOf(plan.from[i])];
-    tied[i] = triangle.flags >> cornerOf(plan.from[i]) & EdgeTied;
-    anyTied |= tied[i];
+    marks[i] = triangle.flags >> cornerOf(plan.from[i]) & (EdgeTied | EdgeFixed);
+    anyMark |= marks[i];
   }
   replaceTriangles(mesh, plan);
   for (int i = 0; i < plan.outerCount; ++i)
   {
     mesh.link(plan.to[i], other[i]);
   }
-  for (int i = 0; anyTied && i < plan.outerCount; ++i)
+  for (int i = 0; anyMark && i < plan.outerCount; ++i)
   {
-    mesh.triangles[triangleOf(plan.to[i])].flags |= tied[i] << cornerOf(plan.to[i]);
+    mesh.triangles[triangleOf(plan.to[i])].flags |= marks[i] << cornerOf(plan.to[i]);
   }
 }
 

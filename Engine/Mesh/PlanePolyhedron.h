@@ -79,7 +79,7 @@ struct PlanePolyhedron
           to.flags = from.isDead() ? TriangleDead : 0;
           std::copy(from.v, from.v + 3, to.v);
           std::copy(from.twin, from.twin + 3, to.twin);
-          flipflop::flatEdges(to) = this->ties[t];
+          to.flatEdges = this->ties[t];
         }
       });
     return result;

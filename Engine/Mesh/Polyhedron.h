@@ -71,8 +71,8 @@ struct Polyhedron
   std::size_t pieceEnd(std::size_t piece) const { return this->pieces[piece].end; }
 
   /// In the finish: of a triangle.
-  std::uint32_t flatEdges(std::uint32_t t) const { return flipflop::flatEdges(this->triangles[t]); }
-  void forgetFlat(std::uint32_t t) { flipflop::flatEdges(this->triangles[t]) = 0; }
+  std::uint32_t flatEdges(std::uint32_t t) const { return this->triangles[t].flatEdges; }
+  void forgetFlat(std::uint32_t t) { this->triangles[t].flatEdges = 0; }
 
   /// The ids of the points among the vertices, ascending.
   std::vector<std::uint32_t> pointIds() const

@@ -66,6 +66,7 @@ private:
       throw Error(ErrorCode::TooManyPoints, -1, count);
     }
     this->mesh.triangles.allocate(static_cast<std::size_t>(count));
+    this->mesh.cells.allocate(static_cast<std::size_t>(count));
     eachCheckedRun(static_cast<std::size_t>(cells), FacetsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
@@ -84,12 +85,14 @@ private:
     const std::int64_t end = this->given.cellBegin(cell + 1);
     const auto corner = [&](std::int64_t i)
     { return static_cast<std::uint32_t>(this->given.connectivity[static_cast<std::size_t>(i)]); };
-    Triangle* triangle = this->mesh.triangles.data() + (begin - 2 * cell);
-    for (std::int64_t i = begin + 1; i + 1 < end; ++i, ++triangle)
+    auto t = static_cast<std::size_t>(begin - 2 * cell);
+    for (std::int64_t i = begin + 1; i + 1 < end; ++i, ++t)
     {
-      *triangle = { { corner(begin), corner(i), corner(i + 1) }, 0, { NoIndex, NoIndex, NoIndex },
-        static_cast<std::uint32_t>(cell) };
-      const std::uint32_t* v = triangle->v;
+      this->mesh.cells[t] = static_cast<std::uint32_t>(cell);
+      Triangle& triangle = this->mesh.triangles[t];
+      triangle = { { corner(begin), corner(i), corner(i + 1) }, 0, { NoIndex, NoIndex, NoIndex },
+        0 };
+      const std::uint32_t* v = triangle.v;
       if (local.orient(this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]]) <= 0)
       {
         refuse(this->given.pointIds[v[0]]);

@@ -36,7 +36,7 @@ struct FanMesh
   /// No triangle.
   bool empty() const { return this->triangles.empty(); }
 
-  std::uint32_t cellOf(std::uint32_t t) const { return this->triangles[t].note; }
+  std::uint32_t cellOf(std::uint32_t t) const { return this->cells[t]; }
 
   /// The triangle at the end of its half-edge.
   std::uint32_t twin(std::uint32_t h) const
@@ -112,7 +112,8 @@ struct FanMesh
     }
   }
 
-  Buffer<Triangle> triangles;     ///< note: the cell; twin: NoIndex at the border
+  Buffer<Triangle> triangles;     ///< twin: NoIndex at the border
+  Buffer<std::uint32_t> cells;    ///< of each triangle its cell
   Buffer<std::uint32_t> lowestAt; ///< of each vertex its lowest triangle
   bool isRegular = true;          ///< each edge is, also those that are fixed
 };

@@ -73,7 +73,7 @@ CellMesh meshOfCells(const CellComplex& complex, const std::vector<Vertex>& corn
     Triangle& triangle = mesh.polyhedron.triangles[t];
     std::copy(fans[t].begin(), fans[t].end(), triangle.v);
     triangle.flags = 0;
-    triangle.note = 0;
+    triangle.flatEdges = 0;
   }
   mesh.fault = linkTriangles(mesh.polyhedron.triangles.data(), mesh.polyhedron.triangleCount(),
     mesh.polyhedron.vertexCount());

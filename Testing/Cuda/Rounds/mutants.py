@@ -61,7 +61,7 @@ MUTANTS = [
     ("no-message-between-splits",
      "a new triangle takes its neighbour by its old number, though that was split too",
      [("GrowthKernels.h",
-       "if (splitRound(d.mesh.triangles[other]) == this->round)",
+       "if (d.mesh.triangles[other].flags == this->round)",
        "if (false)")]),
     ("vote-by-store",
      "the last vote wins, not the least",

@@ -58,7 +58,7 @@ inline Solid solidOf(const Cloud& cloud)
     {
       triangle.v[k] = static_cast<std::uint32_t>(hull.connectivity[3 * t + k]);
     }
-    triangle.flags = triangle.note = 0;
+    triangle.flags = triangle.flatEdges = 0;
   }
   EXPECT_FALSE(linkTriangles(solid.polyhedron.triangles.data(), solid.polyhedron.triangleCount(),
     solid.polyhedron.vertexCount())

@@ -52,7 +52,7 @@ Solid solidOf(const Surface& surface)
   {
     Triangle& triangle = solid.polyhedron.triangles[t];
     std::copy(surface.triangles[t].begin(), surface.triangles[t].end(), triangle.v);
-    triangle.flags = triangle.note = 0;
+    triangle.flags = triangle.flatEdges = 0;
   }
   EXPECT_FALSE(linkTriangles(solid.polyhedron.triangles.data(), solid.polyhedron.triangleCount(),
     solid.polyhedron.vertexCount())
