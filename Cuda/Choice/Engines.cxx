@@ -20,20 +20,18 @@ namespace flipflop
 namespace
 {
 
-/// @tparam Run   a GeometryRun
-/// @param make   Run (): anew for each try
-/// @param work   Result (Run&, PolyhedronBuilder<Model>&)
-template <class Model, class Result, class Make, class Work>
-Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineReport& report,
-  Make&& make, Work&& work)
+/// @param makeRun std::unique_ptr<HullRun or TriangulationRun> (): called for each engine tried
+template <class Geometry, class MakeRun>
+auto runEngine(
+  const EngineOptions& engine, std::int64_t pointCount, EngineReport& report, MakeRun&& makeRun)
 {
   if (wantsCuda(engine, pointCount, hasCudaKernels(), report, cudaStatus))
   {
     try
     {
-      const auto builder = withTypedErrors([] { return makeCudaBuilder<Model>(); });
-      auto run = make();
-      Result result = work(*run, *builder);
+      const auto builder = withTypedErrors([] { return makeCudaBuilder<Geometry>(); });
+      const auto run = makeRun();
+      auto result = run->compute(*builder);
       if (!builder->ran)
       {
         setReason(report, EngineChoice::CPU,
@@ -62,8 +60,8 @@ Result runEngine(const EngineOptions& engine, std::int64_t pointCount, EngineRep
         ("the CUDA engine gave up: " + std::string(error.what())).c_str(), number);
     }
   }
-  CpuBuilder<Model> onThreads;
-  return work(*make(), onThreads);
+  CpuBuilder<Geometry> onThreads;
+  return makeRun()->compute(onThreads);
 }
 
 }
@@ -77,10 +75,8 @@ const CudaStatus& cudaStatus()
 Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
   EngineReport& report)
 {
-  return runEngine<HullGeometry, Hull>(
-    engine, points.count, report, [&] { return std::make_unique<HullRun>(points, options); },
-    [](HullRun& run, PolyhedronBuilder<HullGeometry>& builder)
-    { return run.execute<Hull>([&](Hull& hull) { run.hullOfPoints(builder, hull); }); });
+  return runEngine<HullGeometry>(
+    engine, points.count, report, [&] { return std::make_unique<HullRun>(points, options); });
 }
 
 Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
@@ -91,15 +87,8 @@ Triangulation regularTriangulation(const PointView& points, const WeightView& we
     {
       // By its type: GCC 16 takes the name for a use of the parameter in the lambda below.
       using Run = TriangulationRun<decltype(weighted)::value>;
-      using Geometry = typename Run::Geometry;
-      return runEngine<Geometry, Triangulation>(
-        engine, points.count, report,
-        [&] { return std::make_unique<Run>(points, weights, options); },
-        [](Run& run, PolyhedronBuilder<Geometry>& builder)
-        {
-          return run.template execute<Triangulation>(
-            [&](Triangulation& result) { run.triangulate(builder, result); });
-        });
+      return runEngine<typename Run::Geometry>(engine, points.count, report,
+        [&] { return std::make_unique<Run>(points, weights, options); });
     });
 }
 

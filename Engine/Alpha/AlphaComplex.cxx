@@ -7,7 +7,7 @@
 
 #include "Alpha/CircleSquare.h"
 #include "PowerDiagram/TriangulationInput.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Support/BufferCopy.h"
 #include "Surface/Sides.h"
 

@@ -5,7 +5,7 @@
 #include "Blocks/SiteTree.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/LiftedGeometry.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #define flipflop_BlockPatch_h
 
 #include "Blocks/BlockSite.h"
-#include "Query/BoxTree.h"
+#include "Support/BoxTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "Blocks/BlockPatch.h"
 #include "Blocks/ConflictBound.h"
-#include "Query/BoxTree.h"
+#include "Support/BoxTree.h"
 #include "Support/Monitor.h"
 
 #include <algorithm>

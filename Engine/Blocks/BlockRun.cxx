@@ -29,7 +29,7 @@
 #include "Points/InsertionOrder.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Support/TypedErrors.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@
 #define flipflop_ConflictBound_h
 
 #include "Blocks/BlockPatch.h"
-#include "Query/BoxTree.h"
+#include "Support/BoxTree.h"
 
 #include <algorithm>
 #include <cmath>

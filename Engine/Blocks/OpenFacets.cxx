@@ -3,7 +3,7 @@
 #include "Blocks/OpenFacets.h"
 
 #include "Blocks/BorderEdges.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Support/Parallel.h"
 
 #include <map>

@@ -11,7 +11,7 @@
 #include "Blocks/BlockPatch.h"
 #include "Blocks/BlockSite.h"
 #include "Blocks/ConflictBound.h"
-#include "Query/BoxTree.h"
+#include "Support/BoxTree.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
 

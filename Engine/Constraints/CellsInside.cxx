@@ -7,7 +7,7 @@
 #include <flipflop/ConstrainedTriangulation.h>
 
 #include "PowerDiagram/TriangulationInput.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Surface/Sides.h"
 
 #include <algorithm>

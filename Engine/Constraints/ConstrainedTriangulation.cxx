@@ -32,8 +32,8 @@ public:
 
   void triangulateConstrained(ConstrainedTriangulation& result)
   {
-    CpuBuilder<Geometry> engine;
-    this->triangulate(engine, result);
+    CpuBuilder<Geometry> builder;
+    this->computeSteps(builder, result);
     result.sides = this->constraints.sides;
     if (result.dimension < 2)
     {
@@ -47,9 +47,9 @@ public:
   }
 
 private:
-  bool amends() const override { return this->constraints.count > 0; }
+  bool changesTriangulation() const override { return this->constraints.count > 0; }
 
-  bool amend(Polyhedron& polyhedron, Tally& tally, bool anyFlat) override
+  bool beforeCanonicalForm(Polyhedron& polyhedron, Tally& tally, bool anyFlat) override
   {
     constexpr std::int64_t ConstraintsPerReport = 1 << 10;
     this->monitor.stage(0.9, 0.98, this->constraints.count, "inserting constraints");
@@ -77,7 +77,7 @@ private:
     return anyFlat || flat;
   }
 
-  void describe(const VertexRanks& rank) override
+  void beforeCells(const VertexRanks& rank) override
   {
     for (FixedEdge& edge : this->edges)
     {

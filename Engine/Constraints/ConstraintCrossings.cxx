@@ -12,7 +12,7 @@
 #include "Constraints/Place.h"
 #include "Points/ConstraintInput.h"
 #include "Predicates/DoubleDouble.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -482,7 +482,7 @@ SplitConstraints splitCrossings(
   run.execute<QueryResult>(
     [&](QueryResult& result)
     {
-      run.look(result.statistics);
+      run.scanPoints(result.statistics);
       requireFinite(constraints, run.source, run.checkFinite);
       split = CrossingSplitter(constraints, run).split();
     });

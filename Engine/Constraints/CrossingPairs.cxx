@@ -4,7 +4,7 @@
 
 #include "Constraints/Crossing.h"
 #include "Constraints/SegmentBundle.h"
-#include "Query/BoxTree.h"
+#include "Support/BoxTree.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>

@@ -32,11 +32,14 @@ inline std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size
   return places;
 }
 
+/// Ids of sampled points, ascending.
+using Samples = std::vector<std::vector<std::uint32_t>>;
+
 /// The nested samples of an input, largest first; empty for a small one. A sample is sampled from
 /// half that size on: growing it tells what growing the input will cost (see Builder).
-inline std::vector<std::vector<std::uint32_t>> nestedSamples(std::uint32_t count)
+inline Samples nestedSamples(std::uint32_t count)
 {
-  std::vector<std::vector<std::uint32_t>> samples;
+  Samples samples;
   while (count > (samples.empty() ? LeastSampled : LeastSampled / 2))
   {
     const auto size = static_cast<std::uint32_t>(std::pow(count, 2.0 / 3.0));

@@ -7,7 +7,7 @@
 #include <flipflop/CellBoundary.h>
 
 #include "Points/Vertex.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Surface/Sides.h"
 #include "Validate/ValidateStructure.h"
 

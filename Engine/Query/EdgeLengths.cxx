@@ -6,7 +6,7 @@
 
 #include "PowerDiagram/TriangulationInput.h"
 #include "Predicates/WideSigns.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "Predicates/WideIntegers.h"
 #include "Query/GivenHull.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include <flipflop/HullQueries.h>
 
 namespace flipflop

@@ -3,8 +3,8 @@
 #include "Query/FarthestPair.h"
 
 #include "Predicates/WideSigns.h"
-#include "Query/BoxTree.h"
 #include "Query/UnitFrame.h"
+#include "Support/BoxTree.h"
 
 #include <atomic>
 #include <cmath>

@@ -48,7 +48,7 @@ HullModel::HullModel(
   run.execute<QueryResult>(
     [&](QueryResult& result)
     {
-      run.look(result.statistics);
+      run.scanPoints(result.statistics);
       this->build(run, hull);
     });
 }

@@ -16,8 +16,8 @@
 #include "Mesh/Polyhedron.h"
 #include "Query/DirectionMap.h"
 #include "Query/Lazy.h"
-#include "Query/QueryRun.h"
 #include "Query/SurfaceTree.h"
+#include "Run/QueryRun.h"
 #include "Support/Monitor.h"
 #include <flipflop/Hull.h>
 #include <flipflop/HullQueries.h>

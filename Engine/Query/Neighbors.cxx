@@ -3,7 +3,7 @@
 #include <flipflop/Neighbors.h>
 
 #include "Points/Vertex.h"
-#include "Query/QueryRun.h"
+#include "Run/QueryRun.h"
 #include "Surface/Sides.h"
 #include "Validate/ValidateStructure.h"
 

@@ -7,7 +7,7 @@
 #ifndef flipflop_OffsetFrame_h
 #define flipflop_OffsetFrame_h
 
-#include "Query/BoxTree.h"
+#include "Support/BoxTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,8 +20,8 @@
 #define flipflop_SurfaceTree_h
 
 #include "Mesh/Polyhedron.h"
-#include "Query/BoxTree.h"
 #include "Query/OffsetFrame.h"
+#include "Support/BoxTree.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
 

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One run of the engine from the caller's points to the canonical hull: ranges, stages, finish.
+/// A run from the caller's points to their hull. ConvexHull.cxx has its steps.
 #ifndef flipflop_HullRun_h
 #define flipflop_HullRun_h
 
-#include "Geometry/HullCones.h"
 #include "Geometry/HullGeometry.h"
-#include "Geometry/HullLocator.h"
-#include "Geometry/HullStart.h"
 #include "Run/GeometryRun.h"
+#include "Run/Span.h"
 #include <flipflop/Hull.h>
 
 namespace flipflop
@@ -18,19 +16,16 @@ namespace flipflop
 class HullRun : public GeometryRun<HullGeometry>
 {
 public:
-  /// Most points of most inputs are dismissed at once: a thread takes some ten thousand of them.
   /// @throw Error BadArgument, TooManyPoints
-  HullRun(const PointView& points, const Options& options)
-    : GeometryRun(points, 3, PointSource(points), options, 0.25)
-  {
-  }
+  HullRun(const PointView& points, const Options& options);
 
-  /// The hull of all points.
-  void hullOfPoints(PolyhedronBuilder<HullGeometry>& engine, Hull& hull);
+  /// The hull of all points: all steps, on the run's threads.
+  /// @throw Error NonFinite, TooManyPoints, OutOfMemory, Aborted
+  Hull compute(PolyhedronBuilder<HullGeometry>& builder);
 
-  /// Look at all points, and choose the arithmetic. False: there is no finite point.
-  /// @param kernel a further point that the arithmetic has to carry, or null
-  /// @param scanner see look()
+  /// Scan the points, and choose the arithmetic. False: there is no finite point.
+  /// @param kernel  a further point that the arithmetic has to carry, or null
+  /// @param scanner scans the points; null: PointScanner does
   /// @throw Error NonFinite
   bool inspect(Hull& hull, const double* kernel = nullptr, PointScanner* scanner = nullptr);
 
@@ -38,7 +33,8 @@ public:
   void finish(Polyhedron&& polyhedron, Tally&& tally, Hull& hull);
 
 private:
-  void write(CanonicalForm<Polyhedron>& form, Hull& hull);
+  void computeSteps(PolyhedronBuilder<HullGeometry>& builder, Hull& hull);
+  void finishLower(const Span& span, Hull& hull);
 };
 
 }

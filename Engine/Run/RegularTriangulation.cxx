@@ -1,9 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The steps of regularTriangulation(), as a TriangulationRun does them: inspect, span, start,
+/// build, finish.
 #include <flipflop/RegularTriangulation.h>
 
+#include "Finish/Canonical.h"
+#include "Finish/Redundant.h"
 #include "FlipFlop/CpuBuilder.h"
+#include "Geometry/LiftedStart.h"
+#include "Points/PointSubset.h"
+#include "Run/Chain.h"
 #include "Run/TriangulationRun.h"
+#include "Support/Parallel.h"
+
+#include <cstdint>
 
 namespace flipflop
 {
@@ -15,10 +26,185 @@ Triangulation regularTriangulation(
     [&](auto weighted)
     {
       TriangulationRun<weighted> run(points, weights, options);
-      CpuBuilder<LiftedGeometry<weighted>> engine;
-      return run.template execute<Triangulation>(
-        [&](Triangulation& result) { run.triangulate(engine, result); });
+      CpuBuilder<LiftedGeometry<weighted>> builder;
+      return run.compute(builder);
     });
 }
+
+template <bool Weighted>
+TriangulationRun<Weighted>::TriangulationRun(
+  const PointView& points, const WeightView& weights, const Options& options)
+  : GeometryRun<Geometry>(points, 2, PointSource(points, weights), options)
+{
+  requireValid(weights, points.count);
+}
+
+template <bool Weighted>
+Triangulation TriangulationRun<Weighted>::compute(PolyhedronBuilder<Geometry>& builder)
+{
+  return this->template execute<Triangulation>(
+    [&](Triangulation& result) { this->computeSteps(builder, result); });
+}
+
+template <bool Weighted>
+void TriangulationRun<Weighted>::computeSteps(
+  PolyhedronBuilder<Geometry>& builder, Triangulation& result)
+{
+  if (!this->inspect(result.statistics, &builder))
+  {
+    return;
+  }
+  const bool fromPoints = builder.startsFromPoints();
+  const Samples samples = fromPoints ? Samples() : nestedSamples(this->source.count());
+  const Span span = fromPoints ? this->firstSpan() : this->spanOf(samples);
+  result.statistics.secondsScan = this->watch.lap();
+  if (span.dimension < 2)
+  {
+    this->finishLower(result);
+    return;
+  }
+  Polyhedron start =
+    fromPoints ? Polyhedron() : startingTetrahedron(this->geometry, this->source, span.ids);
+
+  FinishedCells finished;
+  PlanePolyhedron plane;
+  Tally tally;
+  Polyhedron polyhedron = builder.build(
+    this->task(samples, &finished, &plane), std::move(start), tally, result.statistics);
+  this->watch.lap();
+
+  result.dimension = 2;
+  if (!finished.written)
+  {
+    this->finish(std::move(polyhedron), std::move(plane), std::move(tally), result);
+    return;
+  }
+  this->moveCells(finished, result);
+  this->listHidden(result);
+  this->addStatistics(tally, result.statistics);
+}
+
+template <bool Weighted>
+bool TriangulationRun<Weighted>::inspect(Statistics& statistics, PointScanner* scanner)
+{
+  if (!this->scanPoints(statistics, scanner))
+  {
+    return false;
+  }
+  this->setArithmetic(chooseLiftedArithmetic(this->range));
+  Lattice lattice = this->findLattice(2, Geometry::LatticeBits);
+  lattice.everywhere = lattice.everywhere &&
+    this->range.high[2] - this->range.low[2] < Geometry::latticeWeights(lattice.unit);
+  this->geometry = Geometry(this->range, this->arithmetic, lattice);
+  return true;
+}
+
+template <bool Weighted>
+Span TriangulationRun<Weighted>::firstSpan()
+{
+  const Geometry local = this->geometry;
+  Span span;
+  Vertex corner[3];
+  for (std::uint32_t id = 0; id < this->source.count() && span.dimension < 2; ++id)
+  {
+    if ((id & 0xFFFF) == 0)
+    {
+      this->monitor.poll();
+    }
+    const Vertex p = this->source.vertex(id);
+    if ((!this->checkFinite || isFinite(p.x)) &&
+      (span.dimension < 0 ||
+        (span.dimension == 0 ? !Geometry::samePlace(corner[0], p)
+                             : local.orient(corner[0], corner[1], p) != 0)))
+    {
+      corner[++span.dimension] = p;
+      span.ids[span.dimension] = id;
+    }
+  }
+  return span;
+}
+
+template <bool Weighted>
+void TriangulationRun<Weighted>::finishLower(Triangulation& result)
+{
+  chainOfPoints(this->geometry, this->source, this->checkFinite, this->monitor, result);
+  this->listHidden(result);
+  this->addStatistics(Tally(), result.statistics);
+}
+
+template <bool Weighted>
+void TriangulationRun<Weighted>::finish(
+  Polyhedron&& polyhedron, PlanePolyhedron&& plane, Tally&& tally, Triangulation& result)
+{
+  this->monitor.stage(0.9, 1.0, 1, "finishing");
+  bool anyFlat = tally.ties > 0;
+  if constexpr (!Weighted)
+  {
+    // A triangulation of the plane is the true one already.
+    if (plane.vertexCount() > 0 && !this->changesTriangulation())
+    {
+      this->write(plane, anyFlat, tally, result);
+      return;
+    }
+  }
+  if (plane.vertexCount() > 0)
+  {
+    polyhedron = plane.full();
+    plane = PlanePolyhedron();
+  }
+  else
+  {
+    anyFlat =
+      RedundantVertices<Geometry>(this->geometry, polyhedron, tally, this->monitor).remove();
+  }
+  if (this->changesTriangulation())
+  {
+    anyFlat = this->beforeCanonicalForm(polyhedron, tally, anyFlat);
+  }
+  this->write(polyhedron, anyFlat, tally, result);
+}
+
+template <bool Weighted>
+template <class Surface>
+void TriangulationRun<Weighted>::write(
+  Surface& surface, bool anyFlat, const Tally& tally, Triangulation& result)
+{
+  CanonicalForm<Surface> form(surface, anyFlat, tally.duplicates, this->source.count(),
+    this->options.facets, this->monitor, result.pointIds);
+  this->monitor.poll();
+  this->listHidden(result);
+  this->monitor.poll();
+  this->beforeCells(form.ranks());
+  form.writeCells(this->monitor, result);
+  this->addStatistics(tally, result.statistics);
+}
+
+template <bool Weighted>
+void TriangulationRun<Weighted>::listHidden(Triangulation& result)
+{
+  const Buffer<std::int64_t>& visible = result.pointIds;
+  const std::int64_t seen = result.statistics.nonFinite + static_cast<std::int64_t>(visible.size());
+  if (seen == static_cast<std::int64_t>(this->source.count()))
+  {
+    result.hiddenIds.allocate(0);
+    return;
+  }
+  constexpr std::size_t PointsPerTask = 1 << 14;
+  numberFound(
+    this->source.count(), PointsPerTask,
+    [&](std::size_t begin, std::size_t end, const auto& tell)
+    {
+      this->monitor.poll();
+      PointSubset::eachLeft(
+        static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+        [](std::uint32_t id) { return id; }, visible.begin(), visible.end(),
+        this->checkFinite ? &this->source : nullptr, tell);
+    },
+    [&](std::size_t hidden) { result.hiddenIds.allocate(hidden); },
+    [&](std::size_t at, std::uint32_t id) { result.hiddenIds[at] = id; });
+}
+
+template class TriangulationRun<false>;
+template class TriangulationRun<true>;
 
 }

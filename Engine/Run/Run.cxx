@@ -21,7 +21,7 @@ Run::Run(const PointView& points, std::int64_t least, const PointSource& read,
   requireValid(points, least);
 }
 
-bool Run::look(Statistics& statistics, PointScanner* scanner)
+bool Run::scanPoints(Statistics& statistics, PointScanner* scanner)
 {
   statistics.points = this->source.count();
   statistics.threads = this->threads;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What every run of the engine begins and ends with: threads, errors, a first look at all points,
+/// What every run of the engine begins and ends with: threads, errors, a scan of all points,
 /// statistics.
 #ifndef flipflop_Run_h
 #define flipflop_Run_h
@@ -60,10 +60,10 @@ public:
   bool checkFinite = false; ///< there are points to ignore
 
 protected:
-  /// Look at all points: their range, the non-finite ones by policy. False: none is finite.
-  /// @param scanner null: just so
+  /// Scan all points: their range, and the non-finite ones by policy. False: none is finite.
+  /// @param scanner scans them; null: PointScanner does
   /// @throw Error NonFinite
-  bool look(Statistics& statistics, PointScanner* scanner = nullptr);
+  bool scanPoints(Statistics& statistics, PointScanner* scanner = nullptr);
 
   /// Scale the points, and what is known of their range.
   void setArithmetic(const Arithmetic& chosen);

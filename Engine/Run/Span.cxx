@@ -157,4 +157,13 @@ Span findSpan(const HullGeometry& geometry, const PointSource& source, const std
   return search.span;
 }
 
+Span findSpan(const HullGeometry& geometry, const PointSource& source, const Samples& samples,
+  int most, bool checkFinite, Monitor& monitor)
+{
+  const std::uint32_t* const ids = samples.empty() ? nullptr : samples.back().data();
+  const std::size_t count = samples.empty() ? source.count() : samples.back().size();
+  return findSpan(
+    geometry, source, ids, static_cast<std::uint32_t>(count), most, checkFinite, monitor);
+}
+
 }

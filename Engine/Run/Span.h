@@ -6,6 +6,7 @@
 #define flipflop_Span_h
 
 #include "Points/PointSource.h"
+#include "Points/Samples.h"
 #include "Support/Monitor.h"
 
 #include <cstdint>
@@ -28,6 +29,10 @@ class HullGeometry;
 /// @param most       the dimension that the points can have: with 2, z must be zero
 Span findSpan(const HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids,
   std::uint32_t count, int most, bool checkFinite, Monitor& monitor);
+
+/// The same, with the smallest of @p samples; of all points, if there is none.
+Span findSpan(const HullGeometry& geometry, const PointSource& source, const Samples& samples,
+  int most, bool checkFinite, Monitor& monitor);
 
 }
 

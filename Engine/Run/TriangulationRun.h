@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One run of the engine from the caller's weighted points to the canonical regular triangulation.
+/// A run from the caller's points and weights to their regular triangulation.
+/// RegularTriangulation.cxx has its steps.
 #ifndef flipflop_TriangulationRun_h
 #define flipflop_TriangulationRun_h
 
+#include "Finish/VertexRanks.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/LiftedGeometry.h"
-#include "Geometry/LiftedStart.h"
 #include "Run/GeometryRun.h"
+#include "Run/Span.h"
 #include <flipflop/Triangulation.h>
 
 #include <cstdint>
@@ -34,25 +36,53 @@ public:
 
   /// @throw Error BadArgument, WeightCount, TooManyPoints
   TriangulationRun(const PointView& points, const WeightView& weights, const Options& options);
+  virtual ~TriangulationRun() = default;
 
-  /// Look at all points, and choose the arithmetic. False: there is no finite point.
-  /// @param scanner see look()
+  /// The regular triangulation of all points: all steps, on the run's threads.
+  /// @throw Error NonFinite, TooManyPoints, OutOfMemory, Aborted
+  Triangulation compute(PolyhedronBuilder<Geometry>& builder);
+
+  /// Scan the points, and choose the arithmetic. False: there is no finite point.
+  /// @param scanner scans the points; null: PointScanner does
   /// @throw Error NonFinite
   bool inspect(Statistics& statistics, PointScanner* scanner = nullptr);
 
   /// Three points that are not collinear, or fewer that span the others' positions.
-  /// @param ids, count a sample to choose from first; null: all
-  Span spanOf(const std::uint32_t* ids, std::uint32_t count);
+  /// @param sample see findSpan(): ids and their count, or samples
+  template <class... Sample>
+  Span spanOf(const Sample&... sample)
+  {
+    // In space, with zero for the third coordinate.
+    CoordinateRange flatRange = this->range;
+    flatRange.low[2] = flatRange.high[2] = 0;
+    const HullGeometry flat(flatRange, this->arithmetic);
+    return findSpan(flat, this->source.flattened(), sample..., 2, this->checkFinite, this->monitor);
+  }
 
-  /// The regular triangulation of all points.
-  void triangulate(PolyhedronBuilder<Geometry>& engine, Triangulation& result);
+protected:
+  /// The steps, on the calling threads.
+  void computeSteps(PolyhedronBuilder<Geometry>& builder, Triangulation& result);
 
 private:
-  /// The same by the first points that do, or fewer that all points' positions are spanned by.
+  /// The same span by the first points that do.
   Span firstSpan();
 
-  /// Tell more of a result of dimension 2, whose points are known, before its cells are written.
-  virtual void describe(const VertexRanks&) {}
+  void finishLower(Triangulation& result);
+  void finish(
+    Polyhedron&& polyhedron, PlanePolyhedron&& plane, Tally&& tally, Triangulation& result);
+  template <class Surface>
+  void write(Surface& surface, bool anyFlat, const Tally& tally, Triangulation& result);
+
+  /// Does beforeCanonicalForm() change the triangulation?
+  virtual bool changesTriangulation() const { return false; }
+
+  /// Change the true triangulation before it is written.
+  /// @param anyFlat whether there is a flat edge
+  /// @return        the same, after the change
+  virtual bool beforeCanonicalForm(Polyhedron&, Tally&, bool anyFlat) { return anyFlat; }
+
+  /// Called when the result's points are final, before its cells are written.
+  virtual void beforeCells(const VertexRanks&) {}
 
   /// All finite points that do not appear.
   void listHidden(Triangulation& result);

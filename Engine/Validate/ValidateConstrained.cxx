@@ -8,6 +8,7 @@
 #include <flipflop/Validate.h>
 
 #include "Geometry/LiftedLocator.h"
+#include "Geometry/LiftedStart.h"
 #include "Points/ConstraintInput.h"
 #include "Run/TriangulationRun.h"
 #include "Validate/ValidateStructure.h"

@@ -3,6 +3,7 @@
 #include <flipflop/Validate.h>
 
 #include "Geometry/LiftedLocator.h"
+#include "Geometry/LiftedStart.h"
 #include "Run/TriangulationRun.h"
 #include "Validate/ValidateStructure.h"
 #include "Validate/ValidateSurface.h"

@@ -40,7 +40,7 @@ Seen hullBy(Executor& executor, const Cloud& cloud, const Options& options)
   const RoundObserver observer = [&seen](const RoundReport& r) { seen.reports.push_back(r); };
   HullRun run(viewOf(cloud), options);
   RoundsBuilder<Executor, HullGeometry> rounds(executor, &observer);
-  const Hull hull = run.execute<Hull>([&](Hull& h) { run.hullOfPoints(rounds, h); });
+  const Hull hull = run.compute(rounds);
   seen.statistics = hull.statistics;
   seen.built = !run.arithmetic.wide;
   return seen;
@@ -54,8 +54,7 @@ Seen triangulationBy(Executor& executor, const Cloud& cloud, const Options& opti
   const WeightView weights = Weighted ? weightsOf(cloud) : WeightView();
   TriangulationRun<Weighted> run(viewOf(cloud), weights, options);
   RoundsBuilder<Executor, LiftedGeometry<Weighted>> rounds(executor, &observer);
-  const Triangulation result =
-    run.template execute<Triangulation>([&](Triangulation& t) { run.triangulate(rounds, t); });
+  const Triangulation result = run.compute(rounds);
   seen.statistics = result.statistics;
   seen.built = !run.arithmetic.wide;
   return seen;

@@ -18,8 +18,7 @@ Triangulation triangulate(PolyhedronBuilder<LiftedGeometry<Weighted>>& engine,
   const PointView& points, const WeightView& weights, const Options& options)
 {
   TriangulationRun<Weighted> run(points, weights, options);
-  return run.template execute<Triangulation>(
-    [&](Triangulation& result) { run.triangulate(engine, result); });
+  return run.compute(engine);
 }
 
 }
@@ -28,7 +27,7 @@ Hull hullBy(
   PolyhedronBuilder<HullGeometry>& engine, const PointView& points, const Options& options)
 {
   HullRun run(points, options);
-  return run.execute<Hull>([&](Hull& hull) { run.hullOfPoints(engine, hull); });
+  return run.compute(engine);
 }
 
 Triangulation triangulationBy(PolyhedronBuilder<LiftedGeometry<true>>& engine,

@@ -104,8 +104,7 @@ Triangulation triangulateWatched(const Cloud& cloud, std::int64_t points, int th
     viewOf(cloud), Weighted ? weightsOf(cloud) : WeightView(), options);
   WatchedBuilder<Weighted> engine;
   pointsPerThread() = (points + 1) / 2;
-  Triangulation result = run.template execute<Triangulation>(
-    [&](Triangulation& made) { run.triangulate(engine, made); });
+  Triangulation result = run.compute(engine);
   pointsPerThread() = 1;
   return result;
 }

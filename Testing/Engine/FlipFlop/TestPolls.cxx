@@ -3,8 +3,12 @@
 /// @file
 /// No part of a run goes on for long without a look for an abort request: here every look calls the
 /// progress function, and is counted.
+#include "Finish/Canonical.h"
+#include "Finish/Redundant.h"
 #include "FlipFlop/CpuBuilder.h"
+#include "Geometry/HullLocator.h"
 #include "Geometry/LiftedLocator.h"
+#include "Geometry/LiftedStart.h"
 #include "Mesh/Compact.h"
 #include "Run/HullRun.h"
 #include "Run/TriangulationRun.h"

@@ -6,13 +6,15 @@
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
 
+#include "Finish/Canonical.h"
+#include "Finish/Redundant.h"
 #include "FlipFlop/InsertionBuilder.h"
 #include "Geometry/GeometryConcept.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/HullStart.h"
 #include "Geometry/VisibilityWalk.h"
 #include "Run/GeometryRun.h"
-#include "Run/HullRun.h"
+#include "Run/Span.h"
 
 #include <gtest/gtest.h>
 
@@ -169,23 +171,26 @@ public:
 
   void hullOfPoints(Hull& hull)
   {
-    ASSERT_TRUE(this->look(hull.statistics));
+    ASSERT_TRUE(this->scanPoints(hull.statistics));
     this->setArithmetic(chooseArithmetic(this->range));
     ASSERT_FALSE(this->arithmetic.wide);
     this->geometry.hull = HullGeometry(this->range, this->arithmetic);
-    RationalBuilder engine;
-    FinishedCells finished;
-    this->build(
-      engine, hull, 3, finished,
-      [this](const std::uint32_t* ids, std::uint32_t count)
-      {
-        return findSpan(
-          this->geometry.hull, this->source, ids, count, 3, this->checkFinite, this->monitor);
-      },
-      [](const Span&) { ADD_FAILURE() << "the points span space"; },
-      [&](CanonicalForm<Polyhedron>& form)
-      { form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull); },
-      [] { ADD_FAILURE() << "the engine does not finish"; });
+    const Samples samples = nestedSamples(this->source.count());
+    const Span span =
+      findSpan(this->geometry.hull, this->source, samples, 3, this->checkFinite, this->monitor);
+    ASSERT_EQ(span.dimension, 3);
+    Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
+    Tally tally;
+    Polyhedron polyhedron = RationalBuilder().build(
+      this->task(samples, nullptr), std::move(start), tally, hull.statistics);
+    hull.dimension = 3;
+    const bool anyFlat =
+      RedundantVertices<RationalGeometry>(this->geometry, polyhedron, tally, this->monitor)
+        .remove();
+    CanonicalForm<Polyhedron> form(polyhedron, anyFlat, tally.duplicates, this->source.count(),
+      this->options.facets, this->monitor, hull.pointIds);
+    form.writeHull(this->range, this->arithmetic.scaleExponent, this->monitor, hull);
+    this->addStatistics(tally, hull.statistics);
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Run/Planar.h"
+#include "Run/LowDimensionalHull.h"
 
 #include "Finish/Measure.h"
 

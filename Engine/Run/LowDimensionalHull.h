@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Hulls of inputs that span fewer than three dimensions: nothing, a point, a line, a polygon.
-#ifndef flipflop_Planar_h
-#define flipflop_Planar_h
+#ifndef flipflop_LowDimensionalHull_h
+#define flipflop_LowDimensionalHull_h
 
 #include "Geometry/HullGeometry.h"
 #include "Points/PointSource.h"

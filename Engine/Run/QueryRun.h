@@ -52,7 +52,7 @@ public:
   {
   }
 
-  using Run::look;
+  using Run::scanPoints;
   using Run::setArithmetic;
 };
 
@@ -85,7 +85,7 @@ void eachQuery(const PointView& queries, int dimension, const void* answers, con
       {
         return;
       }
-      run.look(result.statistics);
+      run.scanPoints(result.statistics);
       prepare(run);
       run.monitor.stage(0.3, 1.0, queries.count, "answering");
       eachRun(static_cast<std::size_t>(queries.count), QueriesPerTask,
