@@ -54,6 +54,7 @@ fi
 
 "$top/Scripts/install-dependencies.sh" test
 "$top/Scripts/check-format.sh"
+"$top/Scripts/check-words.py"
 [ -n "${DISPLAY:-}" ] || start_display
 
 if [ "$what" = all ]; then

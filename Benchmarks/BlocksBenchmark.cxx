@@ -62,12 +62,12 @@ struct Work
     const std::vector<std::int64_t>& ids = this->idsOf[block];
     BlockPoints points;
     points.ids.allocate(ids.size());
-    points.places.allocate(3 * ids.size());
+    points.positions.allocate(3 * ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
     {
       points.ids[i] = ids[i];
-      std::copy_n(
-        this->xyz.data() + 3 * static_cast<std::size_t>(ids[i]), 3, points.places.data() + 3 * i);
+      std::copy_n(this->xyz.data() + 3 * static_cast<std::size_t>(ids[i]), 3,
+        points.positions.data() + 3 * i);
     }
     return points;
   }
@@ -165,7 +165,7 @@ std::int64_t statusBytes(const char* name)
   return 1024 * kibibytes;
 }
 
-std::int64_t memoryOf(const Work& work, const std::vector<BlockMessage>& introductions,
+std::int64_t memoryOf(const Work& work, const std::vector<BlockMessage>& summaries,
   std::size_t block, const Recording& recording, const Options& options)
 {
   int ends[2];
@@ -183,20 +183,20 @@ std::int64_t memoryOf(const Work& work, const std::vector<BlockMessage>& introdu
     const std::int64_t before = statusBytes("VmHWM:");
     {
       BlockRun run(work.shape, work.pointsOf(block), options);
-      run.begin(introductions, static_cast<int>(block));
+      run.begin(summaries, static_cast<int>(block));
       for (std::size_t round = 0; round < recording.answers.size(); ++round)
       {
-        run.ask();
+        run.makeQueries();
         for (const BlockMessage& questions : recording.asked[round])
         {
-          run.answer(questions);
+          run.reply(questions);
         }
         for (const auto& [from, answer] : recording.answers[round])
         {
-          run.take(from, answer);
+          run.receive(from, answer);
         }
       }
-      run.ask();
+      run.makeQueries();
       run.finish();
     }
     const std::int64_t used = statusBytes("VmHWM:") - before;
@@ -233,7 +233,7 @@ Figures measure(const Work& work, const Options& options)
   };
 
   std::vector<std::unique_ptr<BlockRun>> runs(blocks);
-  std::vector<BlockMessage> introductions(blocks);
+  std::vector<BlockMessage> summaries(blocks);
   for (std::size_t b = 0; b < blocks; ++b)
   {
     const BlockPoints points = work.pointsOf(b);
@@ -241,13 +241,13 @@ Figures measure(const Work& work, const Options& options)
       [&]
       {
         runs[b] = std::make_unique<BlockRun>(work.shape, points, options);
-        introductions[b] = runs[b]->introduction();
+        summaries[b] = runs[b]->summary();
       });
   }
   endStep();
   for (std::size_t b = 0; b < blocks; ++b)
   {
-    timed([&] { runs[b]->begin(introductions, static_cast<int>(b)); });
+    timed([&] { runs[b]->begin(summaries, static_cast<int>(b)); });
   }
   endStep();
   figures.firstSeconds = figures.pathSeconds;
@@ -259,7 +259,7 @@ Figures measure(const Work& work, const Options& options)
     std::vector<Messages> questions(blocks);
     for (std::size_t b = 0; b < blocks; ++b)
     {
-      timed([&] { questions[b] = runs[b]->ask(); });
+      timed([&] { questions[b] = runs[b]->makeQueries(); });
       anyAsked = anyAsked || !questions[b].empty();
       recordings[b].answers.emplace_back();
       recordings[b].asked.emplace_back();
@@ -273,7 +273,7 @@ Figures measure(const Work& work, const Options& options)
       {
         const auto other = static_cast<std::size_t>(to);
         BlockMessage& answer = recordings[b].answers.back()[to];
-        answering[other] += timed([&] { answer = runs[other]->answer(message); });
+        answering[other] += timed([&] { answer = runs[other]->reply(message); });
         recordings[other].asked.back().push_back(message);
         figures.bytes += static_cast<std::int64_t>(message.size() + answer.size());
       }
@@ -287,7 +287,7 @@ Figures measure(const Work& work, const Options& options)
         {
           for (const auto& [from, answer] : recordings[b].answers.back())
           {
-            runs[b]->take(from, answer);
+            runs[b]->receive(from, answer);
           }
         });
     }
@@ -298,14 +298,14 @@ Figures measure(const Work& work, const Options& options)
   for (std::size_t b = 0; b < blocks; ++b)
   {
     timed([&] { figures.cells += runs[b]->finish().cells.cellCount(); });
-    const std::int64_t told = runs[b]->pointsTold();
+    const std::int64_t told = runs[b]->pointsReceived();
     figures.told += told;
     busiest = told > figures.mostTold ? b : busiest;
     figures.mostTold = std::max(figures.mostTold, told);
     runs[b].reset();
   }
   endStep();
-  figures.memory = memoryOf(work, introductions, busiest, recordings[busiest], options);
+  figures.memory = memoryOf(work, summaries, busiest, recordings[busiest], options);
   return figures;
 }
 

@@ -137,7 +137,7 @@ ConstrainedOutcome runFlipFlop(const ConstrainedPoints& points, int threads)
   {
     const SplitConstraints split = splitCrossings(viewOf(points.places), constraints, options);
     std::vector<double> all = points.places;
-    all.insert(all.end(), split.places.begin(), split.places.end());
+    all.insert(all.end(), split.positions.begin(), split.positions.end());
     result = constrainedTriangulation(viewOf(all), split.view(), options);
   }
   else

@@ -56,7 +56,7 @@ vtkFFCrossings::vtkFFCrossings(vtkFFProjection& projection,
   }
   const flipflop::PointView view = projection.GetView();
   flipflop::Buffer<double> places(
-    2 * static_cast<std::size_t>(view.count) + this->Split.places.size());
+    2 * static_cast<std::size_t>(view.count) + this->Split.positions.size());
   if (view.type == flipflop::ScalarType::Float32)
   {
     copyPlaces<float>(view, places.data());
@@ -65,7 +65,8 @@ vtkFFCrossings::vtkFFCrossings(vtkFFProjection& projection,
   {
     copyPlaces<double>(view, places.data());
   }
-  std::copy(this->Split.places.begin(), this->Split.places.end(), places.data() + 2 * view.count);
+  std::copy(
+    this->Split.positions.begin(), this->Split.positions.end(), places.data() + 2 * view.count);
   projection.SetPlaces(std::move(places));
 }
 

@@ -166,7 +166,7 @@ void vtkFFProjection::ToPlane(const flipflop::PointView& points, const flipflop:
 {
   this->Fitted = true;
   this->BestPlane = flipflop::planeOf(sums);
-  this->SetPlaces(flipflop::placesInPlane(points, this->BestPlane, this->Options));
+  this->SetPlaces(flipflop::positionsInPlane(points, this->BestPlane, this->Options));
 }
 
 //------------------------------------------------------------------------------

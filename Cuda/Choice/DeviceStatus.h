@@ -21,8 +21,8 @@ public:
   /// @param look   DeviceFinding (): look at it. What does not last is not kept: a device that is
   ///               busy now may be free for the next call
   /// @return valid until the thread's next call
-  template <class Look>
-  const CudaStatus& of(int device, Look&& look)
+  template <class Check>
+  const CudaStatus& of(int device, Check&& check)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
     const auto known = this->lasting.find(device);
@@ -30,7 +30,7 @@ public:
     {
       return known->second;
     }
-    const DeviceFinding found = look();
+    const DeviceFinding found = check();
     if (found.lasting && (device >= 0 || !found.status.present))
     {
       return this->lasting.emplace(device, found.status).first->second;

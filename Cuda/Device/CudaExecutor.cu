@@ -167,7 +167,7 @@ struct IdleSessions
     }
   }
 
-  std::unique_ptr<CudaSession> take()
+  std::unique_ptr<CudaSession> acquire()
   {
     int device = 0;
     requireCuda(cudaGetDevice(&device));
@@ -198,7 +198,7 @@ void releaseCudaMemory()
 }
 
 CudaExecutor::CudaExecutor()
-  : session(IdleSessions::get().take())
+  : session(IdleSessions::get().acquire())
   , stream(session->stream)
 {
   cudaGetLastError(); // another's error is not to be taken for one of ours
@@ -228,13 +228,13 @@ CudaExecutor::~CudaExecutor()
 
 void* CudaExecutor::allocate(std::size_t bytes)
 {
-  const auto take = [&](void** memory)
+  const auto acquire = [&](void** memory)
   {
     return cudaMallocFromPoolAsync(
       memory, std::max<std::size_t>(bytes, 1), this->session->pool, this->stream);
   };
   void* memory = nullptr;
-  cudaError_t error = take(&memory);
+  cudaError_t error = acquire(&memory);
   if (error == cudaErrorMemoryAllocation)
   {
     // What is kept for later runs, and what this one has given back, may be enough.
@@ -242,7 +242,7 @@ void* CudaExecutor::allocate(std::size_t bytes)
     releaseCudaMemory();
     requireCuda(cudaStreamSynchronize(this->stream));
     requireCuda(cudaMemPoolTrimTo(this->session->pool, 0));
-    error = take(&memory);
+    error = acquire(&memory);
   }
   requireCuda(error, static_cast<std::int64_t>(bytes));
   this->bytesNow += static_cast<std::int64_t>(bytes);
@@ -306,7 +306,7 @@ void CudaExecutor::fetch(const void* from, std::size_t bytes, const Unpack& unpa
     requireCuda(cudaEventSynchronize(this->session->pieceDone[i & 1]));
     // By several threads: the pages of a new array are made by those that write to them first.
     const auto* const piece = static_cast<const char*>(this->session->piece[i & 1]);
-    eachRun(sizeOf(i), std::size_t(1) << 17,
+    eachChunk(sizeOf(i), std::size_t(1) << 17,
       [&](std::size_t begin, std::size_t end, std::size_t)
       { unpack(i * PieceBytes + begin, piece + begin, end - begin); });
   }
@@ -420,7 +420,7 @@ bool CudaExecutor::bring(const PointSource& points, Residence& residence,
       requireCuda(cudaEventSynchronize(done));
     }
     void* const packed = this->session->piece[piece & 1];
-    eachRun(end - begin, std::size_t(1) << 13,
+    eachChunk(end - begin, std::size_t(1) << 13,
       [&](std::size_t first, std::size_t last, std::size_t)
       {
         const auto from = static_cast<std::uint32_t>(begin + first);

@@ -28,11 +28,11 @@ struct MarkTriangles : Kernel
   static constexpr int Bytes = 4 + 4;
   Mesh mesh;
   std::uint32_t count;
-  std::uint32_t* places;
+  std::uint32_t* numbers;
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    this->places[i] = i < this->count && !(this->mesh.triangles[i].flags & TriangleDead) ? 1 : 0;
+    this->numbers[i] = i < this->count && !(this->mesh.triangles[i].flags & TriangleDead) ? 1 : 0;
   }
 };
 
@@ -43,11 +43,11 @@ struct MarkVertices : Kernel
   static constexpr int Bytes = 4 + 4;
   Mesh mesh;
   std::uint32_t count;
-  std::uint32_t* places;
+  std::uint32_t* numbers;
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    this->places[i] = i < this->count && (this->mesh.vertices[i].flags & VertexAlive) ? 1 : 0;
+    this->numbers[i] = i < this->count && (this->mesh.vertices[i].flags & VertexAlive) ? 1 : 0;
   }
 };
 
@@ -57,8 +57,8 @@ struct GatherTriangles : Kernel
   static constexpr const char* Name = "gather triangles";
   static constexpr int Bytes = 32 + 8 + 6 * 4 + 32;
   Mesh mesh;
-  const std::uint32_t* trianglePlaces;
-  const std::uint32_t* vertexPlaces;
+  const std::uint32_t* triangleNumbers;
+  const std::uint32_t* vertexNumbers;
   Triangle* result;
 
   FF_HD void operator()(std::uint32_t i, Local&) const
@@ -72,12 +72,12 @@ struct GatherTriangles : Kernel
     for (int e = 0; e < 3; ++e)
     {
       const std::uint32_t twin = triangle.twin[e];
-      copy.v[e] = this->vertexPlaces[triangle.v[e]];
-      copy.twin[e] = halfEdge(this->trianglePlaces[triangleOf(twin)], cornerOf(twin));
+      copy.v[e] = this->vertexNumbers[triangle.v[e]];
+      copy.twin[e] = halfEdge(this->triangleNumbers[triangleOf(twin)], cornerOf(twin));
     }
     copy.flags = 0;
     copy.flatEdges = 0;
-    this->result[this->trianglePlaces[i]] = copy;
+    this->result[this->triangleNumbers[i]] = copy;
   }
 };
 
@@ -87,7 +87,7 @@ struct GatherVertices : Kernel
   static constexpr const char* Name = "gather vertices";
   static constexpr int Bytes = 32 + 4 + 32;
   Mesh mesh;
-  const std::uint32_t* places;
+  const std::uint32_t* numbers;
   Vertex* result;
 
   FF_HD void operator()(std::uint32_t i, Local&) const
@@ -96,7 +96,7 @@ struct GatherVertices : Kernel
     if (copy.flags & VertexAlive)
     {
       copy.flags &= VertexAlive | VertexVirtual;
-      this->result[this->places[i]] = copy;
+      this->result[this->numbers[i]] = copy;
     }
   }
 };

@@ -51,11 +51,11 @@ public:
   /// Have room for @p size values. Keeps none.
   void reserve(std::size_t size)
   {
-    if (size > this->room)
+    if (size > this->allocated)
     {
       this->clear();
       this->first = static_cast<T*>(this->executor.allocate(size * sizeof(T)));
-      this->room = size;
+      this->allocated = size;
     }
   }
 
@@ -64,34 +64,34 @@ public:
   /// half at least.
   void grow(std::size_t size, std::size_t most, const std::uint32_t* used)
   {
-    if (size <= this->room)
+    if (size <= this->allocated)
     {
       return;
     }
-    ExecutorArray wider(this->executor, std::max(size, this->room + this->room / 2));
-    const auto least = static_cast<std::uint32_t>(std::min(most, this->room));
+    ExecutorArray wider(this->executor, std::max(size, this->allocated + this->allocated / 2));
+    const auto least = static_cast<std::uint32_t>(std::min(most, this->allocated));
     this->executor.each(least, used, KeepValues<T>{ {}, wider.first, this->first });
     std::swap(this->first, wider.first);
-    std::swap(this->room, wider.room);
+    std::swap(this->allocated, wider.allocated);
   }
 
   void clear() noexcept
   {
     if (this->first)
     {
-      this->executor.release(this->first, this->room * sizeof(T));
+      this->executor.release(this->first, this->allocated * sizeof(T));
     }
     this->first = nullptr;
-    this->room = 0;
+    this->allocated = 0;
   }
 
   T* data() { return this->first; }
-  std::size_t capacity() const { return this->room; }
+  std::size_t capacity() const { return this->allocated; }
 
 private:
   Executor& executor;
   T* first = nullptr;
-  std::size_t room = 0;
+  std::size_t allocated = 0;
 };
 
 }

@@ -168,7 +168,7 @@ struct MakeMeasuredCells : MakeCells
   struct Local
   {
     MeasureSums sums;
-    std::uint32_t place = 0;
+    std::uint32_t slot = 0;
   };
   Measure measure;
 
@@ -187,11 +187,11 @@ struct MakeMeasuredCells : MakeCells
     const std::uint32_t c = triangle.v[previousCorner(first)];
     this->measure.addTriangle(mesh.vertices[this->data.counters->firstPoint].x, mesh.vertices[a].x,
       mesh.vertices[b].x, mesh.vertices[c].x, local.sums);
-    local.place = t % FinishData::SumCount;
+    local.slot = t % FinishData::SumCount;
   }
   FF_HD void end(const Local& local) const
   {
-    MeasureSums& sums = this->data.sums[local.place];
+    MeasureSums& sums = this->data.sums[local.slot];
     atomics::add(&sums.volume.high, local.sums.volume.high);
     atomics::add(&sums.volume.low, local.sums.volume.low);
     atomics::add(&sums.area.high, local.sums.area.high);

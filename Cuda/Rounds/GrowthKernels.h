@@ -11,7 +11,7 @@
 ///   Relocate     each point that is left goes to its child, or is dropped
 /// and, where points were left open,
 ///   LocateExact  each of them walks to its cone, which may have been split meanwhile
-///   AllAnew      any triangle may have points again
+///   MakeAllCandidates      any triangle may have points again
 ///
 /// A point alive is a place, where its coordinates are, and its triangle. The furthest point of a
 /// triangle is the greatest of the keys (height, lowest id), so any order of execution inserts the
@@ -45,7 +45,7 @@ namespace flipflop
 /// A point, and the triangle in whose cone it is; or near it, where a filter has left that open.
 struct alignas(8) PointAlive
 {
-  std::uint32_t place; ///< in the order of the ids, or in that of OrderKernels.h
+  std::uint32_t index; ///< in the order of the ids, or in that of OrderKernels.h
   std::uint32_t triangle;
 };
 
@@ -69,7 +69,7 @@ struct GrowthData
   OrderedPoints ordered;
   PointAlive* live[2]; ///< points still above the polyhedron, by turns
   std::uint32_t* candidates[2];
-  std::uint32_t* places; ///< by candidate: 1 if it has points, then the number of those before
+  std::uint32_t* offsets; ///< by candidate: 1 if it has points, then the number of those before
   PointAlive* unlocated;
   Counters* counters;
 };
@@ -92,22 +92,22 @@ namespace growth
 
 /// The point at a place.
 template <class Geometry>
-FF_HD Vertex pointAt(const GrowthData<Geometry>& data, std::uint32_t place)
+FF_HD Vertex pointAt(const GrowthData<Geometry>& data, std::uint32_t index)
 {
   if (!data.ordered.ids)
   {
-    return data.points.vertex(place);
+    return data.points.vertex(index);
   }
-  const double* const x = data.ordered.x + 3 * std::size_t(place);
-  return { { x[0], x[1], x[2] }, data.ordered.ids[place], 0 };
+  const double* const x = data.ordered.x + 3 * std::size_t(index);
+  return { { x[0], x[1], x[2] }, data.ordered.ids[index], 0 };
 }
 
 /// Let the point of that place and id, in the cone of t and above it, live on.
 template <class Geometry>
-FF_HD void keep(const GrowthData<Geometry>& data, int turn, std::uint32_t place, std::uint32_t id,
+FF_HD void keep(const GrowthData<Geometry>& data, int turn, std::uint32_t index, std::uint32_t id,
   std::uint32_t t, double height)
 {
-  data.live[turn][atomics::add(&data.counters->live[turn], 1u)] = { place, t };
+  data.live[turn][atomics::add(&data.counters->live[turn], 1u)] = { index, t };
   atomics::raise(&data.furthest[t], furthestKey(height, id));
 }
 
@@ -132,7 +132,7 @@ FF_HD bool staysAbove(const GrowthData<Geometry>& data, const FilteredGeometry<G
 
 /// Leave a point to the exact kernel.
 template <class Geometry>
-FF_HD void leaveOpen(const GrowthData<Geometry>& data, const PointAlive& point)
+FF_HD void keepOpen(const GrowthData<Geometry>& data, const PointAlive& point)
 {
   data.unlocated[atomics::add(&data.counters->unlocated, 1u)] = point;
 }
@@ -177,7 +177,7 @@ FF_HD void associate(const GrowthData<Geometry>& data, std::uint32_t id)
   const bool above = staysAbove(data, geometry, v, p);
   if (isUndecided(geometry))
   {
-    leaveOpen(data, { id, t });
+    keepOpen(data, { id, t });
   }
   else if (above)
   {
@@ -192,7 +192,7 @@ FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
   const FilteredGeometry<Geometry> geometry(data.geometry);
   const PointAlive point = data.live[turn][i];
   const std::uint32_t t = point.triangle;
-  const Vertex p = pointAt(data, point.place);
+  const Vertex p = pointAt(data, point.index);
   const Triangle first = whole(data.mesh.triangles[t]);
   const Vertex* const vertices = data.mesh.vertices;
   const Vertex v = whole(vertices[first.v[2]]);
@@ -210,11 +210,11 @@ FF_HD void relocate(const GrowthData<Geometry>& data, int turn, std::uint32_t i)
   const bool above = geometry.perturbedAbove(a, b, v, p) > 0;
   if (isUndecided(geometry))
   {
-    leaveOpen(data, point);
+    keepOpen(data, point);
   }
   else if (above)
   {
-    keep(data, turn ^ 1, point.place, p.id,
+    keep(data, turn ^ 1, point.index, p.id,
       k == 0     ? child[0]
         : k == 1 ? child[1]
                  : child[2],
@@ -227,7 +227,7 @@ template <class Geometry>
 FF_HD void locate(const GrowthData<Geometry>& data, const Geometry& geometry, int turn,
   const PointAlive& open, std::uint32_t mostSteps)
 {
-  const Vertex p = pointAt(data, open.place);
+  const Vertex p = pointAt(data, open.index);
   const Vertex* const vertices = data.mesh.vertices;
   const std::uint32_t t = coneOf(geometry, data.mesh, open.triangle, mostSteps, p);
   if (t == NoIndex)
@@ -238,7 +238,7 @@ FF_HD void locate(const GrowthData<Geometry>& data, const Geometry& geometry, in
   const std::uint32_t* const v = data.mesh.triangles[t].v;
   if (staysAbove(data, geometry, v, p))
   {
-    keep(data, turn, open.place, p.id, t,
+    keep(data, turn, open.index, p.id, t,
       Geometry::heightAbove(vertices[v[0]], vertices[v[1]], vertices[v[2]], p));
   }
 }
@@ -263,14 +263,14 @@ struct Mark : Kernel
   static constexpr int Bytes = 4 + 8 + 4;
   const std::uint32_t* candidates;
   const std::uint64_t* furthest;
-  std::uint32_t* places;
+  std::uint32_t* offsets;
   const Counters* counters;
   std::uint32_t turn;  ///< of the points alive
   RoundRecord* record; ///< of the round before
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
-    this->places[i] =
+    this->offsets[i] =
       i < this->counters->candidates && this->furthest[this->candidates[i]] != 0 ? 1 : 0;
   }
 
@@ -293,20 +293,20 @@ struct Insert : Kernel
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
     const GrowthData<Geometry>& d = this->data;
-    const std::uint32_t place = d.places[i];
-    if (d.places[i + 1] == place)
+    const std::uint32_t offset = d.offsets[i];
+    if (d.offsets[i + 1] == offset)
     {
       return;
     }
     const std::uint32_t t = d.candidates[this->round & 1][i];
     const std::uint32_t id = idOfKey(d.furthest[t]);
-    const std::uint32_t vertex = d.counters->vertices + place;
+    const std::uint32_t vertex = d.counters->vertices + offset;
     Vertex& v = d.mesh.vertices[vertex];
     v = d.points.vertex(id);
     v.flags = VertexAlive;
     d.lowest[vertex] = id;
 
-    const std::uint32_t added = d.counters->triangles + 2 * place;
+    const std::uint32_t added = d.counters->triangles + 2 * offset;
     const std::uint32_t child[3] = { t, added, added + 1 };
     const Triangle parent = d.mesh.triangles[t];
     for (int k = 0; k < 3; ++k)
@@ -322,7 +322,7 @@ struct Insert : Kernel
       triangle.twin[2] = halfEdge(child[previousCorner(k)], 1);
       triangle.flatEdges = 0;
       d.furthest[child[k]] = 0;
-      d.candidates[(this->round & 1) ^ 1][3 * place + static_cast<std::uint32_t>(k)] = child[k];
+      d.candidates[(this->round & 1) ^ 1][3 * offset + static_cast<std::uint32_t>(k)] = child[k];
     }
   }
 };
@@ -340,7 +340,7 @@ struct LinkSplits : Kernel
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
     const GrowthData<Geometry>& d = this->data;
-    if (d.places[i + 1] == d.places[i])
+    if (d.offsets[i + 1] == d.offsets[i])
     {
       return;
     }
@@ -424,7 +424,7 @@ struct LocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
 /// Over all triangles: each is a candidate. A point that was left open may be in the cone of one
 /// that was none.
 template <class Geometry>
-struct AllAnew : Kernel
+struct MakeAllCandidates : Kernel
 {
   static constexpr const char* Name = "all anew";
   static constexpr int Bytes = 4;

@@ -54,9 +54,9 @@ struct MortonGrid
 private:
   FF_HD std::uint32_t cellOf(const double* x, int axis) const
   {
-    const double place = (x[axis] - this->low[axis]) * this->scale[axis];
+    const double index = (x[axis] - this->low[axis]) * this->scale[axis];
     const double last = static_cast<double>((1 << this->bitsEach) - 1);
-    return static_cast<std::uint32_t>(place > last ? last : place > 0 ? place : 0.0);
+    return static_cast<std::uint32_t>(index > last ? last : index > 0 ? index : 0.0);
   }
 
   /// The lowest 16 bits, each with a gap behind it.
@@ -99,7 +99,7 @@ struct KeyLive : Kernel
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
     this->keys[i] = i < this->data.counters->live[this->turn]
-      ? this->grid.codeOf(growth::pointAt(this->data, this->data.live[this->turn][i].place).x)
+      ? this->grid.codeOf(growth::pointAt(this->data, this->data.live[this->turn][i].index).x)
       : std::uint64_t(1) << MortonGrid::CodeBits;
     this->items[i] = i;
   }
@@ -119,17 +119,17 @@ struct GatherLive : Kernel
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
     const PointAlive from = this->data.live[this->turn][this->items[i]];
-    putInto(this->to, i, growth::pointAt(this->data, from.place));
+    putInto(this->to, i, growth::pointAt(this->data, from.index));
     this->data.live[this->turn ^ 1][i] = { i, from.triangle };
   }
 
-  FF_HD static void putInto(const OrderedPoints& to, std::uint32_t place, const Vertex& p)
+  FF_HD static void putInto(const OrderedPoints& to, std::uint32_t index, const Vertex& p)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      to.x[3 * std::size_t(place) + static_cast<std::size_t>(axis)] = p.x[axis];
+      to.x[3 * std::size_t(index) + static_cast<std::size_t>(axis)] = p.x[axis];
     }
-    to.ids[place] = p.id;
+    to.ids[index] = p.id;
   }
 };
 
@@ -146,9 +146,9 @@ struct GatherUnlocated : Kernel
   FF_HD void operator()(std::uint32_t i, Local&) const
   {
     PointAlive& point = this->data.unlocated[i];
-    const std::uint32_t place = this->data.counters->live[this->turn] + i;
-    GatherLive<Geometry>::putInto(this->to, place, growth::pointAt(this->data, point.place));
-    point.place = place;
+    const std::uint32_t index = this->data.counters->live[this->turn] + i;
+    GatherLive<Geometry>::putInto(this->to, index, growth::pointAt(this->data, point.index));
+    point.index = index;
   }
 };
 

@@ -58,7 +58,7 @@ public:
     , keys(where)
     , lowest(where)
     , sameAs(where)
-    , places(where)
+    , offsets(where)
     , lists{ Array<std::uint32_t>(where), Array<std::uint32_t>(where) }
     , undecided(where)
     , unlocated(where)
@@ -97,7 +97,7 @@ public:
 
     std::uint32_t aliveBefore = count;
     bool ordered = false;
-    std::uint32_t allAnew = 0; ///< the last round that made all triangles candidates
+    std::uint32_t allCandidates = 0; ///< the last round that made all triangles candidates
     for (std::uint32_t round = 1;; ++round)
     {
       const std::uint32_t known = round > 1 + Ahead ? round - 1 - Ahead : 0;
@@ -115,13 +115,13 @@ public:
       Bounds before(then, alive);
       for (std::uint32_t r = known + 1; r < round; ++r)
       {
-        before = before.afterRound(r == allAnew);
+        before = before.afterRound(r == allCandidates);
       }
       // Of those that were left open in this round, the triangles are candidates anyway.
       const bool locates = then.undecided != 0;
       const bool allLocated = located[(round - 1) % std::size(located)];
       located[round % std::size(located)] = locates;
-      allAnew = locates && !allLocated ? round : allAnew;
+      allCandidates = locates && !allLocated ? round : allCandidates;
       if (!ordered && then.triangles >= OrderedFrom && alive >= count / 4)
       {
         x.reserve(3 * std::size_t(alive));
@@ -129,23 +129,23 @@ public:
         this->orderLive(data, (round & 1) ^ 1, alive, allLocated, { x.data(), ids.data() });
         ordered = true;
       }
-      const Bounds after = before.afterRound(round == allAnew);
-      this->makeRoom(round, before, after);
+      const Bounds after = before.afterRound(round == allCandidates);
+      this->reserveFor(round, before, after);
       this->share(data);
       this->growthRound(data, round, before, allLocated);
       if (locates)
       {
         this->executor.each(count, &c->unlocated, LocateExact<Geometry>{ { {}, data }, round & 1 });
       }
-      if (round == allAnew)
+      if (round == allCandidates)
       {
         this->executor.each(static_cast<std::uint32_t>(after.triangles), &c->triangles,
-          AllAnew<Geometry>{ {}, data, (round & 1) ^ 1 });
+          MakeAllCandidates<Geometry>{ {}, data, (round & 1) ^ 1 });
       }
       this->growthRoundCount = round;
       this->observe(RoundReport::Stage::Grow, round, locates);
     }
-    this->places.clear();
+    this->offsets.clear();
     this->unlocated.clear();
   }
 
@@ -246,21 +246,21 @@ public:
     const Counters before = this->now();
     const std::uint32_t t = before.triangles;
     const std::uint32_t v = before.vertices;
-    Array<std::uint32_t> trianglePlaces(this->executor, std::size_t(t) + 1);
-    Array<std::uint32_t> vertexPlaces(this->executor, std::size_t(v) + 1);
+    Array<std::uint32_t> triangleNumbers(this->executor, std::size_t(t) + 1);
+    Array<std::uint32_t> vertexNumbers(this->executor, std::size_t(v) + 1);
     this->executor.each(
-      t + 1, nullptr, MarkTriangles{ {}, this->mesh(), t, trianglePlaces.data() });
-    this->executor.each(v + 1, nullptr, MarkVertices{ {}, this->mesh(), v, vertexPlaces.data() });
-    this->executor.exclusiveSum(trianglePlaces.data(), t + 1);
-    this->executor.exclusiveSum(vertexPlaces.data(), v + 1);
+      t + 1, nullptr, MarkTriangles{ {}, this->mesh(), t, triangleNumbers.data() });
+    this->executor.each(v + 1, nullptr, MarkVertices{ {}, this->mesh(), v, vertexNumbers.data() });
+    this->executor.exclusiveSum(triangleNumbers.data(), t + 1);
+    this->executor.exclusiveSum(vertexNumbers.data(), v + 1);
     Array<std::uint32_t> list(this->executor, v);
     this->executor.each(v, nullptr,
       ListDuplicates{ {}, this->mesh(), this->lowest.data(), this->sameAs.data(), list.data(),
         this->counters.data() });
     std::uint32_t triangleCount;
     std::uint32_t vertexCount;
-    this->executor.toHost(&triangleCount, trianglePlaces.data() + t, sizeof(triangleCount));
-    this->executor.toHost(&vertexCount, vertexPlaces.data() + v, sizeof(vertexCount));
+    this->executor.toHost(&triangleCount, triangleNumbers.data() + t, sizeof(triangleCount));
+    this->executor.toHost(&vertexCount, vertexNumbers.data() + v, sizeof(vertexCount));
     const Counters counted = this->now();
 
     Polyhedron result(vertexCount, triangleCount);
@@ -268,13 +268,13 @@ public:
       Array<Triangle> gathered(this->executor, triangleCount);
       this->executor.each(t, nullptr,
         GatherTriangles{
-          {}, this->mesh(), trianglePlaces.data(), vertexPlaces.data(), gathered.data() });
+          {}, this->mesh(), triangleNumbers.data(), vertexNumbers.data(), gathered.data() });
       this->download(result.triangles, gathered);
     }
     {
       Array<Vertex> gathered(this->executor, vertexCount);
       this->executor.each(
-        v, nullptr, GatherVertices{ {}, this->mesh(), vertexPlaces.data(), gathered.data() });
+        v, nullptr, GatherVertices{ {}, this->mesh(), vertexNumbers.data(), gathered.data() });
       this->download(result.vertices, gathered);
     }
     if (counted.duplicates)
@@ -325,15 +325,16 @@ private:
 
     /// A round inserts a point into each candidate that has one, and makes three of it. In all
     /// there are no more vertices than points alive.
-    /// @param allAnew the round makes all triangles candidates
-    Bounds afterRound(bool allAnew) const
+    /// @param allCandidates the round makes all triangles candidates
+    Bounds afterRound(bool allCandidates) const
     {
       Bounds result = *this;
       const std::uint64_t inserted =
         std::min({ this->candidates, this->alive, this->allVertices - this->vertices });
       result.triangles += 2 * inserted;
       result.vertices += inserted;
-      result.candidates = allAnew ? result.triangles : 3 * std::min(this->candidates, this->alive);
+      result.candidates =
+        allCandidates ? result.triangles : 3 * std::min(this->candidates, this->alive);
       return result;
     }
 
@@ -350,16 +351,16 @@ private:
 
   void begin(const Polyhedron& start)
   {
-    constexpr std::size_t Room = 1 << 10; // so that the first rounds need not grow
+    constexpr std::size_t FirstCapacity = 1 << 10; // so that the first rounds need not grow
     const std::uint32_t t = start.triangleCount();
     const std::uint32_t v = start.vertexCount();
-    this->triangles.reserve(Room);
-    this->vertices.reserve(Room);
-    this->keys.reserve(Room);
-    this->lowest.reserve(Room);
-    this->lists[0].reserve(Room);
-    this->lists[1].reserve(Room);
-    this->places.reserve(Room);
+    this->triangles.reserve(FirstCapacity);
+    this->vertices.reserve(FirstCapacity);
+    this->keys.reserve(FirstCapacity);
+    this->lowest.reserve(FirstCapacity);
+    this->lists[0].reserve(FirstCapacity);
+    this->lists[1].reserve(FirstCapacity);
+    this->offsets.reserve(FirstCapacity);
 
     std::vector<std::uint32_t> all(t);
     std::iota(all.begin(), all.end(), std::uint32_t(0));
@@ -379,7 +380,7 @@ private:
   }
 
   /// Have room for what a round can add.
-  void makeRoom(std::uint32_t round, const Bounds& before, const Bounds& after)
+  void reserveFor(std::uint32_t round, const Bounds& before, const Bounds& after)
   {
     if (4 * after.triangles >= NoIndex)
     {
@@ -390,7 +391,7 @@ private:
     this->keys.grow(after.triangles, before.triangles, &c->triangles);
     this->vertices.grow(after.vertices, before.vertices, &c->vertices);
     this->lowest.grow(after.vertices, before.vertices, &c->vertices);
-    this->places.reserve(before.candidates + 1);
+    this->offsets.reserve(before.candidates + 1);
     this->lists[(round & 1) ^ 1].reserve(after.candidates);
   }
 
@@ -431,7 +432,7 @@ private:
     data.lowest = this->lowest.data();
     data.candidates[0] = this->lists[0].data();
     data.candidates[1] = this->lists[1].data();
-    data.places = this->places.data();
+    data.offsets = this->offsets.data();
   }
 
   /// @param allLocated see LinkSplits
@@ -443,15 +444,15 @@ private:
     const auto alive = static_cast<std::uint32_t>(before.alive);
     const std::uint32_t turn = (round & 1) ^ 1;
     this->executor.each(candidates + 1, nullptr,
-      Mark{ {}, data.candidates[round & 1], data.furthest, data.places, c, turn,
+      Mark{ {}, data.candidates[round & 1], data.furthest, data.offsets, c, turn,
         this->recordOf(round - 1) });
     this->record(round - 1);
-    this->executor.exclusiveSum(data.places, candidates + 1);
+    this->executor.exclusiveSum(data.offsets, candidates + 1);
     this->executor.each(candidates, &c->candidates, Insert<Geometry>{ {}, data, round });
     this->executor.each(
       candidates, &c->candidates, LinkSplits<Geometry>{ {}, data, round, allLocated });
     this->executor.each(
-      alive, &c->live[turn], Relocate<Geometry>{ {}, data, round, data.places + candidates });
+      alive, &c->live[turn], Relocate<Geometry>{ {}, data, round, data.offsets + candidates });
   }
 
   void flipRound(
@@ -550,7 +551,7 @@ private:
   Array<std::uint64_t> keys;     ///< by triangle: of the furthest point; then votes
   Array<std::uint32_t> lowest;   ///< by vertex
   Array<std::uint32_t> sameAs;   ///< three by vertex
-  Array<std::uint32_t> places;   ///< by candidate
+  Array<std::uint32_t> offsets;  ///< by candidate
   Array<std::uint32_t> lists[2]; ///< candidates, then active triangles
   Array<std::uint32_t> undecided;
   Array<PointAlive> unlocated;

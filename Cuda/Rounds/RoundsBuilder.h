@@ -38,7 +38,7 @@ public:
     const bool seen = this->bring(source,
       [&](std::uint32_t begin, std::uint32_t end)
       {
-        sum.look(source, begin, end);
+        sum.add(source, begin, end);
         monitor.advance(end - begin);
       });
     this->brought = true;

@@ -27,11 +27,11 @@ class AlphaRun
 {
 public:
   /// @throw Error BadArgument, WeightCount, TooManyPoints
-  AlphaRun(
-    const PointView& points, const WeightView& weights, const CellComplex& cells, Monitor& toTell)
+  AlphaRun(const PointView& points, const WeightView& weights, const CellComplex& cells,
+    Monitor& monitorToUse)
     : triangulation(cells)
     , isWeighted(weights.data != nullptr)
-    , monitor(toTell)
+    , monitor(monitorToUse)
     , sites(loadSites(points, weights, cells))
   {
     checkCells(cells);
@@ -41,7 +41,7 @@ public:
   template <class Use>
   void eachCell(const Use& use)
   {
-    eachCheckedRun(static_cast<std::size_t>(this->triangulation.cellCount()), CellsPerTask,
+    eachCheckedChunk(static_cast<std::size_t>(this->triangulation.cellCount()), CellsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (std::size_t cell = begin; cell < end; ++cell)
@@ -128,7 +128,7 @@ private:
   {
     const CellSide* begin;
     const CellSide* end;
-    bool isLeft; ///< no cell of the complex has it
+    bool isFree; ///< no cell of the complex has it
     bool isSingular = false;
     bool attaches[2] = { false,
       false };        ///< is the other end in the circle of the lower, the higher?
@@ -145,23 +145,23 @@ private:
       [&](const CellSide* begin, const CellSide* end)
       {
         poll.step();
-        const bool isLeft = std::none_of(
-          begin, end, [&](const CellSide& side) { return complex.cells[cellOf[side.place]] != 0; });
-        if (!isLeft)
+        const bool isFree = std::none_of(
+          begin, end, [&](const CellSide& side) { return complex.cells[cellOf[side.index]] != 0; });
+        if (!isFree)
         {
           this->isOut[begin->low] = this->isOut[begin->high] = 1;
         }
-        if (isLeft || this->isWeighted)
+        if (isFree || this->isWeighted)
         {
-          edges.push_back({ begin, end, isLeft });
+          edges.push_back({ begin, end, isFree });
         }
       });
     this->monitor.stage(0.7, 1.0, static_cast<std::int64_t>(edges.size()));
-    eachRun(edges.size(), CellsPerTask,
+    eachChunk(edges.size(), CellsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         std::for_each(edges.begin() + begin, edges.begin() + end,
-          [&](Edge& edge) { this->judge(edge, alpha, cellOf); });
+          [&](Edge& edge) { this->classify(edge, alpha, cellOf); });
         this->monitor.advance(static_cast<std::int64_t>(end - begin));
       });
     std::vector<std::int64_t> ends;
@@ -186,7 +186,7 @@ private:
     copyTo(alphas, complex.edgeAlphas);
   }
 
-  void judge(Edge& edge, double alpha, const Buffer<std::uint32_t>& cellOf) const
+  void classify(Edge& edge, double alpha, const Buffer<std::uint32_t>& cellOf) const
   {
     const PowerSite& a = this->sites[edge.begin->low];
     const PowerSite& b = this->sites[edge.begin->high];
@@ -196,10 +196,10 @@ private:
       edge.attaches[1] = isInCircle(b, a);
     }
     const CircleSquare circle(a, b);
-    edge.isSingular = edge.isLeft &&
+    edge.isSingular = edge.isFree &&
       std::none_of(edge.begin, edge.end,
         [&](const CellSide& side)
-        { return isInCircle(a, b, this->corner(this->apexOf(side.place, cellOf[side.place]))); }) &&
+        { return isInCircle(a, b, this->corner(this->apexOf(side.index, cellOf[side.index]))); }) &&
       !circle.exceeds(alpha);
     if (edge.isSingular)
     {

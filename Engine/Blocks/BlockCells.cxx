@@ -18,7 +18,7 @@ void BlockCells::add(const std::vector<SiteHandle>& cell)
 }
 
 /// The block's own points are in order by their ranks; the others are few.
-std::vector<SiteHandle> BlockCells::usedById(const KnownSites& known) const
+std::vector<SiteHandle> BlockCells::usedById(const ReceivedSites& known) const
 {
   std::vector<std::uint8_t> isUsed(known.size(), 0);
   for (const SiteHandle handle : this->corners)
@@ -48,11 +48,11 @@ std::vector<SiteHandle> BlockCells::usedById(const KnownSites& known) const
 }
 
 void BlockCells::write(
-  const KnownSites& known, const BlockFrame& frame, FacetMode facets, BlockResult& result) const
+  const ReceivedSites& known, const BlockFrame& frame, FacetMode facets, BlockResult& result) const
 {
   const std::vector<SiteHandle> used = this->usedById(known);
   result.cells.pointIds.allocate(used.size());
-  result.places.allocate(3 * used.size());
+  result.positions.allocate(3 * used.size());
   result.blocks.allocate(used.size());
   std::vector<std::uint32_t> indexOf(known.size());
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -60,7 +60,7 @@ void BlockCells::write(
     BlockSite site = known[used[i]];
     frame.scale(site.x, -1);
     result.cells.pointIds[i] = site.id;
-    std::copy_n(site.x, 3, result.places.begin() + 3 * i);
+    std::copy_n(site.x, 3, result.positions.begin() + 3 * i);
     result.blocks[i] = static_cast<std::int32_t>(site.block);
     indexOf[used[i]] = static_cast<std::uint32_t>(i);
   }

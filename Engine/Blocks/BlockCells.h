@@ -6,7 +6,7 @@
 #define flipflop_BlockCells_h
 
 #include "Blocks/BlockFrame.h"
-#include "Blocks/KnownSites.h"
+#include "Blocks/ReceivedSites.h"
 #include <flipflop/BlockRun.h>
 
 #include <cstddef>
@@ -36,11 +36,11 @@ public:
   void add(const std::vector<SiteHandle>& corners);
 
   /// Fill in the cells, and what is said of their points.
-  void write(
-    const KnownSites& known, const BlockFrame& frame, FacetMode facets, BlockResult& result) const;
+  void write(const ReceivedSites& known, const BlockFrame& frame, FacetMode facets,
+    BlockResult& result) const;
 
 private:
-  std::vector<SiteHandle> usedById(const KnownSites& known) const;
+  std::vector<SiteHandle> usedById(const ReceivedSites& known) const;
   void writeConnectivity(
     const std::vector<std::uint32_t>& indexOf, std::size_t points, CellComplex& cells) const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/BlockFrame.h"
 
-#include "Blocks/Introduction.h"
+#include "Blocks/BlockSummary.h"
 #include "Points/PointSource.h"
 #include <flipflop/ConvexHull.h>
 #include <flipflop/RegularTriangulation.h>
@@ -41,24 +41,24 @@ Options quiet(const Options& chosen)
 }
 
 BlockFrame::BlockFrame(
-  BlockShape ofShape, const std::vector<BlockMessage>& introductions, const Options& options)
+  BlockShape ofShape, const std::vector<BlockMessage>& summaries, const Options& options)
   : shape(ofShape)
   , range(emptyRange())
 {
-  for (std::size_t block = 0; block < introductions.size(); ++block)
+  for (std::size_t block = 0; block < summaries.size(); ++block)
   {
-    const Introduction introduction(introductions[block]);
-    for (BlockSite site : introduction.sample)
+    const BlockSummary summary(summaries[block]);
+    for (BlockSite site : summary.sample)
     {
       site.block = static_cast<std::int32_t>(block);
       this->sample.push_back(site);
     }
-    for (BlockPatch patch : introduction.patches)
+    for (BlockPatch patch : summary.patches)
     {
       patch.block = static_cast<std::int64_t>(block);
       this->patches.push_back(patch);
     }
-    include(introduction.range, this->range);
+    include(summary.range, this->range);
   }
   if (this->sample.empty())
   {
@@ -126,20 +126,20 @@ ConflictBound BlockFrame::boundOf(const double* a, const double* b, const double
                        : ConflictBound::ofPlane(a, b, c);
 }
 
-BlockSite BlockFrame::besideLine() const
+BlockSite BlockFrame::pointOffLine() const
 {
   const double* const u = this->sample.front().x;
   const auto other = std::find_if(this->sample.begin(), this->sample.end(),
     [u](const BlockSite& site) { return site.x[0] != u[0] || site.x[1] != u[1]; });
   ensure(other != this->sample.end());
   const double* const v = other->x;
-  BlockSite beside{ { u[0], u[1], u[2] }, NoBlockId, NoBlock, 0 };
+  BlockSite result{ { u[0], u[1], u[2] }, NoBlockId, NoBlock, 0 };
   // The line has no other point with the x of u; or, if it is upright, none with the y of u. Its
   // new coordinate is one that a point has, so the arithmetic stays what it is.
   const int axis = u[0] != v[0] ? 1 : 0;
   const double values[3] = { v[axis], u[1 - axis], v[1 - axis] };
-  beside.x[axis] = *std::find_if(values, values + 3, [&](double x) { return x != u[axis]; });
-  return beside;
+  result.x[axis] = *std::find_if(values, values + 3, [&](double x) { return x != u[axis]; });
+  return result;
 }
 
 }

@@ -32,8 +32,7 @@ public:
   BlockFrame() = default;
 
   /// @param introductions of all blocks, by number
-  BlockFrame(
-    BlockShape shape, const std::vector<BlockMessage>& introductions, const Options& options);
+  BlockFrame(BlockShape shape, const std::vector<BlockMessage>& summaries, const Options& options);
 
   bool isLifted() const { return this->shape != BlockShape::Hull; }
 
@@ -51,7 +50,7 @@ public:
   ConflictBound boundOf(const double* a, const double* b, const double* c) const;
 
   /// A point off the line that all points are on.
-  BlockSite besideLine() const;
+  BlockSite pointOffLine() const;
 
   BlockShape shape = BlockShape::Hull;
   int dimension = -1; ///< of what all points span

@@ -17,14 +17,14 @@
 /// facet: one block gathers all corners.
 #include <flipflop/BlockRun.h>
 
-#include "Blocks/BlockAnswers.h"
 #include "Blocks/BlockCells.h"
 #include "Blocks/BlockFrame.h"
 #include "Blocks/BlockReach.h"
+#include "Blocks/BlockReplies.h"
 #include "Blocks/BlockSite.h"
-#include "Blocks/Introduction.h"
-#include "Blocks/KnownSites.h"
+#include "Blocks/BlockSummary.h"
 #include "Blocks/OpenFacets.h"
+#include "Blocks/ReceivedSites.h"
 #include "Finish/Measure.h"
 #include "Points/InsertionOrder.h"
 #include "Points/PointSource.h"
@@ -46,8 +46,8 @@ namespace
 {
 
 /// In the first round: blocks that a facet asks, and points that are enough for an answer.
-constexpr std::uint32_t FirstAsked = 4;
-constexpr std::uint32_t FirstTold = 2;
+constexpr std::uint32_t FirstQueried = 4;
+constexpr std::uint32_t FirstSent = 2;
 
 /// What a message asks for.
 enum class Request : std::int64_t
@@ -63,15 +63,15 @@ class BlockRun::Work
 public:
   Work(BlockShape ofShape, const BlockPoints& points, const Options& chosen);
 
-  BlockMessage introduction() const { return this->own.message(); }
-  void begin(const std::vector<BlockMessage>& introductions, int number);
-  std::map<int, BlockMessage> ask();
-  BlockMessage answer(const BlockMessage& questions) const;
-  void take(int from, const BlockMessage& answers);
+  BlockMessage summary() const { return this->own.message(); }
+  void begin(const std::vector<BlockMessage>& summaries, int number);
+  std::map<int, BlockMessage> makeQueries();
+  BlockMessage reply(const BlockMessage& queries) const;
+  void receive(int from, const BlockMessage& replies);
   BlockResult finish() const;
   BlockMeasure measure(const BlockResult& result, const double* origin) const;
   void sizeOf(const BlockMeasure& sum, double& volume, double& area) const;
-  std::int64_t pointsTold() const { return this->known.foreignCount(); }
+  std::int64_t pointsReceived() const { return this->known.foreignCount(); }
 
 private:
   CellComplex run(const std::vector<BlockSite>& sites, const Options& choices);
@@ -82,14 +82,14 @@ private:
   const Options options;
   std::vector<BlockSite> ownSites; ///< until the run begins
   const std::int64_t ownCount;
-  const Introduction own;
+  const BlockSummary own;
   int self = -1;
   BlockFrame frame;
-  KnownSites known;
+  ReceivedSites known;
   BlockCells cells;
   std::unique_ptr<BlockReach> reach;
   std::unique_ptr<OpenFacets> facets; ///< null: nothing is to be asked
-  std::unique_ptr<BlockAnswers> answers;
+  std::unique_ptr<BlockReplies> replies;
   std::vector<SiteHandle> arrived; ///< since the last run
   int round = 0;
   Statistics statistics;
@@ -97,8 +97,8 @@ private:
   enum class Gathering
   {
     None,
-    ToAsk,
-    Asked
+    ToQuery,
+    Queried
   };
   Gathering gathering = Gathering::None;
 };
@@ -126,12 +126,12 @@ std::vector<BlockSite> alongCurve(
     middle[i] = 0.5 * box.low[i] + 0.5 * box.high[i];
   }
   constexpr double Identity[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  Buffer<double> places(3 * sites.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
+  Buffer<double> coordinates(3 * sites.size());
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
   {
-    places[i] = sites[i / 3].x[i % 3] + 0.0; // a curve around the origin tells -0 from 0
+    coordinates[i] = sites[i / 3].x[i % 3] + 0.0; // a curve around the origin tells -0 from 0
   }
-  const PointView view(places.data(), static_cast<std::int64_t>(sites.size()));
+  const PointView view(coordinates.data(), static_cast<std::int64_t>(sites.size()));
   requireValid(view, 3);
   runOver(sites.size(), quiet(options),
     [&](Monitor& monitor)
@@ -139,7 +139,7 @@ std::vector<BlockSite> alongCurve(
       PointSubset all;
       all.count = static_cast<std::uint32_t>(sites.size());
       const Buffer<std::uint32_t> order = curveOrder(PointSource(view), all,
-        shape == BlockShape::Hull ? Unfolding(middle, Identity) : Unfolding(), monitor);
+        shape == BlockShape::Hull ? OctahedralMap(middle, Identity) : OctahedralMap(), monitor);
       for (std::size_t i = 0; i < sorted.size(); ++i)
       {
         sorted[i] = sites[order[i]];
@@ -150,14 +150,14 @@ std::vector<BlockSite> alongCurve(
 
 std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points, const Options& options)
 {
-  if (points.places.size() != 3 * points.ids.size())
+  if (points.positions.size() != 3 * points.ids.size())
   {
     throw badArgument("a block's points must have three coordinates for each id");
   }
   std::vector<BlockSite> sites(points.ids.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    const double* const x = points.places.data() + 3 * i;
+    const double* const x = points.positions.data() + 3 * i;
     if (i > 0 && points.ids[i - 1] >= points.ids[i])
     {
       throw badArgument("the ids of a block's points must ascend", static_cast<std::int64_t>(i));
@@ -183,11 +183,11 @@ BlockRun::Work::Work(BlockShape ofShape, const BlockPoints& points, const Option
 {
 }
 
-void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int number)
+void BlockRun::Work::begin(const std::vector<BlockMessage>& summaries, int number)
 {
-  ensure(number >= 0 && static_cast<std::size_t>(number) < introductions.size());
+  ensure(number >= 0 && static_cast<std::size_t>(number) < summaries.size());
   this->self = number;
-  this->frame = BlockFrame(this->shape, introductions, this->options);
+  this->frame = BlockFrame(this->shape, summaries, this->options);
   if (this->ownCount == 0)
   {
     return;
@@ -203,9 +203,9 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int n
     [this](const BlockSite& site) { return site.block != this->self; });
   if (this->frame.isLifted() && this->frame.dimension == 1)
   {
-    all.push_back(this->frame.besideLine());
+    all.push_back(this->frame.pointOffLine());
   }
-  this->known = KnownSites(std::move(all), this->self);
+  this->known = ReceivedSites(std::move(all), this->self);
   const CellComplex complex = this->run(this->known.all(), this->options);
 
   // Others may ask for the points that appear, and that not all know.
@@ -220,11 +220,11 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& introductions, int n
       visible.push_back(this->known[handle]);
     }
   }
-  this->answers = BlockAnswers::make(std::move(visible), this->frame, this->options);
+  this->replies = BlockReplies::make(std::move(visible), this->frame, this->options);
   if (this->frame.isOneFacet())
   {
     const bool hasLowest = this->frame.sample.front().block == this->self;
-    this->gathering = hasLowest ? Gathering::ToAsk : Gathering::None;
+    this->gathering = hasLowest ? Gathering::ToQuery : Gathering::None;
     return;
   }
   runOver(1, quiet(this->options),
@@ -259,7 +259,7 @@ CellComplex BlockRun::Work::runOn(std::vector<SiteHandle>& members)
   return this->run(sites, quiet(this->options));
 }
 
-std::map<int, BlockMessage> BlockRun::Work::ask()
+std::map<int, BlockMessage> BlockRun::Work::makeQueries()
 {
   std::map<int, BlockMessage> messages;
   if (this->gathering != Gathering::None)
@@ -280,25 +280,26 @@ std::map<int, BlockMessage> BlockRun::Work::ask()
   }
   this->facets->update();
   const int doubled = std::min(this->round++, 28);
-  std::map<int, std::vector<ConflictQuestion>> questions;
+  std::map<int, std::vector<ConflictQuery>> queries;
   this->facets->eachOpen(
     [&](OpenFacet& facet)
     {
-      ConflictQuestion question{};
-      question.isBorder = facet.isBorder();
-      question.wantsTies = !facet.isBorder() && this->known.ownsFacet(facet.corners);
+      ConflictQuery query{};
+      query.isBorder = facet.isBorder();
+      query.wantsTies = !facet.isBorder() && this->known.ownsFacet(facet.corners);
       for (std::size_t i = 0; i < (facet.isBorder() ? 2 : 3); ++i)
       {
-        std::copy_n(this->known[facet.corners[i]].x, 3, question.corner[i]);
+        std::copy_n(this->known[facet.corners[i]].x, 3, query.corner[i]);
       }
-      question.limit = FirstTold << doubled;
-      const std::size_t end = std::min(facet.reach.size(), facet.asked + (FirstAsked << doubled));
-      for (; facet.asked < end; ++facet.asked)
+      query.limit = FirstSent << doubled;
+      const std::size_t end =
+        std::min(facet.reach.size(), facet.queried + (FirstQueried << doubled));
+      for (; facet.queried < end; ++facet.queried)
       {
-        questions[facet.reach[facet.asked]].push_back(question);
+        queries[facet.reach[facet.queried]].push_back(query);
       }
     });
-  for (const auto& [block, list] : questions)
+  for (const auto& [block, list] : queries)
   {
     MessageWriter writer;
     writer.add(Request::Conflicts);
@@ -312,9 +313,9 @@ std::map<int, BlockMessage> BlockRun::Work::ask()
 std::map<int, BlockMessage> BlockRun::Work::gather()
 {
   std::map<int, BlockMessage> messages;
-  if (this->gathering == Gathering::ToAsk)
+  if (this->gathering == Gathering::ToQuery)
   {
-    this->gathering = Gathering::Asked;
+    this->gathering = Gathering::Queried;
     std::set<int> others;
     for (const BlockSite& site : this->frame.sample)
     {
@@ -345,37 +346,37 @@ std::map<int, BlockMessage> BlockRun::Work::gather()
   return messages;
 }
 
-BlockMessage BlockRun::Work::answer(const BlockMessage& message) const
+BlockMessage BlockRun::Work::reply(const BlockMessage& message) const
 {
   MessageReader reader(message);
-  const auto request = reader.take<Request>();
-  ensure(this->answers && (request == Request::All || request == Request::Conflicts));
+  const auto request = reader.read<Request>();
+  ensure(this->replies && (request == Request::All || request == Request::Conflicts));
   MessageWriter writer;
   if (request == Request::All)
   {
-    writer.addAll(this->answers->all());
+    writer.addAll(this->replies->all());
   }
   else
   {
-    const auto questions = reader.takeAll<ConflictQuestion>();
-    for (const ConflictQuestion& question : questions)
+    const auto queries = reader.readAll<ConflictQuery>();
+    for (const ConflictQuery& query : queries)
     {
-      ensure(question.limit > 0 && (!question.isBorder || this->frame.isLifted()));
-      for (int i = 0; i < (question.isBorder ? 2 : 3); ++i)
+      ensure(query.limit > 0 && (!query.isBorder || this->frame.isLifted()));
+      for (int i = 0; i < (query.isBorder ? 2 : 3); ++i)
       {
-        ensure(this->frame.holds(question.corner[i]));
+        ensure(this->frame.holds(query.corner[i]));
       }
     }
-    writer.addAll(this->answers->conflicts(questions));
+    writer.addAll(this->replies->conflicts(queries));
   }
   ensure(reader.atEnd());
   return std::move(writer.message);
 }
 
-void BlockRun::Work::take(int from, const BlockMessage& message)
+void BlockRun::Work::receive(int from, const BlockMessage& message)
 {
   MessageReader reader(message);
-  for (BlockSite& site : reader.takeAll<BlockSite>())
+  for (BlockSite& site : reader.readAll<BlockSite>())
   {
     ensure(this->frame.holds(site.x) && from != this->self);
     site.block = from;
@@ -421,7 +422,7 @@ BlockMeasure BlockRun::Work::measure(const BlockResult& result, const double* or
     {
       const auto point =
         static_cast<std::size_t>(complex.connectivity[static_cast<std::size_t>(k)]);
-      return scaled(result.places.data() + 3 * point);
+      return scaled(result.positions.data() + 3 * point);
     };
     const std::int64_t begin = complex.cellBegin(cell);
     for (std::int64_t k = begin + 2; k < complex.cellBegin(cell + 1); ++k)
@@ -454,29 +455,29 @@ BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& o
 
 BlockRun::~BlockRun() = default;
 
-BlockMessage BlockRun::introduction() const
+BlockMessage BlockRun::summary() const
 {
-  return withTypedErrors([&] { return this->work->introduction(); });
+  return withTypedErrors([&] { return this->work->summary(); });
 }
 
-void BlockRun::begin(const std::vector<BlockMessage>& introductions, int self)
+void BlockRun::begin(const std::vector<BlockMessage>& summaries, int self)
 {
-  withTypedErrors([&] { this->work->begin(introductions, self); });
+  withTypedErrors([&] { this->work->begin(summaries, self); });
 }
 
-std::map<int, BlockMessage> BlockRun::ask()
+std::map<int, BlockMessage> BlockRun::makeQueries()
 {
-  return withTypedErrors([&] { return this->work->ask(); });
+  return withTypedErrors([&] { return this->work->makeQueries(); });
 }
 
-BlockMessage BlockRun::answer(const BlockMessage& questions)
+BlockMessage BlockRun::reply(const BlockMessage& queries)
 {
-  return withTypedErrors([&] { return this->work->answer(questions); });
+  return withTypedErrors([&] { return this->work->reply(queries); });
 }
 
-void BlockRun::take(int from, const BlockMessage& answers)
+void BlockRun::receive(int from, const BlockMessage& replies)
 {
-  withTypedErrors([&] { this->work->take(from, answers); });
+  withTypedErrors([&] { this->work->receive(from, replies); });
 }
 
 BlockResult BlockRun::finish()
@@ -494,9 +495,9 @@ void BlockRun::sizeOf(const BlockMeasure& sum, double& volume, double& area) con
   this->work->sizeOf(sum, volume, area);
 }
 
-std::int64_t BlockRun::pointsTold() const
+std::int64_t BlockRun::pointsReceived() const
 {
-  return this->work->pointsTold();
+  return this->work->pointsReceived();
 }
 
 }

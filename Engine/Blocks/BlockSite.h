@@ -42,7 +42,7 @@ inline bool hasLowerId(const BlockSite& a, const BlockSite& b)
 }
 
 /// By x, then y, then z or the weight.
-inline bool isPlacedBefore(const BlockSite& a, const BlockSite& b)
+inline bool precedes(const BlockSite& a, const BlockSite& b)
 {
   return std::lexicographical_compare(a.x, a.x + 3, b.x, b.x + 3);
 }
@@ -100,41 +100,41 @@ class MessageReader
 public:
   explicit MessageReader(const BlockMessage& message)
     : next(message.data())
-    , left(message.size())
+    , remaining(message.size())
   {
   }
 
   /// @throw Error Internal if the message ends before
   template <class Value>
-  Value take()
+  Value read()
   {
     static_assert(std::is_trivially_copyable_v<Value>);
-    ensure(this->left >= sizeof(Value));
+    ensure(this->remaining >= sizeof(Value));
     Value value;
     std::memcpy(&value, this->next, sizeof(Value));
     this->next += sizeof(Value);
-    this->left -= sizeof(Value);
+    this->remaining -= sizeof(Value);
     return value;
   }
 
   template <class Value>
-  std::vector<Value> takeAll()
+  std::vector<Value> readAll()
   {
-    const auto count = this->take<std::size_t>();
-    ensure(count <= this->left / sizeof(Value));
+    const auto count = this->read<std::size_t>();
+    ensure(count <= this->remaining / sizeof(Value));
     std::vector<Value> values(count);
     for (Value& value : values)
     {
-      value = this->take<Value>();
+      value = this->read<Value>();
     }
     return values;
   }
 
-  bool atEnd() const { return this->left == 0; }
+  bool atEnd() const { return this->remaining == 0; }
 
 private:
   const char* next;
-  std::size_t left;
+  std::size_t remaining;
 };
 
 }

@@ -46,26 +46,26 @@ void eachBorderEdge(const CellComplex& complex, const Use& use)
       balance[from] += static_cast<std::int64_t>(to);
       balance[to] -= static_cast<std::int64_t>(from);
     });
-  std::vector<std::array<std::uint32_t, 2>> left; // sides, each in its direction
+  std::vector<std::array<std::uint32_t, 2>> openSides; // sides, each in its direction
   eachSide(
     [&](std::size_t from, std::size_t to)
     {
       if (balance[from] != 0 && balance[to] != 0)
       {
-        left.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to) });
+        openSides.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to) });
       }
     });
-  Buffer<CellSide> sides(left.size());
-  for (std::size_t i = 0; i < left.size(); ++i)
+  Buffer<CellSide> sides(openSides.size());
+  for (std::size_t i = 0; i < openSides.size(); ++i)
   {
-    sides[i] = CellSide(left[i][0], left[i][1], static_cast<std::uint32_t>(i));
+    sides[i] = CellSide(openSides[i][0], openSides[i][1], static_cast<std::uint32_t>(i));
   }
   eachEdge(sides,
     [&](const CellSide* begin, const CellSide* end)
     {
       if (end - begin == 1)
       {
-        use(left[begin->place][0], left[begin->place][1]);
+        use(openSides[begin->index][0], openSides[begin->index][1]);
       }
     });
 }

@@ -172,7 +172,7 @@ private:
     const double bent = axis < 2 ? this->curvature : 0.0;
     double best = -std::numeric_limits<double>::infinity();
     double bestSize = 0;
-    const auto look = [&](double from, double to, double steep)
+    const auto widen = [&](double from, double to, double steep)
     {
       // A parabola that opens downwards, or a line.
       const double top = bent > 0 ? steep / (2 * bent) : steep > 0 ? to : from;
@@ -188,11 +188,11 @@ private:
     };
     if (!(high < 0))
     {
-      look(std::max(low, 0.0), high, this->slope[axis] + this->error[axis]);
+      widen(std::max(low, 0.0), high, this->slope[axis] + this->error[axis]);
     }
     if (!(low > 0))
     {
-      look(low, std::min(high, 0.0), this->slope[axis] - this->error[axis]);
+      widen(low, std::min(high, 0.0), this->slope[axis] - this->error[axis]);
     }
     sum += best;
     size += bestSize;

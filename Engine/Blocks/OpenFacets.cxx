@@ -35,7 +35,7 @@ void eachBorder(const BlockFrame& frame, const CellComplex& complex,
 }
 
 OpenFacets::OpenFacets(const BlockFrame& inFrame, const BlockReach& ofOthers, const Options& chosen,
-  const KnownSites& toAll, BlockCells& settled)
+  const ReceivedSites& toAll, BlockCells& settled)
   : frame(inFrame)
   , reach(ofOthers)
   , options(chosen)
@@ -113,7 +113,7 @@ std::vector<OpenFacets::CellState> OpenFacets::statesOf(
   runOver(states.size(), quiet(this->options),
     [&](Monitor& monitor)
     {
-      eachRun(states.size(), CellsPerTask,
+      eachChunk(states.size(), CellsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
           monitor.poll();
@@ -180,11 +180,11 @@ void OpenFacets::update()
 {
   for (OpenFacet& facet : this->facets)
   {
-    if (!facet.isSettled && facet.asked == 0)
+    if (!facet.isSettled && facet.queried == 0)
     {
       facet.reach = this->reach.blocks(this->boundOf(facet.corners));
     }
-    if (!facet.isSettled && facet.asked == facet.reach.size())
+    if (!facet.isSettled && facet.queried == facet.reach.size())
     {
       facet.isSettled = true;
       if (!facet.isBorder() && this->known.ownsFacet(facet.corners))
@@ -243,8 +243,9 @@ void OpenFacets::findActive()
 
 ConflictBound OpenFacets::boundOf(const std::vector<SiteHandle>& corners) const
 {
-  const auto place = [&](std::size_t i) { return this->known[corners[i]].x; };
-  return this->frame.boundOf(place(0), place(1), corners.size() == 2 ? nullptr : place(2));
+  const auto coordinates = [&](std::size_t i) { return this->known[corners[i]].x; };
+  return this->frame.boundOf(
+    coordinates(0), coordinates(1), corners.size() == 2 ? nullptr : coordinates(2));
 }
 
 }

@@ -24,7 +24,7 @@
 #include "Blocks/BlockCells.h"
 #include "Blocks/BlockFrame.h"
 #include "Blocks/BlockReach.h"
-#include "Blocks/KnownSites.h"
+#include "Blocks/ReceivedSites.h"
 #include <flipflop/CellComplex.h>
 #include <flipflop/Options.h>
 
@@ -42,7 +42,7 @@ struct OpenFacet
   std::vector<SiteHandle> corners; ///< from the lowest handle on; of a border's edge, its two ends
   bool isSettled = false;
   std::vector<int> reach = {}; ///< blocks that might have a point in conflict
-  std::size_t asked = 0;       ///< so many of these have been
+  std::size_t queried = 0;     ///< so many of these have been
 
   bool isBorder() const { return this->corners.size() == 2; }
 };
@@ -53,7 +53,7 @@ public:
   /// @param frame, reach, options, known, cells live as long as this; settled cells that the block
   ///                              owns go to cells
   OpenFacets(const BlockFrame& frame, const BlockReach& reach, const Options& options,
-    const KnownSites& known, BlockCells& cells);
+    const ReceivedSites& known, BlockCells& cells);
 
   /// Take the cells of the first run, on all that is known.
   void begin(const CellComplex& complex);
@@ -122,7 +122,7 @@ private:
   const BlockFrame& frame;
   const BlockReach& reach;
   const Options& options;
-  const KnownSites& known;
+  const ReceivedSites& known;
   BlockCells& cells;
   std::vector<std::uint8_t> activity; ///< of the points that were known in the beginning
   std::vector<OpenFacet> facets;

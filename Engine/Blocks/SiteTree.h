@@ -26,8 +26,8 @@
 namespace flipflop
 {
 
-/// @tparam Model of the geometry
-template <class Model>
+/// @tparam Geometry of the geometry
+template <class Geometry>
 class SiteTree
 {
 public:
@@ -42,9 +42,9 @@ public:
         {
           // Weights say nothing of where a point lies.
           const double* const x = this->sites[i].x;
-          const double place[3] = { x[0], x[1], isLifted ? 0.0 : x[2] };
+          const double position[3] = { x[0], x[1], isLifted ? 0.0 : x[2] };
           Box box;
-          box.add(place);
+          box.add(position);
           return box;
         },
         monitor, BoxTree::InOrder())
@@ -59,9 +59,9 @@ public:
       [&](std::size_t node, std::uint32_t begin, std::uint32_t end)
       {
         double most = -std::numeric_limits<double>::infinity();
-        for (std::uint32_t place = begin; place < end; ++place)
+        for (std::uint32_t slot = begin; slot < end; ++slot)
         {
-          most = std::max(most, this->at(place).x[2]);
+          most = std::max(most, this->at(slot).x[2]);
         }
         this->heaviest[node] = most;
       });
@@ -70,9 +70,9 @@ public:
   /// Tell points above the facet abc: all about the furthest, up to @p limit, one if there is any.
   /// If there is none, and if asked, all points on it.
   /// @param tell void (std::uint32_t item)
-  template <class Tell>
-  void conflicts(const Model& geometry, const ConflictBound& bound, const Vertex& a,
-    const Vertex& b, const Vertex& c, bool wantsTies, std::size_t limit, const Tell& tell) const
+  template <class Emit>
+  void conflicts(const Geometry& geometry, const ConflictBound& bound, const Vertex& a,
+    const Vertex& b, const Vertex& c, bool wantsTies, std::size_t limit, const Emit& emit) const
   {
     using Node = std::pair<double, std::size_t>; // what is furthest first
     std::priority_queue<Node> waiting;
@@ -102,9 +102,9 @@ public:
         push(2 * node + 2);
         continue;
       }
-      for (std::uint32_t place = this->tree.begin(node); place < this->tree.end(node); ++place)
+      for (std::uint32_t slot = this->tree.begin(node); slot < this->tree.end(node); ++slot)
       {
-        const BlockSite& site = this->at(place);
+        const BlockSite& site = this->at(slot);
         Box box;
         box.add(site.x);
         const double height = bound.most(box);
@@ -115,21 +115,21 @@ public:
         const int sign = geometry.above(a, b, c, asVertex(site.x));
         if (sign > 0)
         {
-          keepFurthest(above, { height == height ? height : 0.0, this->tree.item(place) }, limit);
+          keepFurthest(above, { height == height ? height : 0.0, this->tree.item(slot) }, limit);
         }
         else if (sign == 0 && wantsTies && above.empty())
         {
-          on.push_back(this->tree.item(place));
+          on.push_back(this->tree.item(slot));
         }
       }
     }
     for (const Item& item : above)
     {
-      tell(item.second);
+      emit(item.second);
     }
     for (std::size_t i = 0; above.empty() && i < on.size(); ++i)
     {
-      tell(on[i]);
+      emit(on[i]);
     }
   }
 
@@ -151,7 +151,7 @@ private:
     std::push_heap(heap.begin(), heap.end(), later);
   }
 
-  const BlockSite& at(std::uint32_t place) const { return this->sites[this->tree.item(place)]; }
+  const BlockSite& at(std::uint32_t slot) const { return this->sites[this->tree.item(slot)]; }
 
   /// For nodes small enough to be about flat, and large enough to be worth it.
   void addSlabs()

@@ -81,9 +81,9 @@ struct Vote
 class InsideFinder
 {
 public:
-  InsideFinder(const ConstrainedTriangulation& given, Monitor& toTell)
+  InsideFinder(const ConstrainedTriangulation& given, Monitor& monitorToUse)
     : triangulation(given)
-    , monitor(toTell)
+    , monitor(monitorToUse)
     , cells(static_cast<std::uint32_t>(given.cellCount()))
   {
     const std::size_t edges = given.constraintOf.size();
@@ -110,7 +110,7 @@ public:
     }
     else
     {
-      this->findLeft(inside);
+      this->findRemaining(inside);
     }
   }
 
@@ -123,11 +123,11 @@ private:
     this->eachEdge(
       [&](const CellSide* begin, const CellSide* end, std::uint32_t fixed)
       {
-        const std::uint32_t first = this->cellOf[begin->place];
+        const std::uint32_t first = this->cellOf[begin->index];
         bool fits = end - begin > 1 || regions.join(first, outside, this->isOdd(fixed));
         for (const CellSide* side = begin + 1; fits && side < end; ++side)
         {
-          fits = regions.join(first, this->cellOf[side->place], this->isOdd(fixed));
+          fits = regions.join(first, this->cellOf[side->index], this->isOdd(fixed));
         }
         if (!fits)
         {
@@ -144,7 +144,7 @@ private:
   }
 
   /// What is on the left of sides.
-  void findLeft(std::uint8_t* inside)
+  void findRemaining(std::uint8_t* inside)
   {
     Regions regions(this->cells);
     std::vector<Vote> votes; // in the order of the edges
@@ -154,16 +154,16 @@ private:
         const std::int64_t balance = this->balanceOf(fixed);
         for (const CellSide* side = begin; side != end; ++side)
         {
-          const std::uint32_t cell = this->cellOf[side->place];
+          const std::uint32_t cell = this->cellOf[side->index];
           if (balance != 0)
           {
             // A cell is on the left of its own sides.
-            const bool isAlong = this->corner(side->place) == side->low;
+            const bool isAlong = this->corner(side->index) == side->low;
             votes.push_back({ cell, fixed, isAlong == (balance > 0) });
           }
           else
           {
-            regions.join(this->cellOf[begin->place], cell, false);
+            regions.join(this->cellOf[begin->index], cell, false);
           }
         }
       });

@@ -6,7 +6,7 @@
 #define flipflop_ChainConstraints_h
 
 #include "Constraints/FixedEdge.h"
-#include "Constraints/Place.h"
+#include "Constraints/Position.h"
 #include "Points/PointSource.h"
 #include "Support/Monitor.h"
 
@@ -25,18 +25,18 @@ namespace flipflop
 inline void fixChainEdges(const PointSource& source, const ConstraintView& constraints,
   Monitor& monitor, ConstrainedTriangulation& result)
 {
-  const auto placeAt = [&source](std::int64_t id)
-  { return placeOf(source.vertex(static_cast<std::uint32_t>(id))); };
-  std::vector<std::pair<Place, std::uint32_t>> along;
+  const auto positionAt = [&source](std::int64_t id)
+  { return positionOf(source.vertex(static_cast<std::uint32_t>(id))); };
+  std::vector<std::pair<Position, std::uint32_t>> along;
   for (std::size_t i = 0; i < result.pointIds.size(); ++i)
   {
-    along.emplace_back(placeAt(result.pointIds[i]), static_cast<std::uint32_t>(i));
+    along.emplace_back(positionAt(result.pointIds[i]), static_cast<std::uint32_t>(i));
   }
   std::sort(along.begin(), along.end());
   const auto positionOf = [&](std::int64_t id)
   {
-    const auto found =
-      std::lower_bound(along.begin(), along.end(), std::make_pair(placeAt(id), std::uint32_t(0)));
+    const auto found = std::lower_bound(
+      along.begin(), along.end(), std::make_pair(positionAt(id), std::uint32_t(0)));
     return static_cast<std::uint32_t>(found - along.begin());
   };
 

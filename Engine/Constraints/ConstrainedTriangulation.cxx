@@ -71,7 +71,7 @@ private:
     tally.statistics.flips22 += insertion.flipCount();
     tally.statistics.flipsV += insertion.flipCount();
     tally.statistics.edgeChecks += insertion.checkCount();
-    const bool flat = insertion.tellFlat();
+    const bool flat = insertion.markFlatEdges();
     tally.addPredicates(local, this->geometry);
     this->monitor.stage(0.98, 1.0, 1, "finishing");
     return anyFlat || flat;

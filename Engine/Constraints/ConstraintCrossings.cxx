@@ -9,7 +9,7 @@
 
 #include "Constraints/Crossing.h"
 #include "Constraints/CrossingPairs.h"
-#include "Constraints/Place.h"
+#include "Constraints/Position.h"
 #include "Points/ConstraintInput.h"
 #include "Predicates/DoubleDouble.h"
 #include "Run/QueryRun.h"
@@ -33,35 +33,36 @@ namespace
 constexpr std::size_t ItemsPerTask = 1 << 12;
 
 /// Numbers for places.
-class PlaceNumbers
+class PositionNumbers
 {
 public:
-  std::uint32_t add(const Place& place)
+  std::uint32_t add(const Position& position)
   {
-    const auto found = this->numbers.emplace(place, static_cast<std::uint32_t>(this->all.size()));
+    const auto found =
+      this->numbers.emplace(position, static_cast<std::uint32_t>(this->all.size()));
     if (found.second)
     {
       if (this->all.size() >= NoIndex)
       {
         throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(this->all.size()));
       }
-      this->all.push_back(place);
+      this->all.push_back(position);
     }
     return found.first->second;
   }
 
   /// NoIndex: it has none.
-  std::uint32_t find(const Place& place) const
+  std::uint32_t find(const Position& position) const
   {
-    const auto found = this->numbers.find(place);
+    const auto found = this->numbers.find(position);
     return found == this->numbers.end() ? NoIndex : found->second;
   }
 
-  const std::vector<Place>& places() const { return this->all; }
+  const std::vector<Position>& positions() const { return this->all; }
 
 private:
-  std::unordered_map<Place, std::uint32_t, HashOfPlace> numbers;
-  std::vector<Place> all;
+  std::unordered_map<Position, std::uint32_t, PositionHash> numbers;
+  std::vector<Position> all;
 };
 
 class CrossingSplitter
@@ -75,13 +76,13 @@ public:
 
   SplitConstraints split()
   {
-    this->takeSegments();
+    this->readSegments();
     SplitConstraints result;
     double begin = 0.1;
     for (bool more = true; more; begin += 0.5 * (0.9 - begin))
     {
       this->run.monitor.stage(begin, begin + 0.5 * (0.9 - begin), 1, "splitting crossings");
-      const auto pairs = crossingPairs(this->numbers.places(), this->pieces, this->run.monitor);
+      const auto pairs = crossingPairs(this->numbers.positions(), this->pieces, this->run.monitor);
       more = !pairs.empty();
       if (more)
       {
@@ -99,19 +100,19 @@ private:
   /// A place on a piece, where it is split.
   struct Split
   {
-    std::uint32_t piece, place;
+    std::uint32_t piece, index;
   };
 
-  const Place& at(std::uint32_t place) const { return this->numbers.places()[place]; }
+  const Position& at(std::uint32_t index) const { return this->numbers.positions()[index]; }
 
   std::uint32_t endOf(std::int64_t constraint, int end)
   {
     const std::int64_t id = this->constraints.ends[2 * constraint + end];
-    return this->numbers.add(placeOf(this->run.source.vertex(static_cast<std::uint32_t>(id))));
+    return this->numbers.add(positionOf(this->run.source.vertex(static_cast<std::uint32_t>(id))));
   }
 
   /// The segments that constraints run along, each once and from its lower place.
-  void takeSegments()
+  void readSegments()
   {
     std::unordered_map<std::uint64_t, std::uint32_t> known;
     StepPoll poll(this->run.monitor);
@@ -123,7 +124,8 @@ private:
       std::uint32_t segment = NoIndex;
       if (from != to)
       {
-        const PlaceSegment ends = turned ? PlaceSegment{ to, from } : PlaceSegment{ from, to };
+        const PositionSegment ends =
+          turned ? PositionSegment{ to, from } : PositionSegment{ from, to };
         const auto found = known.emplace(std::uint64_t(ends.from) << 32 | ends.to,
           static_cast<std::uint32_t>(this->pieces.size()));
         if (found.second)
@@ -140,26 +142,27 @@ private:
   }
 
   /// Where the pieces of these pairs cross, by pieces, and along each.
-  /// @param isAnew it is not the first round
+  /// @param isRepeat it is not the first round
   std::vector<Split> splitsOf(
-    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs, bool isAnew)
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs, bool isRepeat)
   {
     struct Meeting
     {
-      Place rounded;
-      std::uint32_t place; ///< NoIndex: it has no number yet
+      Position rounded;
+      std::uint32_t index; ///< NoIndex: it has no number yet
     };
     std::vector<Meeting> meetings(pairs.size());
-    eachRun(pairs.size(), ItemsPerTask,
+    eachChunk(pairs.size(), ItemsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         this->run.monitor.poll();
         for (std::size_t i = begin; i < end; ++i)
         {
-          const PlaceSegment &p = this->pieces[pairs[i].first], &q = this->pieces[pairs[i].second];
+          const PositionSegment &p = this->pieces[pairs[i].first],
+                                &q = this->pieces[pairs[i].second];
           meetings[i] = { crossingOf(
                             this->at(p.from), this->at(p.to), this->at(q.from), this->at(q.to)),
-            isAnew ? this->endBetween(p, q) : NoIndex };
+            isRepeat ? this->endBetween(p, q) : NoIndex };
         }
       });
     std::vector<Split> splits;
@@ -167,14 +170,14 @@ private:
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
       poll.step();
-      const std::uint32_t place =
-        meetings[i].place != NoIndex ? meetings[i].place : this->numbers.add(meetings[i].rounded);
+      const std::uint32_t index =
+        meetings[i].index != NoIndex ? meetings[i].index : this->numbers.add(meetings[i].rounded);
       for (const std::uint32_t p : { pairs[i].first, pairs[i].second })
       {
         // It may be an end of one of them. Not of both: then they would not cross.
-        if (place != this->pieces[p].from && place != this->pieces[p].to)
+        if (index != this->pieces[p].from && index != this->pieces[p].to)
         {
-          splits.push_back({ p, place });
+          splits.push_back({ p, index });
         }
       }
     }
@@ -183,7 +186,7 @@ private:
       { return a.piece != b.piece ? a.piece < b.piece : this->isBefore(a, b); });
     splits.erase(
       std::unique(splits.begin(), splits.end(),
-        [](const Split& a, const Split& b) { return a.piece == b.piece && a.place == b.place; }),
+        [](const Split& a, const Split& b) { return a.piece == b.piece && a.index == b.index; }),
       splits.end());
     return splits;
   }
@@ -193,14 +196,14 @@ private:
   /// has mostly been bent over an end of the other. To lead it through that end makes no new
   /// vertex, which new pieces could cross again: bundles of nearly parallel constraints would be
   /// shredded.
-  std::uint32_t endBetween(const PlaceSegment& p, const PlaceSegment& q) const
+  std::uint32_t endBetween(const PositionSegment& p, const PositionSegment& q) const
   {
     constexpr double MostUnits = 2;
     std::uint32_t nearest = NoIndex;
     double least = MostUnits;
-    const auto look = [&](std::uint32_t end, const PlaceSegment& other)
+    const auto consider = [&](std::uint32_t end, const PositionSegment& other)
     {
-      const Place &v = this->at(end), &a = this->at(other.from), &b = this->at(other.to);
+      const Position &v = this->at(end), &a = this->at(other.from), &b = this->at(other.to);
       const double units = unitsOff(v, a, b);
       if (isWithin(v, a, b) &&
         (units < least || (units == least && nearest != NoIndex && v < this->at(nearest))))
@@ -209,14 +212,14 @@ private:
         nearest = end;
       }
     };
-    look(p.from, q);
-    look(p.to, q);
-    look(q.from, p);
-    look(q.to, p);
+    consider(p.from, q);
+    consider(p.to, q);
+    consider(q.from, p);
+    consider(q.to, p);
     return nearest;
   }
 
-  static bool isWithin(const Place& v, const Place& a, const Place& b)
+  static bool isWithin(const Position& v, const Position& a, const Position& b)
   {
     const auto between = [&](int i)
     { return std::min(a.x[i], b.x[i]) <= v.x[i] && v.x[i] <= std::max(a.x[i], b.x[i]); };
@@ -224,7 +227,7 @@ private:
   }
 
   /// How far v is from the line of a and b, in units of the last place of the coordinates; rounded.
-  static double unitsOff(const Place& v, const Place& a, const Place& b)
+  static double unitsOff(const Position& v, const Position& a, const Position& b)
   {
     double most[2];
     for (int i = 0; i < 2; ++i)
@@ -237,7 +240,7 @@ private:
     for (int i = 0; i < 2; ++i)
     {
       const int scale = most[i] > 0 ? -std::ilogb(most[i]) : 0;
-      const auto scaled = [&](const Place& p) { return std::ldexp(p.x[i], scale); };
+      const auto scaled = [&](const Position& p) { return std::ldexp(p.x[i], scale); };
       along[i] = doubleDifference(scaled(b), scaled(a));
       off[i] = doubleDifference(scaled(v), scaled(a));
       unit[i] = std::max(0x1p-52, std::ldexp(0x1p-1074, scale));
@@ -250,9 +253,9 @@ private:
   /// Along one piece: rounded places keep their order along each axis.
   bool isBefore(const Split& a, const Split& b) const
   {
-    const Place &from = this->at(this->pieces[a.piece].from),
-                &to = this->at(this->pieces[a.piece].to);
-    const Place &p = this->at(a.place), &q = this->at(b.place);
+    const Position &from = this->at(this->pieces[a.piece].from),
+                   &to = this->at(this->pieces[a.piece].to);
+    const Position &p = this->at(a.index), &q = this->at(b.index);
     for (int i = 0; i < 2; ++i)
     {
       if (p.x[i] != q.x[i])
@@ -265,7 +268,7 @@ private:
 
   void splitPieces(const std::vector<Split>& splits)
   {
-    std::vector<PlaceSegment> shorter;
+    std::vector<PositionSegment> shorter;
     shorter.reserve(this->pieces.size() + splits.size());
     std::size_t next = 0;
     for (std::size_t s = 0; s + 1 < this->firstPiece.size(); ++s)
@@ -278,11 +281,11 @@ private:
         for (; next < splits.size() && splits[next].piece == p; ++next)
         {
           // Ends of others, near to it, may be out of its order along one axis: one at a time.
-          const std::uint32_t place = splits[next].place;
-          if (isWithin(this->at(place), this->at(from), this->at(to)))
+          const std::uint32_t index = splits[next].index;
+          if (isWithin(this->at(index), this->at(from), this->at(to)))
           {
-            shorter.push_back({ from, place });
-            from = place;
+            shorter.push_back({ from, index });
+            from = index;
           }
         }
         shorter.push_back({ from, to });
@@ -296,7 +299,7 @@ private:
   /// Ids for the places inside constraints: the lowest of a given point, or that of a new one.
   void nameInner()
   {
-    const std::size_t count = this->numbers.places().size();
+    const std::size_t count = this->numbers.positions().size();
     this->idOf.assign(count, -1);
     std::vector<char> isInner(count, 0);
     for (std::size_t p = 1; p < this->pieces.size(); ++p)
@@ -312,11 +315,11 @@ private:
       return;
     }
     this->findGiven(isInner);
-    for (std::uint32_t place = 0; place < count; ++place)
+    for (std::uint32_t index = 0; index < count; ++index)
     {
-      if (isInner[place] && this->idOf[place] < 0)
+      if (isInner[index] && this->idOf[index] < 0)
       {
-        this->added.push_back(place);
+        this->added.push_back(index);
       }
     }
     threads::sort(this->added.begin(), this->added.end(),
@@ -329,32 +332,32 @@ private:
   }
 
   /// The lowest points at places that are asked for.
-  void findGiven(const std::vector<char>& isAsked)
+  void findGiven(const std::vector<char>& isWanted)
   {
-    Place low = { { HUGE_VAL, HUGE_VAL } }, high = { { -HUGE_VAL, -HUGE_VAL } };
-    for (std::uint32_t place = 0; place < isAsked.size(); ++place)
+    Position low = { { HUGE_VAL, HUGE_VAL } }, high = { { -HUGE_VAL, -HUGE_VAL } };
+    for (std::uint32_t index = 0; index < isWanted.size(); ++index)
     {
-      for (int i = 0; isAsked[place] && i < 2; ++i)
+      for (int i = 0; isWanted[index] && i < 2; ++i)
       {
-        low.x[i] = std::min(low.x[i], this->at(place).x[i]);
-        high.x[i] = std::max(high.x[i], this->at(place).x[i]);
+        low.x[i] = std::min(low.x[i], this->at(index).x[i]);
+        high.x[i] = std::max(high.x[i], this->at(index).x[i]);
       }
     }
     using Found = std::pair<std::uint32_t, std::uint32_t>; // a place, and the point there
     const std::uint32_t count = this->run.source.count();
-    std::vector<std::vector<Found>> found(runCount(count, ItemsPerTask));
-    eachRun(count, ItemsPerTask,
+    std::vector<std::vector<Found>> found(chunkCount(count, ItemsPerTask));
+    eachChunk(count, ItemsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t number)
       {
         this->run.monitor.poll();
         for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id)
         {
-          const Place place = placeOf(this->run.source.vertex(id));
-          if (low.x[0] <= place.x[0] && place.x[0] <= high.x[0] && low.x[1] <= place.x[1] &&
-            place.x[1] <= high.x[1])
+          const Position position = positionOf(this->run.source.vertex(id));
+          if (low.x[0] <= position.x[0] && position.x[0] <= high.x[0] &&
+            low.x[1] <= position.x[1] && position.x[1] <= high.x[1])
           {
-            const std::uint32_t known = this->numbers.find(place);
-            if (known != NoIndex && isAsked[known])
+            const std::uint32_t known = this->numbers.find(position);
+            if (known != NoIndex && isWanted[known])
             {
               found[number].emplace_back(known, id);
             }
@@ -408,16 +411,16 @@ private:
         std::int64_t& next = crossings[static_cast<std::size_t>(k)];
         result.crossing[static_cast<std::size_t>(next++)] = c;
       });
-    result.places.allocate(2 * this->added.size());
+    result.positions.allocate(2 * this->added.size());
     for (std::size_t k = 0; k < this->added.size(); ++k)
     {
-      std::copy_n(this->at(this->added[k]).x, 2, result.places.data() + 2 * k);
+      std::copy_n(this->at(this->added[k]).x, 2, result.positions.data() + 2 * k);
     }
   }
 
   /// tell (constraint, how many pieces); and meet (constraint, new point) for each of its new ones.
-  template <class Tell, class Meet>
-  void eachConstraint(const Tell& tell, const Meet& meet) const
+  template <class Emit, class Meet>
+  void eachConstraint(const Emit& emit, const Meet& meet) const
   {
     StepPoll poll(this->run.monitor);
     for (std::int64_t c = 0; c < this->constraints.count; ++c)
@@ -425,7 +428,7 @@ private:
       const std::uint32_t segment = this->segmentOf[static_cast<std::size_t>(c)];
       const std::size_t first = segment == NoIndex ? 0 : this->firstPiece[segment];
       const std::size_t last = segment == NoIndex ? 1 : this->firstPiece[segment + 1];
-      tell(c, last - first);
+      emit(c, last - first);
       for (std::size_t p = first + 1; p < last; ++p)
       {
         poll.step();
@@ -452,7 +455,7 @@ private:
       const bool turned = this->isTurned[static_cast<std::size_t>(c)];
       for (std::size_t i = 0; i < inner; ++i)
       {
-        const PlaceSegment& piece = this->pieces[first + (turned ? inner - i : i + 1)];
+        const PositionSegment& piece = this->pieces[first + (turned ? inner - i : i + 1)];
         use(this->idOf[piece.from]);
         use(this->idOf[piece.from]);
       }
@@ -462,10 +465,10 @@ private:
 
   const ConstraintView constraints;
   QueryRun& run;
-  PlaceNumbers numbers;
+  PositionNumbers numbers;
   std::vector<std::uint32_t> segmentOf; ///< by constraint; NoIndex: it is but a place
   std::vector<bool> isTurned;           ///< by constraint: it runs against its segment
-  std::vector<PlaceSegment> pieces;     ///< of the segments, one after another
+  std::vector<PositionSegment> pieces;  ///< of the segments, one after another
   std::vector<std::size_t> firstPiece;  ///< by segment; then how many pieces there are
   std::vector<std::int64_t> idOf;       ///< by place, of those inside segments
   std::vector<std::uint32_t> added;     ///< places of the new points

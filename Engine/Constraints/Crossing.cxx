@@ -11,8 +11,8 @@ namespace
 {
 
 template <class Arithmetic>
-bool round(const Arithmetic& k, const Place& a, const Place& b, const Place& c, const Place& d,
-  Place& result)
+bool round(const Arithmetic& k, const Position& a, const Position& b, const Position& c,
+  const Position& d, Position& result)
 {
   using Number = typename Arithmetic::Number;
   const Number u[2] = { k.difference(b.x[0], a.x[0]), k.difference(b.x[1], a.x[1]) };
@@ -26,16 +26,16 @@ bool round(const Arithmetic& k, const Place& a, const Place& b, const Place& c, 
 
 }
 
-Place crossingOf(const Place& a, const Place& b, const Place& c, const Place& d)
+Position crossingOf(const Position& a, const Position& b, const Position& c, const Position& d)
 {
-  Place result{};
+  Position result{};
   if (!round(BoundedArithmetic<>(), a, b, c, d, result))
   {
     ExponentRange range;
-    for (const Place* const place : { &a, &b, &c, &d })
+    for (const Position* const position : { &a, &b, &c, &d })
     {
-      range.add(place->x[0]);
-      range.add(place->x[1]);
+      range.add(position->x[0]);
+      range.add(position->x[1]);
     }
     decide(range, [&](const auto& k) { return round(k, a, b, c, d, result); });
   }

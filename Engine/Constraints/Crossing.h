@@ -5,16 +5,16 @@
 #ifndef flipflop_Crossing_h
 #define flipflop_Crossing_h
 
-#include "Constraints/Place.h"
+#include "Constraints/Position.h"
 #include "Predicates/PlaneOrientation.h"
 
 namespace flipflop
 {
 
 /// Do the segments a-b and c-d meet in one place inside both? Exact, for any finite doubles.
-inline bool doCross(const Place& a, const Place& b, const Place& c, const Place& d)
+inline bool doCross(const Position& a, const Position& b, const Position& c, const Position& d)
 {
-  const auto parts = [](const Place& p, const Place& q, const Place& r, const Place& s)
+  const auto parts = [](const Position& p, const Position& q, const Position& r, const Position& s)
   {
     const int side = planeOrientation(p.x, q.x, r.x);
     return side != 0 && side * planeOrientation(p.x, q.x, s.x) < 0;
@@ -24,7 +24,7 @@ inline bool doCross(const Place& a, const Place& b, const Place& c, const Place&
 
 /// Where two segments that cross meet, each coordinate rounded to the nearest double: the same bits
 /// for the segments and their ends in any order. It is within the box of either segment.
-Place crossingOf(const Place& a, const Place& b, const Place& c, const Place& d);
+Position crossingOf(const Position& a, const Position& b, const Position& c, const Position& d);
 
 }
 

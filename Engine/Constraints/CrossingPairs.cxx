@@ -23,24 +23,25 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 class SelfJoin
 {
 public:
-  SelfJoin(const std::vector<Place>& at, const std::vector<PlaceSegment>& given, Monitor& toTell)
-    : places(at)
+  SelfJoin(const std::vector<Position>& at, const std::vector<PositionSegment>& given,
+    Monitor& monitorToUse)
+    : positions(at)
     , segments(given)
-    , monitor(toTell)
-    , parts(partsOf(at, given, toTell))
+    , monitor(monitorToUse)
+    , parts(partsOf(at, given, monitorToUse))
     , bundle(at, given)
     , tree(
         static_cast<std::uint32_t>(this->parts.size()),
-        [this](std::uint32_t part) { return this->boxOf(part); }, toTell,
+        [this](std::uint32_t part) { return this->boxOf(part); }, monitorToUse,
         BoxTree::Lengths::AsShares)
     , boxes(this->parts.size())
   {
-    eachRun(this->boxes.size(), std::size_t(1) << 12,
+    eachChunk(this->boxes.size(), std::size_t(1) << 12,
       [this](std::size_t begin, std::size_t end, std::size_t)
       {
-        for (std::size_t place = begin; place < end; ++place)
+        for (std::size_t slot = begin; slot < end; ++slot)
         {
-          this->boxes[place] = this->boxOf(this->tree.item(static_cast<std::uint32_t>(place)));
+          this->boxes[slot] = this->boxOf(this->tree.item(static_cast<std::uint32_t>(slot)));
         }
       });
   }
@@ -104,26 +105,26 @@ private:
     std::uint32_t segment, number, count;
   };
 
-  static std::vector<Part> partsOf(
-    const std::vector<Place>& places, const std::vector<PlaceSegment>& segments, Monitor& monitor)
+  static std::vector<Part> partsOf(const std::vector<Position>& positions,
+    const std::vector<PositionSegment>& segments, Monitor& monitor)
   {
     if (segments.size() >= NoIndex / 2)
     {
       throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(segments.size()));
     }
     double most = 0;
-    for (const PlaceSegment& segment : segments)
+    for (const PositionSegment& segment : segments)
     {
-      const Place &a = places[segment.from], &b = places[segment.to];
+      const Position &a = positions[segment.from], &b = positions[segment.to];
       most = std::max(
         { most, std::fabs(a.x[0]), std::fabs(a.x[1]), std::fabs(b.x[0]), std::fabs(b.x[1]) });
     }
     // In shares of the largest coordinate, so that nothing overflows.
     std::vector<double> length;
     double sum = 0;
-    for (const PlaceSegment& segment : segments)
+    for (const PositionSegment& segment : segments)
     {
-      const Place &a = places[segment.from], &b = places[segment.to];
+      const Position &a = positions[segment.from], &b = positions[segment.to];
       double own = 0;
       for (int i = 0; i < 2; ++i)
       {
@@ -152,8 +153,8 @@ private:
   Box boxOf(std::uint32_t item) const
   {
     const Part& part = this->parts[item];
-    const PlaceSegment& segment = this->segments[part.segment];
-    const Place &a = this->places[segment.from], &b = this->places[segment.to];
+    const PositionSegment& segment = this->segments[part.segment];
+    const Position &a = this->positions[segment.from], &b = this->positions[segment.to];
     const double from[3] = { a.x[0], a.x[1], this->bundle.offsetOf(segment.from) };
     const double to[3] = { b.x[0], b.x[1], this->bundle.offsetOf(segment.to) };
     Box box;
@@ -231,16 +232,17 @@ private:
   void test(std::uint32_t p, std::uint32_t q, std::vector<Pair>& found) const
   {
     const std::uint32_t s = this->parts[p].segment, t = this->parts[q].segment;
-    const PlaceSegment &a = this->segments[s], &b = this->segments[t];
+    const PositionSegment &a = this->segments[s], &b = this->segments[t];
     if (a.from != b.from && a.from != b.to && a.to != b.from && a.to != b.to &&
-      doCross(this->places[a.from], this->places[a.to], this->places[b.from], this->places[b.to]))
+      doCross(this->positions[a.from], this->positions[a.to], this->positions[b.from],
+        this->positions[b.to]))
     {
       found.push_back(std::minmax(s, t));
     }
   }
 
-  const std::vector<Place>& places;
-  const std::vector<PlaceSegment>& segments;
+  const std::vector<Position>& positions;
+  const std::vector<PositionSegment>& segments;
   Monitor& monitor;
   const std::vector<Part> parts;
   const SegmentBundle bundle;
@@ -250,11 +252,11 @@ private:
 
 }
 
-std::vector<Pair> crossingPairs(const std::vector<Place>& places,
-  const std::vector<PlaceSegment>& segments, Monitor& monitor, std::int64_t* comparisons)
+std::vector<Pair> crossingPairs(const std::vector<Position>& positions,
+  const std::vector<PositionSegment>& segments, Monitor& monitor, std::int64_t* comparisons)
 {
   return segments.size() < 2 ? std::vector<Pair>()
-                             : SelfJoin(places, segments, monitor).pairs(comparisons);
+                             : SelfJoin(positions, segments, monitor).pairs(comparisons);
 }
 
 }

@@ -11,7 +11,7 @@
 #ifndef flipflop_CrossingPairs_h
 #define flipflop_CrossingPairs_h
 
-#include "Constraints/Place.h"
+#include "Constraints/Position.h"
 #include "Support/Monitor.h"
 
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace flipflop
 {
 
 /// Its ends: indices of places, which differ in their place if in their index.
-struct PlaceSegment
+struct PositionSegment
 {
   std::uint32_t from, to;
 };
@@ -30,8 +30,9 @@ struct PlaceSegment
 /// All pairs of segments that cross (see doCross), the lower index first, in lexicographic order.
 /// @param comparisons where not null: how often two boxes were compared
 /// @throw Error TooManyPoints, Aborted
-std::vector<std::pair<std::uint32_t, std::uint32_t>> crossingPairs(const std::vector<Place>& places,
-  const std::vector<PlaceSegment>& segments, Monitor& monitor, std::int64_t* comparisons = nullptr);
+std::vector<std::pair<std::uint32_t, std::uint32_t>> crossingPairs(
+  const std::vector<Position>& positions, const std::vector<PositionSegment>& segments,
+  Monitor& monitor, std::int64_t* comparisons = nullptr);
 
 }
 

@@ -248,7 +248,7 @@ bool EdgeInsertion::isFlat(std::uint32_t h) const
       this->vertex(triangle.v[2]), this->vertex(apex)) == 0;
 }
 
-bool EdgeInsertion::tellFlat()
+bool EdgeInsertion::markFlatEdges()
 {
   std::sort(this->changed.begin(), this->changed.end());
   this->changed.erase(std::unique(this->changed.begin(), this->changed.end()), this->changed.end());

@@ -43,7 +43,7 @@ public:
 
   /// Tell anew which edges are flat, where triangles have changed. A fixed edge is not.
   /// @return whether there is a flat one among these
-  bool tellFlat();
+  bool markFlatEdges();
 
   /// The edges that constraints run along, by vertices, some more than once.
   std::vector<FixedEdge>& fixedEdges();

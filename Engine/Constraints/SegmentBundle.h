@@ -10,7 +10,7 @@
 #define flipflop_SegmentBundle_h
 
 #include "Constraints/CrossingPairs.h"
-#include "Constraints/Place.h"
+#include "Constraints/Position.h"
 #include "Predicates/DoubleDouble.h"
 
 #include <algorithm>
@@ -28,20 +28,23 @@ public:
   static constexpr double RelativeError = 0x1p-50;
   static constexpr double AbsoluteError = 0x1p-90;
 
-  SegmentBundle(const std::vector<Place>& places, const std::vector<PlaceSegment>& segments)
+  SegmentBundle(
+    const std::vector<Position>& positions, const std::vector<PositionSegment>& segments)
   {
     double most = 0;
-    for (const Place& place : places)
+    for (const Position& position : positions)
     {
-      most = std::max({ most, std::fabs(place.x[0]), std::fabs(place.x[1]) });
+      most = std::max({ most, std::fabs(position.x[0]), std::fabs(position.x[1]) });
     }
     this->scale = most > 0 ? -std::ilogb(most) - 1 : 0;
     // Angles are doubled, so that both directions of a segment are one.
     double sum = 0, cosine = 0, sine = 0;
-    for (const PlaceSegment& segment : segments)
+    for (const PositionSegment& segment : segments)
     {
-      const double x = this->scaled(places[segment.to], 0) - this->scaled(places[segment.from], 0);
-      const double y = this->scaled(places[segment.to], 1) - this->scaled(places[segment.from], 1);
+      const double x =
+        this->scaled(positions[segment.to], 0) - this->scaled(positions[segment.from], 0);
+      const double y =
+        this->scaled(positions[segment.to], 1) - this->scaled(positions[segment.from], 1);
       const double length = std::hypot(x, y);
       if (length > 0)
       {
@@ -51,31 +54,33 @@ public:
       }
     }
     constexpr double LeastShare = 0.9;
-    if (std::hypot(cosine, sine) < LeastShare * sum || places.empty())
+    if (std::hypot(cosine, sine) < LeastShare * sum || positions.empty())
     {
       return;
     }
     const double angle = 0.5 * std::atan2(sine, cosine);
     const DoubleDouble normal[2] = { { -std::sin(angle), 0 }, { std::cos(angle), 0 } };
-    this->offsets.reserve(places.size());
-    for (const Place& place : places)
+    this->offsets.reserve(positions.size());
+    for (const Position& position : positions)
     {
-      const auto along = [&](int i)
-      { return doubleDifference(this->scaled(place, i), this->scaled(places[0], i)) * normal[i]; };
+      const auto along = [&](int i) {
+        return doubleDifference(this->scaled(position, i), this->scaled(positions[0], i)) *
+          normal[i];
+      };
       this->offsets.push_back((along(0) + along(1)).high);
     }
   }
 
   /// Of a place; 0 for all if the segments have no common direction.
-  double offsetOf(std::size_t place) const
+  double offsetOf(std::size_t index) const
   {
-    return this->offsets.empty() ? 0.0 : this->offsets[place];
+    return this->offsets.empty() ? 0.0 : this->offsets[index];
   }
 
 private:
-  double scaled(const Place& place, int axis) const
+  double scaled(const Position& position, int axis) const
   {
-    return std::ldexp(place.x[axis], this->scale);
+    return std::ldexp(position.x[axis], this->scale);
   }
 
   int scale = 0;               ///< a power of two, with which coordinates are at most 1

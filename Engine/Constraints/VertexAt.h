@@ -5,7 +5,7 @@
 #ifndef flipflop_VertexAt_h
 #define flipflop_VertexAt_h
 
-#include "Constraints/Place.h"
+#include "Constraints/Position.h"
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
 #include "Support/Monitor.h"
@@ -30,7 +30,7 @@ public:
     : vertexOf(source.count())
   {
     constexpr std::size_t ItemsPerTask = 1 << 14;
-    eachRun(this->vertexOf.size(), ItemsPerTask,
+    eachChunk(this->vertexOf.size(), ItemsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         monitor.poll();
@@ -38,7 +38,7 @@ public:
       });
     const auto eachVertex = [&](const auto& use)
     {
-      eachRun(surface.vertexCount(), ItemsPerTask,
+      eachChunk(surface.vertexCount(), ItemsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
           monitor.poll();
@@ -55,7 +55,7 @@ public:
     eachVertex([this](std::uint32_t v, const Vertex& vertex) { this->vertexOf[vertex.id] = v; });
 
     // What is left are duplicates: few, so their places are collected, and all vertices looked at.
-    std::unordered_map<Place, std::uint32_t, HashOfPlace> duplicates;
+    std::unordered_map<Position, std::uint32_t, PositionHash> duplicates;
     const auto eachDuplicate = [&](const auto& use)
     {
       for (std::int64_t i = 0; i < 2 * constraints.count; ++i)
@@ -63,11 +63,12 @@ public:
         const auto id = static_cast<std::uint32_t>(constraints.ends[i]);
         if (this->vertexOf[id] == NoIndex)
         {
-          use(id, placeOf(source.vertex(id)));
+          use(id, positionOf(source.vertex(id)));
         }
       }
     };
-    eachDuplicate([&](std::uint32_t, const Place& place) { duplicates.emplace(place, NoIndex); });
+    eachDuplicate(
+      [&](std::uint32_t, const Position& position) { duplicates.emplace(position, NoIndex); });
     if (duplicates.empty())
     {
       return;
@@ -75,16 +76,16 @@ public:
     eachVertex(
       [&](std::uint32_t v, const Vertex& vertex)
       {
-        const auto found = duplicates.find(placeOf(vertex));
+        const auto found = duplicates.find(positionOf(vertex));
         if (found != duplicates.end())
         {
           found->second = v; // no other vertex is there
         }
       });
     eachDuplicate(
-      [&](std::uint32_t id, const Place& place)
+      [&](std::uint32_t id, const Position& position)
       {
-        this->vertexOf[id] = duplicates.find(place)->second;
+        this->vertexOf[id] = duplicates.find(position)->second;
         ensure(this->vertexOf[id] != NoIndex);
       });
   }

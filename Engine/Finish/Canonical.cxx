@@ -27,8 +27,8 @@ void writeMixed(const Buffer<Cell>& cells, const VertexRanks& rank,
   const auto isPolygon = [&](const Cell& cell) { return cell.corner[2] >= pointCount; };
   const auto number = [&](const Cell& cell) { return cell.corner[2] - pointCount; };
   std::vector<std::size_t> next(
-    runCount(cells.size(), ItemsPerTask)); // where each run's corners go
-  eachRun(cells.size(), ItemsPerTask,
+    chunkCount(cells.size(), ItemsPerTask)); // where each run's corners go
+  eachChunk(cells.size(), ItemsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();
@@ -46,7 +46,7 @@ void writeMixed(const Buffer<Cell>& cells, const VertexRanks& rank,
   complex.offsets.allocate(cells.size() + 1);
   complex.offsets[cells.size()] = static_cast<std::int64_t>(total);
   complex.connectivity.allocate(total);
-  eachRun(cells.size(), ItemsPerTask,
+  eachChunk(cells.size(), ItemsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();
@@ -69,10 +69,10 @@ void writeMixed(const Buffer<Cell>& cells, const VertexRanks& rank,
 
 /// Turns three corners such that the one of lowest rank is the first: by masks, since nothing could
 /// predict a branch.
-class Turn
+class Rotation
 {
 public:
-  explicit Turn(const Cell& ranks)
+  explicit Rotation(const Cell& ranks)
   {
     const std::uint32_t* const r = ranks.corner;
     const std::uint32_t low = std::min(std::min(r[0], r[1]), r[2]);
@@ -136,8 +136,8 @@ void CanonicalForm<Surface>::eachTriangle(Use&& use) const
       const Cell cell{ { this->rank[corner[0]], this->rank[corner[1]], this->rank[corner[2]] } };
       if (std::max(std::max(cell.corner[0], cell.corner[1]), cell.corner[2]) != NoIndex)
       {
-        const Turn turn(cell);
-        use(turn(vertices).corner, turn(cell), piece);
+        const Rotation rotation(cell);
+        use(rotation(vertices).corner, rotation(cell), piece);
       }
     });
 }

@@ -58,16 +58,16 @@ public:
         // branch on what is unpredictable.
         for (std::ptrdiff_t i = 0; i < count; ++i)
         {
-          std::ptrdiff_t place = i;
+          std::ptrdiff_t rank = i;
           if (count <= Few)
           {
-            place = 0;
+            rank = 0;
             for (std::ptrdiff_t k = 0; k < count; ++k)
             {
-              place += begin[k].corner[1] < begin[i].corner[1] ? 1 : 0;
+              rank += begin[k].corner[1] < begin[i].corner[1] ? 1 : 0;
             }
           }
-          std::copy(begin[i].corner, begin[i].corner + 3, out + 3 * place);
+          std::copy(begin[i].corner, begin[i].corner + 3, out + 3 * rank);
         }
       });
   }

@@ -96,7 +96,7 @@ public:
   template <class Use>
   void each(Use&& use) const
   {
-    eachRun(this->count(), 1 + this->count() / this->surface.pieceCount(),
+    eachChunk(this->count(), 1 + this->count() / this->surface.pieceCount(),
       [&](std::size_t begin, std::size_t last, std::size_t run)
       {
         for (std::size_t p = begin; p < last; ++p)

@@ -18,7 +18,7 @@
 #define flipflop_FacetRetriangulation_h
 
 #include "Mesh/Polyhedron.h"
-#include "Support/LowestOf.h"
+#include "Support/DisjointSets.h"
 #include "Support/Monitor.h"
 #include <flipflop/Error.h>
 
@@ -96,7 +96,7 @@ private:
   /// The strips of one line that share edges.
   struct Line
   {
-    std::vector<std::uint32_t> beside; ///< half-edges along it, of triangles with area
+    std::vector<std::uint32_t> adjacent; ///< half-edges along it, of triangles with area
     bool isTrueEdge = false;
     bool crossed = false; ///< while facets are found
   };
@@ -170,7 +170,7 @@ private:
         this->stack.pop_back();
         this->followStrip(t, number);
       }
-      this->lines.back().isTrueEdge = !this->isInOnePlane(this->lines.back().beside);
+      this->lines.back().isTrueEdge = !this->isInOnePlane(this->lines.back().adjacent);
       this->poll.step();
     }
   }
@@ -190,7 +190,7 @@ private:
       const std::uint32_t other = triangleOf(twin);
       if (this->state[other] != Strip)
       {
-        this->lines[number].beside.push_back(twin);
+        this->lines[number].adjacent.push_back(twin);
         if (this->state[other] == Untouched)
         {
           // Its corners stay, but what it borders on does not.
@@ -206,12 +206,12 @@ private:
     }
   }
 
-  bool isInOnePlane(const std::vector<std::uint32_t>& beside) const
+  bool isInOnePlane(const std::vector<std::uint32_t>& adjacent) const
   {
-    for (std::size_t i = 1; i < beside.size(); ++i)
+    for (std::size_t i = 1; i < adjacent.size(); ++i)
     {
-      const std::uint32_t s = triangleOf(beside[0]);
-      const std::uint32_t t = triangleOf(beside[i]);
+      const std::uint32_t s = triangleOf(adjacent[0]);
+      const std::uint32_t t = triangleOf(adjacent[i]);
       for (int e = 0; e < 3; ++e)
       {
         if (this->geometry.above(
@@ -246,7 +246,7 @@ private:
       if (!line.isTrueEdge && !line.crossed)
       {
         line.crossed = true;
-        std::for_each(line.beside.begin(), line.beside.end(), use);
+        std::for_each(line.adjacent.begin(), line.adjacent.end(), use);
       }
     }
   }
@@ -397,8 +397,8 @@ private:
   Polyhedron& polyhedron;
   StepPoll poll;
   const Mesh mesh;
-  Buffer<State> state;             ///< by triangle
-  LowestOf<LowerId> atOnePosition; ///< of vertices
+  Buffer<State> state;                 ///< by triangle
+  DisjointSets<LowerId> atOnePosition; ///< of vertices
   std::vector<std::uint32_t> strips;
   std::vector<std::uint32_t> seeds;
   Buffer<std::uint32_t> lineOf; ///< by triangle, of strips

@@ -13,7 +13,7 @@
 #include "Finish/FacetRetriangulation.h"
 #include "FlipFlop/Tally.h"
 #include "Mesh/Polyhedron.h"
-#include "Support/LowestOf.h"
+#include "Support/DisjointSets.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -152,9 +152,9 @@ private:
   template <class Use>
   static void eachTiedEdge(std::uint32_t flags, Use&& use)
   {
-    for (std::uint32_t left = flags & EdgesTied; left != 0; left &= left - 1)
+    for (std::uint32_t remaining = flags & EdgesTied; remaining != 0; remaining &= remaining - 1)
     {
-      use(left & EdgeTied ? 0 : left & EdgeTied << 1 ? 1 : 2);
+      use(remaining & EdgeTied ? 0 : remaining & EdgeTied << 1 ? 1 : 2);
     }
   }
 
@@ -236,7 +236,7 @@ private:
   {
     const Mesh mesh = this->polyhedron.mesh();
     const auto idAt = [&mesh](std::uint32_t h) { return mesh.vertices[mesh.origin(h)].id; };
-    LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() }; // of ids
+    DisjointSets<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() }; // of ids
     std::vector<std::uint32_t> ends;
     for (const std::uint32_t side : withoutLength)
     {
@@ -304,8 +304,8 @@ private:
     }
     constexpr std::size_t EndsPerTask = 1 << 10;
     std::vector<std::uint8_t> extreme(ends.size());
-    std::vector<Geometry> locals(runCount(ends.size(), EndsPerTask), this->geometry);
-    eachRun(ends.size(), EndsPerTask,
+    std::vector<Geometry> locals(chunkCount(ends.size(), EndsPerTask), this->geometry);
+    eachChunk(ends.size(), EndsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         const Geometry& local = locals[run];

@@ -3,7 +3,7 @@
 #include "Finish/VertexRanks.h"
 
 #include "Support/BitCount.h"
-#include "Support/LowestOf.h"
+#include "Support/DisjointSets.h"
 
 #include <algorithm>
 #include <atomic>
@@ -36,8 +36,8 @@ public:
   /// After all are inserted; the ids in ascending order go to @p sorted.
   void count(std::int64_t* sorted, Monitor& monitor)
   {
-    std::vector<std::uint32_t> counts(runCount(this->bits.size(), WordsPerTask));
-    eachRun(this->bits.size(), WordsPerTask,
+    std::vector<std::uint32_t> counts(chunkCount(this->bits.size(), WordsPerTask));
+    eachChunk(this->bits.size(), WordsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         monitor.poll();
@@ -54,7 +54,7 @@ public:
     {
       total += std::exchange(n, total);
     }
-    eachRun(this->bits.size(), WordsPerTask,
+    eachChunk(this->bits.size(), WordsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         monitor.poll();
@@ -90,7 +90,7 @@ private:
 void VertexRanks::join(const std::vector<Duplicate>& duplicates, Monitor& monitor)
 {
   StepPoll poll(monitor);
-  LowestOf<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() };
+  DisjointSets<std::less<std::uint32_t>> lowest{ std::less<std::uint32_t>() };
   for (const Duplicate& d : duplicates)
   {
     poll.step();
@@ -107,7 +107,7 @@ void VertexRanks::number(std::uint32_t limit, Monitor& monitor, Buffer<std::int6
 {
   if (pointIds.size() == limit)
   {
-    eachRun(limit, SlotsPerTask,
+    eachChunk(limit, SlotsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         monitor.poll();
@@ -144,7 +144,7 @@ void VertexRanks::number(std::uint32_t limit, Monitor& monitor, Buffer<std::int6
   IdSet set(limit);
   const auto eachPoint = [&](const auto& use)
   {
-    eachRun(this->rank.size(), SlotsPerTask,
+    eachChunk(this->rank.size(), SlotsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         monitor.poll();

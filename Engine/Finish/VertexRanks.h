@@ -35,8 +35,8 @@ public:
     std::uint32_t limit, Monitor& monitor, Buffer<std::int64_t>& pointIds)
     : rank(vertices.size()) // until they are numbered the lowest id
   {
-    std::vector<std::size_t> counts(runCount(vertices.size(), SlotsPerTask));
-    eachRun(vertices.size(), SlotsPerTask,
+    std::vector<std::size_t> counts(chunkCount(vertices.size(), SlotsPerTask));
+    eachChunk(vertices.size(), SlotsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         monitor.poll();

@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  struct Placed
+  struct Located
   {
     std::uint32_t id;
     std::uint32_t triangle;
@@ -75,8 +75,8 @@ private:
 
   struct Chunk
   {
-    Buffer<Placed> placed; ///< room for all; memory is taken as it is written
-    std::size_t placedCount = 0;
+    Buffer<Located> located; ///< room for all; memory is taken as it is written
+    std::size_t locatedCount = 0;
     std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
     std::int64_t lastCell = -1;        ///< of the point that walked last
     std::uint32_t lastTriangle = 0;    ///< in whose cone that is
@@ -90,12 +90,12 @@ private:
     const Geometry local = this->geometry;
     const std::uint32_t begin = partBegin(subset.count, this->chunks.size(), index);
     const std::uint32_t end = partBegin(subset.count, this->chunks.size(), index + 1);
-    chunk.placed.allocate(end - begin);
-    const std::uint32_t* taken = subset.taken;
-    const std::uint32_t* const takenEnd = subset.taken + subset.takenCount;
+    chunk.located.allocate(end - begin);
+    const std::uint32_t* next = subset.excluded;
+    const std::uint32_t* const excludedEnd = subset.excluded + subset.excludedCount;
     if (begin < end)
     {
-      taken = std::lower_bound(taken, takenEnd, subset.idAt(begin));
+      next = std::lower_bound(next, excludedEnd, subset.idAt(begin));
     }
 
     typename Locator::Block block;
@@ -106,12 +106,12 @@ private:
       int n = 0;
       if (subset.ids || subset.checkFinite)
       {
-        n = this->gather(subset, i, end, taken, takenEnd, block, ids);
+        n = this->gather(subset, i, end, next, excludedEnd, block, ids);
       }
       else
       {
         // All points as they lie, up to the next that is taken.
-        const std::uint32_t stop = taken != takenEnd ? std::min(*taken, end) : end;
+        const std::uint32_t stop = next != excludedEnd ? std::min(*next, end) : end;
         n = static_cast<int>(
           std::min<std::uint32_t>(stop - i, static_cast<std::uint32_t>(Locator::BlockSize)));
         this->source.load(i, n, block.x[0], block.x[1], block.x[2]);
@@ -120,9 +120,9 @@ private:
           ids[k] = i + static_cast<std::uint32_t>(k);
         }
         i += static_cast<std::uint32_t>(n);
-        if (i < end && taken != takenEnd && *taken == i)
+        if (i < end && next != excludedEnd && *next == i)
         {
-          ++taken;
+          ++next;
           ++i;
         }
       }
@@ -139,7 +139,7 @@ private:
         }
         else
         {
-          this->place(local, block, k, ids[k], chunk);
+          this->locate(local, block, k, ids[k], chunk);
         }
       }
       this->monitor.advance(i - blockBegin);
@@ -153,18 +153,18 @@ private:
   void tryPlanes(const PointSubset& subset, const FewPlanes& fewPlanes)
   {
     constexpr std::uint32_t Blocks = 4;
-    constexpr std::uint32_t Asked = Blocks * Locator::BlockSize;
+    constexpr std::uint32_t Sampled = Blocks * Locator::BlockSize;
     if (subset.count < LeastSampled)
     {
       return;
     }
     std::vector<typename Locator::Block> blocks(Blocks);
-    const std::vector<std::uint32_t> asked = sample(subset.count, Asked);
-    std::ptrdiff_t left = 0;
-    for (std::uint32_t i = 0; i < Asked; ++i)
+    const std::vector<std::uint32_t> sampled = sample(subset.count, Sampled);
+    std::ptrdiff_t remaining = 0;
+    for (std::uint32_t i = 0; i < Sampled; ++i)
     {
       double x[3];
-      this->source.load(subset.idAt(asked[i]), x);
+      this->source.load(subset.idAt(sampled[i]), x);
       typename Locator::Block& block = blocks[i / Locator::BlockSize];
       for (int k = 0; k < 3; ++k)
       {
@@ -174,9 +174,9 @@ private:
     for (typename Locator::Block& block : blocks)
     {
       this->locator.classify(block, Locator::BlockSize);
-      left += std::count(block.inside, block.inside + Locator::BlockSize, 0);
+      remaining += std::count(block.inside, block.inside + Locator::BlockSize, 0);
     }
-    if (left > Locator::BlockSize)
+    if (remaining > Locator::BlockSize)
     {
       this->few.emplace(fewPlanes());
       std::ptrdiff_t dismissed = 0;
@@ -185,7 +185,7 @@ private:
         dismissed +=
           this->few->isReliable() ? this->compareWithPlanes(block, Locator::BlockSize) : 0;
       }
-      if (3 * dismissed < left)
+      if (3 * dismissed < remaining)
       {
         this->few.reset();
       }
@@ -199,25 +199,25 @@ private:
     static_assert(Locator::BlockSize <= HullPlanes::BlockSize);
     double x[3][HullPlanes::BlockSize];
     int at[HullPlanes::BlockSize];
-    int left = 0;
+    int remaining = 0;
     for (int k = 0; k < n; ++k)
     {
-      at[left] = k;
+      at[remaining] = k;
       for (int i = 0; i < 3; ++i)
       {
-        x[i][left] = block.x[i][k];
+        x[i][remaining] = block.x[i][k];
       }
-      left += block.inside[k] ? 0 : 1;
+      remaining += block.inside[k] ? 0 : 1;
     }
-    for (int k = left; k % HullPlanes::Lanes != 0; ++k)
+    for (int k = remaining; k % HullPlanes::Lanes != 0; ++k)
     {
       x[0][k] = x[1][k] = x[2][k] = 0;
     }
     double height[HullPlanes::BlockSize];
     double plane[HullPlanes::BlockSize];
-    this->few->highest(x[0], x[1], x[2], left, height, plane);
+    this->few->highest(x[0], x[1], x[2], remaining, height, plane);
     int dismissed = 0;
-    for (int k = 0; k < left; ++k)
+    for (int k = 0; k < remaining; ++k)
     {
       const double p[3] = { x[0][k], x[1][k], x[2][k] };
       const bool inside = height[k] < 0 && !this->few->mayBeVertex(height[k], p);
@@ -229,18 +229,18 @@ private:
 
   /// Fill a block with the finite, not yet taken points of the subset from place @p i on.
   int gather(const PointSubset& subset, std::uint32_t& i, std::uint32_t end,
-    const std::uint32_t*& taken, const std::uint32_t* takenEnd, typename Locator::Block& block,
+    const std::uint32_t*& next, const std::uint32_t* excludedEnd, typename Locator::Block& block,
     std::uint32_t* ids) const
   {
     int n = 0;
     for (; i < end && n < Locator::BlockSize; ++i)
     {
       const std::uint32_t id = subset.idAt(i);
-      while (taken != takenEnd && *taken < id)
+      while (next != excludedEnd && *next < id)
       {
-        ++taken; // not in the subset
+        ++next; // not in the subset
       }
-      if (taken != takenEnd && *taken == id)
+      if (next != excludedEnd && *next == id)
       {
         continue;
       }
@@ -259,7 +259,7 @@ private:
     return n;
   }
 
-  void place(const Geometry& local, const typename Locator::Block& block, int k, std::uint32_t id,
+  void locate(const Geometry& local, const typename Locator::Block& block, int k, std::uint32_t id,
     Chunk& chunk)
   {
     Vertex p;
@@ -290,7 +290,7 @@ private:
         return;
       }
     }
-    chunk.placed[chunk.placedCount++] = { id, t };
+    chunk.located[chunk.locatedCount++] = { id, t };
     ++chunk.cursor[t];
   }
 
@@ -322,12 +322,12 @@ private:
       [&](std::size_t i)
       {
         Chunk& chunk = this->chunks[i];
-        for (std::size_t k = 0; k < chunk.placedCount; ++k)
+        for (std::size_t k = 0; k < chunk.locatedCount; ++k)
         {
-          const Placed& placed = chunk.placed[k];
-          result.vertices[chunk.cursor[placed.triangle]++] = this->source.vertex(placed.id);
+          const Located& located = chunk.located[k];
+          result.vertices[chunk.cursor[located.triangle]++] = this->source.vertex(located.id);
         }
-        chunk.placed.allocate(0);
+        chunk.located.allocate(0);
       });
     return result;
   }

@@ -64,15 +64,15 @@ public:
     }
     First first{ task.geometry, copyOf(start) };
     Polyhedron current = firstHull(task, std::move(start), round, first, tally, statistics);
-    std::vector<std::uint32_t> taken;
+    std::vector<std::uint32_t> excluded;
     while (round > 0)
     {
       const std::vector<std::uint32_t>& before = task.samples[--round];
-      taken.clear();
+      excluded.clear();
       std::set_union(
-        before.begin(), before.end(), corners.begin(), corners.end(), std::back_inserter(taken));
+        before.begin(), before.end(), corners.begin(), corners.end(), std::back_inserter(excluded));
       PointSubset subset = subsetOf(task, round);
-      subset.leaveOut(taken);
+      subset.exclude(excluded);
       current = insertionPays(task, current, subset)
         ? insert(task, std::move(current), subset, round == 0, tally, statistics)
         : grow(task, std::move(current), subset, first, tally, statistics);
@@ -135,7 +135,7 @@ private:
     if (round == 0)
     {
       const std::vector<std::uint32_t> corners = current.pointIds();
-      eighth.leaveOut(corners);
+      eighth.exclude(corners);
       quickhull(task, current, eighth, StartTriangles, tally);
       tally.statistics.culled = culled;
       return hullOfFew(task, std::move(current), all, true, tally, statistics);
@@ -169,7 +169,7 @@ private:
     PointSubset subset;
     subset.ids = ids.data();
     subset.count = static_cast<std::uint32_t>(ids.size());
-    subset.leaveOut(corners);
+    subset.exclude(corners);
     Tally tally;
     quickhull({ local, task.source, task.range, task.checkFinite, task.options, task.threads,
                 task.monitor, task.samples, nullptr, nullptr },
@@ -184,17 +184,17 @@ private:
   {
     Stopwatch watch;
     Polyhedron current = std::move(start);
-    std::vector<std::uint32_t> taken = current.pointIds();
-    subset.leaveOut(taken);
-    const std::vector<std::uint32_t> left = quickhull(task, current, subset, SIZE_MAX, tally);
+    std::vector<std::uint32_t> excluded = current.pointIds();
+    subset.exclude(excluded);
+    const std::vector<std::uint32_t> remaining = quickhull(task, current, subset, SIZE_MAX, tally);
     statistics.secondsGrow += watch.lap();
-    if (left.empty())
+    if (remaining.empty())
     {
       return current;
     }
-    subset.ids = left.data();
-    subset.count = static_cast<std::uint32_t>(left.size());
-    subset.takenCount = 0;
+    subset.ids = remaining.data();
+    subset.count = static_cast<std::uint32_t>(remaining.size());
+    subset.excludedCount = 0;
     return insert(task, std::move(current), subset, last, tally, statistics);
   }
 
@@ -206,7 +206,7 @@ private:
   {
     // Where half of the sample is inside, more of the points are. And each that is inserted wants
     // room for two triangles, of which there are 2^30.
-    if (2 * hull.vertexCount() < subset.takenCount || subset.count > NoIndex / 16)
+    if (2 * hull.vertexCount() < subset.excludedCount || subset.count > NoIndex / 16)
     {
       return false;
     }
@@ -220,7 +220,7 @@ private:
     some.ids = ids.data();
     some.count = static_cast<std::uint32_t>(ids.size());
     const Buffer<std::uint32_t> inOrder =
-      curveOrder(task.source, some, unfoldingOf(task.geometry, hull), task.monitor);
+      curveOrder(task.source, some, octahedralMapOf(task.geometry, hull), task.monitor);
 
     // Among slivers, such as those of points on a cylinder, walks get longer with the number of
     // points. The last ones' are six times as long then, and take as long as growing does.
@@ -304,7 +304,7 @@ private:
     Patches<Geometry> patches(
       task.geometry, std::move(base), std::move(outside), task.options.vBiased, task.monitor);
     tally.add(patches.run());
-    return patches.take();
+    return patches.release();
   }
 };
 

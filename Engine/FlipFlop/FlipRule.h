@@ -63,7 +63,7 @@ FF_HD inline std::uint32_t leastOf(std::uint32_t x, std::uint32_t y)
 /// Can the rule ask for anything at all? Only where the edge is reflex, or one of the four vertices
 /// is labelled. One sign, against up to three of decideFlip: most edges are quiet.
 template <class Geometry>
-FF_HD bool isOfConcern(
+FF_HD bool mayNeedFlip(
   const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
   return ((a.flags | b.flags | c.flags | d.flags) & VertexLabelled) != 0 ||

@@ -215,14 +215,14 @@ public:
   }
 
 private:
-  FF_APART void flip22(std::uint32_t h, std::uint32_t* outer)
+  FF_NOINLINE void flip22(std::uint32_t h, std::uint32_t* outer)
   {
     const FlipPlan plan = planFlip22(this->mesh, h);
     flip(this->mesh, plan);
     this->followThrough(plan);
     std::copy(plan.to, plan.to + 4, outer);
   }
-  FF_APART void flip31(std::uint32_t h, std::uint32_t* outer)
+  FF_NOINLINE void flip31(std::uint32_t h, std::uint32_t* outer)
   {
     const FlipPlan plan = planFlip31(this->mesh, h);
     flip(this->mesh, plan);
@@ -254,7 +254,7 @@ private:
     const Triangle& second = this->mesh.triangles[triangleOf(twin)];
     const int e = cornerOf(h);
     const Vertex* v = this->mesh.vertices;
-    return isOfConcern(this->geometry, v[first.v[e]], v[first.v[nextCorner(e)]],
+    return mayNeedFlip(this->geometry, v[first.v[e]], v[first.v[nextCorner(e)]],
       v[first.v[previousCorner(e)]], v[second.v[previousCorner(cornerOf(twin))]]);
   }
 

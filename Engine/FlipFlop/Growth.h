@@ -35,7 +35,7 @@ struct Furthest
 {
   double height = -std::numeric_limits<double>::infinity();
   std::uint32_t id = NoIndex;
-  std::uint32_t place = NoIndex;
+  std::uint32_t slot = NoIndex;
 
   /// A height that overflowed (NaN) counts as the least: which vertex goes first is no matter of
   /// exactness.
@@ -46,7 +46,7 @@ struct Furthest
     {
       this->height = h;
       this->id = pointId;
-      this->place = at;
+      this->slot = at;
     }
   }
 };
@@ -71,7 +71,7 @@ public:
   void grow(std::uint32_t t, std::uint32_t begin, std::uint32_t end, const Furthest& furthest,
     std::uint32_t& nextTriangle)
   {
-    this->stack.push_back({ t, begin, end, furthest.place });
+    this->stack.push_back({ t, begin, end, furthest.slot });
     while (!this->stack.empty())
     {
       const Cone cone = this->stack.back();
@@ -118,12 +118,12 @@ private:
     const Split split(this->geometry, *corners[0], *corners[1], *corners[2], v);
 
     const std::uint32_t first = cone.begin + 1;
-    const std::size_t room = cone.end - first;
+    const std::size_t capacity = cone.end - first;
     for (auto& side : this->aside)
     {
-      if (side.size() < room)
+      if (side.size() < capacity)
       {
-        side.allocate(room + room / 2);
+        side.allocate(capacity + capacity / 2);
       }
     }
     // The first child's points stay in place, the others' wait aside. Places count within the
@@ -150,8 +150,8 @@ private:
       furthest[k].offer(height, p.id, count[k]);
       to[k][count[k]++] = p;
     }
-    this->moves += static_cast<std::int64_t>(room);
-    if (room > 0x4000)
+    this->moves += static_cast<std::int64_t>(capacity);
+    if (capacity > 0x4000)
     {
       this->monitor.poll();
     }
@@ -165,7 +165,7 @@ private:
         {
           std::memcpy(points + begin, to[k], count[k] * sizeof(Vertex));
         }
-        this->stack.push_back({ child[k], begin, begin + count[k], begin + furthest[k].place });
+        this->stack.push_back({ child[k], begin, begin + count[k], begin + furthest[k].slot });
         begin += count[k];
       }
     }

@@ -34,10 +34,10 @@ public:
   /// @param firstTriangle from which the first walk starts
   /// @param firstFree     new triangles go to this place and up, two an insertion
   /// @param mostTriangles no more are there to walk through
-  Insertion(const Geometry& geometryToAsk, const Mesh& meshToGrow,
+  Insertion(const Geometry& geometryToUse, const Mesh& meshToGrow,
     Flipper<Geometry, Shared>& generalFlipper, std::uint32_t firstTriangle, std::uint32_t firstFree,
     std::uint32_t mostTriangles)
-    : geometry(geometryToAsk)
+    : geometry(geometryToUse)
     , mesh(meshToGrow)
     , flipper(generalFlipper)
     , last(firstTriangle)
@@ -49,16 +49,16 @@ public:
   /// Insert the vertex at a place of the mesh's array, unless it lies beneath its triangle. The
   /// walk starts where the last one ended.
   /// @return false: the way to the point's triangle is not inside the patch
-  bool insert(std::uint32_t place) { return this->insertFrom(this->last, place); }
+  bool insert(std::uint32_t slot) { return this->insertFrom(this->last, slot); }
 
   /// The same, of a walk from a triangle, which may have gone.
-  bool insertFrom(std::uint32_t start, std::uint32_t place)
+  bool insertFrom(std::uint32_t start, std::uint32_t slot)
   {
     if (this->mesh.triangles[start].flags & TriangleDead)
     {
       return false;
     }
-    const Vertex p = this->mesh.vertices[place];
+    const Vertex p = this->mesh.vertices[slot];
     const Located at =
       locateFrom(this->geometry, this->mesh, start, p, this->mostSteps, this->walked);
     if (at.triangle == NoIndex)
@@ -83,8 +83,8 @@ public:
     const std::uint32_t child[3] = { at.triangle, this->next, this->next + 1 };
     this->next += 2;
     ++this->insertions;
-    this->mesh.vertices[place].flags = VertexAlive;
-    splitTriangle(this->mesh, child, place);
+    this->mesh.vertices[slot].flags = VertexAlive;
+    splitTriangle(this->mesh, child, slot);
     this->flipIn(child, p, inside);
     return true;
   }
@@ -176,8 +176,8 @@ private:
   ///   one.
   void flipGenerally(std::uint32_t triangle, bool nearBorder)
   {
-    const std::uint32_t place = this->mesh.triangles[triangle].v[2];
-    this->flipper.follow(place, triangle);
+    const std::uint32_t slot = this->mesh.triangles[triangle].v[2];
+    this->flipper.follow(slot, triangle);
     bool testOwn = nearBorder || !this->flipper.deferred.empty();
     for (bool again = true; again; testOwn = true)
     {
@@ -185,12 +185,12 @@ private:
       {
         const std::uint32_t t = this->flipper.followedTriangle();
         const std::uint32_t* const v = this->mesh.triangles[t].v;
-        this->flipper.pushEdgesAt(halfEdge(t, static_cast<int>(std::find(v, v + 2, place) - v)));
+        this->flipper.pushEdgesAt(halfEdge(t, static_cast<int>(std::find(v, v + 2, slot) - v)));
       }
       const std::int64_t labelled = this->flipper.labelledCount();
       const std::size_t deferred = this->flipper.deferred.size();
       this->flipper.run();
-      again = (this->mesh.vertices[place].flags & VertexAlive) != 0 &&
+      again = (this->mesh.vertices[slot].flags & VertexAlive) != 0 &&
         (this->flipper.labelledCount() > labelled ||
           (!testOwn && this->flipper.deferred.size() > deferred));
     }

@@ -24,8 +24,8 @@ namespace flipflop
 {
 
 /// @tparam Geometry a model of the geometry concept (GeometryConcept.h), for which
-///                  unfoldingOf(const Geometry&, const Polyhedron&) tells where the curve sees its
-///                  points
+///                  octahedralMapOf(const Geometry&, const Polyhedron&) tells where the curve sees
+///                  its points
 template <class Geometry>
 class InsertionBuilder
 {
@@ -38,7 +38,7 @@ public:
     PointSubset subset;
     subset.count = task.source.count();
     subset.checkFinite = task.checkFinite;
-    subset.leaveOut(corners);
+    subset.exclude(corners);
     return insert(task, std::move(start), subset, 0.1, 0.9, tally, statistics);
   }
 
@@ -51,7 +51,7 @@ public:
     const double ordered = from + (to - from) / 8;
     task.monitor.stage(from, ordered, subset.count, "sorting");
     const InsertionOrder order =
-      insertionOrder(task.source, subset, unfoldingOf(task.geometry, start), task.monitor);
+      insertionOrder(task.source, subset, octahedralMapOf(task.geometry, start), task.monitor);
     statistics.secondsLocate += watch.lap();
     task.monitor.stage(ordered, to, subset.count, "inserting");
     const std::uint32_t base = start.vertexCount();
@@ -64,7 +64,7 @@ public:
     Polyhedron result(count, triangleCount);
     std::copy(start.vertices.begin(), start.vertices.end(), result.vertices.begin());
     std::copy(start.triangles.begin(), start.triangles.end(), result.triangles.begin());
-    eachRun(order.ids.size(), StepPoll::Every,
+    eachChunk(order.ids.size(), StepPoll::Every,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (std::size_t i = begin; i < end; ++i)
@@ -97,17 +97,17 @@ public:
       // Half-edges, then border slots, then NoIndex.
       if (joinsPay && parts > 1 && 4 * (triangleCount + inUse) < NoIndex)
       {
-        const bool tells = size >= 2 * usualPatch;
-        joinsPay = !tells || l == 0 ||
+        const bool isRepresentative = size >= 2 * usualPatch;
+        joinsPay = !isRepresentative || l == 0 ||
           shareAcross(result, inUse, beginOf(l - 1), beginOf(l), parts) < tornShare;
         if (joinsPay)
         {
           InsertionLevel<Geometry> level(
             task.geometry, result, inUse, task.options.vBiased, task.monitor);
           const std::size_t border = level.divide(begin, end, parts, tally);
-          if (border < size / 10 || !tells)
+          if (border < size / 10 || !isRepresentative)
           {
-            joinsPay = level.insert(tally) < size / 4 || !tells;
+            joinsPay = level.insert(tally) < size / 4 || !isRepresentative;
             inUse = level.trianglesInUse();
             isInserted = true;
           }
@@ -141,9 +141,9 @@ private:
   static double shareAcross(const Polyhedron& polyhedron, std::uint32_t triangleCount,
     std::uint32_t begin, std::uint32_t end, std::uint32_t pieces)
   {
-    constexpr std::uint32_t Asked = 1 << 15;
-    const std::uint32_t step = std::max(1u, triangleCount / Asked);
-    std::uint32_t asked = 0;
+    constexpr std::uint32_t Sampled = 1 << 15;
+    const std::uint32_t step = std::max(1u, triangleCount / Sampled);
+    std::uint32_t sampled = 0;
     std::uint32_t across = 0;
     for (std::uint32_t t = 0; t < triangleCount; t += step)
     {
@@ -164,10 +164,10 @@ private:
           most = std::max(most, piece);
         }
       }
-      ++asked;
+      ++sampled;
       across += least < most ? 1 : 0;
     }
-    return static_cast<double>(across) / std::max(1u, asked);
+    return static_cast<double>(across) / std::max(1u, sampled);
   }
 
   /// Insert the vertices from @p begin to @p end on one thread.
@@ -187,10 +187,10 @@ private:
     }
     Insertion<Geometry, Unshared> insertion(
       local, mesh, flipper, first, inUse, inUse + 2 * (end - begin));
-    for (std::uint32_t place = begin; place < end; ++place)
+    for (std::uint32_t slot = begin; slot < end; ++slot)
     {
-      ensure(insertion.insert(place));
-      if ((place - begin + 1) % StepPoll::Every == 0)
+      ensure(insertion.insert(slot));
+      if ((slot - begin + 1) % StepPoll::Every == 0)
       {
         task.monitor.advance(StepPoll::Every);
       }

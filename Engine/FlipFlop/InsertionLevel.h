@@ -38,13 +38,13 @@ class InsertionLevel
 {
 public:
   /// @param trianglesInUse of the polyhedron, the first; they are a convex one
-  InsertionLevel(const Geometry& geometryToAsk, Polyhedron& polyhedron,
-    std::uint32_t trianglesInUse, bool vBiasedFlips, Monitor& monitorToTell)
-    : geometry(geometryToAsk)
+  InsertionLevel(const Geometry& geometryToUse, Polyhedron& polyhedron,
+    std::uint32_t trianglesInUse, bool vBiasedFlips, Monitor& monitorToUse)
+    : geometry(geometryToUse)
     , mesh(polyhedron.mesh())
     , inUse(trianglesInUse)
     , vBiased(vBiasedFlips)
-    , monitor(monitorToTell)
+    , monitor(monitorToUse)
   {
   }
 
@@ -56,7 +56,7 @@ public:
   ///         will wait for the whole
   std::size_t divide(std::uint32_t begin, std::uint32_t end, std::uint32_t parts, Tally& tally)
   {
-    this->firstPlace = begin;
+    this->firstSlot = begin;
     this->vertexCount = begin;
     this->count = end - begin;
     this->found.allocate(this->count);
@@ -118,8 +118,8 @@ private:
 
   struct Patch
   {
-    std::vector<std::uint32_t> places; ///< of its points, in their order
-    std::uint32_t firstFree;           ///< triangle
+    std::vector<std::uint32_t> pointSlots; ///< of its points, in their order
+    std::uint32_t firstFree;               ///< triangle
     std::uint32_t lastFree;
     std::vector<std::uint32_t> blocked;  ///< places: of points that wait
     std::vector<std::uint32_t> deferred; ///< half-edges that wait; of what is joined, the first's
@@ -137,7 +137,7 @@ private:
   template <class Use>
   void eachTriangle(Use&& use)
   {
-    eachRun(this->inUse, TrianglesPerTask,
+    eachChunk(this->inUse, TrianglesPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
@@ -156,13 +156,13 @@ private:
     const Geometry local = this->geometry;
     Tally& tally = this->patches[part].tally;
     std::uint32_t last = this->anyTriangle();
-    for (std::uint32_t place = begin; place < end; ++place)
+    for (std::uint32_t slot = begin; slot < end; ++slot)
     {
       const Located at = locateFrom(
-        local, this->mesh, last, this->mesh.vertices[place], this->inUse, tally.statistics.moves);
+        local, this->mesh, last, this->mesh.vertices[slot], this->inUse, tally.statistics.moves);
       ensure(at.triangle != NoIndex);
-      this->found[place - this->firstPlace] = last = at.triangle;
-      if (place % StepPoll::Every == 0)
+      this->found[slot - this->firstSlot] = last = at.triangle;
+      if (slot % StepPoll::Every == 0)
       {
         this->monitor.poll();
       }
@@ -180,7 +180,7 @@ private:
     return t;
   }
 
-  std::uint32_t foundAt(std::uint32_t place) const { return this->found[place - this->firstPlace]; }
+  std::uint32_t foundAt(std::uint32_t slot) const { return this->found[slot - this->firstSlot]; }
 
   /// Give each triangle to the first chunk with a point in it; one without points goes to a
   /// neighbour's, or to none.
@@ -193,9 +193,9 @@ private:
     eachPart(
       [&](std::uint32_t k)
       {
-        for (std::uint32_t place = chunkBegin(k); place < chunkBegin(k + 1); ++place)
+        for (std::uint32_t slot = chunkBegin(k); slot < chunkBegin(k + 1); ++slot)
         {
-          std::atomic<std::uint32_t>& of = this->owner[this->foundAt(place)];
+          std::atomic<std::uint32_t>& of = this->owner[this->foundAt(slot)];
           std::uint32_t was = of.load(std::memory_order_relaxed);
           while (k < was && !of.compare_exchange_weak(was, k, std::memory_order_relaxed))
           {
@@ -238,9 +238,9 @@ private:
       [&](std::uint32_t k)
       {
         sent[k].resize(parts);
-        for (std::uint32_t place = chunkBegin(k); place < chunkBegin(k + 1); ++place)
+        for (std::uint32_t slot = chunkBegin(k); slot < chunkBegin(k + 1); ++slot)
         {
-          sent[k][this->ownerOf(this->foundAt(place))].push_back(place);
+          sent[k][this->ownerOf(this->foundAt(slot))].push_back(slot);
         }
       });
     eachPart(
@@ -248,15 +248,15 @@ private:
       {
         for (std::vector<std::vector<std::uint32_t>>& from : sent)
         {
-          std::vector<std::uint32_t>& places = this->patches[k].places;
-          places.insert(places.end(), from[k].begin(), from[k].end());
+          std::vector<std::uint32_t>& pointSlots = this->patches[k].pointSlots;
+          pointSlots.insert(pointSlots.end(), from[k].begin(), from[k].end());
         }
       });
     std::uint32_t free = this->inUse;
     for (Patch& patch : this->patches)
     {
       patch.firstFree = free;
-      free += 2 * static_cast<std::uint32_t>(patch.places.size());
+      free += 2 * static_cast<std::uint32_t>(patch.pointSlots.size());
       patch.lastFree = free;
     }
   }
@@ -264,7 +264,7 @@ private:
   /// Find the half-edges between patches.
   void findBorder()
   {
-    std::vector<std::vector<BorderEdge>> ofRun(runCount(this->inUse, TrianglesPerTask));
+    std::vector<std::vector<BorderEdge>> ofRun(chunkCount(this->inUse, TrianglesPerTask));
     eachTriangle(
       [&](std::uint32_t t)
       {
@@ -312,7 +312,7 @@ private:
     this->joints.resize(root + 1);
     for (std::uint32_t height = 1; height <= root; ++height)
     {
-      this->joints[height].resize(runCount(this->patches.size(), std::size_t(1) << height));
+      this->joints[height].resize(chunkCount(this->patches.size(), std::size_t(1) << height));
     }
     for (const BorderEdge& edge : this->border)
     {
@@ -330,21 +330,21 @@ private:
   void insertPart(std::uint32_t part)
   {
     Patch& patch = this->patches[part];
-    if (patch.places.empty())
+    if (patch.pointSlots.empty())
     {
       return;
     }
     const Geometry local = this->geometry;
     PatchFlipper flipper(local, this->mesh, this->sharedOutside(0), this->vBiased, this->monitor);
-    const std::uint32_t first = this->foundAt(patch.places[0]);
+    const std::uint32_t first = this->foundAt(patch.pointSlots[0]);
     Insertion<Geometry, SharedOutside> insertion(
       local, this->mesh, flipper, first, patch.firstFree, patch.lastFree);
     std::int64_t done = 0;
-    for (const std::uint32_t place : patch.places)
+    for (const std::uint32_t slot : patch.pointSlots)
     {
-      if (!insertion.insert(place) && !insertion.insertFrom(this->foundAt(place), place))
+      if (!insertion.insert(slot) && !insertion.insertFrom(this->foundAt(slot), slot))
       {
-        patch.blocked.push_back(place);
+        patch.blocked.push_back(slot);
       }
       if (++done % StepPoll::Every == 0)
       {
@@ -419,12 +419,12 @@ private:
     const std::uint32_t start = all ? this->anyTriangle() : this->foundAt(patch.blocked[0]);
     Insertion<Geometry, SharedOutside> insertion(
       local, this->mesh, flipper, start, patch.firstFree, this->patches.back().lastFree);
-    for (const std::uint32_t place : std::exchange(patch.blocked, {}))
+    for (const std::uint32_t slot : std::exchange(patch.blocked, {}))
     {
-      if (!insertion.insertFrom(this->foundAt(place), place) && !insertion.insert(place))
+      if (!insertion.insertFrom(this->foundAt(slot), slot) && !insertion.insert(slot))
       {
         ensure(!all);
-        patch.blocked.push_back(place);
+        patch.blocked.push_back(slot);
       }
     }
     patch.firstFree = insertion.firstFree();
@@ -453,7 +453,7 @@ private:
   std::uint32_t vertexCount = 0; ///< of the base
   bool vBiased;
   Monitor& monitor;
-  std::uint32_t firstPlace = 0;
+  std::uint32_t firstSlot = 0;
   std::uint32_t count = 0;                       ///< of the points
   Buffer<std::uint32_t> found;                   ///< triangle, by point
   std::vector<std::atomic<std::uint32_t>> owner; ///< patch, by triangle

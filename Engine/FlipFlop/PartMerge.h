@@ -38,8 +38,8 @@ public:
   using Geometry = LiftedGeometry<Weighted>;
   using Mesh = PartMesh<Weighted>;
 
-  PartMerge(const Geometry& geometryToAsk, const Mesh& meshToChange)
-    : geometry(geometryToAsk)
+  PartMerge(const Geometry& geometryToUse, const Mesh& meshToChange)
+    : geometry(geometryToUse)
     , mesh(meshToChange)
     , ring(meshToChange)
   {

@@ -22,10 +22,10 @@ template <class AnyVertex>
 class Cutter
 {
 public:
-  Cutter(PartTree<AnyVertex>& treeToFill, std::uint32_t most, Monitor& monitorToTell)
+  Cutter(PartTree<AnyVertex>& treeToFill, std::uint32_t most, Monitor& monitorToUse)
     : tree(treeToFill)
     , mostPoints(most)
-    , monitor(monitorToTell)
+    , monitor(monitorToUse)
   {
   }
 
@@ -39,7 +39,7 @@ public:
     this->mostPoints *= isAlongCurves(curve, count, pointAt) ? 4 : 1;
     if (count <= this->mostPoints || curve.isPoint())
     {
-      this->eachRun(count,
+      this->eachChunk(count,
         [&](std::uint32_t from, std::uint32_t to, std::size_t)
         {
           for (std::uint32_t i = from; i < to; ++i)
@@ -80,9 +80,9 @@ private:
   }
 
   template <class Use>
-  void eachRun(std::uint32_t count, Use&& use)
+  void eachChunk(std::uint32_t count, Use&& use)
   {
-    flipflop::eachRun(count, PointsPerTask,
+    flipflop::eachChunk(count, PointsPerTask,
       [&](std::size_t from, std::size_t to, std::size_t run)
       {
         this->monitor.poll();
@@ -96,8 +96,8 @@ private:
     const std::uint32_t begin = this->tree.nodes[node].begin;
     const std::uint32_t count = this->tree.nodes[node].end - begin;
     Buffer<AnyVertex> points(count);
-    std::vector<HilbertCurve> boxes(runCount(count, PointsPerTask));
-    this->eachRun(count,
+    std::vector<HilbertCurve> boxes(chunkCount(count, PointsPerTask));
+    this->eachChunk(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         HilbertCurve box;
@@ -135,8 +135,8 @@ private:
     }
     const std::size_t cells = std::size_t(1) << bits;
     Buffer<std::uint16_t> cellOf(count);
-    std::vector<std::uint32_t> cursor(runCount(count, PointsPerTask) * cells);
-    this->eachRun(count,
+    std::vector<std::uint32_t> cursor(chunkCount(count, PointsPerTask) * cells);
+    this->eachChunk(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
@@ -158,7 +158,7 @@ private:
       }
     }
     cellBegin.push_back(total);
-    this->eachRun(count,
+    this->eachChunk(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
@@ -243,13 +243,13 @@ PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& s
     return tree;
   }
   Buffer<std::uint32_t> ids;
-  numberFound(
+  parallelCompact(
     subset.count, PointsPerTask,
-    [&](std::size_t begin, std::size_t end, const auto& tell)
+    [&](std::size_t begin, std::size_t end, const auto& emit)
     {
       monitor.poll();
       subset.eachWanted(
-        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), tell);
+        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), emit);
     },
     [&](std::size_t wanted) { ids.allocate(wanted); },
     [&](std::size_t at, std::uint32_t id) { ids[at] = id; });

@@ -101,15 +101,15 @@ PlanePart PartTriangulation::chain()
 void PartTriangulation::insert(std::uint32_t v)
 {
   const PlaneVertex q = this->mesh.vertices[v];
-  Place place;
-  const bool isInside = this->locate(q, place);
-  this->last = place.triangle;
-  if (isInside && this->isDuplicate(q, place))
+  Location location;
+  const bool isInside = this->locate(q, location);
+  this->last = location.triangle;
+  if (isInside && this->isDuplicate(q, location))
   {
     return;
   }
   this->mesh.vertices[v].flags = VertexAlive;
-  const std::uint32_t child[3] = { place.triangle, this->next, this->next + 1 };
+  const std::uint32_t child[3] = { location.triangle, this->next, this->next + 1 };
   this->next += 2;
   ++this->insertions;
   splitTriangle(this->mesh, child, v);
@@ -117,14 +117,14 @@ void PartTriangulation::insert(std::uint32_t v)
   {
     this->flipOutside(q, child);
   }
-  else if (place.isPlain)
+  else if (location.isPlain)
   {
-    const Row a = squared(place.a);
-    const Row b = squared(place.b);
-    const Row c = squared(place.c);
-    this->waiting[0] = { child[previousCorner(place.side)], c, a, place.ca };
-    this->waiting[1] = { child[nextCorner(place.side)], b, c, place.bc };
-    this->flipIn(q, { child[place.side], a, b, place.ab }, 2);
+    const Row a = squared(location.a);
+    const Row b = squared(location.b);
+    const Row c = squared(location.c);
+    this->waiting[0] = { child[previousCorner(location.side)], c, a, location.ca };
+    this->waiting[1] = { child[nextCorner(location.side)], b, c, location.bc };
+    this->flipIn(q, { child[location.side], a, b, location.ab }, 2);
   }
   else
   {
@@ -137,12 +137,12 @@ void PartTriangulation::insert(std::uint32_t v)
 /// a border edge that it is strictly outside of. In a Delaunay triangulation, a walk by exact signs
 /// meets no triangle twice.
 /// @return whether it is one of points
-bool PartTriangulation::locate(const PlaneVertex& q, Place& place)
+bool PartTriangulation::locate(const PlaneVertex& q, Location& location)
 {
   const PlaneTriangle* const triangles = this->mesh.triangles;
   std::uint32_t t = this->last;
-  place.isPlain = true;
-  place.side = 0;
+  location.isPlain = true;
+  location.side = 0;
   for (int k = 0; k < 3; ++k)
   {
     const std::uint32_t* const v = triangles[t].v;
@@ -150,7 +150,7 @@ bool PartTriangulation::locate(const PlaneVertex& q, Place& place)
     {
       if (this->orient(v[nextCorner(k)], v[previousCorner(k)], q) > 0)
       {
-        place.triangle = t;
+        location.triangle = t;
         return false;
       }
       t = triangleOf(triangles[t].twin[nextCorner(k)]);
@@ -158,42 +158,43 @@ bool PartTriangulation::locate(const PlaneVertex& q, Place& place)
     }
   }
   const std::uint32_t* v = triangles[t].v;
-  place.a = this->rowOf(v[0], q);
-  place.b = this->rowOf(v[1], q);
-  place.ab = this->cross(q, place.a, place.b, v[0], v[1], place.isPlain);
-  if (place.ab < 0)
+  location.a = this->rowOf(v[0], q);
+  location.b = this->rowOf(v[1], q);
+  location.ab = this->cross(q, location.a, location.b, v[0], v[1], location.isPlain);
+  if (location.ab < 0)
   {
     const std::uint32_t twin = triangles[t].twin[0];
     t = triangleOf(twin);
-    place.side = cornerOf(twin);
-    std::swap(place.a, place.b);
-    place.ab = -place.ab;
+    location.side = cornerOf(twin);
+    std::swap(location.a, location.b);
+    location.ab = -location.ab;
   }
   while (true)
   {
     ++this->walked;
-    place.triangle = t;
+    location.triangle = t;
     v = triangles[t].v;
-    const int side = place.side;
+    const int side = location.side;
     const std::uint32_t apex = v[previousCorner(side)];
     if (apex == PlaneVirtual)
     {
       return false;
     }
-    place.c = this->rowOf(apex, q);
-    place.bc = this->cross(q, place.b, place.c, v[nextCorner(side)], apex, place.isPlain);
-    place.ca = this->cross(q, place.c, place.a, apex, v[side], place.isPlain);
-    if (!(place.bc < 0) && !(place.ca < 0))
+    location.c = this->rowOf(apex, q);
+    location.bc =
+      this->cross(q, location.b, location.c, v[nextCorner(side)], apex, location.isPlain);
+    location.ca = this->cross(q, location.c, location.a, apex, v[side], location.isPlain);
+    if (!(location.bc < 0) && !(location.ca < 0))
     {
       return true;
     }
-    const bool throughBc = place.bc < place.ca;
+    const bool throughBc = location.bc < location.ca;
     const std::uint32_t twin =
       triangles[t].twin[throughBc ? nextCorner(side) : previousCorner(side)];
-    place.a = throughBc ? place.c : place.a;
-    place.b = throughBc ? place.b : place.c;
-    place.ab = throughBc ? -place.bc : -place.ca;
-    place.side = cornerOf(twin);
+    location.a = throughBc ? location.c : location.a;
+    location.b = throughBc ? location.b : location.c;
+    location.ab = throughBc ? -location.bc : -location.ca;
+    location.side = cornerOf(twin);
     t = triangleOf(twin);
   }
 }
@@ -216,15 +217,15 @@ double PartTriangulation::cross(const PlaneVertex& q, const Row& a, const Row& b
 }
 
 /// Is q at a corner of its triangle? Then the corner gets the lower id.
-bool PartTriangulation::isDuplicate(const PlaneVertex& q, const Place& place)
+bool PartTriangulation::isDuplicate(const PlaneVertex& q, const Location& location)
 {
-  const Row rows[3] = { place.a, place.b, place.c };
-  int corner = place.side;
+  const Row rows[3] = { location.a, location.b, location.c };
+  int corner = location.side;
   for (const Row& row : rows)
   {
     if (row.x == 0 && row.y == 0)
     {
-      PlaneVertex& vertex = this->mesh.vertices[this->mesh.triangles[place.triangle].v[corner]];
+      PlaneVertex& vertex = this->mesh.vertices[this->mesh.triangles[location.triangle].v[corner]];
       vertex.id = std::min(vertex.id, q.id);
       return true;
     }

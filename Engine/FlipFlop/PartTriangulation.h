@@ -31,16 +31,16 @@ public:
 
   /// @param first, count the part's vertices, which begin behind the virtual vertex; they are
   ///                     inserted in their order, which may change
-  PartTriangulation(const Geometry& geometryToAsk, const PlaneMesh& meshToFill, std::uint32_t first,
+  PartTriangulation(const Geometry& geometryToUse, const PlaneMesh& meshToFill, std::uint32_t first,
     std::uint32_t count)
-    : geometry(geometryToAsk)
+    : geometry(geometryToUse)
     , mesh(meshToFill)
     , begin(first)
     , end(first + count)
     , firstTriangle(firstTriangleOf(first))
     , next(this->firstTriangle)
-    , error(1.08 * geometryToAsk.heightError())
-    , leastError(geometryToAsk.leastHeightError())
+    , error(1.08 * geometryToUse.heightError())
+    , leastError(geometryToUse.leastHeightError())
   {
   }
 
@@ -65,7 +65,7 @@ private:
 
   /// The triangle of a point: the rows of its corners from @c side on, and the cross products of
   /// neighbouring ones.
-  struct Place
+  struct Location
   {
     std::uint32_t triangle;
     int side;
@@ -77,10 +77,10 @@ private:
   bool start();
   PlanePart chain();
   void insert(std::uint32_t v);
-  bool locate(const PlaneVertex& q, Place& place);
+  bool locate(const PlaneVertex& q, Location& location);
   double cross(const PlaneVertex& q, const Row& a, const Row& b, std::uint32_t va, std::uint32_t vb,
     bool& isPlain) const;
-  bool isDuplicate(const PlaneVertex& q, const Place& place);
+  bool isDuplicate(const PlaneVertex& q, const Location& location);
   void flipOutside(const PlaneVertex& q, const std::uint32_t* child);
   void flipIn(const PlaneVertex& q, const Waiting& first, std::size_t count);
   void flipInExactly(const PlaneVertex& q);

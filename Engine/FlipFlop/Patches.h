@@ -87,7 +87,7 @@ public:
   }
 
   /// The polyhedron that came of it, in the patches' order; nothing else is left here.
-  Polyhedron take()
+  Polyhedron release()
   {
     std::sort(this->leaves.begin(), this->leaves.end(),
       [](const Leaf& a, const Leaf& b) { return a.base.begin < b.base.begin; });

@@ -53,7 +53,7 @@ private:
 struct Furthest
 {
   double height = 0;
-  std::uint32_t place = 0;
+  std::uint32_t slot = 0;
 };
 
 /// Points that may be outside, axis by axis. Those of the subset are read when they are compared
@@ -75,7 +75,7 @@ public:
   std::size_t count() const { return this->isRead ? this->used : this->subset.count; }
 
   /// The ids of those that were not dropped, ascending.
-  std::vector<std::uint32_t> idsLeft() const
+  std::vector<std::uint32_t> remainingIds() const
   {
     std::vector<std::uint32_t> result;
     if (!this->isRead)
@@ -93,13 +93,13 @@ public:
     return result;
   }
 
-  Vertex vertex(std::uint32_t place) const
+  Vertex vertex(std::uint32_t slot) const
   {
-    return { { this->x[0][place], this->x[1][place], this->x[2][place] }, this->ids[place], 0 };
+    return { { this->x[0][slot], this->x[1][slot], this->x[2][slot] }, this->ids[slot], 0 };
   }
 
   /// Let the next comparison drop the point.
-  void drop(std::uint32_t place) { this->x[0][place] = std::numeric_limits<double>::quiet_NaN(); }
+  void drop(std::uint32_t slot) { this->x[0][slot] = std::numeric_limits<double>::quiet_NaN(); }
 
   /// Drop those inside, and find the furthest above each plane: by height, then the lowest id.
   std::vector<Furthest> compare(
@@ -157,17 +157,17 @@ private:
       use(block, n);
       return;
     }
-    const std::uint32_t* taken = this->subset.taken;
-    const std::uint32_t* const takenEnd = taken + this->subset.takenCount;
+    const std::uint32_t* next = this->subset.excluded;
+    const std::uint32_t* const excludedEnd = next + this->subset.excludedCount;
     for (std::uint32_t begin = 0; begin < this->subset.count; begin += HullPlanes::BlockSize)
     {
       const std::uint32_t n =
         std::min<std::uint32_t>(HullPlanes::BlockSize, this->subset.count - begin);
       this->source.load(begin, static_cast<int>(n), block.x[0], block.x[1], block.x[2]);
       std::iota(block.ids, block.ids + n, begin);
-      for (; taken != takenEnd && *taken < begin + n; ++taken)
+      for (; next != excludedEnd && *next < begin + n; ++next)
       {
-        block.x[0][*taken - begin] = std::numeric_limits<double>::quiet_NaN();
+        block.x[0][*next - begin] = std::numeric_limits<double>::quiet_NaN();
       }
       use(block, static_cast<int>(n));
     }
@@ -239,14 +239,14 @@ bool insertFurthest(const BuildTask<HullGeometry>& task, Polyhedron& polyhedron,
   struct Chosen
   {
     std::uint32_t triangle;
-    std::uint32_t place;
+    std::uint32_t slot;
   };
   std::vector<Chosen> chosen;
   for (std::size_t i = 0; i < planes.count(); ++i)
   {
     if (furthest[i].height > 0)
     {
-      chosen.push_back({ planes.triangle(i), furthest[i].place });
+      chosen.push_back({ planes.triangle(i), furthest[i].slot });
     }
   }
   const std::size_t count = chosen.size();
@@ -268,10 +268,10 @@ bool insertFurthest(const BuildTask<HullGeometry>& task, Polyhedron& polyhedron,
     triangles, static_cast<std::uint32_t>(triangles + 2 * count));
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto place = static_cast<std::uint32_t>(base + i);
-    larger.vertices[place] = remaining.vertex(chosen[i].place);
-    remaining.drop(chosen[i].place);
-    ensure(insertion.insertFrom(chosen[i].triangle, place) || insertion.insert(place));
+    const auto slot = static_cast<std::uint32_t>(base + i);
+    larger.vertices[slot] = remaining.vertex(chosen[i].slot);
+    remaining.drop(chosen[i].slot);
+    ensure(insertion.insertFrom(chosen[i].triangle, slot) || insertion.insert(slot));
   }
   flipper.addTo(tally);
   insertion.addTo(tally);
@@ -306,7 +306,7 @@ std::vector<std::uint32_t> quickhull(const BuildTask<HullGeometry>& task, Polyhe
     again = again && triangles < enough &&
       (triangles < FewTriangles || triangles * remaining.count() < PlanesAPoint * dropped);
   }
-  return remaining.idsLeft();
+  return remaining.remainingIds();
 }
 
 }

@@ -59,7 +59,7 @@ PlanePart WeightedPart::mergeAlongLine(Tally& tally)
   std::uint32_t stays = this->begin;
   for (std::uint32_t i = this->begin + 1; i < this->end; ++i)
   {
-    if (!Geometry::samePlace(v[stays], v[i]))
+    if (!Geometry::samePlanePosition(v[stays], v[i]))
     {
       std::swap(v[++stays], v[i]);
     }

@@ -27,9 +27,9 @@ public:
 
   /// @param first, count the part's vertices, which begin behind the virtual vertex; they are
   ///                     inserted in their order, which may change
-  WeightedPart(const Geometry& geometryToAsk, const Mesh& meshToFill, std::uint32_t firstVertex,
+  WeightedPart(const Geometry& geometryToUse, const Mesh& meshToFill, std::uint32_t firstVertex,
     std::uint32_t count, bool labelsLast, Monitor& monitorToPoll)
-    : geometry(geometryToAsk)
+    : geometry(geometryToUse)
     , mesh(meshToFill)
     , begin(firstVertex)
     , end(firstVertex + count)

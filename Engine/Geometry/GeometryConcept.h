@@ -30,24 +30,24 @@ namespace flipflop
 /// A static assertion for each line of the list: this expression, of this type.
 #define FF_GIVES(Type, ...) static_assert(std::is_same_v<Type, decltype(__VA_ARGS__)>, #__VA_ARGS__)
 
-/// What every model gives. Derive from PredicateSteps<Model>, and most signs follow from their
+/// What every model gives. Derive from PredicateSteps<Geometry>, and most signs follow from their
 /// steps.
-template <class Model>
+template <class Geometry>
 constexpr bool hasSigns()
 {
   using std::declval;
-  using G = const Model&;
+  using G = const Geometry&;
   using V = const Vertex&;
 
   // Are all points vertices but for duplicates? Do threads insert all points, part by
   // part (PartsBuilder)? Else they grow first and flip afterwards where that is faster (Builder).
-  FF_GIVES(const bool, Model::AllExtreme);
-  FF_GIVES(const bool, Model::InsertsAtOnce);
+  FF_GIVES(const bool, Geometry::AllExtreme);
+  FF_GIVES(const bool, Geometry::InsertsAtOnce);
 
   // The kernel point: a place, or the exact centroid of four vertices, which no double need be.
   // kernel() is rounded then.
-  FF_GIVES(void, declval<Model&>().setKernel(declval<const double*>()));
-  FF_GIVES(void, declval<Model&>().setSymbolicKernel(declval<const Vertex*>()));
+  FF_GIVES(void, declval<Geometry&>().setKernel(declval<const double*>()));
+  FF_GIVES(void, declval<Geometry&>().setSymbolicKernel(declval<const Vertex*>()));
   FF_GIVES(const double*, declval<G>().kernel());
   FF_GIVES(bool, declval<G>().kernelIsSymbolic());
 
@@ -84,75 +84,76 @@ constexpr bool hasSigns()
   FF_GIVES(bool, declval<G>().collinear(declval<V>(), declval<V>(), declval<V>()));
 
   // How far p is above abc, times twice the area; rounded. For choosing the furthest point.
-  FF_GIVES(double, Model::heightAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_GIVES(double, Geometry::heightAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
 
   // Are integers of any size needed? Devices have none.
   FF_GIVES(bool, declval<G>().isWide());
 
   // What it has answered. Each task has a copy of its own, which counts.
   FF_GIVES(const PredicateCounts&, declval<G>().predicateCounts());
-  static_assert(std::is_copy_constructible_v<Model>);
+  static_assert(std::is_copy_constructible_v<Geometry>);
   return true;
 }
 
 /// Functions beside the class.
-template <class Model>
+template <class Geometry>
 constexpr bool hasStart()
 {
   using std::declval;
   // The tetrahedron of the points that findSpan chose; the kernel point is set inside it.
   FF_GIVES(Polyhedron,
     startingTetrahedron(
-      declval<Model&>(), declval<const PointSource&>(), declval<const std::uint32_t*>()));
+      declval<Geometry&>(), declval<const PointSource&>(), declval<const std::uint32_t*>()));
   return true;
 }
 
 /// A Locator starts walks near where they end. It keeps a triangle for each of some cells.
-template <class Model>
+template <class Geometry>
 constexpr bool hasLocator()
 {
   using std::declval;
-  using Locator = typename Model::Locator;
+  using Locator = typename Geometry::Locator;
   using L = const Locator&;
-  static_assert(std::is_constructible_v<Locator, const Model&, const Triangle*, std::uint32_t,
+  static_assert(std::is_constructible_v<Locator, const Geometry&, const Triangle*, std::uint32_t,
     const Vertex*, Monitor&>);
   using Cell = decltype(declval<L>().cellOf(declval<const double*>()));
   FF_GIVES(std::uint32_t, declval<L>().near(declval<const Vertex&>(), declval<Cell>()));
   // The triangle in whose cone p lies, by a visibility walk from a given one.
   FF_GIVES(std::uint32_t,
     declval<L>().locate(
-      declval<const Model&>(), declval<const Vertex&>(), declval<std::uint32_t>()));
+      declval<const Geometry&>(), declval<const Vertex&>(), declval<std::uint32_t>()));
   return true;
 }
 
 /// What a model that grows (not InsertsAtOnce) gives besides: tests of planes and split cones,
 /// prepared for many points, each a rounded value and its error bound.
-template <class Model>
+template <class Geometry>
 constexpr bool canGrow()
 {
   using std::declval;
   using V = const Vertex&;
-  using G = const Model&;
+  using G = const Geometry&;
 
   // The curve that points are inserted along.
-  FF_GIVES(Unfolding, unfoldingOf(declval<const Model&>(), declval<const Polyhedron&>()));
+  FF_GIVES(
+    OctahedralMap, octahedralMapOf(declval<const Geometry&>(), declval<const Polyhedron&>()));
   // The kernel point may move to the middle of a convex polyhedron.
-  FF_GIVES(void, centerKernel(declval<Model&>(), declval<const Polyhedron&>()));
+  FF_GIVES(void, centerKernel(declval<Geometry&>(), declval<const Polyhedron&>()));
 
-  using Plane = typename Model::Plane;
+  using Plane = typename Geometry::Plane;
   static_assert(std::is_constructible_v<Plane, G, V, V, V>);
   FF_GIVES(double, declval<const Plane&>().height(declval<const double*>()));
   FF_GIVES(double, declval<const Plane&>().error());
 
   // The cone of abc split by v: which child holds p (-1: too close to tell), how far p is above it.
-  using Split = typename Model::Split;
+  using Split = typename Geometry::Split;
   static_assert(std::is_constructible_v<Split, G, V, V, V, V>);
   FF_GIVES(int, declval<const Split&>().child(declval<const double*>()));
   FF_GIVES(double, declval<const Split&>().height(0, declval<const double*>()));
   FF_GIVES(double, declval<const Split&>().heightError(0));
 
   // A locator that dismisses points that are certainly inside, a block at a time.
-  using Locator = typename Model::Locator;
+  using Locator = typename Geometry::Locator;
   FF_GIVES(void, declval<const Locator&>().classify(declval<typename Locator::Block&>(), 0));
   FF_GIVES(const int, Locator::BlockSize);
   static_assert(
@@ -164,14 +165,14 @@ constexpr bool canGrow()
 #undef FF_GIVES
 
 /// Has the model all that it must give? A compiler that says no names the line of the list.
-template <class Model>
+template <class Geometry>
 constexpr bool isGeometry()
 {
-  if constexpr (!Model::InsertsAtOnce)
+  if constexpr (!Geometry::InsertsAtOnce)
   {
-    static_assert(canGrow<Model>());
+    static_assert(canGrow<Geometry>());
   }
-  return hasSigns<Model>() && hasStart<Model>() && hasLocator<Model>();
+  return hasSigns<Geometry>() && hasStart<Geometry>() && hasLocator<Geometry>();
 }
 
 }

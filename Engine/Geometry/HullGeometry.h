@@ -121,7 +121,7 @@ public:
   }
 
   /// The kernel point, rounded when it is symbolic.
-  const double* kernel() const { return this->kernelPoint.place(); }
+  const double* kernel() const { return this->kernelPoint.coordinates(); }
   bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On the triangle it
@@ -160,7 +160,7 @@ public:
   FF_HD FF_INLINE bool filterKernelBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
-    const Rows rows(a.x, b.x, c.x, this->kernelPoint.place());
+    const Rows rows(a.x, b.x, c.x, this->kernelPoint.coordinates());
     const double det = rows.determinant();
     sign = det > 0.0 ? 1 : -1;
     if (det > this->kernelError || det < -this->kernelError)
@@ -171,45 +171,47 @@ public:
   }
 
   /// The second step alone.
-  FF_HD FF_APART int exactAbove(
+  FF_HD FF_NOINLINE int exactAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     ++this->counts.exact;
-    return this->orient(a, b, c, Row<1>{ { p.x } });
+    return this->orient(a, b, c, DeterminantRow<1>{ { p.x } });
   }
 
-  FF_HD FF_APART int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_NOINLINE int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     ++this->counts.exact;
     // det[a - s; b - s; c - s] = -det[b - a; c - a; s - a].
-    return -this->kernelPoint.asRow([&](const auto& s) { return this->orient(a, b, c, s); });
+    return -this->kernelPoint.asDeterminantRow(
+      [&](const auto& s) { return this->orient(a, b, c, s); });
   }
 
   /// The third step alone, where the exact sign is zero. Never zero.
-  FF_HD FF_APART int tieAbove(
+  FF_HD FF_NOINLINE int tieAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     const FirstTerm first = firstTermOf(a, b, c, p);
-    int turn;
-    if (this->filterPlanar(*first.rest[0], *first.rest[1], *first.rest[2], 1, 2, turn) && turn != 0)
+    int orientation;
+    if (this->filterPlanar(*first.rest[0], *first.rest[1], *first.rest[2], 1, 2, orientation) &&
+      orientation != 0)
     {
-      return first.sign * turn;
+      return first.sign * orientation;
     }
     // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
     const Vertex* row[4] = { &a, &b, &c, &p };
     const int sign = -sortById(row);
-    const Row<1> last = { { row[3]->x } };
+    const DeterminantRow<1> last = { { row[3]->x } };
     return sign * this->tie(*row[0], *row[1], *row[2], last);
   }
 
-  FF_HD FF_APART int tieKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_NOINLINE int tieKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     // det[a - s; b - s; c - s] = det of the rows (a, 1), (b, 1), (c, 1), (s, 1); s is the last of
     // all ids.
     const Vertex* row[3] = { &a, &b, &c };
     const int sign = sortById(row);
     return sign *
-      this->kernelPoint.asRow(
+      this->kernelPoint.asDeterminantRow(
         [&](const auto& s) { return this->tie(*row[0], *row[1], *row[2], s); });
   }
 
@@ -222,7 +224,7 @@ public:
       return sign;
     }
     ++this->counts.exact;
-    const Row<1> last = { { c.x } };
+    const DeterminantRow<1> last = { { c.x } };
     return inArithmetic<ExpansionSigns, WideSigns>(
       this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
   }
@@ -334,7 +336,8 @@ private:
 
   /// Sign of det[b - a; c - a; last - a].
   template <int Count>
-  FF_HD int orient(const Vertex& a, const Vertex& b, const Vertex& c, const Row<Count>& last) const
+  FF_HD int orient(
+    const Vertex& a, const Vertex& b, const Vertex& c, const DeterminantRow<Count>& last) const
   {
     return inArithmetic<ExpansionSigns, WideSigns>(
       this->wide, [&](auto signs) { return signs.orient3(a.x, b.x, c.x, last); });
@@ -342,7 +345,8 @@ private:
 
   /// Perturbed sign of the 4 by 4 determinant of rows (point, 1), the last one the greatest id.
   template <int Count>
-  FF_HD int tie(const Vertex& r0, const Vertex& r1, const Vertex& r2, const Row<Count>& last) const
+  FF_HD int tie(
+    const Vertex& r0, const Vertex& r1, const Vertex& r2, const DeterminantRow<Count>& last) const
   {
     const double* const rows[3] = { r0.x, r1.x, r2.x };
     return inArithmetic<ExpansionSigns, WideSigns>(this->wide,

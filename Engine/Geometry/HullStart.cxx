@@ -124,7 +124,7 @@ void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron)
   }
 }
 
-Unfolding unfoldingOf(const HullGeometry& geometry, const Polyhedron& polyhedron)
+OctahedralMap octahedralMapOf(const HullGeometry& geometry, const Polyhedron& polyhedron)
 {
   // Second moments around the kernel point, in units of the extent.
   double unit[3];
@@ -176,7 +176,7 @@ Unfolding unfoldingOf(const HullGeometry& geometry, const Polyhedron& polyhedron
       inverse[i][k] /= isInRange ? unit[k] : 1;
     }
   }
-  return Unfolding(kernel, inverse);
+  return OctahedralMap(kernel, inverse);
 }
 
 }

@@ -28,7 +28,7 @@ void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron);
 
 /// Directions from the kernel point, in the axes of a polyhedron's vertices: those of a thin or
 /// slanted one are spread as a ball's.
-Unfolding unfoldingOf(const HullGeometry& geometry, const Polyhedron& polyhedron);
+OctahedralMap octahedralMapOf(const HullGeometry& geometry, const Polyhedron& polyhedron);
 
 }
 

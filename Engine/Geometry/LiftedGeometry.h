@@ -113,7 +113,7 @@ public:
   void setSymbolicKernel(const Vertex* corners) { this->kernelPoint.setCentroid(corners); }
 
   /// The kernel point's place, rounded when it is symbolic.
-  const double* kernel() const { return this->kernelPoint.place(); }
+  const double* kernel() const { return this->kernelPoint.coordinates(); }
   bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
@@ -129,10 +129,10 @@ public:
       const BorderEdge edge = borderEdge(a, b, c);
       const Vertex& first = *edge.from;
       const Vertex& second = *edge.to;
-      if (samePlace(first, second))
+      if (samePlanePosition(first, second))
       {
         // An edge between weights of one place: a ray's width.
-        return !samePlace(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
+        return !samePlanePosition(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
       }
       return this->kernelBeneath(a, b, c) == 0
         ? !this->isBeneathChord(first, second, p) && this->perturbedAbove(a, b, c, p) > 0
@@ -150,7 +150,7 @@ public:
   {
     if (isVirtual(a, b, c))
     {
-      const Place u = cornerPlace(a, p), v = cornerPlace(b, p), w = cornerPlace(c, p);
+      const Position u = cornerPosition(a, p), v = cornerPosition(b, p), w = cornerPosition(c, p);
       return (v.x[0] - u.x[0]) * (w.x[1] - u.x[1]) - (v.x[1] - u.x[1]) * (w.x[0] - u.x[0]);
     }
     double most;
@@ -188,60 +188,62 @@ public:
   }
 
   /// The second step alone.
-  FF_HD FF_APART int exactAbove(
+  FF_HD FF_NOINLINE int exactAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if (isVirtual(a, b, c, p))
     {
-      return this->exactTurn(turnAbove(a, b, c, p));
+      return this->exactOrientation(orientationAbove(a, b, c, p));
     }
     ++this->counts.exact;
-    const Row<1> last = { { p.x } };
+    const DeterminantRow<1> last = { { p.x } };
     return inArithmetic<Signs, WideLiftedSigns>(
       this->wide, [&](auto signs) { return signs.orient3(a.x, b.x, c.x, last); });
   }
 
-  FF_HD FF_APART int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_NOINLINE int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    return this->exactTurn(turnBeneath(a, b, c));
+    return this->exactOrientation(orientationBeneath(a, b, c));
   }
 
   /// The third step alone, where the exact sign is zero. Never zero, but for a vertex against
   /// itself.
-  FF_HD FF_APART int tieAbove(
+  FF_HD FF_NOINLINE int tieAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if (isVirtual(a, b, c, p))
     {
       const bool twice = isVirtual(p) && isVirtual(a, b, c);
-      return twice ? 0 : this->tieTurn(turnAbove(a, b, c, p));
+      return twice ? 0 : this->tieOrientation(orientationAbove(a, b, c, p));
     }
     const FirstTerm first = firstTermOf(a, b, c, p);
-    int turn;
-    if (this->filterOrient(first.rest[0]->x, first.rest[1]->x, first.rest[2]->x, turn) && turn != 0)
+    int orientation;
+    if (this->filterOrient(first.rest[0]->x, first.rest[1]->x, first.rest[2]->x, orientation) &&
+      orientation != 0)
     {
-      return first.sign * turn;
+      return first.sign * orientation;
     }
     // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
     const Vertex* row[4] = { &a, &b, &c, &p };
     const int sign = -sortById(row);
     const double* const rows[3] = { row[0]->x, row[1]->x, row[2]->x };
-    const Row<1> last = { { row[3]->x } };
+    const DeterminantRow<1> last = { { row[3]->x } };
     return sign *
       inArithmetic<Signs, WideLiftedSigns>(this->wide,
         [&](auto signs) { return perturbedSign<decltype(signs), MovedByHeight>(rows, last); });
   }
 
-  FF_HD FF_APART int tieKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
+  FF_HD FF_NOINLINE int tieKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    return this->tieTurn(turnBeneath(a, b, c));
+    return this->tieOrientation(orientationBeneath(a, b, c));
   }
 
   /// Orientation of three points in the plane. Exact.
   FF_HD int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     int sign;
-    return this->filterOrient(a.x, b.x, c.x, sign) ? sign : this->exactTurn({ &a, &b, &c, 1 });
+    return this->filterOrient(a.x, b.x, c.x, sign) ? sign
+                                                   : this->exactOrientation({ &a, &b, &c, 1 });
   }
 
   /// Is one of them the virtual vertex?
@@ -264,7 +266,7 @@ public:
                         : BorderEdge{ &a, &b };
   }
 
-  static FF_HD bool samePlace(const Vertex& a, const Vertex& b)
+  static FF_HD bool samePlanePosition(const Vertex& a, const Vertex& b)
   {
     return a.x[0] == b.x[0] && a.x[1] == b.x[1];
   }
@@ -275,7 +277,7 @@ public:
     // In the coordinate in which they differ, and the height.
     const int axis = a.x[0] != c.x[0] ? 0 : 1;
     const int side = a.x[axis] < c.x[axis] ? 1 : -1;
-    return side * this->upright(a, c, b, axis, 2) > 0;
+    return side * this->orientProjected(a, c, b, axis, 2) > 0;
   }
 
   /// Is the place of q by power distance nearer to a (-1) or to b (1)? Exact; the weight of q does
@@ -311,8 +313,8 @@ public:
   /// Without weights no point is.
   FF_HD bool isBeneathChord(const Vertex& a, const Vertex& b, const Vertex& p) const
   {
-    return Weighted && !samePlace(a, b) && isWithin(a, b, p, 2) && this->orient(a, b, p) == 0 &&
-      !this->isAboveChord(a, p, b);
+    return Weighted && !samePlanePosition(a, b) && isWithin(a, b, p, 2) &&
+      this->orient(a, b, p) == 0 && !this->isAboveChord(a, p, b);
   }
 
   /// Do the three lifted points lie on a line? Exact.
@@ -321,10 +323,10 @@ public:
     if (isVirtual(a, b, c))
     {
       const BorderEdge edge = borderEdge(a, b, c);
-      return samePlace(*edge.from, *edge.to);
+      return samePlanePosition(*edge.from, *edge.to);
     }
-    return this->orient(a, b, c) == 0 && this->upright(a, b, c, 1, 2) == 0 &&
-      this->upright(a, b, c, 2, 0) == 0;
+    return this->orient(a, b, c) == 0 && this->orientProjected(a, b, c, 1, 2) == 0 &&
+      this->orientProjected(a, b, c, 2, 0) == 0;
   }
 
   bool isWide() const { return this->wide; }
@@ -385,29 +387,30 @@ private:
 
   /// A place in the plane. By value: a filter that kept the address of a point would force it out
   /// of the registers.
-  struct Place
+  struct Position
   {
     double x[2];
-    static FF_HD Place of(const Vertex& p) { return { { p.x[0], p.x[1] } }; }
+    static FF_HD Position of(const Vertex& p) { return { { p.x[0], p.x[1] } }; }
   };
 
   /// Of a corner; of p where the corner is the virtual vertex.
-  static FF_HD Place cornerPlace(const Vertex& corner, const Vertex& p)
+  static FF_HD Position cornerPosition(const Vertex& corner, const Vertex& p)
   {
-    return choose(isVirtual(corner), Place::of(p), Place::of(corner));
+    return choose(isVirtual(corner), Position::of(p), Position::of(corner));
   }
-  static FF_HD Place choose(bool first, Place a, Place b) { return first ? a : b; }
+  static FF_HD Position choose(bool first, Position a, Position b) { return first ? a : b; }
 
   /// Three points whose orientation in the plane, times a sign, is what a predicate comes to when
   /// one of its vertices is the virtual vertex. A null c stands for the kernel point.
-  struct Turn
+  struct Orientation2
   {
     const Vertex *a, *b, *c;
     int sign;
   };
 
   /// above() with the virtual vertex among the four: p takes its corner.
-  static FF_HD Turn turnAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
+  static FF_HD Orientation2 orientationAbove(
+    const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
   {
     if (isVirtual(p))
     {
@@ -417,7 +420,7 @@ private:
   }
 
   /// kernelBeneath(), of points or with the virtual vertex: the kernel point takes its corner.
-  static FF_HD Turn turnBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
+  static FF_HD Orientation2 orientationBeneath(const Vertex& a, const Vertex& b, const Vertex& c)
   {
     if (isVirtual(a, b, c))
     {
@@ -428,7 +431,7 @@ private:
   }
 
   /// The rest of filterAbove: where the bound leaves the sign open, or may not hold.
-  FF_HD FF_APART bool filterFar(const Rows& rows, double det, double error, int& sign) const
+  FF_HD FF_NOINLINE bool filterFar(const Rows& rows, double det, double error, int& sign) const
   {
     const double x = largestOf(rows.ux, rows.vx, rows.wx);
     const double y = largestOf(rows.uy, rows.vy, rows.wy);
@@ -454,7 +457,7 @@ private:
   }
 
   /// With the virtual vertex among the four: the orientation of the three others, p in its corner.
-  FF_HD FF_APART bool filterVirtualAbove(
+  FF_HD FF_NOINLINE bool filterVirtualAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
     if (isVirtual(p) && isVirtual(a, b, c))
@@ -463,7 +466,7 @@ private:
       return true;
     }
     // Where p is the virtual vertex, all corners are their own.
-    const Place u = cornerPlace(a, p), v = cornerPlace(b, p), w = cornerPlace(c, p);
+    const Position u = cornerPosition(a, p), v = cornerPosition(b, p), w = cornerPosition(c, p);
     const bool known = this->filterOrient(u.x, v.x, w.x, sign);
     sign = isVirtual(p) ? -sign : sign;
     return known;
@@ -471,14 +474,14 @@ private:
 
   /// With the virtual vertex among the three: the orientation of the border's edge (as borderEdge,
   /// but by value, see Place) and the kernel point's place, which is on no lattice.
-  FF_HD FF_APART bool filterVirtualBeneath(
+  FF_HD FF_NOINLINE bool filterVirtualBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
-    const Place u = Place::of(a), v = Place::of(b), w = Place::of(c);
-    const Place from = choose(isVirtual(a), v, choose(isVirtual(b), w, u));
-    const Place to = choose(isVirtual(a), w, choose(isVirtual(b), u, v));
+    const Position u = Position::of(a), v = Position::of(b), w = Position::of(c);
+    const Position from = choose(isVirtual(a), v, choose(isVirtual(b), w, u));
+    const Position to = choose(isVirtual(a), w, choose(isVirtual(b), u, v));
     const bool known =
-      ExpansionSigns::filterOrient2(from.x, to.x, this->kernelPoint.place(), 0, 1, sign);
+      ExpansionSigns::filterOrient2(from.x, to.x, this->kernelPoint.coordinates(), 0, 1, sign);
     sign = -sign;
     return known && !this->kernelPoint.isSymbolic();
   }
@@ -504,28 +507,29 @@ private:
     return isNear && within > 0;
   }
 
-  FF_HD int exactTurn(const Turn& turn) const
+  FF_HD int exactOrientation(const Orientation2& orientation) const
   {
     ++this->counts.exact;
     const auto orientTo = [&](const auto& last)
     {
-      return inArithmetic<ExpansionSigns, WideSigns>(
-        this->wide, [&](auto signs) { return signs.orient2(turn.a->x, turn.b->x, last, 0, 1); });
+      return inArithmetic<ExpansionSigns, WideSigns>(this->wide,
+        [&](auto signs) { return signs.orient2(orientation.a->x, orientation.b->x, last, 0, 1); });
     };
-    return turn.sign *
-      (turn.c ? orientTo(Row<1>{ { turn.c->x } }) : this->kernelPoint.asRow(orientTo));
+    return orientation.sign *
+      (orientation.c ? orientTo(DeterminantRow<1>{ { orientation.c->x } })
+                     : this->kernelPoint.asDeterminantRow(orientTo));
   }
 
   /// Orientation in two coordinates of which one is the height.
-  FF_HD int upright(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
+  FF_HD int orientProjected(const Vertex& a, const Vertex& b, const Vertex& c, int p, int q) const
   {
     ++this->counts.exact;
-    const Row<1> last = { { c.x } };
+    const DeterminantRow<1> last = { { c.x } };
     return inArithmetic<Signs, WideLiftedSigns>(
       this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
   }
 
-  FF_HD int tieTurn(const Turn& turn) const
+  FF_HD int tieOrientation(const Orientation2& orientation) const
   {
     const auto orientTo = [&](const Vertex& a, const Vertex& b, const auto& last)
     {
@@ -533,17 +537,18 @@ private:
       return inArithmetic<ExpansionSigns, WideSigns>(this->wide,
         [&](auto signs) { return perturbedSign<decltype(signs), MovedInPlane>(rows, last); });
     };
-    if (turn.c)
+    if (orientation.c)
     {
-      const Vertex* row[3] = { turn.a, turn.b, turn.c };
-      const int sign = turn.sign * sortById(row);
-      return sign * orientTo(*row[0], *row[1], Row<1>{ { row[2]->x } });
+      const Vertex* row[3] = { orientation.a, orientation.b, orientation.c };
+      const int sign = orientation.sign * sortById(row);
+      return sign * orientTo(*row[0], *row[1], DeterminantRow<1>{ { row[2]->x } });
     }
     // s is the last of all ids.
-    const Vertex* row[2] = { turn.a, turn.b };
-    const int sign = turn.sign * sortById(row);
+    const Vertex* row[2] = { orientation.a, orientation.b };
+    const int sign = orientation.sign * sortById(row);
     return sign *
-      this->kernelPoint.asRow([&](const auto& s) { return orientTo(*row[0], *row[1], s); });
+      this->kernelPoint.asDeterminantRow(
+        [&](const auto& s) { return orientTo(*row[0], *row[1], s); });
   }
 
   KernelPoint<2> kernelPoint;

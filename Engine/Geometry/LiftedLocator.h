@@ -11,7 +11,7 @@
 #define flipflop_LiftedLocator_h
 
 #include "Geometry/LiftedGeometry.h"
-#include "Geometry/PlaceGrid.h"
+#include "Geometry/PositionGrid.h"
 #include "Geometry/VisibilityWalk.h"
 #include "Mesh/Mesh.h"
 #include "Support/Monitor.h"
@@ -54,9 +54,9 @@ public:
         const Vertex& corner = vertexArray[v[i]];
         const bool isVirtual = (corner.flags & VertexVirtual) != 0;
         cone.virtualCorner = isVirtual ? i : cone.virtualCorner;
-        const double* place = isVirtual ? geometry.kernel() : corner.x;
-        cone.x[i] = place[0];
-        cone.y[i] = place[1];
+        const double* position = isVirtual ? geometry.kernel() : corner.x;
+        cone.x[i] = position[0];
+        cone.y[i] = position[1];
       }
     }
     this->buildGrid(poll);
@@ -140,17 +140,17 @@ private:
         at[this->triangles[t].v[i]] = t;
       }
     }
-    std::vector<ValuedPlace> places;
+    std::vector<ValuedPosition> positions;
     for (std::size_t v = 0; v < at.size(); ++v)
     {
       poll.step();
       if (at[v] != NoIndex)
       {
-        places.push_back({ { this->vertices[v].x[0], this->vertices[v].x[1] }, at[v] });
+        positions.push_back({ { this->vertices[v].x[0], this->vertices[v].x[1] }, at[v] });
       }
     }
     this->grid.build(
-      std::move(places),
+      std::move(positions),
       [this](double x, double y, std::uint32_t t) { return this->walkTo(x, y, t); },
       [&poll] { poll.step(); });
   }
@@ -174,7 +174,7 @@ private:
   const Triangle* triangles;
   const Vertex* vertices;
   Buffer<Cone> cones;
-  PlaceGrid grid; ///< of triangles
+  PositionGrid grid; ///< of triangles
 };
 
 }

@@ -28,18 +28,18 @@ std::uint32_t startsFromCounts(std::vector<std::uint32_t>& counts)
   return total;
 }
 
-/// use(vertex, run) for every vertex, in parallel by runs.
+/// use(vertex, chunk) for every vertex, in parallel by chunks.
 template <class Use>
 void eachVertex(Polyhedron& polyhedron, Use&& use)
 {
-  eachRun(polyhedron.vertices.size(), VerticesPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t run)
+  eachChunk(polyhedron.vertices.size(), VerticesPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t chunk)
     {
       for (std::size_t v = begin; v < end; ++v)
       {
         if (polyhedron.vertices[v].flags & VertexAlive)
         {
-          use(polyhedron.vertices[v], run);
+          use(polyhedron.vertices[v], chunk);
         }
       }
     });
@@ -49,11 +49,11 @@ void eachVertex(Polyhedron& polyhedron, Use&& use)
 
 Polyhedron compact(Polyhedron&& old)
 {
-  // How many stay, by piece and by run of vertices.
+  // How many stay, by piece and by chunk of vertices.
   std::vector<std::uint32_t> triangleNext(old.pieces.size());
-  std::vector<std::uint32_t> vertexNext(runCount(old.vertices.size(), VerticesPerTask));
+  std::vector<std::uint32_t> vertexNext(chunkCount(old.vertices.size(), VerticesPerTask));
   old.eachTriangle([&](std::uint32_t, std::size_t piece) { ++triangleNext[piece]; });
-  eachVertex(old, [&](const Vertex&, std::size_t run) { ++vertexNext[run]; });
+  eachVertex(old, [&](const Vertex&, std::size_t chunk) { ++vertexNext[chunk]; });
   const std::uint32_t triangleCount = startsFromCounts(triangleNext);
   const std::uint32_t vertexCount = startsFromCounts(vertexNext);
   Polyhedron result(vertexCount, triangleCount);
@@ -62,10 +62,10 @@ Polyhedron compact(Polyhedron&& old)
   old.eachTriangle(
     [&](std::uint32_t t, std::size_t piece) { old.triangles[t].flags = triangleNext[piece]++; });
   eachVertex(old,
-    [&](Vertex& vertex, std::size_t run)
+    [&](Vertex& vertex, std::size_t chunk)
     {
       ensure(!(vertex.flags & VertexLabelled)); // or a flip is missing
-      const std::uint32_t index = vertexNext[run]++;
+      const std::uint32_t index = vertexNext[chunk]++;
       result.vertices[index] = vertex;
       result.vertices[index].flags = vertex.flags & (VertexAlive | VertexVirtual);
       vertex.flags = index;

@@ -41,7 +41,7 @@ struct PlanePolyhedron
 
   PlaneMesh mesh() { return { this->triangles.data(), this->vertices.data(), this->ties.data() }; }
 
-  std::size_t pieceCount() const { return runCount(this->triangles.size(), PieceSize); }
+  std::size_t pieceCount() const { return chunkCount(this->triangles.size(), PieceSize); }
   std::size_t pieceEnd(std::size_t piece) const { return (piece + 1) * PieceSize; }
 
   /// use(triangle, piece) for every triangle, in parallel by pieces.
@@ -63,13 +63,13 @@ struct PlanePolyhedron
   Polyhedron full() const
   {
     Polyhedron result(this->vertices.size(), this->triangles.size());
-    eachRun(this->vertices.size(), PieceSize,
+    eachChunk(this->vertices.size(), PieceSize,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         std::transform(this->vertices.begin() + begin, this->vertices.begin() + end,
           result.vertices.begin() + begin, [](const PlaneVertex& v) { return v.full(); });
       });
-    eachRun(this->triangles.size(), PieceSize,
+    eachChunk(this->triangles.size(), PieceSize,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (std::size_t t = begin; t < end; ++t)
@@ -91,7 +91,7 @@ private:
   template <class IsWanted, class Use>
   void eachOf(const IsWanted& isWanted, Use&& use) const
   {
-    eachRun(this->triangles.size(), PieceSize,
+    eachChunk(this->triangles.size(), PieceSize,
       [&](std::size_t begin, std::size_t end, std::size_t piece)
       {
         for (std::size_t t = begin; t < end; ++t)

@@ -41,7 +41,7 @@ struct Polyhedron
     , triangles(triangleCount)
   {
     constexpr std::size_t PieceSize = 1 << 13;
-    this->pieces.reserve(runCount(triangleCount, PieceSize));
+    this->pieces.reserve(chunkCount(triangleCount, PieceSize));
     for (std::size_t begin = 0; begin < triangleCount; begin += PieceSize)
     {
       this->pieces.push_back({ static_cast<std::uint32_t>(begin),

@@ -86,22 +86,22 @@ Arithmetic chooseLiftedArithmetic(const CoordinateRange& range)
   constexpr int ordinaryTop = 40;
 
   Arithmetic result;
-  Bits place = { 0, 0 };
+  Bits position = { 0, 0 };
   Bits weight = { 0, 0 };
-  const bool anyPlace = bitsOf(range, 0, 2, place);
+  const bool anyPosition = bitsOf(range, 0, 2, position);
   const bool anyWeight = bitsOf(range, 2, 3, weight);
-  if (!anyPlace && !anyWeight)
+  if (!anyPosition && !anyWeight)
   {
     return result;
   }
-  if (!anyPlace || !anyWeight)
+  if (!anyPosition || !anyWeight)
   {
     // Zeros have any bits.
-    (anyPlace ? weight : place) = anyPlace ? Bits{ 2 * place.top, 2 * place.bottom }
-                                           : Bits{ weight.top / 2, weight.bottom / 2 };
+    (anyPosition ? weight : position) = anyPosition ? Bits{ 2 * position.top, 2 * position.bottom }
+                                                    : Bits{ weight.top / 2, weight.bottom / 2 };
   }
-  const int top = std::max(place.top, (weight.top + 1) / 2 + 1);
-  const int product = 2 * place.bottom + std::min(2 * place.bottom, weight.bottom);
+  const int top = std::max(position.top, (weight.top + 1) / 2 + 1);
+  const int product = 2 * position.bottom + std::min(2 * position.bottom, weight.bottom);
   if (std::abs(top) <= ordinaryTop && product >= lowestProduct)
   {
     return result;

@@ -29,21 +29,21 @@ struct HilbertTable
   {
     for (int state = 0; state < 4; ++state)
     {
-      for (int place = 0; place < Side * Side; ++place)
+      for (int index = 0; index < Side * Side; ++index)
       {
         int turned = state;
         int key = 0;
         for (int bit = Bits - 1; bit >= 0; --bit)
         {
           const int mirrored = turned >> 1;
-          const int u = (place >> (Bits + bit) & 1) ^ mirrored;
-          const int v = (place >> bit & 1) ^ mirrored;
+          const int u = (index >> (Bits + bit) & 1) ^ mirrored;
+          const int v = (index >> bit & 1) ^ mirrored;
           const int right = turned & 1 ? v : u;
           const int upper = turned & 1 ? u : v;
           key = key << 2 | ((3 * right) ^ upper);
           turned ^= upper ? 0 : (right ? 3 : 1);
         }
-        this->step[state][place] = { static_cast<std::uint8_t>(key),
+        this->step[state][index] = { static_cast<std::uint8_t>(key),
           static_cast<std::uint8_t>(turned) };
       }
     }

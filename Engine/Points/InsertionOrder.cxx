@@ -29,11 +29,11 @@ struct Keyed
 
 constexpr std::size_t PointsPerTask = 1 << 14;
 
-/// use(begin, end, number) for runs of @p count things, in parallel.
+/// use(begin, end, number) for chunks of @p count items, in parallel.
 template <class Use>
-void eachRun(std::size_t count, Monitor& monitor, Use&& use)
+void eachChunk(std::size_t count, Monitor& monitor, Use&& use)
 {
-  flipflop::eachRun(count, PointsPerTask,
+  flipflop::eachChunk(count, PointsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       monitor.poll();
@@ -41,7 +41,7 @@ void eachRun(std::size_t count, Monitor& monitor, Use&& use)
     });
 }
 
-/// Send each of @p count things to its bucket, in their order: put(i, place).
+/// Send each of @p count items to its bucket, in their order: put(i, index).
 /// @param bucketOf std::size_t (i)
 /// @return where the buckets begin, and where the last one ends
 template <class BucketOf, class Put>
@@ -49,8 +49,8 @@ std::vector<std::uint32_t> distribute(
   std::size_t count, std::size_t buckets, Monitor& monitor, BucketOf&& bucketOf, Put&& put)
 {
   std::vector<std::uint32_t> cursor(
-    runCount(count, PointsPerTask) * buckets); // by run, then bucket
-  eachRun(count, monitor,
+    chunkCount(count, PointsPerTask) * buckets); // by chunk, then bucket
+  eachChunk(count, monitor,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -70,7 +70,7 @@ std::vector<std::uint32_t> distribute(
     }
   }
   bucketBegin.push_back(total);
-  eachRun(count, monitor,
+  eachChunk(count, monitor,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -86,23 +86,23 @@ std::vector<std::uint32_t> distribute(
 class Sorter
 {
 public:
-  Sorter(const PointSource& points, const Unfolding& unfoldingToUse, Monitor& monitorToTell)
+  Sorter(const PointSource& points, const OctahedralMap& mapToUse, Monitor& monitorToUse)
     : source(points)
-    , unfolding(unfoldingToUse)
-    , monitor(monitorToTell)
+    , octahedral(mapToUse)
+    , monitor(monitorToUse)
   {
   }
 
   void sort(Keyed* keyed, std::size_t count) const
   {
     const HilbertCurve curve = this->curveThrough(keyed, count);
-    eachRun(count, this->monitor,
+    eachChunk(count, this->monitor,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
           double uv[2];
-          this->place(keyed[i].id, uv);
+          this->map(keyed[i].id, uv);
           keyed[i].key = curve.at(uv);
         }
       });
@@ -114,23 +114,23 @@ private:
   static constexpr int BucketBits = 10;
   static constexpr std::size_t Buckets = std::size_t(1) << BucketBits;
 
-  void place(std::uint32_t id, double* uv) const
+  void map(std::uint32_t id, double* uv) const
   {
     double x[3];
     this->source.load(id, x);
-    this->unfolding.place(x, uv);
+    this->octahedral.map(x, uv);
   }
 
   HilbertCurve curveThrough(const Keyed* keyed, std::size_t count) const
   {
-    std::vector<HilbertCurve> parts(runCount(count, PointsPerTask));
-    eachRun(count, this->monitor,
+    std::vector<HilbertCurve> parts(chunkCount(count, PointsPerTask));
+    eachChunk(count, this->monitor,
       [&](std::size_t begin, std::size_t end, std::size_t number)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
           double uv[2];
-          this->place(keyed[i].id, uv);
+          this->map(keyed[i].id, uv);
           parts[number].add(uv);
         }
       });
@@ -172,7 +172,7 @@ private:
     const std::vector<std::uint32_t> bucketBegin = distribute(
       count, Buckets, this->monitor,
       [&](std::size_t i) -> std::size_t { return keyed[i].key >> (32 - BucketBits); },
-      [&](std::size_t i, std::uint32_t place) { aside[place] = keyed[i]; });
+      [&](std::size_t i, std::uint32_t index) { aside[index] = keyed[i]; });
     eachTask(Buckets,
       [&](std::size_t bucket)
       {
@@ -191,33 +191,33 @@ private:
   }
 
   const PointSource& source;
-  const Unfolding& unfolding;
+  const OctahedralMap& octahedral;
   Monitor& monitor;
 };
 
 /// The points that are wanted.
 Buffer<Keyed> sortedAlongCurve(const PointSource& source, const PointSubset& subset,
-  const Unfolding& unfolding, Monitor& monitor)
+  const OctahedralMap& octahedral, Monitor& monitor)
 {
   Buffer<Keyed> keyed;
-  numberFound(
+  parallelCompact(
     subset.count, PointsPerTask,
-    [&](std::size_t begin, std::size_t end, const auto& tell)
+    [&](std::size_t begin, std::size_t end, const auto& emit)
     {
       monitor.poll();
       subset.eachWanted(
-        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), tell);
+        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), emit);
     },
     [&](std::size_t wanted) { keyed.allocate(wanted); },
     [&](std::size_t at, std::uint32_t id) { keyed[at].id = id; });
-  Sorter(source, unfolding, monitor).sort(keyed.data(), keyed.size());
+  Sorter(source, octahedral, monitor).sort(keyed.data(), keyed.size());
   return keyed;
 }
 
 }
 
-Unfolding::Unfolding(const double* kernel, const double (*basis)[3])
-  : unfolds(true)
+OctahedralMap::OctahedralMap(const double* kernel, const double (*basis)[3])
+  : isOctahedral(true)
 {
   std::copy_n(kernel, 3, this->origin);
   for (int i = 0; i < 3; ++i)
@@ -226,7 +226,7 @@ Unfolding::Unfolding(const double* kernel, const double (*basis)[3])
   }
 }
 
-void Unfolding::unfold(const double* x, double* uv) const
+void OctahedralMap::mapDirection(const double* x, double* uv) const
 {
   const double d[3] = { x[0] - this->origin[0], x[1] - this->origin[1], x[2] - this->origin[2] };
   double q[3];
@@ -249,11 +249,11 @@ void Unfolding::unfold(const double* x, double* uv) const
 }
 
 Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& subset,
-  const Unfolding& unfolding, Monitor& monitor)
+  const OctahedralMap& octahedral, Monitor& monitor)
 {
-  const Buffer<Keyed> keyed = sortedAlongCurve(source, subset, unfolding, monitor);
+  const Buffer<Keyed> keyed = sortedAlongCurve(source, subset, octahedral, monitor);
   Buffer<std::uint32_t> ids(keyed.size());
-  eachRun(ids.size(), monitor,
+  eachChunk(ids.size(), monitor,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -265,9 +265,9 @@ Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& s
 }
 
 InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
-  const Unfolding& unfolding, Monitor& monitor)
+  const OctahedralMap& octahedral, Monitor& monitor)
 {
-  const Buffer<Keyed> keyed = sortedAlongCurve(source, subset, unfolding, monitor);
+  const Buffer<Keyed> keyed = sortedAlongCurve(source, subset, octahedral, monitor);
   const std::size_t count = keyed.size();
 
   // Each level's points in the curve's order.
@@ -276,7 +276,7 @@ InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subs
   order.levelEnds = distribute(
     count, InsertionLevels, monitor,
     [&](std::size_t i) -> std::size_t { return insertionLevelOf(keyed[i].id); },
-    [&](std::size_t i, std::uint32_t place) { order.ids[place] = keyed[i].id; });
+    [&](std::size_t i, std::uint32_t index) { order.ids[index] = keyed[i].id; });
   order.levelEnds.erase(order.levelEnds.begin()); // one begins where the one before ends
   return order;
 }

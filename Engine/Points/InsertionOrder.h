@@ -9,7 +9,7 @@
 /// about eight times the points of all before it.
 ///
 /// The curve is one of the plane. Points in space are seen from the kernel point, their directions
-/// laid out in a square (Unfolding).
+/// laid out in a square (OctahedralMap).
 #ifndef flipflop_InsertionOrder_h
 #define flipflop_InsertionOrder_h
 
@@ -25,42 +25,42 @@ namespace flipflop
 {
 
 /// Where the curve sees a point.
-class Unfolding
+class OctahedralMap
 {
 public:
   /// Points of the plane, where they are.
-  Unfolding() = default;
+  OctahedralMap() = default;
 
   /// Points around another: their directions, on the faces of an octahedron that is laid out in a
   /// square.
   /// @param basis lower triangular; makes what lies around the kernel point about as wide along all
   ///              axes
-  Unfolding(const double* kernel, const double (*basis)[3]);
+  OctahedralMap(const double* kernel, const double (*basis)[3]);
 
-  void place(const double* x, double* uv) const
+  void map(const double* x, double* uv) const
   {
-    if (!this->unfolds)
+    if (!this->isOctahedral)
     {
       uv[0] = x[0];
       uv[1] = x[1];
       return;
     }
-    this->unfold(x, uv);
+    this->mapDirection(x, uv);
   }
 
 private:
-  void unfold(const double* x, double* uv) const;
+  void mapDirection(const double* x, double* uv) const;
 
-  bool unfolds = false;
+  bool isOctahedral = false;
   double origin[3] = { 0, 0, 0 };
   double matrix[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
 };
 
 /// The points along the curve, without levels: those that are near each other come near each other.
-/// A function of the points and the unfolding alone.
+/// A function of the points and the map alone.
 /// @throw Error Aborted, OutOfMemory
 Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& subset,
-  const Unfolding& unfolding, Monitor& monitor);
+  const OctahedralMap& octahedral, Monitor& monitor);
 
 struct InsertionOrder
 {
@@ -68,10 +68,10 @@ struct InsertionOrder
   std::vector<std::uint32_t> levelEnds; ///< places in ids, ascending; the last is their number
 };
 
-/// The order of points: a function of the points and the unfolding alone.
+/// The order of points: a function of the points and the map alone.
 /// @throw Error Aborted, OutOfMemory
 InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
-  const Unfolding& unfolding, Monitor& monitor);
+  const OctahedralMap& octahedral, Monitor& monitor);
 
 }
 

@@ -108,11 +108,11 @@ constexpr int SlotBits = 12;
 
 /// Are the points of a sample on so few lines along an axis, and few of them alone on one?
 /// @param bits of the number of slots, more than @p most
-bool hasFewLines(const PointSource& source, int axis, bool checkFinite, std::uint32_t asked,
+bool hasFewLines(const PointSource& source, int axis, bool checkFinite, std::uint32_t sampled,
   std::uint32_t most, std::uint32_t mostSingles, int bits)
 {
   Lines lines(axis, bits);
-  for (const std::uint32_t id : sample(source.count(), asked))
+  for (const std::uint32_t id : sample(source.count(), sampled))
   {
     double x[3];
     source.load(id, x);

@@ -330,7 +330,7 @@ FittedPlane fitPlane(const PointView& points, const Options& options)
   return planeOf(sums);
 }
 
-Buffer<double> placesInPlane(
+Buffer<double> positionsInPlane(
   const PointView& points, const FittedPlane& plane, const Options& options)
 {
   return withTypedErrors(
@@ -338,7 +338,7 @@ Buffer<double> placesInPlane(
     {
       requireArray(points, 3);
       constexpr double none = std::numeric_limits<double>::quiet_NaN();
-      Buffer<double> places(2 * static_cast<std::size_t>(points.count));
+      Buffer<double> positions(2 * static_cast<std::size_t>(points.count));
       ArenaLoan arena(threadCount(options.threads, points.count));
       inStretches(points.count, OfAllThreads, options,
         [&](std::int64_t from, std::int64_t to)
@@ -346,7 +346,7 @@ Buffer<double> placesInPlane(
           arena.execute(
             [&]
             {
-              eachRun(static_cast<std::size_t>(to - from), PointsPerTask,
+              eachChunk(static_cast<std::size_t>(to - from), PointsPerTask,
                 [&](std::size_t begin, std::size_t end, std::size_t)
                 {
                   visitRange(points, from + static_cast<std::int64_t>(begin),
@@ -356,14 +356,14 @@ Buffer<double> placesInPlane(
                       const Vector d{ p[0] - plane.start[0], p[1] - plane.start[1],
                         p[2] - plane.start[2] };
                       const bool finite = isFinite(p);
-                      double* const place = places.data() + 2 * i;
-                      place[0] = finite ? dot(d, plane.first) : none;
-                      place[1] = finite ? dot(d, plane.second) : none;
+                      double* const position = positions.data() + 2 * i;
+                      position[0] = finite ? dot(d, plane.first) : none;
+                      position[1] = finite ? dot(d, plane.second) : none;
                     });
                 });
             });
         });
-      return places;
+      return positions;
     });
 }
 

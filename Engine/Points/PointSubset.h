@@ -16,17 +16,17 @@ namespace flipflop
 
 struct PointSubset
 {
-  const std::uint32_t* ids = nullptr;   ///< ascending; null: all points
-  std::uint32_t count = 0;              ///< #ids, or #points
-  const std::uint32_t* taken = nullptr; ///< ascending: already vertices or decided, to be left out
-  std::uint32_t takenCount = 0;
+  const std::uint32_t* ids = nullptr;      ///< ascending; null: all points
+  std::uint32_t count = 0;                 ///< #ids, or #points
+  const std::uint32_t* excluded = nullptr; ///< ascending: already vertices, or decided
+  std::uint32_t excludedCount = 0;
   bool checkFinite = false; ///< there are points to ignore
 
-  /// @param left ids, ascending; they must outlive this
-  void leaveOut(const std::vector<std::uint32_t>& left)
+  /// @param sorted ids, ascending; they must outlive this
+  void exclude(const std::vector<std::uint32_t>& sorted)
   {
-    this->taken = left.data();
-    this->takenCount = static_cast<std::uint32_t>(left.size());
+    this->excluded = sorted.data();
+    this->excludedCount = static_cast<std::uint32_t>(sorted.size());
   }
 
   std::uint32_t idAt(std::uint32_t i) const { return this->ids ? this->ids[i] : i; }
@@ -36,25 +36,26 @@ struct PointSubset
   void eachWanted(
     const PointSource& source, std::uint32_t begin, std::uint32_t end, Use&& use) const
   {
-    eachLeft(
-      begin, end, [this](std::uint32_t i) { return this->idAt(i); }, this->taken,
-      this->taken + this->takenCount, this->checkFinite ? &source : nullptr, use);
+    eachRemaining(
+      begin, end, [this](std::uint32_t i) { return this->idAt(i); }, this->excluded,
+      this->excluded + this->excludedCount, this->checkFinite ? &source : nullptr, use);
   }
 
   /// use(idAt(i)) for i from @p begin to @p end, but for ids that are taken.
   /// @param idAt      ascending
-  /// @param takenIds  ascending
+  /// @param excludedIds  ascending
   /// @param finiteOf  leave points out that are not finite, too; null: there are none
   template <class IdAt, class Id, class Use>
-  static void eachLeft(std::uint32_t begin, std::uint32_t end, const IdAt& idAt, const Id* takenIds,
-    const Id* takenEnd, const PointSource* finiteOf, Use&& use)
+  static void eachRemaining(std::uint32_t begin, std::uint32_t end, const IdAt& idAt,
+    const Id* excludedIds, const Id* excludedEnd, const PointSource* finiteOf, Use&& use)
   {
-    const Id* next =
-      begin < end ? std::lower_bound(takenIds, takenEnd, static_cast<Id>(idAt(begin))) : takenEnd;
+    const Id* next = begin < end
+      ? std::lower_bound(excludedIds, excludedEnd, static_cast<Id>(idAt(begin)))
+      : excludedEnd;
     for (std::uint32_t i = begin; i < end; ++i)
     {
       const std::uint32_t id = idAt(i);
-      while (next != takenEnd && *next < id)
+      while (next != excludedEnd && *next < id)
       {
         ++next; // not in the subset
       }
@@ -63,7 +64,7 @@ struct PointSubset
       {
         finiteOf->load(id, x);
       }
-      if ((next == takenEnd || *next != id) && (!finiteOf || isFinite(x)))
+      if ((next == excludedEnd || *next != id) && (!finiteOf || isFinite(x)))
       {
         use(id);
       }

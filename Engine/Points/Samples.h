@@ -20,16 +20,16 @@ constexpr std::uint32_t LeastSampled = 2048;
 /// places.
 inline std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size)
 {
-  std::vector<std::uint32_t> places(size);
+  std::vector<std::uint32_t> indices(size);
   for (std::uint32_t i = 0; i < size; ++i)
   {
     const std::uint64_t begin = static_cast<std::uint64_t>(count) * i / size;
     const std::uint64_t end = static_cast<std::uint64_t>(count) * (i + 1) / size;
     std::uint64_t hash = (i + 1) * 0x9E3779B97F4A7C15ull;
     hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9ull;
-    places[i] = static_cast<std::uint32_t>(begin + (hash >> 32) % (end - begin));
+    indices[i] = static_cast<std::uint32_t>(begin + (hash >> 32) % (end - begin));
   }
-  return places;
+  return indices;
 }
 
 /// Ids of sampled points, ascending.
@@ -46,9 +46,9 @@ inline Samples nestedSamples(std::uint32_t count)
     std::vector<std::uint32_t> next = sample(count, size);
     if (!samples.empty())
     {
-      for (std::uint32_t& place : next)
+      for (std::uint32_t& index : next)
       {
-        place = samples.back()[place];
+        index = samples.back()[index];
       }
     }
     samples.push_back(std::move(next));

@@ -193,7 +193,7 @@ ScanSum::ScanSum()
 {
 }
 
-void ScanSum::look(const PointSource& source, std::uint32_t begin, std::uint32_t end)
+void ScanSum::add(const PointSource& source, std::uint32_t begin, std::uint32_t end)
 {
   // A result of its own, so that the accumulators stay in registers.
   ScanResult part = emptyScan();
@@ -221,10 +221,10 @@ ScanResult ScanSum::result() const
 ScanResult PointScanner::scan(const PointSource& source, Monitor& monitor)
 {
   ScanSum sum;
-  eachRun(source.count(), PointsPerTask,
+  eachChunk(source.count(), PointsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
-      sum.look(source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+      sum.add(source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
       monitor.advance(static_cast<std::int64_t>(end - begin));
     });
   return sum.result();

@@ -30,7 +30,7 @@ public:
   ScanSum();
 
   /// Look at the points from @p begin on, before @p end. They are not scaled.
-  void look(const PointSource& source, std::uint32_t begin, std::uint32_t end);
+  void add(const PointSource& source, std::uint32_t begin, std::uint32_t end);
 
   /// Of all that were looked at.
   ScanResult result() const;

@@ -74,8 +74,8 @@ public:
       {
         const CellCorner& a = cell[i];
         const CellCorner& b = cell[(i + 1) % cell.size()];
-        const int atA = this->place(a, k);
-        const int atB = this->place(b, k);
+        const int atA = this->sideOf(a, k);
+        const int atB = this->sideOf(b, k);
         if (atA >= 0)
         {
           this->next.push_back(a);
@@ -99,7 +99,7 @@ public:
 
 private:
   /// Within side @p k: 1, on it: 0, beyond: -1.
-  int place(const CellCorner& corner, int k) const
+  int sideOf(const CellCorner& corner, int k) const
   {
     const double limit = corner.atInfinity ? 0.0 : this->box[k];
     const int sign = (corner.x[k / 2] > limit) - (corner.x[k / 2] < limit);

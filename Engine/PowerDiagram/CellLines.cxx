@@ -49,11 +49,11 @@ struct Meeting
   using Number = typename Arithmetic::Number;
   using Line = LineNumbers<Arithmetic>;
 
-  Number place[2];
+  Number position[2];
   Number denominator;
 
   Meeting(const Line& a, const Line& b)
-    : place{ a.c * b.n[1] - b.c * a.n[1], b.c * a.n[0] - a.c * b.n[0] }
+    : position{ a.c * b.n[1] - b.c * a.n[1], b.c * a.n[0] - a.c * b.n[0] }
     , denominator(a.n[0] * b.n[1] - a.n[1] * b.n[0])
   {
   }
@@ -66,8 +66,8 @@ bool meeting(
   using Line = LineNumbers<Arithmetic>;
   const Meeting<Arithmetic> found(Line(k, site, a), Line(k, site, b));
   return k.positive(found.denominator) &&
-    k.round(site.x[0], found.place[0], found.denominator, result[0]) &&
-    k.round(site.x[1], found.place[1], found.denominator, result[1]);
+    k.round(site.x[0], found.position[0], found.denominator, result[0]) &&
+    k.round(site.x[1], found.position[1], found.denominator, result[1]);
 }
 
 void addLine(ExponentRange& range, const CellLine& line)
@@ -95,14 +95,15 @@ ExponentRange rangeOfLines(const PowerSite& site, const Lines&... lines)
 
 }
 
-void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* place)
+void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* position)
 {
-  if (!meeting(BoundedArithmetic<>(), site, a, b, place))
+  if (!meeting(BoundedArithmetic<>(), site, a, b, position))
   {
-    decide(rangeOfLines(site, a, b), [&](const auto& k) { return meeting(k, site, a, b, place); });
+    decide(
+      rangeOfLines(site, a, b), [&](const auto& k) { return meeting(k, site, a, b, position); });
   }
-  place[0] += 0.0; // -0 is 0
-  place[1] += 0.0;
+  position[0] += 0.0; // -0 is 0
+  position[1] += 0.0;
 }
 
 CellCutter::CellCutter(const PowerSite& site, const PowerSite& other)
@@ -142,7 +143,8 @@ int CellCutter::sign(const CellLine& a, const CellLine& b) const
       const Meeting<Arithmetic> found(Line(k, this->center, a), Line(k, this->center, b));
       const Line cut(k, this->center, this->own);
       return k.sign(
-        cut.c * found.denominator - cut.n[0] * found.place[0] - cut.n[1] * found.place[1], sign);
+        cut.c * found.denominator - cut.n[0] * found.position[0] - cut.n[1] * found.position[1],
+        sign);
     },
     [&] { return rangeOfLines(this->center, a, b, this->own); });
 }

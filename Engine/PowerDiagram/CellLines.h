@@ -30,7 +30,7 @@ struct CellLine
 };
 
 /// Where two lines of the cell of @p site meet, each coordinate rounded to nearest. They turn left.
-void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* place);
+void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* position);
 
 /// A line of equal power that cuts the cell of a site.
 class CellCutter

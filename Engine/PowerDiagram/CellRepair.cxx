@@ -37,7 +37,7 @@ constexpr int MostUnits = 4;
 /// The most corners that a cut takes off, the reflex corners it is looked for at, and the corners
 /// up to which a joined ring is tried before it is taken.
 constexpr std::size_t MostCut = 4;
-constexpr std::size_t MostPlaces = 8;
+constexpr std::size_t MostCuts = 8;
 constexpr std::size_t MostTried = 256;
 
 class CellRepair
@@ -103,12 +103,12 @@ private:
     }
     if (this->isPiece(l))
     {
-      this->giveAway(l);
+      this->assign(l);
     }
     else if (!this->plane.isConvex(ring.data(), ring.size()) && !this->mergeShort(l) &&
       !this->plane.isSimple(ring) && !this->cut(l))
     {
-      this->giveAway(l);
+      this->assign(l);
     }
   }
 
@@ -307,42 +307,42 @@ private:
   // ---- Cutting and joining -------------------------------------------------------------------
 
   /// What becomes of a neighbour that takes a ring.
-  struct Taker
+  struct Receiver
   {
     Index ring = NoIndex;
     int fit = -1; ///< 2: as simple as before; 1: a cell; 0: a piece
     double length = 0.0;
     Ring joined;
 
-    bool isBetterThan(const Taker& other) const
+    bool isBetterThan(const Receiver& other) const
     {
       return this->fit != other.fit ? this->fit > other.fit : this->length > other.length;
     }
   };
 
   /// The best neighbour of @p ring but for @p self; then along the longest edge.
-  Taker takerOf(const Ring& ring, Index self)
+  Receiver receiverOf(const Ring& ring, Index self)
   {
     const std::size_t count = ring.size();
-    Taker best;
+    Receiver best;
     for (std::size_t i = 0; i < count; ++i)
     {
       const Index a = ring[i];
       const Index b = ring[(i + 1) % count];
-      Taker taker;
-      taker.ring = this->rings.across(a, b);
-      if (taker.ring == NoIndex || taker.ring == self)
+      Receiver receiver;
+      receiver.ring = this->rings.across(a, b);
+      if (receiver.ring == NoIndex || receiver.ring == self)
       {
         continue;
       }
-      taker.joined = this->rings.joined(taker.ring, ring, i);
-      taker.length = this->length(a, b);
-      taker.fit = this->isPiece(taker.ring)                      ? 0
-        : this->isNoWorse(taker.joined, this->rings[taker.ring]) ? 2
-                                                                 : 1;
-      if (taker.isBetterThan(best))
+      receiver.joined = this->rings.joined(receiver.ring, ring, i);
+      receiver.length = this->length(a, b);
+      receiver.fit = this->isPiece(receiver.ring)                      ? 0
+        : this->isNoWorse(receiver.joined, this->rings[receiver.ring]) ? 2
+                                                                       : 1;
+      if (receiver.isBetterThan(best))
       {
-        best = std::move(taker);
+        best = std::move(receiver);
       }
     }
     return best;
@@ -357,10 +357,10 @@ private:
           this->plane.crossings(all[0]) <= this->plane.crossings(before)));
   }
 
-  void take(Taker& taker)
+  void join(Receiver& receiver)
   {
-    this->rings.set(taker.ring, std::move(taker.joined));
-    this->push(taker.ring);
+    this->rings.set(receiver.ring, std::move(receiver.joined));
+    this->push(receiver.ring);
   }
 
   /// Cut off what makes a ring cross itself, the tip of a needle: a few corners in a row, for the
@@ -370,33 +370,33 @@ private:
     Ring& ring = this->rings[l];
     const std::size_t count = ring.size();
     const std::size_t crossings = this->plane.crossings(ring);
-    std::size_t& left = this->cutsLeft.emplace(l, count).first->second;
-    if (left == 0)
+    std::size_t& remaining = this->cutsRemaining.emplace(l, count).first->second;
+    if (remaining == 0)
     {
       return false;
     }
-    Taker best;
+    Receiver best;
     Ring bestRest;
     Ring bestPiece;
     for (std::size_t k = 1; k <= MostCut && k + 3 <= count; ++k)
     {
-      for (const std::size_t i : this->placesToCut(ring, k))
+      for (const std::size_t i : this->cutIndices(ring, k))
       {
         Ring rest = ring;
         std::rotate(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(i), rest.end());
         const Ring piece(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(k + 2));
         rest.erase(rest.begin() + 1, rest.begin() + static_cast<std::ptrdiff_t>(k + 1));
-        if (this->given.count(ChangedRings::sorted(piece)) != 0 ||
+        if (this->assigned.count(ChangedRings::sorted(piece)) != 0 ||
           this->plane.crossings(rest) >= crossings || !this->plane.isCounterClockwise(rest))
         {
           continue;
         }
-        Taker taker = this->takerOf(piece, l);
-        if (taker.fit > best.fit ||
-          (taker.fit == best.fit && piece.size() == bestPiece.size() &&
+        Receiver receiver = this->receiverOf(piece, l);
+        if (receiver.fit > best.fit ||
+          (receiver.fit == best.fit && piece.size() == bestPiece.size() &&
             std::fabs(this->area(piece)) < std::fabs(this->area(bestPiece))))
         {
-          best = std::move(taker);
+          best = std::move(receiver);
           bestRest = std::move(rest);
           bestPiece = piece;
         }
@@ -406,44 +406,44 @@ private:
     {
       return false;
     }
-    --left;
-    this->given.insert(ChangedRings::sorted(bestPiece));
+    --remaining;
+    this->assigned.insert(ChangedRings::sorted(bestPiece));
     ring.swap(bestRest);
     this->push(l);
-    this->take(best);
+    this->join(best);
     return true;
   }
 
   /// Where a piece of @p k corners that has a reflex corner in it or beside it may begin: the place
   /// before it.
-  std::vector<std::size_t> placesToCut(const Ring& ring, std::size_t k) const
+  std::vector<std::size_t> cutIndices(const Ring& ring, std::size_t k) const
   {
     const std::size_t count = ring.size();
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> indices;
     std::size_t found = 0;
-    for (std::size_t i = 0; i < count && found < MostPlaces; ++i)
+    for (std::size_t i = 0; i < count && found < MostCuts; ++i)
     {
       if (this->plane.isReflex(ring[(i + count - 1) % count], ring[i], ring[(i + 1) % count]))
       {
         ++found;
         for (std::size_t j = 0; j < k + 2; ++j)
         {
-          places.push_back((i + 2 * count - k - 1 + j) % count);
+          indices.push_back((i + 2 * count - k - 1 + j) % count);
         }
       }
     }
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    return places;
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return indices;
   }
 
-  void giveAway(Index l)
+  void assign(Index l)
   {
     const Ring ring = this->rings[l];
-    Taker taker = this->takerOf(ring, l);
-    if (taker.ring != NoIndex)
+    Receiver receiver = this->receiverOf(ring, l);
+    if (receiver.ring != NoIndex)
     {
-      this->take(taker);
+      this->join(receiver);
     }
     else if (!this->isPiece(l) && !this->isCut)
     {
@@ -528,9 +528,9 @@ private:
   std::unordered_set<Index> queued;
   std::unordered_map<Index, Bounds> merged;
   std::unordered_map<Index, Index> movedTo;
-  std::unordered_map<Index, std::size_t> cutsLeft;
+  std::unordered_map<Index, std::size_t> cutsRemaining;
   std::set<std::array<double, 2>> fixed; ///< the polygon's corners
-  std::set<Ring> given;                  ///< sorted pieces, lest one go round and round
+  std::set<Ring> assigned;               ///< sorted pieces, lest one go round and round
 };
 
 /// Those that are not convex.
@@ -540,8 +540,8 @@ std::vector<Index> brokenCells(const RoundedCells& cells, const double* box, Mon
   const PlanarRings plane(cells.positions);
   const BoxScale scale(box);
   constexpr std::size_t CellsPerTask = 1 << 12;
-  std::vector<std::vector<Index>> found(runCount(cells.ids.size(), CellsPerTask));
-  eachCheckedRun(cells.ids.size(), CellsPerTask,
+  std::vector<std::vector<Index>> found(chunkCount(cells.ids.size(), CellsPerTask));
+  eachCheckedChunk(cells.ids.size(), CellsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t run)
     {
       monitor.poll();

@@ -157,7 +157,7 @@ public:
     for (const Index l : this->around[a])
     {
       const Ring& ring = this->rings[l];
-      if (placeOf(ring, b, a) < ring.size())
+      if (indexOf(ring, b, a) < ring.size())
       {
         return l;
       }
@@ -170,14 +170,14 @@ public:
   {
     const std::size_t count = other.size();
     const Ring& ring = this->rings[l];
-    const auto place = ring.begin() + 1 +
-      static_cast<std::ptrdiff_t>(placeOf(ring, other[(i + 1) % count], other[i]));
-    Ring result(ring.begin(), place);
+    const auto split = ring.begin() + 1 +
+      static_cast<std::ptrdiff_t>(indexOf(ring, other[(i + 1) % count], other[i]));
+    Ring result(ring.begin(), split);
     for (std::size_t j = 2; j < count; ++j)
     {
       result.push_back(other[(i + j) % count]);
     }
-    result.insert(result.end(), place, ring.end());
+    result.insert(result.end(), split, ring.end());
     return result;
   }
 
@@ -208,24 +208,24 @@ public:
   {
     std::vector<Ring> result;
     Ring way;
-    std::unordered_map<Index, std::size_t> places; // on the way
+    std::unordered_map<Index, std::size_t> indices; // on the way
     for (const Index v : ring)
     {
-      const auto known = places.find(v);
-      if (known != places.end())
+      const auto known = indices.find(v);
+      if (known != indices.end())
       {
-        const std::size_t place = known->second;
-        if (way.size() - place > 2)
+        const std::size_t index = known->second;
+        if (way.size() - index > 2)
         {
-          result.emplace_back(way.begin() + static_cast<std::ptrdiff_t>(place), way.end());
+          result.emplace_back(way.begin() + static_cast<std::ptrdiff_t>(index), way.end());
         }
-        while (way.size() > place)
+        while (way.size() > index)
         {
-          places.erase(way.back());
+          indices.erase(way.back());
           way.pop_back();
         }
       }
-      places[v] = way.size();
+      indices[v] = way.size();
       way.push_back(v);
     }
     if (way.size() > 2)
@@ -246,11 +246,11 @@ private:
   }
 
   /// Where the edge from @p a to @p b begins in a ring, or the ring's size.
-  static std::size_t placeOf(const Ring& ring, Index a, Index b)
+  static std::size_t indexOf(const Ring& ring, Index a, Index b)
   {
     const auto found = std::find(ring.begin(), ring.end(), a);
-    const std::size_t place = static_cast<std::size_t>(found - ring.begin());
-    return place < ring.size() && ring[(place + 1) % ring.size()] == b ? place : ring.size();
+    const std::size_t index = static_cast<std::size_t>(found - ring.begin());
+    return index < ring.size() && ring[(index + 1) % ring.size()] == b ? index : ring.size();
   }
 
   ChangedLists rings; ///< the cells, then others

@@ -74,19 +74,19 @@ private:
 
 /// Where each run's share begins, and after them all the end.
 template <class SizeOf>
-std::vector<std::size_t> beginsOf(const std::vector<CellRun>& runs, const SizeOf& sizeOf)
+std::vector<std::size_t> beginsOf(const std::vector<CellChunk>& chunks, const SizeOf& sizeOf)
 {
   std::vector<std::size_t> begins{ 0 };
-  for (const CellRun& run : runs)
+  for (const CellChunk& chunk : chunks)
   {
-    begins.push_back(begins.back() + sizeOf(run));
+    begins.push_back(begins.back() + sizeOf(chunk));
   }
   return begins;
 }
 
 }
 
-void CellRun::add(std::int64_t id, CellPolygon& cell)
+void CellChunk::add(std::int64_t id, CellPolygon& cell)
 {
   const auto same = [](const CellCorner& a, const CellCorner& b)
   { return a.x[0] == b.x[0] && a.x[1] == b.x[1]; };
@@ -114,28 +114,28 @@ void CellRun::add(std::int64_t id, CellPolygon& cell)
 }
 
 RoundedCells numberCorners(
-  std::vector<CellRun>& runs, const Buffer<Position>& centers, Monitor& monitor)
+  std::vector<CellChunk>& chunks, const Buffer<Position>& centers, Monitor& monitor)
 {
   const std::size_t facets = centers.size();
-  const auto cells = beginsOf(runs, [](const CellRun& run) { return run.ids.size(); });
-  const auto uses = beginsOf(runs, [](const CellRun& run) { return run.corners.size(); });
-  const auto cuts = beginsOf(runs, [](const CellRun& run) { return run.cut.size(); });
+  const auto cells = beginsOf(chunks, [](const CellChunk& chunk) { return chunk.ids.size(); });
+  const auto uses = beginsOf(chunks, [](const CellChunk& chunk) { return chunk.corners.size(); });
+  const auto cuts = beginsOf(chunks, [](const CellChunk& chunk) { return chunk.cut.size(); });
   if (facets + cuts.back() >= NoIndex)
   {
     throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(facets + cuts.back()));
   }
-  const auto eachRunOfCells = [&](const auto& use)
+  const auto eachChunkOfCells = [&](const auto& use)
   {
-    eachTask(runs.size(),
+    eachTask(chunks.size(),
       [&](std::size_t r)
       {
         monitor.poll();
-        use(r, runs[r]);
+        use(r, chunks[r]);
       });
   };
   Buffer<Position> cut(cuts.back());
-  eachRunOfCells([&](std::size_t r, CellRun& run)
-    { std::copy(run.cut.begin(), run.cut.end(), cut.begin() + cuts[r]); });
+  eachChunkOfCells([&](std::size_t r, CellChunk& chunk)
+    { std::copy(chunk.cut.begin(), chunk.cut.end(), cut.begin() + cuts[r]); });
   const auto positionOf = [&](Index corner)
   { return corner < facets ? centers[corner] : cut[corner - facets]; };
 
@@ -145,20 +145,20 @@ RoundedCells numberCorners(
   {
     PositionTable table(first.size());
     std::vector<std::atomic<Index>> known(facets); // the corner that stands for it, and one
-    eachRunOfCells(
-      [&](std::size_t r, CellRun& run)
+    eachChunkOfCells(
+      [&](std::size_t r, CellChunk& chunk)
       {
-        std::uint64_t left = uses.back() - uses[r] + 1;
-        for (Index& corner : run.corners)
+        std::uint64_t remaining = uses.back() - uses[r] + 1;
+        for (Index& corner : chunk.corners)
         {
           Index stands;
           if (corner >= facets)
           {
             stands = table.find(corner + static_cast<Index>(cuts[r]), positionOf);
           }
-          else if (const Index told = known[corner].load(std::memory_order_relaxed))
+          else if (const Index stored = known[corner].load(std::memory_order_relaxed))
           {
-            stands = told - 1;
+            stands = stored - 1;
           }
           else
           {
@@ -166,24 +166,25 @@ RoundedCells numberCorners(
             known[corner].store(stands + 1, std::memory_order_relaxed);
           }
           corner = stands;
-          --left;
+          --remaining;
           std::atomic<std::uint64_t>& of = first[stands];
           std::uint64_t was = of.load(std::memory_order_relaxed);
-          while (was < left && !of.compare_exchange_weak(was, left, std::memory_order_relaxed))
+          while (
+            was < remaining && !of.compare_exchange_weak(was, remaining, std::memory_order_relaxed))
           {
           }
         }
       });
   }
 
-  std::vector<std::vector<Index>> firsts(runs.size());
-  eachRunOfCells(
-    [&](std::size_t r, const CellRun& run)
+  std::vector<std::vector<Index>> firsts(chunks.size());
+  eachChunkOfCells(
+    [&](std::size_t r, const CellChunk& chunk)
     {
-      std::uint64_t left = uses.back() - uses[r] + 1;
-      for (const Index corner : run.corners)
+      std::uint64_t remaining = uses.back() - uses[r] + 1;
+      for (const Index corner : chunk.corners)
       {
-        if (first[corner].load(std::memory_order_relaxed) == --left)
+        if (first[corner].load(std::memory_order_relaxed) == --remaining)
         {
           firsts[r].push_back(corner);
         }
@@ -196,8 +197,8 @@ RoundedCells numberCorners(
   }
   RoundedCells result;
   result.positions.resize(2 * numbers.back());
-  eachRunOfCells(
-    [&](std::size_t r, const CellRun&)
+  eachChunkOfCells(
+    [&](std::size_t r, const CellChunk&)
     {
       std::size_t number = numbers[r];
       for (const Index corner : firsts[r])
@@ -211,17 +212,17 @@ RoundedCells numberCorners(
   result.corners.resize(uses.back());
   result.ids.resize(cells.back());
   result.ends.resize(cells.back() + 1);
-  eachRunOfCells(
-    [&](std::size_t r, const CellRun& run)
+  eachChunkOfCells(
+    [&](std::size_t r, const CellChunk& chunk)
     {
-      std::transform(run.corners.begin(), run.corners.end(), result.corners.begin() + uses[r],
+      std::transform(chunk.corners.begin(), chunk.corners.end(), result.corners.begin() + uses[r],
         [&first](Index corner)
         { return static_cast<Index>(first[corner].load(std::memory_order_relaxed)); });
-      std::copy(run.ids.begin(), run.ids.end(), result.ids.begin() + cells[r]);
+      std::copy(chunk.ids.begin(), chunk.ids.end(), result.ids.begin() + cells[r]);
       std::size_t end = uses[r];
-      for (std::size_t c = 0; c < run.sizes.size(); ++c)
+      for (std::size_t c = 0; c < chunk.sizes.size(); ++c)
       {
-        end += run.sizes[c];
+        end += chunk.sizes[c];
         result.ends[cells[r] + c + 1] = static_cast<std::int64_t>(end);
       }
     });

@@ -21,11 +21,11 @@ namespace flipflop
 using Position = std::array<double, 2>;
 
 /// The cells of some sites that follow each other.
-class CellRun
+class CellChunk
 {
 public:
   /// @param facetCount of the triangulation
-  explicit CellRun(std::size_t facetCount)
+  explicit CellChunk(std::size_t facetCount)
     : facetCount(facetCount)
   {
   }
@@ -45,7 +45,7 @@ public:
 /// @param centers of the facets; -0 is not among them
 /// @throw Error   TooManyPoints, Aborted
 RoundedCells numberCorners(
-  std::vector<CellRun>& runs, const Buffer<Position>& centers, Monitor& monitor);
+  std::vector<CellChunk>& chunks, const Buffer<Position>& centers, Monitor& monitor);
 
 }
 

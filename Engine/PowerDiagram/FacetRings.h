@@ -31,7 +31,7 @@ public:
   {
     if (t.cellSize == 0)
     {
-      eachRun(static_cast<std::size_t>(t.cellCount()), ItemsPerTask,
+      eachChunk(static_cast<std::size_t>(t.cellCount()), ItemsPerTask,
         [this](std::size_t begin, std::size_t end, std::size_t)
         {
           for (std::size_t c = begin; c < end; ++c)
@@ -43,7 +43,7 @@ public:
         });
     }
     BucketSort<Leaving, SiteOf> sort(
-      t.pointIds.size(), runCount(t.connectivity.size(), this->runSize()));
+      t.pointIds.size(), chunkCount(t.connectivity.size(), this->chunkSize()));
     this->eachHalfEdge([&](std::size_t run, std::uint32_t h) { sort.count(run, this->site(h)); });
     sort.endCounting(Buffer<Leaving>());
     this->eachHalfEdge(
@@ -155,13 +155,13 @@ private:
   };
 
   /// Some hundred runs at most, for the sort counts in each.
-  std::size_t runSize() const { return std::max(ItemsPerTask, this->t.connectivity.size() >> 9); }
+  std::size_t chunkSize() const { return std::max(ItemsPerTask, this->t.connectivity.size() >> 9); }
 
   /// use(number of the run, half-edge) for runs in parallel.
   template <class Use>
   void eachHalfEdge(const Use& use) const
   {
-    eachRun(this->t.connectivity.size(), this->runSize(),
+    eachChunk(this->t.connectivity.size(), this->chunkSize(),
       [&](std::size_t begin, std::size_t end, std::size_t run)
       {
         for (std::size_t h = begin; h < end; ++h)

@@ -99,7 +99,7 @@ public:
       for (const Edge& other : open)
       {
         const bool joined =
-          (e.place + 1) % count == other.place || (other.place + 1) % count == e.place;
+          (e.index + 1) % count == other.index || (other.index + 1) % count == e.index;
         found += !joined && this->meet(e.a, e.b, other.a, other.b) ? 1 : 0;
       }
       open.push_back(e);
@@ -128,7 +128,7 @@ public:
 private:
   struct Edge
   {
-    std::size_t place;
+    std::size_t index;
     Index a, b;
     double least, most; ///< x
   };

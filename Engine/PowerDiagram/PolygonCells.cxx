@@ -35,7 +35,7 @@ public:
   {
     const std::array<double, 4> b = boundingBox(corners);
     this->box = { b[0], b[2], b[1], b[2], b[1], b[3], b[0], b[3] };
-    eachRun(this->centers.size(), FacetsPerTask,
+    eachChunk(this->centers.size(), FacetsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (std::size_t f = begin; f < end; ++f)
@@ -45,7 +45,7 @@ public:
       });
   }
 
-  void add(CellRun& run, Index begin, Index end) const
+  void add(CellChunk& chunk, Index begin, Index end) const
   {
     PolygonClipper clipper(this->sites, this->polygon);
     PolygonClipper boxClipper(this->sites, this->box);
@@ -77,7 +77,7 @@ public:
         }
         clipper.clip(i, around, cell);
       }
-      run.add(this->t.pointIds[i], cell);
+      chunk.add(this->t.pointIds[i], cell);
     }
   }
 
@@ -143,15 +143,15 @@ RoundedCells cellsInPolygon(const CellComplex& t, const Buffer<PowerSite>& sites
 {
   const PolygonCells cells(t, sites, centers, polygon);
   monitor.poll();
-  std::vector<CellRun> runs(runCount(sites.size(), SitesPerTask), CellRun(centers.size()));
-  eachCheckedRun(sites.size(), SitesPerTask,
+  std::vector<CellChunk> chunks(chunkCount(sites.size(), SitesPerTask), CellChunk(centers.size()));
+  eachCheckedChunk(sites.size(), SitesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
-      cells.add(runs[number], static_cast<Index>(begin), static_cast<Index>(end));
+      cells.add(chunks[number], static_cast<Index>(begin), static_cast<Index>(end));
       monitor.advance(static_cast<std::int64_t>(end - begin));
     });
   monitor.stage(0.8, 0.9, 1);
-  return numberCorners(runs, centers, monitor);
+  return numberCorners(chunks, centers, monitor);
 }
 
 }

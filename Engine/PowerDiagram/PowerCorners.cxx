@@ -55,7 +55,8 @@ bool crossing(
 }
 
 /// Nearly all centers come of this.
-FF_FLAT bool quickCenter(const PowerSite& a, const PowerSite& b, const PowerSite& c, double* result)
+FF_FLATTEN bool quickCenter(
+  const PowerSite& a, const PowerSite& b, const PowerSite& c, double* result)
 {
   return center(BoundedArithmetic<>(), a, b, c, result);
 }

@@ -67,16 +67,16 @@ Position facetCenter(const CellComplex& t, const Buffer<PowerSite>& sites, std::
 // ---- The cells, by dimension -------------------------------------------------------------------
 
 /// One site: all of the box.
-void addBox(CellRun& run, std::int64_t id, const double* box)
+void addBox(CellChunk& chunk, std::int64_t id, const double* box)
 {
   CellPolygon cell = { finiteCorner(box[0], box[2], boxSide(2)),
     finiteCorner(box[1], box[2], boxSide(1)), finiteCorner(box[1], box[3], boxSide(3)),
     finiteCorner(box[0], box[3], boxSide(0)) };
-  run.add(id, cell);
+  chunk.add(id, cell);
 }
 
 /// Sites on a line: strips. A strip's two lines are given by a point each, which is no corner.
-void addStrips(CellRun& run, const CellComplex& t, const std::uint8_t* wanted,
+void addStrips(CellChunk& chunk, const CellComplex& t, const std::uint8_t* wanted,
   const Buffer<PowerSite>& sites, const double* box, Monitor& monitor)
 {
   const LineNeighbours neighbours = lineNeighbours(t);
@@ -131,7 +131,7 @@ void addStrips(CellRun& run, const CellComplex& t, const std::uint8_t* wanted,
         corners.push_back(cell[c]);
       }
     }
-    run.add(t.pointIds[i], corners);
+    chunk.add(t.pointIds[i], corners);
   }
 }
 
@@ -165,7 +165,7 @@ bool cellOf(Index site, const FacetRings& rings, const FacetRings::Ring& ring,
 }
 
 /// The cells of a run of sites.
-void addCells(CellRun& run, Index begin, Index end, const CellComplex& t,
+void addCells(CellChunk& chunk, Index begin, Index end, const CellComplex& t,
   const std::uint8_t* wanted, const FacetRings& rings, const Buffer<Position>& centers,
   const Buffer<PowerSite>& sites, const double* box)
 {
@@ -183,7 +183,7 @@ void addCells(CellRun& run, Index begin, Index end, const CellComplex& t,
     {
       clipper.clip(i, cell);
     }
-    run.add(t.pointIds[i], cell);
+    chunk.add(t.pointIds[i], cell);
   }
 }
 
@@ -191,7 +191,7 @@ Buffer<Position> facetCenters(
   const CellComplex& t, const Buffer<PowerSite>& sites, Monitor& monitor)
 {
   Buffer<Position> centers(static_cast<std::size_t>(t.cellCount()));
-  eachCheckedRun(centers.size(), FacetsPerTask,
+  eachCheckedChunk(centers.size(), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t f = begin; f < end; ++f)
@@ -210,31 +210,31 @@ RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
 {
   if (t.dimension < 2)
   {
-    std::vector<CellRun> runs(1, CellRun(0));
+    std::vector<CellChunk> chunks(1, CellChunk(0));
     if (t.dimension == 0 && (!wanted || wanted[0]))
     {
-      addBox(runs[0], t.pointIds[0], box);
+      addBox(chunks[0], t.pointIds[0], box);
     }
     else if (t.dimension == 1)
     {
-      addStrips(runs[0], t, wanted, sites, box, monitor);
+      addStrips(chunks[0], t, wanted, sites, box, monitor);
     }
     monitor.stage(0.8, 0.9, 1);
-    return numberCorners(runs, Buffer<Position>(), monitor);
+    return numberCorners(chunks, Buffer<Position>(), monitor);
   }
   const Buffer<Position> centers = facetCenters(t, sites, monitor);
   const FacetRings rings(t);
   monitor.poll();
-  std::vector<CellRun> runs(runCount(sites.size(), SitesPerTask), CellRun(centers.size()));
-  eachCheckedRun(sites.size(), SitesPerTask,
+  std::vector<CellChunk> chunks(chunkCount(sites.size(), SitesPerTask), CellChunk(centers.size()));
+  eachCheckedChunk(sites.size(), SitesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
-      addCells(runs[number], static_cast<Index>(begin), static_cast<Index>(end), t, wanted, rings,
+      addCells(chunks[number], static_cast<Index>(begin), static_cast<Index>(end), t, wanted, rings,
         centers, sites, box);
       monitor.advance(static_cast<std::int64_t>(end - begin));
     });
   monitor.stage(0.8, 0.9, 1);
-  return numberCorners(runs, centers, monitor);
+  return numberCorners(chunks, centers, monitor);
 }
 
 void copyCells(const RoundedCells& cells, PowerDiagram& result)

@@ -41,7 +41,7 @@ inline Buffer<PowerSite> loadSites(
   requireValid(weights, points.count);
   const PointSource source(points, weights);
   Buffer<PowerSite> sites(triangulation.pointIds.size());
-  eachCheckedRun(sites.size(), SitesPerTask,
+  eachCheckedChunk(sites.size(), SitesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -84,7 +84,7 @@ inline void checkCells(const CellComplex& t)
   }
   const std::int64_t least = dimension + 1;
   const std::int64_t most = dimension < 2 ? least : NoIndex;
-  eachCheckedRun(static_cast<std::size_t>(cells), FacetsPerTask,
+  eachCheckedChunk(static_cast<std::size_t>(cells), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (auto c = static_cast<std::int64_t>(begin); c < static_cast<std::int64_t>(end); ++c)
@@ -97,7 +97,7 @@ inline void checkCells(const CellComplex& t)
         }
       }
     });
-  eachCheckedRun(t.connectivity.size(), FacetsPerTask,
+  eachCheckedChunk(t.connectivity.size(), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       if (std::any_of(t.connectivity.begin() + begin, t.connectivity.begin() + end,

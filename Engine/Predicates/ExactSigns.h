@@ -22,17 +22,17 @@ namespace flipflop
 /// The last row of a determinant: a point (Count 1), or four points whose sum stands for their
 /// centroid (Count 4), the symbolic kernel point. The coordinates stay the caller's.
 template <int Count>
-struct Row
+struct DeterminantRow
 {
   const double* point[Count];
 };
 
 /// (p0 - origin) + ... + (pk - origin) in one coordinate.
-FF_HD inline Expansion<2> offset(const Row<1>& row, const double* origin, int axis)
+FF_HD inline Expansion<2> offset(const DeterminantRow<1>& row, const double* origin, int axis)
 {
   return difference(row.point[0][axis], origin[axis]);
 }
-FF_HD inline Expansion<8> offset(const Row<4>& row, const double* origin, int axis)
+FF_HD inline Expansion<8> offset(const DeterminantRow<4>& row, const double* origin, int axis)
 {
   const double o = origin[axis];
   return sum(sum(difference(row.point[0][axis], o), difference(row.point[1][axis], o)),
@@ -69,7 +69,7 @@ struct ExpansionSigns
   /// zero mostly comes of points on one edge of a box, or fits integers of fixed size.
   template <int Count>
   FF_HD FF_OUTLINED static int orient3(
-    const double* a, const double* b, const double* c, const Row<Count>& d)
+    const double* a, const double* b, const double* c, const DeterminantRow<Count>& d)
   {
     if (collinearAtAGlance(a, b, c))
     {
@@ -98,7 +98,7 @@ struct ExpansionSigns
   /// Sign of det[b - a; c - a] in the coordinates p, q, in the same steps.
   template <int Count>
   FF_HD FF_OUTLINED static int orient2(
-    const double* a, const double* b, const Row<Count>& c, int p, int q)
+    const double* a, const double* b, const DeterminantRow<Count>& c, int p, int q)
   {
     int sign;
     if (Count == 1)
@@ -182,7 +182,7 @@ struct ExpansionSigns
 
   /// Sign of a - b in the coordinate p.
   template <int Count>
-  FF_HD FF_OUTLINED static int compare(const double* a, const Row<Count>& b, int p)
+  FF_HD FF_OUTLINED static int compare(const double* a, const DeterminantRow<Count>& b, int p)
   {
     return -offset(b, a, p).sign();
   }
@@ -215,8 +215,8 @@ struct ExpansionSigns
 private:
   /// orient3 in double-double, or 0 when its error bound leaves it open.
   template <int Count>
-  FF_HD FF_OUTLINED FF_FLAT static int roundedOrient3(
-    const double* a, const double* b, const double* c, const Row<Count>& d)
+  FF_HD FF_OUTLINED FF_FLATTEN static int roundedOrient3(
+    const double* a, const double* b, const double* c, const DeterminantRow<Count>& d)
   {
     DoubleDouble u[3], v[3], w[3];
     double bound = 1.0;

@@ -104,10 +104,10 @@ FF_HD FF_OUTLINED inline int sumInto(
     {
       const double fromE = e[i];
       const double fromF = factor * f[j];
-      const bool takeE = (fromE < 0 ? -fromE : fromE) < (fromF < 0 ? -fromF : fromF);
-      next = takeE ? fromE : fromF;
-      i += takeE ? 1 : 0;
-      j += takeE ? 0 : 1;
+      const bool useE = (fromE < 0 ? -fromE : fromE) < (fromF < 0 ? -fromF : fromF);
+      next = useE ? fromE : fromF;
+      i += useE ? 1 : 0;
+      j += useE ? 0 : 1;
     }
     double high, low;
     twoSum(carry, next, high, low);

@@ -41,18 +41,19 @@ public:
   }
 
   /// Rounded when it is symbolic.
-  FF_HD const double* place() const { return this->s; }
+  FF_HD const double* coordinates() const { return this->s; }
   FF_HD bool isSymbolic() const { return this->symbolic; }
 
   /// use (row): with the row that stands for it in a determinant.
   template <class Use>
-  FF_HD int asRow(Use&& use) const
+  FF_HD int asDeterminantRow(Use&& use) const
   {
     if (this->symbolic)
     {
-      return use(Row<4>{ { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } });
+      return use(DeterminantRow<4>{
+        { this->corner[0], this->corner[1], this->corner[2], this->corner[3] } });
     }
-    return use(Row<1>{ { this->s } });
+    return use(DeterminantRow<1>{ { this->s } });
   }
 
 private:

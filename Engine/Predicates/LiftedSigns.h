@@ -21,7 +21,7 @@ struct LiftedSigns
 {
   /// Sign of det[b - a; c - a; d - a].
   FF_HD FF_OUTLINED static int orient3(
-    const double* a, const double* b, const double* c, const Row<1>& d)
+    const double* a, const double* b, const double* c, const DeterminantRow<1>& d)
   {
     const double* const row[3] = { b, c, d.point[0] };
     int sign = roundedOrient3(a, row);
@@ -47,7 +47,7 @@ struct LiftedSigns
 
   /// Sign of det[b - a; c - a] in the coordinates p, q.
   FF_HD FF_OUTLINED static int orient2(
-    const double* a, const double* b, const Row<1>& c, int p, int q)
+    const double* a, const double* b, const DeterminantRow<1>& c, int p, int q)
   {
     if (p < 2 && q < 2)
     {
@@ -86,7 +86,7 @@ struct LiftedSigns
   }
 
   /// Sign of a - b in the coordinate p.
-  FF_HD FF_OUTLINED static int compare(const double* a, const Row<1>& b, int p)
+  FF_HD FF_OUTLINED static int compare(const double* a, const DeterminantRow<1>& b, int p)
   {
     return -offsetOf(b.point[0], a, p).sign();
   }
@@ -135,7 +135,7 @@ private:
   }
 
   /// Sign of the determinant of orient3 in double-double, or 0 when its error bound leaves it open.
-  FF_HD FF_OUTLINED FF_FLAT static int roundedOrient3(const double* a, const double* const* row)
+  FF_HD FF_OUTLINED FF_FLATTEN static int roundedOrient3(const double* a, const double* const* row)
   {
     DoubleDouble u[3][3];
     double size[3] = { 0.0, 0.0, 0.0 };

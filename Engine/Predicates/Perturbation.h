@@ -112,13 +112,13 @@ constexpr PerturbationTable makePerturbationTable()
         term.rows[n++] = static_cast<std::int8_t>(row);
         continue;
       }
-      int place = row - above++;
+      int index = row - above++;
       for (int c = 0; c < columnOf[row]; ++c)
       {
-        place += left[c] ? 0 : 1;
+        index += left[c] ? 0 : 1;
       }
       left[columnOf[row]] = true;
-      sign = place % 2 ? -sign : sign;
+      sign = index % 2 ? -sign : sign;
     }
     n = 0;
     for (int column = 0; column < Order::Columns; ++column)
@@ -139,7 +139,7 @@ constexpr PerturbationTable makePerturbationTable()
 /// The minor of one term. @p last is the determinant's last row, and remains unless it is struck.
 template <class Signs, int Count>
 FF_HD FF_OUTLINED int minorSign(
-  const PerturbationTerm& term, const double* const* rows, const Row<Count>& last)
+  const PerturbationTerm& term, const double* const* rows, const DeterminantRow<Count>& last)
 {
   if (term.columns[1] >= 0)
   {
@@ -202,7 +202,7 @@ FF_HD inline FirstTerm firstTermOf(
 /// @tparam Order Columns + 1 rows
 /// @param rows   all but the last, in ascending order of id
 template <class Signs, class Order, int Count>
-FF_HD FF_OUTLINED int perturbedSign(const double* const* rows, const Row<Count>& last)
+FF_HD FF_OUTLINED int perturbedSign(const double* const* rows, const DeterminantRow<Count>& last)
 {
   constexpr detail::PerturbationTable table = detail::makePerturbationTable<Order>();
   constexpr int Last = Order::Columns;
@@ -213,7 +213,7 @@ FF_HD FF_OUTLINED int perturbedSign(const double* const* rows, const Row<Count>&
     const int lowest = term.rows[remaining - 1];
     const int sign = lowest == Last
       ? detail::minorSign<Signs>(term, rows, last)
-      : detail::minorSign<Signs>(term, rows, Row<1>{ { rows[lowest] } });
+      : detail::minorSign<Signs>(term, rows, DeterminantRow<1>{ { rows[lowest] } });
     if (sign != 0)
     {
       return term.sign * sign;

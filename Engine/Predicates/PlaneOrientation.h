@@ -21,7 +21,7 @@ inline int planeOrientation(const double* p, const double* q, const double* r)
   {
     return sign;
   }
-  return WideSigns::orient2(p, q, Row<1>{ { r } }, 0, 1);
+  return WideSigns::orient2(p, q, DeterminantRow<1>{ { r } }, 0, 1);
 }
 
 }

@@ -21,9 +21,10 @@ struct PredicateCounts
   std::int64_t ties = 0;  ///< signs of "above" that only the perturbation decides
 };
 
-/// @tparam Model derives from this, and has each step alone: filterAbove, exactAbove, tieAbove and
+/// @tparam Geometry derives from this, and has each step alone: filterAbove, exactAbove, tieAbove
+/// and
 ///               filterKernelBeneath, exactKernelBeneath, tieKernelBeneath
-template <class Model>
+template <class Geometry>
 class PredicateSteps
 {
 public:
@@ -31,8 +32,8 @@ public:
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     int sign;
-    return this->model().filterAbove(a, b, c, p, sign) ? sign
-                                                       : this->model().exactAbove(a, b, c, p);
+    return this->geometry().filterAbove(a, b, c, p, sign) ? sign
+                                                          : this->geometry().exactAbove(a, b, c, p);
   }
 
   FF_HD FF_INLINE int perturbedAbove(
@@ -44,21 +45,21 @@ public:
       return sign;
     }
     ++this->counts.ties;
-    return this->model().tieAbove(a, b, c, p);
+    return this->geometry().tieAbove(a, b, c, p);
   }
 
   FF_HD int kernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     int sign;
-    return this->model().filterKernelBeneath(a, b, c, sign)
+    return this->geometry().filterKernelBeneath(a, b, c, sign)
       ? sign
-      : this->model().exactKernelBeneath(a, b, c);
+      : this->geometry().exactKernelBeneath(a, b, c);
   }
 
   FF_HD int perturbedKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     const int sign = this->kernelBeneath(a, b, c);
-    return sign ? sign : this->model().tieKernelBeneath(a, b, c);
+    return sign ? sign : this->geometry().tieKernelBeneath(a, b, c);
   }
 
   FF_HD const PredicateCounts& predicateCounts() const { return this->counts; }
@@ -67,7 +68,7 @@ protected:
   mutable PredicateCounts counts;
 
 private:
-  FF_HD const Model& model() const { return static_cast<const Model&>(*this); }
+  FF_HD const Geometry& geometry() const { return static_cast<const Geometry&>(*this); }
 };
 
 }

@@ -14,7 +14,7 @@ using Integer = WideInteger;
 using flipflop::wideOffset;
 
 template <int Count>
-Integer wideOffset(const Row<Count>& row, const double* origin, int axis)
+Integer wideOffset(const DeterminantRow<Count>& row, const double* origin, int axis)
 {
   Integer result = 0;
   for (const double* point : row.point)
@@ -32,7 +32,7 @@ int signOfDeterminant(const Integer* u, const Integer* v, const Integer* w)
 }
 
 template <int Count>
-int wideOrient3(const double* a, const double* b, const double* c, const Row<Count>& d)
+int wideOrient3(const double* a, const double* b, const double* c, const DeterminantRow<Count>& d)
 {
   Integer u[3], v[3], w[3];
   for (int i = 0; i < 3; ++i)
@@ -45,7 +45,7 @@ int wideOrient3(const double* a, const double* b, const double* c, const Row<Cou
 }
 
 template <int Count>
-int wideOrient2(const double* a, const double* b, const Row<Count>& c, int p, int q)
+int wideOrient2(const double* a, const double* b, const DeterminantRow<Count>& c, int p, int q)
 {
   const Integer det =
     wideOffset(b, a, p) * wideOffset(c, a, q) - wideOffset(b, a, q) * wideOffset(c, a, p);
@@ -54,32 +54,34 @@ int wideOrient2(const double* a, const double* b, const Row<Count>& c, int p, in
 
 }
 
-int WideSigns::orient3(const double* a, const double* b, const double* c, const Row<1>& d)
+int WideSigns::orient3(
+  const double* a, const double* b, const double* c, const DeterminantRow<1>& d)
 {
   return wideOrient3(a, b, c, d);
 }
 
-int WideSigns::orient3(const double* a, const double* b, const double* c, const Row<4>& d)
+int WideSigns::orient3(
+  const double* a, const double* b, const double* c, const DeterminantRow<4>& d)
 {
   return wideOrient3(a, b, c, d);
 }
 
-int WideSigns::orient2(const double* a, const double* b, const Row<1>& c, int p, int q)
+int WideSigns::orient2(const double* a, const double* b, const DeterminantRow<1>& c, int p, int q)
 {
   return wideOrient2(a, b, c, p, q);
 }
 
-int WideSigns::orient2(const double* a, const double* b, const Row<4>& c, int p, int q)
+int WideSigns::orient2(const double* a, const double* b, const DeterminantRow<4>& c, int p, int q)
 {
   return wideOrient2(a, b, c, p, q);
 }
 
-int WideSigns::compare(const double* a, const Row<1>& b, int p)
+int WideSigns::compare(const double* a, const DeterminantRow<1>& b, int p)
 {
   return -wideOffset(b, a, p).sign();
 }
 
-int WideSigns::compare(const double* a, const Row<4>& b, int p)
+int WideSigns::compare(const double* a, const DeterminantRow<4>& b, int p)
 {
   return -wideOffset(b, a, p).sign();
 }
@@ -106,7 +108,8 @@ int WideSigns::compareDistances(const double* a, const double* b, const double* 
   return sum.sign();
 }
 
-int WideLiftedSigns::orient3(const double* a, const double* b, const double* c, const Row<1>& d)
+int WideLiftedSigns::orient3(
+  const double* a, const double* b, const double* c, const DeterminantRow<1>& d)
 {
   Integer u[3], v[3], w[3];
   for (int i = 0; i < 3; ++i)
@@ -118,7 +121,8 @@ int WideLiftedSigns::orient3(const double* a, const double* b, const double* c, 
   return signOfDeterminant(u, v, w);
 }
 
-int WideLiftedSigns::orient2(const double* a, const double* b, const Row<1>& c, int p, int q)
+int WideLiftedSigns::orient2(
+  const double* a, const double* b, const DeterminantRow<1>& c, int p, int q)
 {
   const double* const d = c.point[0];
   const Integer det =
@@ -131,7 +135,7 @@ int WideLiftedSigns::comparePowers(const double* q, const double* a, const doubl
   return wideDifferenceOfPowers(q, a, b).sign();
 }
 
-int WideLiftedSigns::compare(const double* a, const Row<1>& b, int p)
+int WideLiftedSigns::compare(const double* a, const DeterminantRow<1>& b, int p)
 {
   return -liftedOffset(b.point[0], a, p).sign();
 }

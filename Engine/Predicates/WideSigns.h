@@ -14,12 +14,12 @@ namespace flipflop
 
 struct WideSigns
 {
-  static int orient3(const double* a, const double* b, const double* c, const Row<1>& d);
-  static int orient3(const double* a, const double* b, const double* c, const Row<4>& d);
-  static int orient2(const double* a, const double* b, const Row<1>& c, int p, int q);
-  static int orient2(const double* a, const double* b, const Row<4>& c, int p, int q);
-  static int compare(const double* a, const Row<1>& b, int p);
-  static int compare(const double* a, const Row<4>& b, int p);
+  static int orient3(const double* a, const double* b, const double* c, const DeterminantRow<1>& d);
+  static int orient3(const double* a, const double* b, const double* c, const DeterminantRow<4>& d);
+  static int orient2(const double* a, const double* b, const DeterminantRow<1>& c, int p, int q);
+  static int orient2(const double* a, const double* b, const DeterminantRow<4>& c, int p, int q);
+  static int compare(const double* a, const DeterminantRow<1>& b, int p);
+  static int compare(const double* a, const DeterminantRow<4>& b, int p);
   static int along(const double* d, const double* a, const double* b);
   static int compareDistances(const double* a, const double* b, const double* c, const double* d);
 };
@@ -27,9 +27,9 @@ struct WideSigns
 /// The same for LiftedSigns. Where points are unweighted their weights are zeros.
 struct WideLiftedSigns
 {
-  static int orient3(const double* a, const double* b, const double* c, const Row<1>& d);
-  static int orient2(const double* a, const double* b, const Row<1>& c, int p, int q);
-  static int compare(const double* a, const Row<1>& b, int p);
+  static int orient3(const double* a, const double* b, const double* c, const DeterminantRow<1>& d);
+  static int orient2(const double* a, const double* b, const DeterminantRow<1>& c, int p, int q);
+  static int compare(const double* a, const DeterminantRow<1>& b, int p);
   static int comparePowers(const double* q, const double* a, const double* b);
 };
 

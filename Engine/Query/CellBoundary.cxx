@@ -29,7 +29,7 @@ public:
     : complex(cells)
     , poll(monitor)
     , twin(cells.connectivity.size())
-    , place(cells.pointIds.size(), NoIndex)
+    , pathIndex(cells.pointIds.size(), NoIndex)
   {
     Buffer<CellSide> sides = sidesOf(cells, this->cellOf);
     eachEdge(sides,
@@ -38,13 +38,13 @@ public:
         this->poll.step();
         const CellSide* const other = end - 1;
         if (other - side > 1 ||
-          (other != side && this->corner(side->place) == this->corner(other->place)))
+          (other != side && this->corner(side->index) == this->corner(other->index)))
         {
           throw badArgument("cells must share each edge by two at most, once in either direction",
-            this->cellOf[side->place]);
+            this->cellOf[side->index]);
         }
-        this->twin[side->place] = other == side ? NoIndex : other->place;
-        this->twin[other->place] = other == side ? NoIndex : side->place;
+        this->twin[side->index] = other == side ? NoIndex : other->index;
+        this->twin[other->index] = other == side ? NoIndex : side->index;
       });
   }
 
@@ -107,11 +107,11 @@ private:
     {
       this->poll.step();
       const std::uint32_t v = this->corner(k);
-      if (this->place[v] != NoIndex)
+      if (this->pathIndex[v] != NoIndex)
       {
-        this->cut(this->place[v]);
+        this->cut(this->pathIndex[v]);
       }
-      this->place[v] = static_cast<std::uint32_t>(this->path.size());
+      this->pathIndex[v] = static_cast<std::uint32_t>(this->path.size());
       this->path.push_back(v);
       this->twin[k] = Walked;
       for (k = this->next(k); this->twin[k] < Walked; k = this->next(this->twin[k]))
@@ -128,7 +128,7 @@ private:
     const auto begin = this->path.begin() + from;
     for (auto v = begin; v != this->path.end(); ++v)
     {
-      this->place[*v] = NoIndex;
+      this->pathIndex[*v] = NoIndex;
     }
     std::rotate(begin, std::min_element(begin, this->path.end()), this->path.end());
     const auto size = static_cast<std::ptrdiff_t>(this->corners.size());
@@ -143,8 +143,8 @@ private:
   const CellComplex& complex;
   StepPoll poll;
   Buffer<std::uint32_t> cellOf;
-  std::vector<std::uint32_t> twin;  ///< of each side; NoIndex: it is at the border
-  std::vector<std::uint32_t> place; ///< of each corner in the path; NoIndex: it is not there
+  std::vector<std::uint32_t> twin;      ///< of each side; NoIndex: it is at the border
+  std::vector<std::uint32_t> pathIndex; ///< of each corner in the path; NoIndex: it is not there
   std::vector<std::uint32_t> path;
   std::vector<std::uint32_t> corners; ///< of the rings
   std::vector<Ring> rings;

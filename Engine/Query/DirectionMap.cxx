@@ -142,11 +142,11 @@ std::size_t DirectionMap::cellOf(const Direction& d, bool& certain) const
   certain = true;
   for (const int other : { secondAxis(axis), firstAxis(axis) })
   {
-    const double place = (d[other] / size[axis] + 1) * half;
-    const std::int32_t step = std::min(static_cast<std::int32_t>(place), this->side - 1);
+    const double coordinate = (d[other] / size[axis] + 1) * half;
+    const std::int32_t step = std::min(static_cast<std::int32_t>(coordinate), this->side - 1);
     // Far more than the place is off by.
     constexpr double Margin = 1e-9;
-    certain = certain && place - step > Margin && place - step < 1 - Margin;
+    certain = certain && coordinate - step > Margin && coordinate - step < 1 - Margin;
     cell = cell * static_cast<std::size_t>(this->side) + static_cast<std::size_t>(step);
   }
   return cell;

@@ -95,7 +95,7 @@ std::int64_t cellsWithinEdgeLength(const PointView& points, const CellComplex& t
       const Buffer<PowerSite> sites = loadSites(points, WeightView(), triangulation);
       checkCells(triangulation);
       const LengthLimit length(limit);
-      eachRun(cells, FacetsPerTask,
+      eachChunk(cells, FacetsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
           for (std::size_t cell = begin; cell < end; ++cell)
@@ -123,7 +123,7 @@ void keepCells(CellComplex& complex, const std::uint8_t* kept)
   const std::int64_t cells = complex.cellCount();
   std::int64_t* const corners = complex.connectivity.data();
   std::size_t size = 0;
-  std::size_t left = 0;
+  std::size_t keptCount = 0;
   // Cells move towards the front, so none is overwritten before it has moved.
   for (std::int64_t cell = 0; cell < cells; ++cell)
   {
@@ -136,16 +136,16 @@ void keepCells(CellComplex& complex, const std::uint8_t* kept)
     std::copy(corners + begin, corners + end, corners + size);
     if (!complex.cellSize)
     {
-      complex.offsets[left] = static_cast<std::int64_t>(size);
+      complex.offsets[keptCount] = static_cast<std::int64_t>(size);
     }
     size += static_cast<std::size_t>(end - begin);
-    ++left;
+    ++keptCount;
   }
   complex.connectivity.truncate(size);
   if (!complex.cellSize && !complex.offsets.empty())
   {
-    complex.offsets[left] = static_cast<std::int64_t>(size);
-    complex.offsets.truncate(left + 1);
+    complex.offsets[keptCount] = static_cast<std::int64_t>(size);
+    complex.offsets.truncate(keptCount + 1);
   }
 }
 

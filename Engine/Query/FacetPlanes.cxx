@@ -47,7 +47,7 @@ Buffer<double> facetPlanes(const PointView& points, const Hull& hull, const Opti
     {
       constexpr std::size_t CellsPerTask = 1 << 12;
       planes.allocate(4 * cells);
-      eachRun(cells, CellsPerTask,
+      eachChunk(cells, CellsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
           for (std::size_t cell = begin; cell < end; ++cell)

@@ -20,22 +20,23 @@ namespace
 using Geometry = LiftedGeometry<true>;
 
 /// Rings number half-edges by their place in the connectivity, three to a triangle.
-std::uint32_t halfEdgeOf(std::uint32_t place)
+std::uint32_t halfEdgeOf(std::uint32_t index)
 {
-  return halfEdge(place / 3, static_cast<int>(place % 3));
+  return halfEdge(index / 3, static_cast<int>(index % 3));
 }
 
 class FanMeshMaker
 {
 public:
   FanMeshMaker(FanMesh& result, const Vertex* points, const Geometry& signs,
-    const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges, Monitor& toTell)
+    const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges,
+    Monitor& monitorToUse)
     : mesh(result)
     , vertices(points)
     , geometry(signs)
     , given(triangulation)
     , fixed(fixedEdges)
-    , monitor(toTell)
+    , monitor(monitorToUse)
     , next(triangulation.pointIds.size())
   {
   }
@@ -67,7 +68,7 @@ private:
     }
     this->mesh.triangles.allocate(static_cast<std::size_t>(count));
     this->mesh.cells.allocate(static_cast<std::size_t>(count));
-    eachCheckedRun(static_cast<std::size_t>(cells), FacetsPerTask,
+    eachCheckedChunk(static_cast<std::size_t>(cells), FacetsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         this->monitor.poll();
@@ -122,7 +123,7 @@ private:
     const FacetRings rings(triangles);
     const std::size_t count = this->given.pointIds.size();
     this->mesh.lowestAt.allocate(count);
-    eachCheckedRun(count, SitesPerTask,
+    eachCheckedChunk(count, SitesPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         this->monitor.poll();
@@ -183,7 +184,7 @@ private:
   {
     const Triangle* const triangles = this->mesh.triangles.data();
     std::atomic<bool> regular{ true };
-    eachCheckedRun(this->mesh.triangles.size(), FacetsPerTask,
+    eachCheckedChunk(this->mesh.triangles.size(), FacetsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         this->monitor.poll();

@@ -4,8 +4,8 @@
 
 #include "Geometry/Extents.h"
 #include "Query/FarthestPair.h"
-#include "Query/HullModel.h"
 #include "Query/MinimalBox.h"
+#include "Query/PreparedHull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace flipflop
 HullQueries::HullQueries(
   const PointView& points, const Hull& hull, const Options& options, PointSpace space)
   : model(withTypedErrors(
-      [&] { return std::make_unique<const HullModel>(points, hull, options, space); }))
+      [&] { return std::make_unique<const PreparedHull>(points, hull, options, space); }))
 {
 }
 
@@ -52,7 +52,7 @@ double distanceBetween(const Vertex& a, const Vertex& b, int exponent)
 /// those outside the box is NoIndex. The others are looked at a block at a time: the locator
 /// dismisses those deep inside, what is left walks.
 template <class Use>
-void eachPlaced(const HullModel& model, const QueryRun& run, const HullLocator* locator,
+void eachLocated(const PreparedHull& model, const QueryRun& run, const HullLocator* locator,
   std::uint32_t begin, std::uint32_t end, const Use& use)
 {
   constexpr int Size = HullLocator::BlockSize;
@@ -71,7 +71,7 @@ void eachPlaced(const HullModel& model, const QueryRun& run, const HullLocator* 
       const double p[3] = { x[0][i], x[1][i], x[2][i] };
       if (!model.isInBox(p)) // as what is not finite
       {
-        use(first + static_cast<std::uint32_t>(i), p, Placed{ Side::Outside, NoIndex });
+        use(first + static_cast<std::uint32_t>(i), p, Location{ Side::Outside, NoIndex });
         continue;
       }
       from[inBox] = static_cast<std::uint32_t>(i);
@@ -91,14 +91,14 @@ void eachPlaced(const HullModel& model, const QueryRun& run, const HullLocator* 
       const double p[3] = { x[0][at], x[1][at], x[2][at] };
       const std::uint32_t start = locator ? locator->near(Vertex(), block.cell[i]) : 0;
       use(first + at, p,
-        locator && block.inside[i] ? Placed{ Side::Inside, start }
-                                   : model.place(local, p, start, locator));
+        locator && block.inside[i] ? Location{ Side::Inside, start }
+                                   : model.locate(local, p, start, locator));
     }
   }
 }
 
 /// The locator, where the hull has one.
-const HullLocator* locatorOf(const HullModel& hull, Monitor& monitor)
+const HullLocator* locatorOf(const PreparedHull& hull, Monitor& monitor)
 {
   if (hull.dimension() < 3)
   {
@@ -113,41 +113,42 @@ const HullLocator* locatorOf(const HullModel& hull, Monitor& monitor)
 void HullQueries::contains(
   const PointView& queries, std::int8_t* sides, const Options& options) const
 {
-  const HullModel& hull = *this->model;
+  const PreparedHull& hull = *this->model;
   const HullLocator* locator = nullptr;
   eachQuery(
     queries, hull.axisCount(), sides, options,
     [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
     [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
     {
-      eachPlaced(hull, run, locator, begin, end,
-        [sides](std::uint32_t query, const double*, const Placed& placed)
-        { sides[query] = static_cast<std::int8_t>(placed.side); });
+      eachLocated(hull, run, locator, begin, end,
+        [sides](std::uint32_t query, const double*, const Location& location)
+        { sides[query] = static_cast<std::int8_t>(location.side); });
     });
 }
 
 void HullQueries::distance(
   const PointView& queries, double* distances, const Options& options) const
 {
-  const HullModel& hull = *this->model;
+  const PreparedHull& hull = *this->model;
   const HullLocator* locator = nullptr;
   const SurfaceTree* surface = nullptr;
-  const auto distanceOf = [&](const double* x, const Placed& placed)
+  const auto distanceOf = [&](const double* x, const Location& location)
   {
     if (!isFinite(x))
     {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    if (placed.side == Side::On || !surface)
+    if (location.side == Side::On || !surface)
     {
       return surface ? 0.0 : std::numeric_limits<double>::infinity();
     }
-    const std::uint32_t start =
-      placed.triangle == NoIndex && locator ? hull.triangleTowards(x, *locator) : placed.triangle;
+    const std::uint32_t start = location.triangle == NoIndex && locator
+      ? hull.triangleTowards(x, *locator)
+      : location.triangle;
     // The side is exact, so zero would be wrong.
-    const double distance = std::max(surface->distance(x, placed.side == Side::Inside, start),
+    const double distance = std::max(surface->distance(x, location.side == Side::Inside, start),
       std::numeric_limits<double>::denorm_min());
-    return placed.side == Side::Inside ? -distance : distance;
+    return location.side == Side::Inside ? -distance : distance;
   };
   eachQuery(
     queries, hull.axisCount(), distances, options,
@@ -159,16 +160,16 @@ void HullQueries::distance(
     },
     [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
     {
-      eachPlaced(hull, run, locator, begin, end,
-        [&](std::uint32_t query, const double* x, const Placed& placed)
-        { distances[query] = distanceOf(x, placed); });
+      eachLocated(hull, run, locator, begin, end,
+        [&](std::uint32_t query, const double* x, const Location& location)
+        { distances[query] = distanceOf(x, location); });
     });
 }
 
 void HullQueries::support(
   const PointView& directions, std::int64_t* ids, const Options& options) const
 {
-  const HullModel& hull = *this->model;
+  const PreparedHull& hull = *this->model;
   const DirectionMap* map = nullptr;
   eachQuery(
     directions, hull.axisCount(), ids, options,
@@ -191,7 +192,7 @@ void HullQueries::support(
 
 Diameter HullQueries::diameter(const Options& options) const
 {
-  const HullModel& hull = *this->model;
+  const PreparedHull& hull = *this->model;
   Diameter result;
   runOver(hull.size(), options,
     [&](Monitor& monitor)
@@ -211,7 +212,7 @@ Diameter HullQueries::diameter(const Options& options) const
 
 OrientedBox HullQueries::minimalBox(const Options& options) const
 {
-  const HullModel& hull = *this->model;
+  const PreparedHull& hull = *this->model;
   OrientedBox box;
   runOver(hull.size(), options,
     [&](Monitor& monitor)

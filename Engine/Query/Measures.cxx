@@ -66,7 +66,7 @@ template <class Measure>
 void eachCell(std::int64_t cells, Monitor& monitor, const Measure& measure)
 {
   monitor.stage(0.1, 1.0, cells, "measuring");
-  eachRun(static_cast<std::size_t>(cells), FacetsPerTask,
+  eachChunk(static_cast<std::size_t>(cells), FacetsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t cell = begin; cell < end; ++cell)
@@ -137,7 +137,7 @@ void cellMeasures(
       {
         throw badArgument(NotADiagram);
       }
-      eachCheckedRun(cells, FacetsPerTask,
+      eachCheckedChunk(cells, FacetsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
           for (std::size_t c = begin; c < end; ++c)

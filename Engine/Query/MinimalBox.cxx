@@ -90,7 +90,7 @@ struct Reach
 class BoxSearch
 {
 public:
-  BoxSearch(const HullModel& hull, const UnitFrame& frame, Monitor& monitor)
+  BoxSearch(const PreparedHull& hull, const UnitFrame& frame, Monitor& monitor)
     : hull(hull)
     , frame(frame)
     , monitor(monitor)
@@ -106,7 +106,7 @@ public:
     this->addSpread(directions);
     std::vector<Candidate> found(directions.size());
     this->monitor.stage(0.1, 0.6, static_cast<std::int64_t>(directions.size()));
-    eachRun(directions.size(), 16,
+    eachChunk(directions.size(), 16,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         for (std::size_t i = begin; i < end; ++i)
@@ -209,7 +209,7 @@ private:
   {
     std::vector<Vector> normals;
     const Buffer<Triangle>& triangles = this->hull.polyhedron().triangles;
-    const std::size_t step = runCount(triangles.size(), ManyDirections);
+    const std::size_t step = chunkCount(triangles.size(), ManyDirections);
     for (std::size_t t = 0; t < triangles.size(); t += step)
     {
       const std::uint32_t* const v = triangles[t].v;
@@ -224,7 +224,7 @@ private:
   {
     std::vector<Vector> edges;
     const Buffer<Triangle>& triangles = this->hull.polyhedron().triangles;
-    const std::size_t step = runCount(triangles.size(), ManyDirections);
+    const std::size_t step = chunkCount(triangles.size(), ManyDirections);
     for (std::size_t t = 0; t < triangles.size(); t += step)
     {
       for (int e = 0; e < 3; ++e)
@@ -383,7 +383,7 @@ private:
     return best;
   }
 
-  const HullModel& hull;
+  const PreparedHull& hull;
   const UnitFrame& frame;
   Monitor& monitor;
   Points points;
@@ -392,7 +392,7 @@ private:
 /// No box around the hull is smaller: neither than the hull, nor than three times a tetrahedron in
 /// it. (A tetrahedron in a box, or in any parallelepiped, has its greatest volume at four corners:
 /// a third.) The rounded sums are lowered by more than they can be off.
-double leastVolume(const HullModel& hull)
+double leastVolume(const PreparedHull& hull)
 {
   const UnitFrame frame(&hull.corner(0), hull.size(), true);
   double sum = 0;
@@ -447,7 +447,7 @@ double leastVolume(const HullModel& hull)
 
 /// The axes for a hull below dimension 3, where the least box is no matter of search. In the plane,
 /// the third one is z.
-Candidate flatAxes(const HullModel& hull, const UnitFrame& frame)
+Candidate flatAxes(const PreparedHull& hull, const UnitFrame& frame)
 {
   Candidate result = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   if (hull.dimension() == 1)
@@ -488,7 +488,7 @@ Candidate flatAxes(const HullModel& hull, const UnitFrame& frame)
 
 }
 
-OrientedBox minimalBoxOf(const HullModel& hull, Monitor& monitor)
+OrientedBox minimalBoxOf(const PreparedHull& hull, Monitor& monitor)
 {
   const UnitFrame frame(&hull.corner(0), hull.size());
   const bool solid = hull.dimension() == 3;

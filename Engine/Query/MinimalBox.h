@@ -11,7 +11,7 @@
 #ifndef flipflop_MinimalBox_h
 #define flipflop_MinimalBox_h
 
-#include "Query/HullModel.h"
+#include "Query/PreparedHull.h"
 #include "Support/Monitor.h"
 #include <flipflop/HullQueries.h>
 
@@ -20,7 +20,7 @@ namespace flipflop
 
 /// @param hull  of dimension 0 or more
 /// @throw Error OutOfMemory, Aborted
-OrientedBox minimalBoxOf(const HullModel& hull, Monitor& monitor);
+OrientedBox minimalBoxOf(const PreparedHull& hull, Monitor& monitor);
 
 }
 

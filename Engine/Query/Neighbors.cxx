@@ -41,13 +41,13 @@ Buffer<std::int64_t> cellNeighbors(const CellComplex& complex, const Options& op
           poll.step();
           if (end - side > 2)
           {
-            crowded = std::min(crowded, cellOf[side->place]);
+            crowded = std::min(crowded, cellOf[side->index]);
             return;
           }
           const CellSide* const other = end - 1;
           const bool alone = other == side;
-          neighbors[side->place] = alone ? -1 : std::int64_t(cellOf[other->place]);
-          neighbors[other->place] = alone ? -1 : std::int64_t(cellOf[side->place]);
+          neighbors[side->index] = alone ? -1 : std::int64_t(cellOf[other->index]);
+          neighbors[other->index] = alone ? -1 : std::int64_t(cellOf[side->index]);
         });
       if (crowded != NoIndex)
       {

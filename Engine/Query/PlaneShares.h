@@ -76,21 +76,21 @@ void sharesOfCorners(const Space& space, const std::uint32_t* corners, PlaneShar
 /// Of a function that is linear over each triangle.
 template <class Space>
 void linearShares(
-  const Space& space, const FanMesh& mesh, const PlaceInMesh& place, PlaneShares& shares)
+  const Space& space, const FanMesh& mesh, const MeshLocation& location, PlaneShares& shares)
 {
   shares.clear();
-  if (place.kind == PlaceInMesh::Outside)
+  if (location.kind == MeshLocation::Outside)
   {
     return;
   }
-  const std::uint32_t* const v = mesh.triangles[place.triangle].v;
-  switch (place.kind)
+  const std::uint32_t* const v = mesh.triangles[location.triangle].v;
+  switch (location.kind)
   {
-    case PlaceInMesh::AtCorner:
-      shares.push_back({ v[place.corner], 1.0 });
+    case MeshLocation::AtCorner:
+      shares.push_back({ v[location.corner], 1.0 });
       return;
-    case PlaceInMesh::OnEdge:
-      sharesOnEdge(space, v[place.corner], v[nextCorner(place.corner)], shares);
+    case MeshLocation::OnEdge:
+      sharesOnEdge(space, v[location.corner], v[nextCorner(location.corner)], shares);
       return;
     default:
       sharesOfCorners(space, v, shares);
@@ -99,19 +99,19 @@ void linearShares(
 
 /// The same along a chain.
 template <class Space>
-void linearShares(const Space& space, const PlaceInChain& place, PlaneShares& shares)
+void linearShares(const Space& space, const ChainLocation& location, PlaneShares& shares)
 {
   shares.clear();
-  if (place.from == NoIndex)
+  if (location.from == NoIndex)
   {
     return;
   }
-  if (place.from == place.to)
+  if (location.from == location.to)
   {
-    shares.push_back({ place.from, 1.0 });
+    shares.push_back({ location.from, 1.0 });
     return;
   }
-  sharesOnEdge(space, place.from, place.to, shares);
+  sharesOnEdge(space, location.from, location.to, shares);
 }
 
 }

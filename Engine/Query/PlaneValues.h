@@ -94,7 +94,7 @@ public:
   }
 
   /// Twice the area of abc, positive where it turns left; zero only where it is.
-  FF_FLAT Number area(const double* a, const double* b, const double* c)
+  FF_FLATTEN Number area(const double* a, const double* b, const double* c)
   {
     const Number ux = this->difference(b[0], a[0]), uy = this->difference(b[1], a[1]);
     const Number vx = this->difference(c[0], a[0]), vy = this->difference(c[1], a[1]);
@@ -105,7 +105,7 @@ public:
 
   /// How high p is above the plane of abc, which turns left, times twice the area; positive in the
   /// power circle; zero only where it is. Third coordinates are weights.
-  FF_FLAT Number heightAbove(const double* a, const double* b, const double* c, const double* p)
+  FF_FLATTEN Number heightAbove(const double* a, const double* b, const double* c, const double* p)
   {
     const double* const row[3] = { b, c, p };
     Number u[3][3];

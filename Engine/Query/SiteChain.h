@@ -19,7 +19,7 @@ namespace flipflop
 {
 
 /// The sites that a place is at, or between: two of one index, where it is at a site.
-struct PlaceInChain
+struct ChainLocation
 {
   std::uint32_t from = NoIndex; ///< index of a site; NoIndex: off the chain
   std::uint32_t to = NoIndex;
@@ -38,7 +38,7 @@ public:
 
   /// @param space of the query
   template <class Space>
-  PlaceInChain locate(const Space& space) const
+  ChainLocation locate(const Space& space) const
   {
     const Vertex& p = space.query;
     const auto begin = this->along.begin();
@@ -48,16 +48,16 @@ public:
     if (after == end ||
       space.geometry.orient(space.site(*begin), space.site(*(end - 1)), space.query) != 0)
     {
-      return PlaceInChain();
+      return ChainLocation();
     }
     const std::size_t at = static_cast<std::size_t>(after - begin);
-    if (Sites::Geometry::samePlace(space.site(*after), p))
+    if (Sites::Geometry::samePlanePosition(space.site(*after), p))
     {
       const std::uint32_t before = at > 0 ? this->cells[at - 1] : NoIndex;
       const std::uint32_t next = at < this->cells.size() ? this->cells[at] : NoIndex;
       return { *after, *after, std::min(before, next) };
     }
-    return at == 0 ? PlaceInChain() : PlaceInChain{ *(after - 1), *after, this->cells[at - 1] };
+    return at == 0 ? ChainLocation() : ChainLocation{ *(after - 1), *after, this->cells[at - 1] };
   }
 
   /// The index of the nearest site.

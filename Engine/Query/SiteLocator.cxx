@@ -10,36 +10,37 @@ SiteLocator::SiteLocator(const Sites& points, const FanMesh& fans, Monitor& moni
   , mesh(&fans)
 {
   StepPoll poll(monitor);
-  std::vector<ValuedPlace> places;
-  places.reserve(points.count());
+  std::vector<ValuedPosition> positions;
+  positions.reserve(points.count());
   for (std::uint32_t v = 0; v < points.count(); ++v)
   {
     poll.step();
-    places.push_back({ { points[v].x[0], points[v].x[1] }, fans.lowestAt[v] });
+    positions.push_back({ { points[v].x[0], points[v].x[1] }, fans.lowestAt[v] });
   }
   this->grid.build(
-    std::move(places), [](double, double, std::uint32_t t) { return t; }, [&poll] { poll.step(); });
+    std::move(positions), [](double, double, std::uint32_t t) { return t; },
+    [&poll] { poll.step(); });
 }
 
 /// @param onSides a bit for each side of the triangle that the place is on
-PlaceInMesh SiteLocator::lowest(std::uint32_t t, int onSides) const
+MeshLocation SiteLocator::lowest(std::uint32_t t, int onSides) const
 {
   if (onSides == 0)
   {
-    return { PlaceInMesh::Inside, t, 0 };
+    return { MeshLocation::Inside, t, 0 };
   }
   int side = onSides & 1 ? 0 : (onSides & 2 ? 1 : 2);
   if (onSides == 1 << side)
   {
     const std::uint32_t twin = this->mesh->triangles[t].twin[side];
     return twin < halfEdge(t, side)
-      ? PlaceInMesh{ PlaceInMesh::OnEdge, triangleOf(twin), cornerOf(twin) }
-      : PlaceInMesh{ PlaceInMesh::OnEdge, t, side };
+      ? MeshLocation{ MeshLocation::OnEdge, triangleOf(twin), cornerOf(twin) }
+      : MeshLocation{ MeshLocation::OnEdge, t, side };
   }
   // On two sides: at the corner between them.
   const int corner = onSides == 3 ? 1 : (onSides == 6 ? 2 : 0);
   const std::uint32_t h = this->mesh->leaving(this->mesh->triangles[t].v[corner]);
-  return { PlaceInMesh::AtCorner, triangleOf(h), cornerOf(h) };
+  return { MeshLocation::AtCorner, triangleOf(h), cornerOf(h) };
 }
 
 }

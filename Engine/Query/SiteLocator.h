@@ -13,7 +13,7 @@
 #ifndef flipflop_SiteLocator_h
 #define flipflop_SiteLocator_h
 
-#include "Geometry/PlaceGrid.h"
+#include "Geometry/PositionGrid.h"
 #include "Geometry/VisibilityWalk.h"
 #include "Query/FanMesh.h"
 #include "Query/Sites.h"
@@ -29,7 +29,7 @@ namespace flipflop
 {
 
 /// Where a place is: in a triangle, on an edge or at a corner. Of several triangles the lowest.
-struct PlaceInMesh
+struct MeshLocation
 {
   enum Kind
   {
@@ -53,16 +53,16 @@ public:
 
   /// @param place in the sites' box
   template <class Space>
-  PlaceInMesh locate(const Space& space, const double* place) const
+  MeshLocation locate(const Space& space, const double* position) const
   {
     if (!this->mesh->isRegular)
     {
-      return this->locateStraight(space, place);
+      return this->locateStraight(space, position);
     }
     int onSides = 0;
     std::uint32_t beyond = 0;
     const Triangle* const triangles = this->mesh->triangles.data();
-    const std::uint32_t found = visibilityWalk(triangles, NoIndex, this->near(place),
+    const std::uint32_t found = visibilityWalk(triangles, NoIndex, this->near(position),
       static_cast<std::uint32_t>(this->mesh->triangles.size()),
       [&](std::uint32_t t, int entry)
       {
@@ -80,14 +80,14 @@ public:
         return side;
       });
     ensure(found != NoIndex || beyond == NoIndex);
-    return found == NoIndex ? PlaceInMesh() : this->lowest(found, onSides);
+    return found == NoIndex ? MeshLocation() : this->lowest(found, onSides);
   }
 
   /// The index of the nearest site.
   template <class Space>
-  std::uint32_t nearest(const Space& space, const double* place) const
+  std::uint32_t nearest(const Space& space, const double* position) const
   {
-    double start[2] = { place[0], place[1] };
+    double start[2] = { position[0], position[1] };
     this->sites->intoBox(start);
     std::uint32_t best = this->mesh->triangles[this->near(start)].v[0];
     for (std::uint32_t from = NoIndex; from != best;)
@@ -113,14 +113,14 @@ public:
 
 private:
   template <class Space>
-  PlaceInMesh locateStraight(const Space& space, const double* place) const
+  MeshLocation locateStraight(const Space& space, const double* position) const
   {
     const Triangle* const triangles = this->mesh->triangles.data();
     const std::uint32_t found =
-      StraightWalk<Space>(*this->mesh, space).from(triangles[this->near(place)].v[0]);
+      StraightWalk<Space>(*this->mesh, space).from(triangles[this->near(position)].v[0]);
     if (found == NoIndex)
     {
-      return PlaceInMesh();
+      return MeshLocation();
     }
     int onSides = 0;
     const std::uint32_t* v = triangles[found].v;
@@ -133,18 +133,18 @@ private:
     return this->lowest(found, onSides);
   }
 
-  std::uint32_t near(const double* place) const
+  std::uint32_t near(const double* position) const
   {
-    const Vertex p = this->sites->scaled(place);
+    const Vertex p = this->sites->scaled(position);
     return this->grid.valueAt(this->grid.cellOf(p.x[0], p.x[1]), p.x[0], p.x[1]);
   }
 
   std::uint32_t walkTo(double x, double y, std::uint32_t start) const;
-  PlaceInMesh lowest(std::uint32_t t, int onSides) const;
+  MeshLocation lowest(std::uint32_t t, int onSides) const;
 
   const Sites* sites = nullptr;
   const FanMesh* mesh = nullptr;
-  PlaceGrid grid; ///< of triangles
+  PositionGrid grid; ///< of triangles
 };
 
 }

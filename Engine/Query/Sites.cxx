@@ -43,8 +43,8 @@ double leastOnAxis(int axis, CoordinateRange range, const Arithmetic& chosen)
   {
     const double candidate = std::ldexp(1.0, exponent);
     range.smallest[axis] = std::min(range.smallest[axis], candidate);
-    const Arithmetic asked = chooseLiftedArithmetic(range);
-    if (asked.wide != chosen.wide || asked.scaleExponent != chosen.scaleExponent)
+    const Arithmetic needed = chooseLiftedArithmetic(range);
+    if (needed.wide != chosen.wide || needed.scaleExponent != chosen.scaleExponent)
     {
       break;
     }

@@ -44,27 +44,28 @@ public:
   const Geometry& scaledGeometry() const { return this->geometry; }
 
   /// Is a place, as given, in the box of the sites? (Outside it is outside of their hull.)
-  bool inBox(const double* place) const
+  bool inBox(const double* position) const
   {
-    return place[0] >= this->low[0] && place[0] <= this->high[0] && place[1] >= this->low[1] &&
-      place[1] <= this->high[1];
+    return position[0] >= this->low[0] && position[0] <= this->high[0] &&
+      position[1] >= this->low[1] && position[1] <= this->high[1];
   }
 
   /// The nearest place in the box.
-  void intoBox(double* place) const
+  void intoBox(double* position) const
   {
     for (int i = 0; i < 2; ++i)
     {
-      place[i] = place[i] < this->low[i] ? this->low[i]
-        : place[i] > this->high[i]       ? this->high[i]
-                                         : place[i];
+      position[i] = position[i] < this->low[i] ? this->low[i]
+        : position[i] > this->high[i]          ? this->high[i]
+                                               : position[i];
     }
   }
 
   /// A place scaled as the sites are; rounded where it does not fit.
-  Vertex scaled(const double* place) const
+  Vertex scaled(const double* position) const
   {
-    return { { std::ldexp(place[0], this->exponent), std::ldexp(place[1], this->exponent), 0.0 },
+    return { { std::ldexp(position[0], this->exponent), std::ldexp(position[1], this->exponent),
+               0.0 },
       NoIndex, 0 };
   }
 
@@ -72,9 +73,9 @@ private:
   friend class SiteSigns;
 
   /// Do the expansions that suit the sites carry a place, too?
-  bool fits(const double* place) const
+  bool fits(const double* position) const
   {
-    return !this->geometry.isWide() && this->fits(place[0]) && this->fits(place[1]);
+    return !this->geometry.isWide() && this->fits(position[0]) && this->fits(position[1]);
   }
   bool fitsWeight(double weight) const
   {
@@ -143,21 +144,21 @@ public:
 
   /// use(space): in the space that carries @p place, which is its query.
   template <class Use>
-  auto withSpace(const double* place, Use&& use) const
+  auto withSpace(const double* position, Use&& use) const
   {
-    if (this->sites.fits(place))
+    if (this->sites.fits(position))
     {
-      return use(Narrow{ this->sites, this->geometry, this->sites.scaled(place) });
+      return use(Narrow{ this->sites, this->geometry, this->sites.scaled(position) });
     }
-    return this->withWideSpace(place, use);
+    return this->withWideSpace(position, use);
   }
 
   /// The same in the space that carries all places and weights.
   template <class Use>
-  auto withWideSpace(const double* place, Use&& use) const
+  auto withWideSpace(const double* position, Use&& use) const
   {
-    return use(
-      Wide{ this->sites, this->wideGeometry, Vertex{ { place[0], place[1], 0.0 }, NoIndex, 0 } });
+    return use(Wide{
+      this->sites, this->wideGeometry, Vertex{ { position[0], position[1], 0.0 }, NoIndex, 0 } });
   }
 
 private:

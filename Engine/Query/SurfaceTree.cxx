@@ -142,18 +142,18 @@ SurfaceTree::SurfaceTree(const Polyhedron& solid, const std::vector<std::uint32_
   const Box& box = this->tree->box(0);
   this->hullExponent = OffsetFrame::exponentFor(OffsetFrame::reachOf(box.low, box));
   this->elements.allocate(items);
-  this->placeOf.allocate(items);
-  eachRun(items, std::size_t(1) << 12,
+  this->slotOf.allocate(items);
+  eachChunk(items, std::size_t(1) << 12,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       monitor.poll();
-      for (auto place = static_cast<std::uint32_t>(begin); place < end; ++place)
+      for (auto slot = static_cast<std::uint32_t>(begin); slot < end; ++slot)
       {
-        const std::uint32_t item = this->tree->item(place);
+        const std::uint32_t item = this->tree->item(slot);
         const Corner corner[3] = { cornerOf(item, 0), cornerOf(item, 1), cornerOf(item, 2) };
         const bool isFlat = !this->triangles && flat[item][1] == flat[item][2];
-        this->elements[place] = this->makeElement(corner, isFlat);
-        this->placeOf[item] = place;
+        this->elements[slot] = this->makeElement(corner, isFlat);
+        this->slotOf[item] = slot;
       }
     });
   if (this->triangles)
@@ -195,11 +195,11 @@ void SurfaceTree::makeSlabs()
       {
         return;
       }
-      for (std::uint32_t place = begin; place < end; ++place)
+      for (std::uint32_t slot = begin; slot < end; ++slot)
       {
         for (int i = 0; i < 3; ++i)
         {
-          slab.normal[i] += this->elements[place].normal[i];
+          slab.normal[i] += this->elements[slot].normal[i];
         }
       }
       const double length = std::sqrt(dot(slab.normal, slab.normal));
@@ -208,9 +208,9 @@ void SurfaceTree::makeSlabs()
         n = length > 1e-3 ? n / length : 0.0;
       }
       const OffsetFrame frame(slab.origin.x, this->hullExponent);
-      for (std::uint32_t place = begin; place < end; ++place)
+      for (std::uint32_t slot = begin; slot < end; ++slot)
       {
-        for (const Corner& corner : this->elements[place].corner)
+        for (const Corner& corner : this->elements[slot].corner)
         {
           double offset[3];
           frame.offset(corner.x, offset);
@@ -343,7 +343,7 @@ double SurfaceTree::squareByTree(const OffsetFrame& frame, bool inside) const
   {
     nodes.nearest(
       best, [&](std::size_t node) { return frame.squareFrom(nodes.box(node)); },
-      [&](std::uint32_t place) { return nearestOf(this->elements[place], frame).square; });
+      [&](std::uint32_t slot) { return nearestOf(this->elements[slot], frame).square; });
     return best;
   }
   double offset[3];
@@ -356,9 +356,9 @@ double SurfaceTree::squareByTree(const OffsetFrame& frame, bool inside) const
       const double depth = std::max(0.0, slab.least - heightOver(slab.normal, offset));
       return std::max(depth * depth, frame.squareFrom(nodes.box(node)));
     },
-    [&](std::uint32_t place)
+    [&](std::uint32_t slot)
     {
-      const Element& triangle = this->elements[place];
+      const Element& triangle = this->elements[slot];
       frame.offset(triangle.corner[0].x, offset);
       const double height = heightOver(triangle.normal, offset);
       return height * height;

@@ -89,13 +89,13 @@ private:
   double squareByWalk(const OffsetFrame& frame, std::uint32_t start) const;
   std::uint32_t uphill(std::uint32_t t, int corner, const OffsetFrame& frame) const;
   double squareByTree(const OffsetFrame& frame, bool inside) const;
-  const Element& elementOf(std::uint32_t t) const { return this->elements[this->placeOf[t]]; }
+  const Element& elementOf(std::uint32_t t) const { return this->elements[this->slotOf[t]]; }
 
-  Buffer<Element> elements;      ///< by place in the tree; corners as they were given
-  Buffer<std::uint32_t> placeOf; ///< by triangle
-  Buffer<Slab> slabs;            ///< by node, in dimension 3
-  const Triangle* triangles;     ///< of the hull; null below dimension 3
-  int hullExponent = 0;          ///< of the frame about the hull's own size
+  Buffer<Element> elements;     ///< by place in the tree; corners as they were given
+  Buffer<std::uint32_t> slotOf; ///< by triangle
+  Buffer<Slab> slabs;           ///< by node, in dimension 3
+  const Triangle* triangles;    ///< of the hull; null below dimension 3
+  int hullExponent = 0;         ///< of the frame about the hull's own size
   std::optional<BoxTree> tree;
 };
 

@@ -31,14 +31,14 @@ namespace
 /// @param makeAnswer answer (): for a task; answer(i, place) is called for each query, where place
 ///                   is null for one that is not finite
 /// @throw Error BadArgument, NonFinite, TooManyPoints, OutOfMemory, Aborted
-template <class MakeAnswer>
-void eachPlace(const PointView& queries, const void* answers, const Options& options,
-  const MakeAnswer& makeAnswer)
+template <class MakeQuery>
+void eachPosition(
+  const PointView& queries, const void* results, const Options& options, const MakeQuery& makeQuery)
 {
   constexpr std::uint32_t Many = 1 << 12;
   Buffer<std::uint32_t> order; // empty: as they come
   eachQuery(
-    queries, 2, answers, options,
+    queries, 2, results, options,
     [&](QueryRun& run)
     {
       if (run.source.count() >= Many && !run.checkFinite)
@@ -46,18 +46,18 @@ void eachPlace(const PointView& queries, const void* answers, const Options& opt
         PointSubset all;
         all.count = run.source.count();
         run.monitor.stage(0.1, 0.3, 1, "sorting");
-        order = curveOrder(run.source, all, Unfolding(), run.monitor);
+        order = curveOrder(run.source, all, OctahedralMap(), run.monitor);
       }
     },
     [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
     {
-      auto answer = makeAnswer();
+      auto query = makeQuery();
       for (std::uint32_t k = begin; k < end; ++k)
       {
         const std::uint32_t i = order.empty() ? k : order[k];
-        double place[3];
-        run.source.load(i, place);
-        answer(i, isFinite(place) ? place : nullptr);
+        double position[3];
+        run.source.load(i, position);
+        query(i, isFinite(position) ? position : nullptr);
       }
     });
 }
@@ -108,9 +108,9 @@ public:
   Implementation& operator=(const Implementation&) = delete;
 
   /// -1 outside.
-  std::int64_t cellAt(const SiteSigns& signs, const double* place) const
+  std::int64_t cellAt(const SiteSigns& signs, const double* position) const
   {
-    if (this->dimension < 0 || !this->sites.inBox(place))
+    if (this->dimension < 0 || !this->sites.inBox(position))
     {
       return -1;
     }
@@ -118,41 +118,41 @@ public:
     {
       return 0; // the box is the site
     }
-    return signs.withSpace(place,
+    return signs.withSpace(position,
       [&](const auto& space) -> std::int64_t
       {
         if (this->dimension == 1)
         {
-          const PlaceInChain found = this->chain.locate(space);
+          const ChainLocation found = this->chain.locate(space);
           return found.from == NoIndex ? -1 : static_cast<std::int64_t>(found.cell);
         }
-        const std::uint32_t found = this->lowestCell(this->locator.locate(space, place));
+        const std::uint32_t found = this->lowestCell(this->locator.locate(space, position));
         return found == NoIndex ? -1 : static_cast<std::int64_t>(found);
       });
   }
 
   /// -1: there is no site.
-  std::int64_t nearestTo(const SiteSigns& signs, const double* place) const
+  std::int64_t nearestTo(const SiteSigns& signs, const double* position) const
   {
     if (this->dimension < 1)
     {
       return this->dimension < 0 ? -1 : static_cast<std::int64_t>(this->sites[0].id);
     }
-    return signs.withSpace(place,
+    return signs.withSpace(position,
       [&](const auto& space) -> std::int64_t
       {
-        const std::uint32_t found =
-          this->dimension == 1 ? this->chain.nearest(space) : this->locator.nearest(space, place);
+        const std::uint32_t found = this->dimension == 1 ? this->chain.nearest(space)
+                                                         : this->locator.nearest(space, position);
         return this->sites[found].id;
       });
   }
 
   /// @param natural null: linear over each triangle
-  void sharesAt(const SiteSigns& signs, const double* place, NaturalNeighbours* natural,
+  void sharesAt(const SiteSigns& signs, const double* position, NaturalNeighbours* natural,
     PlaneShares& shares) const
   {
     shares.clear();
-    if (this->dimension < 0 || !this->sites.inBox(place))
+    if (this->dimension < 0 || !this->sites.inBox(position))
     {
       return;
     }
@@ -161,14 +161,14 @@ public:
       shares.push_back({ 0, 1.0 });
       return;
     }
-    const auto ask = [&](const auto& space)
+    const auto evaluate = [&](const auto& space)
     {
       if (this->dimension == 1)
       {
         linearShares(space, this->chain.locate(space), shares);
         return true;
       }
-      const PlaceInMesh found = this->locator.locate(space, place);
+      const MeshLocation found = this->locator.locate(space, position);
       if (this->lowestCell(found) == NoIndex)
       {
         return true;
@@ -176,23 +176,23 @@ public:
       linearShares(space, this->mesh, found, shares);
       return !natural || this->makeNatural(space, found, *natural, shares);
     };
-    if (!signs.withSpace(place, ask))
+    if (!signs.withSpace(position, evaluate))
     {
-      signs.withWideSpace(place, ask);
+      signs.withWideSpace(position, evaluate);
     }
   }
 
   /// What each query's place has in @p results, a number a query.
   /// @param find std::int64_t (signs, place)
   template <class Find>
-  void answer(
+  void findEach(
     const PointView& queries, std::int64_t* results, const Options& options, const Find& find) const
   {
-    eachPlace(queries, results, options,
+    eachPosition(queries, results, options,
       [&]
       {
         return [&find, results, signs = SiteSigns(this->sites)](std::uint32_t i,
-                 const double* place) { results[i] = place ? find(signs, place) : -1; };
+                 const double* position) { results[i] = position ? find(signs, position) : -1; };
       });
   }
 
@@ -205,16 +205,16 @@ public:
     {
       refuse();
     }
-    eachPlace(queries, result, options,
+    eachPosition(queries, result, options,
       [&]
       {
         return [&, signs = SiteSigns(this->sites), natural = NaturalNeighbours(this->mesh),
-                 shares = PlaneShares()](std::uint32_t i, const double* place) mutable
+                 shares = PlaneShares()](std::uint32_t i, const double* position) mutable
         {
           shares.clear();
-          if (place)
+          if (position)
           {
-            this->sharesAt(signs, place, isNatural ? &natural : nullptr, shares);
+            this->sharesAt(signs, position, isNatural ? &natural : nullptr, shares);
           }
           double* const to = result + static_cast<std::int64_t>(i) * components;
           for (std::int64_t c = 0; c < components; ++c)
@@ -251,25 +251,25 @@ private:
   }
 
   /// The lowest cell that holds a place, by its number among those inside; NoIndex: there is none.
-  std::uint32_t lowestCell(const PlaceInMesh& place) const
+  std::uint32_t lowestCell(const MeshLocation& location) const
   {
-    if (place.kind == PlaceInMesh::Outside)
+    if (location.kind == MeshLocation::Outside)
     {
       return NoIndex;
     }
     if (this->numberOf.empty())
     {
-      return this->mesh.cellOf(place.triangle);
+      return this->mesh.cellOf(location.triangle);
     }
     const auto number = [this](std::uint32_t h)
     { return h == NoIndex ? NoIndex : this->numberOf[this->mesh.cellOf(triangleOf(h))]; };
-    const std::uint32_t h = halfEdge(place.triangle, place.corner);
+    const std::uint32_t h = halfEdge(location.triangle, location.corner);
     std::uint32_t lowest = number(h);
-    if (place.kind == PlaceInMesh::OnEdge)
+    if (location.kind == MeshLocation::OnEdge)
     {
       lowest = std::min(lowest, number(this->mesh.twin(h)));
     }
-    if (place.kind == PlaceInMesh::AtCorner)
+    if (location.kind == MeshLocation::AtCorner)
     {
       this->mesh.eachLeaving(this->mesh.origin(h),
         [&](std::uint32_t out)
@@ -303,12 +303,12 @@ private:
   /// From the linear shares to the natural ones, where these are others.
   /// @return false where the space does not carry the query's weight
   template <class Space>
-  bool makeNatural(const Space& space, const PlaceInMesh& place, NaturalNeighbours& natural,
+  bool makeNatural(const Space& space, const MeshLocation& location, NaturalNeighbours& natural,
     PlaneShares& shares) const
   {
-    const bool onEdge = place.kind == PlaceInMesh::OnEdge;
-    if ((place.kind != PlaceInMesh::Inside && !onEdge) ||
-      (onEdge && this->mesh.twin(halfEdge(place.triangle, place.corner)) == NoIndex))
+    const bool onEdge = location.kind == MeshLocation::OnEdge;
+    if ((location.kind != MeshLocation::Inside && !onEdge) ||
+      (onEdge && this->mesh.twin(halfEdge(location.triangle, location.corner)) == NoIndex))
     {
       return true;
     }
@@ -329,7 +329,7 @@ private:
     }
     Space lifted = space;
     lifted.query.x[2] = weight;
-    natural.share(lifted, place.triangle, shares);
+    natural.share(lifted, location.triangle, shares);
     return true;
   }
 
@@ -373,8 +373,9 @@ void TriangulationQueries::locate(
   const PointView& queries, std::int64_t* cells, const Options& options) const
 {
   const Implementation& self = *this->implementation;
-  self.answer(queries, cells, options,
-    [&self](const SiteSigns& signs, const double* place) { return self.cellAt(signs, place); });
+  self.findEach(queries, cells, options,
+    [&self](const SiteSigns& signs, const double* position)
+    { return self.cellAt(signs, position); });
 }
 
 void TriangulationQueries::nearest(
@@ -383,8 +384,9 @@ void TriangulationQueries::nearest(
   const Implementation& self = *this->implementation;
   self.requireRegular("the nearest point is a question to a regular triangulation, not to a "
                       "constrained one");
-  self.answer(queries, ids, options,
-    [&self](const SiteSigns& signs, const double* place) { return self.nearestTo(signs, place); });
+  self.findEach(queries, ids, options,
+    [&self](const SiteSigns& signs, const double* position)
+    { return self.nearestTo(signs, position); });
 }
 
 void TriangulationQueries::interpolateLinear(const double* values, std::int64_t components,

@@ -23,7 +23,7 @@ class UnitFrame
 public:
   /// @param eachAxis scale each axis by itself: volumes keep their ratios, shapes do not
   UnitFrame(const Vertex* corners, std::uint32_t count, bool eachAxis = false)
-    : place(std::size_t(3) * count)
+    : coordinates(std::size_t(3) * count)
   {
     double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
     double high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
@@ -53,16 +53,16 @@ public:
       e = eachAxis ? e : longest;
       e = e == -Nothing ? 0 : e;
     }
-    for (std::size_t i = 0; i < this->place.size(); ++i)
+    for (std::size_t i = 0; i < this->coordinates.size(); ++i)
     {
       const std::size_t k = i % 3;
       const double x = std::ldexp(corners[i / 3].x[k], -this->halvings[k]);
-      this->place[i] = std::ldexp(x - this->centre[k], this->halvings[k] - this->exponent[k]);
+      this->coordinates[i] = std::ldexp(x - this->centre[k], this->halvings[k] - this->exponent[k]);
     }
   }
 
   /// Corner @p i in the frame.
-  const double* at(std::uint32_t i) const { return this->place.data() + 3 * std::size_t(i); }
+  const double* at(std::uint32_t i) const { return this->coordinates.data() + 3 * std::size_t(i); }
 
   /// What a length of one along an axis of the frame is to the corners, as a power of two.
   int lengthExponent(int axis) const { return this->exponent[axis]; }
@@ -78,10 +78,10 @@ public:
 private:
   static constexpr int Nothing = 10000; ///< negated, the exponent of nothing
 
-  Buffer<double> place; ///< three coordinates a corner
-  int halvings[3];      ///< 1: of corners along an axis, the halves are meant; else 0
-  double centre[3];     ///< of the corners, or of their halves
-  int exponent[3];      ///< of what a length of one is
+  Buffer<double> coordinates; ///< three coordinates a corner
+  int halvings[3];            ///< 1: of corners along an axis, the halves are meant; else 0
+  double centre[3];           ///< of the corners, or of their halves
+  int exponent[3];            ///< of what a length of one is
 };
 
 }

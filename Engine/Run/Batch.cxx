@@ -111,21 +111,21 @@ private:
   {
     Monitor& monitor;
     std::int64_t points;
-    std::int64_t told = 0; ///< of the points
+    std::int64_t reported = 0; ///< of the points
 
-    void tell(double fraction)
+    void report(double fraction)
     {
       const auto done = static_cast<std::int64_t>(fraction * static_cast<double>(this->points));
-      this->monitor.advance(done - this->told);
-      this->told = done;
+      this->monitor.advance(done - this->reported);
+      this->reported = done;
     }
 
     /// A ProgressFunction: on the thread of the set.
-    static bool tellFrom(double fraction, void* context)
+    static bool reportFrom(double fraction, void* context)
     {
       try
       {
-        static_cast<Share*>(context)->tell(fraction);
+        static_cast<Share*>(context)->report(fraction);
         return true;
       }
       catch (const Error&)
@@ -145,7 +145,7 @@ private:
     Share share{ this->monitor, this->sizeOf(set) };
     Options own = this->options;
     own.threads = threads;
-    own.progress = this->options.progress ? Share::tellFrom : nullptr;
+    own.progress = this->options.progress ? Share::reportFrom : nullptr;
     own.progressContext = &share;
     own.step = nullptr; // many sets are at many steps
     try
@@ -155,7 +155,7 @@ private:
         {
           this->monitor.poll();
           this->batch.results[set] = this->runOne(this->sets.offsets[set], share.points, own);
-          share.tell(1.0);
+          share.report(1.0);
         });
     }
     catch (const Error& error)

@@ -35,17 +35,17 @@ inline std::vector<Vertex> bestAlongLine(
       points.push_back(v);
     }
   }
-  const auto samePlace = LiftedGeometry<true>::samePlace;
+  const auto samePlanePosition = LiftedGeometry<true>::samePlanePosition;
   std::sort(points.begin(), points.end(),
-    [samePlace](const Vertex& a, const Vertex& b)
+    [samePlanePosition](const Vertex& a, const Vertex& b)
     {
-      if (!samePlace(a, b))
+      if (!samePlanePosition(a, b))
       {
         return a.x[0] != b.x[0] ? a.x[0] < b.x[0] : a.x[1] < b.x[1];
       }
       return a.x[2] != b.x[2] ? a.x[2] > b.x[2] : a.id < b.id;
     });
-  points.erase(std::unique(points.begin(), points.end(), samePlace), points.end());
+  points.erase(std::unique(points.begin(), points.end(), samePlanePosition), points.end());
   return points;
 }
 

@@ -68,13 +68,13 @@ struct QueryResult
 /// @param prepare void (QueryRun&): what all answers need
 /// @param answer  void (QueryRun&, std::uint32_t begin, std::uint32_t end)
 /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
-template <class Prepare, class Answer>
-void eachQuery(const PointView& queries, int dimension, const void* answers, const Options& options,
-  const Prepare& prepare, const Answer& answer)
+template <class Prepare, class Query>
+void eachQuery(const PointView& queries, int dimension, const void* results, const Options& options,
+  const Prepare& prepare, const Query& query)
 {
   constexpr std::size_t QueriesPerTask = 1 << 12;
   QueryRun run(queries, dimension, options);
-  if (queries.count > 0 && !answers)
+  if (queries.count > 0 && !results)
   {
     throw badArgument("there must be room for one answer a query: a null pointer was given");
   }
@@ -88,10 +88,10 @@ void eachQuery(const PointView& queries, int dimension, const void* answers, con
       run.scanPoints(result.statistics);
       prepare(run);
       run.monitor.stage(0.3, 1.0, queries.count, "answering");
-      eachRun(static_cast<std::size_t>(queries.count), QueriesPerTask,
+      eachChunk(static_cast<std::size_t>(queries.count), QueriesPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
-          answer(run, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+          query(run, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
           run.monitor.advance(static_cast<std::int64_t>(end - begin));
         });
     });

@@ -114,7 +114,7 @@ Span TriangulationRun<Weighted>::firstSpan()
     const Vertex p = this->source.vertex(id);
     if ((!this->checkFinite || isFinite(p.x)) &&
       (span.dimension < 0 ||
-        (span.dimension == 0 ? !Geometry::samePlace(corner[0], p)
+        (span.dimension == 0 ? !Geometry::samePlanePosition(corner[0], p)
                              : local.orient(corner[0], corner[1], p) != 0)))
     {
       corner[++span.dimension] = p;
@@ -190,15 +190,15 @@ void TriangulationRun<Weighted>::listHidden(Triangulation& result)
     return;
   }
   constexpr std::size_t PointsPerTask = 1 << 14;
-  numberFound(
+  parallelCompact(
     this->source.count(), PointsPerTask,
-    [&](std::size_t begin, std::size_t end, const auto& tell)
+    [&](std::size_t begin, std::size_t end, const auto& emit)
     {
       this->monitor.poll();
-      PointSubset::eachLeft(
+      PointSubset::eachRemaining(
         static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
         [](std::uint32_t id) { return id; }, visible.begin(), visible.end(),
-        this->checkFinite ? &this->source : nullptr, tell);
+        this->checkFinite ? &this->source : nullptr, emit);
     },
     [&](std::size_t hidden) { result.hiddenIds.allocate(hidden); },
     [&](std::size_t at, std::uint32_t id) { result.hiddenIds[at] = id; });

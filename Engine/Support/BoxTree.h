@@ -121,7 +121,7 @@ public:
     for (int level = 0; level <= this->levels; ++level)
     {
       const std::size_t first = (std::size_t(1) << level) - 1;
-      eachRun(first + 1, std::size_t(1) << 10,
+      eachChunk(first + 1, std::size_t(1) << 10,
         [&](std::size_t begin, std::size_t end, std::size_t)
         {
           for (std::size_t i = begin; i < end; ++i)
@@ -134,7 +134,7 @@ public:
   }
 
   /// The item at a place.
-  std::uint32_t item(std::uint32_t place) const { return this->order[place]; }
+  std::uint32_t item(std::uint32_t slot) const { return this->order[slot]; }
 
   /// Lower @p best, the square of a distance, to the least of all items.
   /// @param boundOf         double (std::size_t node): below the least where that is in the node
@@ -166,10 +166,10 @@ public:
         near = bound[first] < best;
         node = 2 * node + 1 + first;
       }
-      for (std::uint32_t place = near ? this->begin(node) : 0, last = near ? this->end(node) : 0;
-           place < last; ++place)
+      for (std::uint32_t slot = near ? this->begin(node) : 0, last = near ? this->end(node) : 0;
+           slot < last; ++slot)
       {
-        best = std::min(best, squaredDistance(place));
+        best = std::min(best, squaredDistance(slot));
       }
     }
   }
@@ -179,8 +179,8 @@ private:
 
   std::uint32_t beginOf(std::size_t node, int level) const
   {
-    const std::size_t place = node + 1 - (std::size_t(1) << level);
-    return static_cast<std::uint32_t>(std::uint64_t(this->count) * place >> level);
+    const std::size_t index = node + 1 - (std::size_t(1) << level);
+    return static_cast<std::uint32_t>(std::uint64_t(this->count) * index >> level);
   }
 
   void allocateBoxes()

@@ -96,25 +96,25 @@ private:
     Item* const end = this->items.begin() + this->bucketBegin[bucket + 1];
     const std::vector<Item> unsorted(begin, end);
     const std::size_t keys = std::min(std::size_t(1) << this->shift, this->keyCount - lowest);
-    std::vector<std::uint32_t> place(keys + 1);
+    std::vector<std::uint32_t> slot(keys + 1);
     for (const Item& item : unsorted)
     {
-      ++place[KeyOf()(item) - lowest + 1];
+      ++slot[KeyOf()(item) - lowest + 1];
     }
-    for (std::size_t key = 1; key < place.size(); ++key)
+    for (std::size_t key = 1; key < slot.size(); ++key)
     {
-      place[key] += place[key - 1];
+      slot[key] += slot[key - 1];
     }
     for (const Item& item : unsorted)
     {
-      begin[place[KeyOf()(item) - lowest]++] = item;
+      begin[slot[KeyOf()(item) - lowest]++] = item;
     }
     std::uint32_t from = 0;
     for (std::size_t key = 0; key < keys; ++key)
     {
-      use(static_cast<std::uint32_t>(lowest + key), begin + from, begin + place[key],
+      use(static_cast<std::uint32_t>(lowest + key), begin + from, begin + slot[key],
         this->bucketBegin[bucket] + from);
-      from = place[key];
+      from = slot[key];
     }
   }
 

@@ -20,7 +20,7 @@ template <class From, class To>
 void copyTo(const std::vector<From>& from, Buffer<To>& to)
 {
   to.allocate(from.size());
-  eachRun(from.size(), 1 << 16,
+  eachChunk(from.size(), 1 << 16,
     [&](std::size_t begin, std::size_t end, std::size_t)
     { std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin); });
 }

@@ -28,17 +28,17 @@
 
 /// A function into which all that it calls is inlined. A device's compiler decides that for itself.
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define FF_FLAT __attribute__((flatten))
+#define FF_FLATTEN __attribute__((flatten))
 #else
-#define FF_FLAT
+#define FF_FLATTEN
 #endif
 
 /// Kept out of its caller, which then does not pay for the registers that it needs. Not so for a
 /// device, where a call costs a stack.
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define FF_APART __attribute__((noinline))
+#define FF_NOINLINE __attribute__((noinline))
 #else
-#define FF_APART
+#define FF_NOINLINE
 #endif
 
 #endif

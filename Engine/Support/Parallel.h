@@ -54,36 +54,37 @@ void eachTask(std::size_t count, const Use& use)
   threads::each(count, use);
 }
 
-/// How many runs of @p size cover @p count things: the last may be shorter.
-constexpr std::size_t runCount(std::size_t count, std::size_t size)
+/// How many chunks of @p size cover @p count items: the last may be shorter.
+constexpr std::size_t chunkCount(std::size_t count, std::size_t size)
 {
   return (count + size - 1) / size;
 }
 
-/// Where part @p i begins when @p count things are cut into @p parts that differ by one at most.
+/// Where part @p i begins when @p count items are cut into @p parts that differ by one at most.
 constexpr std::uint32_t partBegin(std::uint32_t count, std::size_t parts, std::size_t i)
 {
   return static_cast<std::uint32_t>(std::uint64_t(count) * i / parts);
 }
 
-/// use(begin, end, number) for runs of @p count things, a task each.
-/// @param size of a run
+/// use(begin, end, number) for chunks of @p count items, a task each.
+/// @param size of a chunk
 template <class Use>
-void eachRun(std::size_t count, std::size_t size, const Use& use)
+void eachChunk(std::size_t count, std::size_t size, const Use& use)
 {
-  eachTask(runCount(count, size),
+  eachTask(chunkCount(count, size),
     [&](std::size_t number) { use(number * size, std::min(count, (number + 1) * size), number); });
 }
 
-/// The same for runs that may throw BadArgument. Where several do, the error of the lowest-numbered
-/// run is thrown in the end, so it does not depend on the threads. Other errors end the loop.
+/// The same for chunks that may throw BadArgument. Where several do, the error of the
+/// lowest-numbered chunk is thrown in the end, so it does not depend on the threads. Other errors
+/// end the loop.
 template <class Use>
-void eachCheckedRun(std::size_t count, std::size_t size, const Use& use)
+void eachCheckedChunk(std::size_t count, std::size_t size, const Use& use)
 {
   std::mutex mutex;
   std::atomic<std::size_t> first{ SIZE_MAX };
   std::optional<Error> found;
-  eachRun(count, size,
+  eachChunk(count, size,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       if (number > first.load(std::memory_order_relaxed))
@@ -114,23 +115,23 @@ void eachCheckedRun(std::size_t count, std::size_t size, const Use& use)
   }
 }
 
-/// Number what is found among @p count things, in their order.
-/// @param size     of a run
-/// @param find     void (begin, end, tell): tell(x) for each that is found of a run; it is asked
+/// Compact what is found among @p count items: number it in the items' order.
+/// @param size     of a chunk
+/// @param find     void (begin, end, emit): emit(x) for each that is found in a chunk; it is called
 ///                 twice
-/// @param allocate void (std::size_t): so many there are
+/// @param allocate void (std::size_t): how many are found
 /// @param put      void (std::size_t number, x)
 template <class Find, class Allocate, class Put>
-void numberFound(
+void parallelCompact(
   std::size_t count, std::size_t size, const Find& find, const Allocate& allocate, const Put& put)
 {
-  std::vector<std::size_t> cursor(runCount(count, size));
-  eachRun(count, size,
-    [&](std::size_t begin, std::size_t end, std::size_t run)
+  std::vector<std::size_t> cursor(chunkCount(count, size));
+  eachChunk(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t chunk)
     {
       std::size_t found = 0;
       find(begin, end, [&](const auto&) { ++found; });
-      cursor[run] = found;
+      cursor[chunk] = found;
     });
   std::size_t total = 0;
   for (std::size_t& at : cursor)
@@ -138,10 +139,10 @@ void numberFound(
     total += std::exchange(at, total);
   }
   allocate(total);
-  eachRun(count, size,
-    [&](std::size_t begin, std::size_t end, std::size_t run)
+  eachChunk(count, size,
+    [&](std::size_t begin, std::size_t end, std::size_t chunk)
     {
-      std::size_t at = cursor[run];
+      std::size_t at = cursor[chunk];
       find(begin, end, [&](const auto& x) { put(at++, x); });
     });
 }

@@ -144,7 +144,7 @@ public:
         const std::lock_guard<std::mutex> lock(this->mutex);
         this->ends = true;
       }
-      this->given.notify_one();
+      this->assigned.notify_one();
       this->thread.join();
     }
   }
@@ -174,13 +174,13 @@ public:
     return true;
   }
 
-  void give(Fork& loop, std::size_t part)
+  void assign(Fork& loop, std::size_t part)
   {
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
       this->next = { &loop, part };
     }
-    this->given.notify_one();
+    this->assigned.notify_one();
   }
 
   void release() { this->busy.store(false, std::memory_order_relaxed); }
@@ -206,13 +206,13 @@ private:
   Job wait()
   {
     std::unique_lock<std::mutex> lock(this->mutex);
-    this->given.wait(lock, [this] { return this->next.fork || this->ends; });
+    this->assigned.wait(lock, [this] { return this->next.fork || this->ends; });
     return std::exchange(this->next, {});
   }
 
   std::atomic<bool> busy{ false };
   std::mutex mutex;
-  std::condition_variable given;
+  std::condition_variable assigned;
   Job next = { nullptr, 0 };
   bool ends = false;
   std::thread thread;
@@ -243,7 +243,7 @@ public:
     loop.split(claimed.size() + 1);
     for (std::size_t i = 0; i < claimed.size(); ++i)
     {
-      claimed[i]->give(loop, i + 1);
+      claimed[i]->assign(loop, i + 1);
     }
     loop.run(0);
     loop.join();

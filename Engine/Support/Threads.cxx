@@ -28,7 +28,7 @@ struct Arenas
     return *arenas;
   }
 
-  threads::Arena* take(int threads)
+  threads::Arena* acquire(int threads)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
     std::vector<std::unique_ptr<threads::Arena>>& waiting = this->idle[threads];
@@ -43,7 +43,7 @@ struct Arenas
     return arena;
   }
 
-  void giveBack(int threads, threads::Arena* arena) noexcept
+  void release(int threads, threads::Arena* arena) noexcept
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
     this->idle[threads].emplace_back(arena);
@@ -52,17 +52,17 @@ struct Arenas
 
 }
 
-int threadCount(int asked, std::int64_t points)
+int threadCount(int requested, std::int64_t points)
 {
   const std::int64_t worth = points / pointsPerThread().load(std::memory_order_relaxed);
-  const std::int64_t wanted = asked > 0 ? std::min<std::int64_t>(asked, worth) : worth;
+  const std::int64_t wanted = requested > 0 ? std::min<std::int64_t>(requested, worth) : worth;
   // The limit is asked for only where it matters: that starts the threads' library.
   return wanted <= 1 ? 1 : static_cast<int>(std::min<std::int64_t>(wanted, threads::allowed()));
 }
 
 ArenaLoan::ArenaLoan(int count)
   : threads(count)
-  , arena(count > 1 ? Arenas::all().take(count) : nullptr)
+  , arena(count > 1 ? Arenas::all().acquire(count) : nullptr)
 {
 }
 
@@ -70,7 +70,7 @@ ArenaLoan::~ArenaLoan()
 {
   if (this->arena)
   {
-    Arenas::all().giveBack(this->threads, this->arena);
+    Arenas::all().release(this->threads, this->arena);
   }
 }
 

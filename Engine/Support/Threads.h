@@ -33,7 +33,7 @@ inline std::atomic<std::int64_t>& pointsPerThread()
 /// @return 1 or more: no more than asked for, than are allowed (oneTBB's global_control limits
 /// that), and than
 ///         @p points are worth
-int threadCount(int asked, std::int64_t points);
+int threadCount(int requested, std::int64_t points);
 
 /// An arena of so many threads, the caller's among them, for one run at a time.
 class ArenaLoan

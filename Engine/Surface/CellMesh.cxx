@@ -28,8 +28,8 @@ void closeBorder(std::vector<Fan>& fans, std::uint32_t apex)
     {
       if (end - side == 1)
       {
-        const Fan fan = fans[side->place / 3];
-        fans.push_back({ fan[(side->place + 1) % 3], fan[side->place % 3], apex });
+        const Fan fan = fans[side->index / 3];
+        fans.push_back({ fan[(side->index + 1) % 3], fan[side->index % 3], apex });
       }
     });
 }

@@ -217,7 +217,7 @@ Hull convexify(const PointView& points, const TriangleView& triangles, const dou
         run.geometry, std::move(polyhedron), std::move(nothing), options.vBiased, run.monitor);
       Tally tally = patches.run();
       run.watch.lap();
-      run.finish(patches.take(), std::move(tally), result);
+      run.finish(patches.release(), std::move(tally), result);
     });
   for (std::int64_t& id : hull.pointIds)
   {

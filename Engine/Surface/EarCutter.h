@@ -23,7 +23,7 @@ namespace flipflop
 class EarCutter
 {
 public:
-  using Place = std::array<double, 2>;
+  using Position = std::array<double, 2>;
   using Triangle = std::array<std::size_t, 3>;
 
   /// Cut a polygon of three or more corners, in either order, all finite.
@@ -33,10 +33,11 @@ public:
   /// @param step      called some times, at least once for each corner that is looked at
   /// @return          false: it is not simple, or has no area; true says nothing of either
   template <class Step>
-  bool cut(const std::vector<Place>& places, std::vector<Triangle>& triangles, const Step& step)
+  bool cut(
+    const std::vector<Position>& positions, std::vector<Triangle>& triangles, const Step& step)
   {
-    this->places = &places;
-    const std::size_t count = places.size();
+    this->positions = &positions;
+    const std::size_t count = positions.size();
     this->before.resize(count);
     this->after.resize(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -45,8 +46,8 @@ public:
       this->after[i] = i + 1 < count ? i + 1 : 0;
     }
     // The first of all places turns to the inside: there a simple polygon has no straight corner.
-    const auto first =
-      static_cast<std::size_t>(std::min_element(places.begin(), places.end()) - places.begin());
+    const auto first = static_cast<std::size_t>(
+      std::min_element(positions.begin(), positions.end()) - positions.begin());
     this->inward = this->turn(this->before[first], first, this->after[first]);
     triangles.clear();
     if (this->inward == 0)
@@ -62,9 +63,9 @@ public:
       }
     }
 
-    std::size_t left = count;
+    std::size_t remaining = count;
     std::size_t missed = 0;
-    for (std::size_t i = 0; left > 3 && missed < left; i = this->after[i])
+    for (std::size_t i = 0; remaining > 3 && missed < remaining; i = this->after[i])
     {
       if (!this->isEar(i, step))
       {
@@ -72,11 +73,11 @@ public:
         continue;
       }
       this->cutOff(i, triangles);
-      --left;
+      --remaining;
       missed = 0;
     }
     const std::size_t last = triangles.empty() ? 0 : triangles.back()[2];
-    if (left > 3 || !this->turnsInward(last))
+    if (remaining > 3 || !this->turnsInward(last))
     {
       return false;
     }
@@ -88,7 +89,7 @@ private:
   /// Positive: to the left.
   int turn(std::size_t a, std::size_t b, std::size_t c) const
   {
-    const std::vector<Place>& p = *this->places;
+    const std::vector<Position>& p = *this->positions;
     return planeOrientation(p[a].data(), p[b].data(), p[c].data());
   }
 
@@ -141,7 +142,7 @@ private:
     }
   }
 
-  const std::vector<Place>* places = nullptr;
+  const std::vector<Position>* positions = nullptr;
   std::vector<std::size_t> before, after; ///< of the corners that are left
   std::vector<std::size_t> blunt;         ///< corners that do not turn inward
   int inward = 0;                         ///< the turn of a convex corner

@@ -20,13 +20,13 @@ namespace flipflop
 struct CellSide
 {
   std::uint32_t low, high; ///< ends, the lower one first
-  std::uint32_t place;     ///< of the side, in any numbering
+  std::uint32_t index;     ///< of the side, in any numbering
 
   CellSide() = default;
-  CellSide(std::uint32_t from, std::uint32_t to, std::uint32_t place)
+  CellSide(std::uint32_t from, std::uint32_t to, std::uint32_t index)
     : low(std::min(from, to))
     , high(std::max(from, to))
-    , place(place)
+    , index(index)
   {
   }
 };
@@ -39,7 +39,7 @@ inline Buffer<CellSide> sidesOf(const CellComplex& complex, Buffer<std::uint32_t
   constexpr std::size_t CellsPerTask = 1 << 13;
   Buffer<CellSide> sides(complex.connectivity.size());
   cellOf.allocate(complex.connectivity.size());
-  eachRun(static_cast<std::size_t>(complex.cellCount()), CellsPerTask,
+  eachChunk(static_cast<std::size_t>(complex.cellCount()), CellsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       for (std::size_t cell = begin; cell < end; ++cell)
@@ -70,7 +70,7 @@ void eachEdge(Buffer<CellSide>& sides, Use&& use)
     {
       return a.low != b.low ? a.low < b.low
         : a.high != b.high  ? a.high < b.high
-                            : a.place < b.place;
+                            : a.index < b.index;
     });
   for (const CellSide* side = sides.begin(); side != sides.end();)
   {

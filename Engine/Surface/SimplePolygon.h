@@ -27,12 +27,12 @@ namespace flipflop
 class SimplePolygon
 {
 public:
-  using Place = std::array<double, 2>;
+  using Position = std::array<double, 2>;
 
   /// @param places of the corners, three or more, all finite
-  explicit SimplePolygon(const std::vector<Place>& places)
-    : places(places)
-    , count(places.size())
+  explicit SimplePolygon(const std::vector<Position>& positions)
+    : positions(positions)
+    , count(positions.size())
   {
   }
 
@@ -65,10 +65,14 @@ private:
 
   int turn(std::size_t a, std::size_t b, std::size_t c) const
   {
-    return planeOrientation(this->places[a].data(), this->places[b].data(), this->places[c].data());
+    return planeOrientation(
+      this->positions[a].data(), this->positions[b].data(), this->positions[c].data());
   }
 
-  bool isBefore(std::size_t a, std::size_t b) const { return this->places[a] < this->places[b]; }
+  bool isBefore(std::size_t a, std::size_t b) const
+  {
+    return this->positions[a] < this->positions[b];
+  }
 
   /// The corners of a side, a corner and its next one, in lexicographic order.
   std::pair<std::size_t, std::size_t> ends(std::size_t side) const
@@ -88,8 +92,9 @@ private:
     {
       // They share the corner b: does the second go back over the first?
       const std::size_t end = this->next(b);
-      const bool isStraight = this->places[a] != this->places[b] &&
-        this->places[b] != this->places[end] && this->isBefore(a, b) == this->isBefore(b, end);
+      const bool isStraight = this->positions[a] != this->positions[b] &&
+        this->positions[b] != this->positions[end] &&
+        this->isBefore(a, b) == this->isBefore(b, end);
       return !isStraight && this->turn(a, b, end) == 0;
     }
     const std::size_t c = this->next(a), d = this->next(b);
@@ -131,7 +136,7 @@ private:
     std::sort(corners.begin(), corners.end(),
       [this](std::size_t a, std::size_t b) { return this->isBefore(a, b); });
     const auto areSame = [this](std::size_t a, std::size_t b)
-    { return this->places[a] == this->places[b]; };
+    { return this->positions[a] == this->positions[b]; };
     if (std::adjacent_find(corners.begin(), corners.end(), areSame) != corners.end())
     {
       return false;
@@ -177,7 +182,7 @@ private:
       (std::next(at) == status.end() || !this->meet(side, *std::next(at)));
   }
 
-  const std::vector<Place>& places;
+  const std::vector<Position>& positions;
   const std::size_t count;
 };
 

@@ -89,10 +89,10 @@ public:
     }
     for (const int axis : axesOf(this->positions))
     {
-      this->places.clear();
+      this->positions.clear();
       for (const Position& p : this->positions)
       {
-        this->places.push_back({ { p[static_cast<std::size_t>((axis + 1) % 3)],
+        this->positions.push_back({ { p[static_cast<std::size_t>((axis + 1) % 3)],
           p[static_cast<std::size_t>((axis + 2) % 3)] } });
       }
       if (this->isConvex())
@@ -101,8 +101,8 @@ public:
         return true;
       }
       const auto step = [this] { this->poll.step(); };
-      if (SimplePolygon(this->places).isSimple(step) &&
-        this->cutter.cut(this->places, this->triangles, step))
+      if (SimplePolygon(this->positions).isSimple(step) &&
+        this->cutter.cut(this->positions, this->triangles, step))
       {
         return true;
       }
@@ -125,16 +125,16 @@ private:
   /// Strictly, and once around: places go from left to right and back no more than once.
   bool isConvex()
   {
-    const std::vector<EarCutter::Place>& p = this->places;
+    const std::vector<EarCutter::Position>& p = this->positions;
     const std::size_t count = p.size();
     int sign = 0;
     int changes = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
       this->poll.step();
-      const EarCutter::Place& a = p[i];
-      const EarCutter::Place& b = p[(i + 1) % count];
-      const EarCutter::Place& c = p[(i + 2) % count];
+      const EarCutter::Position& a = p[i];
+      const EarCutter::Position& b = p[(i + 1) % count];
+      const EarCutter::Position& c = p[(i + 2) % count];
       const int turn = planeOrientation(a.data(), b.data(), c.data());
       sign = i == 0 ? turn : sign;
       if (turn == 0 || turn != sign)
@@ -152,7 +152,7 @@ private:
   EarCutter cutter;
   std::vector<std::int64_t> sorted;
   std::vector<Position> positions;
-  std::vector<EarCutter::Place> places;
+  std::vector<EarCutter::Position> positions;
   std::vector<EarCutter::Triangle> triangles;
 };
 

@@ -84,7 +84,7 @@ TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint3
   eachEdge(sides,
     [&](const CellSide* side, const CellSide* end)
     {
-      const std::uint32_t h = side->place;
+      const std::uint32_t h = side->index;
       if (end - side == 1)
       {
         note(open, triangleOf(h));
@@ -95,7 +95,7 @@ TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint3
       }
       else
       {
-        const std::uint32_t g = side[1].place;
+        const std::uint32_t g = side[1].index;
         Triangle& first = triangles[triangleOf(h)];
         Triangle& second = triangles[triangleOf(g)];
         first.twin[cornerOf(h)] = g;

@@ -175,7 +175,7 @@ void measureCells(const std::vector<double>& sites, const double* weights,
   const Buffer<std::int64_t>& ids = triangulation.pointIds;
   moments.areas.assign(sites.size() / 2, 0.0);
   moments.centroids = sites;
-  moments.links.assign(runCount(ids.size(), CellsPerTask), {});
+  moments.links.assign(chunkCount(ids.size(), CellsPerTask), {});
   Monitor monitor(options);
   ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(ids.size())));
   arena.execute(
@@ -183,7 +183,7 @@ void measureCells(const std::vector<double>& sites, const double* weights,
     {
       monitor.stage(0, 1, static_cast<std::int64_t>(ids.size()));
       const SiteNeighbours lists(triangulation);
-      eachRun(ids.size(), CellsPerTask,
+      eachChunk(ids.size(), CellsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t run)
         {
           FacetRings::Ring ring;

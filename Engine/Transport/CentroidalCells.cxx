@@ -37,7 +37,7 @@ public:
   CentroidalCells run()
   {
     this->watch.name("moving sites");
-    this->result.converged = this->sites.places.empty();
+    this->result.converged = this->sites.positions.empty();
     while (!this->result.converged && this->result.iterations < this->most)
     {
       this->move();
@@ -68,15 +68,15 @@ private:
   {
     const double next = this->share(this->result.iterations + 1);
     const Triangulation triangulation = this->triangulated(next, FacetMode::Triangles);
-    measureCells(this->sites.places, this->weights(), triangulation, this->measured.polygon,
+    measureCells(this->sites.positions, this->weights(), triangulation, this->measured.polygon,
       this->moments, this->watch.options(next));
-    std::vector<double>& places = this->sites.places;
+    std::vector<double>& positions = this->sites.positions;
     double far = 0;
-    for (std::size_t i = 0; i < places.size(); i += 2)
+    for (std::size_t i = 0; i < positions.size(); i += 2)
     {
-      far = std::max(far, distanceBetween(&places[i], &this->moments.centroids[i]));
+      far = std::max(far, distanceBetween(&positions[i], &this->moments.centroids[i]));
     }
-    places.swap(this->moments.centroids);
+    positions.swap(this->moments.centroids);
     this->result.lastMove = far;
     this->result.converged = far <= this->tolerance;
     ++this->result.iterations;
@@ -93,9 +93,9 @@ private:
     std::vector<double> centroids(2 * count);
     cellMeasures(cells, areas.data(), centroids.data(), this->watch.options(1));
 
-    this->result.sites = bufferOf(this->sites.places);
-    this->result.centroids = bufferOf(this->sites.places);
-    this->result.areas = bufferOf(std::vector<double>(this->sites.places.size() / 2, 0.0));
+    this->result.sites = bufferOf(this->sites.positions);
+    this->result.centroids = bufferOf(this->sites.positions);
+    this->result.areas = bufferOf(std::vector<double>(this->sites.positions.size() / 2, 0.0));
     for (std::size_t c = 0; c < count; ++c)
     {
       const auto site = static_cast<std::size_t>(cells.siteIds[c]);

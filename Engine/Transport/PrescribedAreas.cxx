@@ -32,7 +32,7 @@ namespace
 /// Halving a step further leaves nothing of it.
 constexpr int MostHalvings = 50;
 
-using Place = std::array<double, 2>;
+using Position = std::array<double, 2>;
 
 /// Weights with which the power cells of the sites are the Voronoi cells of their image in the
 /// domain. |x - z|^2 for z = a + s y is s times |x - y|^2 less the weight |y|^2 - |z|^2 / s, but
@@ -40,17 +40,17 @@ using Place = std::array<double, 2>;
 std::vector<double> weightsOfImage(const std::vector<double>& sites, const MeasuredDomain& domain)
 {
   const std::vector<double>& polygon = domain.polygon;
-  const Place& center = domain.centroid;
+  const Position& center = domain.centroid;
   std::array<double, 4> box = boundingBox(sites);
-  const Place middle{ { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]) } };
+  const Position middle{ { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]) } };
   // As large as the domain allows, with some room at its border.
   constexpr double Filled = 0.9;
   double scale = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < polygon.size(); i += 2)
   {
     const std::size_t j = (i + 2) % polygon.size();
-    const Place outward{ { polygon[j + 1] - polygon[i + 1], polygon[i] - polygon[j] } };
-    const double room =
+    const Position outward{ { polygon[j + 1] - polygon[i + 1], polygon[i] - polygon[j] } };
+    const double reserve =
       outward[0] * (polygon[i] - center[0]) + outward[1] * (polygon[i + 1] - center[1]);
     double reach = 0;
     for (std::size_t v = 0; v < sites.size(); v += 2)
@@ -58,7 +58,7 @@ std::vector<double> weightsOfImage(const std::vector<double>& sites, const Measu
       reach = std::max(
         reach, outward[0] * (sites[v] - middle[0]) + outward[1] * (sites[v + 1] - middle[1]));
     }
-    scale = reach > 0 ? std::min(scale, Filled * room / reach) : scale;
+    scale = reach > 0 ? std::min(scale, Filled * reserve / reach) : scale;
   }
   std::vector<double> weights(sites.size() / 2);
   for (std::size_t v = 0; v < sites.size(); v += 2)
@@ -142,7 +142,7 @@ private:
     this->sites.numbers.clear();
     if (this->prescribed.empty())
     {
-      this->prescribed.assign(this->sites.places.size() / 2, 1.0);
+      this->prescribed.assign(this->sites.positions.size() / 2, 1.0);
     }
     this->refuseAreas([](double area) { return !(area > 0) || !std::isfinite(area); });
     // The greatest first becomes 1, so that the sum is finite.
@@ -190,7 +190,7 @@ private:
   void measure(const Triangulation& triangulation, State& state)
   {
     Stopwatch stopwatch;
-    measureCells(this->sites.places, state.weights.data(), triangulation, this->domain.polygon,
+    measureCells(this->sites.positions, state.weights.data(), triangulation, this->domain.polygon,
       state.moments, this->watch.options(this->next));
     const std::vector<double>& areas = state.moments.areas;
     double sum = 0;
@@ -217,7 +217,7 @@ private:
     this->measure(delaunay, this->now);
     if (!this->areAllInside() || !(this->now.least > 0))
     {
-      std::vector<double> weights = weightsOfImage(this->sites.places, this->domain);
+      std::vector<double> weights = weightsOfImage(this->sites.positions, this->domain);
       makeLeastZero(weights);
       // Of sites too far for squares in doubles, the Voronoi cells stay.
       if (areFinite(weights))
@@ -230,15 +230,15 @@ private:
       std::min(
         this->now.least, *std::min_element(this->prescribed.begin(), this->prescribed.end()));
     this->firstError = this->now.error;
-    this->tell();
+    this->report();
   }
 
   /// Without weights a point is hidden by one at its place.
   [[noreturn]] void refuseDuplicate(std::int64_t hidden) const
   {
-    const double* const x = this->sites.places.data() + 2 * hidden;
+    const double* const x = this->sites.positions.data() + 2 * hidden;
     std::int64_t first = 0;
-    while (!std::equal(x, x + 2, this->sites.places.data() + 2 * first))
+    while (!std::equal(x, x + 2, this->sites.positions.data() + 2 * first))
     {
       ++first;
     }
@@ -251,9 +251,9 @@ private:
     {
       const double* const p = this->domain.polygon.data() + i;
       const double* const q = this->domain.polygon.data() + (i + 2) % this->domain.polygon.size();
-      for (std::size_t v = 0; v < this->sites.places.size(); v += 2)
+      for (std::size_t v = 0; v < this->sites.positions.size(); v += 2)
       {
-        const double* const x = this->sites.places.data() + v;
+        const double* const x = this->sites.positions.data() + v;
         if (!((q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]) > 0))
         {
           return false;
@@ -263,7 +263,7 @@ private:
     return true;
   }
 
-  void tell()
+  void report()
   {
     this->result.error = this->now.error;
     this->result.converged = this->now.error <= this->tolerance;
@@ -306,7 +306,7 @@ private:
         this->trial.norm <= (1 - 0.5 * length) * this->now.norm)
       {
         std::swap(this->now, this->trial);
-        this->tell();
+        this->report();
         return true;
       }
     }

@@ -18,8 +18,8 @@ namespace flipflop
 /// The x and y of each site, and the number beside it.
 struct SiteArrays
 {
-  std::vector<double> places;  ///< x and y of each
-  std::vector<double> numbers; ///< one each; empty without numbers
+  std::vector<double> positions; ///< x and y of each
+  std::vector<double> numbers;   ///< one each; empty without numbers
 
   /// @throw Error BadArgument, TooManyPoints, WeightCount
   SiteArrays(const PointView& points, const WeightView& values)
@@ -27,12 +27,12 @@ struct SiteArrays
     requireValid(points, 2);
     requireValid(values, points.count);
     const PointSource source(points, values);
-    this->places.reserve(2 * static_cast<std::size_t>(points.count));
+    this->positions.reserve(2 * static_cast<std::size_t>(points.count));
     for (std::uint32_t i = 0; i < source.count(); ++i)
     {
       double x[3];
       source.load(i, x);
-      this->places.insert(this->places.end(), x, x + 2);
+      this->positions.insert(this->positions.end(), x, x + 2);
       if (values.data)
       {
         this->numbers.push_back(x[2]);
@@ -42,7 +42,8 @@ struct SiteArrays
 
   PointView points() const
   {
-    return PointView(this->places.data(), static_cast<std::int64_t>(this->places.size() / 2), 2);
+    return PointView(
+      this->positions.data(), static_cast<std::int64_t>(this->positions.size() / 2), 2);
   }
 };
 

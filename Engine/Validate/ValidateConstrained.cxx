@@ -58,15 +58,15 @@ public:
 
 private:
   using Edge = std::pair<std::int64_t, std::int64_t>; ///< corners, the lower one first
-  using Place = std::pair<double, double>;
+  using Position = std::pair<double, double>;
 
   /// The first constraint, the balance, and the side that decides.
   using Along = std::array<std::int64_t, 3>;
 
   /// What runs along an edge.
-  struct Runs
+  struct Stretches
   {
-    explicit Runs(std::int64_t constraint)
+    explicit Stretches(std::int64_t constraint)
       : first(constraint)
     {
     }
@@ -82,7 +82,7 @@ private:
     }
   };
 
-  static Place placeOf(const Vertex& v) { return { v.x[0], v.x[1] }; }
+  static Position positionOf(const Vertex& v) { return { v.x[0], v.x[1] }; }
 
   Edge fixedEdge(std::size_t i) const
   {
@@ -126,7 +126,7 @@ private:
       {
         continue;
       }
-      if (this->cornerAt.emplace(placeOf(p), static_cast<std::int64_t>(v)).second)
+      if (this->cornerAt.emplace(positionOf(p), static_cast<std::int64_t>(v)).second)
       {
         if (v == visible.size() || visible[v] != id)
         {
@@ -240,33 +240,34 @@ private:
   /// The first constraint along each fixed edge, told from the constraints.
   Validation checkConstraints()
   {
-    std::vector<std::vector<std::int64_t>> beside(this->corner.size());
+    std::vector<std::vector<std::int64_t>> neighbours(this->corner.size());
     for (const auto& edge : this->fixed)
     {
-      beside[static_cast<std::size_t>(edge.first.first)].push_back(edge.first.second);
-      beside[static_cast<std::size_t>(edge.first.second)].push_back(edge.first.first);
+      neighbours[static_cast<std::size_t>(edge.first.first)].push_back(edge.first.second);
+      neighbours[static_cast<std::size_t>(edge.first.second)].push_back(edge.first.first);
     }
     const Geometry local = this->run.geometry;
     const bool isPlane = this->result.dimension == 2; // else no polygon has an inside
-    std::map<Edge, Runs> wanted;
+    std::map<Edge, Stretches> wanted;
     for (std::int64_t c = 0; c < this->constraints.count; ++c)
     {
       std::int64_t at = this->standsFor(this->constraints.ends[2 * c]);
       const std::int64_t end = this->standsFor(this->constraints.ends[2 * c + 1]);
       while (at != end)
       {
-        const std::vector<std::int64_t>& near = beside[static_cast<std::size_t>(at)];
+        const std::vector<std::int64_t>& near = neighbours[static_cast<std::size_t>(at)];
         const auto next = std::find_if(
           near.begin(), near.end(), [&](std::int64_t p) { return this->leads(local, at, p, end); });
         if (next == near.end())
         {
           return faultAt(Fault::NotFixed, c);
         }
-        Runs& runs = wanted.emplace(std::minmax(at, *next), Runs(c)).first->second;
+        Stretches& stretches = wanted.emplace(std::minmax(at, *next), Stretches(c)).first->second;
         if (isPlane && c >= this->constraints.count - this->constraints.sides)
         {
           const bool isBack = *next < at;
-          runs.firstSide[isBack] = runs.sides[isBack]++ == 0 ? c : runs.firstSide[isBack];
+          stretches.firstSide[isBack] =
+            stretches.sides[isBack]++ == 0 ? c : stretches.firstSide[isBack];
         }
         at = *next;
       }
@@ -280,7 +281,7 @@ private:
 
   std::int64_t standsFor(std::int64_t id) const
   {
-    return this->cornerAt.at(placeOf(this->run.source.vertex(static_cast<std::uint32_t>(id))));
+    return this->cornerAt.at(positionOf(this->run.source.vertex(static_cast<std::uint32_t>(id))));
   }
 
   /// Is p on the segment from a to b, and not a?
@@ -288,7 +289,7 @@ private:
   {
     const auto at = [this](std::int64_t i) -> const Vertex&
     { return this->corner[static_cast<std::size_t>(i)]; };
-    const Place from = placeOf(at(a)), on = placeOf(at(p)), to = placeOf(at(b));
+    const Position from = positionOf(at(a)), on = positionOf(at(p)), to = positionOf(at(b));
     return local.orient(at(a), at(p), at(b)) == 0 &&
       (from < to ? from < on && on <= to : to <= on && on < from);
   }
@@ -297,7 +298,7 @@ private:
   const ConstraintView constraints;
   const ConstrainedTriangulation& result;
   std::map<Edge, Along> fixed;
-  std::map<Place, std::int64_t> cornerAt; ///< along a line, in its order
+  std::map<Position, std::int64_t> cornerAt; ///< along a line, in its order
 };
 
 }

@@ -70,7 +70,7 @@ public:
     constexpr std::uint32_t PointsPerTask = 1 << 14;
     const std::uint32_t count = this->run.source.count();
     std::atomic<std::uint32_t> first{ NoIndex };
-    eachRun(count, PointsPerTask,
+    eachChunk(count, PointsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         const Geometry local = this->geometry;

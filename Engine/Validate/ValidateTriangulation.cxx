@@ -113,8 +113,11 @@ private:
   Validation checkPosition()
   {
     const Vertex& only = this->corner[0];
-    return this->eachPoint([&only](const Geometry&, const Vertex& p)
-      { return Geometry::samePlace(only, p) ? compareWeights(only, p) : Fault::WrongDimension; });
+    return this->eachPoint(
+      [&only](const Geometry&, const Vertex& p) {
+        return Geometry::samePlanePosition(only, p) ? compareWeights(only, p)
+                                                    : Fault::WrongDimension;
+      });
   }
 
   /// The corners along their line, joined in turn, each above the chord of its neighbours.
@@ -132,7 +135,7 @@ private:
     const Geometry& geometry = this->run.geometry;
     for (std::size_t i = 1; i < along.size(); ++i)
     {
-      if (Geometry::samePlace(at(i - 1), at(i)))
+      if (Geometry::samePlanePosition(at(i - 1), at(i)))
       {
         return faultAt(Fault::NotExtreme, along[i]);
       }
@@ -163,7 +166,7 @@ private:
           return Fault::PointOutside;
         }
         const Vertex& right = this->corner[*after];
-        if (Geometry::samePlace(right, p))
+        if (Geometry::samePlanePosition(right, p))
         {
           return compareWeights(right, p);
         }

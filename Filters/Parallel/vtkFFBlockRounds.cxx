@@ -38,7 +38,7 @@ void measure(const flipflop::BlockRun& run, const flipflop::BlockResult& result,
         return;
       }
       FirstPoint first{ result.cells.pointIds[0], {} };
-      std::copy_n(result.places.begin(), 3, first.Place);
+      std::copy_n(result.positions.begin(), 3, first.Place);
       for (int process = 0; process < exchange.GetProcesses().GetCount(); ++process)
       {
         vtkFFBlockExchange::Add(&first, 1, messages[process]);
@@ -92,25 +92,25 @@ void vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
     {
       const flipflop::BlockPoints all = std::move(points); // not needed after this
       run = std::make_unique<flipflop::BlockRun>(shape, all, options);
-      const flipflop::BlockMessage introduction = run->introduction();
+      const flipflop::BlockMessage summary = run->summary();
       for (int process = 0; process < exchange.GetProcesses().GetCount(); ++process)
       {
-        messages[process] = introduction;
+        messages[process] = summary;
       }
     });
   exchange.Do(
     [&]
     {
-      std::vector<flipflop::BlockMessage> introductions;
+      std::vector<flipflop::BlockMessage> summaries;
       for (auto& message : messages)
       {
-        introductions.push_back(std::move(message.second));
+        summaries.push_back(std::move(message.second));
       }
-      run->begin(introductions, own);
+      run->begin(summaries, own);
     });
   for (bool goesOn = true; goesOn;)
   {
-    send([&] { messages = run->ask(); });
+    send([&] { messages = run->makeQueries(); });
     goesOn = exchange.GetNumberOfMessages() > 0;
     if (goesOn)
     {
@@ -119,7 +119,7 @@ void vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
         {
           for (auto& message : messages)
           {
-            message.second = run->answer(message.second);
+            message.second = run->reply(message.second);
           }
         });
       exchange.Do(
@@ -127,7 +127,7 @@ void vtkFFBlockRounds::Run(flipflop::BlockShape shape, flipflop::BlockPoints&& p
         {
           for (const auto& message : messages)
           {
-            run->take(message.first, message.second);
+            run->receive(message.first, message.second);
           }
         });
     }

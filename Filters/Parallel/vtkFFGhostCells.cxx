@@ -32,7 +32,7 @@ public:
     const flipflop::CellComplex& cells = result.cells;
     for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
     {
-      const double* place = result.places.data() + 3 * i;
+      const double* place = result.positions.data() + 3 * i;
       this->Corners.push_back(
         { cells.pointIds[i], { place[0], place[1], place[2] }, result.blocks[i] });
     }
@@ -77,13 +77,13 @@ public:
     cells.cellSize = polygons ? 0 : cells.dimension + 1;
     const std::size_t points = this->Corners.size();
     cells.pointIds.allocate(points);
-    result.places.allocate(3 * points);
+    result.positions.allocate(3 * points);
     result.blocks.allocate(points);
     for (std::size_t i = 0; i < points; ++i)
     {
       const Corner& corner = this->Corners[i];
       cells.pointIds[i] = corner.Id;
-      std::copy(corner.Place, corner.Place + 3, result.places.data() + 3 * i);
+      std::copy(corner.Place, corner.Place + 3, result.positions.data() + 3 * i);
       result.blocks[i] = static_cast<std::int32_t>(corner.Block);
     }
 
@@ -139,7 +139,7 @@ void send(const flipflop::BlockResult& result, int own, vtkFFBlockExchange::Mess
     for (std::int64_t k = cells.cellBegin(cell); k < cells.cellBegin(cell + 1); ++k)
     {
       const auto i = static_cast<std::size_t>(cells.connectivity[static_cast<std::size_t>(k)]);
-      const double* place = result.places.data() + 3 * i;
+      const double* place = result.positions.data() + 3 * i;
       corners.push_back({ cells.pointIds[i], { place[0], place[1], place[2] }, result.blocks[i] });
       others.insert(result.blocks[i]);
     }

@@ -298,7 +298,7 @@ void vtkFFJointTriangulation::Execute(const std::vector<vtkFFInput::PieceType>& 
       flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
       std::iota(ids.begin(), ids.end(), std::int64_t(0));
       std::swap(ids, cells.pointIds);
-      const double* const places = this->Cells.places.data();
+      const double* const places = this->Cells.positions.data();
       const auto count = static_cast<std::int64_t>(ids.size());
       this->Dropped = steps.Drop({ places, count },
         this->Weighted ? flipflop::WeightView(places + 2, count, 3) : flipflop::WeightView(),
@@ -391,7 +391,7 @@ void vtkFFJointTriangulation::FetchCells(bool withHidden, flipflop::Triangulatio
       for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
       {
         cells.pointIds[i] = this->IndexOf(cells.pointIds[i]);
-        std::copy_n(this->Cells.places.data() + 3 * i, 2, places.data() + 2 * cells.pointIds[i]);
+        std::copy_n(this->Cells.positions.data() + 3 * i, 2, places.data() + 2 * cells.pointIds[i]);
       }
       for (std::int64_t& id : triangulation.hiddenIds)
       {

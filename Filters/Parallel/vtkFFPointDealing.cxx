@@ -132,14 +132,14 @@ void take(vtkFFBlockExchange::Messages& messages, flipflop::BlockPoints& dealt)
   {
     total += message.second.size() / sizeof(Point);
   }
-  dealt.places.allocate(3 * total);
+  dealt.positions.allocate(3 * total);
   dealt.ids.allocate(total);
   std::size_t i = 0;
   for (auto& message : messages)
   {
     for (const Point& point : vtkFFBlockExchange::Values<Point>(message.second))
     {
-      std::copy(point.Place, point.Place + 3, dealt.places.data() + 3 * i);
+      std::copy(point.Place, point.Place + 3, dealt.positions.data() + 3 * i);
       dealt.ids[i++] = point.Id;
     }
     std::vector<char>().swap(message.second);

@@ -55,7 +55,7 @@ bool makePowerCells(flipflop::BlockResult& around, bool weighted, int block,
   const flipflop::Buffer<std::int64_t> ids = std::move(around.cells.pointIds);
   around.cells.pointIds.allocate(ids.size());
   std::iota(around.cells.pointIds.begin(), around.cells.pointIds.end(), std::int64_t(0));
-  const double* places = around.places.data();
+  const double* places = around.positions.data();
   const bool whole = flipflop::powerCells({ places, count },
     weighted ? flipflop::WeightView(places + 2, count, 3) : flipflop::WeightView(), around.cells,
     wanted.data(), box.data(), diagram, options);

@@ -203,9 +203,9 @@ void fuzzConstraints(Bytes& bytes)
     return;
   }
   demand(!crosses || split.result->rounds > 0, "constraints that cross are not split");
-  for (std::size_t k = 0; k < split.result->places.size(); k += 2)
+  for (std::size_t k = 0; k < split.result->positions.size(); k += 2)
   {
-    cloud.push_back({ split.result->places[k], split.result->places[k + 1], 0 });
+    cloud.push_back({ split.result->positions[k], split.result->positions[k + 1], 0 });
   }
   const PointView all(
     cloud.empty() ? nullptr : cloud.front().data(), static_cast<std::int64_t>(cloud.size()));

@@ -202,7 +202,7 @@ nb::tuple splitOf(
   const auto count = static_cast<std::size_t>(found.newPointCount());
   return nb::make_tuple(arrayOf(std::move(found.ends), { pieces, 2 }),
     arrayOf(std::move(found.constraintOf)), found.sides,
-    arrayOf(std::move(found.places), { count, 2 }));
+    arrayOf(std::move(found.positions), { count, 2 }));
 }
 
 /// What of a triangulation is in its alpha complex: cells, edges and points, these by their ids.

@@ -111,7 +111,7 @@ nb::tuple placesInBestPlane(const InputArray& points, const Settings& settings)
     [&](const Options& options)
     {
       plane = fitPlane(view, options);
-      return placesInPlane(view, plane, options);
+      return positionsInPlane(view, plane, options);
     });
   const auto vector = [](const std::array<double, 3>& values)
   {

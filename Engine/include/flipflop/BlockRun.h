@@ -30,7 +30,7 @@ enum class BlockShape
 /// The points of a block.
 struct BlockPoints
 {
-  Buffer<double> places;    ///< three for each point, as the shape has them; all finite
+  Buffer<double> positions; ///< three for each point, as the shape has them; all finite
   Buffer<std::int64_t> ids; ///< of each point; ascending, and distinct over all blocks
 };
 
@@ -47,7 +47,7 @@ struct BlockResult
   CellComplex cells;
 
   /// x, y and z or weight of each of the cells' points.
-  Buffer<double> places;
+  Buffer<double> positions;
 
   /// For each of the cells' points: the block that has it.
   Buffer<std::int32_t> blocks;
@@ -108,23 +108,23 @@ public:
   BlockRun& operator=(const BlockRun&) = delete;
 
   /// What all blocks must know of this one: bounds, and a sample of its points.
-  BlockMessage introduction() const;
+  BlockMessage summary() const;
 
   /// Triangulate the block's points.
   /// @param introductions of all blocks, by number, of this block, too
   /// @param self          the number of this block
-  void begin(const std::vector<BlockMessage>& introductions, int self);
+  void begin(const std::vector<BlockMessage>& summaries, int self);
 
   /// The questions of a round, by the number of the block that is asked. Empty: none is left.
-  std::map<int, BlockMessage> ask();
+  std::map<int, BlockMessage> makeQueries();
 
   /// Answers to the questions of another block.
-  BlockMessage answer(const BlockMessage& questions);
+  BlockMessage reply(const BlockMessage& queries);
 
   /// Take answers in.
   /// @param from    the block that was asked
   /// @param answers what it answered
-  void take(int from, const BlockMessage& answers);
+  void receive(int from, const BlockMessage& replies);
 
   /// The block's cells. With FacetMode::Polygons, one cell a facet.
   BlockResult finish();
@@ -142,7 +142,7 @@ public:
   void sizeOf(const BlockMeasure& sum, double& volume, double& area) const;
 
   /// Points of other blocks that this one was told: those of the sample, and those of answers.
-  std::int64_t pointsTold() const;
+  std::int64_t pointsReceived() const;
 
 private:
   class Work;

@@ -75,9 +75,9 @@ public:
     const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
     // A small run has many small arrays: these have no alignment of their own.
     constexpr std::size_t Small = 1024;
-    const bool anyPlace = alignof(T) <= alignof(std::max_align_t) && bytes <= Small;
+    const bool anyAddress = alignof(T) <= alignof(std::max_align_t) && bytes <= Small;
     this->first =
-      static_cast<T*>(allocateMemory(anyPlace ? alignof(std::max_align_t) : alignment, bytes));
+      static_cast<T*>(allocateMemory(anyAddress ? alignof(std::max_align_t) : alignment, bytes));
     if (!this->first)
     {
       throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(bytes));

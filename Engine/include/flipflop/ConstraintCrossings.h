@@ -43,7 +43,7 @@ struct SplitConstraints
 
   /// x and y of each new point. They are in lexicographic order, all at different positions, none
   /// at that of a given point.
-  Buffer<double> places;
+  Buffer<double> positions;
 
   /// For each new point the constraints that were split there, two or more, ascending; one point
   /// after another.
@@ -57,7 +57,10 @@ struct SplitConstraints
   std::int64_t rounds = 0;
 
   /// How many points are new.
-  std::int64_t newPointCount() const { return static_cast<std::int64_t>(this->places.size()) / 2; }
+  std::int64_t newPointCount() const
+  {
+    return static_cast<std::int64_t>(this->positions.size()) / 2;
+  }
 
   /// The pieces, for constrainedTriangulation; valid as long as their memory.
   ConstraintView view() const

@@ -54,7 +54,7 @@ struct OrientedBox
   double lowerBound = 0; ///< no box that holds the hull has less volume
 };
 
-class HullModel;
+class PreparedHull;
 
 /// Questions about one hull. It keeps what it needs of the hull and its points, and prepares what a
 /// kind of question needs when the first one comes. Any number of threads may ask at once.
@@ -157,7 +157,7 @@ public:
   OrientedBox minimalBox(const Options& options = Options()) const;
 
 private:
-  std::unique_ptr<const HullModel> model;
+  std::unique_ptr<const PreparedHull> model;
 };
 
 /// The planes of a hull's cells: four doubles a cell, the outward unit normal n and the offset d,

@@ -81,7 +81,7 @@ FittedPlane planeOf(const PlaneSums& sums);
 /// @param plane   that fitPlane() gave
 /// @param options only the threads and the progress function are used
 /// @throw Error   BadArgument, OutOfMemory, Aborted
-Buffer<double> placesInPlane(
+Buffer<double> positionsInPlane(
   const PointView& points, const FittedPlane& plane, const Options& options = Options());
 
 /// The position in space of a place in the plane, rounded.

@@ -122,13 +122,13 @@ MUTANTS = [
     ("slots-by-counter",
      "new slots go by arrival, not by a prefix sum",
      [("GrowthKernels.h",
-       """    const std::uint32_t place = d.places[i];
-    if (d.places[i + 1] == place)
+       """    const std::uint32_t offset = d.offsets[i];
+    if (d.offsets[i + 1] == offset)
     {
       return;
     }
 """,
-       """    if (d.places[i + 1] == d.places[i])
+       """    if (d.offsets[i + 1] == d.offsets[i])
     {
       return;
     }

@@ -102,7 +102,7 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
   const Options& options, const std::function<BlockMessage(BlockMessage)>& carry)
 {
   std::vector<std::unique_ptr<BlockRun>> runs;
-  std::vector<BlockMessage> introductions;
+  std::vector<BlockMessage> summaries;
   for (int block = 0; block < blocks; ++block)
   {
     std::vector<std::int64_t> ids;
@@ -115,19 +115,19 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     }
     BlockPoints points;
     points.ids.allocate(ids.size());
-    points.places.allocate(3 * ids.size());
+    points.positions.allocate(3 * ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
     {
       points.ids[i] = ids[i];
       std::copy_n(
-        cloud[static_cast<std::size_t>(ids[i])].begin(), 3, points.places.begin() + 3 * i);
+        cloud[static_cast<std::size_t>(ids[i])].begin(), 3, points.positions.begin() + 3 * i);
     }
     runs.push_back(std::make_unique<BlockRun>(shape, points, options));
-    introductions.push_back(carry(runs.back()->introduction()));
+    summaries.push_back(carry(runs.back()->summary()));
   }
   for (int block = 0; block < blocks; ++block)
   {
-    runs[static_cast<std::size_t>(block)]->begin(introductions, block);
+    runs[static_cast<std::size_t>(block)]->begin(summaries, block);
   }
 
   BlocksReport report;
@@ -137,7 +137,7 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     std::vector<std::map<int, BlockMessage>> questions;
     for (int block = 0; block < blocks; ++block)
     {
-      questions.push_back(runs[static_cast<std::size_t>(block)]->ask());
+      questions.push_back(runs[static_cast<std::size_t>(block)]->makeQueries());
       anyAsked = anyAsked || !questions.back().empty();
     }
     report.rounds += anyAsked;
@@ -146,9 +146,9 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
       for (const auto& [to, message] : questions[static_cast<std::size_t>(block)])
       {
         const BlockMessage answer =
-          carry(runs[static_cast<std::size_t>(to)]->answer(carry(message)));
+          carry(runs[static_cast<std::size_t>(to)]->reply(carry(message)));
         report.bytes += static_cast<std::int64_t>(message.size() + answer.size());
-        runs[static_cast<std::size_t>(block)]->take(to, answer);
+        runs[static_cast<std::size_t>(block)]->receive(to, answer);
       }
     }
   }
@@ -159,7 +159,7 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
   {
     results.push_back(runs[static_cast<std::size_t>(block)]->finish());
     const BlockResult& result = results.back();
-    report.told.push_back(runs[static_cast<std::size_t>(block)]->pointsTold());
+    report.told.push_back(runs[static_cast<std::size_t>(block)]->pointsReceived());
     report.dimension = result.cells.dimension;
     const std::vector<Cell> cells = cellsOf(result.cells);
     if (!std::is_sorted(cells.begin(), cells.end()))
@@ -177,7 +177,7 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     for (std::size_t i = 0; i < mine.size(); ++i)
     {
       const auto id = static_cast<std::size_t>(mine[i]);
-      if (std::memcmp(cloud[id].data(), result.places.begin() + 3 * i, 3 * sizeof(double)) != 0)
+      if (std::memcmp(cloud[id].data(), result.positions.begin() + 3 * i, 3 * sizeof(double)) != 0)
       {
         report.fault = "a point is not at its place";
       }

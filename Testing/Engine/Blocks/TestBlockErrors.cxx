@@ -20,8 +20,8 @@ namespace
 BlockPoints pointsOf(const std::vector<double>& places, const std::vector<std::int64_t>& ids)
 {
   BlockPoints points;
-  points.places.allocate(places.size());
-  std::copy(places.begin(), places.end(), points.places.begin());
+  points.positions.allocate(places.size());
+  std::copy(places.begin(), places.end(), points.positions.begin());
   points.ids.allocate(ids.size());
   std::copy(ids.begin(), ids.end(), points.ids.begin());
   return points;
@@ -60,11 +60,11 @@ TEST(BlockErrors, Points)
 TEST(BlockErrors, Calls)
 {
   BlockRun run(BlockShape::Hull, pointsOf({ 0, 0, 0 }, { 1 }), Options());
-  EXPECT_EQ(codeOf([&] { run.begin({ run.introduction() }, 1); }), ErrorCode::Internal);
+  EXPECT_EQ(codeOf([&] { run.begin({ run.summary() }, 1); }), ErrorCode::Internal);
   BlockRun empty(BlockShape::Hull, BlockPoints(), Options());
-  empty.begin({ empty.introduction() }, 0);
-  EXPECT_TRUE(empty.ask().empty());
-  EXPECT_EQ(codeOf([&] { empty.answer(BlockMessage(8, 0)); }), ErrorCode::Internal)
+  empty.begin({ empty.summary() }, 0);
+  EXPECT_TRUE(empty.makeQueries().empty());
+  EXPECT_EQ(codeOf([&] { empty.reply(BlockMessage(8, 0)); }), ErrorCode::Internal)
     << "nobody asks a block without points";
   EXPECT_EQ(empty.finish().cells.dimension, -1);
 }

@@ -3,7 +3,7 @@
 /// @file
 /// What blocks have together is what one run on all points has, however points are dealt to them:
 /// all families of the engine's tests, and small degenerate inputs in bulk.
-#include "Blocks/Introduction.h"
+#include "Blocks/BlockSummary.h"
 #include "Testing/Engine/Blocks/BlocksInProcess.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
 

@@ -93,9 +93,9 @@ inline SplitConstraints split(const Case& given, int threads = 1)
 inline Cloud allPoints(const Case& given, const SplitConstraints& result)
 {
   Cloud cloud = given.cloud;
-  for (std::size_t k = 0; k < result.places.size(); k += 2)
+  for (std::size_t k = 0; k < result.positions.size(); k += 2)
   {
-    cloud.push_back({ result.places[k], result.places[k + 1], 0 });
+    cloud.push_back({ result.positions[k], result.positions[k + 1], 0 });
   }
   return cloud;
 }
@@ -306,8 +306,8 @@ inline std::string faultOfOrder(const Case& given, const SplitConstraints& resul
     }
   }
   const SplitConstraints changed = split(other, 2);
-  if (!std::equal(
-        result.places.begin(), result.places.end(), changed.places.begin(), changed.places.end()) ||
+  if (!std::equal(result.positions.begin(), result.positions.end(), changed.positions.begin(),
+        changed.positions.end()) ||
     result.rounds != changed.rounds || result.sides != changed.sides)
   {
     return "the points differ in another order";

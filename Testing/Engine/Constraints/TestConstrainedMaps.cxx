@@ -109,9 +109,9 @@ TEST(ConstrainedMaps, StreetsInPieces)
   ConstrainedInput map = streets(6000, random);
   const SplitConstraints split = splitCrossings(viewOf(map.cloud), constraintsOf(map));
   EXPECT_GT(split.newPointCount(), 2000);
-  for (std::size_t k = 0; k < split.places.size(); k += 2)
+  for (std::size_t k = 0; k < split.positions.size(); k += 2)
   {
-    map.cloud.push_back({ split.places[k], split.places[k + 1], 0 });
+    map.cloud.push_back({ split.positions[k], split.positions[k + 1], 0 });
   }
   map.segments.clear();
   for (std::size_t p = 0; p < split.ends.size(); p += 2)

@@ -185,8 +185,8 @@ TEST(ConstraintCrossings, OfAStarAreOne)
     }
     else
     {
-      EXPECT_EQ(result.places[0], 1.0 / 3);
-      EXPECT_EQ(result.places[1], 2.0 / 3);
+      EXPECT_EQ(result.positions[0], 1.0 / 3);
+      EXPECT_EQ(result.positions[1], 2.0 / 3);
     }
   }
 }
@@ -242,11 +242,11 @@ double comparisonsOf(int lines, double slope)
   {
     places.push_back({ { p[0], p[1] } });
   }
-  for (std::size_t k = 0; k < result.places.size(); k += 2)
+  for (std::size_t k = 0; k < result.positions.size(); k += 2)
   {
-    places.push_back({ { result.places[k], result.places[k + 1] } });
+    places.push_back({ { result.positions[k], result.positions[k + 1] } });
   }
-  std::vector<PlaceSegment> pieces;
+  std::vector<PositionSegment> pieces;
   for (std::size_t k = 0; k < result.ends.size(); k += 2)
   {
     pieces.push_back({ static_cast<std::uint32_t>(result.ends[k]),
@@ -297,8 +297,8 @@ TEST(ConstraintCrossings, HaveTheIdOfAGivenPoint)
   given.cloud.resize(5);
   const SplitConstraints added = split(given);
   EXPECT_EQ(chains(added, 2), (std::vector<std::vector<std::int64_t>>{ { 0, 5, 1 }, { 3, 5, 2 } }));
-  ASSERT_EQ(added.places.size(), 2u);
-  EXPECT_FALSE(std::signbit(added.places[0]) || std::signbit(added.places[1]));
+  ASSERT_EQ(added.positions.size(), 2u);
+  EXPECT_FALSE(std::signbit(added.positions[0]) || std::signbit(added.positions[1]));
 }
 
 /// Streets of all lengths, in bulk; and by any number of threads the same bits.
@@ -345,7 +345,7 @@ TEST(ConstraintCrossings, OfStreetsHaveOneAnswer)
     EXPECT_EQ(other.sides, first.sides);
     const auto isSame = [](const auto& a, const auto& b)
     { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
-    EXPECT_TRUE(isSame(other.ends, first.ends) && isSame(other.places, first.places) &&
+    EXPECT_TRUE(isSame(other.ends, first.ends) && isSame(other.positions, first.positions) &&
       isSame(other.crossing, first.crossing) && isSame(other.offsets, first.offsets) &&
       isSame(other.constraintOf, first.constraintOf));
   }

@@ -143,9 +143,9 @@ Polyhedron startingTetrahedron(
   return startingTetrahedron(geometry.hull, source, ids);
 }
 
-Unfolding unfoldingOf(const RationalGeometry& geometry, const Polyhedron& polyhedron)
+OctahedralMap octahedralMapOf(const RationalGeometry& geometry, const Polyhedron& polyhedron)
 {
-  return unfoldingOf(geometry.hull, polyhedron);
+  return octahedralMapOf(geometry.hull, polyhedron);
 }
 
 static_assert(isGeometry<RationalGeometry>());

@@ -31,9 +31,9 @@ InsertionOrder orderOf(const Cloud& cloud, const std::vector<std::uint32_t>& wit
     {
       PointSubset subset;
       subset.count = static_cast<std::uint32_t>(cloud.size());
-      subset.leaveOut(without);
+      subset.exclude(without);
       subset.checkFinite = skipNonFinite;
-      result = insertionOrder(PointSource(viewOf(cloud)), subset, Unfolding(), monitor);
+      result = insertionOrder(PointSource(viewOf(cloud)), subset, OctahedralMap(), monitor);
     });
   return result;
 }
@@ -170,20 +170,20 @@ Point foldedBack(const double* uv)
                     std::copysign(1 - std::fabs(uv[0]), uv[1]), z };
 }
 
-TEST(Unfolding, GivesEachDirectionAPlaceInTheSquare)
+TEST(OctahedralMap, GivesEachDirectionAPlaceInTheSquare)
 {
   Random random(6);
   const double kernel[3] = { 1, -2, 0.5 };
   const double basis[3][3] = { { 2, 0, 0 }, { -1, 1, 0 }, { 0.5, 0.25, 4 } };
-  const Unfolding unfolding(kernel, basis);
+  const OctahedralMap octahedral(kernel, basis);
   for (int i = 0; i < 10000; ++i)
   {
     const double d[3] = { random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5 };
     const double near[3] = { kernel[0] + d[0], kernel[1] + d[1], kernel[2] + d[2] };
     const double far[3] = { kernel[0] + 9 * d[0], kernel[1] + 9 * d[1], kernel[2] + 9 * d[2] };
     double uv[2], same[2];
-    unfolding.place(near, uv);
-    unfolding.place(far, same);
+    octahedral.map(near, uv);
+    octahedral.map(far, same);
     double size = 0;
     double seen[3];
     for (int k = 0; k < 3; ++k)
@@ -203,7 +203,7 @@ TEST(Unfolding, GivesEachDirectionAPlaceInTheSquare)
     }
   }
   double uv[2];
-  unfolding.place(kernel, uv);
+  octahedral.map(kernel, uv);
   EXPECT_EQ(uv[0], 0);
   EXPECT_EQ(uv[1], 0);
 }

@@ -57,7 +57,7 @@ TEST(ScanSum, IsTheSameInAnyOrderOfParts)
     ScanSum sum;
     for (const std::uint32_t begin : begins)
     {
-      sum.look(source, begin, std::min(begin + Part, source.count()));
+      sum.add(source, begin, std::min(begin + Part, source.count()));
     }
     const ScanResult found = sum.result();
     EXPECT_EQ(std::memcmp(&found, &wanted, sizeof(found)), 0);

@@ -151,11 +151,11 @@ private:
     ASSERT_EQ(g.collinear(b, c, a), collinear);
     const Vertex v = virtualVertex();
     const bool upright = a.x[0] == b.x[0] && a.x[1] == b.x[1];
-    ASSERT_EQ(g.samePlace(a, b), upright);
+    ASSERT_EQ(g.samePlanePosition(a, b), upright);
     ASSERT_EQ(g.collinear(a, b, v), upright);
     ASSERT_EQ(g.collinear(v, a, b), upright);
     ASSERT_EQ(g.collinear(b, v, a), upright);
-    if (turn == 0 && !g.samePlace(a, c))
+    if (turn == 0 && !g.samePlanePosition(a, c))
     {
       const bool isAbove = this->exact.isAboveChord(a, b, c);
       ASSERT_EQ(g.isAboveChord(a, b, c), isAbove);
@@ -186,7 +186,7 @@ private:
       const bool heavier = p.x[2] > a.x[2] && p.x[2] > b.x[2];
       const auto wanted = [&](const Vertex& from, const Vertex& to)
       {
-        return g.samePlace(a, b) ? !g.samePlace(a, p) || heavier
+        return g.samePlanePosition(a, b) ? !g.samePlanePosition(a, p) || heavier
           : g.kernelBeneath(from, to, corner) == 0
           ? !this->isBeneathChord(a, b, p) && g.perturbedAbove(from, to, corner, p) > 0
           : this->exact.isAboveChord(a, p, b);
@@ -202,7 +202,7 @@ private:
   /// Is p between a and b on a line of the plane, and not above their chord?
   bool isBeneathChord(const Vertex& a, const Vertex& b, const Vertex& p) const
   {
-    if (!Weighted || this->geometry.samePlace(a, b) || this->exact.orient(a, b, p) != 0)
+    if (!Weighted || this->geometry.samePlanePosition(a, b) || this->exact.orient(a, b, p) != 0)
     {
       return false;
     }

@@ -38,7 +38,7 @@ TEST(Parallel, TheFirstRunsErrorIsThrown)
       arena.execute(
         [&]
         {
-          eachCheckedRun(640, 10,
+          eachCheckedChunk(640, 10,
             [&](std::size_t begin, std::size_t end, std::size_t number)
             {
               ASSERT_EQ(begin, 10 * number);
@@ -68,7 +68,7 @@ TEST(Parallel, OtherErrorsEndTheLoop)
 {
   try
   {
-    eachCheckedRun(100, 10,
+    eachCheckedChunk(100, 10,
       [](std::size_t, std::size_t, std::size_t number)
       { throw Error(number % 2 ? ErrorCode::BadArgument : ErrorCode::Aborted); });
     ADD_FAILURE() << "no error";
@@ -82,7 +82,7 @@ TEST(Parallel, OtherErrorsEndTheLoop)
 TEST(Parallel, FewThingsAreOneRun)
 {
   int runs = 0;
-  eachCheckedRun(5, 10,
+  eachCheckedChunk(5, 10,
     [&](std::size_t begin, std::size_t end, std::size_t)
     {
       EXPECT_EQ(begin, 0u);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Sets of numbers that are equal in some way, the lowest of which stands for all.
-#ifndef flipflop_LowestOf_h
-#define flipflop_LowestOf_h
+#ifndef flipflop_DisjointSets_h
+#define flipflop_DisjointSets_h
 
 #include <cstdint>
 #include <unordered_map>
@@ -16,10 +16,10 @@ namespace flipflop
 /// nothing.
 /// @tparam Less an order of the numbers
 template <class Less>
-class LowestOf
+class DisjointSets
 {
 public:
-  explicit LowestOf(Less less)
+  explicit DisjointSets(Less less)
     : less(less)
   {
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blocks/Introduction.h"
+#include "Blocks/BlockSummary.h"
 
 #include "Geometry/HullGeometry.h"
 #include "Run/HullRun.h"
@@ -112,20 +112,20 @@ void addHeaviest(const std::vector<BlockSite>& sites, std::set<std::size_t>& sam
 std::set<std::size_t> representatives(
   const std::vector<BlockSite>& sites, const std::set<std::size_t>& sample)
 {
-  const auto isLess = [](const BlockSite* a, const BlockSite* b) { return isPlacedBefore(*a, *b); };
-  std::set<const BlockSite*, decltype(isLess)> places(isLess);
+  const auto isLess = [](const BlockSite* a, const BlockSite* b) { return precedes(*a, *b); };
+  std::set<const BlockSite*, decltype(isLess)> positions(isLess);
   for (const std::size_t i : sample)
   {
-    places.insert(&sites[i]);
+    positions.insert(&sites[i]);
   }
   std::set<std::size_t> first;
-  for (std::size_t i = 0; i < sites.size() && !places.empty(); ++i)
+  for (std::size_t i = 0; i < sites.size() && !positions.empty(); ++i)
   {
-    const auto found = places.find(&sites[i]);
-    if (found != places.end())
+    const auto found = positions.find(&sites[i]);
+    if (found != positions.end())
     {
       first.insert(i);
-      places.erase(found);
+      positions.erase(found);
     }
   }
   return first;
@@ -163,7 +163,7 @@ std::vector<BlockPatch> patchesOf(
 
 }
 
-Introduction::Introduction(
+BlockSummary::BlockSummary(
   BlockShape shape, const std::vector<BlockSite>& sites, const Options& options)
 {
   if (sites.empty())
@@ -175,7 +175,7 @@ Introduction::Introduction(
   chosen.insert(static_cast<std::size_t>(
     std::min_element(sites.begin(), sites.end(), hasLowerId) - sites.begin()));
   chosen.insert(static_cast<std::size_t>(
-    std::min_element(sites.begin(), sites.end(), isPlacedBefore) - sites.begin()));
+    std::min_element(sites.begin(), sites.end(), precedes) - sites.begin()));
   addExtremes(shape, sites, chosen);
   if (shape == BlockShape::RegularTriangulation)
   {
@@ -206,12 +206,12 @@ Introduction::Introduction(
   this->patches = patchesOf(shape, sites, chosen);
 }
 
-Introduction::Introduction(const BlockMessage& message)
+BlockSummary::BlockSummary(const BlockMessage& message)
 {
   MessageReader reader(message);
-  this->range = reader.take<CoordinateRange>();
-  this->sample = reader.takeAll<BlockSite>();
-  this->patches = reader.takeAll<BlockPatch>();
+  this->range = reader.read<CoordinateRange>();
+  this->sample = reader.readAll<BlockSite>();
+  this->patches = reader.readAll<BlockPatch>();
   ensure(reader.atEnd() && (!this->sample.empty() || this->patches.empty()));
   if (this->sample.empty())
   {
@@ -229,7 +229,7 @@ Introduction::Introduction(const BlockMessage& message)
   }
 }
 
-BlockMessage Introduction::message() const
+BlockMessage BlockSummary::message() const
 {
   MessageWriter writer;
   writer.add(this->range);

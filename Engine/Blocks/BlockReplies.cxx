@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blocks/BlockAnswers.h"
+#include "Blocks/BlockReplies.h"
 
 #include "Blocks/SiteTree.h"
 #include "Geometry/HullGeometry.h"
@@ -20,11 +20,11 @@ namespace flipflop
 namespace
 {
 
-template <class Model>
-class AnswersOf : public BlockAnswers
+template <class Geometry>
+class RepliesOf : public BlockReplies
 {
 public:
-  AnswersOf(std::vector<BlockSite> ofBlock, const BlockFrame& inFrame, const Options& chosen)
+  RepliesOf(std::vector<BlockSite> ofBlock, const BlockFrame& inFrame, const Options& chosen)
     : frame(inFrame)
     , options(chosen)
     , sites(std::move(ofBlock))
@@ -40,26 +40,26 @@ public:
 
   const std::vector<BlockSite>& all() const override { return this->sites; }
 
-  std::vector<BlockSite> conflicts(const std::vector<ConflictQuestion>& questions) const override
+  std::vector<BlockSite> conflicts(const std::vector<ConflictQuery>& queries) const override
   {
-    std::vector<BlockSite> told;
+    std::vector<BlockSite> sent;
     if (!this->tree)
     {
-      return told;
+      return sent;
     }
     constexpr std::size_t QuestionsPerTask = 64;
-    std::vector<std::vector<std::uint32_t>> found(runCount(questions.size(), QuestionsPerTask));
-    runOver(QuestionsPerTask * questions.size(), quiet(this->options),
+    std::vector<std::vector<std::uint32_t>> found(chunkCount(queries.size(), QuestionsPerTask));
+    runOver(QuestionsPerTask * queries.size(), quiet(this->options),
       [&](Monitor& monitor)
       {
-        eachRun(questions.size(), QuestionsPerTask,
+        eachChunk(queries.size(), QuestionsPerTask,
           [&](std::size_t begin, std::size_t end, std::size_t number)
           {
-            const Model signs = this->geometry; // each task counts in its own
+            const Geometry signs = this->geometry; // each task counts in its own
             for (std::size_t i = begin; i < end; ++i)
             {
               monitor.poll();
-              this->answer(signs, questions[i], found[number]);
+              this->reply(signs, queries[i], found[number]);
             }
           });
       });
@@ -72,45 +72,45 @@ public:
     items.erase(std::unique(items.begin(), items.end()), items.end());
     for (const std::uint32_t item : items)
     {
-      told.push_back(this->sites[item]);
+      sent.push_back(this->sites[item]);
     }
-    return told;
+    return sent;
   }
 
 private:
-  void answer(
-    const Model& signs, const ConflictQuestion& question, std::vector<std::uint32_t>& items) const
+  void reply(
+    const Geometry& signs, const ConflictQuery& query, std::vector<std::uint32_t>& items) const
   {
-    const auto& x = question.corner;
-    const ConflictBound bound = this->frame.boundOf(x[0], x[1], question.isBorder ? nullptr : x[2]);
+    const auto& x = query.corner;
+    const ConflictBound bound = this->frame.boundOf(x[0], x[1], query.isBorder ? nullptr : x[2]);
     // A border's edge is a triangle with the virtual vertex, turned around.
-    const Vertex a = asVertex(x[question.isBorder ? 1 : 0]);
-    const Vertex b = asVertex(x[question.isBorder ? 0 : 1]);
-    const Vertex c = question.isBorder ? virtualVertex() : asVertex(x[2]);
-    this->tree->conflicts(signs, bound, a, b, c, question.wantsTies != 0, question.limit,
+    const Vertex a = asVertex(x[query.isBorder ? 1 : 0]);
+    const Vertex b = asVertex(x[query.isBorder ? 0 : 1]);
+    const Vertex c = query.isBorder ? virtualVertex() : asVertex(x[2]);
+    this->tree->conflicts(signs, bound, a, b, c, query.wantsTies != 0, query.limit,
       [&](std::uint32_t item) { items.push_back(item); });
   }
 
   const BlockFrame& frame;
   const Options& options;
   std::vector<BlockSite> sites;
-  Model geometry;
-  std::optional<SiteTree<Model>> tree;
+  Geometry geometry;
+  std::optional<SiteTree<Geometry>> tree;
 };
 
 }
 
-std::unique_ptr<BlockAnswers> BlockAnswers::make(
+std::unique_ptr<BlockReplies> BlockReplies::make(
   std::vector<BlockSite> sites, const BlockFrame& frame, const Options& options)
 {
   switch (frame.shape)
   {
     case BlockShape::Hull:
-      return std::make_unique<AnswersOf<HullGeometry>>(std::move(sites), frame, options);
+      return std::make_unique<RepliesOf<HullGeometry>>(std::move(sites), frame, options);
     case BlockShape::Delaunay:
-      return std::make_unique<AnswersOf<LiftedGeometry<false>>>(std::move(sites), frame, options);
+      return std::make_unique<RepliesOf<LiftedGeometry<false>>>(std::move(sites), frame, options);
     case BlockShape::RegularTriangulation:
-      return std::make_unique<AnswersOf<LiftedGeometry<true>>>(std::move(sites), frame, options);
+      return std::make_unique<RepliesOf<LiftedGeometry<true>>>(std::move(sites), frame, options);
   }
   throw badArgument("a block's shape must be one of BlockShape");
 }

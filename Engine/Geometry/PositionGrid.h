@@ -6,8 +6,8 @@
 ///
 /// So a cell holds few places however unevenly they lie: in clusters, on lines. What a cell tells
 /// is a start for a search, hence all here is rounded.
-#ifndef flipflop_PlaceGrid_h
-#define flipflop_PlaceGrid_h
+#ifndef flipflop_PositionGrid_h
+#define flipflop_PositionGrid_h
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +20,13 @@ namespace flipflop
 {
 
 /// A place, and the value that its cell may take.
-struct ValuedPlace
+struct ValuedPosition
 {
   double x[2];
   std::uint32_t value;
 };
 
-class PlaceGrid
+class PositionGrid
 {
 public:
   /// @param refine std::uint32_t (double x, double y, std::uint32_t value): what a cell holds, from
@@ -34,11 +34,11 @@ public:
   ///               neighbour's.
   /// @param step   void (): called at each short step of the work
   template <class Refine, class Step>
-  void build(std::vector<ValuedPlace> places, Refine&& refine, Step&& step)
+  void build(std::vector<ValuedPosition> positions, Refine&& refine, Step&& step)
   {
     this->nodes.clear();
     this->cells.clear();
-    this->addNode(places.data(), places.size(), 0, refine, step);
+    this->addNode(positions.data(), positions.size(), 0, refine, step);
   }
 
   /// The value of the top grid's cell at a place, or what valueAt() needs to go on.
@@ -56,7 +56,7 @@ public:
 
 private:
   static constexpr std::uint32_t IsNode = 0x80000000u;
-  static constexpr std::size_t FewPlaces = 8;
+  static constexpr std::size_t FewPositions = 8;
   static constexpr int MostLevels = 16;
 
   struct Node
@@ -81,7 +81,7 @@ private:
   /// @return its cell value
   template <class Refine, class Step>
   std::uint32_t addNode(
-    ValuedPlace* places, std::size_t count, int level, Refine& refine, Step& step)
+    ValuedPosition* positions, std::size_t count, int level, Refine& refine, Step& step)
   {
     Node node;
     double cell[2];
@@ -95,8 +95,8 @@ private:
       for (std::size_t k = 0; k < count; ++k)
       {
         step();
-        low = std::min(low, places[k].x[i]);
-        high = std::max(high, places[k].x[i]);
+        low = std::min(low, positions[k].x[i]);
+        high = std::max(high, positions[k].x[i]);
       }
       node.low[i] = low;
       cell[i] = (high - low) / node.side;
@@ -113,24 +113,24 @@ private:
     for (std::size_t k = 0; k < count; ++k)
     {
       step();
-      ++begin[node.at(places[k].x[0], places[k].x[1]) - node.first + 1];
+      ++begin[node.at(positions[k].x[0], positions[k].x[1]) - node.first + 1];
     }
     for (std::size_t c = 0; c < cellCount; ++c)
     {
       step();
       begin[c + 1] += begin[c];
     }
-    std::vector<ValuedPlace> sorted(count);
+    std::vector<ValuedPosition> sorted(count);
     {
       std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
       for (std::size_t k = 0; k < count; ++k)
       {
         step();
-        sorted[next[node.at(places[k].x[0], places[k].x[1]) - node.first]++] = places[k];
+        sorted[next[node.at(positions[k].x[0], positions[k].x[1]) - node.first]++] = positions[k];
       }
     }
 
-    std::uint32_t value = places[0].value;
+    std::uint32_t value = positions[0].value;
     for (std::uint32_t row = 0; row < node.side; ++row)
     {
       for (std::uint32_t i = 0; i < node.side; ++i)
@@ -140,7 +140,7 @@ private:
         const std::uint32_t column = row % 2 ? node.side - 1 - i : i;
         const std::size_t c = static_cast<std::size_t>(row) * node.side + column;
         const std::size_t held = begin[c + 1] - begin[c];
-        if (held > FewPlaces && held < count && level < MostLevels)
+        if (held > FewPositions && held < count && level < MostLevels)
         {
           const std::uint32_t child =
             this->addNode(&sorted[begin[c]], held, level + 1, refine, step);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What a block answers: which of its points are in conflict with the facets of others?
-#ifndef flipflop_BlockAnswers_h
-#define flipflop_BlockAnswers_h
+#ifndef flipflop_BlockReplies_h
+#define flipflop_BlockReplies_h
 
 #include "Blocks/BlockFrame.h"
 #include "Blocks/BlockSite.h"
@@ -17,7 +17,7 @@ namespace flipflop
 {
 
 /// Is there a point above a facet?
-struct ConflictQuestion
+struct ConflictQuery
 {
   double corner[3][3]; ///< of a border's edge only two
   int isBorder;        ///< no bool: a damaged message may have any bits here
@@ -26,22 +26,21 @@ struct ConflictQuestion
 };
 
 /// Over one geometry.
-class BlockAnswers
+class BlockReplies
 {
 public:
-  virtual ~BlockAnswers() = default;
+  virtual ~BlockReplies() = default;
 
   /// For each question some of the furthest points above the facet, one at least if there is any;
   /// or all points on it. Each point once.
-  virtual std::vector<BlockSite> conflicts(
-    const std::vector<ConflictQuestion>& questions) const = 0;
+  virtual std::vector<BlockSite> conflicts(const std::vector<ConflictQuery>& queries) const = 0;
 
   virtual const std::vector<BlockSite>& all() const = 0;
 
   /// @param sites   that others may ask for; near each other in their order are those near each
   /// other
   /// @param frame, options live as long as the answers
-  static std::unique_ptr<BlockAnswers> make(
+  static std::unique_ptr<BlockReplies> make(
     std::vector<BlockSite> sites, const BlockFrame& frame, const Options& options);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Query/HullModel.h"
+#include "Query/PreparedHull.h"
 
 #include "Geometry/HullStart.h"
 #include "Geometry/VisibilityWalk.h"
@@ -29,7 +29,7 @@ double leastThatFits(const Arithmetic& arithmetic)
 
 }
 
-HullModel::HullModel(
+PreparedHull::PreparedHull(
   const PointView& points, const Hull& hull, const Options& options, PointSpace space)
   : inPlane(space == PointSpace::Plane)
 {
@@ -53,7 +53,7 @@ HullModel::HullModel(
     });
 }
 
-void HullModel::build(QueryRun& run, const Hull& hull)
+void PreparedHull::build(QueryRun& run, const Hull& hull)
 {
   std::copy(run.range.low, run.range.low + 3, this->low);
   std::copy(run.range.high, run.range.high + 3, this->high);
@@ -111,7 +111,7 @@ void HullModel::build(QueryRun& run, const Hull& hull)
   centerKernel(this->space, this->solid);
 }
 
-const HullLocator& HullModel::locator(Monitor& monitor) const
+const HullLocator& PreparedHull::locator(Monitor& monitor) const
 {
   return this->locatorLazy.get(
     [&]
@@ -121,7 +121,7 @@ const HullLocator& HullModel::locator(Monitor& monitor) const
     });
 }
 
-const DirectionMap& HullModel::directions(Monitor& monitor) const
+const DirectionMap& PreparedHull::directions(Monitor& monitor) const
 {
   return this->directionsLazy.get(
     [&]
@@ -131,7 +131,7 @@ const DirectionMap& HullModel::directions(Monitor& monitor) const
     });
 }
 
-const SurfaceTree& HullModel::surface(Monitor& monitor) const
+const SurfaceTree& PreparedHull::surface(Monitor& monitor) const
 {
   return this->surfaceLazy.get(
     [&]
@@ -141,7 +141,7 @@ const SurfaceTree& HullModel::surface(Monitor& monitor) const
     });
 }
 
-const HullModel::WideSpace& HullModel::wideSpace() const
+const PreparedHull::WideSpace& PreparedHull::wideSpace() const
 {
   return this->wideLazy.get(
     [&]
@@ -176,7 +176,7 @@ const HullModel::WideSpace& HullModel::wideSpace() const
     });
 }
 
-bool HullModel::fits(const double* x) const
+bool PreparedHull::fits(const double* x) const
 {
   bool result = true;
   for (int i = 0; i < 3; ++i)
@@ -186,7 +186,8 @@ bool HullModel::fits(const double* x) const
   return result;
 }
 
-int HullModel::sideInPlane(const HullGeometry& local, const Vertex* corners, const Vertex& p) const
+int PreparedHull::sideInPlane(
+  const HullGeometry& local, const Vertex* corners, const Vertex& p) const
 {
   const auto at = [&](std::size_t i) -> const Vertex& { return corners[this->around[i]]; };
   const auto turn = [&](std::size_t i, std::size_t j)
@@ -211,7 +212,7 @@ int HullModel::sideInPlane(const HullGeometry& local, const Vertex* corners, con
   return onBorder ? 0 : 1;
 }
 
-Placed HullModel::place(
+Location PreparedHull::locate(
   const HullGeometry& local, const double* x, std::uint32_t start, const HullLocator* locator) const
 {
   Vertex p = { { x[0], x[1], x[2] }, NoIndex, 0 }; // behind all ids

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// All points that a block knows: its own, the sample of others, and what it was told.
-#ifndef flipflop_KnownSites_h
-#define flipflop_KnownSites_h
+#ifndef flipflop_ReceivedSites_h
+#define flipflop_ReceivedSites_h
 
 #include "Blocks/BlockSite.h"
 #include "Points/Vertex.h"
@@ -22,13 +22,13 @@ namespace flipflop
 /// A point's name within the block: its place among the known ones.
 using SiteHandle = std::uint32_t;
 
-class KnownSites
+class ReceivedSites
 {
 public:
-  KnownSites() = default;
+  ReceivedSites() = default;
 
   /// @param sites what is known in the beginning
-  KnownSites(std::vector<BlockSite> sites, int block)
+  ReceivedSites(std::vector<BlockSite> sites, int block)
     : self(block)
     , sites(std::move(sites))
   {
@@ -81,7 +81,7 @@ public:
       {
         // A point beside the line is no corner of a chain's edge.
         const bool isNone[2] = { (*this)[a].id == NoBlockId, (*this)[b].id == NoBlockId };
-        return isNone[0] != isNone[1] ? isNone[1] : isPlacedBefore((*this)[a], (*this)[b]);
+        return isNone[0] != isNone[1] ? isNone[1] : precedes((*this)[a], (*this)[b]);
       });
     return this->isOwn(first);
   }

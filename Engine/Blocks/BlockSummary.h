@@ -6,8 +6,8 @@
 /// The sample makes the cells that a block finds first about as large as those of all points at
 /// that place, so few reach far: extreme points in some directions, the heaviest ones, some
 /// between. It spans what the block's points span, and has the first of them, by id and by place.
-#ifndef flipflop_Introduction_h
-#define flipflop_Introduction_h
+#ifndef flipflop_BlockSummary_h
+#define flipflop_BlockSummary_h
 
 #include "Blocks/BlockPatch.h"
 #include "Blocks/BlockSite.h"
@@ -55,20 +55,20 @@ inline SampleSizes& sampleSizes()
   return sizes;
 }
 
-struct Introduction
+struct BlockSummary
 {
   std::vector<BlockSite> sample;   ///< ascending by id
   std::vector<BlockPatch> patches; ///< of all points but those
   CoordinateRange range = emptyRange();
 
-  Introduction() = default;
+  BlockSummary() = default;
 
   /// @param sites of the block, those near each other near each other in their order, those of one
   /// place
   ///              by id
-  Introduction(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options);
+  BlockSummary(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options);
 
-  explicit Introduction(const BlockMessage& message);
+  explicit BlockSummary(const BlockMessage& message);
   BlockMessage message() const;
 };
 

@@ -7,8 +7,8 @@
 /// A point outside the corners' bounding box is outside. Any other point fits the arithmetic of the
 /// corners but for one thing: it may have lower bits. Where these are too low for the expansions,
 /// the point is judged in wide integers, among the corners as they were given.
-#ifndef flipflop_HullModel_h
-#define flipflop_HullModel_h
+#ifndef flipflop_PreparedHull_h
+#define flipflop_PreparedHull_h
 
 #include "Geometry/ConvexPolygon.h"
 #include "Geometry/HullGeometry.h"
@@ -33,17 +33,17 @@ namespace flipflop
 {
 
 /// What was told of a point.
-struct Placed
+struct Location
 {
   Side side;
   std::uint32_t triangle; ///< one near it, in dimension 3; else 0
 };
 
-class HullModel
+class PreparedHull
 {
 public:
   /// @throw Error BadArgument, OutOfMemory, Aborted
-  HullModel(const PointView& points, const Hull& hull, const Options& options, PointSpace space);
+  PreparedHull(const PointView& points, const Hull& hull, const Options& options, PointSpace space);
 
   int dimension() const { return this->spans; }
   /// Is it the hull of points in the plane? Then z is zero, and a polygon has an inside.
@@ -84,7 +84,7 @@ public:
   /// The side of a point in the box. Exact.
   /// @param local a copy of geometry(), which counts
   /// @param start a triangle near the point, in dimension 3
-  Placed place(const HullGeometry& local, const double* x, std::uint32_t start,
+  Location locate(const HullGeometry& local, const double* x, std::uint32_t start,
     const HullLocator* locator) const;
 
   /// A triangle that a finite point outside the box looks towards.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A position in the plane as a key: of what is equal, one stands for all.
-#ifndef flipflop_Place_h
-#define flipflop_Place_h
+#ifndef flipflop_Position_h
+#define flipflop_Position_h
 
 #include "Points/Vertex.h"
 
@@ -14,33 +14,33 @@ namespace flipflop
 {
 
 /// Zeros of both signs are equal, and have one hash.
-struct Place
+struct Position
 {
   double x[2];
 
-  friend bool operator==(const Place& a, const Place& b)
+  friend bool operator==(const Position& a, const Position& b)
   {
     return a.x[0] == b.x[0] && a.x[1] == b.x[1];
   }
 
   /// By x, then by y.
-  friend bool operator<(const Place& a, const Place& b)
+  friend bool operator<(const Position& a, const Position& b)
   {
     return a.x[0] != b.x[0] ? a.x[0] < b.x[0] : a.x[1] < b.x[1];
   }
 };
 
-inline Place placeOf(const Vertex& vertex)
+inline Position positionOf(const Vertex& vertex)
 {
   return { { vertex.x[0], vertex.x[1] } };
 }
 
-struct HashOfPlace
+struct PositionHash
 {
-  std::size_t operator()(const Place& place) const
+  std::size_t operator()(const Position& position) const
   {
     const std::hash<double> hash;
-    return hash(place.x[0]) * 0x9e3779b97f4a7c15u + hash(place.x[1]);
+    return hash(position.x[0]) * 0x9e3779b97f4a7c15u + hash(position.x[1]);
   }
 };
 
