@@ -71,7 +71,7 @@ public:
       std::adjacent_find(this->sorted.begin(), this->sorted.end()) == this->sorted.end();
   }
 
-  /// The triangles of a polygon, as places among its corners.
+  /// The triangles of a polygon, as indices of its corners.
   /// @return false: it crosses or touches itself
   bool cut(const std::int64_t* corners, std::int64_t count)
   {
@@ -89,10 +89,10 @@ public:
     }
     for (const int axis : axesOf(this->positions))
     {
-      this->positions.clear();
+      this->projected.clear();
       for (const Position& p : this->positions)
       {
-        this->positions.push_back({ { p[static_cast<std::size_t>((axis + 1) % 3)],
+        this->projected.push_back({ { p[static_cast<std::size_t>((axis + 1) % 3)],
           p[static_cast<std::size_t>((axis + 2) % 3)] } });
       }
       if (this->isConvex())
@@ -101,8 +101,8 @@ public:
         return true;
       }
       const auto step = [this] { this->poll.step(); };
-      if (SimplePolygon(this->positions).isSimple(step) &&
-        this->cutter.cut(this->positions, this->triangles, step))
+      if (SimplePolygon(this->projected).isSimple(step) &&
+        this->cutter.cut(this->projected, this->triangles, step))
       {
         return true;
       }
@@ -122,10 +122,10 @@ private:
     }
   }
 
-  /// Strictly, and once around: places go from left to right and back no more than once.
+  /// Strictly, and once around: positions go from left to right and back no more than once.
   bool isConvex()
   {
-    const std::vector<EarCutter::Position>& p = this->positions;
+    const std::vector<EarCutter::Position>& p = this->projected;
     const std::size_t count = p.size();
     int sign = 0;
     int changes = 0;
@@ -152,7 +152,7 @@ private:
   EarCutter cutter;
   std::vector<std::int64_t> sorted;
   std::vector<Position> positions;
-  std::vector<EarCutter::Position> positions;
+  std::vector<EarCutter::Position> projected;
   std::vector<EarCutter::Triangle> triangles;
 };
 
