@@ -237,14 +237,14 @@ double comparisonsOf(int lines, double slope)
     given.segments.push_back({ 2 * i, 2 * i + 1 });
   }
   const SplitConstraints result = split(given, 1);
-  std::vector<Place> places;
+  std::vector<Position> positions;
   for (const Point& p : given.cloud)
   {
-    places.push_back({ { p[0], p[1] } });
+    positions.push_back({ { p[0], p[1] } });
   }
   for (std::size_t k = 0; k < result.positions.size(); k += 2)
   {
-    places.push_back({ { result.positions[k], result.positions[k + 1] } });
+    positions.push_back({ { result.positions[k], result.positions[k + 1] } });
   }
   std::vector<PositionSegment> pieces;
   for (std::size_t k = 0; k < result.ends.size(); k += 2)
@@ -255,7 +255,7 @@ double comparisonsOf(int lines, double slope)
   EXPECT_GT(pieces.size(), static_cast<std::size_t>(lines * lines / 3));
   Monitor monitor{ Options() };
   std::int64_t comparisons = 0;
-  EXPECT_TRUE(crossingPairs(places, pieces, monitor, &comparisons).empty());
+  EXPECT_TRUE(crossingPairs(positions, pieces, monitor, &comparisons).empty());
   return static_cast<double>(comparisons) / static_cast<double>(pieces.size());
 }
 
