@@ -10,8 +10,8 @@
 #include <flipflop/CentroidalCells.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
+#include <flipflop/Convexify.h>
 #include <flipflop/EdgeLengths.h>
-#include <flipflop/FlipFlop.h>
 #include <flipflop/HullQueries.h>
 #include <flipflop/Measures.h>
 #include <flipflop/Neighbors.h>
@@ -167,7 +167,7 @@ void addRuns(Table& table, const Cloud& body, const Cloud& sites)
   const auto surface = std::make_shared<Surface>(perturbedIcosphere(5, 0.05, 64));
   table.add("flipFlop", roundedToFloat(surface->points), false, false, refused,
     [=](Points points, Weights, const Options& options)
-    { return bitsOf(flipFlop(points, surface->view(), nullptr, options)); });
+    { return bitsOf(convexify(points, surface->view(), nullptr, options)); });
   // The lines of a grid and its diagonals: they meet at its points.
   constexpr int Side = 50;
   using Segment = std::array<std::int64_t, 2>;
@@ -194,7 +194,7 @@ void addRuns(Table& table, const Cloud& body, const Cloud& sites)
     {
       const SplitConstraints split =
         splitCrossings(points, ConstraintView((*chords)[0].data(), 300), options);
-      return bitsOf(split.ends) + bitsOf(split.constraintOf) + bitsOf(split.places) +
+      return bitsOf(split.ends) + bitsOf(split.constraintOf) + bitsOf(split.positions) +
         bitsOf(split.crossing) + bitsOf(split.offsets);
     });
   table.add("centroidalCells", sites, true, true, refused,
@@ -214,9 +214,9 @@ void addRuns(Table& table, const Cloud& body, const Cloud& sites)
     [](Points points, Weights, const Options& options)
     { return bitsOf(fitPlane(points, options)); });
   const FittedPlane plane = fitPlane(viewOf(body));
-  table.add("placesInPlane", body, false, false, NonFinitePoint::IsLeftOut,
+  table.add("positionsInPlane", body, false, false, NonFinitePoint::IsLeftOut,
     [=](Points points, Weights, const Options& options)
-    { return bitsOf(placesInPlane(points, plane, options)); });
+    { return bitsOf(positionsInPlane(points, plane, options)); });
 }
 
 void addQueriesOfHulls(Table& table, const Cloud& body)

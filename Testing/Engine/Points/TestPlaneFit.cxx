@@ -113,7 +113,7 @@ TEST(PlaneFit, OfACoordinatePlaneIsExact)
     second[(flat + 2) % 3] = 1.0;
     EXPECT_EQ(plane.first, first);
     EXPECT_EQ(plane.second, second);
-    const Buffer<double> places = placesInPlane(viewOf(cloud), plane);
+    const Buffer<double> places = positionsInPlane(viewOf(cloud), plane);
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
       EXPECT_EQ(places[2 * i], static_cast<double>(i % 5));
@@ -166,7 +166,7 @@ TEST(PlaneFit, OfPointsThatSpanLess)
   {
     const FittedPlane plane = fitPlane(viewOf(cloud));
     expectFrame(plane);
-    const Buffer<double> places = placesInPlane(viewOf(cloud), plane);
+    const Buffer<double> places = positionsInPlane(viewOf(cloud), plane);
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
       const Vector position = positionOf(plane, places[2 * i], places[2 * i + 1]);
@@ -188,7 +188,7 @@ TEST(PlaneFit, LeavesOutWhatIsNotFinite)
   EXPECT_EQ(plane.start, expected.start);
   EXPECT_EQ(plane.origin, expected.origin);
   EXPECT_EQ(plane.first, expected.first);
-  const Buffer<double> places = placesInPlane(viewOf(cloud), plane);
+  const Buffer<double> places = positionsInPlane(viewOf(cloud), plane);
   EXPECT_TRUE(std::isnan(places[0]) && std::isnan(places[1]));
   EXPECT_EQ(places[2], 0.0);
   EXPECT_TRUE(std::isnan(places[places.size() - 1]));

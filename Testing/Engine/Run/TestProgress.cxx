@@ -5,7 +5,7 @@
 #include "Testing/Engine/Conformance/Kind.h"
 #include "Testing/Engine/Conformance/ProgressWatch.h"
 #include "Testing/Engine/Inputs/Surfaces.h"
-#include <flipflop/FlipFlop.h>
+#include <flipflop/Convexify.h>
 
 #include <functional>
 
