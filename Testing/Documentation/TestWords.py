@@ -24,7 +24,7 @@ def found(path, text):
 
 class TestWords(unittest.TestCase):
     def test_the_tree(self):
-        if not os.path.isdir(os.path.join(TOP, ".git")):
+        if not os.path.exists(os.path.join(TOP, ".git")):
             self.skipTest("the script reads what git lists")
         run = subprocess.run([sys.executable, SCRIPT], stdout=subprocess.PIPE, check=False)
         self.assertEqual(run.returncode, 0, run.stdout.decode())
