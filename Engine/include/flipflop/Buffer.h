@@ -17,10 +17,6 @@
 #include <type_traits>
 #include <utility>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 namespace flipflop
 {
 
@@ -82,12 +78,10 @@ public:
     {
       throw Error(ErrorCode::OutOfMemory, -1, static_cast<std::int64_t>(bytes));
     }
-#if defined(__linux__)
     if (alignment == HugePage)
     {
-      madvise(this->first, bytes, MADV_HUGEPAGE);
+      adviseHugePages(this->first, bytes);
     }
-#endif
     this->count = size;
   }
 

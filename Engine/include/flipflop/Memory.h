@@ -50,6 +50,11 @@ inline void freeMemory(void* memory)
 #endif
 }
 
+/// Asks the system for huge pages, where it has them.
+/// @param memory from allocateMemory()
+/// @param bytes  of it
+void adviseHugePages(void* memory, std::size_t bytes);
+
 /// Gives the memory past the first bytes back, if that can be done. Not on Windows: there the
 /// alignment of the allocation would have to be known.
 /// @param memory from allocateMemory()
