@@ -24,7 +24,7 @@ namespace flipflop
 {
 
 /// @tparam Geometry a model of the geometry concept (GeometryConcept.h), for which
-///                  octahedralMapOf(const Geometry&, const Polyhedron&) tells where the curve sees
+///                  octahedralMapOf(const Geometry&, const Polyhedron&) shows where the curve sees
 ///                  its points
 template <class Geometry>
 class InsertionBuilder
@@ -55,26 +55,12 @@ public:
     statistics.secondsLocate += watch.lap();
     task.monitor.stage(ordered, to, subset.count, "inserting");
     const std::uint32_t base = start.vertexCount();
-    const std::size_t count = base + order.ids.size();
-    const std::size_t triangleCount = start.triangleCount() + 2 * order.ids.size();
-    if (4 * triangleCount >= NoIndex)
-    {
-      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
-    }
-    Polyhedron result(count, triangleCount);
-    std::copy(start.vertices.begin(), start.vertices.end(), result.vertices.begin());
-    std::copy(start.triangles.begin(), start.triangles.end(), result.triangles.begin());
-    eachChunk(order.ids.size(), StepPoll::Every,
-      [&](std::size_t begin, std::size_t end, std::size_t)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          result.vertices[base + i] = task.source.vertex(order.ids[i]);
-        }
-      });
+    std::uint32_t inUse = start.triangleCount();
+    Polyhedron result = withPoints(task, start, order.ids);
+    const std::size_t triangleCount = result.triangles.size();
 
-    // A patch is worth as many points as four threads are. Where tests ask for smaller ones, their
-    // joins tell nothing.
+    // A patch is worth as many points as four threads are. Where tests request smaller ones, their
+    // joins mean nothing.
     constexpr std::uint32_t usualPatch = 4 * UsualPointsPerThread;
     const auto leastPatch =
       static_cast<std::uint32_t>(4 * pointsPerThread().load(std::memory_order_relaxed));
@@ -83,7 +69,6 @@ public:
     // across the pieces; two lines that cross 15 to 70, a parabola 34.
     constexpr double tornShare = 0.125;
     bool joinsPay = task.threads > 1;
-    std::uint32_t inUse = start.triangleCount();
     std::uint32_t begin = base;
     const auto beginOf = [&](std::size_t l) { return base + (l > 0 ? order.levelEnds[l - 1] : 0); };
     for (std::size_t l = 0; l < order.levelEnds.size(); ++l)
@@ -134,9 +119,35 @@ public:
   }
 
 private:
+  /// The start, with vertices for further points, and with space for two triangles each.
+  /// @throw Error TooManyPoints
+  static Polyhedron withPoints(
+    const BuildTask<Geometry>& task, const Polyhedron& start, const Buffer<std::uint32_t>& ids)
+  {
+    const std::uint32_t base = start.vertexCount();
+    const std::size_t count = base + ids.size();
+    const std::size_t triangleCount = start.triangleCount() + 2 * ids.size();
+    if (4 * triangleCount >= NoIndex)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
+    }
+    Polyhedron result(count, triangleCount);
+    std::copy(start.vertices.begin(), start.vertices.end(), result.vertices.begin());
+    std::copy(start.triangles.begin(), start.triangles.end(), result.triangles.begin());
+    eachChunk(ids.size(), StepPoll::Every,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          result.vertices[base + i] = task.source.vertex(ids[i]);
+        }
+      });
+    return result;
+  }
+
   /// The share of triangles with corners in different pieces of the curve, as far as the vertices
-  /// of one level tell, from @p begin to @p end, which are in its order. Where lines cross, or run
-  /// beside each other, many triangles lie across. Patches have long borders then, and after the
+  /// of one level show, from @p begin to @p end, which are in its order. Where lines cross, or run
+  /// next to each other, many triangles lie across. Patches have long borders then, and after the
   /// join most of what they inserted is flipped again.
   static double shareAcross(const Polyhedron& polyhedron, std::uint32_t triangleCount,
     std::uint32_t begin, std::uint32_t end, std::uint32_t pieces)

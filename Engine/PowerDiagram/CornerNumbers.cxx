@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Several facets may have their centers at one position, and several cells a corner there that the
-/// box made. One of these corners stands for all. Which, depends on the threads, and tells nothing.
+/// box made. One of these corners stands for all. Which one depends on the threads.
 /// But their first use is known once all threads have passed, and its order gives the number.
 #include "PowerDiagram/CornerNumbers.h"
 
@@ -72,7 +72,7 @@ private:
   std::vector<std::atomic<Index>> slots;
 };
 
-/// Where each run's share begins, and after them all the end.
+/// Where each chunk begins, and after them all the end.
 template <class SizeOf>
 std::vector<std::size_t> beginsOf(const std::vector<CellChunk>& chunks, const SizeOf& sizeOf)
 {
@@ -113,48 +113,83 @@ void CellChunk::add(std::int64_t id, CellPolygon& cell)
   this->ids.push_back(id);
 }
 
-RoundedCells numberCorners(
-  std::vector<CellChunk>& chunks, const Buffer<Position>& centers, Monitor& monitor)
+namespace
 {
-  const std::size_t facets = centers.size();
-  const auto cells = beginsOf(chunks, [](const CellChunk& chunk) { return chunk.ids.size(); });
-  const auto uses = beginsOf(chunks, [](const CellChunk& chunk) { return chunk.corners.size(); });
-  const auto cuts = beginsOf(chunks, [](const CellChunk& chunk) { return chunk.cut.size(); });
-  if (facets + cuts.back() >= NoIndex)
+
+/// Numbers the corners of the cells of all chunks: those at one position are one, in the order of
+/// their first use.
+class CornerNumbering
+{
+public:
+  /// @throw Error TooManyPoints
+  CornerNumbering(
+    std::vector<CellChunk>& all, const Buffer<Position>& facetCenters, Monitor& monitorToUse)
+    : chunks(all)
+    , centers(facetCenters)
+    , monitor(monitorToUse)
+    , cells(beginsOf(all, [](const CellChunk& chunk) { return chunk.ids.size(); }))
+    , uses(beginsOf(all, [](const CellChunk& chunk) { return chunk.corners.size(); }))
+    , cuts(beginsOf(all, [](const CellChunk& chunk) { return chunk.cut.size(); }))
   {
-    throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(facets + cuts.back()));
+    const std::size_t count = centers.size() + this->cuts.back();
+    if (count >= NoIndex)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
+    }
+    this->first = std::vector<std::atomic<std::uint64_t>>(count);
   }
-  const auto eachChunkOfCells = [&](const auto& use)
+
+  RoundedCells run()
   {
-    eachTask(chunks.size(),
+    this->gatherCut();
+    this->joinEqual();
+    RoundedCells result;
+    this->writePositions(result);
+    this->writeCells(result);
+    return result;
+  }
+
+private:
+  template <class Use>
+  void eachChunkOfCells(const Use& use)
+  {
+    eachTask(this->chunks.size(),
       [&](std::size_t r)
       {
-        monitor.poll();
-        use(r, chunks[r]);
+        this->monitor.poll();
+        use(r, this->chunks[r]);
       });
-  };
-  Buffer<Position> cut(cuts.back());
-  eachChunkOfCells([&](std::size_t r, CellChunk& chunk)
-    { std::copy(chunk.cut.begin(), chunk.cut.end(), cut.begin() + cuts[r]); });
-  const auto positionOf = [&](Index corner)
-  { return corner < facets ? centers[corner] : cut[corner - facets]; };
+  }
 
-  // For each corner that stands for others: how many uses were left, with that one, when they were
-  // first used. So the greatest is the earliest, and 0 means never. Later: their number.
-  std::vector<std::atomic<std::uint64_t>> first(facets + cuts.back());
+  Position positionOf(Index corner) const
   {
-    PositionTable table(first.size());
-    std::vector<std::atomic<Index>> known(facets); // the corner that stands for it, and one
-    eachChunkOfCells(
+    return corner < this->centers.size() ? this->centers[corner]
+                                         : this->cut[corner - this->centers.size()];
+  }
+
+  void gatherCut()
+  {
+    this->cut.allocate(this->cuts.back());
+    this->eachChunkOfCells([&](std::size_t r, CellChunk& chunk)
+      { std::copy(chunk.cut.begin(), chunk.cut.end(), this->cut.begin() + this->cuts[r]); });
+  }
+
+  /// Replace each corner by the one that stands for all at its position.
+  void joinEqual()
+  {
+    PositionTable table(this->first.size());
+    std::vector<std::atomic<Index>> known(this->centers.size()); // what stands for it, and one
+    const auto positionAt = [this](Index corner) { return this->positionOf(corner); };
+    this->eachChunkOfCells(
       [&](std::size_t r, CellChunk& chunk)
       {
-        std::uint64_t remaining = uses.back() - uses[r] + 1;
+        std::uint64_t remaining = this->uses.back() - this->uses[r] + 1;
         for (Index& corner : chunk.corners)
         {
           Index stands;
-          if (corner >= facets)
+          if (corner >= this->centers.size())
           {
-            stands = table.find(corner + static_cast<Index>(cuts[r]), positionOf);
+            stands = table.find(corner + static_cast<Index>(this->cuts[r]), positionAt);
           }
           else if (const Index stored = known[corner].load(std::memory_order_relaxed))
           {
@@ -162,12 +197,12 @@ RoundedCells numberCorners(
           }
           else
           {
-            stands = table.find(corner, positionOf);
+            stands = table.find(corner, positionAt);
             known[corner].store(stands + 1, std::memory_order_relaxed);
           }
           corner = stands;
           --remaining;
-          std::atomic<std::uint64_t>& of = first[stands];
+          std::atomic<std::uint64_t>& of = this->first[stands];
           std::uint64_t was = of.load(std::memory_order_relaxed);
           while (
             was < remaining && !of.compare_exchange_weak(was, remaining, std::memory_order_relaxed))
@@ -177,56 +212,82 @@ RoundedCells numberCorners(
       });
   }
 
-  std::vector<std::vector<Index>> firsts(chunks.size());
-  eachChunkOfCells(
-    [&](std::size_t r, const CellChunk& chunk)
-    {
-      std::uint64_t remaining = uses.back() - uses[r] + 1;
-      for (const Index corner : chunk.corners)
-      {
-        if (first[corner].load(std::memory_order_relaxed) == --remaining)
-        {
-          firsts[r].push_back(corner);
-        }
-      }
-    });
-  std::vector<std::size_t> numbers{ 0 };
-  for (const std::vector<Index>& list : firsts)
+  /// Number the corners in the order of their first use, and write their positions.
+  void writePositions(RoundedCells& result)
   {
-    numbers.push_back(numbers.back() + list.size());
+    std::vector<std::vector<Index>> firsts(this->chunks.size());
+    this->eachChunkOfCells(
+      [&](std::size_t r, const CellChunk& chunk)
+      {
+        std::uint64_t remaining = this->uses.back() - this->uses[r] + 1;
+        for (const Index corner : chunk.corners)
+        {
+          if (this->first[corner].load(std::memory_order_relaxed) == --remaining)
+          {
+            firsts[r].push_back(corner);
+          }
+        }
+      });
+    std::vector<std::size_t> numbers{ 0 };
+    for (const std::vector<Index>& list : firsts)
+    {
+      numbers.push_back(numbers.back() + list.size());
+    }
+    result.positions.resize(2 * numbers.back());
+    this->eachChunkOfCells(
+      [&](std::size_t r, const CellChunk&)
+      {
+        std::size_t number = numbers[r];
+        for (const Index corner : firsts[r])
+        {
+          const Position x = this->positionOf(corner);
+          std::copy(x.begin(), x.end(), result.positions.begin() + 2 * number);
+          this->first[corner].store(number++, std::memory_order_relaxed);
+        }
+      });
   }
-  RoundedCells result;
-  result.positions.resize(2 * numbers.back());
-  eachChunkOfCells(
-    [&](std::size_t r, const CellChunk&)
-    {
-      std::size_t number = numbers[r];
-      for (const Index corner : firsts[r])
-      {
-        const Position x = positionOf(corner);
-        std::copy(x.begin(), x.end(), result.positions.begin() + 2 * number);
-        first[corner].store(number++, std::memory_order_relaxed);
-      }
-    });
 
-  result.corners.resize(uses.back());
-  result.ids.resize(cells.back());
-  result.ends.resize(cells.back() + 1);
-  eachChunkOfCells(
-    [&](std::size_t r, const CellChunk& chunk)
-    {
-      std::transform(chunk.corners.begin(), chunk.corners.end(), result.corners.begin() + uses[r],
-        [&first](Index corner)
-        { return static_cast<Index>(first[corner].load(std::memory_order_relaxed)); });
-      std::copy(chunk.ids.begin(), chunk.ids.end(), result.ids.begin() + cells[r]);
-      std::size_t end = uses[r];
-      for (std::size_t c = 0; c < chunk.sizes.size(); ++c)
+  void writeCells(RoundedCells& result)
+  {
+    result.corners.resize(this->uses.back());
+    result.ids.resize(this->cells.back());
+    result.ends.resize(this->cells.back() + 1);
+    this->eachChunkOfCells(
+      [&](std::size_t r, const CellChunk& chunk)
       {
-        end += chunk.sizes[c];
-        result.ends[cells[r] + c + 1] = static_cast<std::int64_t>(end);
-      }
-    });
-  return result;
+        std::transform(chunk.corners.begin(), chunk.corners.end(),
+          result.corners.begin() + this->uses[r],
+          [this](Index corner)
+          { return static_cast<Index>(this->first[corner].load(std::memory_order_relaxed)); });
+        std::copy(chunk.ids.begin(), chunk.ids.end(), result.ids.begin() + this->cells[r]);
+        std::size_t end = this->uses[r];
+        for (std::size_t c = 0; c < chunk.sizes.size(); ++c)
+        {
+          end += chunk.sizes[c];
+          result.ends[this->cells[r] + c + 1] = static_cast<std::int64_t>(end);
+        }
+      });
+  }
+
+  std::vector<CellChunk>& chunks;
+  const Buffer<Position>& centers;
+  Monitor& monitor;
+  const std::vector<std::size_t> cells; ///< of each chunk, where its own begin among all
+  const std::vector<std::size_t> uses;
+  const std::vector<std::size_t> cuts;
+  Buffer<Position> cut; ///< of all chunks
+
+  /// Of each corner that stands for others: how many uses remained, with that one, at the first. So
+  /// the greatest is the earliest, and 0 means never. Later: its number.
+  std::vector<std::atomic<std::uint64_t>> first;
+};
+
+}
+
+RoundedCells numberCorners(
+  std::vector<CellChunk>& chunks, const Buffer<Position>& centers, Monitor& monitor)
+{
+  return CornerNumbering(chunks, centers, monitor).run();
 }
 
 }
