@@ -115,7 +115,7 @@ inline ConvexDomain domainOf(const DomainArray& array)
   return ConvexDomain(array.data(), static_cast<std::int64_t>(array.shape(0)));
 }
 
-/// The methods of results that answer questions about places.
+/// The methods of results that are queries at positions.
 void bindQueries(nanobind::module_& module);
 
 /// Constrained triangulations, alpha complexes, and borders.

@@ -92,7 +92,7 @@ Triangulation withCells(const Triangulation& given, const std::uint8_t* kept)
 Constrained constrained(const InputArray& points, const Ends& ends, std::int64_t polygonSides,
   bool byDirection, const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
+  const PointView sites = pointView(points, 2);
   const ConstraintView constraints = constraintView(ends, polygonSides);
   return settings.run(
     [&](const Options& given)
@@ -103,7 +103,7 @@ Constrained constrained(const InputArray& points, const Ends& ends, std::int64_t
       Part making(options, 0.0, 1.0 - shareOfInside);
       Constrained made;
       made.whole = std::make_shared<const ConstrainedTriangulation>(
-        constrainedTriangulation(places, constraints, making.options()));
+        constrainedTriangulation(sites, constraints, making.options()));
       made.inside = { made.whole };
       if (polygonSides > 0)
       {
@@ -145,7 +145,7 @@ Buffer<std::uint8_t> insideOf(const CellComplex& whole, const CellComplex& insid
 Sites constrainedSites(
   const InputArray& points, const Constrained& triangulation, const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
+  const PointView sites = pointView(points, 2);
   const bool areTriangles =
     triangulation.whole->dimension < 2 || triangulation.whole->cellSize == 3;
   std::shared_ptr<const ConstrainedTriangulation> whole = triangulation.whole;
@@ -161,7 +161,7 @@ Sites constrainedSites(
     [&](const Options& options)
     {
       const Buffer<std::uint8_t> mask = insideOf(*whole, *inside.result);
-      return Sites{ TriangulationQueries(places, *whole, mask.data(), options), places.count };
+      return Sites{ TriangulationQueries(sites, *whole, mask.data(), options), sites.count };
     });
 }
 
@@ -190,14 +190,14 @@ Constrained restoredConstrained(const std::tuple<State, std::optional<State>>& s
   return self;
 }
 
-/// The pieces, the constraint of each, how many are sides of polygons, and the new places.
+/// The pieces, the constraint of each, how many are sides of polygons, and the new positions.
 nb::tuple splitOf(
   const InputArray& points, const Ends& ends, std::int64_t polygonSides, const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
+  const PointView sites = pointView(points, 2);
   const ConstraintView constraints = constraintView(ends, polygonSides);
   SplitConstraints found = settings.run(
-    [&](const Options& options) { return splitCrossings(places, constraints, options); });
+    [&](const Options& options) { return splitCrossings(sites, constraints, options); });
   const std::size_t pieces = found.constraintOf.size();
   const auto count = static_cast<std::size_t>(found.newPointCount());
   return nb::make_tuple(arrayOf(std::move(found.ends), { pieces, 2 }),
@@ -209,11 +209,11 @@ nb::tuple splitOf(
 nb::tuple complexOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, double alpha, const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
-  const WeightView heavy = weightView(weights);
+  const PointView sites = pointView(points, 2);
+  const WeightView weighted = weightView(weights);
   const Triangulation& cells = *triangulation.result;
   AlphaComplex found = settings.run([&](const Options& options)
-    { return alphaComplex(places, heavy, cells, alpha, true, options); });
+    { return alphaComplex(sites, weighted, cells, alpha, true, options); });
   const std::size_t edges = found.edgeAlphas.size();
   return nb::make_tuple(arrayOf(std::move(found.cells)),
     arrayOf(idsOf(cells, found.edges), { edges, 2 }), arrayOf(std::move(found.edgeAlphas)),
@@ -263,11 +263,11 @@ void bindComplexes(nb::module_& module)
     [](const InputArray& points, const Ends& ends, std::int64_t polygonSides,
       const Constrained& triangulation, int threads)
     {
-      const PointView places = pointView(points, 2);
-      return judgedBy(
+      const PointView sites = pointView(points, 2);
+      return checkedBy(
         [&] {
           return validate(
-            places, constraintView(ends, polygonSides), *triangulation.whole, threads);
+            sites, constraintView(ends, polygonSides), *triangulation.whole, threads);
         });
     });
 
@@ -276,11 +276,11 @@ void bindComplexes(nb::module_& module)
     [](const InputArray& points, const std::optional<InputArray>& weights,
       const Handle<Triangulation>& triangulation, const Settings& settings)
     {
-      const PointView places = pointView(points, 2);
-      const WeightView heavy = weightView(weights);
+      const PointView sites = pointView(points, 2);
+      const WeightView weighted = weightView(weights);
       Buffer<double> alphas(static_cast<std::size_t>(triangulation.result->cellCount()));
       settings.run([&](const Options& options)
-        { cellAlphas(places, heavy, *triangulation.result, alphas.data(), options); });
+        { cellAlphas(sites, weighted, *triangulation.result, alphas.data(), options); });
       return arrayOf(std::move(alphas));
     },
     "points"_a, "weights"_a.none(), "triangulation"_a, "settings"_a);

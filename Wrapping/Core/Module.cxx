@@ -56,27 +56,27 @@ Handle<Hull> hullOf(const InputArray& points, const Settings& settings)
 Handle<Triangulation> triangulationOf(
   const InputArray& points, const std::optional<InputArray>& weights, const Settings& settings)
 {
-  PointView places = pointView(points, 2);
-  WeightView heavy = weightView(weights);
-  places.deviceData = deviceMemory(settings.pointsMemory);
-  heavy.deviceData = deviceMemory(settings.weightsMemory);
+  PointView positions = pointView(points, 2);
+  WeightView weighted = weightView(weights);
+  positions.deviceData = deviceMemory(settings.pointsMemory);
+  weighted.deviceData = deviceMemory(settings.weightsMemory);
   return handleOf(settings.run(
     [&](const Options& options)
     {
       EngineReport report;
-      return regularTriangulation(places, heavy, options, settings.engineOptions(), report);
+      return regularTriangulation(positions, weighted, options, settings.engineOptions(), report);
     }));
 }
 
 Handle<Hull> convexified(const InputArray& points, const Corners& triangles,
   const std::optional<std::array<double, 3>>& kernel, const Settings& settings)
 {
-  const PointView places = pointView(points, 3);
+  const PointView positions = pointView(points, 3);
   TriangleView surface;
   surface.corners = triangles.data();
   surface.count = static_cast<std::int64_t>(triangles.shape(0));
   return handleOf(settings.run([&](const Options& options)
-    { return convexify(places, surface, kernel ? kernel->data() : nullptr, options); }));
+    { return convexify(positions, surface, kernel ? kernel->data() : nullptr, options); }));
 }
 
 /// Polygons as triangles: the corners of these, and the polygon of each.
@@ -102,12 +102,12 @@ nb::tuple trianglesOf(const InputArray& points, const IdArray& offsets, const Id
     arrayOf(std::move(found.corners), { rows, 3 }), arrayOf(std::move(found.polygonIds)));
 }
 
-/// Points' places in the plane that fits them best; and of the plane, the origin and the axes.
-nb::tuple placesInBestPlane(const InputArray& points, const Settings& settings)
+/// Points' positions in the plane that fits them best; and of the plane, the origin and the axes.
+nb::tuple positionsInBestPlane(const InputArray& points, const Settings& settings)
 {
   const PointView view = pointView(points, 3);
   FittedPlane plane;
-  Buffer<double> places = settings.run(
+  Buffer<double> positions = settings.run(
     [&](const Options& options)
     {
       plane = fitPlane(view, options);
@@ -119,8 +119,8 @@ nb::tuple placesInBestPlane(const InputArray& points, const Settings& settings)
     std::copy(values.begin(), values.end(), copy.begin());
     return arrayOf(std::move(copy));
   };
-  const std::size_t rows = places.size() / 2;
-  return nb::make_tuple(arrayOf(std::move(places), { rows, 2 }), vector(plane.origin),
+  const std::size_t rows = positions.size() / 2;
+  return nb::make_tuple(arrayOf(std::move(positions), { rows, 2 }), vector(plane.origin),
     vector(plane.first), vector(plane.second));
 }
 
@@ -128,8 +128,8 @@ Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<Inp
   const Handle<Triangulation>& triangulation, const std::optional<DomainArray>& domain,
   const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
-  const WeightView heavy = weightView(weights);
+  const PointView positions = pointView(points, 2);
+  const WeightView weighted = weightView(weights);
   const Triangulation& facets = *triangulation.result;
   if (!domain && facets.dimension < 0)
   {
@@ -138,11 +138,11 @@ Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<Inp
   std::array<double, 4> box{};
   if (!domain)
   {
-    box = powerDiagramBox(places, facets);
+    box = powerDiagramBox(positions, facets);
   }
   const ConvexDomain within = domain ? domainOf(*domain) : ConvexDomain(box.data());
   return handleOf(settings.run(
-    [&](const Options& options) { return powerDiagram(places, heavy, facets, within, options); }));
+    [&](const Options& options) { return powerDiagram(positions, weighted, facets, within, options); }));
 }
 
 /// @throw nb::value_error if that is no state of a diagram
@@ -159,11 +159,11 @@ PowerDiagram restoredDiagram(const std::tuple<Figures, IdArray, IdArray, IdArray
   copyOf(connectivity, diagram.connectivity);
   copyOf(offsets, diagram.offsets);
   copyOf(sites, diagram.siteIds);
-  const auto places = static_cast<std::int64_t>(diagram.corners.size() / 2);
+  const auto positions = static_cast<std::int64_t>(diagram.corners.size() / 2);
   const auto corner = diagram.connectivity.size();
   const Buffer<std::int64_t>& begins = diagram.offsets;
   const bool isSound = std::all_of(diagram.connectivity.begin(), diagram.connectivity.end(),
-                         [places](std::int64_t i) { return i >= 0 && i < places; }) &&
+                         [positions](std::int64_t i) { return i >= 0 && i < positions; }) &&
     (begins.empty() ? corner == 0 && diagram.siteIds.empty()
                     : begins.size() == diagram.siteIds.size() + 1 && begins[0] == 0 &&
           begins[begins.size() - 1] == static_cast<std::int64_t>(corner) &&
@@ -383,7 +383,7 @@ NB_MODULE(_core, module)
     "regular_triangulation", &triangulationOf, "points"_a, "weights"_a.none(), "settings"_a);
   module.def("convexify", &convexified, "points"_a, "triangles"_a, "kernel"_a.none(), "settings"_a);
   module.def("triangulate_polygons", &trianglesOf);
-  module.def("to_best_fitting_plane", &placesInBestPlane);
+  module.def("to_best_fitting_plane", &positionsInBestPlane);
   module.def("power_diagram", &diagramOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "domain"_a.none(), "settings"_a);
 
@@ -399,10 +399,10 @@ NB_MODULE(_core, module)
     [](const InputArray& points, const IdArray& offsets, const std::optional<InputArray>& weights,
       const Settings& settings)
     {
-      const PointView places = pointView(points, 2);
-      const WeightView heavy = weightView(weights);
+      const PointView positions = pointView(points, 2);
+      const WeightView weighted = weightView(weights);
       return resultsOf(settings.run([&](const Options& options)
-        { return regularTriangulations(places, setView(offsets), heavy, options); }));
+        { return regularTriangulations(positions, setView(offsets), weighted, options); }));
     },
     "points"_a, "offsets"_a, "weights"_a.none(), "settings"_a);
 
@@ -410,16 +410,16 @@ NB_MODULE(_core, module)
     [](const InputArray& points, const Handle<Hull>& hull, int threads)
     {
       const SpacePoints input(points);
-      return judgedBy([&] { return validate(input.view(), *hull.result, threads); });
+      return checkedBy([&] { return validate(input.view(), *hull.result, threads); });
     });
   module.def(
     "validate_triangulation",
     [](const InputArray& points, const std::optional<InputArray>& weights,
       const Handle<Triangulation>& triangulation, int threads)
     {
-      const PointView places = pointView(points, 2);
-      const WeightView heavy = weightView(weights);
-      return judgedBy([&] { return validate(places, heavy, *triangulation.result, threads); });
+      const PointView positions = pointView(points, 2);
+      const WeightView weighted = weightView(weights);
+      return checkedBy([&] { return validate(positions, weighted, *triangulation.result, threads); });
     },
     "points"_a, "weights"_a.none(), "triangulation"_a, "threads"_a);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Questions about places, asked of results.
+/// Queries of results, at positions.
 #include "Calls.h"
 #include "Results.h"
 #include "Sites.h"
@@ -34,26 +34,26 @@ namespace
 using Values =
   nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>; ///< a row for each point
 
-/// One answer for each place.
-template <class T, class Ask>
-auto answers(const PointView& places, const Settings& settings, const Ask& ask)
+/// One result for each position.
+template <class T, class Query>
+auto resultsOf(const PointView& positions, const Settings& settings, const Query& query)
 {
-  Buffer<T> found(static_cast<std::size_t>(places.count));
+  Buffer<T> found(static_cast<std::size_t>(positions.count));
   settings.run(
     [&](const Options& options)
     {
-      ask(places, found.data(), options);
+      query(positions, found.data(), options);
       return 0;
     });
   return arrayOf(std::move(found));
 }
 
 /// Values between the points' values.
-template <class Ask>
-auto interpolated(const Values& values, const InputArray& places, std::int64_t points,
-  const Settings& settings, const Ask& ask)
+template <class Query>
+auto interpolated(const Values& values, const InputArray& positions, std::int64_t points,
+  const Settings& settings, const Query& query)
 {
-  const PointView view = pointView(places, 2);
+  const PointView view = pointView(positions, 2);
   const std::size_t components = values.shape(1);
   if (static_cast<std::int64_t>(values.shape(0)) != points)
   {
@@ -63,7 +63,7 @@ auto interpolated(const Values& values, const InputArray& places, std::int64_t p
   settings.run(
     [&](const Options& options)
     {
-      ask(values.data(), static_cast<std::int64_t>(components), view, found.data(), options);
+      query(values.data(), static_cast<std::int64_t>(components), view, found.data(), options);
       return 0;
     });
   return arrayOf(std::move(found), { static_cast<std::size_t>(view.count), components });
@@ -87,13 +87,13 @@ nb::tuple measured(std::int64_t cells, const Measure& measure)
 Sites sitesOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
-  const WeightView heavy = weightView(weights);
+  const PointView positions = pointView(points, 2);
+  const WeightView weighted = weightView(weights);
   return settings.run(
     [&](const Options& options)
     {
-      return Sites{ TriangulationQueries(places, heavy, *triangulation.result, options),
-        places.count };
+      return Sites{ TriangulationQueries(positions, weighted, *triangulation.result, options),
+        positions.count };
     });
 }
 
@@ -103,23 +103,23 @@ void bindQueries(nb::module_& module)
 {
   nb::class_<HullQueries>(module, "HullQueries")
     .def("contains",
-      [](const HullQueries& self, const InputArray& places, const Settings& settings)
+      [](const HullQueries& self, const InputArray& positions, const Settings& settings)
       {
-        return answers<std::int8_t>(SpacePoints(places).view(), settings,
+        return resultsOf<std::int8_t>(SpacePoints(positions).view(), settings,
           [&](const PointView& view, std::int8_t* found, const Options& options)
           { self.contains(view, found, options); });
       })
     .def("distance",
-      [](const HullQueries& self, const InputArray& places, const Settings& settings)
+      [](const HullQueries& self, const InputArray& positions, const Settings& settings)
       {
-        return answers<double>(SpacePoints(places).view(), settings,
+        return resultsOf<double>(SpacePoints(positions).view(), settings,
           [&](const PointView& view, double* found, const Options& options)
           { self.distance(view, found, options); });
       })
     .def("support",
       [](const HullQueries& self, const InputArray& directions, const Settings& settings)
       {
-        return answers<std::int64_t>(SpacePoints(directions).view(), settings,
+        return resultsOf<std::int64_t>(SpacePoints(directions).view(), settings,
           [&](const PointView& view, std::int64_t* found, const Options& options)
           { self.support(view, found, options); });
       })
@@ -135,11 +135,11 @@ void bindQueries(nb::module_& module)
       {
         const OrientedBox box =
           settings.run([&](const Options& options) { return self.minimalBox(options); });
-        Buffer<double> places(15); // the center, the axes, the lengths
-        std::copy_n(box.center, 3, places.data());
-        std::copy_n(box.axes[0], 9, places.data() + 3);
-        std::copy_n(box.lengths, 3, places.data() + 12);
-        return nb::make_tuple(arrayOf(std::move(places)), box.volume, box.lowerBound);
+        Buffer<double> positions(15); // the center, the axes, the lengths
+        std::copy_n(box.center, 3, positions.data());
+        std::copy_n(box.axes[0], 9, positions.data() + 3);
+        std::copy_n(box.lengths, 3, positions.data() + 12);
+        return nb::make_tuple(arrayOf(std::move(positions)), box.volume, box.lowerBound);
       });
   module.def("hull_queries",
     [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)
@@ -161,31 +161,31 @@ void bindQueries(nb::module_& module)
 
   nb::class_<Sites>(module, "TriangulationQueries")
     .def("locate",
-      [](const Sites& self, const InputArray& places, const Settings& settings)
+      [](const Sites& self, const InputArray& positions, const Settings& settings)
       {
-        return answers<std::int64_t>(pointView(places, 2), settings,
+        return resultsOf<std::int64_t>(pointView(positions, 2), settings,
           [&](const PointView& view, std::int64_t* found, const Options& options)
           { self.queries.locate(view, found, options); });
       })
     .def("nearest",
-      [](const Sites& self, const InputArray& places, const Settings& settings)
+      [](const Sites& self, const InputArray& positions, const Settings& settings)
       {
-        return answers<std::int64_t>(pointView(places, 2), settings,
+        return resultsOf<std::int64_t>(pointView(positions, 2), settings,
           [&](const PointView& view, std::int64_t* found, const Options& options)
           { self.queries.nearest(view, found, options); });
       })
     .def("interpolate_linear",
       [](
-        const Sites& self, const Values& values, const InputArray& places, const Settings& settings)
+        const Sites& self, const Values& values, const InputArray& positions, const Settings& settings)
       {
-        return interpolated(values, places, self.points, settings,
+        return interpolated(values, positions, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateLinear(arguments...); });
       })
     .def("interpolate_natural",
       [](
-        const Sites& self, const Values& values, const InputArray& places, const Settings& settings)
+        const Sites& self, const Values& values, const InputArray& positions, const Settings& settings)
       {
-        return interpolated(values, places, self.points, settings,
+        return interpolated(values, positions, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateNatural(arguments...); });
       });
   module.def("triangulation_queries", &sitesOf, "points"_a, "weights"_a.none(), "triangulation"_a,
@@ -194,22 +194,22 @@ void bindQueries(nb::module_& module)
   module.def("triangle_measures",
     [](const InputArray& points, const Handle<Triangulation>& triangulation)
     {
-      const PointView places = pointView(points, 2);
+      const PointView positions = pointView(points, 2);
       return measured(triangulation.result->cellCount(),
         [&](double* areas, double* centroids)
-        { cellMeasures(places, *triangulation.result, areas, centroids); });
+        { cellMeasures(positions, *triangulation.result, areas, centroids); });
     });
   module.def("cells_within_edge_length",
     [](const InputArray& points, const Handle<Triangulation>& triangulation, double limit,
       const Settings& settings)
     {
-      const PointView places = pointView(points, 2);
+      const PointView positions = pointView(points, 2);
       const auto cells = static_cast<std::size_t>(triangulation.result->cellCount());
       Buffer<std::uint8_t> within(cells);
       settings.run(
         [&](const Options& options) {
           return cellsWithinEdgeLength(
-            places, *triangulation.result, limit, within.data(), options);
+            positions, *triangulation.result, limit, within.data(), options);
         });
       return arrayOf(std::move(within));
     });

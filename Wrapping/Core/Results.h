@@ -46,7 +46,7 @@ inline nanobind::dict dictOf(const Statistics& statistics)
   return found;
 }
 
-/// Corners, which are places in pointIds, as ids of the caller's points.
+/// Corners, which are indices in pointIds, as ids of the caller's points.
 inline Buffer<std::int64_t> idsOf(const CellComplex& cells, const Buffer<std::int64_t>& corners)
 {
   Buffer<std::int64_t> ids(corners.size());
@@ -98,14 +98,14 @@ Result fansOf(const Result& given)
   return fans;
 }
 
-/// What judge() finds, with the interpreter free.
-template <class Judge>
-nanobind::tuple judgedBy(const Judge& judge)
+/// What check() finds, with the interpreter free.
+template <class Check>
+nanobind::tuple checkedBy(const Check& check)
 {
   Validation found;
   {
     const nanobind::gil_scoped_release free;
-    found = judge();
+    found = check();
   }
   return nanobind::make_tuple(static_cast<int>(found.fault), describe(found.fault), found.index);
 }
@@ -122,7 +122,7 @@ nanobind::class_<Handle<Result>> bindCells(nanobind::module_& module, const char
     .def_prop_ro("statistics", [](Self self) { return dictOf(self.result->statistics); })
     .def("vertices", [](Self self) { return arrayOf(self.result->pointIds, self.result); })
     .def("offsets", [](Self self) { return arrayOf(cellOffsets(*self.result)); })
-    // Of the corners of all cells: places in vertices(), not ids.
+    // Of the corners of all cells: indices in vertices(), not ids.
     .def("connectivity", [](Self self) { return arrayOf(self.result->connectivity, self.result); })
     .def(
       "corners", [](Self self) { return arrayOf(idsOf(*self.result, self.result->connectivity)); })

@@ -38,24 +38,24 @@ Handle<CentroidalCells> centered(const InputArray& points, const std::optional<I
   const std::optional<DomainArray>& domain, std::int64_t iterations, double tolerance,
   const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
-  const WeightView heavy = weightView(weights);
-  const std::array<double, 4> box = powerDiagramBox(places);
+  const PointView positions = pointView(points, 2);
+  const WeightView weighted = weightView(weights);
+  const std::array<double, 4> box = powerDiagramBox(positions);
   const ConvexDomain within = domainOr(domain, box);
   return handleOf(settings.run([&](const Options& options)
-    { return centroidalCells(places, heavy, within, iterations, tolerance, options); }));
+    { return centroidalCells(positions, weighted, within, iterations, tolerance, options); }));
 }
 
 Handle<PrescribedAreas> fitted(const InputArray& points, const std::optional<InputArray>& areas,
   const std::optional<DomainArray>& domain, double tolerance, std::int64_t iterations,
   const Settings& settings)
 {
-  const PointView places = pointView(points, 2);
+  const PointView positions = pointView(points, 2);
   const WeightView shares = weightView(areas);
-  const std::array<double, 4> box = powerDiagramBox(places);
+  const std::array<double, 4> box = powerDiagramBox(positions);
   const ConvexDomain within = domainOr(domain, box);
   return handleOf(settings.run([&](const Options& options)
-    { return prescribedAreas(places, shares, within, tolerance, iterations, options); }));
+    { return prescribedAreas(positions, shares, within, tolerance, iterations, options); }));
 }
 
 /// Rows of x and y.

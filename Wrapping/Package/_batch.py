@@ -167,14 +167,14 @@ def regular_triangulations(
     _check_errors(errors)
     ignore = ignores(non_finite)
     array, left_out = points_of(points, ignore)
-    heavy = None
+    weight_array = None
     if weights is not None:
-        heavy, masked = weights_of(weights, ignore)
+        weight_array, masked = weights_of(weights, ignore)
         left_out = left_out or masked
     starts = _offsets_of(offsets, len(array))
     chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
-    core = run(chosen, _core.regular_triangulations, array, starts, heavy)
-    return TriangulationBatch._made(core, array, starts, left_out, errors, weights=heavy)
+    core = run(chosen, _core.regular_triangulations, array, starts, weight_array)
+    return TriangulationBatch._made(core, array, starts, left_out, errors, weights=weight_array)
 
 
 def _offsets_of(values: ArrayLike, points: int) -> Ids:

@@ -88,7 +88,7 @@ class Constraints:
     def of_error(self, error: InputError) -> InputError:
         """The engine's error, which tells rows of all constraints; and where these are in the caller's own lists."""
         if error.code == "polygons_disagree":
-            wrong, right = map(self._place, (error.index, error.count))
+            wrong, right = map(self._name_of, (error.index, error.count))
             sentence = "the polygons disagree about what is inside: " + (
                 f"the sides of {wrong} disagree with each other, as where a ring crosses itself: pass "
                 if wrong == right
@@ -96,7 +96,7 @@ class Constraints:
             )
             return InputError(sentence + "polygon_rule='even-odd'", error.code, error.index, error.count)
         rows = {"constraint_point": [error.index], "constraints_cross": [error.index, error.count]}.get(error.code, [])
-        names = [f"constraint {row} is of {self._place(row)}" for row in rows if not self._is_pair(row)]
+        names = [f"constraint {row} is of {self._name_of(row)}" for row in rows if not self._is_pair(row)]
         return InputError("; ".join([str(error), *names]), error.code, error.index, error.count)
 
     def polygon_of(self, rows: Ids) -> Ids:
@@ -119,7 +119,7 @@ class Constraints:
     def _is_pair(self, row: int) -> bool:
         return self._are_pairs and row < len(self._lines)
 
-    def _place(self, row: int) -> str:
+    def _name_of(self, row: int) -> str:
         lines = len(self._lines)
         return f"constraints[{self._lines[row]}]" if row < lines else f"polygons[{self._polygons[row - lines]}]"
 
@@ -219,9 +219,9 @@ def split_crossings(
     given = Constraints(constraints, polygons)
     chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
     try:
-        pieces, constraint_of, sides, places = run(chosen, _core.split_crossings, array, given.ends, given.sides)
+        pieces, constraint_of, sides, positions = run(chosen, _core.split_crossings, array, given.ends, given.sides)
     except InputError as error:
         raise given.of_error(error) from None
-    whole = frozen(np.vstack([np.asarray(array)[:, :2].astype(np.float64), places]))
+    whole = frozen(np.vstack([np.asarray(array)[:, :2].astype(np.float64), positions]))
     polygon_of = frozen(given.polygon_of(constraint_of[len(constraint_of) - sides :]))
-    return SplitConstraints(whole, len(places), pieces, constraint_of, sides, polygon_of)
+    return SplitConstraints(whole, len(positions), pieces, constraint_of, sides, polygon_of)

@@ -15,7 +15,7 @@ from . import _core
 from ._device import memory_of
 from ._arguments import numbers_of
 from ._input import ids_of, points_of, whole_points_of
-from ._queries import Lengths, Numbers, Sides, Truths, answers, changed, unchanged
+from ._queries import Lengths, Numbers, Sides, Truths, results_of, changed, unchanged
 from ._results import (
     QUIET,
     Cells,
@@ -178,7 +178,7 @@ class ConvexHull(Cells):
         -------
         array of shape (...); of one point, of shape (ndim,), its answer
         """
-        return answers(self._queries.contains, points, (self.ndim,), threads, non_finite, progress) >= 0  # type: ignore
+        return results_of(self._queries.contains, points, (self.ndim,), threads, non_finite, progress) >= 0  # type: ignore
 
     def side(
         self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
@@ -188,7 +188,7 @@ class ConvexHull(Cells):
         Below the dimension of the space, a hull has no inside. A point that is not finite and ignored is outside.
         Parameters and the result's form are those of contains().
         """
-        found: Sides = answers(self._queries.contains, points, (self.ndim,), threads, non_finite, progress)
+        found: Sides = results_of(self._queries.contains, points, (self.ndim,), threads, non_finite, progress)
         return found
 
     def distance(
@@ -200,7 +200,7 @@ class ConvexHull(Cells):
         or no double is so large. NaN: the point is not finite and ignored. Parameters and the result's form are those
         of contains().
         """
-        found: Lengths = answers(self._queries.distance, points, (self.ndim,), threads, non_finite, progress)
+        found: Lengths = results_of(self._queries.distance, points, (self.ndim,), threads, non_finite, progress)
         return found
 
     def support(
@@ -211,7 +211,7 @@ class ConvexHull(Cells):
         Directions are vectors of any length. -1: the hull is empty, or the direction is not finite and ignored. The
         result's form is that of contains().
         """
-        found: Numbers = answers(
+        found: Numbers = results_of(
             self._queries.support, directions, (self.ndim,), threads, non_finite, progress, what="directions"
         )
         return found
@@ -226,8 +226,8 @@ class ConvexHull(Cells):
         In the plane, it is the least rectangle, up to rounding. In space, it is the least box of a large family: see
         minimalBox() in the engine's HullQueries.h.
         """
-        places, volume, lower_bound = self._queries.minimal_box(QUIET)
-        center, axes, lengths = places[:3], places[3:12].reshape(3, 3), places[12:]
+        numbers, volume, lower_bound = self._queries.minimal_box(QUIET)
+        center, axes, lengths = numbers[:3], numbers[3:12].reshape(3, 3), numbers[12:]
         if not self._planar:
             return OrientedBox(center, axes, lengths, volume, lower_bound)
         return OrientedBox(center[:2], axes[:2, :2], lengths[:2], volume, lower_bound)
@@ -327,7 +327,7 @@ def convexify(
         corners = corners.reshape(0, 3)
     if corners.ndim != 2 or corners.shape[1] != 3:
         raise ValueError(f"triangles are m by 3 ids, not an array of shape {corners.shape}")
-    place = None if kernel is None else numbers_of("kernel", kernel, 3)
+    kernel_point = None if kernel is None else numbers_of("kernel", kernel, 3)
     chosen, bar = settings(threads, facets, "error", "cpu", progress, False)
-    core = run((chosen, bar), _core.convexify, array, corners, place)
+    core = run((chosen, bar), _core.convexify, array, corners, kernel_point)
     return ConvexHull._made(array, core, False)

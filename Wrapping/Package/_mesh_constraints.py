@@ -93,12 +93,12 @@ class CloudConstraints:
         try:
             return call(*arguments)
         except InputError as error:
-            raise self._told(error) from None
+            raise self._translated(error) from None
 
     def warn_if_none(self, core: Any) -> None:
         self._given.warn_if_none(core)
 
-    def _told(self, error: InputError) -> InputError:
+    def _translated(self, error: InputError) -> InputError:
         message, index, count = str(error), error.index, error.count
         if error.code == "constraint_point" and count < len(self._cloud.array):
             (point,) = self._ids(count)

@@ -80,19 +80,19 @@ class Run:
         hidden: bool,
     ) -> list[pv.PolyData]:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        heavy = cloud.weights(weights, self._ignore)
+        weight_array = cloud.weights(weights, self._ignore)
         settings = self._settings(cloud, report)
-        places = projection.to_plane(cloud.array, settings)
+        positions = projection.to_plane(cloud.array, settings)
         if constraints is None:
-            core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
+            core = cloud.engine(_core.regular_triangulation, positions, weight_array, settings)
         else:
             given = CloudConstraints(constraints, cloud, projection.is_xy)
-            core = self._constrained(cloud, places, given, settings)
+            core = self._constrained(cloud, positions, given, settings)
         within = None
         if alpha is not None:
-            within = cloud.engine(_core.alpha_complex, places, heavy, core, alpha, QUIET)[0].view(np.bool_)
+            within = cloud.engine(_core.alpha_complex, positions, weight_array, core, alpha, QUIET)[0].view(np.bool_)
         if limit is not None:
-            short = cloud.engine(_core.cells_within_edge_length, places, core, limit, QUIET).view(np.bool_)
+            short = cloud.engine(_core.cells_within_edge_length, positions, core, limit, QUIET).view(np.bool_)
             within = short if within is None else within & short
         found = [self._cells_of(cloud, core, within)]
         if hidden:
@@ -101,10 +101,10 @@ class Run:
             set_cells(found[1], 0, 1, None, np.arange(len(ids)))
         return found
 
-    def _constrained(self, cloud: Cloud, places: NDArray[Any], given: CloudConstraints, settings: Any) -> Any:
+    def _constrained(self, cloud: Cloud, positions: NDArray[Any], given: CloudConstraints, settings: Any) -> Any:
         if self._engine == ENGINES["cuda"]:
             raise ValueError("the CUDA engine was asked for, but constraints are the CPU's")
-        arguments = places, given.ends, given.sides, given.by_direction, settings
+        arguments = positions, given.ends, given.sides, given.by_direction, settings
         found = cloud.engine(given.engine, _core.constrained_triangulation, *arguments)
         given.warn_if_none(found)
         return found.inside()
@@ -113,13 +113,13 @@ class Run:
         self, block: Block, weights: Weights, projection: Projection, domain: Domain, report: Report
     ) -> pv.PolyData:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        heavy = cloud.weights(weights, self._ignore)
+        weight_array = cloud.weights(weights, self._ignore)
         first, second = _split(report, 0.4)
         settings = self._settings(cloud, first)
-        places = projection.to_plane(cloud.array, settings)
-        core = cloud.engine(_core.regular_triangulation, places, heavy, settings)
+        positions = projection.to_plane(cloud.array, settings)
+        core = cloud.engine(_core.regular_triangulation, positions, weight_array, settings)
         within = None if core.dimension < 0 else domain.array
-        arguments = places, heavy, core, within, self._settings(cloud, second)
+        arguments = positions, weight_array, core, within, self._settings(cloud, second)
         with domain.named():
             found = cloud.engine(_core.power_diagram, *arguments)
         projection.lie_beneath(cloud.array, np.concatenate([core.vertices(), core.hidden()]))

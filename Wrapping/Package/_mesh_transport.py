@@ -92,7 +92,7 @@ def prescribed_areas(
     Parameters
     ----------
     mesh : data set, composite, or n by 3 or n by 2 coordinates
-        its points are the sites, by x and y, no two at the same place; its cells do not matter
+        its points are the sites, by x and y, no two at the same position; its cells do not matter
     areas : str or n positive numbers, optional
         a point array's name, or numbers if mesh is no composite: shares, which are scaled such that they sum to the
         domain's area. By default all are equal.
@@ -162,10 +162,10 @@ def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data:
     return made
 
 
-def _in_space(cloud: Cloud, places: NDArray[Any]) -> NDArray[np.float64]:
+def _in_space(cloud: Cloud, positions: NDArray[Any]) -> NDArray[np.float64]:
     """Places of the plane at the lowest z of the points."""
     height = cloud.array[:, 2].min() if cloud.array.shape[1] == 3 and len(cloud.array) else 0.0
-    return np.column_stack([places, np.full(len(places), height, np.float64)])
+    return np.column_stack([positions, np.full(len(positions), height, np.float64)])
 
 
 def _add(attributes: Any, name: str, values: NDArray[Any]) -> None:

@@ -112,7 +112,7 @@ def blocks_of(data: Any, leaves: Sequence[str] = LEAVES) -> list[Block | None]:
         if leaf is None:
             found.append(None)
             continue
-        place, index = _place_of(nodes, data), nodes.GetCurrentFlatIndex()
+        place, index = _name_of_block(nodes, data), nodes.GetCurrentFlatIndex()
         try:
             found.append(Block(_part_of(leaf, place, leaves), place, index))
         except FlipFlopError as error:
@@ -144,7 +144,7 @@ def _nodes(tree: Any) -> Iterator[tuple[Any, Any]]:
         nodes.GoToNextItem()
 
 
-def _place_of(nodes: Any, tree: Any) -> str:
+def _name_of_block(nodes: Any, tree: Any) -> str:
     index = nodes.GetCurrentFlatIndex()
     name = nodes.GetCurrentMetaData().Get(tree.NAME()) if nodes.HasCurrentMetaData() else None
     return f'the block "{name}" (flat index {index})' if name else f"the block of flat index {index}"
@@ -232,11 +232,11 @@ class Cloud:
         self.blocks = blocks
         self._parts = [block.part for block in blocks if block.part is not None]
         self._starts = np.cumsum([0, *(len(part.rows) for part in self._parts)])
-        self._places = self._without_ghosts() if skip_ghost_points else None
+        self._kept = self._without_ghosts() if skip_ghost_points else None
         try:
             self._gather(ignore)
         except InputError as error:
-            raise self._told(error, None) from None
+            raise self._translated(error, None) from None
 
     @property
     def count(self) -> int:
@@ -248,7 +248,7 @@ class Cloud:
         try:
             return call(*arguments)
         except FlipFlopError as error:
-            raise self._told(error, self._places) from None
+            raise self._translated(error, self._kept) from None
 
     def rows(self, ids: Ids) -> NDArray[Any]:
         """The coordinates of these of the caller's points."""
@@ -257,7 +257,7 @@ class Cloud:
 
     def ids(self, found: Ids) -> Ids:
         """The ids of the caller's points."""
-        return found if self._places is None else self._places[found]
+        return found if self._kept is None else self._kept[found]
 
     def weights(self, weights: Weights, ignore: bool) -> NDArray[Any] | None:
         """One weight for each point: of the point array of that name, or given."""
@@ -267,19 +267,19 @@ class Cloud:
         if isinstance(values, str):
             values = self._named(values)
         try:
-            heavy, masked = weights_of(values, ignore)
+            weight_array, masked = weights_of(values, ignore)
         except InputError as error:
-            raise self._told(error, None) from None
+            raise self._translated(error, None) from None
         self.left_out = self.left_out or masked
-        if len(heavy) != self._starts[-1]:
+        if len(weight_array) != self._starts[-1]:
             raise InputError(
-                f"there are {len(heavy)} weights, which is not the number of points, {self._starts[-1]}",
-                "weight_count", -1, len(heavy),
+                f"there are {len(weight_array)} weights, which is not the number of points, {self._starts[-1]}",
+                "weight_count", -1, len(weight_array),
             )
         try:
-            return weights.computed(heavy if self._places is None else heavy[self._places])
+            return weights.computed(weight_array if self._kept is None else weight_array[self._kept])
         except InputError as error:
-            raise self._told(error, self._places) from None
+            raise self._translated(error, self._kept) from None
 
     def mesh(self, ids: Ids, pass_point_data: bool) -> pv.PolyData:
         """A mesh of these of the caller's points, in their type, with their data; it has no cells yet."""
@@ -295,7 +295,7 @@ class Cloud:
         shares = self._shares(ids)
         if all_arrays and shares and all(part.mesh is not None for part, _ in shares):
             _copy_arrays(shares, len(ids), attributes)
-            _tell_pyvista(shares[0][0].mesh, attributes, to.cell_data if cells else to.point_data)
+            _mark_for_pyvista(shares[0][0].mesh, attributes, to.cell_data if cells else to.point_data)
             if cells:
                 _turn_marks(attributes)
         numbers: Any = np.array(ids)
@@ -348,8 +348,8 @@ class Cloud:
         # The output's points: integers stay integers.
         whole = rows.dtype.kind in "biu" and not np.ma.is_masked(rows)
         self._stored = np.asarray(rows) if whole else self.array
-        if self._places is not None:
-            self.array = self.array[self._places]
+        if self._kept is not None:
+            self.array = self.array[self._kept]
 
     def _points(self, ids: Ids) -> Any:
         """VTK's points, in their type and bits."""
@@ -399,7 +399,7 @@ class Cloud:
             values.append(values_of(array))
         return values[0] if len(values) == 1 else np.concatenate([weights_of(some, True)[0] for some in values])
 
-    def _told(self, error: FlipFlopError, places: Ids | None) -> FlipFlopError:
+    def _translated(self, error: FlipFlopError, places: Ids | None) -> FlipFlopError:
         """The same error, in terms of the caller's points and blocks."""
         message, index = str(error), error.index
         composite = any(block.place for block in self.blocks)
@@ -510,7 +510,7 @@ def _alike(data: Any, array: Any) -> Any:
     return other if same else None
 
 
-def _tell_pyvista(mesh: Any, attributes: Any, to: pv.DataSetAttributes) -> None:
+def _mark_for_pyvista(mesh: Any, attributes: Any, to: pv.DataSetAttributes) -> None:
     """Marks the arrays that PyVista knows as booleans or complex numbers, which VTK does not have."""
     if not isinstance(mesh, pv.DataSet):
         return

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Questions about places: the forms that these may have, and the form of the answers."""
+"""Queries at positions: the forms that these may have, and the form of the results."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._errors import InputError
 from ._input import array_of, points_of
 from ._results import Floats, Ids, NonFinite, Progress, ignores, run, settings
 
-# Of one place a number, of several an array.
+# Of one position a number, of several an array.
 Truths = np.bool_ | NDArray[np.bool_]
 Sides = np.int8 | NDArray[np.int8]
 Lengths = np.float64 | Floats
@@ -30,9 +30,9 @@ _MISFITS = (
 )
 
 
-def answers(
-    ask: Any,
-    places: Any,
+def results_of(
+    query: Any,
+    positions: Any,
     columns: tuple[int, ...],
     threads: int,
     non_finite: NonFinite,
@@ -40,27 +40,27 @@ def answers(
     *before: Any,
     what: str = "points",
 ) -> Any:
-    """What ask() tells of each place: of places of shape (..., ndim) an array of shape (...), of one place a number.
+    """What query() returns for each position: of shape (..., ndim) an array of shape (...), of one position a number.
 
-    columns: how many coordinates places may have. before: arguments of ask() before the places. what: their name
+    columns: how many coordinates positions may have. before: arguments of query() before the positions. what: their name
     """
     ignore = ignores(non_finite)
-    rows, shape = _rows_of(places, columns, what)
+    rows, shape = _rows_of(positions, columns, what)
     array, left_out = points_of(rows, ignore)
     chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
-    found = run(chosen, ask, *before, array)
+    found = run(chosen, query, *before, array)
     return found.reshape(shape + found.shape[1:])[()]
 
 
-def _rows_of(places: Any, columns: tuple[int, ...], what: str) -> tuple[Any, tuple[int, ...]]:
-    """The places as rows of coordinates, and the shape that the places have."""
-    if isinstance(places, tuple) and len(places) in columns and any(map(_has_many, places)):
+def _rows_of(positions: Any, columns: tuple[int, ...], what: str) -> tuple[Any, tuple[int, ...]]:
+    """The positions as rows of coordinates, and the shape that the positions have."""
+    if isinstance(positions, tuple) and len(positions) in columns and any(map(_has_many, positions)):
         raise ValueError(
-            f"{what} are an array of shape (..., {columns[0]}); a tuple of {len(places)} arrays could be {what} or "
+            f"{what} are an array of shape (..., {columns[0]}); a tuple of {len(positions)} arrays could be {what} or "
             f"coordinates: write numpy.stack(arrays) of {what}, numpy.stack(arrays, axis=-1) of x and y"
             f"{' and z' if columns[0] == 3 else ''}"
         )
-    array = array_of(places, "coordinates")
+    array = array_of(positions, "coordinates")
     if array.shape == (0,):  # an empty list
         return array.reshape(0, columns[0]), (0,)
     if array.ndim == 0 or array.shape[-1] not in columns:

@@ -84,11 +84,11 @@ def _triangles_of_strips(starts: NDArray[np.int64], corners: NDArray[np.int64]) 
 
 
 def by_cell(call: Callable[..., Any], cell_of: Ids | None) -> Callable[..., Any]:
-    """The call, whose errors tell the surface's cells instead of its triangles; None: each cell is a triangle."""
+    """The call, whose errors name the surface's cells instead of its triangles; None: each cell is a triangle."""
     if cell_of is None:
         return call
 
-    def told(*arguments: Any) -> Any:
+    def translated(*arguments: Any) -> Any:
         try:
             return call(*arguments)
         except InputError as error:
@@ -99,4 +99,4 @@ def by_cell(call: Callable[..., Any], cell_of: Ids | None) -> Callable[..., Any]
             message = str(error).replace(place[0], f"at cell {cell}")
             raise InputError(message, error.code, cell, error.count) from None
 
-    return told
+    return translated

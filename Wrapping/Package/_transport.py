@@ -32,7 +32,7 @@ class CentroidalCells(Frozen):
     areas : ndarray of n
         of each site's cell; 0: it has none
     centroids : ndarray of n by 2
-        of each site's cell; of a site without one, its place
+        of each site's cell; of a site without one, its position
     iterations : int
         how often the sites moved
     last_move : float
@@ -158,7 +158,7 @@ def centroidal_cells(
     Parameters
     ----------
     points : n by 2, or n by 3
-        the sites at first, at any places; x and y count
+        the sites at first, at any positions; x and y count
     weights : n numbers, optional
         as regular_triangulation() takes them; they stay. By default none: Voronoi cells.
     domain : 4 numbers, 2 by 2, or m by 2, optional
@@ -173,12 +173,12 @@ def centroidal_cells(
         see the module
     """
     array = whole_points_of(points)
-    heavy = None if weights is None else whole_weights_of(weights)
+    weight_array = None if weights is None else whole_weights_of(weights)
     within = domain_of("domain", domain)
     chosen = settings(threads, "triangles", "error", "cpu", progress, False)
     limits = _count(iterations), _tolerance(tolerance)
     with within.named():
-        core = run(chosen, _core.centroidal_cells, array, heavy, within.array, *limits)
+        core = run(chosen, _core.centroidal_cells, array, weight_array, within.array, *limits)
     return CentroidalCells._made(core)
 
 
@@ -200,7 +200,7 @@ def prescribed_areas(
     Parameters
     ----------
     points : n by 2, or n by 3
-        the sites, at any places, no two at the same; x and y count
+        the sites, at any positions, no two at the same; x and y count
     areas : n positive numbers, optional
         shares, which are scaled such that they sum to the domain's area. By default all are equal.
     domain

@@ -18,7 +18,7 @@ from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
 from ._input import points_of, values_of, weights_of
-from ._queries import Lengths, Numbers, answers, changed, unchanged
+from ._queries import Lengths, Numbers, results_of, changed, unchanged
 from ._results import (
     QUIET,
     Cells,
@@ -189,7 +189,7 @@ class RegularTriangulation(Cells):
         -------
         array of shape (...): rows of `simplices`; of one point, its number
         """
-        found: Numbers = answers(self._queries.locate, points, (2, 3), threads, non_finite, progress)
+        found: Numbers = results_of(self._queries.locate, points, (2, 3), threads, non_finite, progress)
         return found
 
     def find_simplex(
@@ -214,7 +214,7 @@ class RegularTriangulation(Cells):
 
         Without weights, that is the nearest point. Parameters and the result's form are those of locate().
         """
-        found: Numbers = answers(self._queries.nearest, points, (2, 3), threads, non_finite, progress)
+        found: Numbers = results_of(self._queries.nearest, points, (2, 3), threads, non_finite, progress)
         return found
 
     def interpolate(
@@ -250,14 +250,14 @@ class RegularTriangulation(Cells):
         -------
         array of the shapes of points and of values, less their last and first axes; of one point and numbers, a number
         """
-        ask = getattr(self._queries, _METHODS[choice_of("method", method, tuple(_METHODS))])
+        query = getattr(self._queries, _METHODS[choice_of("method", method, tuple(_METHODS))])
         given = values_of(values, self.npoints)
         rows = given.reshape(self.npoints, int(np.prod(given.shape[1:])))
         # What is 1 everywhere is NaN outside alone; it also stands in where there are no values.
         filled = float_of("fill_value", fill_value)
         if filled == filled or rows.shape[1] == 0:
             rows = np.column_stack([rows, np.ones(self.npoints)])
-        found = answers(ask, points, (2, 3), threads, non_finite, progress, np.ascontiguousarray(rows))
+        found = results_of(query, points, (2, 3), threads, non_finite, progress, np.ascontiguousarray(rows))
         if rows.shape[1] > np.prod(given.shape[1:]):
             found = np.where(np.isnan(found[..., -1:]), filled, found[..., :-1])
         shaped: Lengths = found.reshape(found.shape[:-1] + given.shape[1:])[()]
@@ -459,7 +459,7 @@ def regular_triangulation(
     """
     ignore = ignores(non_finite)
     array, left_out = points_of(points, ignore)
-    heavy = None
+    weight_array = None
     if constraints is not None or polygons is not None:
         if weights is not None:
             raise InputError("constraints take no weights: leave one of them out", "bad_argument")
@@ -473,12 +473,12 @@ def regular_triangulation(
 
         return constrained_triangulation(array, given, chosen, left_out)
     if weights is not None:
-        heavy, masked = weights_of(weights, ignore)
+        weight_array, masked = weights_of(weights, ignore)
         left_out = left_out or masked
     chosen = settings(threads, facets, non_finite, engine, progress, left_out)
-    chosen[0].points_memory, chosen[0].weights_memory = memory_of(array), memory_of(heavy)
-    core = run(chosen, _core.regular_triangulation, array, heavy)
-    return RegularTriangulation._of(points=array, weights=heavy, _core=core, _ignores=left_out)
+    chosen[0].points_memory, chosen[0].weights_memory = memory_of(array), memory_of(weight_array)
+    core = run(chosen, _core.regular_triangulation, array, weight_array)
+    return RegularTriangulation._of(points=array, weights=weight_array, _core=core, _ignores=left_out)
 
 
 def alpha_complex(

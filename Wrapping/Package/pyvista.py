@@ -312,11 +312,11 @@ def regular_triangulation(
     limit = None if maximum_edge_length is None else length_of("maximum_edge_length", maximum_edge_length)
     radius = None if alpha is None else alpha_of(alpha)
     data = data_of(mesh)
-    heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
-    given = constraints_of_call(constraints, polygon_rule, is_tree(data), heavy.values is not None)
+    weighting = weights_of_call(weights, radii, weight_factor, is_tree(data))
+    given = constraints_of_call(constraints, polygon_rule, is_tree(data), weighting.values is not None)
 
     def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
-        return run.triangulation(block, heavy, given, projection, radius, limit, report, both)
+        return run.triangulation(block, weighting, given, projection, radius, limit, report, both)
 
     outputs = each_block(data, triangulated, 2 if both else 1, progress)
     return (outputs[0], outputs[1]) if both else outputs[0]
@@ -382,10 +382,10 @@ def power_diagram(
     projection = projection_of(projection_plane_mode, transform)
     within = domain_of_call(box, domain)
     data = data_of(mesh)
-    heavy = weights_of_call(weights, radii, weight_factor, is_tree(data))
+    weighting = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
     def divided(block: Block, report: Report) -> list[pv.PolyData]:
-        return [run.diagram(block, heavy, projection, within, report)]
+        return [run.diagram(block, weighting, projection, within, report)]
 
     return each_block(data, divided, 1, progress)[0]
 
