@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is known of the devices, so that each is looked at once: a look makes a context, which
-/// takes up to a second and memory of the device.
+/// The status of each device, so that each is checked once: a check makes a context, which takes up
+/// to a second and memory of the device.
 #ifndef flipflop_DeviceStatus_h
 #define flipflop_DeviceStatus_h
 
@@ -17,8 +17,8 @@ namespace flipflop
 class DeviceStatus
 {
 public:
-  /// @param device the number of the device, or -1 where none answers
-  /// @param look   DeviceFinding (): look at it. What does not last is not kept: a device that is
+  /// @param device the number of the device, or -1 where there is none
+  /// @param check  DeviceFinding (): check it. What does not last is not kept: a device that is
   ///               busy now may be free for the next call
   /// @return valid until the thread's next call
   template <class Check>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which engine is to run, and why: what costs nothing is asked first, the device last.
+/// Which engine is to run, and why: what costs nothing is checked first, the device last.
 #ifndef flipflop_EngineDecision_h
 #define flipflop_EngineDecision_h
 
@@ -22,7 +22,7 @@ inline void setReason(
 
 /// Does the choice come to CUDA? Says why, if not.
 /// @param hasKernels this build has kernels for a device
-/// @param status     const CudaStatus& (): looks at the device. Asked only if nothing else speaks
+/// @param status     const CudaStatus& (): checks the device. Called only if nothing else speaks
 ///                   against it
 /// @throw Error NoDevice
 template <class Status>

@@ -87,7 +87,7 @@ DeviceFinding findCudaDevice()
     std::snprintf(found.status.problem, sizeof(found.status.problem), "%s: %s", what,
       cudaGetErrorString(error));
     found.status.device[0] = '\0';
-    // A device that is busy, or short of memory, may answer the next call.
+    // A device that is busy, or short of memory, may work in the next call.
     found.lasting = error == cudaErrorNoDevice || error == cudaErrorInsufficientDriver ||
       error == cudaErrorNoKernelImageForDevice || error == cudaErrorInvalidDeviceFunction ||
       error == cudaErrorNotSupported;

@@ -17,20 +17,20 @@
 namespace flipflop
 {
 
-/// What a look at a device has found.
+/// What a check of a device has found.
 struct DeviceFinding
 {
   CudaStatus status;
-  bool lasting = true; ///< another look would find the same
+  bool lasting = true; ///< another check would find the same
 };
 
 /// Has this build kernels for a device? Asks none.
 bool hasCudaKernels();
 
-/// The device that is current for the thread, -1 where none answers. Makes no context.
+/// The device that is current for the thread, -1 where there is none. Makes no context.
 int currentCudaDevice();
 
-/// Look at that device.
+/// Check that device.
 DeviceFinding findCudaDevice();
 
 /// The rounds on the present device.

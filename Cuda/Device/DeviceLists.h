@@ -15,7 +15,7 @@ namespace flipflop
 {
 
 /// Each of @p n values becomes the sum of those before it, in the stream's order.
-/// @param scratch of the device; null: nothing is done but to tell how much is wanted
+/// @param scratch of the device; null: only the size that is wanted is returned
 /// @param bytes   of the scratch memory
 cudaError_t exclusivePrefixSum(
   void* scratch, std::size_t& bytes, std::uint32_t* values, std::uint32_t n, cudaStream_t stream);

@@ -12,7 +12,7 @@
 namespace flipflop
 {
 
-/// @param driver what CUDA the driver has, as cudaDriverGetVersion tells it (12040 is 12.4); 0:
+/// @param driver what CUDA the driver has, as cudaDriverGetVersion returns it (12040 is 12.4); 0:
 /// there
 ///               is no driver
 /// @param needed the CUDA that is needed and that the driver has not; 0: the driver is new enough

@@ -8,7 +8,7 @@
 /// A list that one round fills and the next one reads takes turns: two counts, one of which is
 /// cleared before it is added to.
 ///
-/// What the host has to know of a round, the first kernel of the next one tells it (RoundRecord).
+/// What the host has to know of a round, the first kernel of the next one writes (RoundRecord).
 #ifndef flipflop_Counters_h
 #define flipflop_Counters_h
 
@@ -62,7 +62,7 @@ struct Counters
   std::uint32_t undecided[2] = { 0, 0 }; ///< active triangles of a round, by turns
   std::uint32_t strayed = 0;             ///< 1: a walk to a point has not ended
 
-  std::uint32_t duplicates = 0; ///< vertices with something to tell of duplicates
+  std::uint32_t duplicates = 0; ///< vertices with records of duplicates
 
   // The finish.
   std::uint32_t points = 0;         ///< of the result

@@ -48,7 +48,7 @@ public:
   ExecutorArray& operator=(const ExecutorArray&) = delete;
   ~ExecutorArray() { this->clear(); }
 
-  /// Have room for @p size values. Keeps none.
+  /// Have space for @p size values. Keeps none.
   void reserve(std::size_t size)
   {
     if (size > this->allocated)
@@ -59,7 +59,7 @@ public:
     }
   }
 
-  /// Have room for @p size values, of which the first keep theirs: as many as @p used tells in the
+  /// Have space for @p size values, of which the first keep theirs: as many as @p used holds in the
   /// executor's memory, but not more than @p most. What was never written is not read. Grows by
   /// half at least.
   void grow(std::size_t size, std::size_t most, const std::uint32_t* used)

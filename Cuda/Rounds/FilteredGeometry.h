@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A geometry that answers by its floating-point filter alone, and notes when that was not enough.
+/// A geometry that decides by its floating-point filter alone, and notes when that was not enough.
 ///
-/// The fast kernels ask it, so they are compiled without a trace of exact arithmetic: few
+/// The fast kernels use it, so they are compiled without a trace of exact arithmetic: few
 /// registers, no stack. What an item comes to while `undecided` is set is void: the item goes to
-/// the exact kernel, which asks the geometry itself.
+/// the exact kernel, which uses the geometry itself.
 #ifndef flipflop_FilteredGeometry_h
 #define flipflop_FilteredGeometry_h
 

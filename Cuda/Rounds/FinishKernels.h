@@ -5,7 +5,7 @@
 /// is one triangle.
 ///
 ///   MarkIds      the ids of its points, as a set of bits
-///   CountIds     how many are in each word of it  (a prefix sum tells how many are below one)
+///   CountIds     how many are in each word of it  (a prefix sum counts how many are below one)
 ///   RankPoints   the number of each vertex in the result, and the ids in ascending order
 ///   MakeCells    each triangle's cell, lowest corner first; its share of volume and area
 ///   WriteCells   the cells, once they are sorted
@@ -42,7 +42,7 @@ struct FinishData
   std::uint32_t* ids;          ///< by rank
   std::uint64_t* keys;         ///< by cell: its two lower corners
   std::uint32_t* thirds;       ///< by cell: the third one
-  int cornerBits;              ///< of a key that tell the second corner
+  int cornerBits;              ///< of a key that hold the second corner
   MeasureSums* sums;
   Counters* counters;
 };

@@ -6,8 +6,8 @@
 ///   Check     each active triangle looks for an edge that the rule wants flipped, or an end of it
 ///             labelled, and votes for itself on all triangles of that flip
 ///   Resolve   a flip with all its triangles' votes is on; who lost stays active; labels are set
-///   Publish   the flips that are on tell where their outer half-edges go
-///   Relink    they replace their triangles; a neighbour that flips too is found by what it told
+///   Publish   the flips that are on publish where their outer half-edges go
+///   Relink    they replace their triangles; a neighbour that flips too has published where
 ///
 /// A vote is the least of the keys (newest round first, half-edge), so it needs no reset, and the
 /// least key of all wins all its triangles: every round that proposes a flip makes one. Flips that
@@ -16,9 +16,9 @@
 /// in Check goes to its exact twin. But nothing with exact arithmetic is launched before the host
 /// knows of a triangle that needs it; until then, such triangles stay active.
 ///
-/// An edge has two triangles. If both are active, the lower one looks at it; if only one is, that
-/// one does. A triangle goes to rest when no edge that it looks at is of any concern, and is woken
-/// by a change of its own or by a label at a corner: so no edge is left unlooked at.
+/// An edge has two triangles. If both are active, the lower one examines it; if only one is, that
+/// one does. A triangle goes to rest when no edge that it examines is one that may need a flip, and
+/// is woken by a change of its own or by a label at a corner: so no edge is left unexamined.
 ///
 /// The V-biased variant sets no labels while flips are many: in a round that proposes any, after
 /// one that made more than a quarter as many as there are active triangles. To wait for the last
@@ -40,7 +40,7 @@
 namespace flipflop
 {
 
-/// What an active triangle asks for.
+/// What an active triangle wants.
 struct Proposal
 {
   std::uint32_t edge; ///< its own half-edge; NoIndex: it goes to rest
@@ -60,7 +60,7 @@ struct FlipData
   std::uint32_t* queued;  ///< by triangle: the last round it is active in
   std::uint32_t* sameAs;  ///< three by vertex: ids at its position, when it was last seen to go
   std::uint32_t* active[2];
-  Proposal* proposals; ///< by place in the active list
+  Proposal* proposals; ///< by index in the active list
   Proposal* flips;     ///< those that are on
   std::uint32_t* undecided;
   Counters* counters;
@@ -120,7 +120,7 @@ FF_HD FF_INLINE std::uint32_t pick(const std::uint32_t* of, int corner)
   return corner == 0 ? of[0] : corner == 1 ? of[1] : of[2];
 }
 
-/// What triangle @p t, active, asks for.
+/// What triangle @p t, active, wants.
 /// @param own its copy
 template <class Geometry, class Oracle>
 FF_HD Proposal propose(const FlipData<Geometry>& data, const Oracle& geometry, std::uint32_t round,
@@ -136,7 +136,7 @@ FF_HD Proposal propose(const FlipData<Geometry>& data, const Oracle& geometry, s
   for (int e = 0; e < 3; ++e)
   {
     const std::uint32_t other = triangleOf(twin);
-    if (!(other < t && data.queued[other] == round)) // else it looks at this edge
+    if (!(other < t && data.queued[other] == round)) // else it examines this edge
     {
       ++checks;
       const Triangle second = whole(data.mesh.triangles[other]);
@@ -162,7 +162,7 @@ FF_HD Proposal propose(const FlipData<Geometry>& data, const Oracle& geometry, s
   return { NoIndex, FlipAction::None, false };
 }
 
-/// Place @p i of the active list.
+/// Index @p i of the active list.
 template <class Geometry, class Oracle>
 FF_HD void check(const FlipData<Geometry>& data, const Oracle& geometry, std::uint32_t round,
   std::uint32_t i, std::uint32_t& checks)
@@ -241,7 +241,7 @@ struct Check : FlipKernel<Geometry, Data>
   static constexpr unsigned LeastBlocks = Geometry::InsertsAtOnce ? 3 : 0;
   static constexpr int Bytes = 4 + 4 * 32 + 6 * 32 + 8 + 2 * 8;
   RoundRecord* record;         ///< of the round before; null: nobody reads it
-  using Local = std::uint32_t; ///< edges looked at
+  using Local = std::uint32_t; ///< edges examined
   FF_HD Local begin() const { return 0; }
   FF_HD void operator()(std::uint32_t i, Local& checks) const
   {
@@ -370,7 +370,7 @@ private:
     std::uint32_t* const flags = &d.mesh.vertices[d.mesh.origin(h)].flags;
     if (atomics::setBits(flags, std::uint32_t(VertexLabelled)) & VertexLabelled)
     {
-      return; // another triangle has asked for it too
+      return; // another triangle wants it too
     }
     flips::noteDuplicates(d, h);
     ++labelled;

@@ -8,12 +8,12 @@
 ///   Mark         which triangles have points?  (a prefix sum gives each of them its new slots)
 ///   Insert       the furthest point splits its triangle in three
 ///   LinkSplits   the new triangles find their neighbours, which may have been split too
-///   Relocate     each point that is left goes to its child, or is dropped
+///   Relocate     each point that remains goes to its child, or is dropped
 /// and, where points were left open,
 ///   LocateExact  each of them walks to its cone, which may have been split meanwhile
 ///   MakeAllCandidates      any triangle may have points again
 ///
-/// A point alive is a place, where its coordinates are, and its triangle. The furthest point of a
+/// A point alive is an index, where its coordinates are, and its triangle. The furthest point of a
 /// triangle is the greatest of the keys (height, lowest id), so any order of execution inserts the
 /// same points; new slots come from the prefix sum, never from a counter. Points that the
 /// floating-point filter leaves open in Associate and Relocate wait in a list until the host knows
@@ -52,7 +52,7 @@ struct alignas(8) PointAlive
 /// The points in an order of their own; none: they are in that of their ids.
 struct OrderedPoints
 {
-  double* x;          ///< three a place
+  double* x;          ///< three for each index
   std::uint32_t* ids; ///< null: there is no such order
 };
 
@@ -90,7 +90,7 @@ FF_HD inline std::uint32_t idOfKey(std::uint64_t key)
 namespace growth
 {
 
-/// The point at a place.
+/// The point at an index.
 template <class Geometry>
 FF_HD Vertex pointAt(const GrowthData<Geometry>& data, std::uint32_t index)
 {
@@ -102,7 +102,7 @@ FF_HD Vertex pointAt(const GrowthData<Geometry>& data, std::uint32_t index)
   return { { x[0], x[1], x[2] }, data.ordered.ids[index], 0 };
 }
 
-/// Let the point of that place and id, in the cone of t and above it, live on.
+/// Let the point of that index and id, in the cone of t and above it, live on.
 template <class Geometry>
 FF_HD void keep(const GrowthData<Geometry>& data, int turn, std::uint32_t index, std::uint32_t id,
   std::uint32_t t, double height)
@@ -256,7 +256,7 @@ struct Associate : Kernel
   FF_HD void operator()(std::uint32_t i, Local&) const { growth::associate(this->data, i); }
 };
 
-/// Over the room for the sums: all places of a list of at most so many candidates, and one more.
+/// Over the space for the sums: all indices of a list of at most so many candidates, and one more.
 struct Mark : Kernel
 {
   static constexpr const char* Name = "mark";
@@ -386,7 +386,7 @@ struct Relocate : Kernel
   static constexpr int Bytes = 8 + 24 + 4 + 64 + 4 * 32 + 8 + 8;
   GrowthData<Geometry> data;
   std::uint32_t round;
-  std::uint32_t* total; ///< of the candidates' places
+  std::uint32_t* total; ///< of the candidates' indices
 
   FF_HD void operator()(std::uint32_t i, Local&) const
   {

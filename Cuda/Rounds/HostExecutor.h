@@ -12,7 +12,7 @@
 ///   exclusiveSum(values, n)      each value becomes the sum of those before it
 ///   sort(keys, values, n, bits)  by the keys' lowest bits, which are all that they have; two
 ///   buffers
-///                                each, the first ones given: tells which ones hold the result
+///                                each, the first ones given: returns which ones hold the result
 ///   toHostWidened(to, from, n)   toHost, of numbers that the host has in 64 bits
 ///   bring(points, residence, see)  copy the points' scalars to where kernels can read them; see(
 ///                                begin, end) for runs of them, by any thread, while they are in

@@ -13,7 +13,7 @@
 ///   static constexpr const char* Name     for reports
 ///   static constexpr int Bytes            read and written an item, counted by hand, for reports
 ///   static constexpr bool Exact           exact arithmetic: much stack, few threads at a time
-///   static constexpr unsigned LeastBlocks that a multiprocessor has room for at a time, which
+///   static constexpr unsigned LeastBlocks that a multiprocessor has space for at a time, which
 ///                                         bounds each thread's registers; 0: the compiler chooses
 ///   Local begin() const                   what one thread keeps while it takes items
 ///   void operator()(i, Local&) const      item i

@@ -27,7 +27,7 @@ class KernelTallies
 public:
   using Map = std::map<std::string, KernelTally, std::less<>>;
 
-  /// Every launch asks: no string is made for a name that is known.
+  /// Every launch looks this up: no string is made for a name that is known.
   KernelTally& of(const char* name)
   {
     const auto found = this->all.find(name);

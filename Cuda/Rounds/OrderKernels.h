@@ -4,7 +4,7 @@
 /// The points alive, ordered so that neighbours in the list are neighbours in space: then a warp's
 /// points lie in few cones, and gather few triangles and vertices.
 ///
-///   KeyLive           each point's place along a Morton curve  (and a sort by it)
+///   KeyLive           each point's index along a Morton curve  (and a sort by it)
 ///   GatherLive        coordinates and ids in that order, and the list
 ///   GatherUnlocated   behind them, those of the points that were left open
 ///
@@ -105,7 +105,7 @@ struct KeyLive : Kernel
   }
 };
 
-/// Over the points alive: to places in their order.
+/// Over the points alive: to indices in their order.
 template <class Geometry>
 struct GatherLive : Kernel
 {
@@ -133,7 +133,7 @@ struct GatherLive : Kernel
   }
 };
 
-/// Over the points that were left open: to the places behind.
+/// Over the points that were left open: to the indices behind.
 template <class Geometry>
 struct GatherUnlocated : Kernel
 {

@@ -4,14 +4,14 @@
 /// The rounds of ffHull and ffRT (paper, sections 3.2 and 4): written once, over an executor and a
 /// geometry.
 ///
-///   grow()      GrowthKernels.h, until no point is left
+///   grow()      GrowthKernels.h, until no point remains
 ///   flip()      FlipKernels.h, until no triangle is active
 ///   finish()    CellWriter.h: the result in canonical form, to the host; or, where there are ties,
 ///   compact()   CompactKernels.h: the polyhedron, to the host
 ///
 /// A round costs no wait: kernels take their counts from the executor's memory (Counters.h), and
 /// the host is a round ahead. It hands out round r knowing what round r - 2 left, which bounds how
-/// much memory round r can need; so a stage ends with a round that has nothing to do. It also tells
+/// much memory round r can need; so a stage ends with a round that has nothing to do. It also reads
 /// whether a filter left anything open: only then are exact kernels launched.
 #ifndef flipflop_Rounds_h
 #define flipflop_Rounds_h
@@ -300,7 +300,7 @@ private:
   template <class T>
   using Array = ExecutorArray<Executor, T>;
 
-  /// How many rounds the host is ahead of what it knows, beside the one it hands out.
+  /// How many rounds the host is ahead of what it knows, next to the one it hands out.
   static constexpr std::uint32_t Ahead = 1;
   static_assert(Ahead + 1 <= Executor::Records, "a record is read before it is written anew");
 
@@ -379,7 +379,7 @@ private:
     this->executor.fill(this->keys.data(), 0, t * sizeof(std::uint64_t));
   }
 
-  /// Have room for what a round can add.
+  /// Have space for what a round can add.
   void reserveFor(std::uint32_t round, const Bounds& before, const Bounds& after)
   {
     if (4 * after.triangles >= NoIndex)
@@ -399,7 +399,7 @@ private:
   /// @param turn       of the list
   /// @param most       points, those that were left open among them
   /// @param allLocated there are none of these
-  /// @param to         room for them
+  /// @param to         space for them
   void orderLive(GrowthData<Geometry>& data, std::uint32_t turn, std::uint32_t most,
     bool allLocated, const OrderedPoints& to)
   {
@@ -424,7 +424,7 @@ private:
     data.ordered = to;
   }
 
-  /// Where things are now.
+  /// Where the arrays are now.
   void share(GrowthData<Geometry>& data)
   {
     data.mesh = this->mesh();

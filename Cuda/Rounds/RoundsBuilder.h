@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rounds as an engine of a run (GeometryRun.h), which has all else: the arithmetic, the
+/// The rounds as an engine of a run (HullRun.h, TriangulationRun.h), which has the arithmetic, the
 /// starting tetrahedron, inputs of lower dimension, the finish where there are ties.
 ///
 /// The builder scans all points while it copies them to the executor, a piece at a time, so the

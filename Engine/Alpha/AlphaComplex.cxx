@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Cells are judged by their circles alone. An edge or a point beside them is in the complex by its
-/// own circle if that holds no neighbour: those of a regular triangulation tell of all points.
+/// Cells are classified by their circles alone. Another edge or point is in the complex by its own
+/// circle if that holds no neighbour: those of a regular triangulation hold for all points.
 #include <flipflop/AlphaComplex.h>
 
 #include "Alpha/CircleSquare.h"
@@ -207,7 +207,7 @@ private:
     }
   }
 
-  /// The place of the corner after the side that is at place @p k. All others of the cell are on
+  /// The index of the corner after the side that is at index @p k. All others of the cell are on
   /// the same arc.
   std::int64_t apexOf(std::uint32_t k, std::uint32_t cell) const
   {

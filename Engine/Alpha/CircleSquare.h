@@ -34,7 +34,7 @@ ExponentRange rangeOf(const Sites&... sites)
   return range;
 }
 
-/// A place and its offset from a site, as numbers.
+/// A position and its offset from a site, as numbers.
 template <class Arithmetic>
 struct SiteOffset
 {
@@ -126,7 +126,7 @@ private:
   template <class Arithmetic>
   using Number = typename std::decay_t<Arithmetic>::Number;
 
-  /// @return false: it cannot tell, or the sites do not turn left
+  /// @return false: it cannot decide, or the sites do not turn left
   template <class Arithmetic>
   bool find(const Arithmetic& k, SquareFraction<Number<Arithmetic>>& result) const
   {
@@ -165,7 +165,7 @@ private:
     return k.sign(alpha < 0 ? square.numerator + limit : square.numerator - limit, sign);
   }
 
-  /// @return false: it cannot tell
+  /// @return false: it cannot decide
   bool quickLeastAlpha(double& alpha) const
   {
     const BoundedArithmetic<> k;
@@ -181,7 +181,7 @@ private:
     {
       return false;
     }
-    // The guess and the double beside it: one is exceeded, the other is not.
+    // The guess and the double next to it: one is exceeded, the other is not.
     const double next = std::nextafter(root, sign > 0 ? HUGE_VAL : -HUGE_VAL);
     int other = 0;
     if (!std::isfinite(next) || !this->compare(k, square, next, other) || other == sign)

@@ -104,7 +104,7 @@ void BlockCells::writeConnectivity(
     });
   const Buffer<Cell> order = sort.sort();
 
-  // Fewest corners that a cell can have: if all have no more, no offsets tell where they begin.
+  // Fewest corners that a cell can have: if all have no more, no offsets say where they begin.
   const auto fewest = static_cast<std::size_t>(std::min(cells.dimension, 2) + 1);
   const bool isUniform = indices.size() == fewest * order.size();
   cells.cellSize = isUniform ? static_cast<std::int64_t>(fewest) : 0;

@@ -105,7 +105,7 @@ bool BlockFrame::holds(const double* x) const
   bool isHeld = true;
   for (int i = 0; i < 3; ++i)
   {
-    // The two axes of the plane have one scale, and a point beside a line has the other's numbers.
+    // The two axes of the plane have one scale, and a point off a line has the other's numbers.
     const int other = this->isLifted() && i < 2 ? 1 - i : i;
     const double low = std::min(this->range.low[i], this->range.low[other]);
     const double high = std::max(this->range.high[i], this->range.high[other]);

@@ -22,7 +22,7 @@ namespace flipflop
 /// The hull or the triangulation of points, with polygons as facets.
 CellComplex cellsOf(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options);
 
-/// The same choices for a run beside the main one: it tells no progress, and can be aborted.
+/// The same choices for a run next to the main one: it reports no progress, and can be aborted.
 /// @param chosen lives as long as the options
 Options quiet(const Options& chosen);
 

@@ -26,7 +26,7 @@ class BlockReach
 {
 public:
   /// @param all      patches of all blocks' points
-  /// @param self     the block whose facets are asked for
+  /// @param self     the block whose facets are queried
   /// @param isLifted the third coordinate is a weight
   BlockReach(const std::vector<BlockPatch>& all, int self, bool isLifted, Monitor& monitor)
   {

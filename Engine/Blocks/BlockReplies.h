@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a block answers: which of its points are in conflict with the facets of others?
+/// What a block replies: which of its points are in conflict with the facets of others?
 #ifndef flipflop_BlockReplies_h
 #define flipflop_BlockReplies_h
 
@@ -31,15 +31,15 @@ class BlockReplies
 public:
   virtual ~BlockReplies() = default;
 
-  /// For each question some of the furthest points above the facet, one at least if there is any;
+  /// For each query some of the furthest points above the facet, one at least if there is any;
   /// or all points on it. Each point once.
   virtual std::vector<BlockSite> conflicts(const std::vector<ConflictQuery>& queries) const = 0;
 
   virtual const std::vector<BlockSite>& all() const = 0;
 
-  /// @param sites   that others may ask for; near each other in their order are those near each
+  /// @param sites   that others may request; near each other in their order are those near each
   /// other
-  /// @param frame, options live as long as the answers
+  /// @param frame, options live as long as the replies
   static std::unique_ptr<BlockReplies> make(
     std::vector<BlockSite> sites, const BlockFrame& frame, const Options& options);
 };

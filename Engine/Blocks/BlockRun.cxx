@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rounds of one block: what it asks, answers and learns.
+/// The rounds of one block: what it sends and receives.
 ///
-/// A question about a facet goes to the blocks that might have the furthest point in conflict, then
-/// to others. An answer has some of the furthest points. Both numbers double in each round. So
+/// A query about a facet goes to the blocks that might have the furthest point in conflict, then
+/// to others. A reply has some of the furthest points. Both numbers double in each round. So
 /// rounds are few: when they reach the numbers of all blocks and of all points in conflict, one
 /// round is the last. For a point in conflict with a facet that is made around an active point, by
-/// points that were told, was in conflict with one of the two facets that shared an edge there
-/// before; and both were around that point, so all their points in conflict have been told. Points
+/// points that were sent, was in conflict with one of the two facets that shared an edge there
+/// before; and both were around that point, so all their points in conflict have been sent. Points
 /// on a facet (of one circle, of one plane) matter only for the block that owns the facet: it alone
-/// asks for them.
+/// requests them.
 ///
-/// Points that all lie on one line have no triangles. A point beside the line, which all blocks
+/// Points that all lie on one line have no triangles. A point off the line, which all blocks
 /// add, makes one of each edge of the chain, and no other. A hull that spans less than space is one
 /// facet: one block gathers all corners.
 #include <flipflop/BlockRun.h>
@@ -45,11 +45,11 @@ namespace flipflop
 namespace
 {
 
-/// In the first round: blocks that a facet asks, and points that are enough for an answer.
+/// In the first round: blocks that a facet queries, and points that are enough for a reply.
 constexpr std::uint32_t FirstQueried = 4;
 constexpr std::uint32_t FirstSent = 2;
 
-/// What a message asks for.
+/// What a message requests.
 enum class Request : std::int64_t
 {
   Conflicts,
@@ -88,7 +88,7 @@ private:
   ReceivedSites known;
   BlockCells cells;
   std::unique_ptr<BlockReach> reach;
-  std::unique_ptr<OpenFacets> facets; ///< null: nothing is to be asked
+  std::unique_ptr<OpenFacets> facets; ///< null: there are no queries
   std::unique_ptr<BlockReplies> replies;
   std::vector<SiteHandle> arrived; ///< since the last run
   int round = 0;
@@ -106,7 +106,7 @@ private:
 namespace
 {
 
-/// Points near each other come near each other, those of one place by id.
+/// Points near each other come near each other, those of one position by id.
 std::vector<BlockSite> alongCurve(
   BlockShape shape, const std::vector<BlockSite>& sites, const Options& options)
 {
@@ -129,7 +129,7 @@ std::vector<BlockSite> alongCurve(
   Buffer<double> coordinates(3 * sites.size());
   for (std::size_t i = 0; i < coordinates.size(); ++i)
   {
-    coordinates[i] = sites[i / 3].x[i % 3] + 0.0; // a curve around the origin tells -0 from 0
+    coordinates[i] = sites[i / 3].x[i % 3] + 0.0; // the curve distinguishes -0 from 0
   }
   const PointView view(coordinates.data(), static_cast<std::int64_t>(sites.size()));
   requireValid(view, 3);
@@ -208,7 +208,7 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& summaries, int numbe
   this->known = ReceivedSites(std::move(all), this->self);
   const CellComplex complex = this->run(this->known.all(), this->options);
 
-  // Others may ask for the points that appear, and that not all know.
+  // Others may request the points that appear, and that not all have.
   std::vector<BlockSite> visible;
   for (const std::int64_t i : complex.pointIds)
   {
@@ -309,7 +309,7 @@ std::map<int, BlockMessage> BlockRun::Work::makeQueries()
   return messages;
 }
 
-/// First ask for all corners; then make the one facet of them.
+/// First, queries for all corners; then make the one facet of them.
 std::map<int, BlockMessage> BlockRun::Work::gather()
 {
   std::map<int, BlockMessage> messages;

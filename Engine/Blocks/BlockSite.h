@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A point as blocks tell it each other, and messages of such plain values.
+/// A point as blocks send it each other, and messages of such plain values.
 #ifndef flipflop_BlockSite_h
 #define flipflop_BlockSite_h
 

@@ -108,7 +108,7 @@ void addHeaviest(const std::vector<BlockSite>& sites, std::set<std::size_t>& sam
   sample.insert(heaviest.begin(), heaviest.end());
 }
 
-/// The lowest ids that stand for the sample's points: others of their places do not appear.
+/// The lowest ids that stand for the sample's points: others of their positions do not appear.
 std::set<std::size_t> representatives(
   const std::vector<BlockSite>& sites, const std::set<std::size_t>& sample)
 {
@@ -135,7 +135,7 @@ std::set<std::size_t> representatives(
 std::vector<BlockPatch> patchesOf(
   BlockShape shape, const std::vector<BlockSite>& sites, const std::set<std::size_t>& without)
 {
-  // More on surfaces, where what is near a patch cannot be told from what is above it.
+  // More on surfaces, where what is near a patch cannot be distinguished from what is above it.
   constexpr std::size_t PointsEach = 8;
   const bool isLifted = shape != BlockShape::Hull;
   const std::size_t most = isLifted ? 64 : 512;

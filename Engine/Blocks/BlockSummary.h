@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all blocks know of one: a sample of its points, and where the others are.
+/// What all blocks have of one: a sample of its points, and where the others are.
 ///
 /// The sample makes the cells that a block finds first about as large as those of all points at
-/// that place, so few reach far: extreme points in some directions, the heaviest ones, some
-/// between. It spans what the block's points span, and has the first of them, by id and by place.
+/// that position, so few reach far: extreme points in some directions, those of largest weight,
+/// some between. It spans what the block's points span, and has the first of them, by id and by
+/// position.
 #ifndef flipflop_BlockSummary_h
 #define flipflop_BlockSummary_h
 
@@ -41,7 +42,7 @@ inline void include(const CoordinateRange& part, CoordinateRange& range)
   }
 }
 
-/// How large a sample is. Tests take small ones, so that small blocks have something to ask.
+/// How large a sample is. Tests take small ones, so that small blocks have queries.
 struct SampleSizes
 {
   int planeDirections = 16; ///< of extreme points
@@ -63,9 +64,8 @@ struct BlockSummary
 
   BlockSummary() = default;
 
-  /// @param sites of the block, those near each other near each other in their order, those of one
-  /// place
-  ///              by id
+  /// @param sites of the block. Those near each other are near each other in their order, those of
+  ///              one position are in the order of their ids.
   BlockSummary(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options);
 
   explicit BlockSummary(const BlockMessage& message);

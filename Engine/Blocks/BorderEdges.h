@@ -21,7 +21,7 @@ namespace flipflop
 ///
 /// Of a corner whose cells go all around, each neighbour is the next in one cell and the one before
 /// in another. So the sums of both are equal there, and differ at the border, where one neighbour
-/// of each kind is left over. Only edges between such corners are looked at.
+/// of each kind is left over. Only edges between such corners are examined.
 template <class Use>
 void eachBorderEdge(const CellComplex& complex, const Use& use)
 {

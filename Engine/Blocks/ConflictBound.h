@@ -11,7 +11,7 @@
 /// where for a plane in space n is its normal and q is 0; for an orthocircle, in x, y and weight, q
 /// is twice the triangle's area, and the power test's other minors are n; for a border's edge, n is
 /// its normal in the plane and q is 0. Each axis has its greatest value in a box for itself. All
-/// that rounding may change goes into the slopes and into q, so no box is too large to be judged.
+/// that rounding may change goes into the slopes and into q, so no box is too large to be tested.
 #ifndef flipflop_ConflictBound_h
 #define flipflop_ConflictBound_h
 

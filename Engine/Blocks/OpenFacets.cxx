@@ -201,7 +201,7 @@ void OpenFacets::keep(std::vector<SiteHandle> corners)
 {
   if (this->frame.dimension == 1)
   {
-    // With a point beside the line, a triangle is an edge of the chain.
+    // With a point off the line, a triangle is an edge of the chain.
     corners.erase(std::remove_if(corners.begin(), corners.end(),
                     [this](SiteHandle handle) { return this->known[handle].id == NoBlockId; }),
       corners.end());

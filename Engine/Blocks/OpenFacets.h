@@ -3,12 +3,12 @@
 /// @file
 /// The facets around a block's points, until no block has a point in conflict with them.
 ///
-/// A facet is settled when all blocks that might have a point in conflict with it have been asked,
-/// and it is still there. A point of the block is active while a facet around it is not settled.
-/// After the first run, on all points of the block, only active points are triangulated again:
-/// together with the corners of the facets around them, and with what other blocks have told. That
-/// is enough: a facet of all known points, around an active point, has its corners among the
-/// corners of the facets that were there before, and the points that are new.
+/// A facet is settled when all blocks that might have a point in conflict with it have been
+/// queried, and it is still there. A point of the block is active while a facet around it is not
+/// settled. After the first run, on all points of the block, only active points are triangulated
+/// again: together with the corners of the facets around them, and with what other blocks have
+/// sent. That is enough: a facet of all known points, around an active point, has its corners among
+/// the corners of the facets that were there before, and the points that are new.
 ///
 /// Rounds end. In each, the number of blocks that a facet asks and of points in an answer doubles.
 /// Take a facet that points from answers make around an active point. A point in conflict with it
@@ -62,7 +62,7 @@ public:
   /// @param members the points of the complex, ascending
   void replace(const CellComplex& complex, const std::vector<SiteHandle>& members);
 
-  /// Settle facets that have no more blocks to ask.
+  /// Settle facets that have no more blocks to query.
   void update();
 
   /// use (OpenFacet&) for each that is not settled.

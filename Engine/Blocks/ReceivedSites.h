@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// All points that a block knows: its own, the sample of others, and what it was told.
+/// All points that a block has: its own, the sample of others, and what it received.
 #ifndef flipflop_ReceivedSites_h
 #define flipflop_ReceivedSites_h
 
@@ -19,7 +19,7 @@
 namespace flipflop
 {
 
-/// A point's name within the block: its place among the known ones.
+/// A point's name within the block: its position among the known ones.
 using SiteHandle = std::uint32_t;
 
 class ReceivedSites
@@ -72,14 +72,14 @@ public:
     return flipflop::hasLowerId((*this)[a], (*this)[b]);
   }
 
-  /// Does the block have the first corner by place? Of all points on a facet, that is a corner for
-  /// certain, which the one of lowest id need not be.
+  /// Does the block have the first corner by position? Of all points on a facet, that is a corner
+  /// for certain, which the one of lowest id need not be.
   bool ownsFacet(const std::vector<SiteHandle>& corners) const
   {
     const SiteHandle first = *std::min_element(corners.begin(), corners.end(),
       [this](SiteHandle a, SiteHandle b)
       {
-        // A point beside the line is no corner of a chain's edge.
+        // A point off the line is no corner of a chain's edge.
         const bool isNone[2] = { (*this)[a].id == NoBlockId, (*this)[b].id == NoBlockId };
         return isNone[0] != isNone[1] ? isNone[1] : precedes((*this)[a], (*this)[b]);
       });

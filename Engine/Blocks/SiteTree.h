@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The points of a block that others may ask for: which of them are in conflict with a facet?
+/// The points of a block that others may request: which of them are in conflict with a facet?
 ///
 /// A tree of boxes, best first: a node waits with the furthest that a point of its box could be
-/// above the facet. What is certainly beneath is never looked at; for the rest, exact signs decide.
+/// above the facet. What is certainly beneath is never examined; for the rest, exact signs decide.
 #ifndef flipflop_SiteTree_h
 #define flipflop_SiteTree_h
 
@@ -68,8 +68,8 @@ public:
   }
 
   /// Tell points above the facet abc: all about the furthest, up to @p limit, one if there is any.
-  /// If there is none, and if asked, all points on it.
-  /// @param tell void (std::uint32_t item)
+  /// If there is none, and if wanted, all points on it.
+  /// @param emit void (std::uint32_t item)
   template <class Emit>
   void conflicts(const Geometry& geometry, const ConflictBound& bound, const Vertex& a,
     const Vertex& b, const Vertex& c, bool wantsTies, std::size_t limit, const Emit& emit) const

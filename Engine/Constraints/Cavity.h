@@ -6,8 +6,8 @@
 /// On either side of the edge, the sides of the crossed triangles form a chain from one of its ends
 /// to the other. Each corner of it sees the edge along an edge that was crossed, so one scan of the
 /// chain that cuts off each corner that turns towards the edge leaves nothing but triangles. A
-/// chain may pass one place twice, where it goes around an edge that has crossed triangles on both
-/// sides.
+/// chain may pass one position twice, where it goes around an edge that has crossed triangles on
+/// both sides.
 #ifndef flipflop_Cavity_h
 #define flipflop_Cavity_h
 
@@ -92,7 +92,7 @@ public:
     }
   }
 
-  /// Triangulate it anew, with the edge from @p u to @p w, where the walk began and ended.
+  /// Triangulate it again, with the edge from @p u to @p w, where the walk began and ended.
   /// @return a half-edge of the edge
   std::uint32_t close(std::uint32_t u, std::uint32_t w)
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Cells that no polygon's side parts are one region. By the even-odd rule, the sides between a
-/// region and the outside count; by direction, each side says of the regions beside it whether they
-/// are inside. No coordinate is looked at.
+/// region and the outside count; by direction, each side says of the regions next to it whether
+/// they are inside. No coordinate is examined.
 #include <flipflop/ConstrainedTriangulation.h>
 
 #include "PowerDiagram/TriangulationInput.h"
@@ -22,7 +22,7 @@ namespace flipflop
 namespace
 {
 
-/// Cells in regions; of two cells of one region, it is known whether an odd number of sides parts
+/// Cells in regions; of two cells of one region, it is decided whether an odd number of sides parts
 /// them.
 class Regions
 {
@@ -70,7 +70,7 @@ private:
   std::vector<Link> links;
 };
 
-/// What an edge says of a cell beside it.
+/// What an edge says of a cell next to it.
 struct Vote
 {
   std::uint32_t cell;
@@ -242,7 +242,7 @@ private:
   const ConstrainedTriangulation& triangulation;
   Monitor& monitor;
   const std::uint32_t cells;
-  Buffer<std::uint32_t> cellOf; ///< by place of the side
+  Buffer<std::uint32_t> cellOf; ///< by index of the side
 };
 
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Rounds of splitting: all crossings of a round are found and rounded before one of its pieces is
-/// changed, so no order of constraints shows. Constraints that run along the same two places are
+/// changed, so no order of constraints shows. Constraints that run along the same two positions are
 /// split as one. A piece is split in its box alone, so the pieces of a segment are monotone along
 /// both axes, and the sum of their extents stays; so rounds come to an end.
 #include <flipflop/ConstraintCrossings.h>
@@ -32,7 +32,7 @@ namespace
 
 constexpr std::size_t ItemsPerTask = 1 << 12;
 
-/// Numbers for places.
+/// Numbers for positions.
 class PositionNumbers
 {
 public:
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  /// A place on a piece, where it is split.
+  /// A position on a piece, where it is split.
   struct Split
   {
     std::uint32_t piece, index;
@@ -111,7 +111,7 @@ private:
     return this->numbers.add(positionOf(this->run.source.vertex(static_cast<std::uint32_t>(id))));
   }
 
-  /// The segments that constraints run along, each once and from its lower place.
+  /// The segments that constraints run along, each once and from its lower position.
   void readSegments()
   {
     std::unordered_map<std::uint64_t, std::uint32_t> known;
@@ -192,8 +192,8 @@ private:
   }
 
   /// Of two pieces that cross, the end of one that is nearest to the other, if it is so near as
-  /// rounding moves pieces, and in its box; else NoIndex. Where bent pieces cross anew, one of them
-  /// has mostly been bent over an end of the other. To lead it through that end makes no new
+  /// rounding moves pieces, and in its box; else NoIndex. Where bent pieces cross again, one of
+  /// them has mostly been bent over an end of the other. To lead it through that end makes no new
   /// vertex, which new pieces could cross again: bundles of nearly parallel constraints would be
   /// shredded.
   std::uint32_t endBetween(const PositionSegment& p, const PositionSegment& q) const
@@ -250,7 +250,7 @@ private:
       (std::fabs(along[0].high) * unit[1] + std::fabs(along[1].high) * unit[0]);
   }
 
-  /// Along one piece: rounded places keep their order along each axis.
+  /// Along one piece: rounded positions keep their order along each axis.
   bool isBefore(const Split& a, const Split& b) const
   {
     const Position &from = this->at(this->pieces[a.piece].from),
@@ -290,13 +290,13 @@ private:
         }
         shorter.push_back({ from, to });
       }
-      this->firstPiece[s] = first; // what it was is not looked at again
+      this->firstPiece[s] = first; // what it was is not examined again
     }
     this->firstPiece.back() = shorter.size();
     this->pieces = std::move(shorter);
   }
 
-  /// Ids for the places inside constraints: the lowest of a given point, or that of a new one.
+  /// Ids for the positions inside constraints: the lowest of a given point, or that of a new one.
   void nameInner()
   {
     const std::size_t count = this->numbers.positions().size();
@@ -331,7 +331,7 @@ private:
     }
   }
 
-  /// The lowest points at places that are asked for.
+  /// The lowest points at positions that are requested.
   void findGiven(const std::vector<char>& isWanted)
   {
     Position low = { { HUGE_VAL, HUGE_VAL } }, high = { { -HUGE_VAL, -HUGE_VAL } };
@@ -343,7 +343,7 @@ private:
         high.x[i] = std::max(high.x[i], this->at(index).x[i]);
       }
     }
-    using Found = std::pair<std::uint32_t, std::uint32_t>; // a place, and the point there
+    using Found = std::pair<std::uint32_t, std::uint32_t>; // a position, and the point there
     const std::uint32_t count = this->run.source.count();
     std::vector<std::vector<Found>> found(chunkCount(count, ItemsPerTask));
     eachChunk(count, ItemsPerTask,
@@ -418,7 +418,7 @@ private:
     }
   }
 
-  /// tell (constraint, how many pieces); and meet (constraint, new point) for each of its new ones.
+  /// emit (constraint, how many pieces); and meet (constraint, new point) for each of its new ones.
   template <class Emit, class Meet>
   void eachConstraint(const Emit& emit, const Meet& meet) const
   {
@@ -466,12 +466,12 @@ private:
   const ConstraintView constraints;
   QueryRun& run;
   PositionNumbers numbers;
-  std::vector<std::uint32_t> segmentOf; ///< by constraint; NoIndex: it is but a place
+  std::vector<std::uint32_t> segmentOf; ///< by constraint; NoIndex: it is but a position
   std::vector<bool> isTurned;           ///< by constraint: it runs against its segment
   std::vector<PositionSegment> pieces;  ///< of the segments, one after another
   std::vector<std::size_t> firstPiece;  ///< by segment; then how many pieces there are
-  std::vector<std::int64_t> idOf;       ///< by place, of those inside segments
-  std::vector<std::uint32_t> added;     ///< places of the new points
+  std::vector<std::int64_t> idOf;       ///< by position, of those inside segments
+  std::vector<std::uint32_t> added;     ///< positions of the new points
 };
 
 }

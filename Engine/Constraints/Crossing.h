@@ -11,7 +11,7 @@
 namespace flipflop
 {
 
-/// Do the segments a-b and c-d meet in one place inside both? Exact, for any finite doubles.
+/// Do the segments a-b and c-d meet in one position inside both? Exact, for any finite doubles.
 inline bool doCross(const Position& a, const Position& b, const Position& c, const Position& d)
 {
   const auto parts = [](const Position& p, const Position& q, const Position& r, const Position& s)

@@ -3,7 +3,7 @@
 /// @file
 /// Which of many segments cross.
 ///
-/// A tree of boxes is joined with itself: where two boxes meet, their halves are looked at, down to
+/// A tree of boxes is joined with itself: where two boxes meet, their halves are examined, down to
 /// the segments. A long segment would widen all boxes that it is in, so segments are taken in parts
 /// no longer than the mean, at most twice as many as there are segments. Where most segments run
 /// nearly the same way, boxes have a third side, across it (SegmentBundle.h): boxes along the axes
@@ -21,7 +21,7 @@
 namespace flipflop
 {
 
-/// Its ends: indices of places, which differ in their place if in their index.
+/// Its ends: indices of positions, which differ in their place if in their index.
 struct PositionSegment
 {
   std::uint32_t from, to;

@@ -28,7 +28,7 @@ EdgeInsertion::EdgeInsertion(const Geometry& signs, Polyhedron& surface, Monitor
 
 void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint, bool isSide)
 {
-  // Of all that it crosses, the first constraint is told; nothing more is changed until then.
+  // Of all that it crosses, the first constraint is reported; nothing more is changed until then.
   std::uint32_t crossed = NoIndex;
   const auto meet = [&](std::uint32_t h)
   {
@@ -38,7 +38,7 @@ void EdgeInsertion::insert(std::uint32_t u, std::uint32_t v, std::uint32_t const
     }
     crossed = std::min(crossed, this->firstAlong(h));
   };
-  // It begins where there are fewer triangles to look at: many constraints may end at one point.
+  // It begins where there are fewer triangles to examine: many constraints may end at one point.
   const bool isTurned = u != v && this->hasSmallerStar(v, u);
   if (isTurned)
   {
@@ -207,7 +207,7 @@ void EdgeInsertion::setFlat(std::uint32_t h, bool flat)
   }
 }
 
-/// Flip in the cavity. Its sides, though asked, stay.
+/// Flip in the cavity. Its sides, though tested, stay.
 void EdgeInsertion::makeDelaunay()
 {
   const std::vector<std::uint32_t>& triangles = this->cavity.triangles();

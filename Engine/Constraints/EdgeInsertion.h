@@ -6,7 +6,7 @@
 ///
 /// A new edge changes nothing but the triangles that it crosses (J. R. Shewchuk, B. C. Brown, "Fast
 /// segment insertion and incremental construction of constrained Delaunay triangulations", 2015):
-/// they are triangulated anew (Cavity.h), and flipped by the V-criterion, which needs no labels
+/// they are triangulated again (Cavity.h), and flipped by the V-criterion, which needs no labels
 /// here, for no point is hidden. Signs are without the perturbation. Ties stay as they are, and the
 /// finish joins the triangles of one circle: between constraints they form convex polygons, since
 /// all their corners are on it, and an edge parts the circle. So the result is unique.
@@ -32,8 +32,8 @@ class EdgeInsertion
 public:
   using Geometry = LiftedGeometry<false>;
 
-  /// @param surface of the Delaunay triangulation, with the virtual vertex and flat edges told; no
-  ///                two vertices are at one place
+  /// @param surface of the Delaunay triangulation, with the virtual vertex and flat edges marked;
+  ///                no two vertices are at one position
   EdgeInsertion(const Geometry& geometry, Polyhedron& surface, Monitor& monitor);
 
   /// Make the segment from vertex @p u to vertex @p v one or more edges.
@@ -41,7 +41,7 @@ public:
   /// @throw Error ConstraintsCross, Aborted
   void insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint, bool isSide);
 
-  /// Tell anew which edges are flat, where triangles have changed. A fixed edge is not.
+  /// Tell again which edges are flat, where triangles have changed. A fixed edge is not.
   /// @return whether there is a flat one among these
   bool markFlatEdges();
 

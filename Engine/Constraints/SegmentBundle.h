@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The direction that most of many segments have, and how far places are off a line along it.
+/// The direction that most of many segments have, and how far positions are off a line along it.
 ///
 /// Of nearly parallel segments that are units in the last place apart, boxes along the axes meet
 /// where the segments slant. Their offsets from one line do not. They are computed in double-double
@@ -71,7 +71,7 @@ public:
     }
   }
 
-  /// Of a place; 0 for all if the segments have no common direction.
+  /// Of a position; 0 for all if the segments have no common direction.
   double offsetOf(std::size_t index) const
   {
     return this->offsets.empty() ? 0.0 : this->offsets[index];
@@ -84,7 +84,7 @@ private:
   }
 
   int scale = 0;               ///< a power of two, with which coordinates are at most 1
-  std::vector<double> offsets; ///< by place
+  std::vector<double> offsets; ///< by position
 };
 
 }

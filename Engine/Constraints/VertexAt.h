@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which vertex stands for a point: its own, or where it is a duplicate, that at its place.
+/// Which vertex stands for a point: its own, or where it is a duplicate, that at its position.
 #ifndef flipflop_VertexAt_h
 #define flipflop_VertexAt_h
 
@@ -24,7 +24,7 @@ class VertexAt
 public:
   /// @param source      of the points, scaled as the surface's vertices are
   /// @param surface     without weights: all positions have a vertex
-  /// @param constraints whose ends will be asked for; they are points
+  /// @param constraints whose ends will be requested; they are points
   VertexAt(const PointSource& source, const Polyhedron& surface, const ConstraintView& constraints,
     Monitor& monitor)
     : vertexOf(source.count())
@@ -54,7 +54,8 @@ public:
     };
     eachVertex([this](std::uint32_t v, const Vertex& vertex) { this->vertexOf[vertex.id] = v; });
 
-    // What is left are duplicates: few, so their places are collected, and all vertices looked at.
+    // What remains are duplicates: few, so their positions are collected, and all vertices
+    // examined.
     std::unordered_map<Position, std::uint32_t, PositionHash> duplicates;
     const auto eachDuplicate = [&](const auto& use)
     {

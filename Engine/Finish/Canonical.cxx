@@ -115,7 +115,7 @@ CanonicalForm<Surface>::CanonicalForm(Surface& surfaceToWrite, bool anyFlat,
 
 // A facet is one triangle or a polygon (FacetPolygons). As triangles, a polygon is a fan from its
 // corner of lowest rank. A facet with a corner that is no point of the result (at the virtual
-// vertex) is left out.
+// vertex) is omitted.
 
 /// use(vertices, cell, piece) for each facet that is one triangle: three vertices, that of lowest
 /// rank first, and their ranks.

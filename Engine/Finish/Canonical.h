@@ -22,19 +22,19 @@
 namespace flipflop
 {
 
-/// What touches the virtual vertex is left out: it is no facet of the result, and no point.
+/// What touches the virtual vertex is omitted: it is no facet of the result, and no point.
 /// @tparam Surface Polyhedron, or PlanePolyhedron
 template <class Surface>
 class CanonicalForm
 {
 public:
-  /// @param surface    strictly extreme vertices only; flatEdges() tells which edges are flat. It
+  /// @param surface    strictly extreme vertices only; flatEdges() holds the flat edges. It
   ///                   must outlive this.
   /// @param anyFlat    whether there may be a flat edge
   /// @param duplicates pairs of ids at one position
   /// @param pointCount ids are below this
   /// @param facets     what writeCells will write
-  /// @param monitor    is asked while it works
+  /// @param monitor    is polled
   /// @param pointIds   is filled in
   /// @throw Error Aborted
   CanonicalForm(Surface& surface, bool anyFlat, const std::vector<Duplicate>& duplicates,

@@ -27,7 +27,7 @@ struct Cell
 };
 
 /// Brings cells into lexicographic order. A directed edge is in one cell only, so the first two
-/// corners tell.
+/// corners show.
 class CellSort : public BucketSort<Cell, Cell::First>
 {
 public:

@@ -7,7 +7,7 @@
 /// facets piece by piece, and each walk ends where it meets a lower half-edge. Few facets are long,
 /// and of these every half-edge may walk far: one thread walks around them at last, once each.
 ///
-/// Grids are full of facets of two triangles. Where triangles are asked for, these need no walk:
+/// Grids are full of facets of two triangles. Where triangles are requested, these need no walk:
 /// the diagonal from the corner of lowest rank parts them, and they are two facets from then on.
 #ifndef flipflop_FacetPolygons_h
 #define flipflop_FacetPolygons_h
@@ -28,7 +28,7 @@ namespace flipflop
 
 /// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
 /// first.
-/// @tparam Surface Polyhedron, or PlanePolyhedron; flatEdges() tells which edges are flat
+/// @tparam Surface Polyhedron, or PlanePolyhedron; flatEdges() holds the flat edges
 template <class Surface>
 class FacetPolygons
 {
@@ -54,7 +54,7 @@ public:
         }
         if (other != NoIndex)
         {
-          // What is in another piece, waits: its thread may look at it now.
+          // What is in another piece, waits: its thread may examine it now.
           if (triangleOf(other) < this->surface.pieceEnd(piece))
           {
             this->partPair(t, other);

@@ -4,7 +4,7 @@
 /// Vertices leave a convex polyhedron: those inside its true facets and edges, and all but the
 /// lowest id of each position.
 ///
-/// Each facet that has such a vertex is triangulated anew, as a fan over its corners. Flips would
+/// Each facet that has such a vertex is triangulated again, as a fan over its corners. Flips would
 /// do the same, but where a facet has many corners one vertex may cost them the square of their
 /// number; here each triangle is touched a few times.
 ///
@@ -37,7 +37,7 @@ template <class Geometry>
 class FacetRetriangulation
 {
 public:
-  /// @param polyhedron convex; flatEdges() tells which edges are flat
+  /// @param polyhedron convex; flatEdges() holds the flat edges
   FacetRetriangulation(const Geometry& geometry, Polyhedron& polyhedron, Monitor& monitor)
     : geometry(geometry)
     , polyhedron(polyhedron)
@@ -90,7 +90,7 @@ private:
     Untouched,
     Strip,   ///< without area
     Seed,    ///< with area, at a vertex that leaves or at a strip
-    InFacet, ///< with area, in a facet that is triangulated anew
+    InFacet, ///< with area, in a facet that is triangulated again
   };
 
   /// The strips of one line that share edges.
@@ -225,7 +225,7 @@ private:
   }
 
   /// use(half-edge) for each edge of the facet's triangle t that the facet goes on across: the
-  /// half-edge that is on its other side, or beside the same line.
+  /// half-edge that is on its other side, or next to the same line.
   template <class Use>
   void eachInnerEdge(std::uint32_t t, Use&& use)
   {

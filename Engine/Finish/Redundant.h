@@ -39,7 +39,7 @@ public:
   {
   }
 
-  /// Remove them all. Afterwards Triangle::flatEdges tells which edges are flat.
+  /// Remove them all. Afterwards Triangle::flatEdges holds the flat edges.
   /// @return whether there is any flat edge
   bool remove()
   {
@@ -80,8 +80,8 @@ public:
   }
 
 private:
-  /// The planes of the triangles at one position, as far as they must be told apart: at a vertex of
-  /// a solid there are three or more.
+  /// The planes of the triangles at one position, as far as they must be distinguished: at a vertex
+  /// of a solid there are three or more.
   class PlanesAround
   {
   public:
@@ -158,7 +158,7 @@ private:
     }
   }
 
-  /// Look at all edges. The mark EdgeTied tells then on the lower side of each edge whether it is
+  /// Examine all edges. The mark EdgeTied shows then on the lower side of each edge whether it is
   /// flat; edges of triangles without area may be missed.
   FlatEdges findFlat()
   {
@@ -196,7 +196,7 @@ private:
     return flat;
   }
 
-  /// Is the edge of a half-edge flat? Asked on its lower side; on the other, it is left open.
+  /// Is the edge of a half-edge flat? Tested on its lower side; on the other, it is left open.
   bool isFlat(const Geometry& local, std::uint32_t h, FlatEdges& part) const
   {
     const Polyhedron& surface = this->polyhedron;
@@ -285,7 +285,7 @@ private:
     this->redundant.push_back(h);
   }
 
-  /// Label the ends of flat edges that are not strictly extreme. Duplicates are told already.
+  /// Label the ends of flat edges that are not strictly extreme. Duplicates are labelled already.
   void labelNotStrictlyExtreme(const std::vector<std::uint32_t>& flat)
   {
     const Mesh mesh = this->polyhedron.mesh();
@@ -397,7 +397,7 @@ private:
   Polyhedron& polyhedron;
   Tally& tally;
   Monitor& monitor;
-  std::vector<bool> judged;             ///< vertices of which it is known whether they are labelled
+  std::vector<bool> judged; ///< vertices of which it is decided whether they are labelled
   std::vector<std::uint32_t> redundant; ///< a half-edge from each labelled vertex
 };
 

@@ -17,7 +17,7 @@ namespace flipflop
 namespace
 {
 
-/// Ids as a set of bits that knows how many of them are below one.
+/// Ids as a set of bits that counts how many of them are below one.
 class IdSet
 {
 public:

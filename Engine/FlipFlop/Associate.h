@@ -75,7 +75,7 @@ private:
 
   struct Chunk
   {
-    Buffer<Located> located; ///< room for all; memory is taken as it is written
+    Buffer<Located> located; ///< space for all; memory is taken as it is written
     std::size_t locatedCount = 0;
     std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
     std::int64_t lastCell = -1;        ///< of the point that walked last
@@ -148,7 +148,7 @@ private:
   }
 
   /// Take few planes to help where the locator leaves many points, and they dismiss a good part of
-  /// these, as far as a sample tells.
+  /// these, as far as a sample shows.
   template <class FewPlanes>
   void tryPlanes(const PointSubset& subset, const FewPlanes& fewPlanes)
   {
@@ -227,7 +227,7 @@ private:
     return dismissed;
   }
 
-  /// Fill a block with the finite, not yet taken points of the subset from place @p i on.
+  /// Fill a block with the finite, not yet taken points of the subset from slot @p i on.
   int gather(const PointSubset& subset, std::uint32_t& i, std::uint32_t end,
     const std::uint32_t*& next, const std::uint32_t* excludedEnd, typename Locator::Block& block,
     std::uint32_t* ids) const

@@ -162,7 +162,7 @@ private:
     const BuildTask<Geometry>& task, const First& first, const Polyhedron& base)
   {
     constexpr std::size_t FewTriangles = 64;
-    Geometry local = first.geometry; // its questions are not the run's work
+    Geometry local = first.geometry; // its predicates are not the run's work
     Polyhedron few = copyOf(first.tetrahedron);
     const std::vector<std::uint32_t> ids = base.pointIds();
     const std::vector<std::uint32_t> corners = few.pointIds();
@@ -199,13 +199,13 @@ private:
   }
 
   /// Is it faster to insert the points than to grow them? It is where most of them are outside the
-  /// hull of a sample and walks from one to the next are short, as far as some of them tell: two
+  /// hull of a sample and walks from one to the next are short, as far as some of them show: two
   /// for each vertex. Fewer would be far from each other, and have longer ways than all will have.
   static bool insertionPays(
     const BuildTask<Geometry>& task, Polyhedron& hull, const PointSubset& subset)
   {
     // Where half of the sample is inside, more of the points are. And each that is inserted wants
-    // room for two triangles, of which there are 2^30.
+    // space for two triangles, of which there are 2^30.
     if (2 * hull.vertexCount() < subset.excludedCount || subset.count > NoIndex / 16)
     {
       return false;
@@ -225,7 +225,7 @@ private:
     // Among slivers, such as those of points on a cylinder, walks get longer with the number of
     // points. The last ones' are six times as long then, and take as long as growing does.
     constexpr std::int64_t LongWalk = 14;
-    const Geometry local = task.geometry; // its questions are not the run's work
+    const Geometry local = task.geometry; // its predicates are not the run's work
     const Mesh mesh = hull.mesh();
     std::size_t outside = 0;
     std::uint32_t t = 0;
@@ -266,7 +266,7 @@ private:
     ConflictLists outside =
       associate(task, base, subset, first, from, associated, tally, statistics);
     const std::size_t count = outside.vertices.size() - base.vertexCount();
-    // Each that is inserted wants room for two triangles, of which there are 2^30.
+    // Each that is inserted needs space for two triangles, of which there are 2^30.
     if (!first.isAlongCurves || count > NoIndex / 16)
     {
       return flipGrown(task, std::move(base), std::move(outside), associated, to, tally);

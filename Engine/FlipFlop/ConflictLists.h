@@ -13,10 +13,10 @@
 namespace flipflop
 {
 
-/// Triangle t has the points at the places from begin[t] to begin[t + 1].
+/// Triangle t has the points at the indices from begin[t] to begin[t + 1].
 struct ConflictLists
 {
-  Buffer<std::uint32_t> begin; ///< #triangles + 1, places in vertices
+  Buffer<std::uint32_t> begin; ///< #triangles + 1, indices in vertices
   Buffer<Vertex> vertices;     ///< the polyhedron's vertices, then all triangles' points
 };
 

@@ -60,7 +60,7 @@ FF_HD inline std::uint32_t leastOf(std::uint32_t x, std::uint32_t y)
   return x < y ? x : y;
 }
 
-/// Can the rule ask for anything at all? Only where the edge is reflex, or one of the four vertices
+/// Can the rule want anything at all? Only where the edge is reflex, or one of the four vertices
 /// is labelled. One sign, against up to three of decideFlip: most edges are quiet.
 template <class Geometry>
 FF_HD bool mayNeedFlip(

@@ -3,7 +3,7 @@
 /// @file
 /// Algorithm 1, Flip-Flop (paper, section 2.3), on one patch of a mesh, depth first.
 ///
-/// Edges to check wait on a stack; a triangle's flags tell which of its half-edges do, so no edge
+/// Edges to check wait on a stack; a triangle's flags hold which of its half-edges do, so no edge
 /// waits twice. A flip hands its outer edges to the stack, a label the edges of the labelled
 /// vertex. Whether and how an edge is flipped is FlipRule's decision alone.
 ///
@@ -80,7 +80,7 @@ public:
     }
   }
 
-  /// Check edges, and flip, until none is left to check. V-biased, what asks for a label waits.
+  /// Check edges, and flip, until none is left to check. V-biased, what needs a label waits.
   void checkWaiting()
   {
     while (!this->stack.empty())
@@ -96,7 +96,7 @@ public:
     }
   }
 
-  /// The same until nothing asks for a label either.
+  /// The same until nothing needs a label either.
   void run()
   {
     this->checkWaiting();
@@ -299,7 +299,7 @@ private:
       });
   }
 
-  /// V-biased: all V-flips are done; label what still asks for it.
+  /// V-biased: all V-flips are done; label what still needs it.
   void labelPending()
   {
     std::vector<std::uint32_t> wanted;

@@ -126,7 +126,7 @@ private:
         side.allocate(capacity + capacity / 2);
       }
     }
-    // The first child's points stay in place, the others' wait aside. Places count within the
+    // The first child's points stay in place, the others' wait aside. Slots count within the
     // child.
     Vertex* const to[3] = { points + first, this->aside[0].data(), this->aside[1].data() };
     std::uint32_t count[3] = { 0, 0, 0 };

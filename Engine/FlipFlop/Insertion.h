@@ -6,7 +6,7 @@
 /// A point walks from the triangle of the point before it to its own, splits it, and the edges
 /// opposite to the new vertex are tested and flipped until none is reflex. That is Algorithm 1
 /// (paper, section 2.3) on a polyhedron that was convex before: its commonest step, the 2-2 flip of
-/// such an edge, is taken here; what else it may ask for (a 3-1 flip, a label) goes to the Flipper.
+/// such an edge, is taken here; what else it may want (a 3-1 flip, a label) goes to the Flipper.
 ///
 /// In a random order each vertex costs a few flips wherever the points lie (see InsertionOrder.h).
 #ifndef flipflop_Insertion_h
@@ -32,7 +32,7 @@ class Insertion
 public:
   /// @param generalFlipper takes note of duplicates, too
   /// @param firstTriangle from which the first walk starts
-  /// @param firstFree     new triangles go to this place and up, two an insertion
+  /// @param firstFree     new triangles go to this slot and up, two an insertion
   /// @param mostTriangles no more are there to walk through
   Insertion(const Geometry& geometryToUse, const Mesh& meshToGrow,
     Flipper<Geometry, Shared>& generalFlipper, std::uint32_t firstTriangle, std::uint32_t firstFree,
@@ -46,7 +46,7 @@ public:
   {
   }
 
-  /// Insert the vertex at a place of the mesh's array, unless it lies beneath its triangle. The
+  /// Insert the vertex at a slot of the mesh's array, unless it lies beneath its triangle. The
   /// walk starts where the last one ended.
   /// @return false: the way to the point's triangle is not inside the patch
   bool insert(std::uint32_t slot) { return this->insertFrom(this->last, slot); }
@@ -168,7 +168,7 @@ private:
   /// Leave the rest to the Flipper, around the new vertex, at the corner 2 of @p triangle.
   ///
   /// The edges at the new vertex are not tested, as long as flips only put triangles at it in the
-  /// place of those it sees: they are convex then, where all edges were before. That is so no more
+  /// slot of those it sees: they are convex then, where all edges were before. That is so no more
   /// - near the border of a patch: the vertex may hide one there, whose edges are not all seen from
   ///   here (without weights, a duplicate can be hidden so);
   /// - where some edges wait for a larger patch;

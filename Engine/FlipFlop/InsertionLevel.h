@@ -121,7 +121,7 @@ private:
     std::vector<std::uint32_t> pointSlots; ///< of its points, in their order
     std::uint32_t firstFree;               ///< triangle
     std::uint32_t lastFree;
-    std::vector<std::uint32_t> blocked;  ///< places: of points that wait
+    std::vector<std::uint32_t> blocked;  ///< slots: of points that wait
     std::vector<std::uint32_t> deferred; ///< half-edges that wait; of what is joined, the first's
     std::int64_t waited = 0;             ///< flips, likewise
     Tally tally;
@@ -227,7 +227,7 @@ private:
     return of == NoIndex ? NoIndex : of & ~Adopted;
   }
 
-  /// Hand the points to the patches, each in the points' order; and room for triangles.
+  /// Hand the points to the patches, each in the points' order; and space for triangles.
   template <class ChunkBegin>
   void distribute(ChunkBegin&& chunkBegin)
   {
@@ -301,7 +301,7 @@ private:
     return height;
   }
 
-  /// Let the patches' borders name slots, and tell where each is joined.
+  /// Let the patches' borders name slots, and note where each is joined.
   void separate()
   {
     this->slots.allocate(4 * std::size_t(this->inUse));

@@ -7,7 +7,7 @@
 ///
 /// From the lower common tangent up, the next corner of the seam is the one whose circle through
 /// the ends of the last edge is empty. An edge inside a part that loses is flipped with the virtual
-/// triangle beside it, and so comes to the border; the virtual triangle of a border edge that the
+/// triangle next to it, and so comes to the border; the virtual triangle of a border edge that the
 /// seam reaches becomes the seam's triangle. Two free triangles close the border at the tangents.
 ///
 /// With weights, the circle test is the power test, by perturbed signs, and vertices may be hidden:

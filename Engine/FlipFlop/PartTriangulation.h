@@ -71,7 +71,7 @@ private:
     int side;
     Row a, b, c;
     double ab, bc, ca;
-    bool isPlain; ///< they were certain at every step; else they tell no more than signs
+    bool isPlain; ///< they were certain at every step; else they are no more than signs
   };
 
   bool start();

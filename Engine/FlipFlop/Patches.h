@@ -86,7 +86,7 @@ public:
     return std::move(root.tally);
   }
 
-  /// The polyhedron that came of it, in the patches' order; nothing else is left here.
+  /// The polyhedron that came of it, in the patches' order; nothing else remains here.
   Polyhedron release()
   {
     std::sort(this->leaves.begin(), this->leaves.end(),

@@ -30,7 +30,7 @@ using PartMesh = std::conditional_t<Weighted, Mesh, PlaneMesh>;
 template <bool Weighted>
 using PartVertex = std::conditional_t<Weighted, Vertex, PlaneVertex>;
 
-/// The place of the virtual vertex in the array: before all points.
+/// The slot of the virtual vertex in the array: before all points.
 constexpr std::uint32_t PlaneVirtual = 0;
 
 /// A part's triangles begin here, if its vertices begin there.

@@ -46,7 +46,7 @@ private:
   }
 
   const Buffer<Vertex>& vertices;
-  std::vector<Vertex> sorted; ///< at the first question
+  std::vector<Vertex> sorted; ///< at the first query
 };
 
 /// The furthest above a plane.

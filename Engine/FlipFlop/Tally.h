@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a task has done and found beside its part of the mesh.
+/// What a task has done and found besides its part of the mesh.
 #ifndef flipflop_Tally_h
 #define flipflop_Tally_h
 
@@ -21,7 +21,7 @@ struct Tally
   std::vector<Duplicate> duplicates;
   std::int64_t ties = 0; ///< none: no edge of the mesh is flat, for its check would have met one
 
-  /// Count what a task's copy of a geometry has answered.
+  /// Count what a task's copy of a geometry has decided.
   template <class Geometry>
   void addPredicates(const Geometry& task, const Geometry& from)
   {

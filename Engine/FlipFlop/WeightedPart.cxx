@@ -55,7 +55,7 @@ PlanePart WeightedPart::mergeAlongLine(Tally& tally)
         : p.x[2] != q.x[2]    ? p.x[2] > q.x[2]
                               : p.id < q.id;
     });
-  // At one place, all but one are hidden.
+  // At one position, all but one are hidden.
   std::uint32_t stays = this->begin;
   for (std::uint32_t i = this->begin + 1; i < this->end; ++i)
   {

@@ -24,7 +24,7 @@ FF_HD inline int childOf(bool a, bool b, bool c)
   return (1 - first) * (2 - second); // no branch: which child is anyone's guess
 }
 
-/// By rounded values of the same, each off by @p error at most; -1 when one is too close to tell.
+/// By rounded values of the same, each off by @p error at most; -1 when one is too close to decide.
 inline int childOf(double a, double b, double c, double error)
 {
   const double least = std::min({ std::fabs(a), std::fabs(b), std::fabs(c) });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The geometry concept: all that the algorithms may ask of space. A model is written by filling in
+/// The geometry concept: all that the algorithms need of space. A model is written by filling in
 /// this list; a static assertion on isGeometry checks that it has all.
 ///
 /// Vertices are seen from a kernel point s, inside of what is built. Triangles are
@@ -44,7 +44,7 @@ constexpr bool hasSigns()
   FF_GIVES(const bool, Geometry::AllExtreme);
   FF_GIVES(const bool, Geometry::InsertsAtOnce);
 
-  // The kernel point: a place, or the exact centroid of four vertices, which no double need be.
+  // The kernel point: a position, or the exact centroid of four vertices, which no double need be.
   // kernel() is rounded then.
   FF_GIVES(void, declval<Geometry&>().setKernel(declval<const double*>()));
   FF_GIVES(void, declval<Geometry&>().setSymbolicKernel(declval<const Vertex*>()));
@@ -63,8 +63,8 @@ constexpr bool hasSigns()
     int, declval<G>().perturbedAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
   FF_GIVES(int, declval<G>().perturbedKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
 
-  // Each step alone. The filters, in floating point, return false when they cannot tell; where the
-  // exact sign is zero, the ties are never zero.
+  // Each step alone. The filters, in floating point, return false when they cannot decide; where
+  // the exact sign is zero, the ties are never zero.
   FF_GIVES(bool,
     declval<G>().filterAbove(
       declval<V>(), declval<V>(), declval<V>(), declval<V>(), declval<int&>()));
@@ -89,13 +89,13 @@ constexpr bool hasSigns()
   // Are integers of any size needed? Devices have none.
   FF_GIVES(bool, declval<G>().isWide());
 
-  // What it has answered. Each task has a copy of its own, which counts.
+  // What it has decided. Each task has a copy of its own, which counts.
   FF_GIVES(const PredicateCounts&, declval<G>().predicateCounts());
   static_assert(std::is_copy_constructible_v<Geometry>);
   return true;
 }
 
-/// Functions beside the class.
+/// Functions next to the class.
 template <class Geometry>
 constexpr bool hasStart()
 {
@@ -145,7 +145,8 @@ constexpr bool canGrow()
   FF_GIVES(double, declval<const Plane&>().height(declval<const double*>()));
   FF_GIVES(double, declval<const Plane&>().error());
 
-  // The cone of abc split by v: which child holds p (-1: too close to tell), how far p is above it.
+  // The cone of abc split by v: which child holds p (-1: too close to decide), how far p is above
+  // it.
   using Split = typename Geometry::Split;
   static_assert(std::is_constructible_v<Split, G, V, V, V, V>);
   FF_GIVES(int, declval<const Split&>().child(declval<const double*>()));

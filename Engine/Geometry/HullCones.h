@@ -132,7 +132,7 @@ public:
     }
   }
 
-  /// The child whose cone holds p, or -1 when that is too close to tell.
+  /// The child whose cone holds p, or -1 when that is too close to decide.
   int child(const double* p) const
   {
     const double q[3] = { p[0] - this->kernel[0], p[1] - this->kernel[1], p[2] - this->kernel[2] };

@@ -6,8 +6,8 @@
 ///
 /// above(a, b, c, p) is orient3d, the orientation of the four points; kernelBeneath(a, b, c) that
 /// of the three and s. Each sign is decided in two steps (paper, section 3.3): a floating-point
-/// value with a forward error bound, then an exact expansion (wide integers where the range asks
-/// for them).
+/// value with a forward error bound, then an exact expansion (wide integers where the range
+/// requires it for them).
 #ifndef flipflop_HullGeometry_h
 #define flipflop_HullGeometry_h
 
@@ -88,7 +88,7 @@ public:
     this->kernelError = std::numeric_limits<double>::infinity();
   }
 
-  /// Use a point as kernel point, as it is. Whether it is inside is for the signs to tell.
+  /// Use a point as kernel point, as it is. Whether it is inside is for the signs to decide.
   void setKernel(const double* point)
   {
     this->kernelPoint.set(point);
@@ -125,7 +125,7 @@ public:
   bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On the triangle it
-  /// cannot; where the cone is flat, the perturbation tells. Points of an edge of the solid make
+  /// cannot; where the cone is flat, the perturbation decides. Points of an edge of the solid make
   /// triangles without area: what lies between two of their corners is let go, or each would be
   /// inserted, one after another.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
@@ -142,7 +142,7 @@ public:
     return Rows(b.x, c.x, p.x, a.x).determinant();
   }
 
-  /// The first step alone, of det[b - a; c - a; p - a]: false when it cannot tell.
+  /// The first step alone, of det[b - a; c - a; p - a]: false when it cannot decide.
   FF_HD FF_INLINE bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
@@ -229,7 +229,7 @@ public:
       this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
   }
 
-  /// The first step alone: false when it cannot tell.
+  /// The first step alone: false when it cannot decide.
   FF_HD bool filterPlanar(
     const Vertex& a, const Vertex& b, const Vertex& c, int p, int q, int& sign) const
   {

@@ -101,7 +101,7 @@ double HullLocator::innerRadius(const HullGeometry& geometry, StepPoll& poll) co
       return 0.0;
     }
   }
-  // What is that small, float does not tell from the kernel point (see classifyPoints).
+  // What is that small, float does not distinguish from the kernel point (see classifyPoints).
   return radius > 1e-20 ? radius * (1 - 1e-12) : 0.0;
 }
 

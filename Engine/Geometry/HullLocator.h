@@ -3,7 +3,7 @@
 /// @file
 /// In which cone of a convex polyhedron does a point lie, and is it certainly inside?
 ///
-/// The directions from the kernel point are cut into the cells of a cube map. A cell knows a
+/// The directions from the kernel point are cut into the cells of a cube map. A cell holds a
 /// distance below which a point in it is certainly inside, and a triangle from which the walk to a
 /// point's cone starts. The distance: the gauge of a convex body (one over the distance to its
 /// border, along a ray) is convex, so over a cell it is greatest at a corner. Points that a cell
@@ -24,7 +24,7 @@ namespace flipflop
 class HullLocator
 {
 public:
-  /// Points looked at together: they stay in the first cache.
+  /// Points examined together: they stay in the first cache.
   static constexpr int BlockSize = 256;
 
   struct Block

@@ -5,7 +5,7 @@
 /// which plane is each of the others the furthest?
 ///
 /// Planes are tried one after another on blocks of points, by vector units. A plane that is a side
-/// of the bounding box has all points beneath it or on it, and is left out: grids and boxes have
+/// of the bounding box has all points beneath it or on it, and is omitted: grids and boxes have
 /// few others.
 #ifndef flipflop_HullPlanes_h
 #define flipflop_HullPlanes_h
@@ -57,7 +57,7 @@ public:
     const double* x, const double* y, const double* z, int n, double* height, double* plane) const;
 
   /// May a point below all planes be at the position of a vertex? All planes of a vertex at a
-  /// corner of the bounding box may be left out.
+  /// corner of the bounding box may be omitted.
   bool mayBeVertex(double height, const double* x) const
   {
     return this->hasCorner && height < 0 && this->isCorner(x);

@@ -15,11 +15,11 @@
 ///                            distance than the corners are? Without weights, the in-circle test
 ///   above, with the virtual vertex in place of one of the four, is the orientation of the others
 ///   kernelBeneath, with it in place of one of the three, is the orientation of the others and the
-///                            kernel point's place in the plane, s
+///                            kernel point's position in the plane, s
 ///
 /// Triangles of points are counter-clockwise; virtual triangles join the border's edges, turned
-/// around, to the virtual vertex. The perturbation moves heights more than places (MovedByHeight),
-/// so a tie of points in general position is decided by orientations.
+/// around, to the virtual vertex. The perturbation moves heights more than positions
+/// (MovedByHeight), so a tie of points in general position is decided by orientations.
 #ifndef flipflop_LiftedGeometry_h
 #define flipflop_LiftedGeometry_h
 
@@ -54,8 +54,8 @@ constexpr double PowerError = 8.0 * 1.1102230246251565e-16;
 /// Largest magnitude in the plane, and its square that of heights, below which nothing overflows.
 constexpr double LiftedCeiling = 1e70;
 
-/// Underflow costs a determinant less than 1e-183 then: nothing beside an error bound as large as
-/// this.
+/// Underflow costs a determinant less than 1e-183 then: nothing compared with an error bound as
+/// large as this.
 constexpr double LiftedUnderflow = 1e-170;
 
 template <bool Weighted>
@@ -105,23 +105,23 @@ public:
                                            : std::numeric_limits<double>::infinity();
   }
 
-  /// Use a point of the plane as kernel point's place, as it is. Whether it is inside is for the
-  /// signs to tell.
+  /// Use a point of the plane as kernel point's position, as it is. Whether it is inside is for the
+  /// signs to decide.
   void setKernel(const double* point) { this->kernelPoint.set(point); }
 
   /// Use the exact centroid of four points, which no double need be.
   void setSymbolicKernel(const Vertex* corners) { this->kernelPoint.setCentroid(corners); }
 
-  /// The kernel point's place, rounded when it is symbolic.
+  /// The kernel point's position, rounded when it is symbolic.
   const double* kernel() const { return this->kernelPoint.coordinates(); }
   bool kernelIsSymbolic() const { return this->kernelPoint.isSymbolic(); }
 
   /// Can p, in the cone and on the plane of abc, be a vertex all the same? On a triangle of points
   /// it cannot. On a border's line it can: between the edge's ends, it must be above their chord.
-  /// Where the cone is flat (the triangle without area, or the kernel point's place on the border's
-  /// line), p may lie anywhere on that line, and the perturbation tells. But what no weight lifts
-  /// above a chord is let go there, too, or each point of a crease would be inserted, one after
-  /// another.
+  /// Where the cone is flat (the triangle without area, or the kernel point's position on the
+  /// border's line), p may lie anywhere on that line, and the perturbation decides. But what no
+  /// weight lifts above a chord is let go there, too, or each point of a crease would be inserted,
+  /// one after another.
   FF_HD bool mayAppearOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
     if (isVirtual(a, b, c))
@@ -131,7 +131,7 @@ public:
       const Vertex& second = *edge.to;
       if (samePlanePosition(first, second))
       {
-        // An edge between weights of one place: a ray's width.
+        // An edge between weights of one position: a ray's width.
         return !samePlanePosition(first, p) || (p.x[2] > first.x[2] && p.x[2] > second.x[2]);
       }
       return this->kernelBeneath(a, b, c) == 0
@@ -157,7 +157,7 @@ public:
     return Rows(a.x, b.x, c.x, p.x).determinant(most);
   }
 
-  /// The first step alone: false when it cannot tell.
+  /// The first step alone: false when it cannot decide.
   FF_HD FF_INLINE bool filterAbove(
     const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p, int& sign) const
   {
@@ -280,8 +280,8 @@ public:
     return side * this->orientProjected(a, c, b, axis, 2) > 0;
   }
 
-  /// Is the place of q by power distance nearer to a (-1) or to b (1)? Exact; the weight of q does
-  /// not count.
+  /// Is the position of q by power distance nearer to a (-1) or to b (1)? Exact; the weight of q
+  /// does not count.
   FF_HD int comparePowers(const Vertex& q, const Vertex& a, const Vertex& b) const
   {
     double value = 0.0;
@@ -309,7 +309,7 @@ public:
       this->wide, [&](auto signs) { return signs.comparePowers(q.x, a.x, b.x); });
   }
 
-  /// Is p's place between those of a and b, which differ, and p not above their chord? Exact.
+  /// Is p's position between those of a and b, which differ, and p not above their chord? Exact.
   /// Without weights no point is.
   FF_HD bool isBeneathChord(const Vertex& a, const Vertex& b, const Vertex& p) const
   {
@@ -339,7 +339,7 @@ public:
 private:
   using Signs = LiftedSigns<Weighted>;
 
-  /// Three points relative to a, rounded: their places, and how deep they lie below a's tangent
+  /// Three points relative to a, rounded: their positions, and how deep they lie below a's tangent
   /// plane of the paraboloid.
   struct Rows
   {
@@ -385,8 +385,8 @@ private:
     double uSize, vSize, wSize; ///< the sums of their parts' magnitudes
   };
 
-  /// A place in the plane. By value: a filter that kept the address of a point would force it out
-  /// of the registers.
+  /// A position in the plane. By value: a filter that kept the address of a point would force it
+  /// out of the registers.
   struct Position
   {
     double x[2];
@@ -473,7 +473,7 @@ private:
   }
 
   /// With the virtual vertex among the three: the orientation of the border's edge (as borderEdge,
-  /// but by value, see Place) and the kernel point's place, which is on no lattice.
+  /// but by value, see Position) and the kernel point's position, which is on no lattice.
   FF_HD FF_NOINLINE bool filterVirtualBeneath(
     const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
@@ -494,7 +494,7 @@ private:
       this->isExact(a, b, c);
   }
 
-  /// Are the places so few units of a lattice apart that their orientation is exact?
+  /// Are the positions so few units of a lattice apart that their orientation is exact?
   FF_HD bool isExact(const double* a, const double* b, const double* c) const
   {
     // Products of two may be of 51 bits.

@@ -4,7 +4,7 @@
 /// In which cone of a regular triangulation does a point lie: in which triangle of the plane, or in
 /// which wedge beyond the border?
 ///
-/// A grid tells a triangle near it; from there the point walks from triangle to triangle, by exact
+/// A grid holds a triangle near it; from there the point walks from triangle to triangle, by exact
 /// signs. Such walks end: seen from the kernel point, the triangles of a convex polyhedron hide
 /// each other in no circle.
 #ifndef flipflop_LiftedLocator_h
@@ -102,7 +102,7 @@ private:
   /// What a step of the walk reads of the corners, in one cache line.
   struct alignas(64) Cone
   {
-    double x[3], y[3];          ///< places of the corners; the kernel point's for a virtual one
+    double x[3], y[3];          ///< positions of the corners; the kernel point's for a virtual one
     std::int32_t virtualCorner; ///< NoSide: none
 
     /// kernelBeneath(v(i), v(i+1), p): positive inside.
@@ -115,13 +115,13 @@ private:
       // Below, products lose bits.
       error =
         most > 1e-280 ? PlaneError * (1 + 1e-15) * most : std::numeric_limits<double>::infinity();
-      // From and to the virtual corner, the kernel point's place is on the other side.
+      // From and to the virtual corner, the kernel point's position is on the other side.
       const double turn = left - right;
       return i == this->virtualCorner || j == this->virtualCorner ? -turn : turn;
     }
   };
 
-  /// Of each vertex, its place and a triangle at it.
+  /// Of each vertex, its position and a triangle at it.
   void buildGrid(StepPoll& poll)
   {
     std::uint32_t last = 0;
@@ -155,7 +155,7 @@ private:
       [&poll] { poll.step(); });
   }
 
-  /// About the triangle of a place, if that is near.
+  /// About the triangle of a position, if that is near.
   std::uint32_t walkTo(double px, double py, std::uint32_t start) const
   {
     constexpr std::uint32_t MostSteps = 24;

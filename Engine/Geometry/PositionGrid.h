@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Where in the plane is something near? A grid of cells, each with a value; a cell with many
-/// places has a grid of its own, over their bounds.
+/// positions has a grid of its own, over their bounds.
 ///
-/// So a cell holds few places however unevenly they lie: in clusters, on lines. What a cell tells
-/// is a start for a search, hence all here is rounded.
+/// So a cell holds few positions however unevenly they lie: in clusters, on lines. What a cell
+/// holds is a start for a search, hence all here is rounded.
 #ifndef flipflop_PositionGrid_h
 #define flipflop_PositionGrid_h
 
@@ -19,7 +19,7 @@
 namespace flipflop
 {
 
-/// A place, and the value that its cell may take.
+/// A position, and the value that its cell may take.
 struct ValuedPosition
 {
   double x[2];
@@ -30,7 +30,7 @@ class PositionGrid
 {
 public:
   /// @param refine std::uint32_t (double x, double y, std::uint32_t value): what a cell holds, from
-  ///               its middle and the value of one of its places. A cell without places takes a
+  ///               its middle and the value of one of its positions. An empty cell has a
   ///               neighbour's.
   /// @param step   void (): called at each short step of the work
   template <class Refine, class Step>
@@ -41,7 +41,7 @@ public:
     this->addNode(positions.data(), positions.size(), 0, refine, step);
   }
 
-  /// The value of the top grid's cell at a place, or what valueAt() needs to go on.
+  /// The value of the top grid's cell at a position, or what valueAt() needs to go on.
   std::uint32_t cellOf(double x, double y) const { return this->cells[this->nodes[0].at(x, y)]; }
 
   /// From what cellOf() gave.
@@ -108,7 +108,7 @@ private:
     this->nodes.push_back(node);
     this->cells.resize(node.first + cellCount);
 
-    // Sort the places by cell.
+    // Sort the positions by cell.
     std::vector<std::uint32_t> begin(cellCount + 1);
     for (std::size_t k = 0; k < count; ++k)
     {

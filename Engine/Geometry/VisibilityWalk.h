@@ -25,7 +25,7 @@ constexpr int NoSide = 3;
 /// @param borderBegin twins from here on are the border of a patch (see Mesh); NoIndex: none is
 /// @param mostSteps   after which the walk gives up
 /// @param exitOf      int (triangle, entry): the side to leave it through, or NoSide to stay. Entry
-///                    is the side that the walk came in by, which need not be asked again; NoSide
+///                    is the side that the walk came in by, which need not be tested again; NoSide
 ///                    at the start
 /// @return the triangle where the walk stays; NoIndex where it gives up, or reaches the border of a
 ///         patch
@@ -54,7 +54,7 @@ FF_HD std::uint32_t visibilityWalk(const Triangle* triangles, std::uint32_t bord
 
 /// The first side but the entry that the point lies beyond.
 /// @param sideOf int (side): negative beyond it; zero: the point is at a corner of the
-///               triangle, where the walk stays, for the way around the corner would tell no more
+///               triangle, where the walk stays, for the way around the corner would show no more
 template <class SideOf>
 FF_HD int firstExit(int entry, SideOf&& sideOf)
 {
@@ -69,7 +69,7 @@ FF_HD int firstExit(int entry, SideOf&& sideOf)
   return NoSide;
 }
 
-/// The exact answer of sideOf, for where a rounded one leaves the side from a to b open.
+/// The exact result of sideOf, for where a rounded one leaves the side from a to b open.
 template <class Geometry>
 int exactSide(const Geometry& geometry, const Vertex& a, const Vertex& b, const Vertex& p)
 {

@@ -142,7 +142,7 @@ struct Mesh
   }
 };
 
-/// What a flip does, told from the mesh before it: which triangles are replaced, by which, and
+/// What a flip does, derived from the mesh before it: which triangles are replaced, by which, and
 /// where their outer half-edges go.
 struct FlipPlan
 {
@@ -187,7 +187,7 @@ FF_HD FF_INLINE FlipPlan planFlip31(const Mesh& mesh, std::uint32_t h)
     mesh.origin(h) };
 }
 
-/// The plan's triangles anew, but for the opposites of its outer half-edges.
+/// Write the plan's triangles, but for the opposites of its outer half-edges.
 FF_HD FF_INLINE void replaceTriangles(const Mesh& mesh, const FlipPlan& plan)
 {
   const int staying = plan.outerCount == 4 ? 2 : 1;

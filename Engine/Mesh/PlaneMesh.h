@@ -5,7 +5,7 @@
 /// and triangles of 24 bytes, and a byte of marks for each triangle, which only ties make use of.
 /// Fresh pages have to be cleared, and caches are small: each byte less is time.
 ///
-/// What algorithms ask of it is the same as of Mesh, but for borders, which it has not.
+/// What algorithms need of it is the same as of Mesh, but for borders, which it has not.
 #ifndef flipflop_PlaneMesh_h
 #define flipflop_PlaneMesh_h
 
@@ -50,7 +50,7 @@ struct PlaneMesh
 {
   PlaneTriangle* triangles = nullptr;
   PlaneVertex* vertices = nullptr;
-  std::uint8_t* ties = nullptr; ///< of each triangle: bit e tells that the edge e is flat
+  std::uint8_t* ties = nullptr; ///< of each triangle, bit e: the edge e is flat
 
   Vertex vertex(std::uint32_t v) const { return this->vertices[v].full(); }
   std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }

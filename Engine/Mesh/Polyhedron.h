@@ -35,7 +35,7 @@ struct Polyhedron
 
   Polyhedron() = default;
 
-  /// Room for a polyhedron without gaps.
+  /// Space for a polyhedron without gaps.
   Polyhedron(std::size_t vertexCount, std::size_t triangleCount)
     : vertices(vertexCount)
     , triangles(triangleCount)

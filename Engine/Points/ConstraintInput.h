@@ -46,7 +46,7 @@ inline void requireValid(const ConstraintView& constraints, std::int64_t pointCo
     });
 }
 
-/// No end is a point that is left out.
+/// No end is a point that is omitted.
 /// @param checkFinite there are such points
 /// @throw Error ConstraintPoint
 inline void requireFinite(

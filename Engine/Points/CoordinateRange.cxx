@@ -46,7 +46,7 @@ bool bitsOf(const CoordinateRange& range, int firstAxis, int endAxis, Bits& bits
 Arithmetic chooseArithmetic(const CoordinateRange& range)
 {
   // Expansions need, for coordinates that are multiples of 2^bottom below 2^top, 3 * bottom >=
-  // -1074 and 3 * (top + 4) <= 1023, with room for the halves of a product. A kernel point that is
+  // -1074 and 3 * (top + 4) <= 1023, with space for the halves of a product. A kernel point that is
   // computed is a rounded mean, or on a grid (see seekKernel): its bits reach lower than the
   // points', by no more than the 170 places left here. One that is given counts in the range.
   constexpr int lowestBottom = -300;
@@ -80,9 +80,9 @@ Arithmetic chooseArithmetic(const CoordinateRange& range)
 Arithmetic chooseLiftedArithmetic(const CoordinateRange& range)
 {
   // Expansions carry x * y * (x^2 + y^2 - w), four coordinates to the product, when its lowest bit
-  // is above 2^-1074 and it stays below 2^1023 with some room for sums.
+  // is above 2^-1074 and it stays below 2^1023 with some space for sums.
   constexpr int lowestProduct = -1000;
-  // Far from one either way the filters tell less.
+  // Far from one either way the filters decide less.
   constexpr int ordinaryTop = 40;
 
   Arithmetic result;

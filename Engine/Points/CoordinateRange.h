@@ -5,7 +5,7 @@
 ///
 /// Products of differences must neither overflow nor lose bits to underflow where expansions
 /// decide. Scaling by a power of two is exact and moves most inputs there. What still does not fit
-/// (1e-300 beside 1e300) is decided in wide integers.
+/// (1e-300 next to 1e300) is decided in wide integers.
 #ifndef flipflop_CoordinateRange_h
 #define flipflop_CoordinateRange_h
 

@@ -64,7 +64,7 @@ public:
     std::fill(this->high, this->high + 2, -std::numeric_limits<double>::infinity());
   }
 
-  /// Let the box hold a place.
+  /// Let the box hold a position.
   void add(const double* uv)
   {
     for (int i = 0; i < 2; ++i)
@@ -85,16 +85,16 @@ public:
   void prepare()
   {
     // Halved: the whole may overflow. One scale for both axes: in a thin box the points' order
-    // along it is what tells who is near.
+    // along it shows which are near.
     const double half =
       std::max(0.5 * this->high[0] - 0.5 * this->low[0], 0.5 * this->high[1] - 0.5 * this->low[1]);
     this->scale = half > 0 ? 0.5 * Steps / half : 0;
   }
 
-  /// Do all places coincide, or nearly so: their differences halved are zero?
+  /// Do all positions coincide, or nearly so: their differences halved are zero?
   bool isPoint() const { return !(this->scale > 0); }
 
-  /// How far along the curve a place is. Places with the same first bits are in one cell of a
+  /// How far along the curve a position is. Positions with the same first bits are in one cell of a
   /// quadtree, or in one half of a cell; a cell's steps along each axis are consecutive.
   std::uint32_t at(const double* uv) const
   {

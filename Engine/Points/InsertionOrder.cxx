@@ -19,7 +19,7 @@ namespace
 
 struct Keyed
 {
-  std::uint32_t key; ///< place along the curve
+  std::uint32_t key; ///< position along the curve
   std::uint32_t id;
 
   /// What they are sorted by.
@@ -150,7 +150,7 @@ private:
       keyed, keyed + count, [](const Keyed& k, unsigned int shift) { return k.digits() >> shift; });
     if (count == 0 || keyed[0].key == keyed[count - 1].key)
     {
-      return; // one place, or too near each other for differences
+      return; // one position, or too near each other for differences
     }
     for (std::size_t begin = 0, end = 0; begin < count; begin = end)
     {
@@ -183,7 +183,7 @@ private:
         {
           this->sortFew(keyed + begin, size);
         }
-        else if (size < count) // else all are at one place: ends of a box are buckets apart
+        else if (size < count) // else all are at one position: ends of a box are buckets apart
         {
           this->sort(keyed + begin, size);
         }

@@ -65,7 +65,7 @@ Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& s
 struct InsertionOrder
 {
   Buffer<std::uint32_t> ids;
-  std::vector<std::uint32_t> levelEnds; ///< places in ids, ascending; the last is their number
+  std::vector<std::uint32_t> levelEnds; ///< indices in ids, ascending; the last is their number
 };
 
 /// The order of points: a function of the points and the map alone.

@@ -13,7 +13,7 @@ namespace flipflop
 namespace
 {
 
-/// Lines along an axis, by their place in the other two.
+/// Lines along an axis, by their position in the other two.
 class Lines
 {
 public:
@@ -36,7 +36,7 @@ public:
 
   void add(const double* x, std::uint32_t id)
   {
-    // Zeros of both signs are one place.
+    // Zeros of both signs are one position.
     const double u = x[this->axis[1]] + 0.0;
     const double v = x[this->axis[2]] + 0.0;
     const double along = x[this->axis[0]];

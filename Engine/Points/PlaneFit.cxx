@@ -27,7 +27,7 @@ using Matrix = std::array<Vector, 3>;
 constexpr std::int64_t OfOneThread = 1 << 16;
 constexpr std::int64_t OfAllThreads = 1 << 20;
 
-/// What a task looks at.
+/// What a task examines.
 constexpr std::size_t PointsPerTask = 1 << 14;
 
 bool isFinite(const Vector& p)

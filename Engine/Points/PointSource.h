@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The caller's points as the engine reads them: three doubles each, x, y and z or the weight,
-/// scaled by a power of two where the range asks.
+/// scaled by a power of two where the range requires it.
 #ifndef flipflop_PointSource_h
 #define flipflop_PointSource_h
 

@@ -31,7 +31,7 @@ struct PointSubset
 
   std::uint32_t idAt(std::uint32_t i) const { return this->ids ? this->ids[i] : i; }
 
-  /// use(id) for the points from place @p begin to @p end that are to be looked at.
+  /// use(id) for the points from index @p begin to @p end that are to be examined.
   template <class Use>
   void eachWanted(
     const PointSource& source, std::uint32_t begin, std::uint32_t end, Use&& use) const

@@ -17,7 +17,7 @@ namespace flipflop
 constexpr std::uint32_t LeastSampled = 2048;
 
 /// A sample of @p count points, one from each of @p size strata, chosen by a hash: ascending
-/// places.
+/// indices.
 inline std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size)
 {
   std::vector<std::uint32_t> indices(size);
@@ -36,7 +36,7 @@ inline std::vector<std::uint32_t> sample(std::uint32_t count, std::uint32_t size
 using Samples = std::vector<std::vector<std::uint32_t>>;
 
 /// The nested samples of an input, largest first; empty for a small one. A sample is sampled from
-/// half that size on: growing it tells what growing the input will cost (see Builder).
+/// half that size on: growing it shows what growing the input will cost (see Builder).
 inline Samples nestedSamples(std::uint32_t count)
 {
   Samples samples;

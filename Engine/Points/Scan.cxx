@@ -136,7 +136,7 @@ void scanOneByOne(
 }
 
 /// As the points lie in memory.
-/// @return how many were looked at; 0 also when one of them is not finite
+/// @return how many were examined; 0 also when one of them is not finite
 std::uint32_t scanPacked(
   const PointSource& source, std::uint32_t begin, std::uint32_t end, CoordinateRange& range)
 {
@@ -207,7 +207,7 @@ ScanResult ScanSum::result() const
   ScanResult result = this->sum;
   for (int i = 0; i < 3; ++i)
   {
-    // Of two zeros, whichever thread came first: only one of them is told.
+    // Of two zeros, whichever thread came first: only one of them is reported.
     result.range.low[i] += 0.0;
     result.range.high[i] += 0.0;
   }
@@ -236,7 +236,7 @@ namespace
 constexpr int UnitBlock = 256;
 
 /// Are all of a block's coordinates along an axis multiples of a unit? False also where one is so
-/// large that it takes another look.
+/// large that it needs another pass.
 FF_VECTOR_CLONES
 bool areMultiples(const double* x, double perUnit)
 {
@@ -288,7 +288,7 @@ public:
     return true;
   }
 
-  /// Does a block of points ask for no smaller unit? False also where that takes another look.
+  /// Does a block of points need no smaller unit? False also where that needs another pass.
   bool holdsBlock(std::uint32_t first) const
   {
     double x[3][UnitBlock];
@@ -326,7 +326,7 @@ double commonUnit(
 {
   const std::uint32_t count = source.count();
   CommonUnit common(source, least, most, checkFinite);
-  // A few points spread over the input tell nearly always.
+  // A few points spread over the input suffice nearly always.
   const std::uint32_t step = std::max(1u, count / 64);
   for (std::uint64_t id = 0; id < count; id += step)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// First looks at the input: ranges, non-finite points, a common unit.
+/// The scan of the input: ranges, non-finite points, a common unit.
 #ifndef flipflop_Scan_h
 #define flipflop_Scan_h
 
@@ -29,10 +29,10 @@ class ScanSum
 public:
   ScanSum();
 
-  /// Look at the points from @p begin on, before @p end. They are not scaled.
+  /// Add the points from @p begin on, before @p end. They are not scaled.
   void add(const PointSource& source, std::uint32_t begin, std::uint32_t end);
 
-  /// Of all that were looked at.
+  /// Of all that were added.
   ScanResult result() const;
 
 private:
@@ -40,8 +40,7 @@ private:
   ScanResult sum;
 };
 
-/// Who looks at all points first. An engine may take them along meanwhile: then the input is read
-/// once.
+/// Scans all points first. An engine may copy them meanwhile: then the input is read once.
 class PointScanner
 {
 public:

@@ -42,7 +42,7 @@ private:
   }
 };
 
-/// Two lines' meeting: the place times the denominator, which is positive.
+/// Two lines' meeting: the position times the denominator, which is positive.
 template <class Arithmetic>
 struct Meeting
 {
@@ -124,7 +124,8 @@ int CellCutter::signOfRounded(const double* x) const
   {
     const double way = x[k] - this->center.x[k];
     sum -= this->normal[k] * way;
-    // The place itself is off by half a unit, and that by no less than of the least normal number.
+    // The position itself is off by half a unit, and that by no less than of the least normal
+    // number.
     size += std::fabs(this->normal[k]) * (std::fabs(way) + std::fabs(x[k]) + 0x1p-1022);
   }
   const double error = 0x1p-49 * size;

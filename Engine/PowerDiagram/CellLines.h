@@ -4,9 +4,9 @@
 /// The lines that bound a power cell in a polygon, and on which side of one a corner of two others
 /// is: exact at any scale.
 ///
-/// A line is n.x = c for places x relative to the cell's site, and the cell has n.x <= c. Two lines
-/// that turn left, D = n1 x n2 > 0, meet at (c1 n2y - c2 n1y, c2 n1x - c1 n2x) / D. That place is
-/// within a third line where
+/// A line is n.x = c for positions x relative to the cell's site, and the cell has n.x <= c. Two
+/// lines that turn left, D = n1 x n2 > 0, meet at (c1 n2y - c2 n1y, c2 n1x - c1 n2x) / D. That
+/// position is within a third line where
 ///
 ///     | n1x n1y c1 |
 ///     | n2x n2y c2 |
@@ -21,10 +21,10 @@
 namespace flipflop
 {
 
-/// The line of equal power to a cell's site and another, or the line through two places.
+/// The line of equal power to a cell's site and another, or the line through two positions.
 struct CellLine
 {
-  const PowerSite* other; ///< null: through two places
+  const PowerSite* other; ///< null: through two positions
   const double* from;     ///< with the cell on the left of the way from one to the other
   const double* to;
 };
@@ -38,8 +38,8 @@ class CellCutter
 public:
   CellCutter(const PowerSite& site, const PowerSite& other);
 
-  /// Is a place certainly within the line: 1, or beyond: -1? Else 0.
-  /// @param x the place, each coordinate rounded to nearest
+  /// Is a position certainly within the line: 1, or beyond: -1? Else 0.
+  /// @param x the position, each coordinate rounded to nearest
   int signOfRounded(const double* x) const;
 
   /// The meeting of two lines, which turn left, is within the line: 1, on it: 0, beyond: -1.

@@ -3,7 +3,7 @@
 /// @file
 /// Cells are rings of edges, and every edge inside the box is there once in either direction. Each
 /// step keeps that: to merge two corners, to cut a ring along a diagonal, to join two rings at an
-/// edge. Rings that pair so have the box for their sum, whatever their corners' places; once each
+/// edge. Rings that pair so have the box for their sum, wherever their corners are; once each
 /// is simple and turns left, they fill it without gap or overlap. Merging and joining take edges
 /// away, and cuts are counted, so the repair ends.
 #include "PowerDiagram/CellRepair.h"
@@ -95,7 +95,7 @@ private:
     Ring& ring = this->rings[l];
     if (this->isOnOneSide(ring))
     {
-      ring.clear(); // what is left of it is the others' border
+      ring.clear(); // what remains of it is the others' border
     }
     if (ring.empty())
     {
@@ -414,8 +414,8 @@ private:
     return true;
   }
 
-  /// Where a piece of @p k corners that has a reflex corner in it or beside it may begin: the place
-  /// before it.
+  /// Where a piece of @p k corners that has a reflex corner in it or next to it may begin: the
+  /// position before it.
   std::vector<std::size_t> cutIndices(const Ring& ring, std::size_t k) const
   {
     const std::size_t count = ring.size();
@@ -447,7 +447,7 @@ private:
     }
     else if (!this->isPiece(l) && !this->isCut)
     {
-      // All that is left, and yet not the box.
+      // All that remains, and yet not the box.
       throw badArgument(NotATriangulation, this->cells.ids[l]);
     }
     this->rings[l].clear();

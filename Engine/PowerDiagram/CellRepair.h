@@ -37,13 +37,13 @@ bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor);
 
 /// Make every cell a simple polygon, counter-clockwise, so that the cells fill the box exactly; for
 /// the means see PowerDiagram. Where every cell is convex already, nothing changes; else corners
-/// are numbered anew, in order of first use.
+/// are renumbered, in order of first use.
 ///
 /// @param cells    as rounded, also those without an inside
 /// @param box      x least, x greatest, y least, y greatest; around the polygon
-/// @param monitor  is asked whether to stop
+/// @param monitor  is polled
 /// @param polygon  what the cells fill, if not the box: its corners stay. Its border is rounded: a
-///                 cell without an inside that no other can take is left out
+///                 cell without an inside that no other can take is omitted
 void repairCells(RoundedCells& cells, const double* box, Monitor& monitor,
   const std::vector<double>* polygon = nullptr);
 

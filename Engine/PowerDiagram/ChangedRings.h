@@ -48,7 +48,7 @@ public:
     return list;
   }
 
-  /// Null where it was never asked for.
+  /// Null where it was never requested.
   const Ring* find(Index i) const
   {
     const auto found = this->changed.find(i);

@@ -35,7 +35,7 @@ public:
   void add(std::int64_t id, CellPolygon& cell);
 
   std::size_t facetCount;
-  std::vector<std::uint32_t> corners; ///< of every cell: a facet, or facetCount and a place in cut
+  std::vector<std::uint32_t> corners; ///< of every cell: a facet, or facetCount and an index in cut
   std::vector<Position> cut;          ///< corners that the box made
   std::vector<std::uint32_t> sizes;   ///< of cells
   std::vector<std::int64_t> ids;      ///< of their sites

@@ -14,7 +14,7 @@ namespace flipflop
 {
 
 /// The x and y of each corner, counter-clockwise, in the order given; of a box from the least x and
-/// y on. Corners that are no bend are left out.
+/// y on. Corners that are no bend are omitted.
 /// @throw Error BadArgument (no data; a box that is empty or not finite), NotConvex
 std::vector<double> domainCorners(const ConvexDomain& domain);
 

@@ -19,7 +19,7 @@
 namespace flipflop
 {
 
-/// A half-edge is a place in the connectivity: it leaves the corner there. All indices must be in
+/// A half-edge is an index in the connectivity: it leaves the corner there. All indices must be in
 /// range, and below NoIndex; whatever else is wrong with a complex, walk() finds.
 class FacetRings
 {
@@ -64,7 +64,7 @@ public:
 
   private:
     friend class FacetRings;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> byDestination; ///< places around the site
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> byDestination; ///< indices around the site
     std::vector<std::uint32_t> following;                               ///< of each its next
     std::vector<std::uint8_t> follows;
   };

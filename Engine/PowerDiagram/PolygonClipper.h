@@ -42,8 +42,8 @@ public:
 private:
   using Index = std::uint32_t;
 
-  /// A corner, linked to the next ones. Its line is that of the edge to the next corner: a place in
-  /// the list of neighbours, or a side of the polygon.
+  /// A corner, linked to the next ones. Its line is that of the edge to the next corner: a position
+  /// in the list of neighbours, or a side of the polygon.
   struct Node
   {
     double x[2];
@@ -82,7 +82,7 @@ private:
   Index at = 0; ///< a corner of the cell, at the end of the last cut; NoIndex: the cell is empty
 };
 
-/// Is every place that rounds to @p x in the polygon? False where that is not certain.
+/// Is every position that rounds to @p x in the polygon? False where that is not certain.
 bool surelyHolds(const std::vector<double>& polygon, const double* x);
 
 }

@@ -19,7 +19,7 @@
 namespace flipflop
 {
 
-/// What a task looks at.
+/// What a task examines.
 constexpr std::size_t SitesPerTask = 1 << 12;
 constexpr std::size_t FacetsPerTask = 1 << 13;
 
@@ -63,7 +63,7 @@ inline Buffer<PowerSite> loadSites(
   return sites;
 }
 
-/// The cells' corners are in range, and each cell has as many as the dimension asks for.
+/// The cells' corners are in range, and each cell has as many as the dimension requires.
 /// @throw Error BadArgument
 inline void checkCells(const CellComplex& t)
 {

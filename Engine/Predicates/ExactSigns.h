@@ -19,8 +19,14 @@
 namespace flipflop
 {
 
-/// The last row of a determinant: a point (Count 1), or four points whose sum stands for their
-/// centroid (Count 4), the symbolic kernel point. The coordinates stay the caller's.
+/// The last row of a determinant, by its point: d of orient3(), c of orient2().
+///
+///                 | bx - ax   by - ay   bz - az |
+///   orient3 = det | cx - ax   cy - ay   cz - az |     orient2 = det | bp - ap   bq - aq |
+///                 | dx - ax   dy - ay   dz - az |                   | cp - ap   cq - aq |
+///
+/// It is a point (Count 1), or four points whose sum stands for their centroid (Count 4), the
+/// symbolic kernel point. The coordinates stay the caller's.
 template <int Count>
 struct DeterminantRow
 {
@@ -45,7 +51,7 @@ FF_HD inline Expansion<16> minor(const Expansion<2>* u, const Expansion<2>* v, i
   return sum(product(u[p], v[q]), product(u[q], v[p]), -1.0);
 }
 
-/// Do the points lie on a line for a reason that comparisons tell: it is parallel to an axis, or
+/// Do the points lie on a line for a reason that comparisons show: it is parallel to an axis, or
 /// two of them are at one position?
 FF_HD FF_INLINE bool collinearAtAGlance(const double* a, const double* b, const double* c)
 {
@@ -65,7 +71,7 @@ FF_HD FF_INLINE bool collinearAtAGlance(const double* a, const double* b, const 
 struct ExpansionSigns
 {
   /// Sign of det[b - a; c - a; d - a]. Most of what the floating-point filter leaves open is not
-  /// zero, only small: twice its precision tells, at a fraction of the expansions' cost. What is
+  /// zero, only small: twice its precision decides, at a fraction of the expansions' cost. What is
   /// zero mostly comes of points on one edge of a box, or fits integers of fixed size.
   template <int Count>
   FF_HD FF_OUTLINED static int orient3(

@@ -35,8 +35,8 @@ FF_HD inline void splitHalves(double a, double& high, double& low)
   low = a - high;
 }
 
-/// high + low = a * b exactly, high the rounded product (Dekker; no fused multiply-add is asked of
-/// the machine, so every processor and the device give the same components).
+/// high + low = a * b exactly, high the rounded product (Dekker; no fused multiply-add is required
+/// of the machine, so every processor and the device give the same components).
 FF_HD inline void twoProduct(double a, double b, double& high, double& low)
 {
   high = a * b;
@@ -80,7 +80,7 @@ FF_HD inline Expansion<2> difference(double a, double b)
 namespace detail
 {
 
-/// h = e + factor * f, for factor 1 or -1; h has room for both.
+/// h = e + factor * f, for factor 1 or -1; h has space for both.
 /// @return the length of h
 FF_HD FF_OUTLINED inline int sumInto(
   const double* e, int eLength, const double* f, int fLength, double factor, double* h)
@@ -122,7 +122,7 @@ FF_HD FF_OUTLINED inline int sumInto(
   return length;
 }
 
-/// h = e * b; h has room for twice as many.
+/// h = e * b; h has space for twice as many.
 /// @return the length of h
 FF_HD FF_OUTLINED inline int scaleInto(const double* e, int eLength, double b, double* h)
 {

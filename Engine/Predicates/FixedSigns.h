@@ -15,8 +15,8 @@
 #include <cmath>
 #include <cstdint>
 
-// Where the compiler has no integers of 128 bits, expansions tell the signs: the same, later. A
-// build can ask for that (FLIPFLOP_NO_INT128).
+// Where the compiler has no integers of 128 bits, expansions decide the signs: the same, later. A
+// build can request that (FLIPFLOP_NO_INT128).
 #if defined(__SIZEOF_INT128__) && !defined(FLIPFLOP_NO_INT128)
 #define FLIPFLOP_HAS_FIXED_SIGNS 1
 #else
@@ -135,7 +135,7 @@ FF_HD inline int fixedDeterminant(
   return sum.sign();
 }
 
-/// Sign of det[b - a; c - a; d - a], where it can be told so.
+/// Sign of det[b - a; c - a; d - a], where it can be decided so.
 FF_HD FF_OUTLINED inline bool fixedOrient3(
   const double* a, const double* b, const double* c, const double* d, int& sign)
 {

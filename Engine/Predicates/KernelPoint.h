@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the kernel point is: at a place that a double names, or at the exact centroid of four
-/// points, which none need name (see Row).
+/// Where the kernel point is: at a position that a double names, or at the exact centroid of four
+/// points, which none need name (see DeterminantRow).
 #ifndef flipflop_KernelPoint_h
 #define flipflop_KernelPoint_h
 
@@ -12,7 +12,7 @@
 namespace flipflop
 {
 
-/// @tparam Axes 3, or 2 for a place in the plane
+/// @tparam Axes 3, or 2 for a position in the plane
 template <int Axes>
 class KernelPoint
 {

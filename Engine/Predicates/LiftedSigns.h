@@ -94,8 +94,8 @@ struct LiftedSigns
 private:
   using Height = Expansion<18>;
 
-  /// Height of p over the plane that touches the paraboloid at a's place, and passes through a: the
-  /// determinant of orient3 has the columns x and y too, so such a plane makes no difference.
+  /// Height of p over the plane that touches the paraboloid at a's position, and passes through a:
+  /// the determinant of orient3 has the columns x and y too, so such a plane makes no difference.
   FF_HD static Height heightOver(const double* a, const double* p, const Expansion<2>* u)
   {
     const auto square = sum(product(u[0], u[0]), product(u[1], u[1]));

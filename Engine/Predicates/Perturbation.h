@@ -42,7 +42,7 @@ struct MovedInPlane
 };
 
 /// Lifted points, in the order of the moves: the heights of all four rows first (entries 0 to 3),
-/// each by rank; then the places, as in MovedInPlane. A height's minor is an orientation in the
+/// each by rank; then the positions, as in MovedInPlane. A height's minor is an orientation in the
 /// plane. So a tie of four points no three of which are collinear is decided by one such
 /// orientation.
 struct MovedByHeight

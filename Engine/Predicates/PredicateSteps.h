@@ -14,7 +14,7 @@
 namespace flipflop
 {
 
-/// What a geometry counts while it answers. It is copied for each task.
+/// What a geometry counts while it decides. It is copied for each task.
 struct PredicateCounts
 {
   std::int64_t exact = 0; ///< signs that the floating-point filter left undecided

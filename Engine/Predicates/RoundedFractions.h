@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Two arithmetics for polynomials of coordinates and weights: a quick one, which knows how far off
-/// it may be and says when it cannot tell, and an exact one in integers.
+/// it may be and says when it cannot decide, and an exact one in integers.
 ///
 /// A recipe is a template over the arithmetic k, and so is written once. It takes differences of
 /// coordinates (k.difference) and forms polynomials up to degree six of them with + - and *. Then
-/// it asks for a sign (k.sign), or rounds a fraction of degree three to the nearest double
-/// (k.round). It returns what that returns: false, where k cannot tell.
+/// it calls for a sign (k.sign), or rounds a fraction of degree three to the nearest double
+/// (k.round). It returns what that returns: false, where k cannot decide.
 ///
 /// It takes Boost's headers along, so few files include it.
 #ifndef flipflop_RoundedFractions_h
@@ -28,7 +28,7 @@
 namespace flipflop
 {
 
-/// What bounded numbers ask of their values.
+/// What bounded numbers require of their values.
 /// @{
 inline double leading(double a)
 {
@@ -80,7 +80,7 @@ struct Bounded
   }
 };
 
-/// The quick arithmetic: says when it cannot tell. In double-double it tells nearly always.
+/// The quick arithmetic: says when it cannot decide. In double-double it decides nearly always.
 template <class Value = DoubleDouble>
 class BoundedArithmetic
 {
@@ -124,14 +124,14 @@ public:
     }
   }
 
-  /// @return false when it cannot tell
+  /// @return false when it cannot decide
   static bool sign(const Number& a, int& result)
   {
     result = leading(a.value) > 0.0 ? 1 : -1;
     return std::fabs(leading(a.value)) > 1.001 * a.error;
   }
 
-  /// base + numerator / denominator, rounded to nearest; false when it cannot tell which is.
+  /// base + numerator / denominator, rounded to nearest; false when it cannot decide which is.
   static bool round(double base, const Number& numerator, const Number& denominator, double& result)
   {
     const double size = std::fabs(denominator.value.high);
@@ -352,9 +352,9 @@ constexpr int BitsOfSites = 160;
 static_assert(6 * (BitsOfSites + 2) + 2 < int(StackBits), "the integers are too short");
 
 /// The sign of a formula.
-/// @param formula   bool (arithmetic, int& sign): false where it cannot tell
-/// @param findRange ExponentRange (): of its lengths; seldom asked for
-/// @throw Error     BadArgument where integers cannot tell: the sites are not as they should be
+/// @param formula   bool (arithmetic, int& sign): false where it cannot decide
+/// @param findRange ExponentRange (): of its lengths; seldom requested
+/// @throw Error     BadArgument where integers cannot decide: the sites are not as they should be
 template <class Formula, class FindRange>
 int exactSign(const Formula& formula, const FindRange& findRange)
 {

@@ -122,7 +122,7 @@ private:
     this->cut(0);
   }
 
-  /// The path from that place on is a ring.
+  /// The path from that index on is a ring.
   void cut(std::uint32_t from)
   {
     const auto begin = this->path.begin() + from;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Which corner of a hull is the farthest in a direction? Uphill over the edges, from a corner that
-/// a cube map of directions tells.
+/// a cube map of directions shows.
 ///
 /// A corner is extreme in a convex cone of directions. So where one is the only extreme corner in
 /// the four directions at the corners of a map's cell, it is in all directions of the cell, and

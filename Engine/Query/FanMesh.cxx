@@ -19,7 +19,7 @@ namespace
 
 using Geometry = LiftedGeometry<true>;
 
-/// Rings number half-edges by their place in the connectivity, three to a triangle.
+/// Rings number half-edges by their index in the connectivity, three to a triangle.
 std::uint32_t halfEdgeOf(std::uint32_t index)
 {
   return halfEdge(index / 3, static_cast<int>(index % 3));

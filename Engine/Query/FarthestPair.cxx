@@ -106,7 +106,7 @@ private:
     bool any = false;
     double square = 0;
     CornerPair pair;
-    std::uint32_t leaves = 0; ///< pairs of them that were looked at
+    std::uint32_t leaves = 0; ///< pairs of them that were examined
   };
 
   const double* at(std::uint32_t corner) const { return this->frame.at(corner); }
@@ -167,7 +167,7 @@ private:
       use(NodePair{ 2 * a + 1, 2 * a + 1 });
       use(NodePair{ 2 * a + 2, 2 * a + 2 });
     }
-    else if (a < b) // the larger one: it is higher up, or beside the other
+    else if (a < b) // the larger one: it is higher up, or next to the other
     {
       use(NodePair{ 2 * a + 1, b });
       use(NodePair{ 2 * a + 2, b });

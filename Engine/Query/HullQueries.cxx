@@ -49,8 +49,8 @@ double distanceBetween(const Vertex& a, const Vertex& b, int exponent)
 }
 
 /// use (std::uint32_t query, const double* x, const Placed&) for some queries; the triangle of
-/// those outside the box is NoIndex. The others are looked at a block at a time: the locator
-/// dismisses those deep inside, what is left walks.
+/// those outside the box is NoIndex. The others are examined a block at a time: the locator
+/// dismisses those deep inside, what remains walks.
 template <class Use>
 void eachLocated(const PreparedHull& model, const QueryRun& run, const HullLocator* locator,
   std::uint32_t begin, std::uint32_t end, const Use& use)
@@ -59,7 +59,7 @@ void eachLocated(const PreparedHull& model, const QueryRun& run, const HullLocat
   const HullGeometry local = model.geometry();
   HullLocator::Block block;
   double x[3][Size];
-  std::uint32_t from[Size]; // of the block's points: their place in x
+  std::uint32_t from[Size]; // of the block's points: their index in x
   const int exponent = model.scaleExponent();
   for (std::uint32_t first = begin; first < end; first += Size)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A part that is made when it is first asked for, by whichever thread asks first.
+/// A part that is made when it is first requested, by whichever thread is first.
 #ifndef flipflop_Lazy_h
 #define flipflop_Lazy_h
 
@@ -15,7 +15,7 @@ template <class T>
 class Lazy
 {
 public:
-  /// @param make std::unique_ptr<T> (); what it throws comes out, and the next call makes it anew
+  /// @param make std::unique_ptr<T> (); what it throws comes out, and the next call makes it again
   template <class Make>
   const T& get(const Make& make) const
   {

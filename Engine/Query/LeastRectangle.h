@@ -3,7 +3,7 @@
 /// @file
 /// The rectangle of least area around points in the plane: one of its sides runs along a side of
 /// their hull (H. Freeman, R. Shapira, 1975), and calipers that turn around the hull find it (G.
-/// Toussaint, 1983). Rounded: what matters is measured again by who asks.
+/// Toussaint, 1983). Rounded: what matters is measured again by the caller.
 #ifndef flipflop_LeastRectangle_h
 #define flipflop_LeastRectangle_h
 

@@ -22,7 +22,7 @@ namespace flipflop
 namespace
 {
 
-/// @param corner const double* (i): the place of corner i
+/// @param corner const double* (i): the position of corner i
 template <class Corner>
 void measure(std::int64_t count, const Corner& corner, double* area, double* centroid)
 {

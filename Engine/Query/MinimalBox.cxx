@@ -45,7 +45,7 @@ bool normalise(double* v)
   return length > 1e-12;
 }
 
-/// Two axes beside a given one.
+/// Two axes next to a given one.
 void complete(const double* axis, double* second, double* third)
 {
   int least = 0;

@@ -7,7 +7,7 @@
 /// small hulls all pairs of edges are tried, and the box turned about each. Besides, boxes with one
 /// axis given are found exactly, by the least rectangle around the projection: along facets'
 /// normals, edges, and directions in between. The best of these are improved by turns: each axis of
-/// the box is kept in turn, and the two others are chosen anew.
+/// the box is kept in turn, and the two others are chosen again.
 #ifndef flipflop_MinimalBox_h
 #define flipflop_MinimalBox_h
 

@@ -4,12 +4,12 @@
 /// Natural neighbour coordinates (R. Sibson, 1981), also of weighted points: insert the query; the
 /// share of a site is the area that the query's power cell takes from the site's.
 ///
-/// Which triangles the query would remove (the region) is told by exact signs. What it takes from a
-/// site a is a convex polygon: from the center of the query and the edge by which the region begins
-/// at a, over the power centers of a's triangles in the region, to the center of the query and the
-/// edge by which it ends. Centers may be far away, and the polygon thin, so no center is computed.
-/// The sides of the polygon are perpendicular to the edges at a, and each is a known multiple of
-/// its edge:
+/// Which triangles the query would remove (the region) is decided by exact signs. What it takes
+/// from a site a is a convex polygon: from the center of the query and the edge by which the region
+/// begins at a, over the power centers of a's triangles in the region, to the center of the query
+/// and the edge by which it ends. Centers may be far away, and the polygon thin, so no center is
+/// computed. The sides of the polygon are perpendicular to the edges at a, and each is a known
+/// multiple of its edge:
 ///
 ///   from a triangle t to the next one across an edge: -I(t, d) / (A(t) A(next)), d the corner of
 ///     the next one opposite the edge
@@ -235,7 +235,7 @@ private:
       : none - this->values.heightAbove(a.x, b.x, c.x, d.x);
   }
 
-  /// The place in the region of the triangle beyond a half-edge; NoIndex: it is not in there.
+  /// The index in the region of the triangle beyond a half-edge; NoIndex: it is not in there.
   std::uint32_t across(std::uint32_t h) const
   {
     const std::uint32_t twin = this->mesh.twin(h);

@@ -3,7 +3,7 @@
 /// @file
 /// Offsets from a point, times a power of two that makes the longest about one. Differences come
 /// first, so that a small hull far from the origin loses nothing; only where they overflow, or are
-/// large, are the coordinates scaled before. What is lost then is too small to count beside them.
+/// large, are the coordinates scaled before. What is lost then is too small to count against them.
 #ifndef flipflop_OffsetFrame_h
 #define flipflop_OffsetFrame_h
 

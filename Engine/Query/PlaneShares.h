@@ -18,7 +18,7 @@
 namespace flipflop
 {
 
-/// They sum to 1, but for rounding. Empty: the place is outside.
+/// They sum to 1, but for rounding. Empty: the position is outside.
 struct PlaneShare
 {
   std::uint32_t site;

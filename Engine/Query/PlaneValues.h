@@ -3,9 +3,9 @@
 /// @file
 /// Areas and heights above circles, not only their signs: to far more places than a double has.
 ///
-/// They are taken in double-double, with a bound for the error; a value that is small beside its
-/// terms (flat triangles, points nearly on a circle) comes from exact integers. Where the range is
-/// too wide, or a sum cancels (see checkSum()), all of a computation is done again in
+/// They are taken in double-double, with a bound for the error; a value that is small compared with
+/// its terms (flat triangles, points nearly on a circle) comes from exact integers. Where the range
+/// is too wide, or a sum cancels (see checkSum()), all of a computation is done again in
 /// floating-point numbers of 50 digits and any range, and where that is too vague, too, in numbers
 /// of 4,400 bits. What is made of these values by products, quotients and sums of one sign is then
 /// right to the last places of a double.
@@ -79,7 +79,7 @@ public:
   static bool isPositive(const Number& x) { return x.high > 0.0 && std::isfinite(x.high); }
   static Size sizeOf(const Number& x) { return std::fabs(x.high); }
 
-  /// A sum of products of computed numbers, beside the sum of its terms' sizes: is it vague?
+  /// A sum of products of computed numbers, with the sum of its terms' sizes: is it vague?
   void checkSum(const Number& sum, Size terms)
   {
     this->vague = this->vague || (terms > 0 && !(std::fabs(sum.high) >= 0x1p-40 * terms));

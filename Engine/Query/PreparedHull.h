@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A hull as queries need it: corners in the arithmetic that carries them, the triangles between
-/// them with a kernel point inside, and what tells on which side of them a point is.
+/// them with a kernel point inside, and what decides on which side of them a point is.
 ///
 /// A point outside the corners' bounding box is outside. Any other point fits the arithmetic of the
 /// corners but for one thing: it may have lower bits. Where these are too low for the expansions,
-/// the point is judged in wide integers, among the corners as they were given.
+/// the point is classified in wide integers, among the corners as they were given.
 #ifndef flipflop_PreparedHull_h
 #define flipflop_PreparedHull_h
 
@@ -32,7 +32,7 @@
 namespace flipflop
 {
 
-/// What was told of a point.
+/// Where a point is.
 struct Location
 {
   Side side;
@@ -64,7 +64,7 @@ public:
   int scaleExponent() const { return this->arithmetic.scaleExponent; }
 
   ///@{
-  /// Made when first asked for.
+  /// Made when first requested.
   const HullLocator& locator(Monitor& monitor) const;
   const DirectionMap& directions(Monitor& monitor) const;
   const SurfaceTree& surface(Monitor& monitor) const;

@@ -18,7 +18,7 @@
 namespace flipflop
 {
 
-/// The sites that a place is at, or between: two of one index, where it is at a site.
+/// The sites that a position is at, or between: two of one index, where it is at a site.
 struct ChainLocation
 {
   std::uint32_t from = NoIndex; ///< index of a site; NoIndex: off the chain

@@ -22,7 +22,7 @@ SiteLocator::SiteLocator(const Sites& points, const FanMesh& fans, Monitor& moni
     [&poll] { poll.step(); });
 }
 
-/// @param onSides a bit for each side of the triangle that the place is on
+/// @param onSides a bit for each side of the triangle that the position is on
 MeshLocation SiteLocator::lowest(std::uint32_t t, int onSides) const
 {
   if (onSides == 0)

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where in a triangulation is a place, and which site is nearest? A grid tells a start; from there
-/// a walk leads on by exact signs.
+/// Where in a triangulation is a position, and which site is nearest? A grid yields a start; from
+/// there a walk leads on by exact signs.
 ///
-/// Places beyond the triangle's side walk over it: of a regular triangulation no such walk goes
+/// Positions beyond the triangle's side walk over it: of a regular triangulation no such walk goes
 /// round, and over the border it leaves the hull. Where fixed edges are not regular, the walk is a
 /// straight one. The nearest site is where no neighbour is nearer,
 /// for the neighbours' lines of equal power alone bound a power cell. Of sites that are level, two
@@ -28,7 +28,7 @@
 namespace flipflop
 {
 
-/// Where a place is: in a triangle, on an edge or at a corner. Of several triangles the lowest.
+/// Where a position is: in a triangle, on an edge or at a corner. Of several triangles the lowest.
 struct MeshLocation
 {
   enum Kind
@@ -51,7 +51,7 @@ public:
   /// @param mesh of the sites, not empty; both must outlive the locator
   SiteLocator(const Sites& sites, const FanMesh& mesh, Monitor& monitor);
 
-  /// @param place in the sites' box
+  /// @param position in the sites' box
   template <class Space>
   MeshLocation locate(const Space& space, const double* position) const
   {

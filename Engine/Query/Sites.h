@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The visible points of a triangulation as vertices, and the arithmetic that a query beside them
+/// The visible points of a triangulation as vertices, and the arithmetic that a query next to them
 /// takes.
 ///
-/// Sites are scaled as their own range asks. Nearly all queries fit that range, and are scaled
+/// Sites are scaled as their own range requires. Nearly all queries fit that range, and are scaled
 /// alike. One that does not (1e-200 among sites about 1) is decided in wide integers, with the
 /// sites as they were given: so each query takes the arithmetic that it needs, whatever others are
 /// asked with it.
@@ -43,14 +43,14 @@ public:
 
   const Geometry& scaledGeometry() const { return this->geometry; }
 
-  /// Is a place, as given, in the box of the sites? (Outside it is outside of their hull.)
+  /// Is a position, as given, in the box of the sites? (Outside it is outside of their hull.)
   bool inBox(const double* position) const
   {
     return position[0] >= this->low[0] && position[0] <= this->high[0] &&
       position[1] >= this->low[1] && position[1] <= this->high[1];
   }
 
-  /// The nearest place in the box.
+  /// The nearest position in the box.
   void intoBox(double* position) const
   {
     for (int i = 0; i < 2; ++i)
@@ -61,7 +61,7 @@ public:
     }
   }
 
-  /// A place scaled as the sites are; rounded where it does not fit.
+  /// A position scaled as the sites are; rounded where it does not fit.
   Vertex scaled(const double* position) const
   {
     return { { std::ldexp(position[0], this->exponent), std::ldexp(position[1], this->exponent),
@@ -72,7 +72,7 @@ public:
 private:
   friend class SiteSigns;
 
-  /// Do the expansions that suit the sites carry a place, too?
+  /// Do the expansions that suit the sites carry a position, too?
   bool fits(const double* position) const
   {
     return !this->geometry.isWide() && this->fits(position[0]) && this->fits(position[1]);
@@ -98,7 +98,7 @@ private:
   double high[2] = { 0, 0 };
 };
 
-/// The exact signs of places beside sites: for one task, as it counts.
+/// The exact signs of positions next to sites: for one task, as it counts.
 class SiteSigns
 {
 public:
@@ -142,7 +142,7 @@ public:
     }
   };
 
-  /// use(space): in the space that carries @p place, which is its query.
+  /// use(space): in the space that carries @p position, which is its query.
   template <class Use>
   auto withSpace(const double* position, Use&& use) const
   {
@@ -153,7 +153,7 @@ public:
     return this->withWideSpace(position, use);
   }
 
-  /// The same in the space that carries all places and weights.
+  /// The same in the space that carries all positions and weights.
   template <class Use>
   auto withWideSpace(const double* position, Use&& use) const
   {

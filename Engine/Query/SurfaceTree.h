@@ -5,10 +5,10 @@
 ///
 /// From outside, a walk over the surface leads to the nearest point: where no edge around leads
 /// nearer, a plane that holds the hull behind it proves that nothing else is. From inside, branch
-/// and bound over a tree of the triangles: a node knows its box, and a slab beneath which none of
+/// and bound over a tree of the triangles: a node has its box, and a slab beneath which none of
 /// its points is, which is tight where the surface is smooth. The nearest triangle's plane is as
 /// near as the triangle, and no plane is nearer than the surface, so heights above planes are all
-/// that is asked of triangles there.
+/// that is computed of triangles there.
 ///
 /// Where the walk comes to a thin triangle or gets lost in rounding, and in lower dimensions, the
 /// tree gives the distance, too. A polygon is cut into triangles there; the border of a polygon in
@@ -91,7 +91,7 @@ private:
   double squareByTree(const OffsetFrame& frame, bool inside) const;
   const Element& elementOf(std::uint32_t t) const { return this->elements[this->slotOf[t]]; }
 
-  Buffer<Element> elements;     ///< by place in the tree; corners as they were given
+  Buffer<Element> elements;     ///< by slot in the tree; corners as they were given
   Buffer<std::uint32_t> slotOf; ///< by triangle
   Buffer<Slab> slabs;           ///< by node, in dimension 3
   const Triangle* triangles;    ///< of the hull; null below dimension 3

@@ -25,12 +25,12 @@ public:
 
   void clear()
   {
-    constexpr std::size_t Few = 64; // quickly cleared, and room for most queries
+    constexpr std::size_t Few = 64; // quickly cleared, and space for most queries
     this->slots.assign(Few, NoIndex);
     this->members.clear();
   }
 
-  /// The place in the order; NoIndex: it is not in the set.
+  /// The index in the order; NoIndex: it is not in the set.
   std::uint32_t find(std::uint32_t t) const { return this->slots[this->slotOf(t)]; }
 
   /// @param t not in the set
@@ -62,7 +62,7 @@ private:
   }
 
   std::vector<std::uint32_t> members;
-  std::vector<std::uint32_t> slots; ///< places among the members
+  std::vector<std::uint32_t> slots; ///< indices among the members
 };
 
 }

@@ -24,12 +24,12 @@ namespace flipflop
 namespace
 {
 
-/// Answer each query about a place. Many are answered along a curve, so that one finds what it
+/// Evaluate each query. Many are answered along a curve, so that one finds what it
 /// needs in the cache, where the one before left it. An answer depends on its query alone, so the
 /// order and the threads do not matter to it.
-/// @param answers    room for one a query
-/// @param makeAnswer answer (): for a task; answer(i, place) is called for each query, where place
-///                   is null for one that is not finite
+/// @param answers    space for one a query
+/// @param makeAnswer answer (): for a task; answer(i, position) is called for each query, where
+///                   position is null for one that is not finite
 /// @throw Error BadArgument, NonFinite, TooManyPoints, OutOfMemory, Aborted
 template <class MakeQuery>
 void eachPosition(
@@ -182,8 +182,8 @@ public:
     }
   }
 
-  /// What each query's place has in @p results, a number a query.
-  /// @param find std::int64_t (signs, place)
+  /// What each query's position has in @p results, a number a query.
+  /// @param find std::int64_t (signs, position)
   template <class Find>
   void findEach(
     const PointView& queries, std::int64_t* results, const Options& options, const Find& find) const
@@ -250,7 +250,8 @@ private:
     }
   }
 
-  /// The lowest cell that holds a place, by its number among those inside; NoIndex: there is none.
+  /// The lowest cell that holds a position, by its number among those inside; NoIndex: there is
+  /// none.
   std::uint32_t lowestCell(const MeshLocation& location) const
   {
     if (location.kind == MeshLocation::Outside)

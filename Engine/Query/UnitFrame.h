@@ -38,7 +38,7 @@ public:
     int longest = -Nothing;
     for (int k = 0; k < 3; ++k)
     {
-      // Halves, against overflow, along the axis that asks for them: elsewhere they could lose the
+      // Halves, against overflow, along the axis that requests them: elsewhere they could lose the
       // last bit of what is all there is.
       this->halvings[k] = high[k] - low[k] > 0x1p1000 ? 1 : 0;
       low[k] = std::ldexp(low[k], -this->halvings[k]);

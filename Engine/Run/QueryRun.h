@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A run that answers queries: threads, errors, progress, and points that are not finite.
+/// A run of queries: threads, errors, progress, and points that are not finite.
 #ifndef flipflop_QueryRun_h
 #define flipflop_QueryRun_h
 
@@ -45,7 +45,7 @@ void runOver(std::size_t items, const Options& options, Body&& body)
 class QueryRun : public Run
 {
 public:
-  /// @param dimension 3: points in space; 2: places in the plane
+  /// @param dimension 3: points in space; 2: positions in the plane
   QueryRun(const PointView& points, int dimension, const Options& options)
     : Run(points, dimension,
         dimension == 3 ? PointSource(points) : PointSource(points, WeightView()), options)
@@ -64,9 +64,9 @@ struct QueryResult
 
 /// Answer one query a point, on the run's threads.
 /// @param dimension of the space that the points are in
-/// @param answers room for one a point
-/// @param prepare void (QueryRun&): what all answers need
-/// @param answer  void (QueryRun&, std::uint32_t begin, std::uint32_t end)
+/// @param results space for one a point
+/// @param prepare void (QueryRun&): what all queries need
+/// @param query   void (QueryRun&, std::uint32_t begin, std::uint32_t end)
 /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
 template <class Prepare, class Query>
 void eachQuery(const PointView& queries, int dimension, const void* results, const Options& options,

@@ -69,7 +69,7 @@ protected:
   void setArithmetic(const Arithmetic& chosen);
 
   /// Look for a lattice that all points are on.
-  /// @param axes of places: the first
+  /// @param axes of positions: the first
   /// @param bits determinants are exact where differences are below 2^bits units
   Lattice findLattice(int axes, int bits);
 };

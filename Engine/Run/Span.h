@@ -14,7 +14,7 @@
 namespace flipflop
 {
 
-/// Points that span the input, as far apart as a few looks find: dimension + 1 of them, affinely
+/// Points that span the input, as far apart as a few passes find: dimension + 1 of them, affinely
 /// independent.
 struct Span
 {

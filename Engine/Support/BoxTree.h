@@ -109,12 +109,12 @@ public:
   const Box& box(std::size_t node) const { return this->boxes[node]; }
 
   ///@{
-  /// Places of a leaf's items.
+  /// Slots of a leaf's items.
   std::uint32_t begin(std::size_t leaf) const { return this->beginOf(leaf, this->levels); }
   std::uint32_t end(std::size_t leaf) const { return this->beginOf(leaf + 1, this->levels); }
   ///@}
 
-  /// use (node, begin, end) for each node: the places of its items.
+  /// use (node, begin, end) for each node: the slots of its items.
   template <class Use>
   void eachNode(const Use& use) const
   {
@@ -133,12 +133,12 @@ public:
     }
   }
 
-  /// The item at a place.
+  /// The item at a slot.
   std::uint32_t item(std::uint32_t slot) const { return this->order[slot]; }
 
   /// Lower @p best, the square of a distance, to the least of all items.
   /// @param boundOf         double (std::size_t node): below the least where that is in the node
-  /// @param squaredDistance double (std::uint32_t place): for no item less than the least of all
+  /// @param squaredDistance double (std::uint32_t slot): for no item less than the least of all
   template <class BoundOf, class SquaredDistance>
   void nearest(double& best, const BoundOf& boundOf, const SquaredDistance& squaredDistance) const
   {
@@ -193,7 +193,7 @@ private:
   }
 
   /// The boxes of a node and of all below.
-  /// @param arrange void (std::size_t node, int level): before its halves are looked at
+  /// @param arrange void (std::size_t node, int level): before its halves are examined
   template <class BoxOf, class Arrange>
   void addBoxes(
     std::size_t node, int level, const BoxOf& boxOf, Monitor& monitor, const Arrange& arrange)

@@ -121,7 +121,7 @@ private:
   std::size_t keyCount;
   int shift; ///< a bucket has 2^shift keys
   std::size_t bucketCount;
-  std::size_t rowSize; ///< places in next for a piece
+  std::size_t rowSize; ///< indices in next for a piece
   std::vector<std::uint32_t>
     next; ///< by piece, then bucket: how many items, then where the next goes
   std::vector<std::uint32_t> bucketBegin;

@@ -12,7 +12,7 @@
 namespace flipflop
 {
 
-/// Disjoint sets, told pair by pair. A number that was never told is a set of its own, and costs
+/// Disjoint sets, added pair by pair. A number that was never added is a set of its own, and costs
 /// nothing.
 /// @tparam Less an order of the numbers
 template <class Less>
@@ -56,7 +56,7 @@ private:
   }
 
   Less less;
-  std::unordered_map<std::uint32_t, std::uint32_t> up; ///< to a lower one; the lowest are left out
+  std::unordered_map<std::uint32_t, std::uint32_t> up; ///< to a lower one; the lowest are omitted
 };
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Progress and abort of one run, told by any thread, reported on the caller's.
+/// Progress and abort of one run, counted by any thread, reported on the caller's.
 #ifndef flipflop_Monitor_h
 #define flipflop_Monitor_h
 

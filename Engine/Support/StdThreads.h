@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The threads that Parallel.h asks for, by std::thread alone.
+/// The threads that Parallel.h requests, by std::thread alone.
 ///
 /// An arena's threads are started when its first loops want them, wait between loops, and end with
 /// its execute(). So no thread outlives a run: nothing is left for the end of the process, for a

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Wall time between two places.
+/// Wall time between two calls.
 #ifndef flipflop_Stopwatch_h
 #define flipflop_Stopwatch_h
 

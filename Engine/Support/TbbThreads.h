@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The threads that Parallel.h asks for, by oneTBB. Its headers are TbbThreads.cxx's alone: they
+/// The threads that Parallel.h requests, by oneTBB. Its headers are TbbThreads.cxx's alone: they
 /// take half a second to compile, and nearly every source has loops.
 #ifndef flipflop_TbbThreads_h
 #define flipflop_TbbThreads_h

@@ -34,7 +34,7 @@ struct Arenas
     std::vector<std::unique_ptr<threads::Arena>>& waiting = this->idle[threads];
     if (waiting.empty())
     {
-      // Room for it, so that giving it back cannot fail.
+      // Space for it, so that giving it back cannot fail.
       waiting.reserve(++this->made);
       return new threads::Arena(threads);
     }
@@ -56,7 +56,7 @@ int threadCount(int requested, std::int64_t points)
 {
   const std::int64_t worth = points / pointsPerThread().load(std::memory_order_relaxed);
   const std::int64_t wanted = requested > 0 ? std::min<std::int64_t>(requested, worth) : worth;
-  // The limit is asked for only where it matters: that starts the threads' library.
+  // The limit is requested only where it matters: that starts the threads' library.
   return wanted <= 1 ? 1 : static_cast<int>(std::min<std::int64_t>(wanted, threads::allowed()));
 }
 

@@ -30,7 +30,7 @@ inline std::atomic<std::int64_t>& pointsPerThread()
 }
 
 /// @param asked threads; 0 or less: as many as there are
-/// @return 1 or more: no more than asked for, than are allowed (oneTBB's global_control limits
+/// @return 1 or more: no more than requested, than are allowed (oneTBB's global_control limits
 /// that), and than
 ///         @p points are worth
 int threadCount(int requested, std::int64_t points);

@@ -130,7 +130,7 @@ void chooseKernel(HullRun& run, Polyhedron& polyhedron, const double* kernel)
 {
   if (!kernel)
   {
-    // The sign of a rounded volume tells the orientation, unless the solid is very thin.
+    // The sign of a rounded volume shows the orientation, unless the solid is very thin.
     if (isInsideOut(polyhedron))
     {
       turnOver(polyhedron);

@@ -6,7 +6,7 @@
 /// An ear is a corner that turns to the inside, if no other corner is in its closed triangle. Each
 /// simple polygon has one, also with corners on straight stretches of its border: the triangulation
 /// uses these, too, and no triangle is without area. So cutting ears of a simple polygon ends with
-/// all corners used. Of others it may, too: SimplePolygon.h tells which are simple.
+/// all corners used. Of others it may, too: SimplePolygon.h shows which are simple.
 #ifndef flipflop_EarCutter_h
 #define flipflop_EarCutter_h
 
@@ -27,10 +27,10 @@ public:
   using Triangle = std::array<std::size_t, 3>;
 
   /// Cut a polygon of three or more corners, in either order, all finite.
-  /// @param places    of the corners
+  /// @param positions    of the corners
   /// @param triangles receives two fewer than there are corners, each with its corners in the
   ///                  polygon's order
-  /// @param step      called some times, at least once for each corner that is looked at
+  /// @param step      called some times, at least once for each corner that is examined
   /// @return          false: it is not simple, or has no area; true says nothing of either
   template <class Step>
   bool cut(
@@ -45,7 +45,8 @@ public:
       this->before[i] = i > 0 ? i - 1 : count - 1;
       this->after[i] = i + 1 < count ? i + 1 : 0;
     }
-    // The first of all places turns to the inside: there a simple polygon has no straight corner.
+    // The first of all positions turns to the inside: there a simple polygon has no straight
+    // corner.
     const auto first = static_cast<std::size_t>(
       std::min_element(positions.begin(), positions.end()) - positions.begin());
     this->inward = this->turn(this->before[first], first, this->after[first]);
@@ -125,7 +126,7 @@ private:
     triangles.push_back({ a, i, c });
     this->after[a] = c;
     this->before[c] = a;
-    // A corner beside the ear may turn inward now, or run straight.
+    // A corner next to the ear may turn inward now, or run straight.
     for (const std::size_t k : { a, c })
     {
       const auto found = std::find(this->blunt.begin(), this->blunt.end(), k);
@@ -143,7 +144,7 @@ private:
   }
 
   const std::vector<Position>* positions = nullptr;
-  std::vector<std::size_t> before, after; ///< of the corners that are left
+  std::vector<std::size_t> before, after; ///< of the corners that remain
   std::vector<std::size_t> blunt;         ///< corners that do not turn inward
   int inward = 0;                         ///< the turn of a convex corner
 };

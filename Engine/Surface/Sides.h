@@ -61,7 +61,7 @@ inline Buffer<CellSide> sidesOf(const CellComplex& complex, Buffer<std::uint32_t
 }
 
 /// use (const CellSide* begin, const CellSide* end) for each edge: the sides that run along it, by
-/// place.
+/// index.
 template <class Use>
 void eachEdge(Buffer<CellSide>& sides, Use&& use)
 {

@@ -4,7 +4,7 @@
 /// Whether a polygon in the plane is simple: it does not cross or touch itself. Exact.
 ///
 /// A line sweeps over the corners, in lexicographic order, and keeps the sides that it meets in
-/// their order along it. Two sides are tested when they become neighbours there. The first place
+/// their order along it. Two sides are tested when they become neighbours there. The first position
 /// that two sides share has such a pair (M. I. Shamos, D. Hoey, "Geometric intersection problems",
 /// 1976).
 #ifndef flipflop_SimplePolygon_h
@@ -29,14 +29,14 @@ class SimplePolygon
 public:
   using Position = std::array<double, 2>;
 
-  /// @param places of the corners, three or more, all finite
+  /// @param positions of the corners, three or more, all finite
   explicit SimplePolygon(const std::vector<Position>& positions)
     : positions(positions)
     , count(positions.size())
   {
   }
 
-  /// Are all corners at different places, and do two sides share none but a common corner?
+  /// Are all corners at different positions, and do two sides share none but a common corner?
   /// @param step called at least once for each corner
   template <class Step>
   bool isSimple(const Step& step) const
@@ -81,7 +81,7 @@ private:
     return this->isBefore(other, side) ? std::make_pair(other, side) : std::make_pair(side, other);
   }
 
-  /// Do two sides share a place that is no common corner?
+  /// Do two sides share a position that is no common corner?
   bool meet(std::size_t a, std::size_t b) const
   {
     if (this->next(b) == a)

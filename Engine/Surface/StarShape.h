@@ -45,7 +45,7 @@ StarFault findStarFault(const Geometry& geometry, const Polyhedron& polyhedron)
   }
 
   // Each triangle covers its directions once, so the surface covers all directions equally often:
-  // one direction tells. Perturbed, it is on no cone's border.
+  // one direction shows. Perturbed, it is on no cone's border.
   Vertex probe{};
   const std::uint32_t* first = polyhedron.triangles[0].v;
   for (int i = 0; i < 3; ++i)
@@ -82,11 +82,11 @@ bool isInsideOut(const Polyhedron& polyhedron);
 void turnOver(Polyhedron& polyhedron);
 
 /// Seek a point that sees all triangles of an outward surface from inside, with the greatest
-/// margin: rounded linear programming. What it finds is for findStarFault to judge.
+/// margin: rounded linear programming. What it finds is for findStarFault to decide.
 /// @param coarse the point on a grid of about a millionth of the extent: signs with it are quick
 /// @param fine   as it was found, but for bits so low that the arithmetic might not carry them: for
 ///               where the coarse one does not see all
-/// @return false when the surface has no such point, as far as rounding can tell
+/// @return false when the surface has no such point, as far as rounding allows
 bool seekKernel(const Polyhedron& polyhedron, double* coarse, double* fine);
 
 }

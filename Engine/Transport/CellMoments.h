@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Areas and centroids of power cells in a convex polygon, and how long the edges are in which they
-/// meet. The exact triangulation tells who may meet; the rest is in doubles, relative to each site.
+/// meet. The exact triangulation shows which may meet; the rest is in doubles, relative to each
+/// site.
 #ifndef flipflop_CellMoments_h
 #define flipflop_CellMoments_h
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The options of the calls within an iteration: they ask the caller whether to stop, and tell how
+/// The options of the calls within an iteration: they let the caller stop, and report how
 /// far all iterations are.
 #ifndef flipflop_IterationWatch_h
 #define flipflop_IterationWatch_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// By Eigen's sparse Cholesky factors, in the order of approximate minimum degrees: in that of
-/// nested halves by place, factors took twice as long. All that includes Eigen is here.
+/// nested halves by position, factors took twice as long. All that includes Eigen is here.
 #include "Transport/LaplaceSolver.h"
 
 #define EIGEN_MPL2_ONLY

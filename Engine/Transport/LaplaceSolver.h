@@ -24,7 +24,7 @@ struct WeightedLink
 /// @param count  of nodes, 1 or more
 /// @param links  by the lower node, then by the higher one
 /// @param wanted one for each node; it sums to zero
-/// @return false: the links do not connect all nodes, as far as rounding tells
+/// @return false: the links do not connect all nodes, as far as rounding allows
 /// @throw std::bad_alloc
 bool solveLaplace(std::size_t count, const std::vector<WeightedLink>& links,
   const std::vector<double>& wanted, std::vector<double>& x);

@@ -36,14 +36,14 @@ using Position = std::array<double, 2>;
 
 /// Weights with which the power cells of the sites are the Voronoi cells of their image in the
 /// domain. |x - z|^2 for z = a + s y is s times |x - y|^2 less the weight |y|^2 - |z|^2 / s, but
-/// for what is the same for all y. Places are taken relative to the domain's centroid.
+/// for what is the same for all y. Positions are taken relative to the domain's centroid.
 std::vector<double> weightsOfImage(const std::vector<double>& sites, const MeasuredDomain& domain)
 {
   const std::vector<double>& polygon = domain.polygon;
   const Position& center = domain.centroid;
   std::array<double, 4> box = boundingBox(sites);
   const Position middle{ { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]) } };
-  // As large as the domain allows, with some room at its border.
+  // As large as the domain allows, with some margin at its border.
   constexpr double Filled = 0.9;
   double scale = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < polygon.size(); i += 2)
@@ -233,7 +233,7 @@ private:
     this->report();
   }
 
-  /// Without weights a point is hidden by one at its place.
+  /// Without weights a point is hidden by one at its position.
   [[noreturn]] void refuseDuplicate(std::int64_t hidden) const
   {
     const double* const x = this->sites.positions.data() + 2 * hidden;

@@ -15,7 +15,7 @@
 namespace flipflop
 {
 
-/// The x and y of each site, and the number beside it.
+/// The x and y of each site, and the number next to it.
 struct SiteArrays
 {
   std::vector<double> positions; ///< x and y of each

@@ -237,7 +237,7 @@ private:
     return found == this->fixed.size() ? Validation() : faultAt(Fault::NotFixed, -1);
   }
 
-  /// The first constraint along each fixed edge, told from the constraints.
+  /// The first constraint along each fixed edge, derived from the constraints.
   Validation checkConstraints()
   {
     std::vector<std::vector<std::int64_t>> neighbours(this->corner.size());

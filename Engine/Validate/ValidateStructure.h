@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What can be told of a result without a coordinate: sizes, indices and order.
+/// What can be checked of a result without a coordinate: sizes, indices and order.
 #ifndef flipflop_ValidateStructure_h
 #define flipflop_ValidateStructure_h
 

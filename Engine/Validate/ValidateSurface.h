@@ -36,7 +36,7 @@ template <class Geometry>
 class SurfaceChecker
 {
 public:
-  /// @param run, geometry of the points, after a look at them
+  /// @param run, geometry of the points, after a examine them
   SurfaceChecker(Run& run, Geometry& geometry, const CellComplex& complex)
     : run(run)
     , geometry(geometry)
@@ -115,9 +115,9 @@ public:
   }
 
   /// A point of a convex surface is strictly extreme when three facets' planes meet in it, as only
-  /// two do along an edge. Told from the definition, by nothing of the finish that is judged: each
-  /// triangle at the origin of @p h is held against every plane that was found before, wherever
-  /// around the point it lies.
+  /// two do along an edge. Derived from the definition, by nothing of the finish that is judged:
+  /// each triangle at the origin of @p h is held against every plane that was found before,
+  /// wherever around the point it lies.
   static bool isInThreePlanes(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
   {
     const Vertex* const v = mesh.vertices;
@@ -207,7 +207,7 @@ public:
     return this->eachPoint(
       [&](const Geometry& local, const Vertex& p)
       {
-        // The locator only tells where to start; inside or not is decided by signs. Its walk ends
+        // The locator only shows where to start; inside or not is decided by signs. Its walk ends
         // on fans too: they are a regular refinement of the convex surface that has been checked.
         const Buffer<std::int64_t>& ids = this->complex.pointIds;
         if (std::binary_search(ids.begin(), ids.end(), static_cast<std::int64_t>(p.id)))

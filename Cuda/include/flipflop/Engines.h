@@ -15,7 +15,7 @@
 namespace flipflop
 {
 
-/// Which engine is to do the work, or did it.
+/// Which engine is to run, or ran.
 enum class EngineChoice
 {
   Automatic, ///< CUDA if there is a device and the input is large enough, otherwise CPU
@@ -29,7 +29,7 @@ constexpr std::int64_t CudaPaysNever = INT64_MAX;
 /// How the engine is chosen.
 struct EngineOptions
 {
-  EngineChoice choice = EngineChoice::Automatic; ///< what the caller asks for
+  EngineChoice choice = EngineChoice::Automatic; ///< what the caller requests
 
   /// Automatic uses the CUDA engine for this many points or more.
   std::int64_t cudaFrom = CudaPaysNever;
@@ -56,13 +56,13 @@ struct CudaStatus
 /// @return valid until the thread's next call
 const CudaStatus& cudaStatus();
 
-/// Give back to the device the memory that is kept for the next run: at most an eighth of the
+/// Release the memory of the device that is kept for the next run: at most an eighth of the
 /// device's memory for each of the last two runs that ran at once.
 void releaseCudaMemory();
 
 /// Copies from the memory of the thread's current device, after what was given to the device's
 /// default stream before.
-/// @param to    room for that many bytes
+/// @param to    space for that many bytes
 /// @param from  on the device
 /// @param bytes how many
 /// @throw Error NoDevice, DeviceFailed

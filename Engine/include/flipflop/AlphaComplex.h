@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The alpha complex of points in the plane, also of weighted ones (H. Edelsbrunner, "Weighted
-/// alpha shapes", 1992): the shape that is left where a circle of radius alpha, moved among the
+/// alpha shapes", 1992): the shape that remains where a circle of radius alpha, moved among the
 /// points, takes away what it can reach without a point in it.
 #ifndef flipflop_AlphaComplex_h
 #define flipflop_AlphaComplex_h
@@ -51,7 +51,7 @@ struct AlphaComplex
 /// @param triangulation of these points; dimension -1 to 2, in triangles or polygons. Cells may be
 ///                      missing
 /// @param alpha         a length; infinity: all is in
-/// @param singular      whether the edges and points that are left are asked for
+/// @param singular      whether the remaining edges and points are wanted
 /// @param options       only the threads and the progress function are used
 /// @return              the complex
 /// @throw Error         BadArgument (alpha is NaN, a dimension of 3, an index or id out of range, a
@@ -66,7 +66,7 @@ AlphaComplex alphaComplex(const PointView& points, const WeightView& weights,
 /// the radius of the circumcircle, rounded up; infinity if that is no double.
 /// @param points, weights, triangulation, options as for alphaComplex()
 /// @param alphas        receives a number for each cell
-/// @throw Error         as alphaComplex(); BadArgument also for no room for the answers
+/// @throw Error         as alphaComplex(); BadArgument also for no array for the results
 void cellAlphas(const PointView& points, const WeightView& weights,
   const CellComplex& triangulation, double* alphas, const Options& options = Options());
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One block's part of a hull or a triangulation of points that are dealt to many blocks.
+/// One block's part of a hull or a triangulation of points that are distributed over blocks.
 #ifndef flipflop_BlockRun_h
 #define flipflop_BlockRun_h
 
@@ -34,7 +34,7 @@ struct BlockPoints
   Buffer<std::int64_t> ids; ///< of each point; ascending, and distinct over all blocks
 };
 
-/// What blocks tell each other: plain bytes, for machines of one kind.
+/// A message between blocks: plain bytes, for machines of one kind.
 using BlockMessage = std::vector<char>;
 
 /// What a block has in the end: the cells of the facets whose first corner (by x, then y, then z)
@@ -72,25 +72,25 @@ struct BlockMeasure
   }
 };
 
-/// A block finds the cells around each of its points. The points of a block are triangulated
-/// together with a sample of all others. A cell is certain when no block has a point that is in
-/// conflict with it (inside its orthocircle; for a hull, above its plane). A block whose bounds say
-/// that it might have one is asked; it answers with points in conflict, which join the points that
-/// the asking block knows. What decides is the exact triangulation of these. So the cells of all
-/// blocks are those of one run on all points, bit for bit, however points were dealt to blocks.
+/// A block finds the cells around each of its points. It triangulates its own points together with
+/// a sample of all others. A cell is certain when no block has a point in conflict with it (inside
+/// its orthocircle; for a hull, above its plane). The block sends a query to each block whose
+/// bounds allow such a point. Replies hold points in conflict, which join the points that the block
+/// has. The exact triangulation of these decides. So the cells of all blocks are those of one run
+/// on all points, bit for bit, however points were distributed to blocks.
 ///
 /// Use: one object for each block, on one process or many; messages go between them.
 ///
-///     everybody gets all introductions();     begin(introductions, self);
+///     send all summaries() to all blocks;     begin(summaries, self);
 ///     repeat
-///       questions = ask();                    // to other blocks, by number
-///       answers = answer(questions);          // of every block that asks
-///       take(from, answers);                  // of every block that was asked
-///     until no block has asked anything;      finish();
+///       queries = makeQueries();              // to other blocks, by number
+///       replies = reply(queries);             // of every block that received some
+///       receive(from, replies);               // of every block that was queried
+///     until no block has any queries;         finish();
 ///
-/// A block that has nothing to ask may be asked again later, and may ask again only after take().
-/// Points at the same place must be in the same block. The work ends: each round in which a block
-/// asks gives it a point that it did not know, or makes a cell certain.
+/// A block without queries may receive some later, and may have queries again after receive().
+/// Points at the same position must be in the same block. The rounds end: each round in which a
+/// block has queries brings it a point that it did not have, or makes a cell certain.
 class BlockRun
 {
 public:
@@ -107,23 +107,23 @@ public:
   BlockRun(const BlockRun&) = delete;
   BlockRun& operator=(const BlockRun&) = delete;
 
-  /// What all blocks must know of this one: bounds, and a sample of its points.
+  /// What all blocks need of this one: bounds, and a sample of its points.
   BlockMessage summary() const;
 
   /// Triangulate the block's points.
-  /// @param introductions of all blocks, by number, of this block, too
-  /// @param self          the number of this block
+  /// @param summaries of all blocks, by number, of this block, too
+  /// @param self      the number of this block
   void begin(const std::vector<BlockMessage>& summaries, int self);
 
-  /// The questions of a round, by the number of the block that is asked. Empty: none is left.
+  /// The queries of a round, by the number of the block that receives them. Empty: none remains.
   std::map<int, BlockMessage> makeQueries();
 
-  /// Answers to the questions of another block.
+  /// Replies to the queries of another block.
   BlockMessage reply(const BlockMessage& queries);
 
-  /// Take answers in.
-  /// @param from    the block that was asked
-  /// @param answers what it answered
+  /// Add the points of replies.
+  /// @param from    the block that was queried
+  /// @param replies its replies
   void receive(int from, const BlockMessage& replies);
 
   /// The block's cells. With FacetMode::Polygons, one cell a facet.
@@ -135,13 +135,13 @@ public:
   BlockMeasure measure(const BlockResult& result, const double* origin) const;
 
   /// The volume and the area of the hull, with the bits that one run on all points gives. Every
-  /// block has the same answer, after begin().
+  /// block has the same result, after begin().
   /// @param sum    of all blocks' measures
   /// @param volume becomes the volume; 0 below dimension 3
   /// @param area   becomes the area
   void sizeOf(const BlockMeasure& sum, double& volume, double& area) const;
 
-  /// Points of other blocks that this one was told: those of the sample, and those of answers.
+  /// Points received from other blocks: those of the samples, and those of replies.
   std::int64_t pointsReceived() const;
 
 private:

@@ -20,7 +20,7 @@ namespace flipflop
 struct CellBoundary
 {
   /// The corners of all rings, one ring after another: indices into the complex's pointIds. The
-  /// first corner of a ring is not told again at its end.
+  /// first corner of a ring is not repeated at its end.
   Buffer<std::int64_t> connectivity;
 
   /// Where each ring begins in connectivity, ascending from 0; then the size of connectivity.

@@ -29,7 +29,7 @@ struct CellComplex
   /// if all cells have cellSize corners.
   Buffer<std::int64_t> offsets;
 
-  /// Number of corners of a cell, if it is the same for all cells; 0 if offsets tell it.
+  /// Number of corners of a cell, if it is the same for all cells; 0 if offsets hold it.
   std::int64_t cellSize = 0;
 
   Statistics statistics; ///< of the run

@@ -21,9 +21,9 @@ namespace flipflop
 struct CentroidalCells
 {
   Buffer<double> sites; ///< x and y of each site, where it is in the end
-  PowerDiagram cells;   ///< of the sites there; its siteIds tell who has a cell
+  PowerDiagram cells;   ///< of the sites there; its siteIds are those that have a cell
   Buffer<double> areas; ///< of each site's cell; 0: it has none
-  /// x and y of the centroid of each site's cell; of a site without one, its place.
+  /// x and y of the centroid of each site's cell; of a site without one, its position.
   Buffer<double> centroids;
 
   std::int64_t iterations = 0;  ///< how often the sites moved
@@ -44,7 +44,7 @@ struct CentroidalCells
 /// than about 1e15 times the domain's size seems to have no cell. The bits are the same for any
 /// number of threads.
 ///
-/// @param points     the sites at first, at any places; x and y are read
+/// @param points     the sites at first, at any positions; x and y are read
 /// @param weights    one for each site, as regularTriangulation() takes them; they stay. Without:
 ///                   Voronoi cells.
 /// @param domain     where cells end. Its area must be a normal double, its width and

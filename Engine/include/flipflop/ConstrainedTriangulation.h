@@ -75,7 +75,7 @@ struct ConstrainedTriangulation : Triangulation
 ///
 /// @param points      as for regularTriangulation
 /// @param constraints in any order and direction, none of which changes the triangulation. Sides of
-///                    polygons do not either: cellsInside tells what is inside
+///                    polygons do not either: cellsInside finds what is inside
 /// @param options     see Options
 /// @return the triangulation in its canonical form, which is the same for any number of threads;
 ///         without constraints, that of regularTriangulation
@@ -98,10 +98,10 @@ ConstrainedTriangulation constrainedTriangulation(
 /// balance of 0 part nothing.
 ///
 /// @param triangulation as constrainedTriangulation gave it
-/// @param inside        room for one answer a cell: 1 if it is inside
+/// @param inside        space for one byte a cell: 1 if it is inside
 /// @param options       see Options; only the rule, the threads and the progress count
 /// @return              how many cells are inside
-/// @throw Error         PolygonsDisagree (by direction), BadArgument (no room for the answers,
+/// @throw Error         PolygonsDisagree (by direction), BadArgument (no array for the results,
 ///                      indices out of range, sides that do not close), OutOfMemory, Aborted
 std::int64_t cellsInside(const ConstrainedTriangulation& triangulation, std::uint8_t* inside,
   const Options& options = Options());

@@ -6,14 +6,14 @@
 /// constrainedTriangulation takes no constraints that cross between points. Here they are cut into
 /// pieces that do not, with new points where they cross.
 ///
-/// A crossing is seldom at a place that doubles can name. So a new point is the crossing with each
-/// coordinate rounded to the nearest double, and constraints bend there, by half a unit in the last
-/// place at most. What is bent may pass on the other side of a point that is as near to it, and so
-/// cross what it did not cross before. Pieces that cross anew are split again, in as many rounds as
-/// it takes: at an end of one of them, if that is within two units of the other, else at their own
-/// crossing, rounded. Nearly all inputs take one round, a few two. The rounds come to an end: all
-/// pieces of a constraint climb or fall along either axis as it does, so each split leaves two that
-/// are shorter, in units of their coordinates.
+/// A crossing is seldom at a position that doubles can represent. So a new point is the crossing
+/// with each coordinate rounded to the nearest double, and constraints bend there, by half a unit
+/// in the last position at most. What is bent may pass on the other side of a point that is as near
+/// to it, and so cross what it did not cross before. Pieces that cross again are split again, in as
+/// many rounds as it takes: at an end of one of them, if that is within two units of the other,
+/// else at their own crossing, rounded. Nearly all inputs take one round, a few two. The rounds
+/// come to an end: all pieces of a constraint climb or fall along either axis as it does, so each
+/// split leaves two that are shorter, in units of their coordinates.
 #ifndef flipflop_ConstraintCrossings_h
 #define flipflop_ConstraintCrossings_h
 
@@ -53,7 +53,7 @@ struct SplitConstraints
   Buffer<std::int64_t> offsets;
 
   /// How often pieces were found to cross, and were split: 0 if no constraints cross; more than 1
-  /// only where rounding made pieces cross anew.
+  /// only where rounding made pieces cross again.
   std::int64_t rounds = 0;
 
   /// How many points are new.
@@ -69,12 +69,12 @@ struct SplitConstraints
   }
 };
 
-/// Split constraints where they cross. Two cross where they meet in one place inside both. A common
-/// end, an end of one inside the other, and overlaps along a line are no crossings:
+/// Split constraints where they cross. Two cross where they meet in one position inside both. A
+/// common end, an end of one inside the other, and overlaps along a line are no crossings:
 /// constrainedTriangulation has them as they are.
 ///
-/// In the first round all places are those of the given constraints, correctly rounded. Where one
-/// is, as rounded, the position of a given point, the constraints are split at this point, the
+/// In the first round all positions are those of the given constraints, correctly rounded. Where
+/// one is, as rounded, the position of a given point, the constraints are split at this point, the
 /// lowest id there; it is not new.
 ///
 /// The time is near-linear in the constraints and their crossings where constraints are short, or

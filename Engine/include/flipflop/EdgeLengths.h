@@ -23,7 +23,7 @@ namespace flipflop
 /// @param within        receives 1 for each cell without a longer edge, 0 for each other
 /// @param options       only the threads and the progress function are used
 /// @return              how many cells have no longer edge
-/// @throw Error         BadArgument (a limit that is negative or NaN, no room for the answers, a
+/// @throw Error         BadArgument (a limit that is negative or NaN, no array for the results, a
 ///                      dimension of 3, an index or id out of range, a corner that is not finite),
 ///                      TooManyPoints, OutOfMemory, Aborted
 std::int64_t cellsWithinEdgeLength(const PointView& points, const CellComplex& triangulation,

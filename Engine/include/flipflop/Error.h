@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The exception that the engine throws: a code, and the place that is at fault.
+/// The exception that the engine throws: a code, and what is at fault.
 #ifndef flipflop_Error_h
 #define flipflop_Error_h
 
@@ -16,8 +16,8 @@ enum class ErrorCode
 {
   NonFinite, ///< index: first point with a NaN or infinite coordinate or weight; count: how many
   TooManyPoints, ///< count: points given (or left after culling); 32-bit indices end here
-  OutOfMemory,   ///< count: bytes asked for
-  Aborted,       ///< the progress function asked to stop
+  OutOfMemory,   ///< count: bytes requested
+  Aborted,       ///< the progress function requested it
   BadArgument,   ///< what() names the argument and what is allowed; index: where it is at fault,
                  ///< as a set of a batch, a site, a cell
   WeightCount,   ///< index: the number of points; count: the weights given, which are not as many
@@ -39,11 +39,11 @@ enum class ErrorCode
                     ///< even-odd rule; count: a constraint that is a side of the other
   NotConvex,        ///< a domain; index: first corner that is not finite, is there twice, or turns
                     ///< right; -1: fewer than three corners, or not once around
-  DuplicateSites,   ///< index, count: the ids of two sites at one place
+  DuplicateSites,   ///< index, count: the ids of two sites at one position
   BadArea,          ///< index: first site whose prescribed area is not positive or not finite;
                     ///< count: how many
-  NoDevice,         ///< the CUDA engine was asked for, and there is no device for it
-  DeviceMemory,     ///< count: bytes asked for of the device
+  NoDevice,         ///< the CUDA engine was requested, and there is no device for it
+  DeviceMemory,     ///< count: bytes requested from the device
   DeviceFailed,     ///< index: the CUDA runtime's error number
   Internal ///< an invariant of the engine does not hold: a fault of FlipFlop, to be reported
 };
@@ -66,7 +66,7 @@ public:
   ErrorCode code() const noexcept { return this->Code; }
   /// The first point, triangle or polygon at fault, -1 if there is none.
   std::int64_t index() const noexcept { return this->Index; }
-  /// How many are at fault, or the size asked for.
+  /// How many are at fault, or the size requested.
   std::int64_t count() const noexcept { return this->Count; }
 
   /// What went wrong, as a clause: "the surface is not closed".

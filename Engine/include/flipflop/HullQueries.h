@@ -17,7 +17,7 @@
 namespace flipflop
 {
 
-/// Which coordinates count, of a hull's points and of those that are asked about.
+/// Which coordinates count, of a hull's points and of the queries.
 enum class PointSpace : std::uint8_t
 {
   Space, ///< x, y and z
@@ -57,10 +57,10 @@ struct OrientedBox
 class PreparedHull;
 
 /// Questions about one hull. It keeps what it needs of the hull and its points, and prepares what a
-/// kind of question needs when the first one comes. Any number of threads may ask at once.
+/// kind of query needs when the first one comes. Any number of threads may query at once.
 ///
-/// Of the options, threads and progress count, and nonFinite for the points that are asked about:
-/// such a point is an error, or it has the answer that each function names. Results do not depend
+/// Of the options, threads and progress count, and nonFinite for the points of queries:
+/// such a point is an error, or it has the result that each function names. Results do not depend
 /// on the number of threads, bit for bit.
 class HullQueries
 {
@@ -87,9 +87,9 @@ public:
   /// On which side each point is. Exact, for all finite points: no tolerance decides.
   ///
   /// Points outside the bounding box take a few comparisons each, and nearly all that are deep
-  /// inside a look into a table. The others take a short walk over the triangles.
+  /// inside a table lookup. The others take a short walk over the triangles.
   /// @param queries points
-  /// @param sides   room for one value a point: those of Side. Outside, for a point that is not
+  /// @param sides   space for one value a point: those of Side. Outside, for a point that is not
   ///                finite and ignored
   /// @param options threads, progress, nonFinite
   /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
@@ -105,7 +105,7 @@ public:
   /// as the logarithm of their number, but for points that very many triangles are about as near
   /// to, such as the centre of a sphere.
   /// @param queries   points
-  /// @param distances room for one value a point, in the unit of the coordinates. Infinity: the
+  /// @param distances space for one value a point, in the unit of the coordinates. Infinity: the
   /// hull
   ///                  is empty, or no double is so large. NaN: the point is not finite and ignored
   /// @param options   threads, progress, nonFinite
@@ -117,10 +117,10 @@ public:
   /// for all finite directions, of any length; of several such vertices it is the one of lowest id.
   /// All are equally far along the direction 0 0 0.
   ///
-  /// A table of directions tells a vertex near the answer, or the answer where a vertex is extreme
+  /// A table of directions holds a vertex near the result, or the result where a vertex is extreme
   /// in many directions. From there on the way leads uphill over the edges.
   /// @param directions vectors
-  /// @param ids     room for one id a direction: a position in the hull's points. -1: the hull is
+  /// @param ids     space for one id a direction: a position in the hull's points. -1: the hull is
   ///                empty, or the direction is not finite and ignored
   /// @param options threads, progress, nonFinite
   /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted
@@ -145,7 +145,7 @@ public:
   /// along one of some directions in between. Of hulls of up to 64 edges, triangulated, also the
   /// boxes with two sides, next to each other, that run along an edge each, as a least box has:
   /// these are sampled and improved. The best ones are improved by keeping each axis in turn and
-  /// choosing the others anew. A hull of dimension 2 gets its rectangle of least area, up to
+  /// choosing the others again. A hull of dimension 2 gets its rectangle of least area, up to
   /// rounding. Of points in the plane, that is the box: its third axis is z, and volume and
   /// lowerBound are the rectangle's area.
   ///

@@ -22,7 +22,7 @@ enum class NonFinitePolicy
   Ignore ///< leave it out, and count it in Statistics::nonFinite
 };
 
-/// How polygons tell what is inside.
+/// How polygons define what is inside.
 enum class PolygonRule
 {
   EvenOdd,  ///< what an odd number of their sides parts from the outside; no direction counts
@@ -43,9 +43,9 @@ struct Options
   int threads = 0; ///< 1 or more; 0: as many as the machine has. The output never depends on it.
   FacetMode facets = FacetMode::Triangles;            ///< how facets are given
   NonFinitePolicy nonFinite = NonFinitePolicy::Error; ///< what NaN and infinity lead to
-  PolygonRule polygons = PolygonRule::EvenOdd; ///< how polygons tell what is inside: cellsInside
+  PolygonRule polygons = PolygonRule::EvenOdd; ///< how polygons define the inside: cellsInside
   /// The V-biased Flip-Flop (paper, end of section 2.3): vertices are labelled only if no other
-  /// flip is left. The output is the same. Without it, a label may cause very many flips.
+  /// flip remains. The output is the same. Without it, a label may cause very many flips.
   bool vBiased = true;
   ProgressFunction progress = nullptr; ///< null: no progress reports, and no way to stop the run
   void* progressContext = nullptr;     ///< passed to progress and step unchanged

@@ -75,7 +75,7 @@ void joinExtent(PlaneSums& sums, const PlaneSums& next);
 /// The plane of all parts.
 FittedPlane planeOf(const PlaneSums& sums);
 
-/// The places of points in the plane: x and y of each, measured from start; rounded. NaN, if a
+/// The positions of points in the plane: x and y of each, measured from start; rounded. NaN, if a
 /// coordinate of the point is not finite.
 /// @param points  in space
 /// @param plane   that fitPlane() gave
@@ -84,7 +84,7 @@ FittedPlane planeOf(const PlaneSums& sums);
 Buffer<double> positionsInPlane(
   const PointView& points, const FittedPlane& plane, const Options& options = Options());
 
-/// The position in space of a place in the plane, rounded.
+/// The position in space of a position in the plane, rounded.
 inline std::array<double, 3> positionOf(const FittedPlane& plane, double x, double y)
 {
   std::array<double, 3> position;

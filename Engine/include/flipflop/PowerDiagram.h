@@ -29,7 +29,7 @@ namespace flipflop
 /// turns right, and ends an edge of at most four units (in the last place of the greater
 /// coordinate), the two ends are merged. A corner moves no further than that, and corners of the
 /// box stay. If a cell still crosses itself, such as the tip of a needle thinner than a unit, a
-/// neighbour gets some of its corners, or the whole cell. A cell without an inside is left out.
+/// neighbour gets some of its corners, or the whole cell. A cell without an inside is omitted.
 /// (No cell reached further than 8 units beyond its true border in a million cells of nearly
 /// cocircular, collinear and gridded sites; the tests allow 16.) If all rounded cells are convex,
 /// nothing is merged, cut or joined.
@@ -54,7 +54,7 @@ struct PowerDiagram
 };
 
 /// The power diagram of the points that appear in @p triangulation (the sites). The exact
-/// triangulation tells which cells meet, and where: cocircular sites meet in one corner, and no
+/// triangulation defines which cells meet, and where: cocircular sites meet in one corner, and no
 /// edge has zero length. Only the corners' coordinates are rounded; PowerDiagram lists the effects.
 /// Time and memory are proportional to the triangulation. The bits are the same for any number of
 /// threads, also of the triangulation, and for either engine.

@@ -40,7 +40,7 @@ struct PrescribedAreas
 /// The method is the damped Newton method of J. Kitagawa, Q. Merigot, B. Thibert, "Convergence of a
 /// Newton algorithm for semi-discrete optimal transport", JEMS 21 (2019): a step is halved until no
 /// cell is smaller than half the least area at the start or prescribed, and the error's norm falls
-/// by the share that the paper asks for. Voronoi cells are the start, if all sites are in the
+/// by the share that the paper requires. Voronoi cells are the start, if all sites are in the
 /// domain; else the Voronoi cells of the sites' image in it, which are power cells of the sites.
 ///
 /// Which cells meet is exact in each step. Areas are rounded, and so are weights: a unit in the
@@ -49,7 +49,7 @@ struct PrescribedAreas
 /// tolerance of an area, the method ends before it converges. The bits are the same for any number
 /// of threads.
 ///
-/// @param points     the sites, at any places, no two at the same; x and y are read
+/// @param points     the sites, at any positions, no two at the same; x and y are read
 /// @param areas      one for each site, positive: shares, which are scaled such that they sum to
 ///                   the domain's area. What each becomes must be a normal double, else it is a
 ///                   BadArea. Without (no data): all equal.

@@ -11,12 +11,12 @@
 namespace flipflop
 {
 
-/// Counts and seconds of a run, or sums over several runs. Documentation/Statistics.md tells how to
-/// read them.
+/// Counts and seconds of a run, or sums over several runs. Documentation/Statistics.md explains how
+/// to read them.
 struct Statistics
 {
   std::int64_t points = 0;     ///< points given
-  std::int64_t nonFinite = 0;  ///< points left out because a coordinate is NaN or infinite
+  std::int64_t nonFinite = 0;  ///< points omitted because a coordinate is NaN or infinite
   std::int64_t culled = 0;     ///< points found inside without being associated to a triangle
   std::int64_t insertions = 0; ///< vertices inserted (1-3 flips), all samples and levels
   std::int64_t moves = 0;      ///< how often a point moved, to a child cone or by a walk's step

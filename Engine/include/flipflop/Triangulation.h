@@ -25,7 +25,7 @@ namespace flipflop
 /// points are hidden, also ties.
 struct Triangulation : CellComplex
 {
-  /// The ids of the points that do not appear, ascending. Points that were left out because they
+  /// The ids of the points that do not appear, ascending. Points that were omitted because they
   /// are not finite are in neither list.
   Buffer<std::int64_t> hiddenIds;
 };

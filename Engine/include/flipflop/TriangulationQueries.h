@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Questions about places in the plane to a regular or constrained triangulation: which cell holds
-/// a place, which site is nearest, and what value is there, between the sites' values.
+/// Queries for positions in the plane to a regular or constrained triangulation: which cell holds
+/// a position, which site is nearest, and what value is there, between the sites' values.
 #ifndef flipflop_TriangulationQueries_h
 #define flipflop_TriangulationQueries_h
 
@@ -19,15 +19,15 @@ namespace flipflop
 
 /// A triangulation made ready for queries. It takes about 110 bytes a visible point.
 ///
-/// Which cell and which site is exact for every finite place, at any range of numbers; values are
-/// rounded. All answers are the same, bit for bit, for any number of threads, and for any order of
-/// the queries.
+/// Which cell and which site is exact for every finite position, at any range of numbers; values
+/// are rounded. All results are the same, bit for bit, for any number of threads, and for any order
+/// of the queries.
 ///
 /// Several threads may call the const members at once.
 ///
-/// Queries are places: of a PointView, x and y are read. What all calls do alike:
+/// Queries are positions: of a PointView, x and y are read. What all calls do alike:
 /// - A query with a coordinate that is NaN or infinite is an error, or, with
-///   NonFinitePolicy::Ignore, is answered as a place outside is: by -1 or NaN.
+///   NonFinitePolicy::Ignore, has the result of a position outside: -1 or NaN.
 /// - Arrays of results are the caller's; they are written from the first to the last query. Where
 ///   a call throws, they are as they were, or partly written.
 class TriangulationQueries
@@ -50,9 +50,9 @@ public:
   /// Of a constrained triangulation: for locate() and interpolateLinear(). Natural neighbours and
   /// the nearest site are those of the regular triangulation, so the other calls are an error.
   /// @param points        as they were triangulated
-  /// @param triangulation of these points; of what it has beside cells, its fixed edges alone count
+  /// @param triangulation of these points; apart from its cells, only its fixed edges count
   /// @param inside        for each cell 1 if it is inside, as cellsInside() gives it, else 0; null:
-  ///                      all are. A place that only cells outside hold is outside. locate()
+  ///                      all are. A position that only cells outside hold is outside. locate()
   ///                      numbers the cells inside alone, in their order, as keepCells() does.
   /// @param options       only the threads and the progress function are used
   /// @throw Error         as of a regular triangulation; of edges that are not regular, those that
@@ -71,8 +71,8 @@ public:
 
   /// The cell that holds each query, its border included. Exact.
   ///
-  /// A query costs a short walk: a longer one beside a site of very many neighbours.
-  /// @param queries places
+  /// A query costs a short walk; near a site of very many neighbours, a longer one.
+  /// @param queries positions
   /// @param cells   receives for each query the index of its cell in the triangulation; of several
   ///                (on an edge, at a corner) the lowest; -1 outside the convex hull. Of a
   ///                triangulation of dimension 1 a cell is a segment, of dimension 0 its one point.
@@ -87,7 +87,7 @@ public:
   /// is the nearest point. Exact, inside the hull and outside.
   ///
   /// A query costs the neighbours of a few sites: more, if a site has very many.
-  /// @param queries places
+  /// @param queries positions
   /// @param ids     receives for each query the site's id (position in the input); of several at
   ///                one distance, the lowest; -1 where there is no site
   /// @param options as for locate()
@@ -106,7 +106,7 @@ public:
   /// @param values     of each point of the input: values[id * components + c]. Those of hidden
   ///                   points are not read.
   /// @param components of a value: 1 or more
-  /// @param queries    places
+  /// @param queries    positions
   /// @param result     receives for each query its value: result[query * components + c]
   /// @param options    as for locate()
   /// @throw Error      as for locate(); BadArgument also for components less than 1

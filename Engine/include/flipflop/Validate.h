@@ -30,7 +30,7 @@ enum class Fault
   NotExtreme,    ///< a hull point that is not strictly extreme
   PointOutside,  ///< an input point outside the hull
   NotFixed,      ///< a constraint that is no chain of fixed edges; or -1: a fixed edge that is no
-                 ///< edge, or of another constraint than it tells
+                 ///< edge, or of another constraint than it names
   WrongId,       ///< a hull point that has a duplicate with a lower id
   WrongDimension ///< the input spans another dimension
 };
