@@ -33,7 +33,7 @@ class ConstrainedTriangulation(RegularTriangulation):
         the ids that each joins: the caller's constraints (of polylines, all pairs of consecutive ids), then the sides
         of polygons
     dropped : int
-        how many cells were outside of the polygons; of `polygons`, if facets="polygons" was asked for
+        how many cells were outside of the polygons; of `polygons`, if facets="polygons" was chosen
     """
 
     constraints: Ids

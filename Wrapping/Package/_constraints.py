@@ -52,7 +52,7 @@ Chains = ArrayLike | Sequence[ArrayLike] | Polygons
 
 
 class Constraints:
-    """Constraints, and whose they are.
+    """Constraints, and where they come from.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Constraints:
     sides : int
         the last so many are sides of polygons
     by_direction : bool
-        whether polygons tell what is inside by their direction, or by the even-odd rule
+        whether polygons define what is inside by their direction, or by the even-odd rule
     points : ndarray, optional
         the coordinates that ids are said to have
     """
@@ -86,7 +86,7 @@ class Constraints:
         self._are_pairs = np.array_equal(self._lines, np.arange(len(lines)))
 
     def of_error(self, error: InputError) -> InputError:
-        """The engine's error, which tells rows of all constraints; and where these are in the caller's own lists."""
+        """The engine's error, which names rows of all constraints; and where these are in the caller's own lists."""
         if error.code == "polygons_disagree":
             wrong, right = map(self._name_of, (error.index, error.count))
             sentence = "the polygons disagree about what is inside: " + (

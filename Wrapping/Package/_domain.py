@@ -27,7 +27,7 @@ class Domain(NamedTuple):
 
     @contextmanager
     def named(self) -> Iterator[None]:
-        """An error about a corner, from in here, tells its number in the caller's order, and where it is."""
+        """An error about a corner, from in here, has its number in the caller's order, and where it is."""
         try:
             yield
         except InputError as error:
@@ -85,7 +85,7 @@ def _is_clockwise(corners: NDArray[np.float64]) -> bool:
 
 
 def domain_of_call(box: ArrayLike | None, domain: ArrayLike | None) -> Domain:
-    """What the arguments of these names tell: they are two names of one."""
+    """The domain that the arguments of these names describe: they are two names of one."""
     if domain is not None and box is not None:
         raise TypeError("domain and box are two names of one argument: give domain alone")
     return domain_of("domain", domain) if box is None else domain_of("box", box)

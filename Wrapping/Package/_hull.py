@@ -129,7 +129,7 @@ class ConvexHull(Cells):
         """The true facets, as ids. In the plane, the hull itself is the one polygon."""
         core = self._core
         if core.cell_size == 3:
-            # As triangles: the hull of the vertices is the same, and tells the facets.
+            # As triangles: the hull of the vertices is the same, and has the facets.
             ids = core.vertices()
             with unchanged():
                 core = _core.convex_hull(self.points[ids], _core.Settings(0, True, False, 1, None))
@@ -167,7 +167,7 @@ class ConvexHull(Cells):
     ) -> Truths:
         """Whether each point is inside or on the surface; exactly: `points[hull.contains(points)]`.
 
-        A point that is not finite and ignored is outside. side() tells inside and surface apart.
+        A point that is not finite and ignored is outside. side() distinguishes inside and surface.
 
         Parameters
         ----------
@@ -277,7 +277,7 @@ def convex_hull(
     points : n by 3, or n by 2
         any finite numbers in any position, up to 2^32 - 2 points
     facets : {"triangles", "polygons"}
-        which form of the facets is made at once; the other is made when it is asked for
+        which form of the facets is made at once; the other is made when it is first used
     threads, non_finite, engine, progress
         see the module
 

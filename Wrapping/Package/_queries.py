@@ -22,7 +22,7 @@ Lengths = np.float64 | Floats
 Numbers = np.int64 | Ids
 
 # How the engine begins its sentences about a result that is not of these points, or that are not finite. (A user's own
-# box was looked at before.)
+# box was checked before.)
 _MISFITS = (
     "an argument is invalid",
     "the triangulation must be one of these points",

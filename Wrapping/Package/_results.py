@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the results have in common: frozen, and worked out when asked for."""
+"""What the results have in common: frozen, and computed when first used."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ QUIET = _core.Settings(0, False, False, 1, None)
 
 
 class Validation(NamedTuple):
-    """A judgement, true if all is right.
+    """A verdict, true if all is right.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Frozen:
         return self
 
     def __getstate__(self) -> dict[str, Any]:
-        """The fields, less what is worked out when asked for."""
+        """The fields, less what is computed when first used."""
         kind = type(self)
         return {
             name: np.array(value) if isinstance(value, np.ndarray) and type(value) is not np.ndarray else value
@@ -158,7 +158,7 @@ class Cells(Frozen):
     def neighbors(self) -> Ids:
         """For each corner of each of `simplices` the simplex opposite to it, -1 where there is none."""
         across: Ids = self._triangles.neighbors().reshape(self.simplices.shape)
-        # The engine tells, for each corner, who is across the edge to the next one; of segments, who is at it.
+        # The engine returns, for each corner, the cell across the edge to the next one; of segments, the cell at it.
         return frozen(np.roll(across, 2 if self.simplices.shape[1] == 3 else 1, axis=1))
 
     @property

@@ -75,7 +75,7 @@ class RegularTriangulation(Cells):
         """Facets as ids: all points of one power circle are one polygon."""
         core = self._core
         if core.cell_size == 3:
-            # As triangles: the visible points have the same triangulation, and tell its facets.
+            # As triangles: the visible points have the same triangulation, with its facets.
             ids = core.vertices()
             weights = None if self.weights is None else self.weights[ids]
             with unchanged():
@@ -156,7 +156,7 @@ class RegularTriangulation(Cells):
 
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Ids, Ids]:
-        """Whom edges link: point i has the neighbours indices[indptr[i]:indptr[i + 1]], ascending; (indptr, indices)."""
+        """The points that edges link: point i has indices[indptr[i]:indptr[i + 1]], ascending; (indptr, indices)."""
         corners = self.simplices.shape[1]
         pairs = [self.simplices[:, [i, j]] for i in range(corners) for j in range(corners) if i != j]
         links = np.unique(np.vstack([np.empty((0, 2), np.int64), *pairs]), axis=0)
@@ -448,7 +448,7 @@ def regular_triangulation(
         directions; each side counts, so what two rings have in common is outside. Or by direction: what is on the left
         of a side; a clockwise ring is a hole.
     facets : {"triangles", "polygons"}
-        which form of the facets is made at once; the other is made when it is asked for
+        which form of the facets is made at once; the other is made when it is first used
     threads, non_finite, engine, progress
         see the module
 
@@ -493,7 +493,7 @@ def alpha_complex(
 ) -> AlphaComplex:
     """The alpha complex of points in the plane, also of weighted ones.
 
-    For several alphas of the same points, ask one RegularTriangulation for its alpha_complex().
+    For several alphas of the same points, call alpha_complex() of one RegularTriangulation.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The compiled VTK classes. They are loaded only beside a VTK that they fit."""
+"""The compiled VTK classes. They are loaded only with a VTK that they fit."""
 
 from ._vtk_check import check
 

@@ -20,7 +20,7 @@ All calls release the GIL and stop at Ctrl-C. These keywords are common to them:
 threads : int
     1 or more; 0, the default: as many as the machine has. The result never depends on it.
 non_finite : {"error", "ignore"}
-    what NaN and infinity lead to: an InputError that tells the first, or that these points are left out
+    what NaN and infinity lead to: an InputError that names the first, or that these points are left out
 engine : {"automatic", "cpu", "cuda"}
     who does the work. The result is the same.
 progress : callable, bool or None
