@@ -20,8 +20,10 @@ from matplotlib.ticker import NullLocator
 HERE = Path(__file__).resolve().parent
 FIGURES = HERE.parent / "Figures"
 COLOURS = ["#14508c", "#c44e52", "#2a9d8f", "#8e5ea2", "#e08e2b", "#555555", "#7a5c3e"]
-OURS = {"flipflop": None, "vtkflipflop, 1 thread": 1, "vtkflipflop": 2, "vtkflipflop, one call, 1 thread": 1,
-        "vtkflipflop, one call": 2, "vtkflipflop, a loop": 0}  # fmt: skip
+# Ours, and how many threads where the table has no column for that.
+OURS = {"flipflop": 1, "vtkflipflop, 1 thread": 1, "vtkflipflop": 2, "vtkflipflop, one call, 1 thread": 1,
+        "vtkflipflop, one call": 2}  # fmt: skip
+ALSO_OURS = ("vtkflipflop, a loop", "vtkflipflop-loop", "flipflop-loop", "flipflop-filter")
 
 
 def read(path):
@@ -31,10 +33,10 @@ def read(path):
 
 def name_of(row):
     """The points, with their parameter, and how many there are."""
-    name = row.get("distribution") or f"{row['subject']}, {row['family']}"
+    name = row.get("distribution") or (f"{row['subject']}, {row['family']}" if "subject" in row else row["family"])
     if row.get("parameter"):
         name += f":{float(row['parameter']):g}"
-    return name, int(row.get("n") or row["points"])
+    return name, int(row.get("n") or row.get("count") or row["points"])
 
 
 def by_case(rows):
@@ -45,12 +47,12 @@ def by_case(rows):
         if name.endswith("-shuffled"):
             continue
         ours, others = cases.setdefault((name, n), ({}, {}))
-        contender = row["contender"]
+        contender = row.get("contender") or row["program"]
         seconds = row.get("seconds_median") or row.get("seconds")
-        if not seconds:
+        if not seconds or contender in ALSO_OURS:
             continue
         if contender in OURS:
-            ours[OURS[contender] or int(row.get("threads") or 0)] = float(seconds)
+            ours[int(row.get("threads") or OURS[contender])] = float(seconds)
         else:
             others[contender] = float(seconds), row.get("status", "ok") == "ok" and row.get("right", "yes") == "yes"
     return cases
@@ -111,7 +113,18 @@ def plot_small(rows, axes):
     return 12
 
 
+def blocks_of_driver(rows):
+    """The driver's rows of blocks, in the columns that plot_blocks() knows."""
+    serial = {name_of(row): row["seconds_median"] for row in rows if row["program"] == "one-run"}
+    for row in rows:
+        if row["program"] != "one-run":
+            name, n = name_of(row)
+            yield {"distribution": name, "points": n, "blocks": row["parts"], "path_seconds": row["seconds_median"],
+                   "one_run_seconds": serial[name, n]}  # fmt: skip
+
+
 def plot_blocks(rows, axes):
+    rows = rows if "blocks" in rows[0] else list(blocks_of_driver(rows))
     most = max(int(row["points"]) for row in rows)
     size = 1_000_000 if most > 1_000_000 else most
     for colour, name in zip(COLOURS, dict.fromkeys(row["distribution"] for row in rows)):
@@ -158,6 +171,8 @@ def plot(path):
     rows = read(path)
     kinds = {"first": plot_small, "blocks": plot_blocks, "share_solving": plot_shares, "state": plot_counts}
     draw = next((draw for key, draw in kinds.items() if key in rows[0]), plot_peers)
+    if any(row.get("program") == "one-run" for row in rows):
+        draw = plot_blocks
     figure, axes = plt.subplots(dpi=80)
     height = draw(rows, axes)
     figure.set_size_inches(9, 1.6 + 0.26 * height)

@@ -8,7 +8,6 @@ from functools import cached_property
 from operator import index
 from typing import Any, ClassVar, Self
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
