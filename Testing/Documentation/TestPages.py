@@ -1,12 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages stay short and begin with what they are for; each table of measurements has its plot."""
+"""Pages stay short and begin with what they are for, and the filters have the methods that they name. Each table of
+measurements has its plot.
+"""
 
 import glob
 import os
+import re
 import unittest
 
 from dependencies import folders
+from markdown_page import code
 from tree import TOP, read
 
 # The most words, as wc -w counts them.
@@ -20,6 +24,15 @@ def pages():
     for folder in folders():
         root = os.path.join(TOP, folder)
         found += [os.path.join(folder, page) for page in glob.glob("**/*.md", root_dir=root, recursive=True)]
+    return found
+
+
+def methods():
+    """Those of the filters, also by VTK's macros."""
+    headers = "".join(map(read, glob.glob(os.path.join(TOP, "Filters", "**", "*.h"), recursive=True)))
+    found = set(re.findall(r"\b(\w+)\(", headers))
+    for kind, name in re.findall(r"\bvtk(Set|Get|Boolean)\w*Macro\((\w+)", headers):
+        found |= {name + "On", name + "Off"} if kind == "Boolean" else {kind + name}
     return found
 
 
@@ -38,6 +51,17 @@ class TestPages(unittest.TestCase):
                     title, _, rest = read(page).partition("\n\n")
                     self.assertTrue(title.startswith("# "))
                     self.assertRegex(rest, r"\A(After this (page|tutorial)|A test )")
+
+    def test_methods(self):
+        named = {
+            method
+            for page in pages()
+            if not page.endswith("FromVersion01.md")  # which names those that are gone
+            for _, words in code(read(page))
+            for method in re.findall(r"\b((?:Set|Get)[A-Z]\w+|[A-Z]\w+(?:On|Off))\(", words)
+        }
+        self.assertGreater(len(named), 5)
+        self.assertEqual(named - methods(), set())
 
     def test_measurements(self):
         tables = glob.glob("*.csv", root_dir=os.path.join(TOP, "Documentation", "Measurements"))
