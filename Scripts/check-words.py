@@ -66,10 +66,11 @@ WORDS = {
 }
 
 # The words are checked in these folders, the names everywhere.
-FOLDERS = ("Engine/", "Cuda/")
+FOLDERS = ("Engine/", "Cuda/", "Scripts/", "Wrapping/Core/")
 
 # Names that may stay, each with the reason.
 ALLOWED = {
+    "in_place": "NumPy's word for no copy",
     "placeKernel": "to place is a verb here",
 }
 

@@ -59,10 +59,10 @@ def private_exports(build):
     for library in sorted(Path(build).rglob("libvtkFilters*FlipFlop*.so")):
         if library.is_symlink():
             continue
-        told = subprocess.run(
+        symbols = subprocess.run(
             ["nm", "--dynamic", "--demangle", "--defined-only", library], check=True, capture_output=True, text=True
         ).stdout
-        for line in told.splitlines():
+        for line in symbols.splitlines():
             classes = re.findall(r"\b(vtkP?FF\w+)::", line) or re.findall(r"\b(vtkP?FF\w+)", line)
             if classes and classes[0] not in installed:
                 found.append(line)
@@ -101,8 +101,8 @@ def main(build=None):
         rows.append(("exported symbols of classes that are not installed", len(private_exports(build)), 0))
     for what, found, bound in rows:
         print(f"{what:60}{found:>7}  of {bound}{'' if found <= bound else '  (missed)'}")
-    for place in long_functions("Filters"):
-        print("  longer:", place)
+    for function in long_functions("Filters"):
+        print("  longer:", function)
     return any(found > bound for _, found, bound in rows)
 
 

@@ -98,11 +98,11 @@ def triangulations(filters, sets, folder):
         plain = show(file, [name, "none"], outputs, *report, surface_scene, name, None)
         together[:] = together[:1] or [plain]
 
-        heavy, brief, what = weighted(points, outputs[0])
-        if not heavy:
+        with_weights, brief, what = weighted(points, outputs[0])
+        if not with_weights:
             continue
         print(f"{name}, {brief}: the weights, squared lengths, are {what}")
-        outputs, *report = filters.triangulation(heavy, WEIGHTS)
+        outputs, *report = filters.triangulation(with_weights, WEIGHTS)
         file = f"{name}-weighted"
         write(outputs[0], folder / f"{file}.vtp")
         write(outputs[1], folder / f"{name}-hidden.vtp")

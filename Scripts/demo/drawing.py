@@ -89,8 +89,8 @@ def dots_actor(xyz, ids, size, **look):
 
 
 def colour_points(actor, values, stops):
-    places, colours = zip(*stops)
-    shades = [numpy.interp(numpy.linspace(0, 1, 256), places, shade) for shade in zip(*colours)]
+    stop_values, colours = zip(*stops)
+    shades = [numpy.interp(numpy.linspace(0, 1, 256), stop_values, shade) for shade in zip(*colours)]
     rgba = numpy.column_stack([*shades, numpy.full(256, 255)]).round().astype(numpy.uint8)
     table = vtkLookupTable()
     table.SetTable(numpy_to_vtk(rgba, deep=True))
@@ -116,13 +116,13 @@ def caption(text, size):
     return actor
 
 
-def fit_camera(camera, xyz, axes, aspect, room):
-    """A parallel view that just holds all points, with room, a share, for the caption below."""
+def fit_camera(camera, xyz, axes, aspect, margin):
+    """A parallel view that just holds all points, with a margin, a share, for the caption below."""
     seen = xyz @ axes.T
     low, high = seen.min(axis=0), seen.max(axis=0)
     width, height, depth = numpy.maximum(high - low, 1e-9 * ((high - low).max() or 1e9))
-    half = 0.5 * max(height / (0.94 - room), width / aspect / 0.94)
-    centre = (low + high) / 2 - (0, room * half, 0)
+    half = 0.5 * max(height / (0.94 - margin), width / aspect / 0.94)
+    centre = (low + high) / 2 - (0, margin * half, 0)
     camera.ParallelProjectionOn()
     camera.SetParallelScale(half)
     camera.SetFocalPoint(*(centre @ axes))
@@ -141,8 +141,8 @@ def renderer_of(actors, text, xyz, view, aspect, scale):
     renderer.SetUseDepthPeeling(True)
     renderer.SetMaximumNumberOfPeels(8)
     renderer.SetUseFXAA(True)
-    room = 0.05 + 0.05 * len(text.split("\n"))
-    fit_camera(renderer.GetActiveCamera(), xyz, view.axes, aspect, room)
+    margin = 0.05 + 0.05 * len(text.split("\n"))
+    fit_camera(renderer.GetActiveCamera(), xyz, view.axes, aspect, margin)
     return renderer
 
 

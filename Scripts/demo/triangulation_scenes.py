@@ -105,10 +105,10 @@ def ids_of(attributes):
     return vtk_to_numpy(attributes.GetArray("vtkOriginalPointIds"))
 
 
-def contains(corners, place):
-    """Whether the place is in a counter-clockwise convex polygon."""
+def contains(corners, position):
+    """Whether the position is in a counter-clockwise convex polygon."""
     along = numpy.roll(corners, -1, axis=0) - corners
-    return bool((numpy.cross(along[:, :2], (place - corners)[:, :2]) >= 0).all())
+    return bool((numpy.cross(along[:, :2], (position - corners)[:, :2]) >= 0).all())
 
 
 def diagram_scene(sites, outputs, aspect, scale):
@@ -128,15 +128,15 @@ def diagram_scene(sites, outputs, aspect, scale):
     borders = [[*cell, cell[0]] for cell in cells]
     actors.append(actor_of(corners + layer, borders, "Lines", Color=INK, LineWidth=1.5 * scale))
 
-    # A power cell need not hold its site: a line tells which is whose.
+    # A power cell need not hold its site: a line joins the two.
     strays = []
     for site, cell in zip(ids_of(diagram.GetCellData()), cells):
         if not contains(corners[cell], xyz[site]):
             strays += [xyz[site], corners[cell].mean(axis=0)]
     if strays:
         pairs = numpy.arange(len(strays)).reshape(-1, 2)
-        places = numpy.array(strays) + 2 * layer
-        actors.append(actor_of(places, pairs, "Lines", Color=DISK, LineWidth=1.1 * scale))
+        ends = numpy.array(strays) + 2 * layer
+        actors.append(actor_of(ends, pairs, "Lines", Color=DISK, LineWidth=1.1 * scale))
 
     for data, colour, layers in ((shown, DISK, 2), (hidden, HIDDEN, 4)):
         which = ids_of(data.GetPointData())

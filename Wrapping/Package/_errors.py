@@ -97,7 +97,7 @@ _ANY_COUNT = {"weight_count", "constraint_point", "constraints_cross", "polygons
 
 def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:
     """The exception for an error of the engine."""
-    name, kind, place, number = _CODES[code]
-    parts = [place.format(index)] if place and index >= 0 else []
+    name, kind, template, number = _CODES[code]
+    parts = [template.format(index)] if template and index >= 0 else []
     parts += [number.format(count)] if number and (count > 0 or name in _ANY_COUNT) else []
     return kind(text + (": " + ", ".join(parts) if parts else ""), name, index, count)

@@ -113,9 +113,9 @@ def refuse_masked(values: Any, what: str) -> None:
     """An error that names the first masked entry, if there is one."""
     if not np.ma.is_masked(values):
         return
-    places = np.argwhere(np.ma.getmaskarray(values))
-    sentence = f"{what}: entry {places[0].tolist()} is masked, {len(places)} in all, and none may be here"
-    raise InputError(sentence, "masked", int(places[0][0]) if places[0].size else -1, len(places))
+    rows = np.argwhere(np.ma.getmaskarray(values))
+    sentence = f"{what}: entry {rows[0].tolist()} is masked, {len(rows)} in all, and none may be here"
+    raise InputError(sentence, "masked", int(rows[0][0]) if rows[0].size else -1, len(rows))
 
 
 def refuse_geometry(values: Any, what: str) -> None:
@@ -239,8 +239,8 @@ def _as_doubles(array: np.ndarray, mask: Any, what: str) -> np.ndarray:
         small = np.abs(doubles) < 2.0**53
         changed = ~small & ~np.asarray(mask)
         if changed.any():
-            places = np.nonzero(changed)
-            changed[places] = [int(double) != int(one) for double, one in zip(doubles[places], array[places])]
+            rows = np.nonzero(changed)
+            changed[rows] = [int(double) != int(one) for double, one in zip(doubles[rows], array[rows])]
     else:
         with np.errstate(over="ignore"):
             boxed = np.frompyfunc(_as_double, 1, 1)(np.where(mask, 0.0, array.astype(object)))

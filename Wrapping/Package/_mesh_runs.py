@@ -54,11 +54,11 @@ class Run:
     def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: Report) -> pv.PolyData:
         part = block.checked().part
         if part is not None and block.count and part.mesh.GetNumberOfCells() == 0:
-            of = f" of {block.place}" if block.place else ""
+            of = f" of {block.name}" if block.name else ""
             raise InputError(f"the surface{of} has no cells, but {block.count} point(s)", "bad_argument")
         cloud = Cloud([block], False, False)
         settings = self._settings(cloud, report)
-        starts, corners, cell_of = surface_of(part, block.place)
+        starts, corners, cell_of = surface_of(part, block.name)
         triangles = corners
         if cell_of is not None:
             cut = cloud.engine(by_cell(_core.triangulate_polygons, cell_of), cloud.array, starts, corners, settings)

@@ -50,7 +50,7 @@ class Block:
     """What is one input of the engine: a data set, which may be a leaf of a composite."""
 
     part: Part | None
-    place: str = ""  # in words: of a composite's block
+    name: str = ""  # in words: of a composite's block
     flat_index: int = 0
     fault: FlipFlopError | None = None  # why it has no part, though it has data
     count: int = field(init=False)
@@ -112,11 +112,11 @@ def blocks_of(data: Any, leaves: Sequence[str] = LEAVES) -> list[Block | None]:
         if leaf is None:
             found.append(None)
             continue
-        place, index = _name_of_block(nodes, data), nodes.GetCurrentFlatIndex()
+        name, index = _name_of_block(nodes, data), nodes.GetCurrentFlatIndex()
         try:
-            found.append(Block(_part_of(leaf, place, leaves), place, index))
+            found.append(Block(_part_of(leaf, name, leaves), name, index))
         except FlipFlopError as error:
-            found.append(Block(None, place, index, error))
+            found.append(Block(None, name, index, error))
     return found
 
 
@@ -150,12 +150,12 @@ def _name_of_block(nodes: Any, tree: Any) -> str:
     return f'the block "{name}" (flat index {index})' if name else f"the block of flat index {index}"
 
 
-def _part_of(data: Any, place: str, leaves: Sequence[str]) -> Part:
+def _part_of(data: Any, name: str, leaves: Sequence[str]) -> Part:
     if not hasattr(data, "IsA") or isinstance(data, np.ndarray):
         return Part(rows_of(data))
     if not any(map(data.IsA, leaves)):
         what = "which has no points to take" if leaves is LEAVES else "which is no surface: a PolyData is wanted"
-        raise InputError(f"{place} is of the type {type(data).__name__}, {what}", "bad_argument")
+        raise InputError(f"{name} is of the type {type(data).__name__}, {what}", "bad_argument")
     if data.IsA("vtkImageData"):
         return Part(_image_points(data), None, data)
     if data.IsA("vtkRectilinearGrid"):
@@ -166,7 +166,7 @@ def _part_of(data: Any, place: str, leaves: Sequence[str]) -> Part:
     source = points.GetData()
     size = source.GetNumberOfComponents()
     if size != 3:
-        of = f" of {place}" if place else ""
+        of = f" of {name}" if name else ""
         raise InputError(f"the points{of} have {size} coordinates each; a point has 3", "bad_argument")
     return Part(values_of(source).reshape(-1, 3), source, data)
 
@@ -329,8 +329,8 @@ class Cloud:
                 )
             ghost = part.data.DUPLICATEPOINT | part.data.HIDDENPOINT
             kept.append(start + np.flatnonzero((values & ghost) == 0))
-        places = np.concatenate([np.empty(0, np.int64), *kept])
-        return places if len(places) < self._starts[-1] else None
+        rows = np.concatenate([np.empty(0, np.int64), *kept])
+        return rows if len(rows) < self._starts[-1] else None
 
     def _gather(self, ignore: bool) -> None:
         """All points in one array of one type."""
@@ -379,7 +379,7 @@ class Cloud:
 
     def _named(self, name: str) -> NDArray[Any]:
         """The numbers of a point array."""
-        of = f" of {self.blocks[0].place}" if self.blocks[0].place else ""
+        of = f" of {self.blocks[0].name}" if self.blocks[0].name else ""
         values = []
         for part in self._parts:
             if not len(part.rows):
@@ -399,19 +399,19 @@ class Cloud:
             values.append(values_of(array))
         return values[0] if len(values) == 1 else np.concatenate([weights_of(some, True)[0] for some in values])
 
-    def _translated(self, error: FlipFlopError, places: Ids | None) -> FlipFlopError:
+    def _translated(self, error: FlipFlopError, kept: Ids | None) -> FlipFlopError:
         """The same error, in terms of the caller's points and blocks."""
         message, index = str(error), error.index
-        composite = any(block.place for block in self.blocks)
+        composite = any(block.name for block in self.blocks)
         what = re.search(r"\bat (point|triangle|cell) (\d+)", message)
         if what is None or index < 0:
             if composite and len(self.blocks) == 1:
-                message += f", in {self.blocks[0].place}"
+                message += f", in {self.blocks[0].name}"
             return type(error)(message, error.code, index, error.count)
-        if what[1] == "point" and places is not None:
-            index = int(places[index])
+        if what[1] == "point" and kept is not None:
+            index = int(kept[index])
         block, own = self._block_at(index) if what[1] == "point" else (self.blocks[0], index)
-        words = f"at {what[1]} {own}" + (f" of {block.place}" if block.place else "")
+        words = f"at {what[1]} {own}" + (f" of {block.name}" if block.name else "")
         message = message[: what.start()] + words + message[what.end() :]
         return type(error)(message, error.code, index, error.count)
 

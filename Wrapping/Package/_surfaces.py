@@ -16,13 +16,13 @@ from ._meshes import Part, values_of
 from ._results import Ids
 
 
-def surface_of(part: Part, place: str) -> tuple[NDArray[Any], NDArray[Any], Ids | None]:
+def surface_of(part: Part, name: str) -> tuple[NDArray[Any], NDArray[Any], Ids | None]:
     """The cells of a surface: where their corners begin, the corners, and the cell of each; None: all are triangles.
 
     A strip is several triangles. What is no polygon is an error that names the first such cell.
     """
     mesh = part.mesh
-    of = f" of {place}" if place else ""
+    of = f" of {name}" if name else ""
     polygons, strips = mesh.GetPolys(), mesh.GetStrips()
     vertices, lines = mesh.GetNumberOfVerts(), mesh.GetNumberOfLines()
     if vertices + lines and not polygons.GetNumberOfCells() + strips.GetNumberOfCells():
@@ -92,11 +92,11 @@ def by_cell(call: Callable[..., Any], cell_of: Ids | None) -> Callable[..., Any]
         try:
             return call(*arguments)
         except InputError as error:
-            place = re.search(r"\bat (triangle|cell) \d+", str(error))
-            if place is None or error.index < 0:
+            where = re.search(r"\bat (triangle|cell) \d+", str(error))
+            if where is None or error.index < 0:
                 raise
             cell = int(cell_of[error.index])
-            message = str(error).replace(place[0], f"at cell {cell}")
+            message = str(error).replace(where[0], f"at cell {cell}")
             raise InputError(message, error.code, cell, error.count) from None
 
     return translated
