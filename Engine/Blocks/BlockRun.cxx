@@ -58,10 +58,10 @@ enum class Request : std::int64_t
 
 }
 
-class BlockRun::Work
+class BlockRun::State
 {
 public:
-  Work(BlockShape ofShape, const BlockPoints& points, const Options& chosen);
+  State(BlockShape ofShape, const BlockPoints& points, const Options& chosen);
 
   BlockMessage summary() const { return this->own.message(); }
   void begin(const std::vector<BlockMessage>& summaries, int number);
@@ -174,7 +174,7 @@ std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points, cons
 
 }
 
-BlockRun::Work::Work(BlockShape ofShape, const BlockPoints& points, const Options& chosen)
+BlockRun::State::State(BlockShape ofShape, const BlockPoints& points, const Options& chosen)
   : shape(ofShape)
   , options(chosen)
   , ownSites(sitesOf(ofShape, points, this->options))
@@ -183,7 +183,7 @@ BlockRun::Work::Work(BlockShape ofShape, const BlockPoints& points, const Option
 {
 }
 
-void BlockRun::Work::begin(const std::vector<BlockMessage>& summaries, int number)
+void BlockRun::State::begin(const std::vector<BlockMessage>& summaries, int number)
 {
   ensure(number >= 0 && static_cast<std::size_t>(number) < summaries.size());
   this->self = number;
@@ -238,7 +238,7 @@ void BlockRun::Work::begin(const std::vector<BlockMessage>& summaries, int numbe
   this->facets->begin(complex);
 }
 
-CellComplex BlockRun::Work::run(const std::vector<BlockSite>& sites, const Options& choices)
+CellComplex BlockRun::State::run(const std::vector<BlockSite>& sites, const Options& choices)
 {
   CellComplex complex = cellsOf(this->shape, sites, choices);
   this->statistics += complex.statistics;
@@ -246,7 +246,7 @@ CellComplex BlockRun::Work::run(const std::vector<BlockSite>& sites, const Optio
 }
 
 /// On some of the points, which are put in order.
-CellComplex BlockRun::Work::runOn(std::vector<SiteHandle>& members)
+CellComplex BlockRun::State::runOn(std::vector<SiteHandle>& members)
 {
   std::sort(members.begin(), members.end());
   members.erase(std::unique(members.begin(), members.end()), members.end());
@@ -259,7 +259,7 @@ CellComplex BlockRun::Work::runOn(std::vector<SiteHandle>& members)
   return this->run(sites, quiet(this->options));
 }
 
-std::map<int, BlockMessage> BlockRun::Work::makeQueries()
+std::map<int, BlockMessage> BlockRun::State::makeQueries()
 {
   std::map<int, BlockMessage> messages;
   if (this->gathering != Gathering::None)
@@ -310,7 +310,7 @@ std::map<int, BlockMessage> BlockRun::Work::makeQueries()
 }
 
 /// First, queries for all corners; then make the one facet of them.
-std::map<int, BlockMessage> BlockRun::Work::gather()
+std::map<int, BlockMessage> BlockRun::State::gather()
 {
   std::map<int, BlockMessage> messages;
   if (this->gathering == Gathering::ToQuery)
@@ -346,7 +346,7 @@ std::map<int, BlockMessage> BlockRun::Work::gather()
   return messages;
 }
 
-BlockMessage BlockRun::Work::reply(const BlockMessage& message) const
+BlockMessage BlockRun::State::reply(const BlockMessage& message) const
 {
   MessageReader reader(message);
   const auto request = reader.read<Request>();
@@ -373,7 +373,7 @@ BlockMessage BlockRun::Work::reply(const BlockMessage& message) const
   return std::move(writer.message);
 }
 
-void BlockRun::Work::receive(int from, const BlockMessage& message)
+void BlockRun::State::receive(int from, const BlockMessage& message)
 {
   MessageReader reader(message);
   for (BlockSite& site : reader.readAll<BlockSite>())
@@ -388,7 +388,7 @@ void BlockRun::Work::receive(int from, const BlockMessage& message)
   ensure(reader.atEnd());
 }
 
-BlockResult BlockRun::Work::finish() const
+BlockResult BlockRun::State::finish() const
 {
   BlockResult result;
   this->cells.write(this->known, this->frame, this->options.facets, result);
@@ -404,7 +404,7 @@ BlockResult BlockRun::Work::finish() const
   return result;
 }
 
-BlockMeasure BlockRun::Work::measure(const BlockResult& result, const double* origin) const
+BlockMeasure BlockRun::State::measure(const BlockResult& result, const double* origin) const
 {
   const auto scaled = [this](const double* x)
   {
@@ -433,7 +433,7 @@ BlockMeasure BlockRun::Work::measure(const BlockResult& result, const double* or
   return { { sums.volume.high, sums.volume.low, sums.area.high, sums.area.low } };
 }
 
-void BlockRun::Work::sizeOf(const BlockMeasure& sum, double& volume, double& area) const
+void BlockRun::State::sizeOf(const BlockMeasure& sum, double& volume, double& area) const
 {
   Hull hull;
   hull.dimension = this->frame.dimension;
@@ -449,7 +449,7 @@ void BlockRun::Work::sizeOf(const BlockMeasure& sum, double& volume, double& are
 }
 
 BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& options)
-  : work(withTypedErrors([&] { return std::make_unique<Work>(shape, points, options); }))
+  : state(withTypedErrors([&] { return std::make_unique<State>(shape, points, options); }))
 {
 }
 
@@ -457,47 +457,47 @@ BlockRun::~BlockRun() = default;
 
 BlockMessage BlockRun::summary() const
 {
-  return withTypedErrors([&] { return this->work->summary(); });
+  return withTypedErrors([&] { return this->state->summary(); });
 }
 
 void BlockRun::begin(const std::vector<BlockMessage>& summaries, int self)
 {
-  withTypedErrors([&] { this->work->begin(summaries, self); });
+  withTypedErrors([&] { this->state->begin(summaries, self); });
 }
 
 std::map<int, BlockMessage> BlockRun::makeQueries()
 {
-  return withTypedErrors([&] { return this->work->makeQueries(); });
+  return withTypedErrors([&] { return this->state->makeQueries(); });
 }
 
 BlockMessage BlockRun::reply(const BlockMessage& queries)
 {
-  return withTypedErrors([&] { return this->work->reply(queries); });
+  return withTypedErrors([&] { return this->state->reply(queries); });
 }
 
 void BlockRun::receive(int from, const BlockMessage& replies)
 {
-  withTypedErrors([&] { this->work->receive(from, replies); });
+  withTypedErrors([&] { this->state->receive(from, replies); });
 }
 
 BlockResult BlockRun::finish()
 {
-  return withTypedErrors([&] { return this->work->finish(); });
+  return withTypedErrors([&] { return this->state->finish(); });
 }
 
 BlockMeasure BlockRun::measure(const BlockResult& result, const double* origin) const
 {
-  return withTypedErrors([&] { return this->work->measure(result, origin); });
+  return withTypedErrors([&] { return this->state->measure(result, origin); });
 }
 
 void BlockRun::sizeOf(const BlockMeasure& sum, double& volume, double& area) const
 {
-  this->work->sizeOf(sum, volume, area);
+  this->state->sizeOf(sum, volume, area);
 }
 
 std::int64_t BlockRun::pointsReceived() const
 {
-  return this->work->pointsReceived();
+  return this->state->pointsReceived();
 }
 
 }

@@ -314,7 +314,7 @@ private:
     {
       return;
     }
-    this->findGiven(isInner);
+    this->findExisting(isInner);
     for (std::uint32_t index = 0; index < count; ++index)
     {
       if (isInner[index] && this->idOf[index] < 0)
@@ -332,7 +332,7 @@ private:
   }
 
   /// The lowest points at positions that are requested.
-  void findGiven(const std::vector<char>& isWanted)
+  void findExisting(const std::vector<char>& isWanted)
   {
     Position low = { { HUGE_VAL, HUGE_VAL } }, high = { { -HUGE_VAL, -HUGE_VAL } };
     for (std::uint32_t index = 0; index < isWanted.size(); ++index)

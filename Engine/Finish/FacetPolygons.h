@@ -159,8 +159,8 @@ private:
     const auto isPoint = [this](std::uint32_t v) { return this->rank[v] != NoIndex; };
     if (isPoint(a) && isPoint(b) && isPoint(c) && isPoint(d))
     {
-      this->surface.forgetFlat(t);
-      this->surface.forgetFlat(u);
+      this->surface.clearFlatEdges(t);
+      this->surface.clearFlatEdges(u);
     }
   }
 

@@ -28,7 +28,8 @@ namespace flipflop
 {
 
 /// A static assertion for each line of the list: this expression, of this type.
-#define FF_GIVES(Type, ...) static_assert(std::is_same_v<Type, decltype(__VA_ARGS__)>, #__VA_ARGS__)
+#define FF_REQUIRES(Type, ...)                                                                     \
+  static_assert(std::is_same_v<Type, decltype(__VA_ARGS__)>, #__VA_ARGS__)
 
 /// What every model gives. Derive from PredicateSteps<Geometry>, and most signs follow from their
 /// steps.
@@ -41,56 +42,58 @@ constexpr bool hasSigns()
 
   // Are all points vertices but for duplicates? Do threads insert all points, part by
   // part (PartsBuilder)? Else they grow first and flip afterwards where that is faster (Builder).
-  FF_GIVES(const bool, Geometry::AllExtreme);
-  FF_GIVES(const bool, Geometry::InsertsAtOnce);
+  FF_REQUIRES(const bool, Geometry::AllExtreme);
+  FF_REQUIRES(const bool, Geometry::InsertsAtOnce);
 
   // The kernel point: a position, or the exact centroid of four vertices, which no double need be.
   // kernel() is rounded then.
-  FF_GIVES(void, declval<Geometry&>().setKernel(declval<const double*>()));
-  FF_GIVES(void, declval<Geometry&>().setSymbolicKernel(declval<const Vertex*>()));
-  FF_GIVES(const double*, declval<G>().kernel());
-  FF_GIVES(bool, declval<G>().kernelIsSymbolic());
+  FF_REQUIRES(void, declval<Geometry&>().setKernel(declval<const double*>()));
+  FF_REQUIRES(void, declval<Geometry&>().setSymbolicKernel(declval<const Vertex*>()));
+  FF_REQUIRES(const double*, declval<G>().kernel());
+  FF_REQUIRES(bool, declval<G>().kernelIsSymbolic());
 
   // Is p beyond the triangle abc, seen from s? orient3d of points in space; the power test of
   // weighted points.
-  FF_GIVES(int, declval<G>().above(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(int, declval<G>().above(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
 
   // Is s beneath the triangle abc? p is in the cone of abc when s is beneath abp, bcp and cap.
-  FF_GIVES(int, declval<G>().kernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(int, declval<G>().kernelBeneath(declval<V>(), declval<V>(), declval<V>()));
 
   // The same, never zero: ties by Simulation of Simplicity, by the vertices' ids.
-  FF_GIVES(
+  FF_REQUIRES(
     int, declval<G>().perturbedAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
-  FF_GIVES(int, declval<G>().perturbedKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(int, declval<G>().perturbedKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
 
   // Each step alone. The filters, in floating point, return false when they cannot decide; where
   // the exact sign is zero, the ties are never zero.
-  FF_GIVES(bool,
+  FF_REQUIRES(bool,
     declval<G>().filterAbove(
       declval<V>(), declval<V>(), declval<V>(), declval<V>(), declval<int&>()));
-  FF_GIVES(bool,
+  FF_REQUIRES(bool,
     declval<G>().filterKernelBeneath(declval<V>(), declval<V>(), declval<V>(), declval<int&>()));
-  FF_GIVES(int, declval<G>().exactAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
-  FF_GIVES(int, declval<G>().exactKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
-  FF_GIVES(int, declval<G>().tieAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
-  FF_GIVES(int, declval<G>().tieKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(int, declval<G>().exactAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(int, declval<G>().exactKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(int, declval<G>().tieAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(int, declval<G>().tieKernelBeneath(declval<V>(), declval<V>(), declval<V>()));
 
   // May p, in the cone of abc and exactly on its plane, still be a vertex of the perturbed result?
   // On a triangle it is never strictly extreme, and dropped. Where the cone is flat (s is on the
   // plane, too) that does not follow.
-  FF_GIVES(bool, declval<G>().mayAppearOn(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(
+    bool, declval<G>().mayAppearOn(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
 
   // Do the three lie on a line? Exact.
-  FF_GIVES(bool, declval<G>().collinear(declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(bool, declval<G>().collinear(declval<V>(), declval<V>(), declval<V>()));
 
   // How far p is above abc, times twice the area; rounded. For choosing the furthest point.
-  FF_GIVES(double, Geometry::heightAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
+  FF_REQUIRES(
+    double, Geometry::heightAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
 
   // Are integers of any size needed? Devices have none.
-  FF_GIVES(bool, declval<G>().isWide());
+  FF_REQUIRES(bool, declval<G>().isWide());
 
   // What it has decided. Each task has a copy of its own, which counts.
-  FF_GIVES(const PredicateCounts&, declval<G>().predicateCounts());
+  FF_REQUIRES(const PredicateCounts&, declval<G>().predicateCounts());
   static_assert(std::is_copy_constructible_v<Geometry>);
   return true;
 }
@@ -101,7 +104,7 @@ constexpr bool hasStart()
 {
   using std::declval;
   // The tetrahedron of the points that findSpan chose; the kernel point is set inside it.
-  FF_GIVES(Polyhedron,
+  FF_REQUIRES(Polyhedron,
     startingTetrahedron(
       declval<Geometry&>(), declval<const PointSource&>(), declval<const std::uint32_t*>()));
   return true;
@@ -117,9 +120,9 @@ constexpr bool hasLocator()
   static_assert(std::is_constructible_v<Locator, const Geometry&, const Triangle*, std::uint32_t,
     const Vertex*, Monitor&>);
   using Cell = decltype(declval<L>().cellOf(declval<const double*>()));
-  FF_GIVES(std::uint32_t, declval<L>().near(declval<const Vertex&>(), declval<Cell>()));
+  FF_REQUIRES(std::uint32_t, declval<L>().near(declval<const Vertex&>(), declval<Cell>()));
   // The triangle in whose cone p lies, by a visibility walk from a given one.
-  FF_GIVES(std::uint32_t,
+  FF_REQUIRES(std::uint32_t,
     declval<L>().locate(
       declval<const Geometry&>(), declval<const Vertex&>(), declval<std::uint32_t>()));
   return true;
@@ -135,35 +138,35 @@ constexpr bool canGrow()
   using G = const Geometry&;
 
   // The curve that points are inserted along.
-  FF_GIVES(
+  FF_REQUIRES(
     OctahedralMap, octahedralMapOf(declval<const Geometry&>(), declval<const Polyhedron&>()));
   // The kernel point may move to the middle of a convex polyhedron.
-  FF_GIVES(void, centerKernel(declval<Geometry&>(), declval<const Polyhedron&>()));
+  FF_REQUIRES(void, centerKernel(declval<Geometry&>(), declval<const Polyhedron&>()));
 
   using Plane = typename Geometry::Plane;
   static_assert(std::is_constructible_v<Plane, G, V, V, V>);
-  FF_GIVES(double, declval<const Plane&>().height(declval<const double*>()));
-  FF_GIVES(double, declval<const Plane&>().error());
+  FF_REQUIRES(double, declval<const Plane&>().height(declval<const double*>()));
+  FF_REQUIRES(double, declval<const Plane&>().error());
 
   // The cone of abc split by v: which child holds p (-1: too close to decide), how far p is above
   // it.
   using Split = typename Geometry::Split;
   static_assert(std::is_constructible_v<Split, G, V, V, V, V>);
-  FF_GIVES(int, declval<const Split&>().child(declval<const double*>()));
-  FF_GIVES(double, declval<const Split&>().height(0, declval<const double*>()));
-  FF_GIVES(double, declval<const Split&>().heightError(0));
+  FF_REQUIRES(int, declval<const Split&>().child(declval<const double*>()));
+  FF_REQUIRES(double, declval<const Split&>().height(0, declval<const double*>()));
+  FF_REQUIRES(double, declval<const Split&>().heightError(0));
 
   // A locator that dismisses points that are certainly inside, a block at a time.
   using Locator = typename Geometry::Locator;
-  FF_GIVES(void, declval<const Locator&>().classify(declval<typename Locator::Block&>(), 0));
-  FF_GIVES(const int, Locator::BlockSize);
+  FF_REQUIRES(void, declval<const Locator&>().classify(declval<typename Locator::Block&>(), 0));
+  FF_REQUIRES(const int, Locator::BlockSize);
   static_assert(
     sizeof(Locator::Block::x) && sizeof(Locator::Block::cell) && sizeof(Locator::Block::inside));
-  FF_GIVES(const Plane&, declval<const Locator&>().plane(std::uint32_t(0)));
+  FF_REQUIRES(const Plane&, declval<const Locator&>().plane(std::uint32_t(0)));
   return true;
 }
 
-#undef FF_GIVES
+#undef FF_REQUIRES
 
 /// Has the model all that it must give? A compiler that says no names the line of the list.
 template <class Geometry>

@@ -37,7 +37,7 @@ struct PlanePolyhedron
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
   std::uint32_t flatEdges(std::uint32_t t) const { return this->ties[t]; }
-  void forgetFlat(std::uint32_t t) { this->ties[t] = 0; }
+  void clearFlatEdges(std::uint32_t t) { this->ties[t] = 0; }
 
   PlaneMesh mesh() { return { this->triangles.data(), this->vertices.data(), this->ties.data() }; }
 

@@ -72,7 +72,7 @@ struct Polyhedron
 
   /// In the finish: of a triangle.
   std::uint32_t flatEdges(std::uint32_t t) const { return this->triangles[t].flatEdges; }
-  void forgetFlat(std::uint32_t t) { this->triangles[t].flatEdges = 0; }
+  void clearFlatEdges(std::uint32_t t) { this->triangles[t].flatEdges = 0; }
 
   /// The ids of the points among the vertices, ascending.
   std::vector<std::uint32_t> pointIds() const

@@ -3,7 +3,7 @@
 #include "Query/FacetPlane.h"
 
 #include "Predicates/WideIntegers.h"
-#include "Query/GivenHull.h"
+#include "Query/HullCorners.h"
 #include "Run/QueryRun.h"
 #include <flipflop/HullQueries.h>
 

@@ -75,8 +75,8 @@ public:
   /// @return false there
   bool share(PlaneShares& shares)
   {
-    this->takeFromBorder();
-    this->takeHidden();
+    this->addFromBorder();
+    this->addHidden();
     Number all = this->values.number(0.0);
     for (const Part& part : this->parts)
     {
@@ -139,7 +139,7 @@ private:
   }
 
   /// From the sites at the region's border.
-  void takeFromBorder()
+  void addFromBorder()
   {
     this->parts.reserve(this->region.size() + 2);
     for (std::size_t i = 0; i < this->region.size(); ++i)
@@ -158,7 +158,7 @@ private:
   }
 
   /// From the sites that the query hides: all that they have.
-  void takeHidden()
+  void addHidden()
   {
     for (std::size_t i = 0; i < this->region.size(); ++i)
     {

@@ -4,7 +4,7 @@
 
 #include "Geometry/HullStart.h"
 #include "Geometry/VisibilityWalk.h"
-#include "Query/GivenHull.h"
+#include "Query/HullCorners.h"
 #include "Surface/CellMesh.h"
 #include "Surface/HullKernel.h"
 

@@ -145,8 +145,8 @@ public:
   std::int64_t pointsReceived() const;
 
 private:
-  class Work;
-  std::unique_ptr<Work> work;
+  class State;
+  std::unique_ptr<State> state;
 };
 
 }

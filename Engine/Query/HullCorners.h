@@ -3,8 +3,8 @@
 /// @file
 /// The corners of a hull that a caller hands in, copied out of the points by index: their ids are
 /// then their indices, which have the order of the ids in the input.
-#ifndef flipflop_GivenHull_h
-#define flipflop_GivenHull_h
+#ifndef flipflop_HullCorners_h
+#define flipflop_HullCorners_h
 
 #include "Points/PointSource.h"
 #include "Validate/ValidateStructure.h"
