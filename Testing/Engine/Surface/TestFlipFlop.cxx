@@ -3,6 +3,7 @@
 /// @file
 /// Flip-Flop takes any star-shaped polyhedron to its hull.
 #include "Testing/Engine/Surface/FlipFlopChecks.h"
+#include <flipflop/FlipFlop.h>
 
 #include <cmath>
 
@@ -32,6 +33,17 @@ TEST(FlipFlop, ConvexPolyhedraStayAsTheyAre)
     expectFlipFlop(cube, middle);
     EXPECT_EQ(convexify(viewOf(cube.points), cube.view(), middle).pointIds.size(), 8u);
   }
+}
+
+TEST(FlipFlop, HasItsFormerName)
+{
+  const Surface cube = griddedCube(2);
+  const double middle[3] = { 1, 1, 1 };
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+  const Hull hull = flipFlop(viewOf(cube.points), cube.view(), middle);
+#pragma GCC diagnostic pop
+  EXPECT_EQ(bitDifference(hull, convexify(viewOf(cube.points), cube.view(), middle)), "");
 }
 
 TEST(FlipFlop, SunkenFacets)
