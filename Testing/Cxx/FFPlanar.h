@@ -68,11 +68,7 @@ public:
   {
     this->Errors->Clear();
     this->Filter->Modified();
-    this->Filter->Update();
-    FF_CHECK_EQUAL(this->Errors->Messages.size(), std::size_t(1));
-    FF_CHECK(this->Errors->Has(words));
-    FF_CHECK_EQUAL(this->Filter->GetErrorCode(), code);
-    FF_CHECK(hasForgotten(this->Filter));
+    FF_CHECK(fails(this->Filter, code, { words }));
   }
 
   vtkNew<FilterT> Filter;
@@ -148,13 +144,6 @@ inline std::vector<Point> gridOf(int columns, int rows, double z = 0.0)
     points.push_back({ double(i % columns), double(i / columns), z });
   }
   return points;
-}
-
-/// A value of the report in the output's field data; -1 if it is missing.
-inline double reported(vtkDataObject* output, const char* name)
-{
-  vtkDataArray* array = output->GetFieldData()->GetArray(name);
-  return array ? array->GetComponent(0, 0) : -1.0;
 }
 
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FFTest.h"
 
-#include <flipflop/Validate.h>
+#include <flipflop/ConvexHull.h>
+#include <flipflop/RegularTriangulation.h>
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -350,39 +351,43 @@ vtkSmartPointer<vtkDoubleArray> doubles(vtkPointSet* data)
   return array;
 }
 
-/// What the engine gave for the output to come out.
-void toComplex(vtkPolyData* output, int dimension, flipflop::CellComplex& complex)
+/// Whether the output's ids and cells are the engine's, in its order.
+bool areOf(const flipflop::CellComplex& expected, vtkPolyData* output)
 {
-  complex.dimension = dimension;
   const auto ids = originalIds(output);
-  complex.pointIds.allocate(ids.size());
-  std::copy(ids.begin(), ids.end(), complex.pointIds.begin());
-  vtkCellArray* cells = dimension == 0 ? output->GetVerts()
-    : dimension == 1                   ? output->GetLines()
-                                       : output->GetPolys();
-  std::vector<std::int64_t> connectivity;
-  std::vector<std::int64_t> offsets{ 0 };
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  bool same =
+    std::equal(ids.begin(), ids.end(), expected.pointIds.begin(), expected.pointIds.end());
+  std::int64_t cell = 0;
+  for (vtkCellArray* cells : { output->GetVerts(), output->GetLines(), output->GetPolys() })
   {
-    cells->GetCellAtId(i, corners);
-    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    for (vtkIdType i = 0; same && i < cells->GetNumberOfCells(); ++i, ++cell)
     {
-      connectivity.push_back(corners->GetId(k));
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      cells->GetCellAtId(i, size, corners);
+      same = cell < expected.cellCount() &&
+        std::equal(corners, corners + size,
+          expected.connectivity.begin() + expected.cellBegin(cell),
+          expected.connectivity.begin() + expected.cellBegin(cell + 1));
     }
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
-  complex.connectivity.allocate(connectivity.size());
-  std::copy(connectivity.begin(), connectivity.end(), complex.connectivity.begin());
-  if (cells->IsHomogeneous() > 0)
+  return same && cell == expected.cellCount();
+}
+
+/// Either kind of facets.
+template <class Make>
+bool areOfEngine(const Make& make, vtkPolyData* output)
+{
+  flipflop::Options options;
+  options.nonFinite = flipflop::NonFinitePolicy::Ignore;
+  const bool triangles = areOf(make(options), output);
+  options.facets = flipflop::FacetMode::Polygons;
+  if (triangles || areOf(make(options), output))
   {
-    complex.cellSize = cells->IsHomogeneous();
+    return true;
   }
-  else
-  {
-    complex.offsets.allocate(offsets.size());
-    std::copy(offsets.begin(), offsets.end(), complex.offsets.begin());
-  }
+  std::cerr << "other points or cells than the engine's\n";
+  return false;
 }
 
 /// Whether the output's points are those of the input that its ids name, in type and bits, and
@@ -422,16 +427,6 @@ bool hasPointsOf(vtkPointSet* input, vtkPolyData* output, int dimension)
   return true;
 }
 
-bool isValid(const flipflop::Validation& verdict)
-{
-  if (!verdict)
-  {
-    std::cerr << "not valid: " << flipflop::describe(verdict.fault) << ", index " << verdict.index
-              << "\n";
-  }
-  return static_cast<bool>(verdict);
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -442,10 +437,9 @@ bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension)
     return false;
   }
   const auto points = doubles(input);
-  flipflop::Hull hull;
-  toComplex(output, dimension, hull);
   const flipflop::PointView view(points->GetPointer(0), points->GetNumberOfTuples());
-  return isValid(flipflop::validate(view, hull));
+  return areOfEngine(
+    [&](const flipflop::Options& options) { return flipflop::convexHull(view, options); }, output);
 }
 
 //------------------------------------------------------------------------------
@@ -525,13 +519,17 @@ bool isTriangulationOf(
     values->DeepCopy(input->GetPointData()->GetArray(weights));
     weightView = flipflop::WeightView(values->GetPointer(0), values->GetNumberOfTuples());
   }
-  flipflop::Triangulation triangulation;
-  toComplex(output, dimension, triangulation);
-  const auto ids = originalIds(hidden);
-  triangulation.hiddenIds.allocate(ids.size());
-  std::copy(ids.begin(), ids.end(), triangulation.hiddenIds.begin());
   const flipflop::PointView view(points->GetPointer(0), points->GetNumberOfTuples());
-  return isValid(flipflop::validate(view, weightView, triangulation));
+  const auto ids = originalIds(hidden);
+  return areOfEngine(
+    [&](const flipflop::Options& options)
+    {
+      auto triangulation = flipflop::regularTriangulation(view, weightView, options);
+      const auto& expected = triangulation.hiddenIds;
+      FF_CHECK(std::equal(ids.begin(), ids.end(), expected.begin(), expected.end()));
+      return triangulation;
+    },
+    output);
 }
 
 //------------------------------------------------------------------------------

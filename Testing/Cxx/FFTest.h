@@ -130,8 +130,8 @@ std::vector<Point> spherePoints(int count, unsigned int seed);
 /// The eight corners of the unit cube, ids 0 to 7: x changes fastest.
 std::vector<Point> cubeCorners();
 
-/// Whether the filter's output is the hull of the points: exactly, in canonical form, with ids and
-/// with points of the same type and bits.
+/// Whether the filter's output is the hull that the engine gives for the points, with ids and with
+/// points of the same type and bits.
 bool isHullOf(vtkPointSet* input, vtkPolyData* output, int dimension);
 
 /// The same points with an array of weights, of the type.
@@ -147,9 +147,9 @@ void markPoints(vtkDataSet* data, const std::vector<int>& marks, bool again = tr
 /// Have the filter take its weights from the point array.
 void useWeights(vtkAlgorithm* filter, const char* name = "weights");
 
-/// Whether the first two outputs of a filter that ran are the regular triangulation of its input in
-/// the XY plane: exactly, in canonical form, with ids and with points of the same type and bits.
-/// Null: no weights.
+/// Whether the first two outputs of a filter that ran are the regular triangulation that the engine
+/// gives for its input in the XY plane, with ids and with points of the same type and bits. Null:
+/// no weights.
 bool isTriangulationOf(vtkPointSet* input, const char* weights,
   vtkFFRegularTriangulationFilter* filter, int dimension = 2);
 

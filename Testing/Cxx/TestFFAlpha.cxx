@@ -92,7 +92,7 @@ void testParts()
   FF_CHECK_EQUAL(output->GetNumberOfCells(), 1);
   FF_CHECK_EQUAL(output->GetNumberOfPoints(), 6);
   FF_CHECK(run->GetNumberOfDroppedCells() > 2);
-  FF_CHECK_EQUAL(reported(output, "FlipFlopDroppedCells"), double(run->GetNumberOfDroppedCells()));
+  FF_CHECK_EQUAL(reported(output, "DroppedCells"), double(run->GetNumberOfDroppedCells()));
 
   run->AlphaLinesOn();
   run->AlphaVertsOn();
@@ -114,6 +114,15 @@ void testParts()
   FF_CHECK_EQUAL(output->GetNumberOfLines(), 0);
   FF_CHECK((valuesOf(output, "Alpha") == std::vector<double>{ 0 }));
   run->SetMaximumEdgeLength(0.0);
+
+  // Those that stay keep their own alphas.
+  Run lines(makePoints({ { 0, 0, 0 }, { 3, 0, 0 }, { 50, 50, 0 }, { 52, 50, 0 } }));
+  lines->SetAlpha(2.0);
+  lines->AlphaLinesOn();
+  lines->GenerateAlphasOn();
+  FF_CHECK((valuesOf(lines.Run(), "Alpha") == std::vector<double>{ 1.5, 1 }));
+  lines->SetMaximumEdgeLength(2.5);
+  FF_CHECK((valuesOf(lines.Run(), "Alpha") == std::vector<double>{ 1 }));
 
   // A circle as large as alpha is in, a larger one is not.
   run->SetAlpha(std::nextafter(5.0, 0.0));
@@ -149,24 +158,6 @@ void testBoundary()
   FF_CHECK(isEmpty(border));
 }
 
-/// Disks: their weights are the squares of radii.
-void testWeights()
-{
-  const auto input = makeWeighted({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 9, 0 } }, { 2, 2, 1 });
-  Run run(input, "weights");
-  run->SetWeightMode(vtkFFPlanarAlgorithm::RADII);
-  run->SetAlpha(1e-9);
-  run->AlphaLinesOn();
-  run->AlphaVertsOn();
-  run->GenerateAlphasOn();
-  vtkPolyData* output = run.Run();
-  // The first two disks overlap.
-  FF_CHECK((setOf(output->GetLines()) == std::set<Ids>{ { 0, 1 } }));
-  FF_CHECK((setOf(output->GetVerts()) == std::set<Ids>{ { 2 } }));
-  FF_CHECK_EQUAL(valuesOf(output, "Alpha")[0], -1.0);
-  FF_CHECK(valuesOf(output, "Alpha")[1] < 0.0);
-}
-
 /// Points on a line, one point, none.
 void testOtherInputs()
 {
@@ -192,7 +183,6 @@ int TestFFAlpha(int, char*[])
   testAgainstDelaunay2D();
   testParts();
   testBoundary();
-  testWeights();
   testOtherInputs();
   return result();
 }

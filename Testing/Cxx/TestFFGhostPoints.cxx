@@ -152,25 +152,6 @@ void testAllBlocks()
   FF_CHECK(visible && visible->GetTuple1(last) == 8);
 }
 
-/// Hidden points are on a port of their own, with their ids, without the ghosts. Weights are judged
-/// as they came.
-void testHiddenPoints()
-{
-  auto data = makeWeighted(
-    { { 9, 9, 0 }, { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 1, 1, 0 }, { -9, 9, 0 } },
-    { INFINITY, 0, 0, 0, 0, -2, 0 });
-  markPoints(data, { duplicate, 0, 0, 0, 0, 0, hidden });
-  vtkNew<vtkFFRegularTriangulationFilter> filter;
-  useWeights(filter);
-  filter->SetInputData(data);
-  FF_CHECK(succeeds(filter));
-  FF_CHECK(originalIds(filter->GetOutput()) == (Ids{ 1, 2, 3, 4 }));
-  FF_CHECK(originalIds(filter->GetHiddenPointsOutput()) == (Ids{ 5 }));
-  data->GetPointData()->GetArray("weights")->SetNumberOfTuples(5);
-  data->Modified();
-  FF_CHECK(fails(filter, vtkFFErrorCode::InputError, { "has 5 value(s) for 7 point(s)" }));
-}
-
 /// Marks of points mean other things for cells, so they are translated. Points that are counted all
 /// the same keep theirs.
 void testMarksOfCells()
@@ -215,7 +196,6 @@ int TestFFGhostPoints(int, char*[])
     testFilter(of);
   }
   testAllBlocks();
-  testHiddenPoints();
   testMarksOfCells();
   return result();
 }

@@ -90,7 +90,7 @@ void testThreads()
   const auto threadsOf = [&](int number)
   {
     hull->SetNumberOfThreads(number);
-    return reported(hull.Run(), "FlipFlopThreads");
+    return reported(hull.Run(), "Threads");
   };
   FF_CHECK_EQUAL(hull->GetNumberOfThreads(), 0);
   hull->ReportAsFieldDataOn();

@@ -41,12 +41,7 @@ bool isLike(vtkFFHullFilter* streaming, vtkFFHullFilter* plain, const std::strin
   {
     same = same && reported(streaming->GetOutput(), name) == reported(plain->GetOutput(), name);
   }
-  same = same && streaming->GetVolume() == plain->GetVolume() &&
-    streaming->GetArea() == plain->GetArea() &&
-    streaming->GetDimension() == plain->GetDimension() &&
-    streaming->GetEngineUsed() == plain->GetEngineUsed() &&
-    streaming->GetNumberOfInputPoints() == plain->GetNumberOfInputPoints() &&
-    streaming->GetNumberOfNonFinitePoints() == plain->GetNumberOfNonFinitePoints();
+  same = same && printedReport(streaming) == printedReport(plain);
   if (!same)
   {
     std::cerr << what << ": reports differ\n";
@@ -185,7 +180,6 @@ void testKinds()
   FF_CHECK(pair.Run({ piece(0), none, piece(1), empty(VTK_FLOAT), piece(2) }, "empty pieces"));
   FF_CHECK(pair.Run({ none, empty(VTK_INT), piece(1, VTK_FLOAT), none }, "one with points"));
   FF_CHECK(pair.Run({ none, none }, "nothing"));
-  FF_CHECK(pair.Run({ empty(VTK_DOUBLE), none }, "points without one, then nothing"));
   FF_CHECK(pair.Run({ empty(VTK_INT), empty(VTK_DOUBLE), empty(VTK_SHORT) }, "points without one"));
   FF_CHECK(pair.Run({ piece(0, VTK_FLOAT), piece(1, VTK_INT), piece(2, VTK_FLOAT) }, "types"));
   FF_CHECK(pair.Run({ piece(0, VTK_INT), piece(1, VTK_INT), empty(VTK_DOUBLE) }, "integers"));
@@ -201,8 +195,6 @@ void testKinds()
   temperature->Fill(5);
   other->GetPointData()->AddArray(temperature);
   FF_CHECK(pair.Run({ piece(0), lacks, piece(3) }, "an array less"));
-  FF_CHECK(pair.Run({ lacks, piece(0) }, "an array more"));
-  FF_CHECK(pair.Run({ piece(0), other, piece(3) }, "another type"));
   FF_CHECK(pair.Run({ other, piece(0), lacks }, "both"));
 
   // The lowest id stands for all, whichever piece it is in.

@@ -22,7 +22,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 using namespace fftest;
 
@@ -259,36 +258,6 @@ void testArrays()
   FF_CHECK(isNear(valuesBy(filter, "z")[0], 0.5));
 }
 
-/// Heavy points hide another, whose value has no effect: not by these weights, but by these radii.
-void testWeights()
-{
-  const auto source =
-    makeWeighted({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 2, 1, 0 } },
-      { 3, 3, 3, 3, 0 }, VTK_INT);
-  source->GetPointData()->AddArray(
-    makeWeighted(std::vector<Point>(5), { 1, 1, 1, 1, 99 }, VTK_INT, "values")
-      ->GetPointData()
-      ->GetArray(0));
-  vtkNew<Filter> filter;
-  filter->SetInputData(makePoints({ { 2, 1, 0 }, { 9, 0, 0 } }));
-  filter->SetSourceData(source);
-  FF_CHECK_EQUAL(valuesBy(filter)[0], 99.0);
-  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
-  for (const int mode : { 0, 1 })
-  {
-    filter->SetInterpolationMode(mode);
-    filter->SetWeightMode(vtkFFPointInterpolator2D::WEIGHTS);
-    FF_CHECK_EQUAL(valuesBy(filter)[0], 99.0);
-    filter->SetWeightMode(vtkFFPointInterpolator2D::RADII);
-    FF_CHECK(isNear(valuesBy(filter)[0], 1.0));
-  }
-  filter->SetWeightFactor(nan);
-  FF_CHECK(failsInPart(filter, vtkFFErrorCode::SettingError, { "Weight Factor is nan" }));
-  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "none");
-  FF_CHECK(failsInPart(filter, vtkFFErrorCode::InputError,
-    { "The weights' array \"none\" of the source is missing from the source's point data." }));
-}
-
 void testErrors()
 {
   const auto source = makeSource(10);
@@ -316,27 +285,6 @@ void testErrors()
   FF_CHECK(isNear(found[6], 0.5));
 }
 
-void testPrint()
-{
-  vtkNew<Filter> filter;
-  filter->AddExcludedArray("some");
-  filter->SetInterpolationMode(9);
-  filter->SetNullPointsStrategy(9);
-  std::ostringstream text;
-  filter->Print(text);
-  for (const std::string name : { "InterpolationMode: 1", "WeightMode: 0", "WeightFactor: 1",
-         "NullPointsStrategy: 2", "NullValue: 0", "InterpolateZ: On",
-         "ValidPointsMaskArrayName: vtkValidPointMask", "ZArrayName: Elevation",
-         "ExcludedArrays: 1", "PassPointArrays: On", "PassCellArrays: On", "PassFieldArrays: On" })
-  {
-    FF_CHECK(text.str().find("\n  " + name) != std::string::npos);
-  }
-  const vtkMTimeType time = filter->GetMTime();
-  filter->SetZArrayName("Elevation");
-  filter->SetValidPointsMaskArrayName("vtkValidPointMask");
-  FF_CHECK_EQUAL(filter->GetMTime(), time);
-}
-
 }
 
 int TestFFPointInterpolator2D(int, char*[])
@@ -345,8 +293,6 @@ int TestFFPointInterpolator2D(int, char*[])
   testModes();
   testNullPoints();
   testArrays();
-  testWeights();
   testErrors();
-  testPrint();
   return result();
 }

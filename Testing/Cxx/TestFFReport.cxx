@@ -157,23 +157,6 @@ void testNone()
   FF_CHECK_EQUAL(reported(hull->GetOutput(), "Dimension"), -1);
 }
 
-/// One hull of all blocks reports all. (Of each, see TestFFComposites.)
-void testAllBlocks()
-{
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, makeInput(100));
-  blocks->SetBlock(1, makeInput(300));
-  vtkNew<vtkFFHullFilter> hull;
-  hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
-  hull->ReportAsFieldDataOn();
-  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
-  hull->SetInputData(blocks);
-  FF_CHECK(succeeds(hull));
-  FF_CHECK_EQUAL(reported(hull->GetOutput(), "Points"), 400);
-  FF_CHECK_EQUAL(reported(hull->GetOutput(), "NonFinite"), 2);
-  FF_CHECK_EQUAL(reported(hull->GetOutput(), "Volume"), hull->GetVolume());
-}
-
 }
 
 int TestFFReport(int, char*[])
@@ -186,6 +169,5 @@ int TestFFReport(int, char*[])
     testFilter(of.New(), of.TakesSurface ? ell : input, of.Report);
   }
   testNone();
-  testAllBlocks();
   return result();
 }

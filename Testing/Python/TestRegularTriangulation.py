@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
 from vtkflipflop import vtkFFPowerDiagramFilter, vtkFFRegularTriangulationFilter, vtkPFFRegularTriangulationFilter
@@ -70,76 +70,6 @@ def area(xy):
 
 
 class TestTriangulation(unittest.TestCase):
-    def check_regular(self, xy, weights, triangulation):
-        """Brute force over integers, which NumPy does not round: every lift lies on or above the
-        plane of each triangle, and what appears is used."""
-        p = np.asarray(xy, np.int64)
-        lift = np.sum(p * p, axis=1) - np.asarray(weights, np.int64)
-        seen = set()
-        twice_area = 0
-        for a, b, c in triangles(triangulation):
-            u, v = p[b] - p[a], p[c] - p[a]
-            turn = u[0] * v[1] - u[1] * v[0]
-            self.assertGreater(turn, 0)
-            twice_area += turn
-            q = p - p[a]
-            h, hu, hv = lift - lift[a], lift[b] - lift[a], lift[c] - lift[a]
-            above = (
-                h * turn
-                - q[:, 0] * (hu * v[1] - hv * u[1])
-                + q[:, 1] * (hu * v[0] - hv * u[0])
-            )
-            self.assertTrue(np.all(above >= 0), "a point lies beneath a triangle")
-            seen.update((a, b, c))
-        shown = original_ids(triangulation.GetOutput().GetPointData())
-        hidden = original_ids(triangulation.GetHiddenPointsOutput().GetPointData())
-        self.assertEqual(seen, set(shown))
-        self.assertEqual(sorted([*shown, *hidden]), list(range(len(p))))
-        self.assertEqual(len(hidden), triangulation.GetNumberOfHiddenPoints())
-        return twice_area
-
-    def test_integers_against_brute_force(self):
-        rng = np.random.default_rng(1)
-        for size in (4, 10, 40):
-            for heft in (0, 3, size * size):
-                xy = rng.integers(-size, size, (200, 2))
-                xy[:4] = [[-size, -size], [size, -size], [size, size], [-size, size]]
-                weights = rng.integers(-heft, heft + 1, 200)
-                weights[:4] = heft + 1  # the corners stay, whatever else
-                for dtype in (np.float64, np.float32, np.int32):
-                    triangulation = run(xy.astype(dtype), weights.astype(dtype))
-                    twice = self.check_regular(xy, weights, triangulation)
-                    self.assertEqual(twice, 8 * size * size)
-                    points = vtk_to_numpy(triangulation.GetOutput().GetPoints().GetData())
-                    self.assertEqual(points.dtype, dtype)
-
-    def test_delaunay_hides_duplicates_alone(self):
-        rng = np.random.default_rng(2)
-        xy = rng.standard_normal((5000, 2))
-        triangulation = run(np.vstack([xy, xy[:100]]))
-        hidden = original_ids(triangulation.GetHiddenPointsOutput().GetPointData())
-        self.assertEqual(list(hidden), list(range(5000, 5100)))
-        self.assertEqual(triangulation.GetHiddenPointsOutput().GetNumberOfVerts(), 100)
-
-    def test_any_number_of_threads(self):
-        rng = np.random.default_rng(3)
-        xy = rng.random((30000, 2))
-        weights = rng.random(30000) * 1e-4
-        reference = None
-        for threads in (1, 2, 4, 0):
-            result = triangles(run(xy, weights, NumberOfThreads=threads)).tobytes()
-            reference = reference or result
-            self.assertEqual(result, reference)
-
-    def test_degenerate(self):
-        empty = run(np.empty((0, 3)))
-        self.assertEqual((empty.GetDimension(), empty.GetOutput().GetNumberOfPoints()), (-1, 0))
-        one = run([[1.0, 2.0]] * 5, [0.0, 3.0, 3.0, 2.0, -1.0])
-        self.assertEqual((one.GetDimension(), one.GetOutput().GetNumberOfVerts()), (0, 1))
-        self.assertEqual(list(original_ids(one.GetOutput().GetPointData())), [1])
-        line = run(np.outer(np.arange(10.0), [1.0, -2.0]))
-        self.assertEqual((line.GetDimension(), line.GetOutput().GetNumberOfLines()), (1, 9))
-
     def test_projection(self):
         rng = np.random.default_rng(4)
         xy = rng.integers(-1000, 1000, (500, 2)).astype(np.float64)
@@ -194,32 +124,6 @@ class TestTriangulation(unittest.TestCase):
         distributed.Update()
         self.assertEqual(messages, [])
         np.testing.assert_array_equal(triangles(distributed), expected)
-
-    def test_blocks(self):
-        rng = np.random.default_rng(9)
-        clouds = [rng.standard_normal((n, 2)) for n in (100, 200)]
-        blocks = vtkMultiBlockDataSet()
-        for k, xy in enumerate(clouds):
-            blocks.SetBlock(k, poly_data(xy, 0.1 * rng.random(len(xy))))
-        triangulation = vtkFFRegularTriangulationFilter()
-        messages = errors_of(triangulation)
-        use_weights(triangulation)
-        triangulation.SetInputDataObject(blocks)
-        triangulation.Update()
-        self.assertEqual(messages, [])
-        self.assertEqual(triangulation.GetNumberOfInputPoints(), 300)
-        for k, xy in enumerate(clouds):
-            counts = [
-                triangulation.GetOutputDataObject(port).GetBlock(k).GetNumberOfPoints()
-                for port in range(2)
-            ]
-            self.assertEqual(sum(counts), len(xy))
-            self.assertGreater(counts[1], 0)
-        blocks.GetBlock(1).GetPointData().RemoveArray("weights")
-        blocks.Modified()
-        triangulation.Update()
-        self.assertEqual(len(messages), 1)
-        self.assertIn("of data set 1 of the composite is missing", messages[0])
 
     def test_errors(self):
         rng = np.random.default_rng(6)

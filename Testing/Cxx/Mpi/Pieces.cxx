@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Data in pieces, and as it is whole.
 #include "DistributedVersusSerial.h"
+#include "vtkFFPieces.h"
 
 #include "vtkBitArray.h"
 #include "vtkCharArray.h"
@@ -108,50 +109,6 @@ void decorate(vtkPolyData* piece, int number)
   data->SetGlobalIds(globals);
 }
 
-/// All pieces' values, of one type.
-vtkSmartPointer<vtkAbstractArray> appendArrays(const std::vector<vtkAbstractArray*>& parts)
-{
-  vtkSmartPointer<vtkAbstractArray> whole;
-  whole.TakeReference(vtkAbstractArray::CreateArray(parts[0]->GetDataType()));
-  whole->SetName(parts[0]->GetName());
-  whole->SetNumberOfComponents(parts[0]->GetNumberOfComponents());
-  whole->CopyComponentNames(parts[0]);
-  for (vtkAbstractArray* part : parts)
-  {
-    for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
-    {
-      whole->InsertNextTuple(i, part);
-    }
-  }
-  return whole;
-}
-
-/// All pieces' points: of their type, or of doubles where they have several.
-vtkSmartPointer<vtkPoints> appendPoints(const Pieces& filled)
-{
-  int type = filled[0]->GetPoints()->GetDataType();
-  std::vector<vtkAbstractArray*> arrays;
-  for (vtkPolyData* piece : filled)
-  {
-    type = piece->GetPoints()->GetDataType() == type ? type : VTK_DOUBLE;
-    arrays.push_back(piece->GetPoints()->GetData());
-  }
-  std::vector<vtkSmartPointer<vtkDataArray>> converted;
-  for (vtkAbstractArray*& array : arrays)
-  {
-    if (array->GetDataType() != type)
-    {
-      converted.push_back(vtkSmartPointer<vtkDoubleArray>::New());
-      converted.back()->DeepCopy(array);
-      array = converted.back();
-    }
-  }
-  const auto whole = appendArrays(arrays);
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(vtkDataArray::SafeDownCast(whole));
-  return points;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -166,47 +123,10 @@ void decorate(const Pieces& pieces)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> append(const Pieces& pieces)
 {
-  Pieces filled;
-  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(filled),
-    [](vtkPolyData* piece) { return piece && piece->GetNumberOfPoints() > 0; });
-  if (filled.empty())
-  {
-    return pieces[0] ? pieces[0] : vtkSmartPointer<vtkPolyData>::New();
-  }
-  auto whole = vtkSmartPointer<vtkPolyData>::New();
-  whole->SetPoints(appendPoints(filled));
-
-  vtkPointData* first = filled[0]->GetPointData();
-  for (int k = 0; k < first->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* array = first->GetAbstractArray(k);
-    std::vector<vtkAbstractArray*> parts;
-    for (vtkPolyData* piece : filled)
-    {
-      // What has no name has no like.
-      vtkAbstractArray* part = filled.size() == 1 ? array
-        : array->GetName() ? piece->GetPointData()->GetAbstractArray(array->GetName())
-                           : nullptr;
-      if (part && part->GetDataType() == array->GetDataType() &&
-        part->GetNumberOfComponents() == array->GetNumberOfComponents())
-      {
-        parts.push_back(part);
-      }
-    }
-    if (parts.size() < filled.size())
-    {
-      continue;
-    }
-    const int index = whole->GetPointData()->AddArray(appendArrays(parts));
-    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
-    {
-      if (first->GetAbstractAttribute(attribute) == array)
-      {
-        whole->GetPointData()->SetActiveAttribute(index, attribute);
-      }
-    }
-  }
-  return whole;
+  std::vector<vtkPointSet*> there;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(there),
+    [](vtkPolyData* piece) { return piece != nullptr; });
+  return vtkPolyData::SafeDownCast(vtkFFPieces::Append(there));
 }
 
 //------------------------------------------------------------------------------

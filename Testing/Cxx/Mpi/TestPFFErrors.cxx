@@ -191,39 +191,11 @@ void testInexact(DistributedVersusSerial& both)
   const vtkTypeInt64 wide = (vtkTypeInt64(1) << 53) + 1;
   for (const int bad : { 1, 0, 2 })
   {
-    Pieces pieces;
-    for (int k = 0; k < processes(); ++k)
-    {
-      pieces.push_back(make(k, k >= bad ? wide : 1));
-    }
-    both.Run("wide integers", pieces);
+    const int first = atMostLast(bad);
+    both.Fails("wide integers", make(rank(), rank() >= first ? wide : 1),
+      "is a 64-bit integer that no double holds: first at point " +
+        std::to_string(20 * first + 10));
     both.Run("integers that a double holds", { std::size_t(processes()), make(3, wide - 1) });
-  }
-  std::vector<Pieces> leaves{ makePieces(), {}, makePieces(), makePieces() };
-  leaves[1].assign(std::size_t(processes()), make(2, wide));
-  spoil(leaves[0], 0, 1, nan);
-  both.Run("first not finite, then wide", leaves);
-}
-
-/// Whoever asks to abort, at whatever time: all stop, without an error.
-void testAbort(DistributedVersusSerial& both)
-{
-  const Pieces pieces = makePieces();
-  for (const int process : { 0, 1, 4 })
-  {
-    for (const double mark : { 0.0, 0.3, 0.9 })
-    {
-      vtkNew<ProgressObserver> progress;
-      progress->AbortAt = mark;
-      const bool aborts = rank() == atMostLast(process);
-      const unsigned long tag =
-        aborts ? both.Distributed->AddObserver(vtkCommand::ProgressEvent, progress) : 0;
-      both.Fails("an abort", ownOf(pieces), "");
-      FF_CHECK(!aborts || !progress->Values.empty());
-      both.Distributed->RemoveObserver(tag);
-      both.Distributed->SetAbortExecute(0); // older VTKs do so at the start of a run
-      both.Run("after an abort", pieces);
-    }
   }
 }
 
@@ -276,49 +248,11 @@ void testWeights()
   Pieces pieces = makePieces();
   pieces[last]->GetPointData()->GetArray("weights")->SetTuple1(11, nan);
   refuses(both, "a weight that is NaN", pieces, "point " + place + ", 1 such");
-  pieces = makePieces();
-  pieces.back()->GetPointData()->RemoveArray("weights");
-  refuses(both, "weights missing on one", pieces, "missing from the input's point data");
   for (vtkPolyData* piece : pieces)
   {
     piece->GetPointData()->RemoveArray("weights");
   }
   refuses(both, "weights missing on all", pieces, "missing from the input's point data");
-
-  // Only one process has points, so that none are appended.
-  const auto points = randomPoints(50, 112);
-  for (const int owner : { 0, processes() - 1 })
-  {
-    for (const vtkIdType count : { 49, 51 })
-    {
-      pieces = split(points, [=](int) { return owner; });
-      vtkNew<vtkDoubleArray> weights;
-      weights->SetName("weights");
-      weights->SetNumberOfTuples(count);
-      weights->Fill(0.0);
-      pieces[static_cast<std::size_t>(owner)]->GetPointData()->AddArray(weights);
-      refuses(both, "weights of another number", pieces,
-        "has " + std::to_string(count) + " value(s) for 50 point(s)");
-    }
-  }
-}
-
-/// One process speaks for all, though all have the same settings.
-void testSettings()
-{
-  DistributedVersusSerial both = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
-  both.Set<Triangulation>(
-    [](auto* filter) { filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE); });
-  both.Run("no transform", makePieces());
-  FF_CHECK(both.Distributed->GetErrorCode() != vtkErrorCode::NoError);
-  using Diagram = vtkFFPowerDiagramFilter;
-  DistributedVersusSerial diagrams = compare<vtkPFFPowerDiagramFilter, Diagram>();
-  diagrams.Set<Diagram>([](auto* filter) { filter->SetPowerDiagramBounds(1, 0, 0, 1); });
-  diagrams.Run("no box", makePieces());
-  FF_CHECK(diagrams.Distributed->GetErrorCode() != vtkErrorCode::NoError);
-  diagrams.Set<Diagram>([](auto* filter) { filter->SetPowerDiagramBounds(0, 1, 0, 1); });
-  diagrams.Run("a box", makePieces());
-  FF_CHECK_EQUAL(diagrams.Distributed->GetErrorCode(), vtkErrorCode::NoError);
 }
 
 /// What several processes cannot do, and what to do instead; on whichever it was set.
@@ -369,12 +303,10 @@ void testErrors()
     testProgress(both);
     if (processes() > 1) // one alone is its superclass
     {
-      testAbort(both);
       testWrongInput(both);
     }
   }
   testWeights();
-  testSettings();
   if (processes() > 1)
   {
     testSeveral();

@@ -8,6 +8,7 @@
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkMultiProcessController.h"
+#include "vtkPFFHullFilter.h"
 #include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 
@@ -53,10 +54,16 @@ public:
 /// were here.
 int run(const Pieces& pieces, int settings, int where, int at, bool throws)
 {
-  vtkSmartPointer<vtkFFPlanarAlgorithm> filter;
+  vtkSmartPointer<vtkFFAlgorithm> filter;
   if (settings % 7 == 6)
   {
     filter = vtkSmartPointer<vtkPFFPowerDiagramFilter>::New();
+  }
+  else if (settings % 7 == 5)
+  {
+    vtkNew<vtkPFFHullFilter> hull;
+    hull->SetResultMode(vtkPFFHullFilter::RESULT_DISTRIBUTED);
+    filter = hull;
   }
   else
   {
@@ -66,7 +73,10 @@ int run(const Pieces& pieces, int settings, int where, int at, bool throws)
     filter = triangulation;
   }
   filter->SetNumberOfThreads(1);
-  filter->SetProjectionPlaneMode(settings % 2 ? 2 : 0);
+  if (auto* planar = vtkFFPlanarAlgorithm::SafeDownCast(filter))
+  {
+    planar->SetProjectionPlaneMode(settings % 2 ? 2 : 0);
+  }
   vtkNew<FaultObserver> fault;
   fault->At = rank() == where ? at : -1;
   fault->Throws = throws;

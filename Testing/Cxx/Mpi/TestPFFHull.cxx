@@ -264,16 +264,6 @@ void testGhosts()
     both.Run("ghosts", given[static_cast<std::size_t>(rank())],
       processes() == 1 ? given[0] : append(pieces));
   }
-  // Points like all others.
-  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* hull) { hull->SkipGhostPointsOff(); });
-  Pieces counted = split(randomPoints(500, 75), byTurns);
-  decorate(counted);
-  for (auto& piece : counted)
-  {
-    piece = amidGhosts(piece, VTK_DOUBLE);
-  }
-  both.Run("ghosts that count", counted);
-  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* hull) { hull->SkipGhostPointsOn(); });
   // Nothing but ghosts on the last.
   Pieces pieces = split(cubeCorners(), [](int i) { return i % std::max(processes() - 1, 1); });
   decorate(pieces);
@@ -284,19 +274,6 @@ void testGhosts()
   }
   both.Run("nothing but ghosts", given[static_cast<std::size_t>(rank())],
     processes() == 1 ? given[0] : append(pieces));
-}
-
-/// The output passes for an input again; ids are those of its own input.
-void testChain()
-{
-  const Pieces pieces = split(shapes()[2].second, byTurns);
-  decorate(pieces);
-  DistributedVersusSerial both = hulls();
-  both.Run("first", pieces);
-  vtkNew<vtkPolyData> first;
-  first->ShallowCopy(both.Distributed->GetOutput());
-  DistributedVersusSerial second = hulls();
-  second.Run("second", first, both.Serial->GetOutput());
 }
 
 /// Large hulls stay where they are, by the limit that is set.
@@ -353,7 +330,6 @@ void testHull()
   testTypes();
   testUnlikeData();
   testGhosts();
-  testChain();
   testLimit();
   testThreads();
 }
