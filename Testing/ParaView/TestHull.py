@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The hull's proxy and that of Convexify: the filters' promises, kept through ParaView."""
+"""The proxies of the hull and of Convexify: what ParaView brings to what the C++ tests hold."""
 
 import unittest
 
@@ -78,31 +78,6 @@ class TestHull(unittest.TestCase):
         hull.ReportAsFieldData = 0
         self.assertEqual(fetch(run(hull)).GetFieldData().GetNumberOfArrays(), 0)
 
-    def test_same_for_any_number_of_threads(self):
-        rng = np.random.default_rng(1)
-        source = cloud(rng.standard_normal((40000, 3)))
-        one = hull_of(source, NumberOfThreads=1)
-        two = hull_of(source, NumberOfThreads=2, VBiased=1)
-        self.assertEqual(cells_by_ids(fetch(one)), cells_by_ids(fetch(two)))
-        threads = [fetch(hull).GetFieldData().GetArray("FlipFlopThreads").GetValue(0) for hull in (one, two)]
-        self.assertEqual(threads, [1, 2])
-
-    def test_degenerate(self):
-        # What there is: points, and (dimension, vertices, lines, polygons) of the hull.
-        grid = [[x, y, 5] for x in range(10) for y in range(10)]
-        for xyz, expected in (
-            (np.empty((0, 3)), (-1, 0, 0, 0)),
-            (np.tile(CUBE[3], (7, 1)), (0, 1, 0, 0)),
-            (np.outer(np.arange(10), [1, -2, 3]), (1, 0, 1, 0)),
-            (np.array(grid), (2, 0, 0, 1)),
-        ):
-            with errors() as lines:
-                hull = hull_of(cloud(xyz), FacetMode="Polygons")
-                output = fetch(hull)
-            self.assertEqual(lines, [])
-            found = (output.GetNumberOfVerts(), output.GetNumberOfLines(), output.GetNumberOfPolys())
-            self.assertEqual((hull.Dimension, *found), expected)
-
     def test_points_that_are_not_finite(self):
         xyz = np.vstack([CUBE, CUBE])
         xyz[5, 1] = np.nan
@@ -160,13 +135,6 @@ class TestHull(unittest.TestCase):
         self.assertEqual(cells_by_ids(output), cells_by_ids(fetch(alone)))
         self.assertEqual(hull.Volume, alone.Volume)
 
-    def test_any_points(self):
-        """Images, grids and unstructured grids, too; their cells do not matter."""
-        wavelet = simple.Wavelet(WholeExtent=[0, 4, 0, 3, 0, 2])
-        self.assertEqual(hull_of(wavelet).Volume, 24.0)
-        warped = simple.CleantoGrid(Input=wavelet)
-        self.assertEqual(hull_of(warped).Volume, 24.0)
-
 
 class TestConvexify(unittest.TestCase):
     """An octahedron with one vertex pushed in: star-shaped from (0, 0, -0.5)."""
@@ -193,26 +161,6 @@ class TestConvexify(unittest.TestCase):
         self.assertEqual(convex.Volume, 2.0 / 3.0)
         convex.KernelPoint = [8, 8, 8]
         self.assertEqual(run(convex).Volume, 2.0 / 3.0)
-
-    def test_of_a_hull(self):
-        hull = hull_of(real("spot"))
-        convex = self.convexify(hull)
-        self.assertEqual(cells(fetch(convex).GetPolys()), cells(fetch(hull).GetPolys()))
-        self.assertEqual((convex.Volume, convex.Area), (hull.Volume, hull.Area))
-
-    def test_errors(self):
-        open_surface = cloud(self.XYZ, self.TRIANGLES[:-1])
-        surface = cloud(self.XYZ, self.TRIANGLES)
-        for source, settings, part in (
-            (open_surface, {}, "not closed"),
-            (surface, {"UseKernelPoint": 1, "KernelPoint": [0, 0, 0.5]}, "star-shaped"),
-        ):
-            with errors() as lines:
-                convex = self.convexify(source, **settings)
-            self.assertEqual(len(lines), 1, lines)
-            self.assertIn(part, lines[0])
-            self.assertIn("cell", lines[0])
-            self.assertEqual(convex.GetDataInformation().GetNumberOfPoints(), 0)
 
 
 if __name__ == "__main__":

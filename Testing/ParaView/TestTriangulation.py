@@ -8,9 +8,7 @@ import numpy as np
 from paraview import simple
 
 from pipelines import (
-    IDS,
     array,
-    baseline,
     bits,
     cells,
     cells_by_ids,
@@ -20,7 +18,6 @@ from pipelines import (
     fetch,
     poly_data,
     producer,
-    real,
     run,
 )
 
@@ -42,33 +39,6 @@ def port_sizes(proxy):
 
 
 class TestWeights(unittest.TestCase):
-    def test_real_data(self):
-        """Weights are made by ParaView's Calculator; 8 * z is exact, so z * z alone is rounded."""
-        for name, formula, facets in (
-            ("autzen", "coordsZ*coordsZ", "weighted_autzenSquares"),
-            ("sainthelens", "(8*coordsZ)*coordsZ", "weighted_helensSquares"),
-        ):
-            calculator = simple.Calculator(
-                Input=real(name), ResultArrayName="squares", Function=formula, ResultArrayType="Double"
-            )
-            triangulation = triangulation_of(
-                calculator, Weights=["POINTS", "squares"], FacetMode="Polygons"
-            )
-            output, hidden = fetch(triangulation), fetch(triangulation, 1)
-            self.assertEqual(cells_by_ids(output), baseline(facets), name)
-
-            shown = array(output.GetPointData(), IDS)
-            left_out = array(hidden.GetPointData(), IDS)
-            count = fetch(calculator).GetNumberOfPoints()
-            self.assertEqual(sorted([*shown, *left_out]), list(range(count)))
-            self.assertEqual(triangulation.NumberOfHiddenPoints, len(left_out))
-            self.assertGreater(len(left_out), 0)
-            xyz = coordinates(fetch(calculator))
-            np.testing.assert_array_equal(coordinates(output), xyz[shown])
-            np.testing.assert_array_equal(coordinates(hidden), xyz[left_out])
-            squares = array(fetch(calculator).GetPointData(), "squares")
-            np.testing.assert_array_equal(array(hidden.GetPointData(), "squares"), squares[left_out])
-
     def test_none_by_default(self):
         """ParaView offers the active scalars to a filter that wants an array; this one does not."""
         data = poly_data(SQUARE, weight=WEIGHT, flat=np.zeros(6))
@@ -89,19 +59,6 @@ class TestWeights(unittest.TestCase):
         triangulation.Weights = ["POINTS", "None"]
         self.assertEqual(bits(fetch(run(triangulation))), bits(plain))
 
-    def test_missing(self):
-        source = cloud(SQUARE, weight=WEIGHT)
-        with errors() as lines:
-            triangulation = triangulation_of(source, Weights=["POINTS", "mass"])
-        self.assertEqual(len(lines), 1, lines)
-        self.assertIn('"mass" is missing', lines[0])
-        self.assertEqual(port_sizes(triangulation), [0, 0, 0])
-        triangulation.Weights = ["POINTS", "weight"]
-        with errors() as lines:
-            run(triangulation)
-        self.assertEqual(lines, [])
-        self.assertEqual(port_sizes(triangulation), [5, 1, 0])
-
     def test_not_finite(self):
         weight = WEIGHT.copy()
         weight[2] = np.nan
@@ -118,20 +75,6 @@ class TestWeights(unittest.TestCase):
 
 
 class TestPlanes(unittest.TestCase):
-    def test_against_delaunay_2d(self):
-        """Points in general position have one Delaunay triangulation: VTK's, which has gaps at the border."""
-        rng = np.random.default_rng(3)
-        source = cloud(np.column_stack([rng.random((2000, 2)), np.zeros(2000)]))
-        peer = simple.Delaunay2D(Input=source, Tolerance=0)
-        peer.UpdatePipeline()
-        expected = {frozenset(cell) for cell in cells(fetch(peer).GetPolys())}
-        found = {frozenset(cell) for cell in cells_by_ids(fetch(triangulation_of(source)))}
-        self.assertTrue(expected <= found, expected - found)
-        self.assertLess(len(found - expected), 0.02 * len(found))
-        # Euler: with c points on the border, all of them corners.
-        corners = run(simple.ConvexHullFlipFlop(Input=source)).GetDataInformation().GetNumberOfPoints()
-        self.assertEqual(len(found), 2 * 2000 - 2 - corners)
-
     def test_plane(self):
         """A steep plane: from above the points lie on a line, in their own plane and turned they do not."""
         rng = np.random.default_rng(4)
@@ -197,36 +140,6 @@ class TestPorts(unittest.TestCase):
         self.assertAlmostEqual(
             array(fetch(area).GetCellData(), "Area")[0], (high_x - low_x) * (high_y - low_y), places=12
         )
-
-    def test_degenerate(self):
-        for xyz, expected in (
-            (np.empty((0, 3)), (-1, 0, 0, 0)),
-            (np.tile([1, 2, 3], (4, 1)), (0, 1, 0, 0)),
-            (np.outer(np.arange(10), [1, -2, 3]), (1, 0, 9, 0)),
-        ):
-            with errors() as lines:
-                triangulation = triangulation_of(cloud(xyz))
-                output = fetch(triangulation)
-            self.assertEqual(lines, [])
-            found = (output.GetNumberOfVerts(), output.GetNumberOfLines(), output.GetNumberOfPolys())
-            self.assertEqual((triangulation.Dimension, *found), expected)
-
-    def test_blocks(self):
-        """Each block by itself, on every port."""
-        blocks = simple.GroupDatasets(
-            Input=[cloud(SQUARE, weight=WEIGHT), cloud(SQUARE[:4], weight=WEIGHT[:4])]
-        )
-        blocks.UpdatePipeline()
-        triangulation = triangulation_of(blocks, Weights=["POINTS", "weight"], FacetMode="Polygons")
-        diagram = diagram_of(blocks, Weights=["POINTS", "weight"])
-        outputs = triangulation[0], triangulation[1], diagram[0]
-        for port, points, polygons in ((0, 9, 5), (1, 1, 1), (2, None, 9)):
-            information = outputs[port].GetDataInformation()
-            self.assertTrue(information.IsCompositeDataSet())
-            self.assertEqual(information.GetNumberOfCells(), polygons, port)
-            if points is not None:
-                self.assertEqual(information.GetNumberOfPoints(), points, port)
-        self.assertEqual(triangulation.NumberOfHiddenPoints, 1)
 
 
 if __name__ == "__main__":

@@ -68,33 +68,6 @@ std::vector<Key> keysOf(vtkPolyData* data)
   return keys;
 }
 
-std::vector<Key> cellKeysOf(vtkPolyData* data)
-{
-  const std::vector<Key> points = keysOf(data);
-  std::vector<Key> keys;
-  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines(), data->GetPolys() })
-  {
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-    {
-      vtkIdType size = 0;
-      const vtkIdType* corners = nullptr;
-      cells->GetCellAtId(i, size, corners);
-      keys.emplace_back();
-      for (vtkIdType k = 0; k < size; ++k)
-      {
-        const Key& corner = points[static_cast<std::size_t>(corners[k])];
-        keys.back().insert(keys.back().end(), corner.begin(), corner.end());
-      }
-    }
-  }
-  return keys;
-}
-
-bool isMarks(vtkAbstractArray* array)
-{
-  return array->GetName() && !std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName());
-}
-
 /// Whether a tuple of all arrays but the marks is the same, in arrays of the same names and types.
 bool isSameTuple(vtkDataSetAttributes* one, vtkIdType i, vtkDataSetAttributes* other, vtkIdType j)
 {
@@ -103,7 +76,7 @@ bool isSameTuple(vtkDataSetAttributes* one, vtkIdType i, vtkDataSetAttributes* o
     vtkAbstractArray* const a = one->GetAbstractArray(k);
     vtkAbstractArray* const b =
       a->GetName() ? other->GetAbstractArray(a->GetName()) : other->GetAbstractArray(k);
-    if (isMarks(a))
+    if (a->GetName() && !std::strcmp(a->GetName(), vtkDataSetAttributes::GhostArrayName()))
     {
       continue;
     }
@@ -218,6 +191,29 @@ bool areCellsOf(const std::vector<Share>& shares, vtkPolyData* whole)
   return good && std::all_of(holders.begin(), holders.end(), [](int count) { return count == 1; });
 }
 
+}
+
+//------------------------------------------------------------------------------
+std::vector<Key> cellKeysOf(vtkPolyData* data)
+{
+  const std::vector<Key> points = keysOf(data);
+  std::vector<Key> keys;
+  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines(), data->GetPolys() })
+  {
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      cells->GetCellAtId(i, size, corners);
+      keys.emplace_back();
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        const Key& corner = points[static_cast<std::size_t>(corners[k])];
+        keys.back().insert(keys.back().end(), corner.begin(), corner.end());
+      }
+    }
+  }
+  return keys;
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,9 @@ struct Share
   std::vector<std::vector<vtkIdType>> Cells;
 };
 
+/// The cells of an output, as in a share.
+std::vector<std::vector<vtkIdType>> cellKeysOf(vtkPolyData* data);
+
 /// All processes' shares, on process 0; none on the others. Collective.
 std::vector<Share> gatherShares(vtkPolyData* own);
 

@@ -253,6 +253,19 @@ void testWeights()
     piece->GetPointData()->RemoveArray("weights");
   }
   refuses(both, "weights missing on all", pieces, "missing from the input's point data");
+
+  // Only one process has points, so that none are appended.
+  const auto points = randomPoints(50, 112);
+  for (const int owner : { 0, processes() - 1 })
+  {
+    pieces = split(points, [=](int) { return owner; });
+    vtkNew<vtkDoubleArray> weights;
+    weights->SetName("weights");
+    weights->SetNumberOfTuples(51);
+    weights->Fill(0.0);
+    pieces[static_cast<std::size_t>(owner)]->GetPointData()->AddArray(weights);
+    refuses(both, "weights of another number", pieces, "has 51 value(s) for 50 point(s)");
+  }
 }
 
 /// What several processes cannot do, and what to do instead; on whichever it was set.
@@ -264,6 +277,9 @@ void testSeveral()
   cuda.Fails("CUDA", ownOf(pieces),
     "The CUDA engine was asked for, but several processes triangulate together on their CPUs. "
     "Set Engine to Automatic or CPU.");
+  DistributedVersusSerial box = compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>();
+  vtkFFPowerDiagramFilter::SafeDownCast(box.Distributed)->SetPowerDiagramBounds(1, 0, 0, 1);
+  box.Fails("no box", ownOf(pieces), "(xmin, xmax, ymin, ymax)");
   DistributedVersusSerial boundary = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   boundary.Set<Triangulation>([](auto* filter) { filter->GenerateBoundaryOn(); });
   boundary.Fails("boundary", ownOf(pieces),
