@@ -118,16 +118,43 @@ def test_no_bar(monkeypatch):
         CALLS["hull"](progress=True)
 
 
-def test_many_threads_at_once():
-    expected = convex_hull(SPHERE[:2000]).simplices
+def together(work):
+    """What work() returns on eight threads that begin at once."""
     found = [None] * 8
+    barrier = threading.Barrier(len(found))
 
-    def work(i):
-        found[i] = [convex_hull(SPHERE[:2000]).simplices for _ in range(20)]
+    def run(i):
+        barrier.wait()
+        found[i] = work()
 
-    threads = [threading.Thread(target=work, args=(i,)) for i in range(8)]
+    threads = [threading.Thread(target=run, args=(i,)) for i in range(len(found))]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert all(np.array_equal(one, expected) for each in found for one in each)
+    return found
+
+
+def test_many_threads_at_once():
+    expected = convex_hull(SPHERE[:2000]).simplices
+    for each in together(lambda: [convex_hull(SPHERE[:2000]).simplices for _ in range(20)]):
+        assert all(np.array_equal(one, expected) for one in each)
+
+
+@pytest.mark.parametrize("make", [convex_hull, lambda points: regular_triangulation(points[:, :2])])
+def test_threads_share_a_result(make):
+    """What is made when it is first asked for, on several threads at once: free-threaded Python holds no lock."""
+    points = SPHERE[:2000]
+
+    def everything(result):
+        if hasattr(result, "contains"):
+            answers = result.side(points), result.distance(points * 0.9), result.equations, result.neighbors
+        else:
+            answers = result.locate(points[:, :2] * 0.9), result.nearest(points[:, :2]), result.areas, result.alphas
+        return [np.asarray(answer) for answer in answers]
+
+    expected = everything(make(points))
+    for _ in range(10):
+        shared = make(points)
+        for found in together(lambda shared=shared: everything(shared)):
+            assert all(np.array_equal(one, other) for one, other in zip(found, expected, strict=True))

@@ -266,8 +266,7 @@ void bindComplexes(nb::module_& module)
       const PointView sites = pointView(points, 2);
       return checkedBy(
         [&] {
-          return validate(
-            sites, constraintView(ends, polygonSides), *triangulation.whole, threads);
+          return validate(sites, constraintView(ends, polygonSides), *triangulation.whole, threads);
         });
     });
 

@@ -141,8 +141,8 @@ Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<Inp
     box = powerDiagramBox(positions, facets);
   }
   const ConvexDomain within = domain ? domainOf(*domain) : ConvexDomain(box.data());
-  return handleOf(settings.run(
-    [&](const Options& options) { return powerDiagram(positions, weighted, facets, within, options); }));
+  return handleOf(settings.run([&](const Options& options)
+    { return powerDiagram(positions, weighted, facets, within, options); }));
 }
 
 /// @throw nb::value_error if that is no state of a diagram
@@ -419,7 +419,8 @@ NB_MODULE(_core, module)
     {
       const PointView positions = pointView(points, 2);
       const WeightView weighted = weightView(weights);
-      return checkedBy([&] { return validate(positions, weighted, *triangulation.result, threads); });
+      return checkedBy(
+        [&] { return validate(positions, weighted, *triangulation.result, threads); });
     },
     "points"_a, "weights"_a.none(), "triangulation"_a, "threads"_a);
 

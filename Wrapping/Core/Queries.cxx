@@ -175,15 +175,15 @@ void bindQueries(nb::module_& module)
           { self.queries.nearest(view, found, options); });
       })
     .def("interpolate_linear",
-      [](
-        const Sites& self, const Values& values, const InputArray& positions, const Settings& settings)
+      [](const Sites& self, const Values& values, const InputArray& positions,
+        const Settings& settings)
       {
         return interpolated(values, positions, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateLinear(arguments...); });
       })
     .def("interpolate_natural",
-      [](
-        const Sites& self, const Values& values, const InputArray& positions, const Settings& settings)
+      [](const Sites& self, const Values& values, const InputArray& positions,
+        const Settings& settings)
       {
         return interpolated(values, positions, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateNatural(arguments...); });

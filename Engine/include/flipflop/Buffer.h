@@ -108,10 +108,7 @@ public:
   }
 
   /// Forget the values past @p size; the memory stays.
-  void truncate(std::size_t size)
-  {
-    this->count = size < this->count ? size : this->count;
-  }
+  void truncate(std::size_t size) { this->count = size < this->count ? size : this->count; }
 
   /// Give the memory to the caller, who frees it with freeMemory().
   T* release()
@@ -123,58 +120,28 @@ public:
   ///@{
   /// The first value; null when empty. More than a kilobyte from allocate() is aligned to 64 bytes
   /// at least.
-  T* data()
-  {
-    return this->first;
-  }
-  const T* data() const
-  {
-    return this->first;
-  }
+  T* data() { return this->first; }
+  const T* data() const { return this->first; }
   ///@}
 
   /// How many values there are.
-  std::size_t size() const
-  {
-    return this->count;
-  }
+  std::size_t size() const { return this->count; }
 
   /// Whether there are none.
-  bool empty() const
-  {
-    return this->count == 0;
-  }
+  bool empty() const { return this->count == 0; }
 
   ///@{
   /// Value @p i, from 0 to size() - 1, which is not checked.
-  T& operator[](std::size_t i)
-  {
-    return this->first[i];
-  }
-  const T& operator[](std::size_t i) const
-  {
-    return this->first[i];
-  }
+  T& operator[](std::size_t i) { return this->first[i]; }
+  const T& operator[](std::size_t i) const { return this->first[i]; }
   ///@}
 
   ///@{
   /// From the first value to past the last, for loops over all.
-  T* begin()
-  {
-    return this->first;
-  }
-  T* end()
-  {
-    return this->first + this->count;
-  }
-  const T* begin() const
-  {
-    return this->first;
-  }
-  const T* end() const
-  {
-    return this->first + this->count;
-  }
+  T* begin() { return this->first; }
+  T* end() { return this->first + this->count; }
+  const T* begin() const { return this->first; }
+  const T* end() const { return this->first + this->count; }
   ///@}
 
 private:
