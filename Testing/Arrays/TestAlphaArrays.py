@@ -1,9 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkflipflop.arrays: alpha complexes, beside fractions over all pairs and triples of points."""
-
-from fractions import Fraction
-from itertools import combinations
+"""vtkflipflop.arrays: alpha complexes: their forms, borders and errors."""
 
 import numpy as np
 import pytest
@@ -12,75 +9,6 @@ from vtkflipflop.arrays import AlphaComplex, InputError, alpha_complex, regular_
 
 RANDOM = np.random.default_rng(22)
 GRID = np.stack(np.meshgrid(np.arange(5), np.arange(4), indexing="ij"), -1).reshape(-1, 2)
-
-
-def least_circle(places, weights):
-    """The centre and the square of the radius of the least circle of power distance 0 from one to three points."""
-    (x, y), w = places[0], weights[0]
-    # About the first point: 2 p . c = |p|^2 - w_p + w for each other p.
-    rows = [(a - x, b - y, (a - x) ** 2 + (b - y) ** 2 - v + w) for (a, b), v in zip(places[1:], weights[1:])]
-    if not rows:
-        cx, cy = Fraction(0), Fraction(0)
-    elif len(rows) == 1:
-        [(a, b, right)] = rows
-        share = Fraction(right, 2 * (a * a + b * b))
-        cx, cy = share * a, share * b
-    else:
-        (a, b, first), (c, d, second) = rows
-        det = 2 * (a * d - b * c)
-        cx, cy = Fraction(first * d - second * b, det), Fraction(a * second - c * first, det)
-    return (cx + x, cy + y), cx * cx + cy * cy - w
-
-
-def square_of(alpha):
-    return Fraction(alpha) * abs(Fraction(alpha))
-
-
-def expected(points, weights, simplices, alpha):
-    """Simplices, singular edges and points of the complex, decided by all points."""
-    places, weights = points.tolist(), [0] * len(points) if weights is None else weights.tolist()
-
-    def is_in(ids):
-        (cx, cy), square = least_circle([places[i] for i in ids], [weights[i] for i in ids])
-        others = (i for i in range(len(places)) if i not in ids)
-        is_empty = all((places[i][0] - cx) ** 2 + (places[i][1] - cy) ** 2 - weights[i] >= square for i in others)
-        return is_empty and square <= square_of(alpha)
-
-    within = [is_in(row) for row in simplices.tolist()]
-    taken = {edge for row in simplices[within].tolist() for edge in combinations(sorted(row), 2)}
-    all_edges = sorted({edge for row in simplices.tolist() for edge in combinations(sorted(row), 2)})
-    edges = [edge for edge in all_edges if edge not in taken and is_in(edge)]
-    used = {i for edge in (*taken, *edges) for i in edge}
-    vertices = [i for i in np.unique(simplices).tolist() if i not in used and is_in((i,))]
-    return within, edges, vertices
-
-
-def inputs():
-    yield GRID, None
-    yield GRID, RANDOM.integers(-1, 2, len(GRID))
-    for _ in range(3):
-        points = np.unique(RANDOM.integers(0, 30, (16, 2)), axis=0)
-        yield points, None
-        yield points, RANDOM.integers(-30, 31, len(points))
-
-
-@pytest.mark.parametrize("points, weights", list(inputs()))
-def test_beside_fractions(points, weights):
-    triangulation = regular_triangulation(points, weights)
-    places, heavy = points.tolist(), [0] * len(points) if weights is None else weights.tolist()
-    for row, alpha in zip(triangulation.simplices.tolist(), triangulation.alphas):
-        square = least_circle([places[i] for i in row], [heavy[i] for i in row])[1]
-        assert square_of(np.nextafter(alpha, -np.inf)) < square <= square_of(alpha)
-    for alpha in (*np.unique(triangulation.alphas)[::4], -2, -1, 0, 0.5, 0.75, 1, 4, 1e300):
-        ours = triangulation.alpha_complex(alpha)
-        within, edges, vertices = expected(points, weights, triangulation.simplices, alpha)
-        assert ours.within.tolist() == within == (triangulation.alphas <= alpha).tolist()
-        assert ours.edges.tolist() == [list(edge) for edge in edges]
-        assert ours.vertices.tolist() == vertices
-        singular = [*ours.edges.tolist(), *ours.vertices[:, None].tolist()]
-        for ids, least in zip(singular, [*ours.edge_alphas, *ours.vertex_alphas], strict=True):
-            square = least_circle([places[i] for i in ids], [heavy[i] for i in ids])[1]
-            assert square_of(np.nextafter(least, -np.inf)) < square <= square_of(least)
 
 
 def test_the_border():

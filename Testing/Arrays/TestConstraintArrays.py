@@ -1,9 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkflipflop.arrays: triangulations with constraints and polygons, beside integers, and their borders."""
-
-import itertools
-from fractions import Fraction
+"""vtkflipflop.arrays: triangulations with constraints and polygons, and their borders."""
 
 import numpy as np
 import pytest
@@ -33,22 +30,6 @@ def turn(a, b, c):
     return int(np.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])))
 
 
-def cross(p, i, j, k, m):
-    """Whether two segments have a point in common that is no end of both."""
-    if len({i, j, k, m}) < 4:
-        return False  # in general position
-    a, b, c, d = p[i], p[j], p[k], p[m]
-    return turn(a, b, c) != turn(a, b, d) and turn(c, d, a) != turn(c, d, b)
-
-
-def in_circle(a, b, c, d):
-    """Greater than 0: d is inside the circle of a counter-clockwise triangle."""
-    rows = [(int(x - d[0]), int(y - d[1])) for x, y in (a, b, c)]
-    (ax, ay), (bx, by), (cx, cy) = rows
-    aa, bb, cc = (x * x + y * y for x, y in rows)
-    return ax * (by * cc - bb * cy) - ay * (bx * cc - bb * cx) + aa * (bx * cy - by * cx)
-
-
 def edges_of(simplices):
     """Which triangles have each edge."""
     found = {}
@@ -61,28 +42,6 @@ def edges_of(simplices):
 def shoelace(points, ring):
     x, y = points[ring].T
     return 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_beside_integers(seed):
-    random = np.random.default_rng(seed)
-    points = random.permutation(np.column_stack([np.arange(14), np.arange(14) ** 2 * 37 % 101]))
-    assert all(turn(*points[list(three)]) for three in itertools.combinations(range(14), 3))
-    chosen = []
-    for i, j in random.permutation(list(itertools.combinations(range(14), 2))).tolist():
-        if len(chosen) < 6 and not any(cross(points, i, j, *other) for other in chosen):
-            chosen.append((i, j))
-    ours = regular_triangulation(points, constraints=chosen)
-    edges = edges_of(ours.simplices)
-    fixed = {frozenset(edge): row for edge, row in zip(ours.fixed_edges.tolist(), ours.constraint_of)}
-    assert fixed == {frozenset(edge): row for row, edge in enumerate(chosen)}
-    assert fixed.keys() <= edges.keys()
-    for edge, cells in edges.items():
-        if len(cells) == 2 and edge not in fixed:
-            far = next(iter(set(cells[1]) - edge))
-            assert in_circle(*points[cells[0]], points[far]) <= 0
-    assert ours.areas.sum() == regular_triangulation(points).areas.sum()
-    assert validate(ours) and ours.dropped == 0
 
 
 def test_without_constraints_it_is_the_regular_triangulation():
@@ -137,17 +96,6 @@ def test_rings_as_shapely_gives_them():
     assert ring.areas.sum() == pytest.approx(0.75 * whole.areas.sum(), rel=1e-12)
     for sides in ([outer, hole[::-1]], [outer[::-1], hole], [hole, outer]):
         assert np.array_equal(regular_triangulation(points, polygons=sides).simplices, ring.simplices)
-
-
-def test_a_square_with_a_hole_of_any_points():
-    inner = [[0.3, 0.3], [0.7, 0.3], [0.7, 0.7], [0.3, 0.7]]
-    points = np.vstack([[[0, 0], [1, 0], [1, 1], [0, 1]], inner, RANDOM.random((400, 2))])
-    ours = regular_triangulation(points, polygons=[[0, 1, 2, 3], [7, 6, 5, 4]])
-    kept = points[ours.simplices].mean(axis=1)
-    assert not (np.abs(kept - 0.5).max(axis=1) < 0.2).any()
-    assert ours.areas.sum() == pytest.approx(0.84, rel=1e-12)
-    assert [len(ring) for ring in ours.boundary] == [4, 4]
-    assert validate(ours)
 
 
 def test_all_forms_are_the_same():
@@ -293,30 +241,6 @@ def test_what_constrained_triangulations_have_not():
     arrays = (ours.constraints, ours.fixed_edges, ours.constraint_of, ours.boundary.offsets, ours.boundary.connectivity)
     assert not any(array.flags.writeable for array in arrays)
     assert repr(ours) == "<ConstrainedTriangulation of 81 points: dimension 2, 128 cells, 0 dropped, 8 fixed edges>"
-
-
-@pytest.mark.parametrize("facets", ["triangles", "polygons"])
-def test_places_are_found_beside_brute_force(facets):
-    """In triangles that are not Delaunay, in a shape with a hole, on its sides and at its corners."""
-    sites = np.vstack([GRID, RANDOM.random((200, 2)) * 8])
-    ours = regular_triangulation(
-        sites, constraints=[[55, 79], [7, 53]], polygons=[square(0, 8), square(2, 5)[::-1]], facets=facets
-    )
-    places = np.vstack([GRID, (GRID[1:] + GRID[:-1]) / 2, RANDOM.random((500, 2)) * 10 - 1])
-    corners = sites[ours.simplices].astype(object)  # whole numbers and doubles, as fractions
-    exact = np.vectorize(Fraction, otypes=[object])
-    corners, found = exact(corners), ours.locate(places)
-    for place, cell in zip(exact(places), found):
-        to, of = np.roll(corners, -1, axis=1) - corners, place - corners
-        turns = to[..., 0] * of[..., 1] - to[..., 1] * of[..., 0]
-        holding = np.flatnonzero((turns >= 0).all(axis=1))
-        assert cell == (holding[0] if len(holding) else -1)
-    assert 0 < (found < 0).sum() < len(found) and np.array_equal(ours.find_simplex(places), found)
-    values = sites @ [2.0, -3.0] + 1
-    linear = ours.interpolate(values, places)
-    assert np.array_equal(np.isnan(linear), found < 0)
-    assert np.allclose(linear[found >= 0], (places @ [2.0, -3.0] + 1)[found >= 0], rtol=0, atol=1e-12)
-    assert np.array_equal(ours.interpolate(values, places, fill_value=1e9) == 1e9, found < 0)
 
 
 def test_breaklines_count_in_what_is_interpolated():

@@ -107,14 +107,6 @@ def test_less_than_a_polygon_in_the_plane(points):
     assert hull.area == pytest.approx(2 * np.hypot(3, 3) if hull.dimension == 1 else 0)
 
 
-def test_the_same_on_any_number_of_threads():
-    points = RANDOM.standard_normal((200_000, 3))
-    hulls = [convex_hull(points, threads=threads) for threads in (1, 2, 5)]
-    for hull in hulls[1:]:
-        assert hull.simplices.tobytes() == hulls[0].simplices.tobytes()
-        assert (hull.volume, hull.area) == (hulls[0].volume, hulls[0].area)
-
-
 def test_masked_points_are_left_out_and_ids_stay():
     points = np.ma.array(np.vstack([CUBE, CUBE + 100]), mask=False)
     points[8:] = np.ma.masked

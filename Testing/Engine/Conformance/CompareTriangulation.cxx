@@ -137,7 +137,7 @@ Triangulation makeTriangulation(
   result.dimension = reference.dimension;
   result.pointIds = bufferOf(reference.ids);
   result.hiddenIds = bufferOf(hiddenIds(points, reference.ids));
-  const bool fans = facets == FacetMode::Triangles && reference.dimension == 2;
+  const bool fans = facets == FacetMode::Triangles && reference.dimension >= 2;
   Cell corners;
   Cell starts = { 0 };
   for (const Cell& cell : fans ? triangulate(reference.cells) : reference.cells)

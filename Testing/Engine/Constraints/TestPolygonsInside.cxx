@@ -204,6 +204,11 @@ TEST(PolygonsInside, BadArguments)
       { constrainedTriangulation(viewOf(grid), ConstraintView(one[0].data(), 1, sides)); },
       ErrorCode::BadArgument);
   }
+  // A side of the border alone closes no ring.
+  const std::vector<Segment> border = { { 0, 3 } };
+  expectError([&]
+    { insideOf(constrainedTriangulation(viewOf(grid), ConstraintView(border[0].data(), 1, 1))); },
+    ErrorCode::BadArgument);
   ConstrainedTriangulation result = constrainedTriangulation(viewOf(grid), viewOf(one));
   expectError([&] { cellsInside(result, nullptr); }, ErrorCode::BadArgument);
   std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));

@@ -169,6 +169,17 @@ TEST(PolygonCells, EdgesThroughCornersOfTheDomain)
 TEST(PolygonCells, AnySize)
 {
   const Numbers sites = { 0.1, 0.2, 1, 1, 0.3, 0.9 };
+  // Far from the origin.
+  Numbers far = pentagon;
+  Numbers there = sites;
+  for (Numbers* numbers : { &far, &there })
+  {
+    for (std::size_t i = 0; i < numbers->size(); ++i)
+    {
+      (*numbers)[i] += i % 2 ? 5e6 : 1e6;
+    }
+  }
+  expectExact(there, {}, far);
   for (const double size :
     { 5e-322, 1e-300, 1e-200, 1e-162, 1e-154, 1e-77, 1e77, 1e154, 1e200, 1e300, 5e307 })
   {

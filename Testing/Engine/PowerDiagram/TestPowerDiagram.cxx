@@ -337,17 +337,6 @@ TEST(PowerDiagram, SmallLatticesAreFullOfTies)
   }
 }
 
-TEST(PowerDiagram, FansOfTrianglesGiveTheSameCells)
-{
-  for (const Cloud& sites : { gridSites(9), randomSites(200, 0.01, 2) })
-  {
-    const Box box = { { -0.25, 6.75, -0.5, 9 } };
-    const Triangulation fans = regularTriangulation(viewOf(sites), weightsOf(sites));
-    EXPECT_EQ(polygonsOf(diagramOf(sites, fans, box)),
-      polygonsOf(diagramOf(sites, triangulate(sites), box)));
-  }
-}
-
 TEST(PowerDiagram, OneSiteHasTheBox)
 {
   Cloud sites;
@@ -484,30 +473,6 @@ TEST(PowerDiagram, GiantWeights)
   expectLeastPower(diagram, sites, box, 200);
 }
 
-TEST(PowerDiagram, NearlyCocircularSites)
-{
-  // Rounded circles: many corners within a few units of the last place, some of them equal.
-  for (int count : { 8, 100, 1000 })
-  {
-    Cloud sites;
-    for (int i = 0; i < count; ++i)
-    {
-      const double angle = 2 * std::acos(-1.0) * i / count;
-      sites.push_back({ 0.5 + 0.25 * std::cos(angle), 0.5 + 0.25 * std::sin(angle), 0 });
-    }
-    const PowerDiagram diagram =
-      powerDiagram(viewOf(sites), weightsOf(sites), triangulate(sites), unitBox.side);
-    EXPECT_EQ(diagram.siteIds.size(), sites.size());
-    expectLeastPower(diagram, sites, unitBox, 300);
-    long double area = 0;
-    for (std::size_t c = 0; c < diagram.siteIds.size(); ++c)
-    {
-      area += areaOf(diagram, c);
-    }
-    EXPECT_NEAR(static_cast<double>(area), 1.0, 1e-12);
-  }
-}
-
 TEST(PowerDiagram, CellsBelowTheUnitOfTheLastPlaceVanish)
 {
   // Here doubles are whole numbers, and so are corners, but sites are neighbours.
@@ -534,32 +499,6 @@ TEST(PowerDiagram, CellsBelowTheUnitOfTheLastPlaceVanish)
     {
       EXPECT_GT(areaOf(diagram, c), 0);
     }
-  }
-}
-
-TEST(PowerDiagram, EqualBitsFromTrianglesFloatsAndAgain)
-{
-  const Cloud sites = roundedToFloat(randomSites(500, 0.01, 6));
-  const std::vector<float> floats = floatsOf(sites);
-  const Triangulation triangulation = triangulate(sites);
-  const PowerDiagram first = diagramOf(sites, triangulation, unitBox);
-  const PowerDiagram second = powerDiagram(PointView(floats.data(), 500),
-    WeightView(floats.data() + 2, 500, 3), triangulation, unitBox.side);
-  // All facets are triangles here: the form without offsets.
-  Triangulation same = clone(triangulation);
-  same.offsets = Buffer<std::int64_t>();
-  same.cellSize = 3;
-  const PowerDiagram third = diagramOf(sites, same, unitBox);
-  for (const PowerDiagram* other : { &second, &third })
-  {
-    EXPECT_TRUE(std::equal(
-      other->corners.begin(), other->corners.end(), first.corners.begin(), first.corners.end()));
-    EXPECT_TRUE(std::equal(other->connectivity.begin(), other->connectivity.end(),
-      first.connectivity.begin(), first.connectivity.end()));
-    EXPECT_TRUE(std::equal(
-      other->offsets.begin(), other->offsets.end(), first.offsets.begin(), first.offsets.end()));
-    EXPECT_TRUE(std::equal(
-      other->siteIds.begin(), other->siteIds.end(), first.siteIds.begin(), first.siteIds.end()));
   }
 }
 

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Power diagrams in convex polygons: cells fill the polygon edge to edge, and each point of it is
-/// in the cell of the site that brute force finds nearest.
+/// Convex polygons that bend by nearly nothing, or not at all; and polygons that are refused.
 #include "Testing/Engine/PowerDiagram/PolygonCells.h"
 #include "Testing/Engine/PowerDiagram/PowerPolygons.h"
+#include "Testing/Engine/Transport/TransportCases.h"
 
 #include <flipflop/Error.h>
-#include <flipflop/RegularTriangulation.h>
 
 #include <gtest/gtest.h>
 
@@ -23,89 +22,9 @@ namespace
 using namespace flipflop;
 using namespace flipflop::test;
 
-PowerDiagram diagramOf(const std::vector<double>& sites, const std::vector<double>& weights,
-  const ConvexDomain& domain, int threads = 1)
+PowerDiagram diagramOf(const Numbers& sites, const ConvexDomain& domain)
 {
-  Options options;
-  options.threads = threads;
-  options.facets = FacetMode::Polygons;
-  const auto count = static_cast<std::int64_t>(sites.size() / 2);
-  const PointView points(sites.data(), count, 2);
-  const WeightView heavy = weights.empty()
-    ? WeightView()
-    : WeightView(weights.data(), static_cast<std::int64_t>(weights.size()));
-  return powerDiagram(points, heavy, regularTriangulation(points, heavy, options), domain, options);
-}
-
-PowerDiagram expectFilled(const std::vector<double>& sites, const std::vector<double>& weights,
-  const std::vector<double>& polygon)
-{
-  const ConvexDomain domain(polygon.data(), static_cast<std::int64_t>(polygon.size() / 2));
-  PowerDiagram diagram = diagramOf(sites, weights, domain);
-  expectFills(diagram, polygon);
-  expectNearest(diagram, sites, weights, polygon);
-  EXPECT_EQ(bitDifference(diagram, diagramOf(sites, weights, domain, 2)), "");
-  return diagram;
-}
-
-TEST(PowerDiagramPolygon, RandomSites)
-{
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int corners = 3; corners < 12; ++corners)
-  {
-    std::vector<double> sites;
-    std::vector<double> weights;
-    for (int i = 0; i < 60; ++i)
-    {
-      sites.insert(sites.end(), { 3 * unit(random) - 1.5, 3 * unit(random) - 1.5 });
-      weights.push_back(0.1 * unit(random));
-    }
-    expectFilled(sites, {}, regularPolygon(corners, 0.3));
-    expectFilled(sites, weights, regularPolygon(corners, 0.7));
-  }
-}
-
-TEST(PowerDiagramPolygon, Grid)
-{
-  // Sides through corners of cells, along edges, and across.
-  std::vector<double> sites;
-  for (int i = 0; i < 12; ++i)
-  {
-    for (int j = 0; j < 12; ++j)
-    {
-      sites.insert(sites.end(), { 1.0 * i, 1.0 * j });
-    }
-  }
-  expectFilled(sites, {}, { 0.5, 0.5, 10.5, 0.5, 10.5, 10.5 });
-  expectFilled(sites, {}, { 0.0, 5.5, 5.5, 0.0, 11.0, 5.5, 5.5, 11.0 });
-  expectFilled(sites, {}, { 0.25, 0.1, 9.3, 1.0 / 3.0, 7.7, 10.1 });
-}
-
-TEST(PowerDiagramPolygon, FewSites)
-{
-  const std::vector<double> polygon = regularPolygon(5, 0.1);
-  EXPECT_EQ(expectFilled({ 7.0, 8.0 }, {}, polygon).siteIds.size(), 1u);
-  EXPECT_EQ(expectFilled({ 0.0, 0.1, 0.2, 0.1 }, {}, polygon).siteIds.size(), 2u);
-  EXPECT_EQ(expectFilled({ 5.0, 0.0, 6.0, 0.0, 9.0, 1.0 }, {}, polygon).siteIds.size(), 1u);
-  EXPECT_EQ(diagramOf({}, {}, ConvexDomain(polygon.data(), 5)).siteIds.size(), 0u);
-}
-
-TEST(PowerDiagramPolygon, FarFromTheOrigin)
-{
-  std::mt19937 random(6);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  std::vector<double> sites;
-  for (int i = 0; i < 100; ++i)
-  {
-    sites.insert(sites.end(), { 1e6 + unit(random), 5e6 + unit(random) });
-  }
-  std::vector<double> polygon = regularPolygon(7, 0.2);
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    polygon[i] += i % 2 ? 5e6 : 1e6;
-  }
-  expectFilled(sites, {}, polygon);
+  return cellsOf(sites, WeightView(), domain);
 }
 
 TEST(PowerDiagramPolygon, StraightCornersAreDropped)
@@ -113,8 +32,8 @@ TEST(PowerDiagramPolygon, StraightCornersAreDropped)
   const std::vector<double> sites{ 0.2, 0.3, 0.7, 0.6, 0.4, 0.9 };
   const std::vector<double> plain{ 0, 0, 1, 0, 1, 1, 0, 1 };
   const std::vector<double> more{ 0, 0, 0.5, 0, 1, 0, 1, 1, 0, 1, 0, 0.5 };
-  EXPECT_EQ(bitDifference(diagramOf(sites, {}, ConvexDomain(plain.data(), 4)),
-              diagramOf(sites, {}, ConvexDomain(more.data(), 6))),
+  EXPECT_EQ(bitDifference(diagramOf(sites, ConvexDomain(plain.data(), 4)),
+              diagramOf(sites, ConvexDomain(more.data(), 6))),
     "");
 }
 
@@ -133,7 +52,7 @@ TEST(PowerDiagramPolygon, ABendOfNearlyNone)
     }
     const double off = 0x1p-52 * trial;
     const std::vector<double> polygon{ 0.5 + off, 0.5 + off, -1, 2, -1, -1, 2, -1 };
-    const PowerDiagram diagram = diagramOf(sites, {}, ConvexDomain(polygon.data(), 4));
+    const PowerDiagram diagram = diagramOf(sites, ConvexDomain(polygon.data(), 4));
     std::vector<double> areas(diagram.siteIds.size());
     cellMeasures(diagram, areas.data(), nullptr);
     EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), 4.5, 1e-12);
@@ -146,7 +65,7 @@ TEST(PowerDiagramPolygon, BadDomains)
   {
     try
     {
-      diagramOf({ 0.1, 0.1, 0.5, 0.2 }, {},
+      diagramOf({ 0.1, 0.1, 0.5, 0.2 },
         ConvexDomain(polygon.data(), static_cast<std::int64_t>(polygon.size() / 2)));
       ADD_FAILURE() << "no error";
     }

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <random>
-#include <thread>
 
 namespace flipflop
 {
@@ -134,46 +133,6 @@ TEST(RegularTriangulationDeterminism, PatchesThatHideTheirBordersVerticesGiveThe
         regularTriangulations, withWeights(cloud, 0, mostWeight / count, random), { 2, 4, 16 });
     }
   }
-}
-
-/// The engine keeps no state of its own: callers on several threads do not meet.
-void expectCallersMayRunAtOnce(const Kind& kind, const Cloud& a, const Cloud& b)
-{
-  Options options;
-  options.threads = 2;
-  const Result ofA = kind.run(a, options);
-  const Result ofB = kind.run(b, options);
-  std::vector<std::thread> callers;
-  std::vector<std::string> faults(4);
-  for (int i = 0; i < 4; ++i)
-  {
-    callers.emplace_back(
-      [&, i]()
-      {
-        for (int k = 0; k < 5; ++k)
-        {
-          const bool even = (i + k) % 2 == 0;
-          faults[i] += bitDifference(kind.run(even ? a : b, options), even ? ofA : ofB);
-        }
-      });
-  }
-  for (std::thread& caller : callers)
-  {
-    caller.join();
-  }
-  EXPECT_EQ(faults, std::vector<std::string>(4));
-}
-
-TEST(ConvexHullDeterminism, CallersMayRunAtOnce)
-{
-  expectCallersMayRunAtOnce(
-    convexHulls, fromFamily("shell0", effort(20000), 1).make(), cosphericalIntegers(5201));
-}
-
-TEST(RegularTriangulationDeterminism, CallersMayRunAtOnce)
-{
-  expectCallersMayRunAtOnce(regularTriangulations,
-    fromWeightedFamily("uniformHeavy", effort(10000), 1).make(), squareGrid(50));
 }
 
 /// Integer points of a square, each about twice.

@@ -50,24 +50,6 @@ std::vector<Cell> reversed(std::vector<Cell> cells)
   return cells;
 }
 
-/// The first @p components of each point at a stride. What lies in between is not finite: it must
-/// not be looked at.
-template <class T>
-std::vector<T> strided(const Cloud& cloud, int first, int components, std::int64_t stride)
-{
-  std::vector<T> values(static_cast<std::size_t>(stride) * cloud.size(),
-    sizeof(T) == sizeof(double) ? std::numeric_limits<T>::quiet_NaN()
-                                : std::numeric_limits<T>::infinity());
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-  {
-    for (int c = 0; c < components; ++c)
-    {
-      values[i * stride + c] = static_cast<T>(cloud[i][first + c]);
-    }
-  }
-  return values;
-}
-
 std::vector<Input> hullInputs()
 {
   std::vector<Input> all = smallSpecialInputs();
@@ -212,25 +194,6 @@ TEST_P(HullInvariance, UnderMirroring)
   }
 }
 
-TEST_P(HullInvariance, UnderAnyStrideAndType)
-{
-  const Cloud cloud = this->GetParam().make();
-  const std::int64_t count = static_cast<std::int64_t>(cloud.size());
-  const Hull wanted = convexHull(viewOf(cloud), polygons());
-  for (std::int64_t stride : { 3, 4, 7 })
-  {
-    const std::vector<double> doubles = strided<double>(cloud, 0, 3, stride);
-    EXPECT_EQ(
-      bitDifference(convexHull(PointView(doubles.data(), count, stride), polygons()), wanted), "");
-    if (isFloat(cloud))
-    {
-      const std::vector<float> floats = strided<float>(cloud, 0, 3, stride);
-      EXPECT_EQ(
-        bitDifference(convexHull(PointView(floats.data(), count, stride), polygons()), wanted), "");
-    }
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(ConvexHull, HullInvariance, ::testing::ValuesIn(hullInputs()),
   [](const auto& given) { return given.param.name; });
 
@@ -299,31 +262,6 @@ TEST_P(TriangulationInvariance, UnderTurningAndMirroring)
     }
     const bool isMirror = ((variant & 1) + (variant >> 1 & 1) + (variant >> 2)) % 2 == 1;
     EXPECT_EQ(cellsOf(triangulated(other)), isMirror ? backwards : wanted) << "variant " << variant;
-  }
-}
-
-TEST_P(TriangulationInvariance, UnderAnyStrideAndType)
-{
-  const Cloud cloud = this->GetParam().make();
-  const std::int64_t count = static_cast<std::int64_t>(cloud.size());
-  const Triangulation wanted = triangulated(cloud);
-  for (std::int64_t stride : { 2, 3, 5 })
-  {
-    const std::vector<double> doubles = strided<double>(cloud, 0, 2, stride);
-    const std::vector<double> weights = strided<double>(cloud, 2, 1, stride);
-    EXPECT_EQ(bitDifference(regularTriangulation(PointView(doubles.data(), count, stride),
-                              WeightView(weights.data(), count, stride), polygons()),
-                wanted),
-      "");
-    if (isFloat(cloud))
-    {
-      const std::vector<float> floats = strided<float>(cloud, 0, 2, stride);
-      const std::vector<float> floatWeights = strided<float>(cloud, 2, 1, stride);
-      EXPECT_EQ(bitDifference(regularTriangulation(PointView(floats.data(), count, stride),
-                                WeightView(floatWeights.data(), count, stride), polygons()),
-                  wanted),
-        "");
-    }
   }
 }
 

@@ -91,7 +91,7 @@ TEST(FlipFlopErrors, BadTriangle)
       ASSERT_EQ(surface.points.size(), 42u);
       surface.triangles[7][corner] = bad;
       expectRefusal(surface, origin, ErrorCode::BadTriangle, 7, 1);
-      surface.triangles[70][0] = surface.triangles[70][2];
+      surface.triangles[70][corner] = surface.triangles[70][(corner + 1) % 3];
       expectRefusal(surface, origin, ErrorCode::BadTriangle, 7, 2);
     }
   }

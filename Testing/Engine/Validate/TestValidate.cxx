@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The oracle is put to the test: right hulls pass, and each way to break one is found and named.
-#include "Testing/Engine/Conformance/Compare.h"
-#include "Testing/Engine/Inputs/Inputs.h"
+/// The oracle is put to the test: what the references say passes, on both kinds of results; and
+/// nothing else does.
+#include "Testing/Engine/Inputs/InputsWeighted.h"
+#include "Testing/Engine/Validate/ValidateClaims.h"
 
-#include <functional>
+#include <algorithm>
 #include <limits>
-#include <numeric>
+#include <set>
 
 namespace flipflop
 {
@@ -17,545 +18,348 @@ namespace test
 namespace
 {
 
-/// A Hull from plain values: triangles by cellSize, polygons (also if all have three corners) by
-/// offsets.
-Hull makeHull(int dimension, const Cell& ids, const std::vector<Cell>& cells,
-  FacetMode facets = FacetMode::Polygons)
+class Validates : public ::testing::TestWithParam<const Kind*>
 {
-  Hull hull;
-  hull.dimension = dimension;
-  hull.pointIds.allocate(ids.size());
-  std::copy(ids.begin(), ids.end(), hull.pointIds.begin());
-  std::vector<std::int64_t> corners;
-  std::vector<std::int64_t> starts = { 0 };
-  for (const Cell& cell : cells)
+protected:
+  const Kind& kind() const { return *this->GetParam(); }
+  /// Without weights that hide, nor flat facets.
+  Cloud general(int count, std::uint64_t seed) const
   {
-    for (std::int64_t id : cell)
+    return this->kind()
+      .family(this->kind().dimension == 3 ? "shell0" : "uniform", count, seed)
+      .make();
+  }
+  Cloud grid() const { return this->kind().dimension == 3 ? integerGrid(3) : squareGrid(3); }
+  Fault faultOfCells(const Cloud& cloud, int dimension, const std::vector<Cell>& cells,
+    FacetMode facets = FacetMode::Polygons) const
+  {
+    return validationOf(cloud, claimOf(this->kind(), cloud, dimension, cells, facets)).fault;
+  }
+  /// Small, of integers, with many ties and duplicates.
+  Cloud integers(Random& random, int most, int side) const
+  {
+    const int count = random.integer(1, most);
+    return this->kind().dimension == 3 ? smallIntegerSites(count, 0, side, 0, side, random)
+                                       : smallIntegerSites(count, 0, side + 1, -2, 3, random);
+  }
+};
+
+TEST_P(Validates, WhatReferencesSay)
+{
+  const Kind& kind = this->kind();
+  const auto expectNone = [&](const Cloud& cloud, const ReferenceHull& reference)
+  {
+    for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
     {
-      corners.push_back(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
+      EXPECT_EQ(
+        validationOf(cloud, makeResult(kind, reference, cloud.size(), facets)).fault, Fault::None);
     }
-    starts.push_back(static_cast<std::int64_t>(corners.size()));
-  }
-  hull.connectivity.allocate(corners.size());
-  std::copy(corners.begin(), corners.end(), hull.connectivity.begin());
-  if (facets == FacetMode::Triangles && dimension >= 2)
-  {
-    hull.cellSize = 3;
-    return hull;
-  }
-  hull.offsets.allocate(starts.size());
-  std::copy(starts.begin(), starts.end(), hull.offsets.begin());
-  return hull;
-}
-
-Hull makeHull(const ReferenceHull& reference, FacetMode facets)
-{
-  return makeHull(reference.dimension, reference.ids,
-    facets == FacetMode::Polygons ? reference.cells : triangulate(reference.cells), facets);
-}
-
-/// The reference's cells as they are, taken for triangles.
-Hull makeTriangles(const ReferenceHull& reference)
-{
-  return makeHull(reference.dimension, reference.ids, reference.cells, FacetMode::Triangles);
-}
-
-Fault faultOf(const Cloud& cloud, const Hull& hull)
-{
-  const Validation one = validate(viewOf(cloud), hull, 1);
-  const Validation two = validate(viewOf(cloud), hull, 2);
-  EXPECT_EQ(one.fault, two.fault);
-  EXPECT_EQ(one.index, two.index);
-  EXPECT_STRNE(describe(one.fault), "");
-  return one.fault;
-}
-
-/// Break a copy of the hull.
-Hull broken(const Hull& hull, const std::function<void(Hull&)>& change)
-{
-  Hull copy = clone(hull);
-  change(copy);
-  return copy;
-}
-
-TEST(Validate, TakesHullsMadeByHand)
-{
-  for (const Input& input : smallSpecialInputs())
+  };
+  for (const Input& input : kind.smallInputs())
   {
     SCOPED_TRACE(input.name);
-    const Cloud cloud = input.make();
-    const ReferenceHull reference = bruteForceHull(cloud);
-    EXPECT_EQ(faultOf(cloud, makeHull(reference, FacetMode::Triangles)), Fault::None);
-    EXPECT_EQ(faultOf(cloud, makeHull(reference, FacetMode::Polygons)), Fault::None);
+    expectNone(input.make(), kind.bruteForce(input.make()));
   }
-  for (const char* name : { "ball", "shell0", "boxFaces", "far15", "planeXyz0", "collinearAlmost" })
+  for (const Family& family : kind.families())
   {
-    for (int count : { 0, 1, 2, 3, 10, 5000 })
+    for (const int count : { 0, 1, 2, 3, 10, 3000 })
     {
-      SCOPED_TRACE(std::string(name) + "_" + std::to_string(count));
-      const Cloud cloud = fromFamily(name, count, 3).make();
-      const ReferenceHull reference = cgalHull(cloud);
-      EXPECT_EQ(faultOf(cloud, makeHull(reference, FacetMode::Triangles)), Fault::None);
-      EXPECT_EQ(faultOf(cloud, makeHull(reference, FacetMode::Polygons)), Fault::None);
+      const Input input = kind.family(family.name, effort(count), 3);
+      SCOPED_TRACE(input.name + ", seed 3");
+      expectNone(input.make(), kind.cgal(input.make()));
     }
   }
 }
 
-TEST(Validate, LeavesOutNonFinitePoints)
+TEST_P(Validates, LeavesOutNonFinitePoints)
 {
-  Cloud cloud = integerGrid(3);
-  cloud.push_back({ std::numeric_limits<double>::infinity(), 0, 0 });
-  cloud.push_back({ 0, std::numeric_limits<double>::quiet_NaN(), 9 });
-  const ReferenceHull reference = bruteForceHull(integerGrid(3));
-  EXPECT_EQ(faultOf(cloud, makeHull(reference, FacetMode::Polygons)), Fault::None);
-}
-
-TEST(Validate, Structure)
-{
-  const Cloud cloud = fromFamily("ball", 200, 5).make();
-  const Hull hull = convexHull(viewOf(cloud));
-  ASSERT_EQ(faultOf(cloud, hull), Fault::None);
-  const std::int64_t points = static_cast<std::int64_t>(hull.pointIds.size());
-  const std::int64_t input = static_cast<std::int64_t>(cloud.size());
-  const auto expectStructure = [&](const char* what, const std::function<void(Hull&)>& change)
-  { EXPECT_EQ(faultOf(cloud, broken(hull, change)), Fault::Structure) << what; };
-  for (std::int64_t bad :
-    { std::int64_t(-1), points, std::int64_t(1) << 40, std::numeric_limits<std::int64_t>::min() })
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Cloud grid = this->grid();
+  const Cloud cloud = joined(grid, { { infinity, 0, 0 }, { 0, 0, -infinity }, { 7, NAN, 0 } });
+  const ReferenceHull reference = this->kind().bruteForce(grid);
+  const auto faultOfMany = [&](std::size_t points)
   {
-    expectStructure("a corner out of range", [=](Hull& h) { h.connectivity[4] = bad; });
+    return validationOf(cloud, makeResult(this->kind(), reference, points, FacetMode::Polygons))
+      .fault;
+  };
+  EXPECT_EQ(faultOfMany(grid.size()), Fault::None);
+  if (this->kind().dimension == 2) // they are not hidden either
+  {
+    EXPECT_NE(faultOfMany(grid.size() + 3), Fault::None);
+    EXPECT_NE(faultOfMany(grid.size() + 1), Fault::None);
   }
-  for (std::int64_t bad : { std::int64_t(-1), input, std::int64_t(1) << 40 })
+}
+
+TEST_P(Validates, NoChangeOfARightResult)
+{
+  // Whatever is changed in a right answer makes it wrong: there is one right answer.
+  std::set<Fault> seen;
+  for (int i = 0; i < effort(20000); ++i)
   {
-    expectStructure("an id out of range", [=](Hull& h) { h.pointIds[points - 1] = bad; });
-  }
-  expectStructure("ids out of order", [](Hull& h) { std::swap(h.pointIds[1], h.pointIds[2]); });
-  expectStructure("an id twice", [](Hull& h) { h.pointIds[3] = h.pointIds[2]; });
-  expectStructure("a cell turned",
-    [](Hull& h) { std::rotate(&h.connectivity[6], &h.connectivity[7], &h.connectivity[9]); });
-  expectStructure("two cells exchanged",
-    [](Hull& h) { std::swap_ranges(&h.connectivity[3], &h.connectivity[6], &h.connectivity[6]); });
-  expectStructure(
-    "connectivity cut short", [](Hull& h) { h.connectivity.truncate(h.connectivity.size() - 1); });
-}
-
-TEST(Validate, StructureOfOffsets)
-{
-  const Cloud cloud = integerGrid(3);
-  const Hull hull = makeHull(bruteForceHull(cloud), FacetMode::Polygons);
-  ASSERT_EQ(faultOf(cloud, hull), Fault::None);
-  const auto expectStructure = [&](const char* what, const std::function<void(Hull&)>& change)
-  { EXPECT_EQ(faultOf(cloud, broken(hull, change)), Fault::Structure) << what; };
-  expectStructure("offsets do not begin at 0", [](Hull& h) { h.offsets[0] = 1; });
-  expectStructure("offsets fall", [](Hull& h) { h.offsets[2] = 20; });
-  expectStructure("offsets below 0", [](Hull& h) { h.offsets[1] = -4; });
-  expectStructure("offsets go too far", [](Hull& h) { h.offsets[6] = 28; });
-  expectStructure("offsets stop early", [](Hull& h) { h.offsets[6] = 23; });
-  expectStructure("a cell of no corner", [](Hull& h) { h.offsets[1] = 0; });
-  expectStructure("a cell of two corners", [](Hull& h) { h.offsets[1] = 2; });
-  expectStructure("a negative cell size", [](Hull& h) { h.cellSize = -3; });
-}
-
-TEST(Validate, NotClosed)
-{
-  const Cloud cloud = fromFamily("shell0", 60, 6).make();
-  const ReferenceHull reference = bruteForceHull(cloud);
-  for (std::size_t missing : { std::size_t(0), std::size_t(50), reference.cells.size() - 1 })
-  {
-    ReferenceHull open = reference;
-    open.cells.erase(open.cells.begin() + static_cast<std::ptrdiff_t>(missing));
-    EXPECT_EQ(faultOf(cloud, makeHull(open, FacetMode::Polygons)), Fault::NotClosed) << missing;
-  }
-  // A facet turned over uses its edges the wrong way: three are there twice.
-  ReferenceHull turned = reference;
-  std::swap(turned.cells[7][1], turned.cells[7][2]);
-  canonicalise(turned.cells);
-  EXPECT_EQ(faultOf(cloud, makeHull(turned, FacetMode::Polygons)), Fault::NotClosed);
-  ReferenceHull empty = reference;
-  empty.cells.clear();
-  EXPECT_NE(faultOf(cloud, makeHull(empty, FacetMode::Polygons)), Fault::None);
-}
-
-TEST(Validate, ACellTwice)
-{
-  const Cloud cloud = fromFamily("shell0", 30, 6).make();
-  ReferenceHull twice = bruteForceHull(cloud);
-  twice.cells.insert(twice.cells.begin() + 5, twice.cells[5]);
-  const Fault fault = faultOf(cloud, makeHull(twice, FacetMode::Polygons));
-  EXPECT_TRUE(fault == Fault::Structure || fault == Fault::NotClosed) << describe(fault);
-}
-
-TEST(Validate, NotConvexInsideOut)
-{
-  const Cloud cloud = fromFamily("shell0", 60, 7).make();
-  ReferenceHull inside = bruteForceHull(cloud);
-  for (Cell& cell : inside.cells)
-  {
-    std::reverse(cell.begin(), cell.end());
-  }
-  canonicalise(inside.cells);
-  EXPECT_EQ(faultOf(cloud, makeHull(inside, FacetMode::Polygons)), Fault::NotConvex);
-}
-
-TEST(Validate, NotConvexAtATurnedEdge)
-{
-  // Turn each edge of a simplicial hull in turn: a reflex edge where all was convex.
-  const Cloud cloud = fromFamily("shell0", 24, 8).make();
-  const ReferenceHull reference = bruteForceHull(cloud);
-  int turned = 0;
-  for (std::size_t i = 0; i < reference.cells.size(); ++i)
-  {
-    for (std::size_t j = i + 1; j < reference.cells.size(); ++j)
+    Random random(static_cast<std::uint64_t>(i));
+    const Cloud cloud = this->integers(random, 14, 3);
+    const int count = static_cast<int>(cloud.size());
+    const FacetMode facets = random.integer(0, 1) ? FacetMode::Polygons : FacetMode::Triangles;
+    const Result right =
+      makeResult(this->kind(), this->kind().bruteForce(cloud), cloud.size(), facets);
+    Result changed = clone(right);
+    CellComplex& other = cellsIn(changed);
+    auto* triangulation = std::get_if<Triangulation>(&changed);
+    Buffer<std::int64_t>& hidden = triangulation ? triangulation->hiddenIds : other.pointIds;
+    const auto any = [&](Buffer<std::int64_t>& values) -> std::int64_t&
     {
-      for (int e = 0; e < 3; ++e)
+      static std::int64_t none;
+      return values.empty() ? none : values[random.integer(0, static_cast<int>(values.size()) - 1)];
+    };
+    for (int changes = random.integer(1, 3); changes > 0; --changes)
+    {
+      const int value = random.integer(-1, count);
+      switch (random.integer(0, 8))
       {
-        const Cell& t = reference.cells[i];
-        const std::int64_t a = t[e];
-        const std::int64_t b = t[(e + 1) % 3];
-        const std::int64_t c = t[(e + 2) % 3];
-        const Cell& u = reference.cells[j];
-        for (int f = 0; f < 3; ++f)
+        case 0:
+          std::swap(any(other.connectivity), any(other.connectivity));
+          break;
+        case 1:
+          any(other.connectivity) = value;
+          break;
+        case 2:
+          any(other.pointIds) = value;
+          break;
+        case 3:
+          any(hidden) = value;
+          break;
+        case 4:
+          std::swap(any(other.pointIds), any(hidden));
+          break;
+        case 5:
+          any(other.offsets) += random.integer(-1, 1);
+          break;
+        case 6:
+          other.connectivity.truncate(
+            other.connectivity.size() - std::min<std::size_t>(3, other.connectivity.size()));
+          break;
+        case 7:
+          hidden.truncate(hidden.size() - std::min<std::size_t>(1, hidden.size()));
+          break;
+        default:
+          other.dimension = random.integer(-2, 4);
+          break;
+      }
+    }
+    const Validation valid = validate(cloud, changed, 1);
+    ASSERT_EQ(valid.fault == Fault::None, bitDifference(right, changed).empty())
+      << "case " << i << ": " << describe(valid.fault) << "\n"
+      << toString(cloud);
+    seen.insert(valid.fault);
+  }
+  EXPECT_GE(seen.size(), 5u);
+}
+
+TEST_P(Validates, NoResultOfAnotherCloud)
+{
+  for (int i = 0; i < effort(20000); ++i)
+  {
+    Random random(static_cast<std::uint64_t>(i));
+    const Cloud cloud = this->integers(random, 10, 2);
+    const int count = static_cast<int>(cloud.size());
+    Cloud other = cloud;
+    for (int changes = random.integer(1, 3); changes > 0; --changes)
+    {
+      other[static_cast<std::size_t>(random.integer(0, count - 1))]
+           [random.integer(0, 5) == 0 ? 0 : 2] += random.integer(-2, 2);
+    }
+    const FacetMode facets = random.integer(0, 1) ? FacetMode::Polygons : FacetMode::Triangles;
+    const auto made = [&](const Cloud& of)
+    { return makeResult(this->kind(), this->kind().bruteForce(of), cloud.size(), facets); };
+    const Result right = made(cloud);
+    const Result wrong = made(other);
+    const Validation valid = validate(cloud, wrong, 1);
+    ASSERT_EQ(valid.fault == Fault::None, bitDifference(right, wrong).empty())
+      << "case " << i << ": " << describe(valid.fault) << "\n"
+      << toString(cloud) << "with the answer for\n"
+      << toString(other);
+  }
+}
+
+/// The same of many points, of every family: one that appears is moved to where another is.
+TEST_P(Validates, NoResultOfAnotherCloudOfAnyFamily)
+{
+  for (const Family& family : this->kind().families())
+  {
+    SCOPED_TRACE(family.name);
+    Cloud cloud = this->kind().family(family.name, 300, 1).make();
+    const ReferenceHull reference = this->kind().cgalBy(cloud, CgalKernel::Rational);
+    const auto fault = [&]
+    {
+      return validationOf(
+        cloud, makeResult(this->kind(), reference, cloud.size(), FacetMode::Triangles))
+        .fault;
+    };
+    EXPECT_EQ(fault(), Fault::None);
+    const std::size_t at = reference.ids.size() / 3;
+    cloud[static_cast<std::size_t>(reference.ids[at])] =
+      cloud[static_cast<std::size_t>(reference.ids[at + 1])];
+    EXPECT_NE(fault(), Fault::None);
+  }
+}
+
+TEST_P(Validates, NoCellMissingTwiceOrTurned)
+{
+  const Cloud cloud = this->general(60, 7);
+  const std::vector<Cell> all = this->kind().cgal(cloud).cells;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+    {
+      std::vector<Cell> cells = all;
+      cells.insert(cells.begin() + static_cast<std::ptrdiff_t>(i), cells[i]);
+      EXPECT_NE(this->faultOfCells(cloud, this->kind().dimension, cells, facets), Fault::None);
+      cells = all;
+      std::swap(cells[i][1], cells[i][2]);
+      EXPECT_NE(this->faultOfCells(cloud, this->kind().dimension, cells, facets), Fault::None);
+      cells = all;
+      cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(i));
+      // A gap at the border leaves it reflex.
+      const Fault fault = this->faultOfCells(cloud, this->kind().dimension, cells, facets);
+      EXPECT_TRUE(fault == Fault::NotClosed || this->kind().dimension == 2) << describe(fault);
+      EXPECT_NE(fault, Fault::None);
+    }
+  }
+  // All turned over.
+  std::vector<Cell> cells = all;
+  for (Cell& cell : cells)
+  {
+    std::swap(cell[1], cell[2]);
+  }
+  EXPECT_EQ(this->faultOfCells(cloud, this->kind().dimension, cells), Fault::NotConvex);
+}
+
+TEST_P(Validates, NoFlippedEdge)
+{
+  const Cloud cloud = this->general(60, 10);
+  const std::vector<Cell> all = this->kind().cgal(cloud).cells;
+  int notConvex = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < all.size(); ++j)
+    {
+      for (int e = 0; e < 9; ++e)
+      {
+        const Cell& s = all[i];
+        const Cell& t = all[j];
+        const std::int64_t a = s[e % 3];
+        const std::int64_t b = s[(e + 1) % 3];
+        const std::int64_t c = s[(e + 2) % 3];
+        const std::int64_t d = t[(e / 3 + 2) % 3];
+        if (t[e / 3] == b && t[(e / 3 + 1) % 3] == a)
         {
-          const std::int64_t d = u[(f + 2) % 3];
-          bool joins = u[f] == b && u[(f + 1) % 3] == a;
-          for (const Cell& other : reference.cells)
+          std::vector<Cell> other = all;
+          other[i] = { c, a, d };
+          other[j] = { d, b, c };
+          for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
           {
-            // c and d may be neighbours already: then the edge would be there twice.
-            joins = joins &&
-              (std::count(other.begin(), other.end(), c) == 0 ||
-                std::count(other.begin(), other.end(), d) == 0);
-          }
-          if (joins)
-          {
-            ReferenceHull dented = reference;
-            dented.cells[i] = { c, a, d };
-            dented.cells[j] = { d, b, c };
-            canonicalise(dented.cells);
-            EXPECT_EQ(faultOf(cloud, makeHull(dented, FacetMode::Polygons)), Fault::NotConvex);
-            ++turned;
+            // Another name where c and d are neighbours already.
+            const Fault fault = this->faultOfCells(cloud, this->kind().dimension, other, facets);
+            EXPECT_NE(fault, Fault::None);
+            notConvex += fault == Fault::NotConvex ? 1 : 0;
           }
         }
       }
     }
   }
-  EXPECT_GT(turned, 20);
+  EXPECT_GT(notConvex, 60);
 }
 
-TEST(Validate, NotConvexWherePolygonsAreFlat)
+TEST_P(Validates, PointOutsideIsNamed)
 {
-  // A cube with one square cut in two among squares: a flat edge where polygons meet.
-  const Cloud cloud = integerGrid(2);
-  const ReferenceHull reference = bruteForceHull(cloud);
-  for (std::size_t i = 0; i < 6; ++i)
+  // The result without one of its points.
+  const bool isHull = this->kind().dimension == 3;
+  int tried = 0;
+  for (const char* name : { isHull ? "shell0" : "uniformHeavy", isHull ? "ball" : "uniform",
+         "far15", isHull ? "thin200" : "clusters" })
   {
-    ReferenceHull cut = reference;
-    const Cell square = cut.cells[i];
-    cut.cells[i] = { square[0], square[1], square[2] };
-    cut.cells.push_back({ square[0], square[2], square[3] });
-    canonicalise(cut.cells);
-    EXPECT_EQ(faultOf(cloud, makeHull(cut, FacetMode::Polygons)), Fault::NotConvex) << i;
-  }
-}
-
-TEST(Validate, NotConvexWhereAPolygonIsNotPlanar)
-{
-  // Two facets joined into one polygon that bends by very little.
-  Cloud cloud = integerGrid(2);
-  cloud[7] = { 1, 1, 1 + 0x1p-52 };
-  const ReferenceHull reference = bruteForceHull(cloud);
-  ASSERT_GT(reference.cells.size(), 6u);
-  ReferenceHull joined = bruteForceHull(integerGrid(2));
-  EXPECT_EQ(faultOf(cloud, makeHull(joined, FacetMode::Polygons)), Fault::NotConvex);
-}
-
-TEST(Validate, TrianglesMustBeTheCanonicalFan)
-{
-  // The other diagonal of a square is as convex, but it is not the canonical form.
-  const Cloud cloud = integerGrid(2);
-  const ReferenceHull reference = bruteForceHull(cloud);
-  ReferenceHull other = reference;
-  other.cells = triangulate(reference.cells);
-  const Cell square = reference.cells[0];
-  other.cells.erase(
-    std::find(other.cells.begin(), other.cells.end(), Cell{ square[0], square[1], square[2] }));
-  other.cells.erase(
-    std::find(other.cells.begin(), other.cells.end(), Cell{ square[0], square[2], square[3] }));
-  other.cells.push_back({ square[0], square[1], square[3] });
-  other.cells.push_back({ square[1], square[2], square[3] });
-  canonicalise(other.cells);
-  EXPECT_NE(faultOf(cloud, makeTriangles(other)), Fault::None);
-}
-
-TEST(Validate, NotExtreme)
-{
-  // A square's middle as a corner: all edges flat or convex, but the point is not extreme.
-  Cloud cloud = integerGrid(2);
-  cloud.insert(cloud.begin(), Point{ 0.5, 0.5, 1 });
-  ReferenceHull reference = bruteForceHull(cloud);
-  ReferenceHull starred = reference;
-  const auto top = std::find(starred.cells.begin(), starred.cells.end(), Cell{ 5, 6, 8, 7 });
-  ASSERT_NE(top, starred.cells.end());
-  starred.cells.erase(top);
-  starred.cells = triangulate(starred.cells);
-  for (const Cell& t : { Cell{ 0, 5, 6 }, { 0, 6, 8 }, { 0, 8, 7 }, { 0, 7, 5 } })
-  {
-    starred.cells.push_back(t);
-  }
-  starred.ids.insert(starred.ids.begin(), 0);
-  canonicalise(starred.cells);
-  EXPECT_EQ(faultOf(cloud, makeTriangles(starred)), Fault::NotExtreme);
-}
-
-TEST(Validate, NotExtremeInAnEdge)
-{
-  // An edge's middle as a corner of both its polygons.
-  Cloud cloud = integerGrid(2);
-  cloud.push_back({ 0.5, 0, 0 });
-  ReferenceHull reference = bruteForceHull(cloud);
-  for (Cell& cell : reference.cells)
-  {
-    for (std::size_t i = 0; i < cell.size(); ++i)
+    const Cloud cloud = this->kind().family(name, 300, 9).make();
+    const ReferenceHull whole = this->kind().cgalBy(cloud, CgalKernel::Rational);
+    for (std::size_t k = 0; k < whole.ids.size(); k += 1 + whole.ids.size() / 9)
     {
-      const std::int64_t a = cell[i];
-      const std::int64_t b = cell[(i + 1) % cell.size()];
-      if (a + b == 1)
-      {
-        cell.insert(cell.begin() + static_cast<std::ptrdiff_t>(i) + 1, 8);
-        break;
-      }
-    }
-  }
-  reference.ids.push_back(8);
-  canonicalise(reference.cells);
-  const Fault solid = faultOf(cloud, makeHull(reference, FacetMode::Polygons));
-  EXPECT_TRUE(solid == Fault::NotExtreme || solid == Fault::NotClosed) << describe(solid);
-  // The same in a plane and on a line.
-  const Cloud flat = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 1, 1, 0 } };
-  EXPECT_EQ(faultOf(flat, makeHull(2, { 0, 1, 2, 3 }, { { 0, 1, 3, 2 } })), Fault::NotExtreme);
-  const Cloud line = { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } };
-  EXPECT_EQ(faultOf(line, makeHull(1, { 0, 2 }, { { 0, 2 } })), Fault::None);
-  EXPECT_NE(faultOf(line, makeHull(1, { 0, 1, 2 }, { { 0, 1 }, { 1, 2 } })), Fault::None);
-}
-
-TEST(Validate, NotExtremeInTwoPlanesAlone)
-{
-  // The middle of each edge in turn, as the lowest corner of both its facets: their fans start
-  // there, every edge is convex, and nothing else is wrong with it.
-  const Cloud cube = scaled(integerGrid(2), 2, 2, 2);
-  const Cloud octahedron = { { 2, 0, 0 }, { -2, 0, 0 }, { 0, 4, 0 }, { 0, -2, 0 }, { 0, 0, 6 },
-    { 0, 0, -2 } };
-  for (const Cloud& solid : { cube, scaled(cube, 1, 0x1p-300, 0x1p200),
-         moved(cube, 0x1p50, -0x1p50, 0x1p40), scaled(latticeTetrahedron(3), 2, 2, 2), octahedron })
-  {
-    const ReferenceHull plain = bruteForceHull(solid);
-    int edges = 0;
-    for (const Cell& facet : plain.cells)
-    {
-      for (std::size_t i = 0; i < facet.size(); ++i)
-      {
-        const std::int64_t a = facet[i];
-        const std::int64_t b = facet[(i + 1) % facet.size()];
-        const Point& p = solid[static_cast<std::size_t>(a)];
-        const Point& q = solid[static_cast<std::size_t>(b)];
-        const Point middle = { 0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1],
-          0.5 * p[2] + 0.5 * q[2] };
-        if (a > b)
-        {
-          continue;
-        }
-        Cloud cloud = solid;
-        cloud.insert(cloud.begin(), middle);
-        ReferenceHull split = plain;
-        for (Cell& cell : split.cells)
-        {
-          for (std::int64_t& id : cell)
-          {
-            ++id;
-          }
-          for (std::size_t k = 0; k < cell.size(); ++k)
-          {
-            const std::int64_t from = cell[k] - 1;
-            const std::int64_t to = cell[(k + 1) % cell.size()] - 1;
-            if ((from == a && to == b) || (from == b && to == a))
-            {
-              cell.insert(cell.begin() + static_cast<std::ptrdiff_t>(k) + 1, 0);
-              break;
-            }
-          }
-        }
-        for (std::int64_t& id : split.ids)
-        {
-          ++id;
-        }
-        split.ids.insert(split.ids.begin(), 0);
-        canonicalise(split.cells);
-        for (FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
-        {
-          const Validation valid = validate(viewOf(cloud), makeHull(split, facets));
-          EXPECT_EQ(valid.fault, Fault::NotExtreme) << describe(valid.fault);
-          EXPECT_EQ(valid.index, 0);
-          EXPECT_EQ(faultOf(cloud, makeHull(bruteForceHull(cloud), facets)), Fault::None);
-        }
-        ++edges;
-      }
-    }
-    EXPECT_GE(edges, 6);
-  }
-}
-
-TEST(Validate, PointOutside)
-{
-  // The hull without one of its points leaves that point outside.
-  for (const char* name : { "shell0", "ball", "far15", "thin200" })
-  {
-    const Cloud cloud = fromFamily(name, 500, 9).make();
-    const ReferenceHull whole = cgalHull(cloud, CgalKernel::Rational);
-    for (std::size_t k : { std::size_t(0), whole.ids.size() / 2, whole.ids.size() - 1 })
-    {
-      const std::int64_t gone = whole.ids[k];
-      // In its place another point's position: it has no say of its own then.
+      const auto gone = static_cast<std::size_t>(whole.ids[k]);
       Cloud less = cloud;
-      less[gone] = cloud[whole.ids[k == 0 ? 1 : 0]];
-      const ReferenceHull part = cgalHull(less, CgalKernel::Rational);
-      if (std::count(part.ids.begin(), part.ids.end(), gone) > 0)
+      if (isHull)
       {
-        continue;
+        less[gone] = cloud[static_cast<std::size_t>(whole.ids[k == 0 ? 1 : 0])];
       }
-      for (FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+      else
       {
-        const Validation valid = validate(viewOf(cloud), makeHull(part, facets), 2);
+        less[gone][2] = -1e30;
+      }
+      const ReferenceHull part = this->kind().cgalBy(less, CgalKernel::Rational);
+      if (std::count(part.ids.begin(), part.ids.end(), whole.ids[k]) > 0 ||
+        part.ids.size() == whole.ids.size() || lowestIds(cloud)[gone] != whole.ids[k])
+      {
+        continue; // a corner of the border, or another one took its place
+      }
+      ++tried;
+      for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+      {
+        const Validation valid =
+          validationOf(cloud, makeResult(this->kind(), part, cloud.size(), facets));
         EXPECT_EQ(valid.fault, Fault::PointOutside) << name;
-        EXPECT_EQ(valid.index, gone) << name;
+        EXPECT_EQ(valid.index, whole.ids[k]) << name;
       }
     }
   }
+  EXPECT_GT(tried, 8);
 }
 
-TEST(Validate, PointOutsideByOneUlp)
+TEST_P(Validates, BrokenStructureIsNamed)
 {
-  Cloud cloud = integerGrid(3);
-  const ReferenceHull reference = bruteForceHull(cloud);
-  cloud.push_back({ 1, 1, 2 });
-  EXPECT_EQ(faultOf(cloud, makeHull(reference, FacetMode::Polygons)), Fault::None);
-  cloud.back()[2] = 2 + 0x1p-51;
-  EXPECT_EQ(faultOf(cloud, makeHull(reference, FacetMode::Polygons)), Fault::PointOutside);
-  const Validation valid = validate(viewOf(cloud), makeHull(reference, FacetMode::Polygons));
-  EXPECT_EQ(valid.index, 27);
-}
-
-TEST(Validate, PointOutsideAPolygonAndASegment)
-{
-  Cloud flat = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 1, 1, 0 } };
-  const Hull triangle = makeHull(2, { 0, 1, 2 }, { { 0, 1, 2 } });
-  EXPECT_EQ(faultOf(flat, triangle), Fault::None);
-  flat[3][1] = 1 + 0x1p-52;
-  EXPECT_EQ(faultOf(flat, triangle), Fault::PointOutside);
-  Cloud line = { { 0, 0, 0 }, { 2, 2, 2 }, { 1, 1, 1 } };
-  const Hull segment = makeHull(1, { 0, 1 }, { { 0, 1 } });
-  EXPECT_EQ(faultOf(line, segment), Fault::None);
-  line[2] = { 3, 3, 3 };
-  EXPECT_EQ(faultOf(line, segment), Fault::PointOutside);
-}
-
-TEST(Validate, WrongId)
-{
-  // Each corner is there twice; the later one must not stand for it.
-  const Cloud cloud = joined(integerGrid(2), integerGrid(2));
-  const ReferenceHull reference = bruteForceHull(cloud);
-  for (FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+  const std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  const auto expectStructure = [&](const Cloud& cloud, const Result& right,
+                                 const std::vector<std::function<void(CellComplex&)>>& changes)
   {
-    ReferenceHull late = reference;
-    late.ids.back() = 15;
-    for (Cell& cell : late.cells)
+    ASSERT_EQ(validationOf(cloud, right).fault, Fault::None);
+    for (std::size_t i = 0; i < changes.size(); ++i)
     {
-      std::replace(cell.begin(), cell.end(), std::int64_t(7), std::int64_t(15));
+      Result copy = clone(right);
+      changes[i](cellsIn(copy));
+      EXPECT_EQ(validationOf(cloud, copy).fault, Fault::Structure) << "change " << i;
     }
-    EXPECT_EQ(faultOf(cloud, makeHull(late, facets)), Fault::WrongId);
+  };
+  const Cloud cloud = this->general(200, 5);
+  const Result triangles =
+    makeResult(this->kind(), this->kind().cgal(cloud), cloud.size(), FacetMode::Triangles);
+  const auto points = static_cast<std::int64_t>(complexOf(triangles).pointIds.size());
+  std::vector<std::function<void(CellComplex&)>> changes = { [](CellComplex& h)
+    { std::swap(h.pointIds[1], h.pointIds[2]); },
+    [](CellComplex& h) { h.pointIds[3] = h.pointIds[2]; },
+    [](CellComplex& h) { std::rotate(&h.connectivity[6], &h.connectivity[7], &h.connectivity[9]); },
+    [](CellComplex& h)
+    { std::swap_ranges(&h.connectivity[3], &h.connectivity[6], &h.connectivity[6]); },
+    [](CellComplex& h) { h.connectivity.truncate(h.connectivity.size() - 1); },
+    [](CellComplex& h) { h.cellSize = -3; }, [](CellComplex& h) { h.dimension = 4; },
+    [](CellComplex& h) { h.dimension = -2; } };
+  for (const std::int64_t bad : { std::int64_t(-1), points, std::int64_t(1) << 40, least })
+  {
+    changes.emplace_back([=](CellComplex& h) { h.connectivity[4] = bad; });
   }
-  EXPECT_EQ(faultOf(Cloud(3, Point{ 1, 1, 1 }), makeHull(0, { 1 }, { { 1 } })), Fault::WrongId);
+  for (const std::int64_t bad : { std::int64_t(-1), std::int64_t(200), std::int64_t(1) << 40 })
+  {
+    changes.emplace_back([=](CellComplex& h) { h.pointIds[points - 1] = bad; });
+  }
+  expectStructure(cloud, triangles, changes);
+  const Cloud grid = this->grid();
+  expectStructure(grid,
+    makeResult(this->kind(), this->kind().bruteForce(grid), grid.size(), FacetMode::Polygons),
+    { [](CellComplex& h) { h.offsets[0] = 1; }, [](CellComplex& h) { h.offsets[2] = 30; },
+      [](CellComplex& h) { h.offsets[1] = -4; },
+      [](CellComplex& h) { h.offsets[h.offsets.size() - 1] += 4; },
+      [](CellComplex& h) { h.offsets[h.offsets.size() - 1] -= 1; },
+      [](CellComplex& h) { h.offsets[1] = 0; }, [](CellComplex& h) { h.offsets[1] = 2; } });
 }
 
-TEST(Validate, WrongDimension)
-{
-  const Cloud cube = integerGrid(2);
-  const Cloud square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
-  const Cloud segment = { { 0, 0, 0 }, { 1, 0, 0 } };
-  const Cloud one = { { 0, 0, 0 } };
-  const Hull none = makeHull(-1, {}, {});
-  const Hull vertex = makeHull(0, { 0 }, { { 0 } });
-  const Hull line = makeHull(1, { 0, 1 }, { { 0, 1 } });
-  const Hull polygon = makeHull(2, { 0, 1, 2, 3 }, { { 0, 1, 2, 3 } });
-  EXPECT_EQ(faultOf({}, Hull()), Fault::None);
-  EXPECT_EQ(faultOf(one, vertex), Fault::None);
-  EXPECT_EQ(faultOf(segment, line), Fault::None);
-  EXPECT_EQ(faultOf(square, polygon), Fault::None);
-  for (const Cloud& cloud : { one, segment, square, cube })
-  {
-    EXPECT_EQ(faultOf(cloud, Hull()), Fault::WrongDimension);
-  }
-  // Too low a dimension leaves points outside: either name is right.
-  const Fault tooLow[] = { faultOf(segment, vertex), faultOf(square, line),
-    faultOf(cube, makeHull(2, { 0, 1, 2, 3 }, { { 0, 1, 3, 2 } })) };
-  for (Fault fault : tooLow)
-  {
-    EXPECT_TRUE(fault == Fault::WrongDimension || fault == Fault::PointOutside) << describe(fault);
-  }
-  // A flat solid: a triangle and its back.
-  const Cloud three = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } };
-  const Fault flat = faultOf(three, makeHull(3, { 0, 1, 2 }, { { 0, 1, 2 }, { 0, 2, 1 } }));
-  EXPECT_TRUE(flat == Fault::WrongDimension || flat == Fault::NotConvex) << describe(flat);
-  EXPECT_NE(faultOf({}, vertex), Fault::None);
-}
-
-TEST(Validate, PolygonTheWrongWayRound)
-{
-  const Cloud square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
-  EXPECT_NE(faultOf(square, makeHull(2, { 0, 1, 2, 3 }, { { 0, 3, 2, 1 } })), Fault::None);
-  EXPECT_NE(faultOf(square, makeHull(2, { 0, 1, 2, 3 }, { { 0, 2, 1, 3 } })), Fault::None);
-}
-
-TEST(Validate, HullsOfOtherClouds)
-{
-  // Any two different clouds of one size: the hull of one is not the hull of the other.
-  for (const Family& family : families())
-  {
-    Cloud a = fromFamily(family.name, 300, 1).make();
-    Cloud b = a;
-    const ReferenceHull hull = cgalHull(a, CgalKernel::Rational);
-    const std::int64_t moved = hull.ids[hull.ids.size() / 3];
-    // A hull point goes to the place of another one.
-    b[moved] = b[hull.ids[hull.ids.size() / 3 + 1]];
-    EXPECT_NE(faultOf(b, makeHull(hull, FacetMode::Triangles)), Fault::None) << family.name;
-    EXPECT_EQ(faultOf(a, makeHull(hull, FacetMode::Triangles)), Fault::None) << family.name;
-  }
-}
-
-TEST(Validate, WindsOnce)
-{
-  // A bipyramid wound twice is closed, oriented, convex at every edge, and no hull.
-  Cloud cloud = bipyramid(5);
-  for (std::size_t i = 2; i < 7; ++i)
-  {
-    cloud.push_back(cloud[i]);
-  }
-  std::vector<Cell> cells;
-  for (int i = 0; i < 10; ++i)
-  {
-    const std::int64_t a = 2 + i;
-    const std::int64_t b = 2 + (i + 1) % 10;
-    cells.push_back({ 0, a, b });
-    cells.push_back({ 1, b, a });
-  }
-  canonicalise(cells);
-  Cell ids(12);
-  std::iota(ids.begin(), ids.end(), 0);
-  EXPECT_NE(faultOf(cloud, makeHull(3, ids, cells, FacetMode::Triangles)), Fault::None);
-  // The same with the second round a little further out, so that no position is there twice.
-  for (std::size_t i = 7; i < 12; ++i)
-  {
-    cloud[i] = { cloud[i][0] * (1 + 0x1p-30), cloud[i][1] * (1 + 0x1p-30), 0 };
-  }
-  EXPECT_NE(faultOf(cloud, makeHull(3, ids, cells, FacetMode::Triangles)), Fault::None);
-}
+INSTANTIATE_TEST_SUITE_P(ConvexHull, Validates, ::testing::Values(&convexHulls));
+INSTANTIATE_TEST_SUITE_P(
+  RegularTriangulation, Validates, ::testing::Values(&regularTriangulations));
 
 }
 }
