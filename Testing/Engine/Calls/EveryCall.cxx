@@ -165,7 +165,7 @@ void addRuns(Table& table, const Cloud& body, const Cloud& sites)
         [&](const SetView& sets) { return regularTriangulations(points, sets, weights, options); });
     });
   const auto surface = std::make_shared<Surface>(perturbedIcosphere(5, 0.05, 64));
-  table.add("flipFlop", roundedToFloat(surface->points), false, false, refused,
+  table.add("convexify", roundedToFloat(surface->points), false, false, refused,
     [=](Points points, Weights, const Options& options)
     { return bitsOf(convexify(points, surface->view(), nullptr, options)); });
   // The lines of a grid and its diagonals: they meet at its points.
