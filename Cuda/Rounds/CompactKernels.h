@@ -21,7 +21,7 @@
 namespace flipflop
 {
 
-/// Over all triangles and one more, whose place will be their number.
+/// Over all triangles and one more, whose number will be the count.
 struct MarkTriangles : Kernel
 {
   static constexpr const char* Name = "mark triangles";
@@ -122,7 +122,7 @@ struct ListDuplicates : Kernel
   }
 };
 
-/// Over the list: four pairs a vertex, of which some may say nothing.
+/// Over the list: four pairs a vertex, of which some may be of a vertex and itself.
 struct GatherDuplicates : Kernel
 {
   static constexpr const char* Name = "gather duplicates";

@@ -8,7 +8,7 @@
 /// A list that one round fills and the next one reads takes turns: two counts, one of which is
 /// cleared before it is added to.
 ///
-/// What the host has to know of a round, the first kernel of the next one writes (RoundRecord).
+/// What the host needs of a round, the first kernel of the next one writes (RoundRecord).
 #ifndef flipflop_Counters_h
 #define flipflop_Counters_h
 

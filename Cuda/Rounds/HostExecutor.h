@@ -19,7 +19,7 @@
 ///                                the processor's cache. False: they are there already, nothing is
 ///                                seen
 ///   resident(points, residence)  then: the points as kernels can read them
-///   recordAt(slot)               where kernels write what the host is to know, without a copy
+///   recordAt(slot)               where kernels write what the host reads, without a copy
 ///   record, recorded             what is launched by now writes there; wait for that, and read it
 ///   finish                       wait for all
 ///   beginPart(name)              what follows is this part of the run, for reports; null: none

@@ -300,9 +300,9 @@ private:
   template <class T>
   using Array = ExecutorArray<Executor, T>;
 
-  /// How many rounds the host is ahead of what it knows, next to the one it hands out.
+  /// How many rounds the host is ahead of the last record that it has read.
   static constexpr std::uint32_t Ahead = 1;
-  static_assert(Ahead + 1 <= Executor::Records, "a record is read before it is written anew");
+  static_assert(Ahead + 1 <= Executor::Records, "a record is read before it is written again");
 
   /// Rounds of so few active triangles are left to one block of threads.
   static constexpr std::uint32_t TailMost = 1 << 10;

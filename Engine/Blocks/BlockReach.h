@@ -103,7 +103,7 @@ private:
     return enters;
   }
 
-  /// use (block, most) for each box that is reached, until it says that this is enough.
+  /// use (block, most) for each box that is reached, until it returns that this is enough.
   template <class Use>
   bool search(const ConflictBound& bound, const Use& use) const
   {

@@ -91,7 +91,7 @@ void addExtremes(
   }
 }
 
-/// The heaviest points: the others' weights bound how far any of them reaches.
+/// The points of largest weight: the others' weights bound how far any of them reaches.
 void addHeaviest(const std::vector<BlockSite>& sites, std::set<std::size_t>& sample)
 {
   const std::size_t count = sampleSizes().heaviest;

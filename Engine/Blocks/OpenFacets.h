@@ -10,10 +10,10 @@
 /// sent. That is enough: a facet of all known points, around an active point, has its corners among
 /// the corners of the facets that were there before, and the points that are new.
 ///
-/// Rounds end. In each, the number of blocks that a facet asks and of points in an answer doubles.
-/// Take a facet that points from answers make around an active point. A point in conflict with it
+/// Rounds end. In each, the numbers of blocks that a facet queries and of points in a reply double.
+/// Take a facet that points of replies make around an active point. A point in conflict with it
 /// was in conflict with one of the two facets that shared an edge of it before. Both were around
-/// the same point, so when answers hold all points in conflict, these are known. Hence there are at
+/// the same point, so when replies hold all points in conflict, it has these. Hence there are at
 /// most log2(n) + 2 rounds, n being the greater of the blocks and the points of a block.
 ///
 /// A point that is settled stays so. A facet of it may still grow, by points on it that the cell of
@@ -58,7 +58,7 @@ public:
   /// Take the cells of the first run, on all that is known.
   void begin(const CellComplex& complex);
 
-  /// Take the cells of a later run in place of those before; what is known of them stays known.
+  /// Replace the cells by those of a later run; facets that stay keep their state.
   /// @param members the points of the complex, ascending
   void replace(const CellComplex& complex, const std::vector<SiteHandle>& members);
 

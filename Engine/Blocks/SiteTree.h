@@ -40,7 +40,7 @@ public:
         static_cast<std::uint32_t>(this->sites.size()),
         [&](std::uint32_t i)
         {
-          // Weights say nothing of where a point lies.
+          // Weights are no coordinates.
           const double* const x = this->sites[i].x;
           const double position[3] = { x[0], x[1], isLifted ? 0.0 : x[2] };
           Box box;

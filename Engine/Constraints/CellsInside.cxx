@@ -70,7 +70,7 @@ private:
   std::vector<Link> links;
 };
 
-/// What an edge says of a cell next to it.
+/// Which side of an edge a cell is on.
 struct Vote
 {
   std::uint32_t cell;

@@ -247,7 +247,7 @@ private:
   const std::vector<Part> parts;
   const SegmentBundle bundle;
   const BoxTree tree;
-  Buffer<Box> boxes; ///< of parts, by their place in the tree
+  Buffer<Box> boxes; ///< of parts, by their slot in the tree
 };
 
 }

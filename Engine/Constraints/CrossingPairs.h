@@ -21,7 +21,7 @@
 namespace flipflop
 {
 
-/// Its ends: indices of positions, which differ in their place if in their index.
+/// Its ends: indices of positions, which differ where the indices do.
 struct PositionSegment
 {
   std::uint32_t from, to;

@@ -209,7 +209,7 @@ void CanonicalForm<Surface>::write(Monitor& monitor, CellComplex& complex, Use&&
   this->eachFanTriangle(useToo);
   monitor.poll();
 
-  // Second pass: put the cells where the counts say.
+  // Second pass: put the cells at the indices that the counts give.
   sort.endCounting(std::move(this->surface.vertices));
   this->eachTriangle(
     [&](const std::uint32_t*, const Cell& cell, std::size_t piece) { sort.put(piece, cell); });

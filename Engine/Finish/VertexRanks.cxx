@@ -64,7 +64,7 @@ public:
           std::int64_t* out = sorted + this->before[word];
           for (std::uint64_t rest = this->word(word); rest; rest &= rest - 1)
           {
-            // The lowest bit's place is the number of bits below it.
+            // The lowest bit's index is the number of bits below it.
             *out++ = static_cast<std::int64_t>(64 * word + bitCount((rest & -rest) - 1));
           }
         }

@@ -4,7 +4,7 @@
 /// A power cell, clipped by the sides of a box (I. E. Sutherland, G. W. Hodgman, 1974).
 ///
 /// A cell may reach infinity: a corner there is a direction, of which only the signs matter. Every
-/// edge knows the line it lies on: two sites' line of equal power, a side of the box, or infinity.
+/// edge has the line it lies on: two sites' line of equal power, a side of the box, or infinity.
 /// A clipped corner is taken from the two lines that meet there, never from rounded corners, so
 /// neighbours find the same bits however their cells were clipped before.
 #ifndef flipflop_CellClipper_h

@@ -73,7 +73,7 @@ public:
     return turns == 2;
   }
 
-  /// In how many places a ring of different corners touches or crosses itself: pairs of edges.
+  /// How often a ring of different corners touches or crosses itself: pairs of edges.
   std::size_t crossings(const Ring& ring) const
   {
     const std::size_t count = ring.size();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Two arithmetics for polynomials of coordinates and weights: a quick one, which knows how far off
-/// it may be and says when it cannot decide, and an exact one in integers.
+/// Two arithmetics for polynomials of coordinates and weights: a quick one, which bounds its
+/// error and returns when it cannot decide, and an exact one in integers.
 ///
 /// A recipe is a template over the arithmetic k, and so is written once. It takes differences of
 /// coordinates (k.difference) and forms polynomials up to degree six of them with + - and *. Then
@@ -80,7 +80,7 @@ struct Bounded
   }
 };
 
-/// The quick arithmetic: says when it cannot decide. In double-double it decides nearly always.
+/// The quick arithmetic: returns when it cannot decide. In double-double it decides nearly always.
 template <class Value = DoubleDouble>
 class BoundedArithmetic
 {

@@ -5,7 +5,7 @@
 /// them with a kernel point inside, and what decides on which side of them a point is.
 ///
 /// A point outside the corners' bounding box is outside. Any other point fits the arithmetic of the
-/// corners but for one thing: it may have lower bits. Where these are too low for the expansions,
+/// corners but it may have lower bits. Where these are too low for the expansions,
 /// the point is classified in wide integers, among the corners as they were given.
 #ifndef flipflop_PreparedHull_h
 #define flipflop_PreparedHull_h

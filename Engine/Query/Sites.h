@@ -6,8 +6,8 @@
 ///
 /// Sites are scaled as their own range requires. Nearly all queries fit that range, and are scaled
 /// alike. One that does not (1e-200 among sites about 1) is decided in wide integers, with the
-/// sites as they were given: so each query takes the arithmetic that it needs, whatever others are
-/// asked with it.
+/// sites as they were given: so each query takes the arithmetic that it needs, whatever others come
+/// with it.
 #ifndef flipflop_Sites_h
 #define flipflop_Sites_h
 

@@ -24,11 +24,11 @@ namespace flipflop
 namespace
 {
 
-/// Evaluate each query. Many are answered along a curve, so that one finds what it
-/// needs in the cache, where the one before left it. An answer depends on its query alone, so the
+/// Evaluate each query. Many are evaluated along a curve, so that one finds in the cache what the
+/// one before has used. A result depends on its query alone, so the
 /// order and the threads do not matter to it.
-/// @param answers    space for one a query
-/// @param makeAnswer answer (): for a task; answer(i, position) is called for each query, where
+/// @param results    space for one a query
+/// @param makeQuery  query (): for a task; query(i, position) is called for each query, where
 ///                   position is null for one that is not finite
 /// @throw Error BadArgument, NonFinite, TooManyPoints, OutOfMemory, Aborted
 template <class MakeQuery>
@@ -103,7 +103,7 @@ public:
       });
   }
 
-  /// The locator knows where its sites are.
+  /// The locator refers to the sites.
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 

@@ -31,7 +31,7 @@ public:
   /// @param triangles receives two fewer than there are corners, each with its corners in the
   ///                  polygon's order
   /// @param step      called some times, at least once for each corner that is examined
-  /// @return          false: it is not simple, or has no area; true says nothing of either
+  /// @return          false: it is not simple, or has no area; true implies neither
   template <class Step>
   bool cut(
     const std::vector<Position>& positions, std::vector<Triangle>& triangles, const Step& step)

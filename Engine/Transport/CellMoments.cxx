@@ -212,7 +212,7 @@ void measureCells(const std::vector<double>& sites, const double* weights,
             cell.eachEdge(
               [&](Index line, double length)
               {
-                // Both cells know the edge; that of the lower site adds it.
+                // Both cells have the edge; that of the lower site adds it.
                 if (line != NoIndex && line > i && length > 0)
                 {
                   const auto other = static_cast<std::size_t>(ids[line]);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The oracle for constrained triangulations. It knows nothing of how constraints are inserted: all
+/// The oracle for constrained triangulations. It uses nothing of the insertion of constraints: all
 /// positions have a corner, the triangles fill the hull once, each edge is fixed or locally
 /// Delaunay, which makes all of them constrained Delaunay; and walks along the fixed edges find all
 /// constraints.

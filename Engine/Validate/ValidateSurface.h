@@ -115,7 +115,7 @@ public:
   }
 
   /// A point of a convex surface is strictly extreme when three facets' planes meet in it, as only
-  /// two do along an edge. Derived from the definition, by nothing of the finish that is judged:
+  /// two do along an edge. Derived from the definition, by nothing of the finish that is checked:
   /// each triangle at the origin of @p h is held against every plane that was found before,
   /// wherever around the point it lies.
   static bool isInThreePlanes(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
