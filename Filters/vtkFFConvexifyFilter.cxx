@@ -113,7 +113,6 @@ int vtkFFConvexifyFilter::RequestData(
 {
   vtkFFRun run(this, "Convexify", outputVector);
   run.NonFiniteAdvice = "They are corners of the surface, which has to be mended.";
-  run.Options.nonFinite = flipflop::NonFinitePolicy::Error;
   run.Options.facets = flipflop::FacetMode::Polygons; // see WriteHull()
   run.Report.used = flipflop::EngineChoice::CPU;
   std::snprintf(run.Report.reason, sizeof(run.Report.reason), "%s",

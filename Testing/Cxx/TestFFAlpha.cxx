@@ -156,6 +156,10 @@ void testBoundary()
   run->GenerateBoundaryOff();
   run.Run();
   FF_CHECK(isEmpty(border));
+  // Ids count hidden points.
+  run->GenerateBoundaryOn();
+  run.RunWith(makeWeighted({ { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { 0, 0, 0, 0 }));
+  FF_CHECK((cellsByOriginalIds(border, border->GetLines()) == Cells{ { 0, 2, 3, 0 } }));
 }
 
 /// Points on a line, one point, none.

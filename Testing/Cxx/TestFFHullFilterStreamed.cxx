@@ -18,7 +18,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>

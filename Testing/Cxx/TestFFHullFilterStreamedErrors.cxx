@@ -15,7 +15,6 @@
 #include "vtkPassInputTypeAlgorithm.h"
 #include "vtkTypeInt64Array.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 

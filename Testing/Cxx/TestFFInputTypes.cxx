@@ -20,7 +20,6 @@
 #include "vtkUniformGrid.h"
 
 #include <array>
-#include <cmath>
 #include <limits>
 
 using namespace fftest;

@@ -74,6 +74,8 @@ void testWhole()
       FF_CHECK_EQUAL(output->GetNumberOfPoints(), count);
       FF_CHECK_EQUAL(output->GetPoints()->GetDataType(), type);
       FF_CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), 5);
+      FF_CHECK(output->GetPointData()->GetVectors() != nullptr);
+      FF_CHECK(output->GetPointData()->GetScalars() == nullptr);
       auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(
         output->GetPointData()->GetArray("wide"));
       for (vtkIdType i = 0; wide && i < count; ++i)

@@ -5,12 +5,9 @@
 #include "FFTest.h"
 
 #include "vtkCellData.h"
-#include "vtkCharArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFFErrorCode.h"
 #include "vtkFFPointInterpolator2D.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"

@@ -8,7 +8,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFFErrorCode.h"
 #include "vtkFieldData.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"

@@ -276,6 +276,22 @@ void testGhosts()
     processes() == 1 ? given[0] : append(pieces));
 }
 
+/// A piece without a finite point has a say in the types and in the arrays.
+void testNothingFinite()
+{
+  DistributedVersusSerial both = hulls();
+  both.Set<vtkFFHullFilter>(
+    [](vtkFFHullFilter* hull) { hull->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); });
+  Pieces pieces = split(
+    randomPoints(300, 76), [](int) { return processes() - 1; }, VTK_FLOAT);
+  if (processes() > 1)
+  {
+    pieces[0] = makePoints({ { std::nan(""), 0, 0 }, { 0, 0, HUGE_VAL } });
+  }
+  decorate(pieces);
+  both.Run("a piece without a finite point", pieces);
+}
+
 /// Large hulls stay where they are, by the limit that is set.
 void testLimit()
 {
@@ -330,6 +346,7 @@ void testHull()
   testTypes();
   testUnlikeData();
   testGhosts();
+  testNothingFinite();
   testLimit();
   testThreads();
 }
@@ -343,4 +360,5 @@ void testHullShares()
   testTypes();
   testUnlikeData();
   testGhosts();
+  testNothingFinite();
 }

@@ -129,6 +129,13 @@ void testPieces(DistributedVersusSerial& both)
       }
     }
   }
+  if (auto* delaunay = vtkFFConstrainedDelaunayFilter::SafeDownCast(both.Distributed))
+  {
+    both.Set<vtkFFConstrainedDelaunayFilter>(
+      [](auto* filter) { filter->SetMaximumEdgeLength(0.1); });
+    run(both, "a longest edge", makePieces(random));
+    FF_CHECK(rank() > 0 || delaunay->GetNumberOfDroppedCells() > 0);
+  }
   auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(both.Distributed);
   if (triangulation)
   {
