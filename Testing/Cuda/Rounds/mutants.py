@@ -117,8 +117,8 @@ MUTANTS = [
     ("duplicates-unnoted",
      "a point dropped at a vertex's position is forgotten, even if its id is lower",
      [("GrowthKernels.h",
-       "[&](int i) { atomics::lower(&data.lowest[i == 0 ? v[0] : i == 1 ? v[1] : v[2]], p.id); });",
-       "[&](int) {});")]),
+       "      atomics::lower(&data.lowest[i == 0 ? v[0] : i == 1 ? v[1] : v[2]], p.id);\n",
+       "      (void)i;\n")]),
     ("slots-by-counter",
      "new slots go by arrival, not by a prefix sum",
      [("GrowthKernels.h",
@@ -132,7 +132,7 @@ MUTANTS = [
     {
       return;
     }
-    const std::uint32_t place = atomics::add(&d.counters->flips[0], 1u);
+    const std::uint32_t offset = atomics::add(&d.counters->flips[0], 1u);
 """),
       ("GrowthKernels.h",
        "    counters.live[this->round & 1] = 0;\n",
