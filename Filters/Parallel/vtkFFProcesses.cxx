@@ -2,208 +2,250 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFProcesses.h"
 
-#include "vtkFFErrorCode.h"
 #include "vtkFFFailure.h"
-#include "vtkFFParcel.h"
+#include "vtkFFRun.h"
+
+#include <flipflop/Buffer.h>
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPointSet.h"
-#include "vtkPolyData.h"
 
-#include <algorithm>
-#include <cstddef>
+#if FLIPFLOP_USE_DIY
+#include "vtkDIYUtilities.h"
+#endif
+
 #include <exception>
-#include <new>
-#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-constexpr int tagOfSize = 7701;
-constexpr int tagOfData = 7702;
-constexpr int tagOfValues = 7703;
+constexpr int tagOfValues = 7701;
 
-/// Runs work; what it throws becomes a failure.
-template <class Work>
-void guard(vtkFFFailure& failure, const char* what, Work&& work)
+#if FLIPFLOP_USE_DIY
+void exchangeByDIY(vtkMultiProcessController* controller, vtkFFProcesses::Messages& messages)
 {
-  try
+  diy::Master master(vtkDIYUtilities::GetCommunicator(controller));
+  // A block for each process. Messages go to any of them, so none has neighbours.
+  master.add(master.communicator().rank(), &messages, new diy::Link);
+  const auto sender = master.proxy(0);
+  for (const auto& message : messages)
   {
-    work();
+    sender.enqueue(diy::BlockID{ message.first, message.first }, message.second);
   }
-  catch (const vtkFFDamagedParcel& error)
+  messages.clear();
+  master.exchange(true);
+  const auto receiver = master.proxy(0); // of the round that was exchanged
+  std::vector<int> others;
+  receiver.incoming(others);
+  for (const int other : others)
   {
-    failure.Say(error.what(), vtkFFErrorCode::ProcessError);
+    receiver.dequeue(other, messages[other]);
+    receiver.incoming(other).wipe();
   }
-  catch (const std::exception&)
-  {
-    failure.Say(
-      std::string("There is not enough memory to ") + what + ".", vtkFFErrorCode::MemoryError);
-  }
+}
+#else
+void exchangeByDIY(vtkMultiProcessController*, vtkFFProcesses::Messages&)
+{
+  // is never called: see FindObstacle()
+}
+#endif
+
+template <class T>
+std::vector<T> reduce(vtkMultiProcessController* controller, const std::vector<T>& values, int how)
+{
+  std::vector<T> results(values.size());
+  controller->AllReduce(values.data(), results.data(), static_cast<vtkIdType>(values.size()), how);
+  return results;
 }
 
 }
 
 //------------------------------------------------------------------------------
-vtkFFProcesses::vtkFFProcesses(vtkMultiProcessController* controller)
+bool vtkFFProcesses::AreSeveral(vtkMultiProcessController* controller)
+{
+  return controller && controller->GetNumberOfProcesses() > 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFProcesses::FindObstacle(vtkMultiProcessController* controller)
+{
+#if FLIPFLOP_USE_DIY
+  return controller->IsA("vtkMPIController")
+    ? std::string()
+    : std::string("Several processes work together by MPI, and the controller is a ") +
+      controller->GetClassName() + ". Set a vtkMPIController, or none.";
+#else
+  static_cast<void>(controller);
+  return "Several processes work together by MPI, which this build of VTK lacks. Set no "
+         "controller, or use a VTK with MPI.";
+#endif
+}
+
+//------------------------------------------------------------------------------
+vtkFFProcesses::vtkFFProcesses(vtkMultiProcessController* controller, vtkFFRun& run)
   : Controller(controller)
-  , Count(controller ? controller->GetNumberOfProcesses() : 1)
-  , Rank(controller ? controller->GetLocalProcessId() : 0)
+  , Run(run)
+  , Count(controller->GetNumberOfProcesses())
+  , Rank(controller->GetLocalProcessId())
 {
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> vtkFFProcesses::Gather(const std::vector<vtkIdType>& values)
+bool vtkFFProcesses::Do(const std::function<void()>& work)
 {
-  if (this->Count == 1)
-  {
-    return values;
-  }
-  std::vector<vtkIdType> all(values.size() * static_cast<std::size_t>(this->Count));
-  this->Controller->AllGather(values.data(), all.data(), static_cast<vtkIdType>(values.size()));
-  return all;
+  bool isShared = false;
+  this->Run.Do(
+    [&]
+    {
+      try
+      {
+        work();
+      }
+      catch (const vtkFFSharedFailure&)
+      {
+        isShared = true;
+      }
+    });
+  return !isShared && this->Share();
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<vtkIdType>> vtkFFProcesses::GatherLists(
-  const std::vector<vtkIdType>& values)
+void vtkFFProcesses::Agree()
 {
-  const std::vector<vtkIdType> sizes = this->Gather({ static_cast<vtkIdType>(values.size()) });
-  const auto most = static_cast<std::size_t>(*std::max_element(sizes.begin(), sizes.end()));
-  std::vector<vtkIdType> padded = values;
-  padded.resize(most);
-  const std::vector<vtkIdType> all = this->Gather(padded);
-  std::vector<std::vector<vtkIdType>> lists;
-  for (std::size_t k = 0; k < sizes.size(); ++k)
+  if (!this->Share())
   {
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(k * most);
-    lists.emplace_back(begin, begin + sizes[k]);
-  }
-  return lists;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkFFProcesses::Sum(vtkIdType value)
-{
-  return this->Sum(std::vector<vtkIdType>{ value })[0];
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkIdType> vtkFFProcesses::Sum(const std::vector<vtkIdType>& values)
-{
-  std::vector<vtkIdType> sums = values;
-  if (this->Count > 1)
-  {
-    this->Controller->AllReduce(
-      values.data(), sums.data(), static_cast<vtkIdType>(values.size()), vtkCommunicator::SUM_OP);
-  }
-  return sums;
-}
-
-//------------------------------------------------------------------------------
-double vtkFFProcesses::Least(double value)
-{
-  double least = value;
-  if (this->Count > 1)
-  {
-    this->Controller->AllReduce(&value, &least, 1, vtkCommunicator::MIN_OP);
-  }
-  return least;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFProcesses::PassOn(std::vector<double>& values, const std::function<void()>& work)
-{
-  const auto size = static_cast<vtkIdType>(values.size());
-  if (this->Rank > 0)
-  {
-    this->Controller->Receive(values.data(), size, this->Rank - 1, tagOfValues);
-  }
-  work();
-  if (this->Rank + 1 < this->Count)
-  {
-    this->Controller->Send(values.data(), size, this->Rank + 1, tagOfValues);
-  }
-  if (this->Count > 1)
-  {
-    this->Controller->Broadcast(values.data(), size, this->Count - 1);
+    throw vtkFFSharedFailure();
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFProcesses::Share(vtkFFFailure& failure)
+bool vtkFFProcesses::Share()
 {
-  if (this->Count == 1)
-  {
-    return !failure;
-  }
-  const std::vector<std::vector<vtkIdType>> all =
-    this->GatherLists({ failure.Kind, failure.Place, failure.Count,
-      static_cast<vtkIdType>(failure.Code), static_cast<vtkIdType>(failure.Message.size()) });
+  vtkFFFailure& failure = this->Run.Failure;
+  this->Run.NoteAbort();
+  constexpr std::size_t size = 5;
+  const vtkIdType own[size] = { failure.Kind, failure.Place, failure.Count,
+    static_cast<vtkIdType>(failure.Code), static_cast<vtkIdType>(failure.Message.size()) };
+  std::vector<vtkIdType> all(size * static_cast<std::size_t>(this->Count));
+  this->Controller->AllGather(own, all.data(), size);
   vtkFFFailure together;
-  int speaker = 0; // the process whose failure it is
+  int reporter = 0; // the process whose message it is
+  vtkIdType length = 0;
   for (int process = 0; process < this->Count; ++process)
   {
-    const std::vector<vtkIdType>& given = all[static_cast<std::size_t>(process)];
+    const vtkIdType* const values = all.data() + size * static_cast<std::size_t>(process);
     const vtkFFFailure::KindType before = together.Kind;
-    together.Add({ static_cast<vtkFFFailure::KindType>(given[0]), given[1], given[2],
-      static_cast<unsigned long>(given[3]), {} });
-    speaker = together.Kind == before ? speaker : process;
+    together.Add({ static_cast<vtkFFFailure::KindType>(values[0]), values[1], values[2],
+      static_cast<unsigned long>(values[3]), {} });
+    if (together.Kind != before)
+    {
+      reporter = process;
+      length = values[4];
+    }
   }
   if (together.Kind == vtkFFFailure::Other)
   {
     together.Message = failure.Message;
-    together.Message.resize(static_cast<std::size_t>(all[static_cast<std::size_t>(speaker)][4]));
-    this->Controller->Broadcast(
-      &together.Message[0], static_cast<vtkIdType>(together.Message.size()), speaker);
+    together.Message.resize(static_cast<std::size_t>(length));
+    this->Controller->Broadcast(&together.Message[0], length, reporter);
   }
   failure = together;
   return !failure;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFProcesses::Send(vtkPointSet* data, int from, int to,
-  vtkSmartPointer<vtkPolyData>& received, vtkFFFailure& failure)
+void vtkFFProcesses::Exchange(Messages& messages)
 {
-  std::string parcel;
-  if (from == this->Rank)
+  vtkFFRun::Look(this->Run.Options);
+  std::vector<vtkIdType> sizes(static_cast<std::size_t>(this->Count));
+  for (const auto& message : messages)
   {
-    guard(failure, "send points to another process", [&] { parcel = vtkFFParcel::Pack(data); });
+    sizes[static_cast<std::size_t>(message.first)] = static_cast<vtkIdType>(message.second.size());
   }
-  if (!this->Share(failure))
+  sizes.push_back(static_cast<vtkIdType>(messages.size()));
+  sizes = this->Sum(sizes);
+  this->NumberOfMessages = sizes.back();
+  if (this->NumberOfMessages == 0)
   {
-    return false;
+    return;
   }
+  // Where DIY lacks memory, the other processes would wait. So each tries it first.
+  flipflop::Buffer<char>(static_cast<std::size_t>(sizes[static_cast<std::size_t>(this->Rank)]));
+  this->Agree();
+  exchangeByDIY(this->Controller, messages);
+}
 
-  // What comes in has its memory before it comes.
-  vtkIdType size = static_cast<vtkIdType>(parcel.size());
-  if (from == this->Rank)
+//------------------------------------------------------------------------------
+std::vector<std::vector<vtkIdType>> vtkFFProcesses::Gather(const std::vector<vtkIdType>& values)
+{
+  this->Agree();
+  const auto count = static_cast<std::size_t>(this->Count);
+  const auto size = static_cast<vtkIdType>(values.size());
+  std::vector<vtkIdType> sizes(count);
+  this->Controller->AllGather(&size, sizes.data(), 1);
+  std::vector<vtkIdType> begins{ 0 };
+  for (const vtkIdType other : sizes)
   {
-    this->Controller->Send(&size, 1, to, tagOfSize);
+    begins.push_back(begins.back() + other);
   }
-  else if (to == this->Rank)
+  std::vector<vtkIdType> all(static_cast<std::size_t>(begins.back()));
+  this->Controller->AllGatherV(values.data(), all.data(), size, sizes.data(), begins.data());
+  std::vector<std::vector<vtkIdType>> lists;
+  for (std::size_t process = 0; process < count; ++process)
   {
-    this->Controller->Receive(&size, 1, from, tagOfSize);
-    guard(failure, "receive points of another process",
-      [&] { parcel.resize(static_cast<std::size_t>(size)); });
+    lists.emplace_back(all.begin() + begins[process], all.begin() + begins[process + 1]);
   }
-  if (!this->Share(failure))
-  {
-    return false;
-  }
+  return lists;
+}
 
-  if (from == this->Rank)
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkFFProcesses::Sum(std::vector<vtkIdType> values)
+{
+  this->Agree();
+  return reduce(this->Controller, values, vtkCommunicator::SUM_OP);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkFFProcesses::Least(std::vector<vtkIdType> values)
+{
+  this->Agree();
+  return reduce(this->Controller, values, vtkCommunicator::MIN_OP);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkFFProcesses::Least(std::vector<double> values)
+{
+  this->Agree();
+  return reduce(this->Controller, values, vtkCommunicator::MIN_OP);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFProcesses::PassOn(std::vector<double>& values, const std::function<void()>& change)
+{
+  this->Agree();
+  const auto size = static_cast<vtkIdType>(values.size());
+  if (this->Rank > 0)
   {
-    this->Controller->Send(parcel.data(), size, to, tagOfData);
+    this->Controller->Receive(values.data(), size, this->Rank - 1, tagOfValues);
   }
-  else if (to == this->Rank)
+  std::exception_ptr error; // is thrown when nobody waits any more
+  try
   {
-    this->Controller->Receive(&parcel[0], size, from, tagOfData);
-    guard(failure, "receive points of another process",
-      [&] { received = vtkFFParcel::Unpack(parcel); });
+    change();
   }
-  return this->Share(failure);
+  catch (...)
+  {
+    error = std::current_exception();
+  }
+  if (this->Rank + 1 < this->Count)
+  {
+    this->Controller->Send(values.data(), size, this->Rank + 1, tagOfValues);
+  }
+  this->Controller->Broadcast(values.data(), size, this->Count - 1);
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
 }
 VTK_ABI_NAMESPACE_END

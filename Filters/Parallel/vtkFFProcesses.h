@@ -2,93 +2,147 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFFProcesses
- * @brief   what the processes of a distributed filter tell each other
+ * @brief   the MPI processes of a distributed filter: messages, sums, one failure for all
  *
- * vtkFFProcesses wraps a vtkMultiProcessController for the Flip-Flop filters. Unless stated
- * otherwise, its methods are collective: every process calls them, in the same order, also after a
- * failure. After the next Share(), all processes know of a failure on one of them. So they stop
- * together, and none waits for another.
+ * The methods are collective, unless stated otherwise: every process calls them, in the same order,
+ * within Do(). Each begins with Agree(). So any process may throw anywhere in Do(): it stops the
+ * others at their next collective call, and none waits for another.
+ *
+ * Numbers are sent as they are in memory, between machines of one kind. DIY carries the messages.
  */
 
 #ifndef vtkFFProcesses_h
 #define vtkFFProcesses_h
 
 #include "vtkFFMarks.h"
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstddef>
+#include <cstring>
 #include <functional>
+#include <map>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkFFRun;
 class vtkMultiProcessController;
-class vtkPointSet;
-class vtkPolyData;
-struct vtkFFFailure;
+
+/**
+ * Thrown on all processes at the same step, where the run of each has the failure of all.
+ */
+struct vtkFFSharedFailure
+{
+};
 
 class vtkFFProcesses
 {
 public:
   /**
-   * Without a controller there is one process.
+   * Messages to or from processes, this one too, by their ranks.
    */
-  explicit vtkFFProcesses(vtkMultiProcessController* controller);
+  using Messages = std::map<int, std::vector<char>>;
 
   //@{
   /**
-   * How many processes there are, and which this is. Not collective.
+   * Append plain values to a message; get all values of a message.
+   */
+  template <class T>
+  static void Append(const T* values, std::size_t count, std::vector<char>& message)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain values can be sent");
+    const char* bytes = reinterpret_cast<const char*>(values);
+    message.insert(message.end(), bytes, bytes + count * sizeof(T));
+  }
+  template <class T>
+  static std::vector<T> ValuesOf(const std::vector<char>& message)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain values can be sent");
+    std::vector<T> values(message.size() / sizeof(T));
+    if (!values.empty())
+    {
+      std::memcpy(values.data(), message.data(), message.size());
+    }
+    return values;
+  }
+  //@}
+
+  //@{
+  /**
+   * Whether a controller, which may be null, has several processes; and why these cannot exchange
+   * messages, as an error says it (empty: they can). Not collective.
+   */
+  static bool AreSeveral(vtkMultiProcessController* controller);
+  static std::string FindObstacle(vtkMultiProcessController* controller);
+  //@}
+
+  /**
+   * Several processes without an obstacle. The run gets their failure.
+   */
+  vtkFFProcesses(vtkMultiProcessController* controller, vtkFFRun& run);
+
+  //@{
+  /**
+   * How many processes there are, which this is, and its run. Not collective.
    */
   int GetCount() const { return this->Count; }
   int GetRank() const { return this->Rank; }
+  vtkFFRun& GetRun() const { return this->Run; }
   //@}
 
   /**
-   * Every process's values, one process after another. Each process gives the same number of
-   * values.
+   * Run work with collective steps. What it throws on any process is the failure of all. Returns
+   * whether there is none. May be nested.
    */
-  std::vector<vtkIdType> Gather(const std::vector<vtkIdType>& values);
+  bool Do(const std::function<void()>& work);
 
   /**
-   * Every process's values. Each process may give a different number of values.
+   * Share the failures, and requests to abort, of all processes.
+   *
+   * @throw vtkFFSharedFailure if there is any; so do all collective methods that follow.
    */
-  std::vector<std::vector<vtkIdType>> GatherLists(const std::vector<vtkIdType>& values);
+  void Agree();
+
+  /**
+   * Send all messages; they become those that other processes sent to this one.
+   */
+  void Exchange(Messages& messages);
+
+  /**
+   * How many messages all processes sent in the last exchange. Not collective.
+   */
+  vtkIdType GetNumberOfMessages() const { return this->NumberOfMessages; }
+
+  /**
+   * The values of each process, which may differ in number.
+   */
+  std::vector<std::vector<vtkIdType>> Gather(const std::vector<vtkIdType>& values);
 
   //@{
   /**
-   * The sum of all processes' numbers, and the least of them.
+   * The sums, or the least, of all processes' values, which are as many on each.
    */
-  vtkIdType Sum(vtkIdType value);
-  double Least(double value);
+  std::vector<vtkIdType> Sum(std::vector<vtkIdType> values);
+  vtkIdType Sum(vtkIdType value) { return this->Sum(std::vector<vtkIdType>{ value })[0]; }
+  std::vector<vtkIdType> Least(std::vector<vtkIdType> values);
+  std::vector<double> Least(std::vector<double> values);
   //@}
 
   /**
-   * The sums over all processes of each of the values. Each process gives as many.
+   * One process after another changes values that the one before it leaves. All get those of the
+   * last one.
    */
-  std::vector<vtkIdType> Sum(const std::vector<vtkIdType>& values);
-
-  /**
-   * One process after another works on values that the one before it leaves. All get what the last
-   * one leaves. The work may not throw.
-   */
-  void PassOn(std::vector<double>& values, const std::function<void()>& work);
-
-  /**
-   * Combine the failures of all processes; each process gets the same. False if there is any.
-   */
-  bool Share(vtkFFFailure& failure);
-
-  /**
-   * Process @p from sends @p data without loss to process @p to, which gets it as @p received (null
-   * on other processes). Several pairs may send at the same time. A process that takes no
-   * part gives -1 for both. Ends with a Share().
-   */
-  bool Send(vtkPointSet* data, int from, int to, vtkSmartPointer<vtkPolyData>& received,
-    vtkFFFailure& failure);
+  void PassOn(std::vector<double>& values, const std::function<void()>& change);
 
 private:
-  vtkMultiProcessController* Controller;
-  int Count;
-  int Rank;
+  bool Share();
+
+  vtkMultiProcessController* const Controller;
+  vtkFFRun& Run;
+  const int Count;
+  const int Rank;
+  vtkIdType NumberOfMessages = 0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFDelaunayFilter.h"
 
-#include "vtkFFBlockExchange.h"
 #include "vtkFFCellMeasures.h"
-#include "vtkFFJointBlocks.h"
-#include "vtkFFJointTriangulation.h"
+#include "vtkFFDistributedInput.h"
+#include "vtkFFDistributedTriangulation.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
+#include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
 #include <flipflop/Measures.h>
@@ -20,7 +20,6 @@
 #include "vtkPolyData.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN vtkStandardNewMacro(vtkPFFDelaunayFilter);
@@ -53,7 +52,7 @@ vtkPFFDelaunayFilter::vtkPFFDelaunayFilter()
 //------------------------------------------------------------------------------
 vtkPFFDelaunayFilter::~vtkPFFDelaunayFilter()
 {
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -70,22 +69,15 @@ void vtkPFFDelaunayFilter::SetController(vtkMultiProcessController* controller)
 //------------------------------------------------------------------------------
 int vtkPFFDelaunayFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
-    this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-int vtkPFFDelaunayFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
-    this->Superclass::FillOutputPortInformation(port, info);
+  return this->Superclass::FillInputPortInformation(port, info) &&
+    vtkFFDistributedInput::FillInputPort(this->Controller, port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFDelaunayFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return vtkFFJointBlocks::MakeOutputs(
+  return vtkFFDistributedInput::MakeOutputs(
            this, this->Controller, true, request, inputVector, outputVector) ||
     this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -94,7 +86,7 @@ vtkTypeBool vtkPFFDelaunayFilter::ProcessRequest(
 int vtkPFFDelaunayFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
+  if (!vtkFFProcesses::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
@@ -107,49 +99,44 @@ int vtkPFFDelaunayFilter::RequestData(
         "points to one process, or take the source away.");
     }
   };
-  const auto work = [&](const std::vector<vtkFFJointBlocks::BlockType>& blocks, vtkFFRun& run,
-                      vtkInformationVector* outputs)
+  const auto work = [&](const std::vector<vtkFFDistributedInput::BlockType>& blocks,
+                      vtkFFProcesses& processes, vtkInformationVector* outputs)
   {
-    const std::string obstacle = vtkFFBlockExchange::FindObstacle(this->Controller);
-    if (!obstacle.empty())
-    {
-      vtkFFJointBlocks::RunGathered(this, this->Controller, blocks[0], obstacle, run,
-        [&](vtkInformationVector** all) { this->Superclass::RequestData(request, all, outputs); });
-      return;
-    }
+    vtkFFRun& run = processes.GetRun();
     vtkPolyData* const output = vtkPolyData::GetData(outputs, 0);
-    vtkFFJointTriangulation::StepsType steps;
-    steps.Drop = [&](const auto& points, const auto& weights, auto& cells)
+    vtkFFDistributedTriangulation triangulation(this, processes);
+    triangulation.Compute(blocks[0].Pieces);
+    if (triangulation.IsWeighted())
     {
-      if (weights.data)
-      {
-        throw vtkFFBadSetting("Constraints take no weights. Choose no weights' array.");
-      }
-      return vtkFFPlanarInput::DropLongCells(points, this->MaximumEdgeLength, run.Options, cells);
-    };
-    steps.Write = [&](auto& input, auto& triangulation)
+      throw vtkFFBadSetting("Constraints take no weights. Choose no weights' array.");
+    }
+    triangulation.DropCells(
+      [&](const auto& points, const auto&, auto& cells) {
+        return vtkFFPlanarInput::DropLongCells(points, this->MaximumEdgeLength, run.Options, cells);
+      });
+    if (this->GenerateGhostCells)
     {
-      if (this->GenerateCellMeasures)
-      {
-        measureCells(input, triangulation, run.Options, output);
-      }
-      input.WriteCells(triangulation, output);
-    };
-    steps.HasHidden = false;
-    steps.Report = [&](std::int64_t, std::int64_t dropped)
+      triangulation.AddGhostCells();
+    }
+    flipflop::Triangulation cells = triangulation.FetchCells(false);
+    const auto counts = triangulation.Report(cells);
+    if (this->GenerateCellMeasures)
     {
-      this->NumberOfDroppedCells += static_cast<vtkIdType>(dropped);
-      if (this->ReportAsFieldData)
-      {
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", dropped);
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints", std::int64_t(0));
-      }
-    };
-    vtkFFJointTriangulation(this, this->Controller, run)
-      .Execute(blocks[0].Pieces, this->GenerateGhostCells, steps, output);
+      measureCells(triangulation.GetInput(), cells, run.Options, output);
+    }
+    triangulation.GetInput().WriteCells(cells, output);
+    triangulation.MarkDuplicates(output);
+    processes.Agree();
+    run.AddToReport(cells, output);
+    this->NumberOfDroppedCells += static_cast<vtkIdType>(counts.Dropped);
+    if (this->ReportAsFieldData)
+    {
+      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", counts.Dropped);
+      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints", std::int64_t(0));
+    }
   };
-  return vtkFFJointBlocks::Run(this, this->Controller, "Delaunay triangulation", false, inputVector,
-    outputVector, check, work);
+  return vtkFFDistributedInput::Run(this, this->Controller, "Delaunay triangulation", false,
+    inputVector, outputVector, check, work);
 }
 
 //------------------------------------------------------------------------------

@@ -2,30 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFHullFilter.h"
 
-#include "vtkFFBlockExchange.h"
-#include "vtkFFDuplicates.h"
+#include "vtkFFDistributedCells.h"
+#include "vtkFFDistributedInput.h"
+#include "vtkFFDistributedPoints.h"
 #include "vtkFFHullResult.h"
-#include "vtkFFHullShare.h"
 #include "vtkFFInput.h"
-#include "vtkFFJointBlocks.h"
-#include "vtkFFParcel.h"
+#include "vtkFFOutput.h"
+#include "vtkFFPointMessage.h"
+#include "vtkFFPointRedistribution.h"
 #include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
 #include <flipflop/Engines.h>
 
 #include "vtkDataSetAttributes.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,47 +41,43 @@ vtkStandardNewMacro(vtkPFFHullFilter);
 namespace
 {
 
-using Blocks = std::vector<vtkFFJointBlocks::BlockType>;
+using Blocks = std::vector<vtkFFDistributedInput::BlockType>;
+using Point = vtkFFPointRedistribution::Point;
 
-/// Takes the points of all blocks. They are counted block by block, and in a block process by
-/// process. Returns the first id of each block's points here, then how many there are in all.
-/// Collective.
-std::vector<vtkIdType> takePoints(vtkPFFHullFilter* filter, const Blocks& blocks,
-  vtkFFProcesses& processes, vtkFFRun& run, std::vector<vtkFFInput>& inputs)
+/// Reads the points of all blocks. They are counted block by block, and in a block process by
+/// process. Returns the first id of each block's points here. Collective.
+std::vector<vtkIdType> readPoints(vtkPFFHullFilter* filter, const Blocks& blocks,
+  vtkFFProcesses& processes, std::vector<vtkFFInput>& inputs)
 {
-  run.Do(
-    [&]
-    {
-      for (std::size_t b = 0; b < blocks.size(); ++b)
-      {
-        inputs[b].TakePieces(blocks[b].Pieces, filter->GetSkipGhostPoints(), run);
-      }
-    });
-  run.Ids.clear(); // ids count the points that are left
-  run.Parts.clear();
-  std::vector<vtkIdType> sizes(blocks.size());
+  vtkFFRun& run = processes.GetRun();
+  bool isComposite = false;
+  std::vector<vtkIdType> sizes;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
+    inputs[b].TakePieces(blocks[b].Pieces, filter->GetSkipGhostPoints(), run);
+    isComposite = isComposite || blocks[b].FlatIndex > 0;
+    sizes.push_back(0);
     for (const auto& piece : inputs[b].GetPieces())
     {
-      sizes[b] += piece->GetNumberOfPoints();
+      sizes.back() += piece->GetNumberOfPoints();
     }
   }
-  const std::vector<std::vector<vtkIdType>> all = processes.GatherLists(sizes);
-  const bool isComposite = std::any_of(
-    blocks.begin(), blocks.end(), [](const auto& block) { return block.FlatIndex > 0; });
+  run.Ids.clear(); // ids count the remaining points
+  run.Parts.clear();
+  const std::vector<std::vector<vtkIdType>> all = processes.Gather(sizes);
+  const auto rank = static_cast<std::size_t>(processes.GetRank());
   std::vector<vtkIdType> begins;
   vtkIdType counted = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     const vtkIdType begin = counted;
-    for (int process = 0; process < processes.GetCount(); ++process)
+    for (std::size_t process = 0; process < all.size(); ++process)
     {
-      if (process == processes.GetRank())
+      if (process == rank)
       {
         begins.push_back(counted);
       }
-      counted += all[static_cast<std::size_t>(process)][b];
+      counted += all[process][b];
     }
     if (isComposite)
     {
@@ -86,53 +86,137 @@ std::vector<vtkIdType> takePoints(vtkPFFHullFilter* filter, const Blocks& blocks
         { counted - begin, " of the block of flat index " + index, blocks[b].FlatIndex });
     }
   }
-  begins.push_back(counted);
   return begins;
 }
 
-/// A hull that another process sent must have an id for each point, which names one of so many.
-void checkIds(vtkPolyData* hull, vtkIdType counted)
+/// The hulls of all processes become that of process 0: joined in pairs, along a binary tree.
+/// Collective.
+void gather(vtkFFHullResult& hull, vtkFFProcesses& processes)
 {
-  auto* ids = vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
-  const vtkIdType count = hull->GetNumberOfPoints();
-  if (!ids || ids->GetNumberOfValues() != count ||
-    std::any_of(ids->GetPointer(0), ids->GetPointer(0) + count,
-      [=](vtkIdType id) { return id < 0 || id >= counted; }))
+  // Neighbours, then neighbours' neighbours. The lower one of a pair goes on.
+  const int rank = processes.GetRank();
+  for (int step = 1; step < processes.GetCount(); step *= 2)
   {
-    throw vtkFFDamagedParcel();
+    const int remainder = rank % (2 * step);
+    vtkFFProcesses::Messages messages;
+    hull.KeepKind();
+    if (remainder == step)
+    {
+      messages[rank - step] = vtkFFPointMessage::Pack(hull.Data);
+    }
+    processes.Exchange(messages);
+    if (remainder == 0 && rank + step < processes.GetCount())
+    {
+      std::vector<vtkFFHullResult> pair(2);
+      std::swap(pair[0], hull);
+      pair[1].Data = vtkFFPointMessage::Unpack(messages[rank + step]);
+      hull.Join(pair, processes.GetRun());
+    }
   }
 }
 
-/// The hulls of all processes become that of process 0. Collective.
-void gather(vtkFFProcesses& processes, vtkIdType counted, vtkFFRun& run, vtkFFHullResult& hull)
+/// The direction in which a point lies, by the octahedral map: the faces of an octahedron, laid out
+/// in a square.
+vtkFFPointRedistribution::Key directionOf(const double* x, const std::array<double, 3>& middle)
 {
-  // A binary tree: neighbours, then neighbours' neighbours. The lower one of a pair goes on.
-  for (int step = 1; step < processes.GetCount() && !run.Failure; step *= 2)
+  double d[3];
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const int rest = processes.GetRank() % (2 * step);
-    const int lower = processes.GetRank() - rest;
-    const int higher = lower + step;
-    const bool hasPart = (rest == 0 || rest == step) && higher < processes.GetCount();
-    std::vector<vtkFFHullResult> pair(2);
-    hull.KeepKind();
-    if (!processes.Send(
-          hull.Data, hasPart ? higher : -1, hasPart ? lower : -1, pair[1].Data, run.Failure))
-    {
-      return;
-    }
-    if (hasPart && rest == 0)
-    {
-      run.Do(
-        [&]
-        {
-          checkIds(pair[1].Data, counted);
-          std::swap(pair[0], hull);
-          hull.Join(pair, run);
-        });
-    }
-    run.NoteAbort();
-    processes.Share(run.Failure);
+    d[k] = 0.5 * x[k] - 0.5 * middle[k]; // the whole may overflow
+    sum += std::fabs(d[k]);
   }
+  if (!(sum > 0.0) || !std::isfinite(sum))
+  {
+    return {};
+  }
+  const double u = d[0] / sum;
+  const double v = d[1] / sum;
+  // The lower faces are folded up, outside the upper ones. 0 and -0 are one position.
+  return d[2] >= 0.0
+    ? vtkFFPointRedistribution::Key{ u + 0.0, v + 0.0 }
+    : vtkFFPointRedistribution::Key{ (u >= 0.0 ? 1.0 : -1.0) * (1.0 - std::fabs(v)),
+        (v >= 0.0 ? 1.0 : -1.0) * (1.0 - std::fabs(u)) };
+}
+
+/// The middle of the box of all processes' points.
+std::array<double, 3> middleOf(const std::vector<Point>& points, vtkFFProcesses& processes)
+{
+  std::vector<double> box(6, std::numeric_limits<double>::infinity()); // least x, y, z; of -x, ...
+  for (const Point& point : points)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      box[k] = std::min(box[k], point.Position[k]);
+      box[k + 3] = std::min(box[k + 3], -point.Position[k]);
+    }
+  }
+  box = processes.Least(box);
+  std::array<double, 3> middle;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    middle[k] = 0.5 * box[k] - 0.5 * box[k + 3];
+  }
+  return middle;
+}
+
+/// The finite ones of points whose ids begin there.
+std::vector<Point> finitePoints(vtkPointSet* data, vtkIdType begin)
+{
+  std::vector<Point> points;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    Point point;
+    data->GetPoint(i, point.Position);
+    point.Id = begin + i;
+    if (std::all_of(point.Position, point.Position + 3, [](double x) { return std::isfinite(x); }))
+    {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+/// The hull of this process's points becomes its share of the facets of all, with their points, and
+/// the dimension, volume and area of the whole. Statistics are added to. Returns whether another
+/// process counts each of the share's points. Collective.
+std::vector<bool> distribute(vtkFFHullResult& hull, vtkFFProcesses& processes)
+{
+  // Ids count the points of these hulls, in the order of the ids that they have.
+  hull.KeepKind();
+  vtkFFDistributedPoints source(processes);
+  source.Count(hull.Data->GetNumberOfPoints());
+  source.SetPoints(hull.Data);
+  std::vector<Point> points = finitePoints(hull.Data, source.GetBegin());
+  const std::array<double, 3> middle = middleOf(points, processes);
+  flipflop::BlockPoints block = vtkFFPointRedistribution::Run(
+    std::move(points), [&](const Point& point) { return directionOf(point.Position, middle); },
+    processes);
+  flipflop::Options options = processes.GetRun().Options;
+  options.facets = flipflop::FacetMode::Polygons; // as of each vtkFFHullResult
+  double size[2];
+  flipflop::BlockResult result = vtkFFDistributedCells::Compute(
+    flipflop::BlockShape::Hull, std::move(block), options, processes, size);
+
+  flipflop::CellComplex& cells = result.cells;
+  const auto fetched = source.Fetch({ cells.pointIds.begin(), cells.pointIds.end() }, true);
+  const auto duplicates =
+    vtkFFDistributedCells::FindDuplicates(cells.pointIds, result.blocks, processes);
+  if (cells.pointIds.empty())
+  {
+    // One point of the kind, which is left out.
+    fetched->GetPoints()->SetNumberOfPoints(0);
+    fetched->GetPointData()->SetNumberOfTuples(0);
+  }
+  hull.Data = vtkSmartPointer<vtkPolyData>::New();
+  hull.Data->SetPoints(fetched->GetPoints());
+  hull.Data->GetPointData()->ShallowCopy(fetched->GetPointData());
+  hull.Hull.dimension = cells.dimension;
+  hull.Hull.volume = size[0];
+  hull.Hull.area = size[1];
+  hull.Hull.statistics += cells.statistics;
+  vtkFFOutput::AdoptCells(cells, hull.Data);
+  return duplicates;
 }
 
 /// Whether each process keeps a share of a hull, of which it has its piece's. Collective.
@@ -141,46 +225,27 @@ bool staysDistributed(
 {
   const vtkIdType points = processes.Sum(hull.Data->GetNumberOfPoints());
   const int mode = filter->GetResultMode();
-  return (mode == vtkPFFHullFilter::RESULT_DISTRIBUTED ||
-           (mode == vtkPFFHullFilter::RESULT_AUTOMATIC &&
-             points > filter->GetGatheredPointsLimit())) &&
-    vtkFFBlockExchange::FindObstacle(filter->GetController()).empty();
+  return mode == vtkPFFHullFilter::RESULT_DISTRIBUTED ||
+    (mode == vtkPFFHullFilter::RESULT_AUTOMATIC && points > filter->GetGatheredPointsLimit());
 }
 
-/// The hull of what all processes have of a block: on process 0; or a share on each, and whether
-/// another process counts each of its points. Collective.
-void takeHull(vtkPFFHullFilter* filter, vtkFFInput& input, bool mayStay, vtkIdType counted,
-  vtkFFProcesses& processes, vtkFFRun& run, vtkFFHullResult& hull,
-  std::optional<std::vector<bool>>& duplicates)
+/// The hull of the points that all processes have of a block: on process 0; or a share on each, and
+/// whether another process counts each of its points. Collective.
+void computeHull(vtkPFFHullFilter* filter, vtkFFInput& input, bool mayStay,
+  vtkFFProcesses& processes, vtkFFHullResult& hull, std::optional<std::vector<bool>>& duplicates)
 {
-  run.Do(
-    [&]
-    {
-      input.TakeCoordinates();
-      hull.Take(input, filter->GetPassPointData(), run);
-    });
-  run.NoteAbort();
-  if (!processes.Share(run.Failure))
-  {
-    return;
-  }
-  const std::vector<vtkIdType> counts =
-    processes.Sum({ static_cast<vtkIdType>(hull.Hull.statistics.points),
-      static_cast<vtkIdType>(hull.Hull.statistics.nonFinite) });
+  input.TakeCoordinates();
+  hull.Take(input, filter->GetPassPointData(), processes.GetRun());
+  const flipflop::Statistics& statistics = hull.Hull.statistics;
+  const std::vector<vtkIdType> counts = processes.Sum(
+    { static_cast<vtkIdType>(statistics.points), static_cast<vtkIdType>(statistics.nonFinite) });
   if (mayStay && staysDistributed(filter, hull, processes))
   {
-    duplicates.emplace();
-    vtkFFBlockExchange exchange(filter->GetController(), run);
-    hull.KeepKind();
-    vtkSmartPointer<vtkPolyData> share;
-    flipflop::Options options = run.Options;
-    options.facets = flipflop::FacetMode::Polygons; // as of each vtkFFHullResult
-    vtkFFHullShare::Take(hull.Data, options, exchange, hull.Hull, share, *duplicates);
-    hull.Data = share;
+    duplicates = distribute(hull, processes);
   }
   else
   {
-    gather(processes, counted, run, hull);
+    gather(hull, processes);
   }
   hull.Hull.statistics.points = counts[0];
   hull.Hull.statistics.nonFinite = counts[1];
@@ -197,7 +262,7 @@ vtkPFFHullFilter::vtkPFFHullFilter()
 //------------------------------------------------------------------------------
 vtkPFFHullFilter::~vtkPFFHullFilter()
 {
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
+  this->SetController(nullptr);
   flipflop::releaseCudaMemory(); // of this library's copy of the engine
 }
 
@@ -206,28 +271,24 @@ void vtkPFFHullFilter::SetController(vtkMultiProcessController* controller)
 {
   vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
   this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-  this->FillOutputPortInformation(0, this->GetOutputPortInformation(0));
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    this->FillOutputPortInformation(port, this->GetOutputPortInformation(port));
+  }
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFHullFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
-    this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-int vtkPFFHullFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
-    this->Superclass::FillOutputPortInformation(port, info);
+  return this->Superclass::FillInputPortInformation(port, info) &&
+    vtkFFDistributedInput::FillInputPort(this->Controller, port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFHullFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return vtkFFJointBlocks::MakeOutputs(this, this->Controller,
+  return vtkFFDistributedInput::MakeOutputs(this, this->Controller,
            this->CompositeMode == HULL_OF_EACH_BLOCK, request, inputVector, outputVector) ||
     this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -236,7 +297,7 @@ vtkTypeBool vtkPFFHullFilter::ProcessRequest(
 int vtkPFFHullFilter::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return !vtkFFJointBlocks::AreSeveral(this->Controller)
+  return !vtkFFProcesses::AreSeveral(this->Controller)
     ? this->Superclass::RequestUpdateExtent(request, inputVector, outputVector)
     : this->vtkPolyDataAlgorithm::RequestUpdateExtent(request, inputVector, outputVector);
 }
@@ -245,7 +306,7 @@ int vtkPFFHullFilter::RequestUpdateExtent(
 int vtkPFFHullFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
+  if (!vtkFFProcesses::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
@@ -258,16 +319,13 @@ int vtkPFFHullFilter::RequestData(
         "each process has its piece alone in memory then.");
     }
   };
-  const auto work = [&](const Blocks& blocks, vtkFFRun& run, vtkInformationVector* outputs)
+  const auto work =
+    [&](const Blocks& blocks, vtkFFProcesses& processes, vtkInformationVector* outputs)
   {
-    vtkFFProcesses processes(this->Controller);
+    vtkFFRun& run = processes.GetRun();
     const std::size_t count = blocks.size();
     std::vector<vtkFFInput> inputs(count);
-    const std::vector<vtkIdType> begins = takePoints(this, blocks, processes, run, inputs);
-    if (!processes.Share(run.Failure))
-    {
-      return;
-    }
+    const std::vector<vtkIdType> begins = readPoints(this, blocks, processes, inputs);
 
     // Points that are not finite are counted to the last block before they are an error.
     std::vector<vtkFFHullResult> hulls(count);
@@ -279,40 +337,36 @@ int vtkPFFHullFilter::RequestData(
         static_cast<double>(b + 1) / static_cast<double>(count));
       run.FirstId = begins[b];
       run.Failure = vtkFFFailure();
-      takeHull(this, inputs[b], count == 1, begins[count], processes, run, hulls[b], duplicates);
+      processes.Do(
+        [&] { computeHull(this, inputs[b], count == 1, processes, hulls[b], duplicates); });
       failure.Add(run.Failure);
     }
     run.Failure = failure;
     if (failure)
     {
-      return;
+      throw vtkFFSharedFailure();
     }
     if (processes.GetRank() == 0 || duplicates)
     {
-      run.Do(
-        [&]
-        {
-          vtkFFHullResult whole;
-          if (count == 1)
-          {
-            std::swap(whole, hulls[0]);
-          }
-          else
-          {
-            whole.Join(hulls, run);
-          }
-          vtkPolyData* const output = vtkPolyData::GetData(outputs);
-          this->WriteHull(whole, run, output);
-          if (duplicates)
-          {
-            vtkFFDuplicates::Mark(
-              output->GetPointData(), *duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
-          }
-        });
+      vtkFFHullResult whole;
+      if (count == 1)
+      {
+        std::swap(whole, hulls[0]);
+      }
+      else
+      {
+        whole.Join(hulls, run);
+      }
+      vtkPolyData* const output = vtkPolyData::GetData(outputs);
+      this->WriteHull(whole, run, output);
+      if (duplicates)
+      {
+        vtkFFDistributedCells::Mark(
+          output->GetPointData(), *duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
+      }
     }
-    processes.Share(run.Failure);
   };
-  return vtkFFJointBlocks::Run(this, this->Controller, "Convex hull",
+  return vtkFFDistributedInput::Run(this, this->Controller, "Convex hull",
     this->CompositeMode == HULL_OF_ALL_BLOCKS, inputVector, outputVector, check, work);
 }
 

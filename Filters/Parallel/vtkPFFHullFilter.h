@@ -24,37 +24,18 @@
  *   vtkDataSetAttributes::DUPLICATEPOINT. Each facet is on one process.
  *   A flat hull is one facet, and so on one process.
  *
- * - Ghost points (see SetSkipGhostPoints()) are left out on their
- *   process and not counted: ids count the remaining points. With a
- *   single process, this filter is its superclass, whose ids count all.
- * - Arrays of numbers and strings are sent, without the lookup tables
- *   and keys that they may have.
- * - For composite input, the blocks in the same place on all processes
- *   belong together: the first blocks, the second blocks, and so on. A
- *   vtkPartitionedDataSet is one block, with any number of partitions
- *   on each process; its BlockIndex is that of the first. For
- *   HULL_OF_EACH_BLOCK, all processes must have the same number of
- *   blocks, with or without data in them; otherwise that is an error.
- *   For HULL_OF_ALL_BLOCKS, ids count from block to block, and within a
- *   block from process to process.
- * - An error on any process is an error of all processes. Process 0
- *   reports it, and it names the appended points. The other processes
- *   only set their error code. An abort on one process is an abort on
- *   all. For HULL_OF_EACH_BLOCK, a block at fault on any process has an
- *   empty hull and an error, and the other blocks have their hulls.
+ * vtkPFFRegularTriangulationFilter says what is true of all filters of this module. Of hulls:
+ *
+ * - For HULL_OF_ALL_BLOCKS, processes may have different numbers of
+ *   blocks; ids count from block to block, and within a block from
+ *   process to process. The BlockIndex of a vtkPartitionedDataSet is
+ *   that of its first partition.
  * - Process 0 reports dimension, volume, area and the numbers of input
  *   points and of points that are not finite for all pieces. All other
  *   statistics are of its own share of the work. The other processes
  *   report nothing, or, if they have a share, the same of all.
- *
- * - Field data of a block is the field data of process 0's piece.
  * - Several processes cannot stream: NumberOfStreamDivisions of more
  *   than 1 is an error then.
- * - Several processes share the machine's threads: then -1 means 0 for
- *   NumberOfThreads.
- *
- * All processes must update the filter, with the same settings: make a change, also of the flag
- * that aborts, on all of them.
  *
  * @sa
  * vtkFFHullFilter vtkPFFRegularTriangulationFilter vtkMultiProcessController
@@ -107,8 +88,7 @@ public:
   /**
    * Set/Get where the hull is in the end: on process 0 (RESULT_GATHERED), or each process has a
    * share of it (RESULT_DISTRIBUTED). RESULT_AUTOMATIC, the default, gathers up to
-   * GatheredPointsLimit. One hull of several blocks is always gathered, and so is every hull if the
-   * controller is not of MPI.
+   * GatheredPointsLimit. One hull of several blocks is always gathered.
    */
   vtkSetClampMacro(ResultMode, int, RESULT_AUTOMATIC, RESULT_DISTRIBUTED);
   vtkGetMacro(ResultMode, int);
@@ -128,7 +108,6 @@ protected:
   ~vtkPFFHullFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFPowerDiagramFilter.h"
 
-#include "vtkFFBlockExchange.h"
-#include "vtkFFDuplicates.h"
-#include "vtkFFGhostCells.h"
-#include "vtkFFJointBlocks.h"
-#include "vtkFFJointTriangulation.h"
+#include "vtkFFDistributedCells.h"
+#include "vtkFFDistributedInput.h"
+#include "vtkFFDistributedTriangulation.h"
 #include "vtkFFOutput.h"
-#include "vtkFFPlanarInput.h"
 #include "vtkFFPowerCells.h"
+#include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
 #include <flipflop/BlockRun.h>
@@ -19,15 +17,17 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <numeric>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,9 +55,9 @@ bool makePowerCells(flipflop::BlockResult& around, bool weighted, int block,
   const flipflop::Buffer<std::int64_t> ids = std::move(around.cells.pointIds);
   around.cells.pointIds.allocate(ids.size());
   std::iota(around.cells.pointIds.begin(), around.cells.pointIds.end(), std::int64_t(0));
-  const double* places = around.positions.data();
-  const bool whole = flipflop::powerCells({ places, count },
-    weighted ? flipflop::WeightView(places + 2, count, 3) : flipflop::WeightView(), around.cells,
+  const double* const positions = around.positions.data();
+  const bool whole = flipflop::powerCells({ positions, count },
+    weighted ? flipflop::WeightView(positions + 2, count, 3) : flipflop::WeightView(), around.cells,
     wanted.data(), box.data(), diagram, options);
   for (std::int64_t& site : diagram.siteIds)
   {
@@ -67,33 +67,63 @@ bool makePowerCells(flipflop::BlockResult& around, bool weighted, int block,
 }
 
 /// This process's part of the diagram. False if a cell is broken on some process. Collective.
-bool makeDiagram(vtkFFPowerDiagramFilter* filter, vtkFFJointTriangulation& joint, vtkFFRun& run,
-  flipflop::PowerDiagram& diagram)
+bool makeDiagram(vtkFFPowerDiagramFilter* filter, vtkFFDistributedTriangulation& triangulation,
+  vtkFFProcesses& processes, flipflop::PowerDiagram& diagram)
 {
-  const std::array<double, 4> corners = joint.FindBounds();
-  vtkFFBlockExchange& exchange = joint.GetExchange();
-  const flipflop::BlockResult& own = joint.GetCells();
+  const std::array<double, 4> corners = triangulation.FindBounds();
+  const flipflop::BlockResult& own = triangulation.GetCells();
   if (own.cells.dimension < 0)
   {
     return true;
   }
-  flipflop::BlockResult around;
   std::vector<bool> ghosts;
-  bool isBroken = false;
-  vtkFFGhostCells::Add(flipflop::FacetMode::Polygons, own, exchange, around, ghosts);
-  exchange.Do(
-    [&]
+  flipflop::BlockResult around =
+    vtkFFDistributedCells::AddGhosts(flipflop::FacetMode::Polygons, own, processes, ghosts);
+  flipflop::Triangulation ends;
+  ends.pointIds.allocate(2);
+  std::iota(ends.pointIds.begin(), ends.pointIds.end(), std::int64_t(0));
+  const std::array<double, 4> box =
+    vtkFFPowerCells::FindBox(filter, { corners.data(), 2, 2 }, ends);
+  const bool isWhole = makePowerCells(around, triangulation.IsWeighted(), processes.GetRank(), box,
+    processes.GetRun().Options, diagram);
+  return processes.Sum(vtkIdType(!isWhole)) == 0;
+}
+
+/// Have process 0 work alone on the points of all. Collective.
+void runGathered(vtkAlgorithm* filter, vtkFFDistributedTriangulation& triangulation,
+  vtkFFProcesses& processes, const std::function<void(vtkInformationVector**)>& run)
+{
+  const vtkSmartPointer<vtkPointSet> all = triangulation.Gather();
+  const int sources = triangulation.GetNumberOfSources();
+  const bool isFirst = processes.GetRank() == 0;
+  processes.Agree();
+  if (isFirst && sources > 1)
+  {
+    vtkWarningWithObjectMacro(filter, << "The points of " << sources
+                                      << " processes are gathered on one, which triangulates "
+                                         "them alone: rounding broke a power cell, and it takes "
+                                         "all points to mend it.");
+  }
+  if (isFirst)
+  {
+    vtkNew<vtkInformation> info;
+    info->Set(vtkDataObject::DATA_OBJECT(), all);
+    vtkNew<vtkInformationVector> input;
+    input->Append(info);
+    vtkInformationVector* inputs[] = { input };
+    run(inputs);
+  }
+  // Process 0 has reported its error already.
+  const auto code = static_cast<unsigned long>(
+    processes.Sum(isFirst ? static_cast<vtkIdType>(filter->GetErrorCode()) : vtkIdType(0)));
+  if (code != vtkFFErrorCode::NoError)
+  {
+    if (!isFirst)
     {
-      flipflop::Triangulation ends;
-      ends.pointIds.allocate(2);
-      std::iota(ends.pointIds.begin(), ends.pointIds.end(), std::int64_t(0));
-      const std::array<double, 4> box =
-        vtkFFPowerCells::FindBox(filter, { corners.data(), 2, 2 }, ends);
-      isBroken = !makePowerCells(
-        around, joint.IsWeighted(), exchange.GetProcesses().GetRank(), box, run.Options, diagram);
-    });
-  exchange.Agree();
-  return exchange.GetProcesses().Sum(vtkIdType(isBroken)) == 0;
+      processes.GetRun().Failure.Say("", code);
+    }
+    throw vtkFFSharedFailure();
+  }
 }
 
 }
@@ -107,7 +137,7 @@ vtkPFFPowerDiagramFilter::vtkPFFPowerDiagramFilter()
 //------------------------------------------------------------------------------
 vtkPFFPowerDiagramFilter::~vtkPFFPowerDiagramFilter()
 {
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -124,22 +154,15 @@ void vtkPFFPowerDiagramFilter::SetController(vtkMultiProcessController* controll
 //------------------------------------------------------------------------------
 int vtkPFFPowerDiagramFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
-    this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-int vtkPFFPowerDiagramFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
-    this->Superclass::FillOutputPortInformation(port, info);
+  return this->Superclass::FillInputPortInformation(port, info) &&
+    vtkFFDistributedInput::FillInputPort(this->Controller, port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFPowerDiagramFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return vtkFFJointBlocks::MakeOutputs(
+  return vtkFFDistributedInput::MakeOutputs(
            this, this->Controller, true, request, inputVector, outputVector) ||
     this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -148,58 +171,44 @@ vtkTypeBool vtkPFFPowerDiagramFilter::ProcessRequest(
 int vtkPFFPowerDiagramFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
+  if (!vtkFFProcesses::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
-  const auto work = [&](const std::vector<vtkFFJointBlocks::BlockType>& blocks, vtkFFRun& run,
-                      vtkInformationVector* outputs)
+  const auto work = [&](const std::vector<vtkFFDistributedInput::BlockType>& blocks,
+                      vtkFFProcesses& processes, vtkInformationVector* outputs)
   {
-    const auto gather = [&](const std::string& reason)
-    {
-      vtkFFJointBlocks::RunGathered(this, this->Controller, blocks[0], reason, run,
-        [&](vtkInformationVector** all) { this->Superclass::RequestData(request, all, outputs); });
-    };
-    const std::string obstacle = vtkFFBlockExchange::FindObstacle(this->Controller);
-    if (!obstacle.empty())
-    {
-      gather(obstacle);
-      return;
-    }
     // Points of one power circle meet in one corner.
+    vtkFFRun& run = processes.GetRun();
     run.Options.facets = flipflop::FacetMode::Polygons;
-    vtkFFJointTriangulation joint(this, this->Controller, run);
-    flipflop::BlockResult& cells = joint.GetCells();
+    vtkFFDistributedTriangulation triangulation(this, processes);
     flipflop::PowerDiagram diagram;
-    joint.Triangulate(blocks[0].Pieces);
-    if (!makeDiagram(this, joint, run, diagram))
+    triangulation.Compute(blocks[0].Pieces);
+    if (!makeDiagram(this, triangulation, processes, diagram))
     {
-      gather("rounding broke a power cell, and it takes all points to mend it");
+      runGathered(this, triangulation, processes,
+        [&](vtkInformationVector** all) { this->Superclass::RequestData(request, all, outputs); });
       return;
     }
-    std::vector<bool> duplicates;
-    vtkFFDuplicates::FindByPlaces(diagram.corners, joint.GetExchange(), duplicates);
-    joint.Fetch({ diagram.siteIds.begin(), diagram.siteIds.end() });
-    const vtkFFJointTriangulation::CountsType counts = joint.Report(cells.cells);
+    const auto duplicates =
+      vtkFFDistributedCells::FindDuplicatePositions(diagram.corners, processes);
+    triangulation.Fetch({ diagram.siteIds.begin(), diagram.siteIds.end() });
+    flipflop::CellComplex& cells = triangulation.GetCells().cells;
+    const auto counts = triangulation.Report(cells);
+    std::iota(diagram.siteIds.begin(), diagram.siteIds.end(), std::int64_t(0));
     vtkPolyData* const output = vtkPolyData::GetData(outputs);
-    joint.Do(1.0,
-      [&]
-      {
-        std::iota(diagram.siteIds.begin(), diagram.siteIds.end(), std::int64_t(0));
-        vtkFFPowerCells::Write(this, joint.GetInput(), diagram, run, output);
-        vtkFFDuplicates::Mark(
-          output->GetPointData(), duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
-        vtkFFRun::Look(run.Options, 1.0);
-      });
-    joint.GetExchange().Agree();
-    run.AddToReport(cells.cells, output);
+    vtkFFPowerCells::Write(this, triangulation.GetInput(), diagram, run, output);
+    vtkFFDistributedCells::Mark(
+      output->GetPointData(), duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
+    processes.Agree();
+    run.AddToReport(cells, output);
     this->NumberOfHiddenPoints += static_cast<vtkIdType>(counts.Hidden);
     if (this->ReportAsFieldData)
     {
       vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", counts.Hidden);
     }
   };
-  return vtkFFJointBlocks::Run(
+  return vtkFFDistributedInput::Run(
     this, this->Controller, "Power diagram", false, inputVector, outputVector,
     [&] { vtkFFPowerCells::CheckBox(this); }, work);
 }

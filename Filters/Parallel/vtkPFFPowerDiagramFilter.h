@@ -15,10 +15,10 @@
  * but one mark such a corner in vtkGhostType as vtkDataSetAttributes::DUPLICATEPOINT.
  *
  * @warning
- * In two cases, process 0 gathers all points and does all the work, so that its memory must hold
- * them all: with controllers that are not of MPI; and where rounding broke a cell, which happens
- * rarely. If several processes have points, a warning says so. On the other processes, the output
- * has no points then.
+ * Where rounding broke a cell, which happens rarely, process 0 gathers all points and does all the
+ * work, so that its memory must hold them all. If several processes have points, a warning says so.
+ * On the other processes, the output has no points then, they report no figures, and only process 0
+ * can abort.
  *
  * @sa
  * vtkFFPowerDiagramFilter vtkPFFRegularTriangulationFilter vtkPFFDelaunayFilter
@@ -62,7 +62,6 @@ protected:
   ~vtkPFFPowerDiagramFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

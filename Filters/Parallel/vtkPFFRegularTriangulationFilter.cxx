@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFRegularTriangulationFilter.h"
 
-#include "vtkFFBlockExchange.h"
-#include "vtkFFJointBlocks.h"
-#include "vtkFFJointTriangulation.h"
+#include "vtkFFDistributedInput.h"
+#include "vtkFFDistributedTriangulation.h"
+#include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 #include "vtkFFTriangulationOutput.h"
 
@@ -14,8 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
@@ -29,7 +27,7 @@ vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()
 //------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::~vtkPFFRegularTriangulationFilter()
 {
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -46,22 +44,15 @@ void vtkPFFRegularTriangulationFilter::SetController(vtkMultiProcessController* 
 //------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return vtkFFJointBlocks::FillInputPort(this->Controller, port, info) ||
-    this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-int vtkPFFRegularTriangulationFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return vtkFFJointBlocks::FillOutputPort(this->Controller, info) ||
-    this->Superclass::FillOutputPortInformation(port, info);
+  return this->Superclass::FillInputPortInformation(port, info) &&
+    vtkFFDistributedInput::FillInputPort(this->Controller, port, info);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkPFFRegularTriangulationFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return vtkFFJointBlocks::MakeOutputs(
+  return vtkFFDistributedInput::MakeOutputs(
            this, this->Controller, true, request, inputVector, outputVector) ||
     this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -70,7 +61,7 @@ vtkTypeBool vtkPFFRegularTriangulationFilter::ProcessRequest(
 int vtkPFFRegularTriangulationFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkFFJointBlocks::AreSeveral(this->Controller))
+  if (!vtkFFProcesses::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
@@ -84,33 +75,30 @@ int vtkPFFRegularTriangulationFilter::RequestData(
         "to one process.");
     }
   };
-  const auto work = [&](const std::vector<vtkFFJointBlocks::BlockType>& blocks, vtkFFRun& run,
-                      vtkInformationVector* outputs)
+  const auto work = [&](const std::vector<vtkFFDistributedInput::BlockType>& blocks,
+                      vtkFFProcesses& processes, vtkInformationVector* outputs)
   {
-    const std::string obstacle = vtkFFBlockExchange::FindObstacle(this->Controller);
-    if (!obstacle.empty())
-    {
-      vtkFFJointBlocks::RunGathered(this, this->Controller, blocks[0], obstacle, run,
-        [&](vtkInformationVector** all) { this->Superclass::RequestData(request, all, outputs); });
-      return;
-    }
+    vtkFFRun& run = processes.GetRun();
     vtkPolyData* const output = vtkPolyData::GetData(outputs, 0);
     vtkFFTriangulationOutput writer(this, run);
-    vtkFFJointTriangulation::StepsType steps;
-    steps.Drop = [&](const auto& points, const auto& weights, auto& cells)
-    { return writer.DropCells(points, weights, cells); };
-    steps.Write = [&](auto& input, auto& triangulation)
+    vtkFFDistributedTriangulation triangulation(this, processes);
+    triangulation.Compute(blocks[0].Pieces);
+    triangulation.DropCells([&](const auto& points, const auto& weights, auto& cells)
+      { return writer.DropCells(points, weights, cells); });
+    if (this->GenerateGhostCells)
     {
-      writer.Write(input, triangulation, output, vtkPolyData::GetData(outputs, 1),
-        vtkPolyData::GetData(outputs, 2));
-    };
-    steps.HasHidden = true;
-    steps.Report = [&](std::int64_t hidden, std::int64_t dropped)
-    { writer.Report(hidden, dropped, output); };
-    vtkFFJointTriangulation(this, this->Controller, run)
-      .Execute(blocks[0].Pieces, this->GenerateGhostCells, steps, output);
+      triangulation.AddGhostCells();
+    }
+    flipflop::Triangulation cells = triangulation.FetchCells(true);
+    const auto counts = triangulation.Report(cells);
+    writer.Write(triangulation.GetInput(), cells, output, vtkPolyData::GetData(outputs, 1),
+      vtkPolyData::GetData(outputs, 2));
+    triangulation.MarkDuplicates(output);
+    processes.Agree();
+    run.AddToReport(cells, output);
+    writer.Report(counts.Hidden, counts.Dropped, output);
   };
-  return vtkFFJointBlocks::Run(
+  return vtkFFDistributedInput::Run(
     this, this->Controller, "Regular triangulation", false, inputVector, outputVector, check, work);
 }
 

@@ -23,43 +23,46 @@
  *   the whole triangulation has them. All processes have the same
  *   arrays and types.
  *
- * The points are dealt out to regions by place. Each process triangulates the points of its region,
- * and asks others for points that might change its cells, until no process has a question left.
- * Points are sent without their data; in the end, each process fetches the points of its cells with
- * their data from where they came. This needs MPI, and VTK's module ParallelDIY.
+ * The points are redistributed to regions. Each process triangulates the points of its region, and
+ * asks others for points that might change its cells, until no process asks. Points are sent
+ * without their data; in the end, each process fetches the points of its cells with their data from
+ * where they came. This needs MPI and VTK's module ParallelDIY: several processes of another
+ * controller are an error.
  *
  * @warning
- * With controllers that are not of MPI, process 0 gathers all points and does all the work, so that
- * its memory must hold them all. If several processes have points, a warning says so. On the other
- * processes, the outputs have no points then. AlphaLines, AlphaVerts, GenerateAlphas and
- * GenerateBoundary need all cells: on several processes, they are errors.
+ * AlphaLines, AlphaVerts, GenerateAlphas and GenerateBoundary need all cells: on several processes,
+ * they are errors.
  *
- * - Ghost points (see SetSkipGhostPoints()) are left out on their
- *   process and not counted: ids count the remaining points. With a
- *   single process, this filter is its superclass, whose ids count all.
+ * What follows is true of all filters of this module. With a single process, each is its
+ * superclass.
+ *
+ * - Several processes leave out ghost points (see
+ *   SetSkipGhostPoints()) where they are, and do not count them: ids
+ *   count the remaining points. A single process counts all.
  * - Arrays of numbers and strings are sent, without the lookup tables
  *   and keys that they may have.
  * - For composite input, the blocks in the same place on all processes
- *   belong together: the first blocks, the second blocks, and so on. A
+ *   belong together: the first blocks, the second blocks, and so on.
+ *   All processes must have the same number of blocks, with or without
+ *   data in them; otherwise that is an error. For several processes, a
  *   vtkPartitionedDataSet is one block, with any number of partitions
- *   on each process. All processes must have the same number of blocks,
- *   with or without data in them; otherwise that is an error.
+ *   on each, and has one result. On a single process, the executive
+ *   gives each partition a result, as for any VTK filter: merge the
+ *   partitions to have one.
  * - An error on any process is an error of all processes. Process 0
- *   reports it. The others only set their error code. A block at fault
- *   on any process has an empty result, and the other blocks have
- *   theirs.
- * - An abort on one process is an abort on all. Points that are
- *   gathered are an exception: once process 0 has them, only it can
- *   abort, and the others report no figures.
- * - Process 0 reports the numbers of input points, of points that are
- *   not finite, of hidden points and of cells left out for all pieces.
- *   The other processes report these for their own pieces and shares.
- *   The dimension is that of all points; all other statistics are of
- *   the process's own work. The CPU does all work; SetEngine(ENGINE_CUDA) is
- *   an error.
- *
+ *   reports it, and names points as appended. The others only set
+ *   their error code. A block at fault on any process has an empty
+ *   result, and the other blocks have theirs. An abort on one process
+ *   is an abort on all.
+ * - Of triangulations, process 0 reports the numbers of input points,
+ *   of points that are not finite, of hidden points and of cells left
+ *   out for all pieces. The other processes report these for their own
+ *   pieces and shares. The dimension is that of all points; all other
+ *   statistics are of the process's own work. The CPU does all work:
+ *   SetEngine(ENGINE_CUDA) is an error.
  * - Field data of a block is the field data of the process's own piece.
- * - Where there are several processes, -1 means 0 for NumberOfThreads.
+ * - Several processes share the machine's threads: then -1 means 0 for
+ *   NumberOfThreads.
  *
  * All processes must update the filter, with the same settings: make a change, also of the flag
  * that aborts, on all of them.
@@ -119,7 +122,6 @@ protected:
   ~vtkPFFRegularTriangulationFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

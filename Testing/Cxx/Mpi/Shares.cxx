@@ -3,7 +3,7 @@
 #include "Shares.h"
 
 #include "DistributedVersusSerial.h"
-#include "vtkFFParcel.h"
+#include "vtkFFPointMessage.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -24,12 +24,13 @@ namespace
 {
 
 using Key = std::vector<vtkIdType>;
+using Message = std::vector<char>;
 
-/// All processes' texts, on process 0.
-std::vector<std::string> gather(const std::string& own)
+/// All processes' messages, on process 0.
+std::vector<Message> gather(const Message& own)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
-  std::vector<std::string> all{ own };
+  std::vector<Message> all{ own };
   auto size = static_cast<vtkIdType>(own.size());
   if (rank() > 0)
   {
@@ -40,8 +41,8 @@ std::vector<std::string> gather(const std::string& own)
   for (int process = 1; process < processes(); ++process)
   {
     controller->Receive(&size, 1, process, 1);
-    all.emplace_back(static_cast<std::size_t>(size), '\0');
-    controller->Receive(&all.back()[0], size, process, 2);
+    all.emplace_back(static_cast<std::size_t>(size));
+    controller->Receive(all.back().data(), size, process, 2);
   }
   return all;
 }
@@ -219,22 +220,24 @@ std::vector<Key> cellKeysOf(vtkPolyData* data)
 //------------------------------------------------------------------------------
 std::vector<Share> gatherShares(vtkPolyData* own)
 {
-  std::string packed;
+  std::vector<vtkIdType> flat;
   for (const Key& cell : cellKeysOf(own))
   {
-    const auto size = static_cast<vtkIdType>(cell.size());
-    packed.append(reinterpret_cast<const char*>(&size), sizeof(size));
-    packed.append(reinterpret_cast<const char*>(cell.data()), cell.size() * sizeof(vtkIdType));
+    flat.push_back(static_cast<vtkIdType>(cell.size()));
+    flat.insert(flat.end(), cell.begin(), cell.end());
   }
+  Message packed(flat.size() * sizeof(vtkIdType));
+  std::copy_n(reinterpret_cast<const char*>(flat.data()), packed.size(), packed.data());
   vtkNew<vtkPolyData> cellData;
   cellData->GetPointData()->ShallowCopy(own->GetCellData());
-  const auto points = gather(vtkFFParcel::Pack(own));
-  const auto data = gather(vtkFFParcel::Pack(cellData));
+  const auto points = gather(vtkFFPointMessage::Pack(own));
+  const auto data = gather(vtkFFPointMessage::Pack(cellData));
   const auto lists = gather(packed);
   std::vector<Share> shares;
   for (std::size_t process = 0; process < points.size(); ++process)
   {
-    Share share{ vtkFFParcel::Unpack(points[process]), vtkFFParcel::Unpack(data[process]), {} };
+    Share share{ vtkFFPointMessage::Unpack(points[process]),
+      vtkFFPointMessage::Unpack(data[process]), {} };
     std::vector<vtkIdType> numbers(lists[process].size() / sizeof(vtkIdType));
     std::copy_n(
       lists[process].data(), lists[process].size(), reinterpret_cast<char*>(numbers.data()));

@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
@@ -17,6 +18,7 @@
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSocketController.h"
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
@@ -306,6 +308,26 @@ void testSeveral()
   }
 }
 
+/// Processes that are not of MPI cannot exchange messages: the two of a socket.
+template <class FilterT>
+void testController()
+{
+  if (rank() > 0)
+  {
+    return;
+  }
+  vtkNew<vtkSocketController> controller;
+  vtkNew<FilterT> filter;
+  const auto errors = ErrorObserver::Of(filter);
+  filter->SetController(controller);
+  filter->SetInputDataObject(makePieces()[0]);
+  filter->Update();
+  FF_CHECK_EQUAL(filter->GetErrorCode(), static_cast<unsigned long>(vtkFFErrorCode::ProcessError));
+  FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK(errors->Has("Several processes work together by MPI, and the controller is a "
+                       "vtkSocketController. Set a vtkMPIController, or none."));
+}
+
 }
 
 void testErrors()
@@ -323,6 +345,8 @@ void testErrors()
     }
   }
   testWeights();
+  testController<vtkPFFHullFilter>();
+  testController<vtkPFFRegularTriangulationFilter>();
   if (processes() > 1)
   {
     testSeveral();
