@@ -125,7 +125,7 @@ class TestMessages(unittest.TestCase):
     def test_tests_that_are_named_exist(self):
         tests = set()
         for path in glob.glob(os.path.join(TOP, "Testing", "Engine", "*", "Test*.cxx")):
-            tests |= set(re.findall(r"^TEST\((\w+), (\w+)\)", read(path), re.MULTILINE))
+            tests |= set(re.findall(r"^TEST(?:_P|_F)?\((\w+), (\w+)\)", read(path), re.MULTILINE))
         named = {
             tuple(name)
             for page in (PAGE, read("Documentation", "Exactness.md"))
