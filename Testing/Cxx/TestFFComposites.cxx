@@ -333,6 +333,7 @@ public:
     // Between data sets, old executives forget.
     if (progress >= this->At && std::fabs(progress - std::round(progress)) > 1e-6)
     {
+      this->At = 99; // once: the data sets after this one must not run all the same
       vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
     }
   }

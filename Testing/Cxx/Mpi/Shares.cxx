@@ -123,6 +123,17 @@ std::pair<int, bool> markOf(vtkPolyData* data, vtkIdType point)
   return { mark & ~duplicate, (mark & duplicate) != 0 };
 }
 
+/// Of a power diagram's corners, which are named by their positions, the sign of a zero may differ.
+bool hasSameBits(vtkPolyData* one, vtkIdType i, vtkPolyData* other, vtkIdType j)
+{
+  Point a, b;
+  one->GetPoint(i, a.data());
+  other->GetPoint(j, b.data());
+  return one->GetPointData()->HasArray("vtkOriginalPointIds")
+    ? std::memcmp(a.data(), b.data(), sizeof(a)) == 0
+    : a == b;
+}
+
 /// Where each key is.
 std::map<Key, vtkIdType> indicesOf(const std::vector<Key>& keys)
 {
@@ -151,11 +162,7 @@ bool arePointsOf(const std::vector<Share>& shares, vtkPolyData* whole)
     {
       const auto own = static_cast<vtkIdType>(i);
       const auto at = indices.find(keys[i]);
-      good = at != indices.end() &&
-        std::equal(whole->GetPoint(at->second), whole->GetPoint(at->second) + 3,
-          Point{ share.Points->GetPoint(own)[0], share.Points->GetPoint(own)[1],
-            share.Points->GetPoint(own)[2] }
-            .begin()) &&
+      good = at != indices.end() && hasSameBits(share.Points, own, whole, at->second) &&
         markOf(share.Points, own).first == markOf(whole, at->second).first &&
         isSameTuple(share.Points->GetPointData(), own, whole->GetPointData(), at->second);
       if (good && !markOf(share.Points, own).second)
