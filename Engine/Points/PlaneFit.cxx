@@ -10,6 +10,7 @@
 #include "Support/TypedErrors.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -22,6 +23,8 @@ namespace
 
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Points between two looks whether to go on: some milliseconds.
 constexpr std::int64_t OfOneThread = 1 << 16;
@@ -110,6 +113,27 @@ void visitFinite(const PointView& points, const Options& options, const Visit& v
           {
             visit(p);
           }
+        });
+    });
+}
+
+/// visit(i, p) for each point, by several threads in no order.
+template <class Visit>
+void visitAtOnce(const PointView& points, const Options& options, const Visit& visit)
+{
+  ArenaLoan arena(threadCount(options.threads, points.count));
+  inStretches(points.count, OfAllThreads, options,
+    [&](std::int64_t from, std::int64_t to)
+    {
+      arena.execute(
+        [&]
+        {
+          eachChunk(static_cast<std::size_t>(to - from), PointsPerTask,
+            [&](std::size_t begin, std::size_t end, std::size_t)
+            {
+              visitRange(points, from + static_cast<std::int64_t>(begin),
+                from + static_cast<std::int64_t>(end), visit);
+            });
         });
     });
 }
@@ -337,34 +361,62 @@ Buffer<double> positionsInPlane(
     [&]
     {
       requireArray(points, 3);
-      constexpr double none = std::numeric_limits<double>::quiet_NaN();
       Buffer<double> positions(2 * static_cast<std::size_t>(points.count));
-      ArenaLoan arena(threadCount(options.threads, points.count));
-      inStretches(points.count, OfAllThreads, options,
-        [&](std::int64_t from, std::int64_t to)
+      visitAtOnce(points, options,
+        [&](std::int64_t i, const Vector& p)
         {
-          arena.execute(
-            [&]
-            {
-              eachChunk(static_cast<std::size_t>(to - from), PointsPerTask,
-                [&](std::size_t begin, std::size_t end, std::size_t)
-                {
-                  visitRange(points, from + static_cast<std::int64_t>(begin),
-                    from + static_cast<std::int64_t>(end),
-                    [&](std::int64_t i, const Vector& p)
-                    {
-                      const Vector d{ p[0] - plane.start[0], p[1] - plane.start[1],
-                        p[2] - plane.start[2] };
-                      const bool finite = isFinite(p);
-                      double* const position = positions.data() + 2 * i;
-                      position[0] = finite ? dot(d, plane.first) : none;
-                      position[1] = finite ? dot(d, plane.second) : none;
-                    });
-                });
-            });
+          const Vector d{ p[0] - plane.start[0], p[1] - plane.start[1], p[2] - plane.start[2] };
+          const bool finite = isFinite(p);
+          double* const position = positions.data() + 2 * i;
+          position[0] = finite ? dot(d, plane.first) : NaN;
+          position[1] = finite ? dot(d, plane.second) : NaN;
         });
       return positions;
     });
+}
+
+Buffer<double> positionsInXY(const PointView& points, const Options& options)
+{
+  return withTypedErrors(
+    [&]
+    {
+      requireArray(points, 3);
+      std::atomic<bool> allFinite(true);
+      visitAtOnce(points, options,
+        [&](std::int64_t, const Vector& p)
+        {
+          if (!std::isfinite(p[2]))
+          {
+            allFinite.store(false, std::memory_order_relaxed);
+          }
+        });
+      Buffer<double> positions;
+      if (!allFinite)
+      {
+        positions.allocate(2 * static_cast<std::size_t>(points.count));
+        visitAtOnce(points, options,
+          [&](std::int64_t i, const Vector& p)
+          {
+            positions.data()[2 * i] = std::isfinite(p[2]) ? p[0] : NaN;
+            positions.data()[2 * i + 1] = p[1];
+          });
+      }
+      return positions;
+    });
+}
+
+double heightBelow(const PointView& points, const Triangulation& triangulation)
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Buffer<std::int64_t>* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
+  {
+    for (const std::int64_t id : *ids)
+    {
+      visitRange(points, id, id + 1,
+        [&](std::int64_t, const Vector& p) { lowest = std::min(lowest, p[2]); });
+    }
+  }
+  return std::isinf(lowest) ? 0.0 : lowest + 0.0;
 }
 
 }

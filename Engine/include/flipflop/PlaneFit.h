@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Points in space as points of the plane that fits them best, and back. Triangulations of tilted
-/// points start here.
+/// Points in space as points of the xy plane, or of the plane that fits them best, and back.
 #ifndef flipflop_PlaneFit_h
 #define flipflop_PlaneFit_h
 
 #include <flipflop/Buffer.h>
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
+#include <flipflop/Triangulation.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace flipflop
@@ -94,6 +95,18 @@ inline std::array<double, 3> positionOf(const FittedPlane& plane, double x, doub
   }
   return position;
 }
+
+/// x and y of points whose z does not matter, but must be finite: x is NaN where z is not.
+/// @param points  in space
+/// @param options only the threads and the progress function are used
+/// @return x and y of each; empty if all z are finite, so that x and y can be read in place
+/// @throw Error   BadArgument, OutOfMemory, Aborted
+Buffer<double> positionsInXY(const PointView& points, const Options& options = Options());
+
+/// Where the xy plane lies for what is drawn in it: at the lowest z of the points that are in the
+/// triangulation or hidden; at 0 if there is none. It is never -0.
+/// @param points in space: those of the triangulation's ids
+double heightBelow(const PointView& points, const Triangulation& triangulation);
 
 }
 

@@ -217,6 +217,9 @@ void addRuns(Table& table, const Cloud& body, const Cloud& sites)
   table.add("positionsInPlane", body, false, false, NonFinitePoint::IsLeftOut,
     [=](Points points, Weights, const Options& options)
     { return bitsOf(positionsInPlane(points, plane, options)); });
+  table.add("positionsInXY", body, false, false, NonFinitePoint::IsLeftOut,
+    [](const PointView& points, const WeightView&, const Options& options)
+    { return bitsOf(positionsInXY(points, options)); });
 }
 
 void addQueriesOfHulls(Table& table, const Cloud& body)

@@ -251,6 +251,31 @@ TEST(PlaneFit, OfVerySmallAndVeryLargeCoordinates)
   }
 }
 
+TEST(PlaneFit, InTheXYPlane)
+{
+  constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> cloud{ 0, 1, 5, 2, 3, -0.0, 4, NaN, 0.0 };
+  const PointView points(cloud.data(), 3);
+  EXPECT_TRUE(positionsInXY(points).empty());
+  cloud[2] = NaN;
+  const Buffer<double> places = positionsInXY(points);
+  ASSERT_EQ(places.size(), 6u);
+  EXPECT_TRUE(std::isnan(places[0]));
+  EXPECT_TRUE(
+    std::equal(places.begin() + 1, places.begin() + 5, std::vector<double>{ 1, 2, 3, 4 }.begin()));
+  EXPECT_TRUE(std::isnan(places[5]));
+
+  Triangulation triangulation;
+  EXPECT_EQ(heightBelow(points, triangulation), 0.0);
+  triangulation.pointIds.allocate(1);
+  triangulation.hiddenIds.allocate(1);
+  triangulation.pointIds[0] = 2;
+  triangulation.hiddenIds[0] = 1;
+  EXPECT_FALSE(std::signbit(heightBelow(points, triangulation)));
+  const std::vector<float> narrow{ 0, 0, 0, 0, 0, -3, 0, 0, 2 };
+  EXPECT_EQ(heightBelow({ narrow.data(), 3 }, triangulation), -3.0);
+}
+
 }
 
 }
