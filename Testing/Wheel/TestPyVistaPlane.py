@@ -89,9 +89,9 @@ def test_radii_that_cannot_be_used():
     with pytest.raises(InputError, match="a radius is negative: first at point 9, 1 such"):
         power_diagram(mesh, radii=radii)
     radii[9] = 1e200
-    with pytest.raises(InputError, match="the square of a radius, times weight_factor, .* first at point 9"):
+    with pytest.raises(InputError, match="the square of a radius, times the factor, .* first at point 9"):
         regular_triangulation(mesh, radii=radii)
-    with pytest.raises(InputError, match="a weight, times weight_factor, .* first at point 9"):
+    with pytest.raises(InputError, match="a weight, times the factor, .* first at point 9"):
         regular_triangulation(mesh, radii, weight_factor=1e200)
     radii[9] = -np.inf
     with pytest.raises(InputError, match="NaN or infinite"):

@@ -15,6 +15,7 @@
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/SurfacePolygons.h>
 #include <flipflop/Validate.h>
+#include <flipflop/Weights.h>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
@@ -40,6 +41,7 @@ namespace flipflop
 namespace
 {
 
+using PlaneArray = nb::ndarray<const double, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 using Corners = nb::ndarray<const std::int64_t, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
 Handle<Hull> hullOf(const InputArray& points, const Settings& settings)
@@ -102,26 +104,64 @@ nb::tuple trianglesOf(const InputArray& points, const IdArray& offsets, const Id
     arrayOf(std::move(found.corners), { rows, 3 }), arrayOf(std::move(found.polygonIds)));
 }
 
-/// Points' positions in the plane that fits them best; and of the plane, the origin and the axes.
+/// The plane that fits points best, and their positions in it.
 nb::tuple positionsInBestPlane(const InputArray& points, const Settings& settings)
 {
-  const PointView view = pointView(points, 3);
+  const SpacePoints input(points);
   FittedPlane plane;
   Buffer<double> positions = settings.run(
     [&](const Options& options)
     {
-      plane = fitPlane(view, options);
-      return positionsInPlane(view, plane, options);
+      plane = fitPlane(input.view(), options);
+      return positionsInPlane(input.view(), plane, options);
     });
-  const auto vector = [](const std::array<double, 3>& values)
-  {
-    Buffer<double> copy(values.size());
-    std::copy(values.begin(), values.end(), copy.begin());
-    return arrayOf(std::move(copy));
-  };
   const std::size_t rows = positions.size() / 2;
-  return nb::make_tuple(arrayOf(std::move(positions), { rows, 2 }), vector(plane.origin),
-    vector(plane.first), vector(plane.second));
+  return nb::make_tuple(plane, arrayOf(std::move(positions), { rows, 2 }));
+}
+
+/// The positions in space of positions in a plane.
+OutputArray<double> positionsInSpace(const FittedPlane& plane, const PlaneArray& inPlane)
+{
+  const std::size_t rows = inPlane.shape(0);
+  Buffer<double> positions(3 * rows);
+  for (std::size_t i = 0; i < rows; ++i)
+  {
+    const auto position = positionOf(plane, inPlane(i, 0), inPlane(i, 1));
+    std::copy(position.begin(), position.end(), positions.data() + 3 * i);
+  }
+  return arrayOf(std::move(positions), { rows, 3 });
+}
+
+/// The positions of points by x and y; None if they can be read where they are.
+std::optional<OutputArray<double>> positionsByXY(const InputArray& points, const Settings& settings)
+{
+  const PointView view = pointView(points, 3);
+  Buffer<double> positions =
+    settings.run([&](const Options& options) { return positionsInXY(view, options); });
+  if (positions.empty())
+  {
+    return std::nullopt;
+  }
+  const std::size_t rows = positions.size() / 2;
+  return arrayOf(std::move(positions), { rows, 2 });
+}
+
+/// The weights that the rule makes of numbers; None if these are the weights.
+std::optional<OutputArray<double>> weightsByRule(
+  const InputArray& numbers, bool areRadii, double factor)
+{
+  const WeightRule rule{ areRadii, factor };
+  if (rule.isIdentity())
+  {
+    return std::nullopt;
+  }
+  const WeightView view = weightView(numbers);
+  Buffer<double> weights;
+  {
+    const nb::gil_scoped_release free;
+    weights = computeWeights(view, rule);
+  }
+  return arrayOf(std::move(weights));
 }
 
 Handle<PowerDiagram> diagramOf(const InputArray& points, const std::optional<InputArray>& weights,
@@ -249,6 +289,14 @@ auto eachResult(const Results<Result>& self, const Get& get)
   return arrayOf(std::move(values), { results.size() });
 }
 
+/// Raises what that function of _errors.py makes.
+template <class... Arguments>
+void raise(const char* maker, Arguments... arguments)
+{
+  const nb::object made = nb::module_::import_("vtkflipflop._errors").attr(maker)(arguments...);
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
+}
+
 /// An array of another library's, in any memory, as DLPack tells of it.
 struct DeviceArray
 {
@@ -307,12 +355,14 @@ NB_MODULE(_core, module)
       {
         std::rethrow_exception(thrown);
       }
+      catch (const BadWeight& error)
+      {
+        raise("at_points", error.what(), "bad_argument", error.index(), error.count());
+      }
       catch (const Error& error)
       {
-        const nb::object made = nb::module_::import_("vtkflipflop._errors")
-                                  .attr("of_engine")(static_cast<int>(error.code()), error.what(),
-                                    error.index(), error.count());
-        PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
+        raise(
+          "of_engine", static_cast<int>(error.code()), error.what(), error.index(), error.count());
       }
     });
 
@@ -383,7 +433,13 @@ NB_MODULE(_core, module)
     "regular_triangulation", &triangulationOf, "points"_a, "weights"_a.none(), "settings"_a);
   module.def("convexify", &convexified, "points"_a, "triangles"_a, "kernel"_a.none(), "settings"_a);
   module.def("triangulate_polygons", &trianglesOf);
+  nb::class_<FittedPlane>(module, "FittedPlane").def("positions", &positionsInSpace);
   module.def("to_best_fitting_plane", &positionsInBestPlane);
+  module.def("to_xy_plane", &positionsByXY);
+  module.def("height_below",
+    [](const InputArray& points, const Handle<Triangulation>& triangulation)
+    { return heightBelow(pointView(points, 3), *triangulation.result); });
+  module.def("compute_weights", &weightsByRule);
   module.def("power_diagram", &diagramOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "domain"_a.none(), "settings"_a);
 

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._input import doubles_of, is_array_like, refuse, refuse_geometry
+from . import _core
+from ._input import doubles_of, is_array_like, refuse_geometry
 
 
 @dataclass
@@ -22,19 +23,9 @@ class Weights:
     factor: float
 
     def computed(self, values: NDArray[Any]) -> NDArray[Any]:
-        """The weights of exact numbers: in double, each step rounded once."""
-        if not self.are_radii and self.factor == 1.0:
-            return values
-        given = values.astype(np.float64)
-        finite = np.isfinite(given)
-        if self.are_radii:
-            refuse(finite & (given < 0), "a radius is negative", "bad_argument")
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            scaled = self.factor * given
-            made: NDArray[Any] = scaled * scaled if self.are_radii else scaled
-        what = "the square of a radius" if self.are_radii else "a weight"
-        refuse(finite & ~np.isfinite(made), f"{what}, times weight_factor, is more than a double holds", "bad_argument")
-        return made
+        """The weights of exact numbers."""
+        weights: NDArray[Any] | None = _core.compute_weights(values, self.are_radii, self.factor)
+        return values if weights is None else weights
 
 
 def choice_of(name: str, value: Any, choices: tuple[str, ...]) -> str:

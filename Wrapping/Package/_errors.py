@@ -101,3 +101,8 @@ def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:
     parts = [template.format(index)] if template and index >= 0 else []
     parts += [number.format(count)] if number and (count > 0 or name in _ANY_COUNT) else []
     return kind(text + (": " + ", ".join(parts) if parts else ""), name, index, count)
+
+
+def at_points(text: str, code: str, first: int, count: int) -> InputError:
+    """The exception for so many points at fault."""
+    return InputError(f"{text}: first at point {first}, {count} such point(s) in all", code, first, count)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ._device import HostCopy, host_copy, is_on_device
-from ._errors import InputError
+from ._errors import InputError, at_points
 
 _FLOATS = (np.dtype(np.float32), np.dtype(np.float64))
 _PLAIN = (np.ndarray, HostCopy)
@@ -265,5 +265,4 @@ def refuse(wrong: np.ndarray, sentence: str, code: str) -> None:
     """Raises an error if any is wrong, in the words of the engine's."""
     points = wrong.reshape(len(wrong), -1).any(axis=1)
     if points.any():
-        first, count = int(points.argmax()), int(points.sum())
-        raise InputError(f"{sentence}: first at point {first}, {count} such point(s) in all", code, first, count)
+        raise at_points(sentence, code, int(points.argmax()), int(points.sum()))

@@ -122,7 +122,7 @@ class Run:
         arguments = positions, weight_array, core, within, self._settings(cloud, second)
         with domain.named():
             found = cloud.engine(_core.power_diagram, *arguments)
-        projection.lie_beneath(cloud.array, np.concatenate([core.vertices(), core.hidden()]))
+        projection.lie_beneath(cloud.array, core)
         made = pv.PolyData()
         made.SetPoints(pv.vtk_points(projection.to_space(found.vertices()), deep=False, force_float=False))
         set_cells(made, 2, 0, found.offsets(), found.connectivity())

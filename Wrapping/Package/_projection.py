@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._errors import InputError
 from ._input import refuse_masked
-from ._results import Floats, Ids
+from ._results import Floats
 
 _MODES = ("xy_plane", "best_fitting_plane", "transform")
 
@@ -24,21 +24,14 @@ class Projection:
     is_xy = True
     _height: float = 0.0
 
-    def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
-        """Chooses the plane's place in space, where there is a choice: used are the rows that were triangulated."""
-        if len(used) and points.shape[1] == 3:
-            self._height = float(points[used, 2].min()) + 0.0  # never -0
-        else:
-            self._height = 0.0
-
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         """The points in the plane, as rows of two or more; a point has a NaN if any coordinate is not finite."""
-        if points.shape[1] == 3:
-            wrong = ~np.isfinite(points[:, 2])
-            if wrong.any():
-                points = np.array(points)
-                points[wrong, 0] = np.nan
-        return points
+        places = _core.to_xy_plane(points, settings) if points.shape[1] == 3 else None
+        return points if places is None else places
+
+    def lie_beneath(self, points: NDArray[Any], triangulation: Any) -> None:
+        """Chooses the plane's height in space, where there is a choice."""
+        self._height = _core.height_below(points, triangulation) if points.shape[1] == 3 else 0.0
 
     def to_space(self, corners: Floats) -> Floats:
         """Positions in space of positions in the plane; an error if one has none."""
@@ -49,22 +42,15 @@ class _BestFitting(Projection):
     """To the plane with the least sum of squared distances to the points."""
 
     is_xy = False
-    _plane: tuple[Floats, Floats, Floats]
-
-    def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
-        pass
+    _plane: Any
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
-        if points.shape[1] == 2:
-            points = np.column_stack([points, np.zeros(len(points), points.dtype)])
         places: Floats
-        places, origin, first, second = _core.to_best_fitting_plane(points, settings)
-        self._plane = origin, first, second
+        self._plane, places = _core.to_best_fitting_plane(points, settings)
         return places
 
     def to_space(self, corners: Floats) -> Floats:
-        origin, first, second = self._plane
-        return _finite(origin + (corners[:, :1] * first + corners[:, 1:] * second))
+        return _finite(self._plane.positions(corners))
 
 
 class _ByMatrix(Projection):
@@ -74,9 +60,6 @@ class _ByMatrix(Projection):
 
     def __init__(self, matrix: Floats) -> None:
         self._matrix = matrix
-
-    def lie_beneath(self, points: NDArray[Any], used: Ids) -> None:
-        pass
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         if points.shape[1] == 2:
