@@ -70,7 +70,10 @@ def private_exports(build):
 
 
 def methods(name):
-    """Public methods that a class adds to vtkAlgorithm's, its superclasses of this module included."""
+    """Public methods that a class adds to vtkAlgorithm's, its superclasses of this module included.
+
+    New(), the methods of the type macros and overrides are vtkAlgorithm's.
+    """
     count = 0
     while name:
         path = next(iter(TOP.glob(f"Filters/**/{name}.h")), None)
@@ -79,9 +82,10 @@ def methods(name):
         text = path.read_text()
         body = text[text.index("public:") : text.index("\nprotected:")]
         for macro in re.findall(r"\bvtk\w*Macro\(", body):
-            count += 2 if "Boolean" in macro else 1
+            count += 0 if "TypeMacro" in macro else 2 if "Boolean" in macro else 1
         body = re.sub(r"vtk\w*Macro\([^;]*\);|/\*.*?\*/|//[^\n]*|enum \w+\s*\{.*?\};", "", body, flags=re.DOTALL)
-        count += len(re.findall(r"(?<!->)(?<!::)\b[A-Z]\w+\([^;{]*\)\s*(?:const)?\s*(?:override)?\s*(?:;|\{)", body))
+        found = re.findall(r"(?<!->)(?<!::)\b([A-Z]\w+)\([^;{]*\)\s*(?:const)?\s*(override)?\s*(?:;|\{)", body)
+        count += sum(method != "New" and not overrides for method, overrides in found)
         base = re.search(rf"class \S+ (?:VTK_MARSHALAUTO )?{name}\s*: public (\w+)", text)
         name = base[1] if base and base[1].startswith("vtkFF") else None
     return count
