@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFConstrainedDelaunayFilter.h"
 
-#include "vtkFFCellMeasures.h"
 #include "vtkFFConstraints.h"
-#include "vtkFFCrossings.h"
 #include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
@@ -13,7 +11,6 @@
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Error.h>
-#include <flipflop/Measures.h>
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -32,10 +29,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <numeric>
 #include <optional>
 #include <string>
-#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFConstrainedDelaunayFilter);
@@ -43,53 +38,7 @@ vtkStandardNewMacro(vtkFFConstrainedDelaunayFilter);
 namespace
 {
 
-/// A triangulation and its constraints, which are split where they cross if that was asked for.
-struct Constrained
-{
-  std::optional<vtkFFConstraints> Given;
-  std::optional<vtkFFCrossings> Split;
-  flipflop::ConstrainedTriangulation Triangulation;
-  std::int64_t DroppedCells = 0;
-
-  /// The given constraint that one of the triangulation's is a piece of.
-  std::int64_t GivenOf(std::int64_t constraint) const
-  {
-    return this->Split ? this->Split->GetConstraint(constraint) : constraint;
-  }
-};
-
-/// What goes wrong with constraints, in words that name their cells; empty for other errors.
-std::string describe(const flipflop::Error& error, const Constrained& work, const vtkFFRun& run)
-{
-  const auto cellOf = [&](std::int64_t constraint)
-  { return work.Given->DescribeCell(work.GivenOf(constraint)); };
-  switch (error.code())
-  {
-    case flipflop::ErrorCode::ConstraintPoint:
-      return "Point " + std::to_string(run.GetId(static_cast<vtkIdType>(error.count()))) + " of " +
-        cellOf(error.index()) + " is left out: it has a coordinate that is NaN or infinite.";
-    case flipflop::ErrorCode::ConstraintsCross:
-      return "An edge of " + cellOf(error.index()) + " crosses one of " + cellOf(error.count()) +
-        ", and there is no point where they do. Add one to the input and to both, or turn on Split "
-        "Crossing Constraints.";
-    case flipflop::ErrorCode::PolygonsDisagree:
-    {
-      const std::string wrong = cellOf(error.index());
-      const std::string right = cellOf(error.count());
-      const std::string rule = "The polygons disagree about what is inside: what is on the left of "
-                               "a side is inside, and holes run clockwise. ";
-      return wrong == right ? rule + "The sides of " + wrong +
-          " disagree with each other, as where a polygon crosses itself. Set Polygon Rule to "
-          "Even-Odd."
-                            : rule + "Reverse " + wrong + ", which disagrees with " + right +
-          ", or set Polygon Rule to Even-Odd.";
-    }
-    default:
-      return {};
-  }
-}
-
-/// Leaves out the cells that are not inside the polygons. Returns how many these are.
+/// Excludes the cells that are not inside the polygons. Returns how many these are.
 std::int64_t dropOutside(
   const flipflop::Options& options, flipflop::ConstrainedTriangulation& triangulation)
 {
@@ -103,41 +52,38 @@ std::int64_t dropOutside(
   return cells - kept;
 }
 
-/// The triangulation of the input with the constraints, if there are some.
-void triangulate(vtkFFPlanarInput& input, bool split, vtkFFRun& run, Constrained& work)
+/// The triangulation of the input with the constraints, if there are some, which are split where
+/// they cross if that is asked for; without the cells outside of the polygons.
+flipflop::ConstrainedTriangulation triangulate(vtkFFPlanarInput& input,
+  std::optional<vtkFFConstraints>& constraints, bool split, vtkFFRun& run, std::int64_t& dropped)
 {
-  flipflop::ConstraintView view = work.Given ? work.Given->GetView() : flipflop::ConstraintView();
-  if (split && work.Given)
+  split = split && constraints;
+  try
   {
-    run.SetPart(0.0, 0.2);
-    work.Split.emplace(input.GetProjection(), view, run.Options);
-    view = work.Split->GetView();
+    if (split)
+    {
+      run.SetPart(0.0, 0.2);
+      constraints->Split(input, run.Options);
+    }
+    const auto view = constraints ? constraints->GetView() : flipflop::ConstraintView();
+    run.SetPart(split ? 0.2 : 0.0, view.sides > 0 ? 0.8 : 1.0);
+    auto triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
+    if (view.sides > 0)
+    {
+      run.SetPart(0.8, 1.0);
+      dropped = dropOutside(run.Options, triangulation);
+    }
+    return triangulation;
   }
-  run.SetPart(work.Split ? 0.2 : 0.0, view.sides > 0 ? 0.8 : 1.0);
-  work.Triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
-  if (view.sides > 0)
+  catch (const flipflop::Error& error)
   {
-    run.SetPart(0.8, 1.0);
-    work.DroppedCells = dropOutside(run.Options, work.Triangulation);
+    const std::string text = constraints ? constraints->Describe(error, run) : std::string();
+    if (text.empty())
+    {
+      throw;
+    }
+    throw vtkFFBadConstraint(text);
   }
-}
-
-/// The new points where constraints were split are of the input from now on, and have no id.
-void addPoints(const vtkFFCrossings& crossings, vtkFFPlanarInput& input, vtkFFRun& run)
-{
-  const vtkIdType added = crossings.GetNumberOfPoints();
-  if (added == 0)
-  {
-    return;
-  }
-  const vtkIdType count = input.GetPoints()->GetNumberOfPoints();
-  if (run.Ids.empty())
-  {
-    run.Ids.resize(static_cast<std::size_t>(count));
-    std::iota(run.Ids.begin(), run.Ids.end(), vtkIdType(0));
-  }
-  run.Ids.resize(static_cast<std::size_t>(count + added), -1);
-  input.SetPoints(crossings.Append(input.GetPoints(), input.GetProjection()));
 }
 
 void warnOfNoneInside(vtkFFConstrainedDelaunayFilter* filter)
@@ -150,51 +96,24 @@ void warnOfNoneInside(vtkFFConstrainedDelaunayFilter* filter)
            : ""));
 }
 
-/// The triangulation becomes the output.
-void write(vtkFFConstrainedDelaunayFilter* filter, vtkFFPlanarInput& input, Constrained& work,
-  vtkFFRun& run, vtkPolyData* output)
-{
-  flipflop::ConstrainedTriangulation& triangulation = work.Triangulation;
-  if (work.DroppedCells > 0 && triangulation.cellCount() == 0)
-  {
-    warnOfNoneInside(filter);
-  }
-  if (work.Split)
-  {
-    addPoints(*work.Split, input, run);
-  }
-  work.DroppedCells += vtkFFPlanarInput::DropLongCells(
-    input.GetPlane(), filter->GetMaximumEdgeLength(), run.Options, triangulation);
-  input.LookForVerticalPlane(triangulation);
-  if (filter->GetGenerateCellMeasures())
-  {
-    input.SetHeight(triangulation);
-    vtkFFCellMeasures(triangulation.cellCount(), input.GetProjection(),
-      [&](double* areas, double* centroids)
-      { flipflop::cellMeasures(input.GetPlane(), triangulation, areas, centroids, run.Options); })
-      .AddTo(output);
-  }
-  input.WriteCells(triangulation, output);
-}
-
 /// The edges that are fixed, and the cells that fix them.
-void writeFixedEdges(const Constrained& work, vtkPolyData* cells, vtkPolyData* output)
+void writeFixedEdges(const flipflop::ConstrainedTriangulation& triangulation,
+  const vtkFFConstraints& constraints, vtkPolyData* cells, vtkPolyData* output)
 {
-  const auto& fixed = work.Triangulation.fixedEdges;
-  const auto& constraints = work.Triangulation.constraintOf;
   flipflop::CellComplex edges;
   edges.dimension = 1;
   edges.cellSize = 2;
-  edges.connectivity.allocate(fixed.size());
-  std::copy(fixed.begin(), fixed.end(), edges.connectivity.begin());
+  edges.connectivity.allocate(triangulation.fixedEdges.size());
+  std::copy(
+    triangulation.fixedEdges.begin(), triangulation.fixedEdges.end(), edges.connectivity.begin());
   output->SetPoints(cells->GetPoints());
   output->GetPointData()->ShallowCopy(cells->GetPointData());
   vtkFFOutput::AdoptCells(edges, output);
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("ConstraintCellIds");
-  for (const std::int64_t constraint : constraints)
+  for (const std::int64_t constraint : triangulation.constraintOf)
   {
-    ids->InsertNextValue(work.Given->GetCellId(work.GivenOf(constraint)));
+    ids->InsertNextValue(constraints.GetCellId(constraint));
   }
   output->GetCellData()->AddArray(ids);
 }
@@ -238,12 +157,6 @@ void vtkFFConstrainedDelaunayFilter::SetMaximumEdgeLength(double length)
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkFFConstrainedDelaunayFilter::GetFixedEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-//------------------------------------------------------------------------------
 int vtkFFConstrainedDelaunayFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
@@ -267,8 +180,6 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
   run.Report.used = flipflop::EngineChoice::CPU;
   std::snprintf(run.Report.reason, sizeof(run.Report.reason), "%s",
     this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "constraints are the CPU's");
-  vtkFFPlanarInput input(this, run);
-  Constrained work;
   run.Do(
     [&]
     {
@@ -282,51 +193,49 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
         throw vtkFFBadSetting("The source has ids of one data set's points, and an input is a "
                               "composite. Take one data set, merge them, or take the source away.");
       }
+      vtkFFPlanarInput input(this, run);
       input.Take(points);
       if (input.GetWeights().data)
       {
         throw vtkFFBadSetting("Constraints take no weights. Choose no weights' array.");
       }
+      std::optional<vtkFFConstraints> constraints;
       if (source)
       {
-        work.Given.emplace(
+        constraints.emplace(
           source, vtkDataSet::SafeDownCast(points), run.Ids, this->ProjectionPlaneMode != XY_PLANE);
       }
-    });
-  run.Do(
-    [&]
-    {
-      try
+      std::int64_t dropped = 0;
+      flipflop::ConstrainedTriangulation triangulation =
+        triangulate(input, constraints, this->SplitCrossingConstraints, run, dropped);
+      if (dropped > 0 && triangulation.cellCount() == 0)
       {
-        triangulate(input, this->SplitCrossingConstraints, run, work);
+        warnOfNoneInside(this);
       }
-      catch (const flipflop::Error& error)
+      if (constraints)
       {
-        const std::string text = work.Given ? describe(error, work, run) : std::string();
-        if (text.empty())
-        {
-          throw;
-        }
-        throw vtkFFBadConstraint(text);
+        this->NumberOfSplitPoints = constraints->GetNumberOfNewPoints();
+        constraints->AppendNewPoints(input, run);
       }
-    });
-  run.Do(
-    [&]
-    {
+      dropped += vtkFFPlanarInput::DropLongCells(
+        input.GetPlane(), this->MaximumEdgeLength, run.Options, triangulation);
+      input.LookForVerticalPlane(triangulation);
+      if (this->GenerateCellMeasures)
+      {
+        input.SetHeight(triangulation);
+      }
+
       vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
-      this->NumberOfSplitPoints = work.Split ? work.Split->GetNumberOfPoints() : 0;
-      write(this, input, work, run, output);
-      this->NumberOfDroppedCells += static_cast<vtkIdType>(work.DroppedCells);
-      run.AddToReport(work.Triangulation, output);
+      input.WriteTriangulation(triangulation, output);
+      input.Report(triangulation, std::nullopt, dropped, output);
       if (this->ReportAsFieldData)
       {
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", work.DroppedCells);
         vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints",
           static_cast<std::int64_t>(this->NumberOfSplitPoints));
       }
-      if (work.Given)
+      if (constraints)
       {
-        writeFixedEdges(work, output, vtkPolyData::GetData(outputVector, 1));
+        writeFixedEdges(triangulation, *constraints, output, vtkPolyData::GetData(outputVector, 1));
       }
     });
   return run.Finish();
@@ -335,7 +244,7 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
 //------------------------------------------------------------------------------
 void vtkFFConstrainedDelaunayFilter::ForgetReport()
 {
-  this->NumberOfDroppedCells = 0;
+  this->Superclass::ForgetReport();
   this->NumberOfSplitPoints = 0;
 }
 
@@ -347,7 +256,6 @@ void vtkFFConstrainedDelaunayFilter::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "PolygonRule: " << this->PolygonRule << "\n";
-  os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
   os << indent << "NumberOfSplitPoints: " << this->NumberOfSplitPoints << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -99,7 +99,6 @@ public:
    */
   vtkSetMacro(SplitCrossingConstraints, bool);
   vtkGetMacro(SplitCrossingConstraints, bool);
-  vtkBooleanMacro(SplitCrossingConstraints, bool);
   //@}
 
   //@{
@@ -135,19 +134,9 @@ public:
   //@}
 
   /**
-   * Get the output of port 1: the fixed edges.
+   * Get the number of points that the last run added where constraints cross.
    */
-  vtkPolyData* GetFixedEdgesOutput();
-
-  //@{
-  /**
-   * Get the number of cells that the last run left out, since they are not inside polygons or for
-   * MaximumEdgeLength (the sum for several blocks); and of points that it added where constraints
-   * cross.
-   */
-  vtkGetMacro(NumberOfDroppedCells, vtkIdType);
   vtkGetMacro(NumberOfSplitPoints, vtkIdType);
-  //@}
 
 protected:
   vtkFFConstrainedDelaunayFilter();
@@ -161,7 +150,6 @@ protected:
   bool SplitCrossingConstraints = false;
   int PolygonRule = EVEN_ODD;
   double MaximumEdgeLength = 0.0;
-  vtkIdType NumberOfDroppedCells = 0;
   vtkIdType NumberOfSplitPoints = 0;
 
 private:

@@ -6,7 +6,7 @@
  *
  * vtkFFConstraints gives the engine the segments of the lines, polylines and polygons of a
  * vtkPolyData, whose ids are those of another data set's points. Polygons come last, as the engine
- * asks.
+ * requires. On request, the engine splits the segments where they cross.
  */
 
 #ifndef vtkFFConstraints_h
@@ -16,15 +16,24 @@
 #include "vtkType.h"
 
 #include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/ConstraintCrossings.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+namespace flipflop
+{
+class Error;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
 class vtkDataSet;
+class vtkFFPlanarInput;
+class vtkFFRun;
 class vtkPolyData;
 
 class vtkFFConstraints
@@ -33,48 +42,67 @@ public:
   /**
    * @param source     whose cells are read
    * @param input      the data set whose points ids name
-   * @param places     of those of these points that the engine was given, ascending; empty: it was
-   *                   given all
+   * @param given      ids of those of these points that the engine was given, ascending; empty: it
+   * was given all
    * @param withHeight whether z matters, where points are compared
    * @throw std::runtime_error where a cell names a point that is not there, or that has other
    *                           coordinates in the source, if it has points
    */
   vtkFFConstraints(
-    vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& places, bool withHeight);
+    vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given, bool withHeight);
 
   vtkFFConstraints(const vtkFFConstraints&) = delete;
   void operator=(const vtkFFConstraints&) = delete;
 
   /**
-   * The constraints; valid as long as this object exists.
+   * The constraints, or their pieces after Split(); valid as long as this object exists.
    */
   flipflop::ConstraintView GetView() const;
 
   /**
-   * The cell of the source that a constraint is of, in words.
+   * Split the constraints where they cross. The input gets the positions of the new points in the
+   * plane, after its own.
+   *
+   * @throw flipflop::Error as splitCrossings()
    */
-  std::string DescribeCell(std::int64_t constraint) const;
+  void Split(vtkFFPlanarInput& input, const flipflop::Options& options);
 
   /**
-   * Its id.
+   * How many points are new.
    */
-  vtkIdType GetCellId(std::int64_t constraint) const
-  {
-    return this->CellIds[static_cast<std::size_t>(constraint)];
-  }
+  vtkIdType GetNumberOfNewPoints() const;
+
+  /**
+   * The input gets the new points: positions in space, and the point data that can be interpolated,
+   * along the first of the constraints that cross there. In the XY plane, a new point has the x and
+   * y that were triangulated. The run has the id -1 for it.
+   */
+  void AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) const;
+
+  /**
+   * The cell of the source that a constraint of the view is of.
+   */
+  vtkIdType GetCellId(std::int64_t constraint) const;
+
+  /**
+   * What goes wrong with constraints, in words that name their cells; empty for other errors.
+   */
+  std::string Describe(const flipflop::Error& error, const vtkFFRun& run) const;
 
 private:
   void Take(vtkCellArray* cells, vtkIdType firstCell, bool areClosed);
   std::int64_t GetId(vtkIdType point, vtkIdType cell) const;
   void CheckPoint(vtkIdType point, vtkIdType cell) const;
+  flipflop::ConstraintView GetWhole() const;
 
   vtkPolyData* const Source; // while it is read
   vtkDataSet* const Input;
   const int Dimensions; // that are compared
-  const std::vector<vtkIdType>& Places;
+  const std::vector<vtkIdType>& Given;
   std::vector<std::int64_t> Ends;
   std::vector<vtkIdType> CellIds; // of each constraint
   std::int64_t Sides = 0;
+  std::optional<flipflop::SplitConstraints> Pieces;
 };
 VTK_ABI_NAMESPACE_END
 

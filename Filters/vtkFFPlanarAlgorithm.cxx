@@ -61,6 +61,13 @@ vtkMTimeType vtkFFPlanarAlgorithm::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+void vtkFFPlanarAlgorithm::ForgetReport()
+{
+  this->NumberOfHiddenPoints = 0;
+  this->NumberOfDroppedCells = 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkFFPlanarAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -78,5 +85,7 @@ void vtkFFPlanarAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WeightMode: " << this->WeightMode << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
   os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";
+  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
+  os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
 }
 VTK_ABI_NAMESPACE_END

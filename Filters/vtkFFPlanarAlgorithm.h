@@ -164,7 +164,15 @@ public:
     this->ChangeOutput(this->GenerateCellMeasures, on);
   }
   vtkGetMacro(GenerateCellMeasures, bool);
-  vtkBooleanMacro(GenerateCellMeasures, bool);
+  //@}
+
+  //@{
+  /**
+   * Get the number of points that the last run found hidden (0 of constrained triangulations), and
+   * of the cells that it left out for the filter's settings; the sums for several blocks.
+   */
+  vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
+  vtkGetMacro(NumberOfDroppedCells, vtkIdType);
   //@}
 
   /**
@@ -182,15 +190,21 @@ protected:
    */
   void ChangeLength(double& setting, double length, const char* name, const char* zero);
 
+  void ForgetReport() override;
+
   int ProjectionPlaneMode = XY_PLANE;
   vtkAbstractTransform* Transform = nullptr;
   int WeightMode = WEIGHTS;
   double WeightFactor = 1.0;
   bool GenerateCellMeasures = false;
+  vtkIdType NumberOfHiddenPoints = 0;
+  vtkIdType NumberOfDroppedCells = 0;
 
 private:
   vtkFFPlanarAlgorithm(const vtkFFPlanarAlgorithm&) = delete;
   void operator=(const vtkFFPlanarAlgorithm&) = delete;
+
+  friend class vtkFFPlanarInput; // sets the numbers
 };
 VTK_ABI_NAMESPACE_END
 

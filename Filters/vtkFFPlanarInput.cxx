@@ -8,9 +8,16 @@
 #include <flipflop/ConvexHull.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Error.h>
+#include <flipflop/Measures.h>
 
+#include "vtkAbstractTransform.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -20,6 +27,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -27,27 +35,14 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-/// Calls visit(point) for each point that was triangulated, also the hidden ones.
-template <class Visit>
-void visitTriangulated(
-  vtkDataArray* points, const flipflop::Triangulation& triangulation, const Visit& visit)
-{
-  std::array<double, 3> point;
-  for (const auto* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
-  {
-    for (const std::int64_t id : *ids)
-    {
-      points->GetTuple(static_cast<vtkIdType>(id), point.data());
-      visit(point);
-    }
-  }
-}
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A number of memory of that type.
-double numberAt(const void* data, flipflop::ScalarType type, std::int64_t i)
+/// Points between two checks for an abort: some milliseconds.
+constexpr std::int64_t chunkSize = 1 << 16;
+
+bool isFinite(const double* p)
 {
-  return type == flipflop::ScalarType::Float32 ? static_cast<const float*>(data)[i]
-                                               : static_cast<const double*>(data)[i];
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
 }
@@ -95,31 +90,138 @@ vtkDataArray* vtkFFPlanarInput::FindWeights(vtkDataSet* points) const
 void vtkFFPlanarInput::SetWeights(vtkDataArray* array)
 {
   this->Weights.emplace(array,
-    vtkFFWeightSource::Rule{ this->Filter->GetWeightMode() == vtkFFPlanarAlgorithm::RADII,
+    flipflop::WeightRule{ this->Filter->GetWeightMode() == vtkFFPlanarAlgorithm::RADII,
       this->Filter->GetWeightFactor() });
 }
 
 //------------------------------------------------------------------------------
 void vtkFFPlanarInput::Project()
 {
-  this->MakeProjection();
   switch (this->Filter->GetProjectionPlaneMode())
   {
     case vtkFFPlanarAlgorithm::TRANSFORM_PLANE:
-      if (!this->Filter->GetTransform())
-      {
-        throw vtkFFBadSetting("Projection Plane Mode is Transform, and no Transform is set. Set "
-                              "one, or take another mode.");
-      }
-      this->Projection->ByTransform(this->Space->GetView(), this->Filter->GetTransform());
+      this->ProjectByTransform();
       break;
     case vtkFFPlanarAlgorithm::BEST_FITTING_PLANE:
-      this->Projection->ToBestFittingPlane(this->Space->GetView());
+      this->SetPlane(flipflop::fitPlane(this->GetSpace(), this->Run.Options));
       break;
     default:
-      this->Projection->ToXY(this->Space->GetView());
-      break;
+      flipflop::Buffer<double> positions =
+        flipflop::positionsInXY(this->GetSpace(), this->Run.Options);
+      this->Plane = this->GetSpace();
+      if (!positions.empty())
+      {
+        this->SetPositions(std::move(positions));
+      }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::ProjectByTransform()
+{
+  this->Transform = this->Filter->GetTransform();
+  if (!this->Transform)
+  {
+    throw vtkFFBadSetting("Projection Plane Mode is Transform, and no Transform is set. Set "
+                          "one, or take another mode.");
+  }
+  const flipflop::PointView& view = this->GetSpace();
+  flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(view.count));
+  // By one thread: nothing else is known of a transform that somebody else wrote.
+  for (std::int64_t i = 0; i < view.count; ++i)
+  {
+    if (i % chunkSize == 0)
+    {
+      vtkFFRun::Look(this->Run.Options);
+    }
+    const std::int64_t at = i * view.stride;
+    const double from[3] = { NumberAt(view, at), NumberAt(view, at + 1), NumberAt(view, at + 2) };
+    double to[3] = { NaN, NaN, NaN };
+    if (isFinite(from))
+    {
+      this->Transform->TransformPoint(from, to);
+    }
+    std::copy_n(to, 2, positions.data() + 2 * i);
+  }
+  this->SetPositions(std::move(positions));
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::SetPlane(const flipflop::FittedPlane& plane)
+{
+  this->Fitted = plane;
+  this->SetPositions(flipflop::positionsInPlane(this->GetSpace(), plane, this->Run.Options));
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::SetPositions(flipflop::Buffer<double>&& positions)
+{
+  this->Positions = std::move(positions);
+  this->Plane = flipflop::PointView(
+    this->Positions.data(), static_cast<std::int64_t>(this->Positions.size() / 2), 2);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::SetHeight(const flipflop::Triangulation& triangulation)
+{
+  if (this->IsXYPlane())
+  {
+    this->Height = flipflop::heightBelow(this->GetSpace(), triangulation);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> vtkFFPlanarInput::ToSpace(
+  const flipflop::Buffer<double>& xy, const char* what) const
+{
+  const auto count = static_cast<vtkIdType>(xy.size() / 2);
+  auto positions = vtkSmartPointer<vtkDoubleArray>::New();
+  positions->SetNumberOfComponents(3);
+  positions->SetNumberOfTuples(count);
+  auto* const matrix = vtkHomogeneousTransform::SafeDownCast(this->Transform);
+  bool allFinite = !matrix || matrix->GetMatrix()->Determinant() != 0.0;
+  vtkAbstractTransform* const inverse =
+    this->Transform && allFinite ? this->Transform->GetInverse() : nullptr;
+  const double height = this->IsXYPlane() ? this->Height : 0.0;
+  for (vtkIdType i = 0; allFinite && i < count; ++i)
+  {
+    std::array<double, 3> position{ { xy.data()[2 * i], xy.data()[2 * i + 1], height } };
+    if (this->Fitted)
+    {
+      position = flipflop::positionOf(*this->Fitted, position[0], position[1]);
+    }
+    else if (inverse)
+    {
+      const std::array<double, 3> flat = position;
+      inverse->TransformPoint(flat.data(), position.data());
+    }
+    positions->SetTypedTuple(i, position.data());
+    allFinite = isFinite(position.data());
+  }
+  if (!allFinite)
+  {
+    throw std::runtime_error(std::string(what) +
+      " have no finite places in space: the transform has no inverse, or they lie too far out.");
+  }
+  return positions;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDoubleArray>> vtkFFPlanarInput::MeasureCells(
+  std::int64_t count, const MeasureType& measure) const
+{
+  if (!this->Filter->GetGenerateCellMeasures())
+  {
+    return {};
+  }
+  auto areas = vtkSmartPointer<vtkDoubleArray>::New();
+  areas->SetName("Area");
+  areas->SetNumberOfValues(static_cast<vtkIdType>(count));
+  flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(count));
+  measure(areas->GetPointer(0), positions.data());
+  vtkSmartPointer<vtkDoubleArray> centroids = this->ToSpace(positions, "The cells' centroids");
+  centroids->SetName("Centroid");
+  return { areas, centroids };
 }
 
 //------------------------------------------------------------------------------
@@ -133,14 +235,54 @@ std::vector<vtkFFOutput::Source> vtkFFPlanarInput::GetPointData() const
 }
 
 //------------------------------------------------------------------------------
-void vtkFFPlanarInput::WriteCells(flipflop::CellComplex& cells, vtkPolyData* output) const
+void vtkFFPlanarInput::WriteCells(flipflop::CellComplex& cells, vtkPolyData* output,
+  const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays) const
 {
+  for (const auto& array : arrays)
+  {
+    output->GetCellData()->AddArray(array);
+  }
   vtkFFOutput::Adopt(cells, *this->Space, this->GetPointData(), output);
   vtkFFOutput::Renumber(
     output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
   if (this->Filter->GetVisiblePointIds())
   {
     vtkFFOutput::ShowIds(output->GetPointData());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::WriteTriangulation(
+  flipflop::Triangulation& triangulation, vtkPolyData* output) const
+{
+  const auto measure = [&](double* areas, double* centroids)
+  {
+    // A share of a triangulation may have no cell, which the engine takes for none of its own.
+    if (triangulation.cellCount() > 0)
+    {
+      flipflop::cellMeasures(this->Plane, triangulation, areas, centroids, this->Run.Options);
+    }
+  };
+  const auto measures = this->MeasureCells(triangulation.cellCount(), measure);
+  this->WriteCells(triangulation, output, measures);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::Report(const flipflop::CellComplex& cells,
+  std::optional<std::int64_t> hidden, std::optional<std::int64_t> dropped,
+  vtkPolyData* output) const
+{
+  this->Run.AddToReport(cells, output);
+  this->Filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hidden.value_or(0));
+  this->Filter->NumberOfDroppedCells += static_cast<vtkIdType>(dropped.value_or(0));
+  const bool asFieldData = this->Filter->GetReportAsFieldData();
+  if (asFieldData && hidden)
+  {
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", *hidden);
+  }
+  if (asFieldData && dropped)
+  {
+    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", *dropped);
   }
 }
 
@@ -159,21 +301,19 @@ void vtkFFPlanarInput::WriteVertices(flipflop::Buffer<std::int64_t>& ids, vtkPol
 //------------------------------------------------------------------------------
 std::int64_t vtkFFPlanarInput::VisitPoints(const PointVisitor& visit) const
 {
-  constexpr std::int64_t stretch = 1 << 16; // between two looks whether to go on
   const flipflop::PointView& view = this->GetPlane();
   const flipflop::WeightView& weights = this->GetWeights();
   std::int64_t first = -1;
   std::int64_t count = 0;
   for (std::int64_t i = 0; i < view.count; ++i)
   {
-    if (i % stretch == 0)
+    if (i % chunkSize == 0)
     {
       vtkFFRun::Look(this->Run.Options);
     }
-    const double x = numberAt(view.data, view.type, i * view.stride);
-    const double y = numberAt(view.data, view.type, i * view.stride + 1);
-    const double weight =
-      weights.data ? numberAt(weights.data, weights.type, i * weights.stride) : 0.0;
+    const double x = NumberAt(view, i * view.stride);
+    const double y = NumberAt(view, i * view.stride + 1);
+    const double weight = weights.data ? NumberAt(weights, i * weights.stride) : 0.0;
     if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
     {
       visit(i, x, y, weight);
@@ -191,29 +331,20 @@ std::int64_t vtkFFPlanarInput::VisitPoints(const PointVisitor& visit) const
 }
 
 //------------------------------------------------------------------------------
-void vtkFFPlanarInput::SetHeight(const flipflop::Triangulation& triangulation)
-{
-  if (!this->Projection->IsXYPlane() || triangulation.dimension < 0)
-  {
-    return;
-  }
-  double lowest = std::numeric_limits<double>::infinity();
-  visitTriangulated(this->Points->GetPoints()->GetData(), triangulation,
-    [&](const std::array<double, 3>& point) { lowest = std::min(lowest, point[2]); });
-  // A sum with 0 is never -0, so the sign of a zero does not depend on the points' order.
-  this->Projection->SetHeight(std::isinf(lowest) ? 0.0 : lowest + 0.0);
-}
-
-//------------------------------------------------------------------------------
 void vtkFFPlanarInput::LookForVerticalPlane(const flipflop::Triangulation& triangulation) const
 {
-  if (!this->Projection->IsXYPlane() || triangulation.dimension != 1)
+  if (!this->IsXYPlane() || triangulation.dimension != 1)
   {
     return;
   }
   std::vector<std::array<double, 3>> points;
-  visitTriangulated(this->Points->GetPoints()->GetData(), triangulation,
-    [&](const std::array<double, 3>& point) { points.push_back(point); });
+  for (const auto* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
+  {
+    for (const std::int64_t id : *ids)
+    {
+      this->Points->GetPoint(static_cast<vtkIdType>(id), points.emplace_back().data());
+    }
+  }
   if (HullInSpace(points, this->Run.Options).dimension == 2)
   {
     this->WarnOfVerticalPlane();
@@ -237,12 +368,6 @@ std::int64_t vtkFFPlanarInput::DropLongCells(const flipflop::PointView& points, 
     flipflop::keepCells(cells, within.data());
   }
   return count - kept;
-}
-
-//------------------------------------------------------------------------------
-double vtkFFPlanarInput::NumberAt(const flipflop::PointView& points, std::int64_t i)
-{
-  return numberAt(points.data, points.type, i);
 }
 
 //------------------------------------------------------------------------------

@@ -65,7 +65,7 @@ flipflop::PointView partOf(const flipflop::PointView& points, std::int64_t begin
 }
 
 /// The x and y of a point.
-std::array<double, 2> placeOf(const flipflop::PointView& points, std::int64_t i)
+std::array<double, 2> positionAt(const flipflop::PointView& points, std::int64_t i)
 {
   return { { vtkFFPlanarInput::NumberAt(points, i * points.stride),
     vtkFFPlanarInput::NumberAt(points, i * points.stride + 1) } };
@@ -78,8 +78,8 @@ void demandFinite(const flipflop::PointView& points)
   std::int64_t count = 0;
   for (std::int64_t i = 0; i < points.count; ++i)
   {
-    const auto place = placeOf(points, i);
-    if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+    const auto position = positionAt(points, i);
+    if (!std::isfinite(position[0]) || !std::isfinite(position[1]))
     {
       first = count++ == 0 ? i : first;
     }
@@ -124,7 +124,7 @@ std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filte
   const vtkFFPointSource points(places ? places->GetData() : nullptr);
   const vtkFFWeightSource weights(
     vtkFFWeightSource::FindArray(filter, source, run.OfWhat(), "source"),
-    vtkFFWeightSource::Rule{
+    flipflop::WeightRule{
       filter->GetWeightMode() == vtkFFPointInterpolator2D::RADII, filter->GetWeightFactor() });
   run.SetPart(0.0, shareOfTriangulation);
   const flipflop::Triangulation triangulation =
@@ -136,16 +136,24 @@ std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filte
     weights.GetView().data != nullptr, triangulation.dimension, std::move(queries) });
 }
 
-/// An empty array of the same kind, but of floating point; of so many tuples.
-vtkSmartPointer<vtkDataArray> makeLike(vtkDataArray* array, vtkIdType count)
+/// An array of float, if the other is, or of double; of so many tuples.
+vtkSmartPointer<vtkDataArray> makeLike(
+  vtkDataArray* array, const char* name, int components, vtkIdType count)
 {
   vtkSmartPointer<vtkDataArray> made;
   made.TakeReference(
     vtkDataArray::CreateDataArray(array->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
-  made->SetName(array->GetName() && *array->GetName() ? array->GetName() : nullptr);
-  made->SetNumberOfComponents(array->GetNumberOfComponents());
-  made->CopyComponentNames(array);
+  made->SetName(name && *name ? name : nullptr);
+  made->SetNumberOfComponents(components);
   made->SetNumberOfTuples(count);
+  return made;
+}
+
+/// The same with the other's name and components.
+vtkSmartPointer<vtkDataArray> makeLike(vtkDataArray* array, vtkIdType count)
+{
+  auto made = makeLike(array, array->GetName(), array->GetNumberOfComponents(), count);
+  made->CopyComponentNames(array);
   return made;
 }
 
@@ -178,11 +186,7 @@ std::vector<Field> fieldsOf(
   if (filter->GetInterpolateZ() && source->GetPoints() && !data->HasArray(nameOfZ.c_str()))
   {
     vtkDataArray* const places = source->GetPoints()->GetData();
-    vtkSmartPointer<vtkDataArray> heights;
-    heights.TakeReference(
-      vtkDataArray::CreateDataArray(places->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE));
-    heights->SetName(nameOfZ.c_str());
-    heights->SetNumberOfTuples(count);
+    const auto heights = makeLike(places, nameOfZ.c_str(), 1, count);
     heights->CopyComponent(0, places, 2);
     fields.push_back({ heights, -1 });
   }
@@ -221,14 +225,14 @@ void askClosest(const vtkFFPreparedSource& source, const flipflop::PointView& po
 {
   const std::size_t stride = source.Components;
   std::vector<std::int64_t> nulls;
-  std::vector<double> places;
+  std::vector<double> positions;
   for (std::int64_t i = 0; i < points.count; ++i)
   {
     if (std::isnan(results[static_cast<std::size_t>(i + 1) * stride - 1]))
     {
-      const auto place = placeOf(points, i);
+      const auto position = positionAt(points, i);
       nulls.push_back(i);
-      places.insert(places.end(), place.begin(), place.end());
+      positions.insert(positions.end(), position.begin(), position.end());
     }
   }
   if (nulls.empty())
@@ -237,7 +241,7 @@ void askClosest(const vtkFFPreparedSource& source, const flipflop::PointView& po
   }
   std::vector<std::int64_t> ids(nulls.size());
   const auto count = static_cast<std::int64_t>(nulls.size());
-  source.Queries.nearest(flipflop::PointView(places.data(), count, 2), ids.data(), options);
+  source.Queries.nearest(flipflop::PointView(positions.data(), count, 2), ids.data(), options);
   for (std::size_t k = 0; k < nulls.size(); ++k)
   {
     if (ids[k] >= 0)
@@ -347,20 +351,6 @@ void vtkFFPointInterpolator2D::ClearExcludedArrays()
 {
   this->ExcludedArrays.clear();
   this->OutputModified();
-}
-
-//------------------------------------------------------------------------------
-int vtkFFPointInterpolator2D::GetNumberOfExcludedArrays()
-{
-  return static_cast<int>(this->ExcludedArrays.size());
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFFPointInterpolator2D::GetExcludedArray(int index)
-{
-  return index >= 0 && index < this->GetNumberOfExcludedArrays()
-    ? this->ExcludedArrays[static_cast<std::size_t>(index)].c_str()
-    : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -135,22 +135,14 @@ public:
 
   //@{
   /**
-   * Set/Get what the values of the weights' array are. Without an array, this does not matter.
-   *
-   * WEIGHTS (the default) or RADII: see vtkFFPlanarAlgorithm::SetWeightMode().
+   * Set/Get what the values of the weights' array are, WEIGHTS (the default) or RADII, and their
+   * factor (1 by default), as for vtkFFPlanarAlgorithm. Without an array, they do not matter.
    */
   virtual void SetWeightMode(int mode)
   {
     this->ChangeOutput(this->WeightMode, vtkMath::ClampValue<int>(mode, WEIGHTS, RADII));
   }
   vtkGetMacro(WeightMode, int);
-  //@}
-
-  //@{
-  /**
-   * Set/Get the factor of all weights, or of all radii. 1 by default. See
-   * vtkFFPlanarAlgorithm::SetWeightFactor().
-   */
   virtual void SetWeightFactor(double value) { this->ChangeOutput(this->WeightFactor, value); }
   vtkGetMacro(WeightFactor, double);
   //@}
@@ -176,16 +168,11 @@ public:
 
   //@{
   /**
-   * Set/Get the value of all components at null points. 0 by default; NaN is possible.
+   * Set/Get the value of all components at null points (0 by default; NaN is possible), and the
+   * name of the mask array ("vtkValidPointMask" by default).
    */
   virtual void SetNullValue(double value) { this->ChangeOutput(this->NullValue, value); }
   vtkGetMacro(NullValue, double);
-  //@}
-
-  //@{
-  /**
-   * Set/Get the name of the mask array. "vtkValidPointMask" by default.
-   */
   virtual void SetValidPointsMaskArrayName(std::string name)
   {
     this->ChangeOutput(this->ValidPointsMaskArrayName, name);
@@ -195,30 +182,21 @@ public:
 
   //@{
   /**
-   * Set/Get whether the z of the source's points is interpolated, too. On by default.
+   * Set/Get whether the z of the source's points is interpolated, too (on by default), and the name
+   * of its array ("Elevation" by default).
    */
   virtual void SetInterpolateZ(bool on) { this->ChangeOutput(this->InterpolateZ, on); }
   vtkGetMacro(InterpolateZ, bool);
-  vtkBooleanMacro(InterpolateZ, bool);
-  //@}
-
-  //@{
-  /**
-   * Set/Get the name of the array of interpolated z. "Elevation" by default.
-   */
   virtual void SetZArrayName(std::string name) { this->ChangeOutput(this->ZArrayName, name); }
   vtkGetMacro(ZArrayName, std::string);
   //@}
 
   //@{
   /**
-   * The names of arrays of the source that are not interpolated: add one, remove all, get their
-   * number, get one (null if there is none of that index).
+   * Name an array of the source that is not interpolated, or remove all such names.
    */
   void AddExcludedArray(const char* name);
   void ClearExcludedArrays();
-  int GetNumberOfExcludedArrays();
-  const char* GetExcludedArray(int index);
   //@}
 
   //@{
@@ -228,13 +206,10 @@ public:
    */
   virtual void SetPassPointArrays(bool on) { this->ChangeOutput(this->PassPointArrays, on); }
   vtkGetMacro(PassPointArrays, bool);
-  vtkBooleanMacro(PassPointArrays, bool);
   virtual void SetPassCellArrays(bool on) { this->ChangeOutput(this->PassCellArrays, on); }
   vtkGetMacro(PassCellArrays, bool);
-  vtkBooleanMacro(PassCellArrays, bool);
   virtual void SetPassFieldArrays(bool on) { this->ChangeOutput(this->PassFieldArrays, on); }
   vtkGetMacro(PassFieldArrays, bool);
-  vtkBooleanMacro(PassFieldArrays, bool);
   //@}
 
 protected:

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFPowerCells.h"
 
-#include "vtkFFCellMeasures.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFPowerDiagramFilter.h"
@@ -11,6 +10,7 @@
 #include <flipflop/Measures.h>
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -57,16 +56,11 @@ void vtkFFPowerCells::Write(vtkFFPowerDiagramFilter* filter, vtkFFPlanarInput& i
   flipflop::PowerDiagram& diagram, vtkFFRun& run, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
-  points->SetData(vtkFFCellMeasures::ToSpace(
-    input.GetProjection(), diagram.corners, "The power diagram's corners"));
+  points->SetData(input.ToSpace(diagram.corners, "The power diagram's corners"));
   output->SetPoints(points);
-  std::optional<vtkFFCellMeasures> measures;
-  if (filter->GetGenerateCellMeasures())
-  {
-    measures.emplace(static_cast<std::int64_t>(diagram.siteIds.size()), input.GetProjection(),
-      [&](double* areas, double* centroids)
-      { flipflop::cellMeasures(diagram, areas, centroids, run.Options); });
-  }
+  const auto measures = input.MeasureCells(static_cast<std::int64_t>(diagram.siteIds.size()),
+    [&](double* areas, double* centroids)
+    { flipflop::cellMeasures(diagram, areas, centroids, run.Options); });
 
   flipflop::CellComplex cells;
   cells.dimension = 2;
@@ -84,9 +78,9 @@ void vtkFFPowerCells::Write(vtkFFPowerDiagramFilter* filter, vtkFFPlanarInput& i
     vtkFFOutput::ShowIds(data);
     data->SetActiveScalars("OriginalPointIds");
   }
-  if (measures)
+  for (const auto& measure : measures)
   {
-    measures->AddTo(output);
+    data->AddArray(measure);
   }
 }
 VTK_ABI_NAMESPACE_END

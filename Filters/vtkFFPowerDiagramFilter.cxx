@@ -3,7 +3,6 @@
 #include "vtkFFPowerDiagramFilter.h"
 
 #include "vtkFFKeptTriangulation.h"
-#include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFPowerCells.h"
 #include "vtkFFRun.h"
@@ -11,14 +10,13 @@
 #include <flipflop/PowerDiagram.h>
 
 #include "vtkDataObject.h"
-#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFPowerDiagramFilter);
@@ -60,13 +58,7 @@ int vtkFFPowerDiagramFilter::RequestData(
       }
       vtkPolyData* const output = vtkPolyData::GetData(outputVector);
       vtkFFPowerCells::Write(this, input, diagram, run, output);
-      run.AddToReport(triangulation, output);
-      const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
-      this->NumberOfHiddenPoints += static_cast<vtkIdType>(hidden);
-      if (this->ReportAsFieldData)
-      {
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", hidden);
-      }
+      input.Report(triangulation, triangulation.hiddenIds.size(), std::nullopt, output);
     });
   return run.Finish();
 }
@@ -125,6 +117,5 @@ void vtkFFPowerDiagramFilter::PrintSelf(ostream& os, vtkIndent indent)
   const double* box = this->PowerDiagramBounds;
   os << indent << "PowerDiagramBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "
      << box[3] << ")\n";
-  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
 }
 VTK_ABI_NAMESPACE_END

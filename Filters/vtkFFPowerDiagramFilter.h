@@ -28,8 +28,7 @@
  * once more on the way back into space.)
  *
  * Every input has an answer. No point: empty. Points at one position: the region of one of them is
- * the box. NaN or infinity, unusable weights, too many points: as for
- * vtkFFRegularTriangulationFilter. The reported seconds and statistics are the triangulation's.
+ * the box. The reported seconds and statistics are the triangulation's.
  *
  * Another box, arrays and the report do not triangulate again while the input is unchanged: the
  * filter keeps its last triangulation, in 28 bytes for each point. It keeps none of composites, and
@@ -114,24 +113,16 @@ public:
   vtkGetMacro(PowerDiagramBoxMode, int);
   //@}
 
-  /**
-   * Get the number of points that the last run found hidden: they have no region, in any box. The
-   * sum for several blocks.
-   */
-  vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
-
 protected:
   vtkFFPowerDiagramFilter();
   ~vtkFFPowerDiagramFilter() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void ForgetReport() override { this->NumberOfHiddenPoints = 0; }
 
   int PowerDiagramBoxMode = BOX_OF_POINTS;
   double PowerDiagramBounds[4] = { 0.0, 1.0, 0.0, 1.0 };
   double PowerDiagramLengths[2] = { 1.0, 1.0 };
-  vtkIdType NumberOfHiddenPoints = 0;
 
 private:
   vtkFFPowerDiagramFilter(const vtkFFPowerDiagramFilter&) = delete;

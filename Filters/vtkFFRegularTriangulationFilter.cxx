@@ -63,29 +63,9 @@ int vtkFFRegularTriangulationFilter::RequestData(
       const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
       outputs.Write(input, triangulation, output, vtkPolyData::GetData(outputVector, 1),
         vtkPolyData::GetData(outputVector, 2));
-      run.AddToReport(triangulation, output);
-      outputs.Report(hidden, dropped, output);
+      input.Report(triangulation, hidden, dropped, output);
     });
   return run.Finish();
-}
-
-//------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::ForgetReport()
-{
-  this->NumberOfHiddenPoints = 0;
-  this->NumberOfDroppedCells = 0;
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkFFRegularTriangulationFilter::GetHiddenPointsOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkFFRegularTriangulationFilter::GetBoundaryOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +78,5 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateAlphas: " << (this->GenerateAlphas ? "On" : "Off") << "\n";
   os << indent << "GenerateBoundary: " << (this->GenerateBoundary ? "On" : "Off") << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
-  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
-  os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -41,20 +41,8 @@
  * - collinear points: a chain of line cells through the points that
  *   appear
  * - duplicates: the greatest weight, then the lowest id, represents all
- * - NaN or infinity: an error naming the first point and the count, and
- *   empty output
- * - NaN or infinity with SetNonFinitePointsToIgnore(): left out and
- *   counted
- * - missing or unusable weights: an error naming the array, and empty
- *   output
- * - a negative radius, or a weight that WeightMode or WeightFactor make
- *   too large: an error naming the point, and empty output
- * - ghost points: left out, unless SkipGhostPoints is off
- * - cells with an edge longer than MaximumEdgeLength, or with a circle
- *   larger than Alpha, if these are not 0: left out and counted
- * - too many points, no memory: an error, and empty output
- *
- * Points left out because they are not finite are on no port.
+ * - NaN or infinity, unusable weights, too many points: an error and
+ *   empty output; points that are left out are on no port
  *
  * A setting that concerns the output alone (alpha, edge length, border, arrays, the report) does
  * not triangulate again while the input is unchanged. Neither do facets as triangles after facets
@@ -118,13 +106,10 @@ public:
   vtkGetMacro(Alpha, double);
   virtual void SetAlphaLines(bool on) { this->ChangeOutput(this->AlphaLines, on); }
   vtkGetMacro(AlphaLines, bool);
-  vtkBooleanMacro(AlphaLines, bool);
   virtual void SetAlphaVerts(bool on) { this->ChangeOutput(this->AlphaVerts, on); }
   vtkGetMacro(AlphaVerts, bool);
-  vtkBooleanMacro(AlphaVerts, bool);
   virtual void SetGenerateAlphas(bool on) { this->ChangeOutput(this->GenerateAlphas, on); }
   vtkGetMacro(GenerateAlphas, bool);
-  vtkBooleanMacro(GenerateAlphas, bool);
   //@}
 
   //@{
@@ -137,7 +122,6 @@ public:
    */
   virtual void SetGenerateBoundary(bool on) { this->ChangeOutput(this->GenerateBoundary, on); }
   vtkGetMacro(GenerateBoundary, bool);
-  vtkBooleanMacro(GenerateBoundary, bool);
   //@}
 
   //@{
@@ -159,30 +143,12 @@ public:
   vtkGetMacro(MaximumEdgeLength, double);
   //@}
 
-  //@{
-  /**
-   * Get the outputs of ports 1 and 2: the hidden points and the border.
-   */
-  vtkPolyData* GetHiddenPointsOutput();
-  vtkPolyData* GetBoundaryOutput();
-  //@}
-
-  //@{
-  /**
-   * Get the number of points that the last run found hidden, and of the cells that it left out for
-   * Alpha or MaximumEdgeLength; the sums for several blocks.
-   */
-  vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
-  vtkGetMacro(NumberOfDroppedCells, vtkIdType);
-  //@}
-
 protected:
   vtkFFRegularTriangulationFilter();
   ~vtkFFRegularTriangulationFilter() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void ForgetReport() override;
 
   double Alpha = 0.0;
   bool AlphaLines = false;
@@ -195,11 +161,7 @@ private:
   vtkFFRegularTriangulationFilter(const vtkFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkFFRegularTriangulationFilter&) = delete;
 
-  friend class vtkFFTriangulationOutput; // sets the numbers
-
   std::shared_ptr<vtkFFKeptTriangulation> Kept;
-  vtkIdType NumberOfHiddenPoints = 0;
-  vtkIdType NumberOfDroppedCells = 0;
 };
 VTK_ABI_NAMESPACE_END
 

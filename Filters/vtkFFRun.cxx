@@ -6,10 +6,10 @@
 #include "vtkFFExactValues.h"
 #include "vtkFFOutput.h"
 #include "vtkFFQueryAlgorithm.h"
-#include "vtkFFWeightSource.h"
 
 #include <flipflop/CellComplex.h>
 #include <flipflop/Error.h>
+#include <flipflop/Weights.h>
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -28,6 +28,12 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+
+std::string capitalized(std::string text)
+{
+  text[0] = static_cast<char>(std::toupper(text[0]));
+  return text;
+}
 
 /// What an error of the engine is about.
 unsigned long codeOf(flipflop::ErrorCode code)
@@ -177,6 +183,15 @@ bool vtkFFRun::Try(const std::function<void()>& work, vtkFFFailure& failure)
     work();
     return true;
   }
+  catch (const flipflop::BadWeight& error)
+  {
+    failure.Say(capitalized(error.what()) + ": first at " +
+      this->DescribePoint(this->GetId(static_cast<vtkIdType>(error.index()))) +
+      (error.fault() == flipflop::BadWeight::Fault::NegativeRadius
+          ? ". Radii are lengths. If the array has weights, which may be negative, set Weight Mode "
+            "to Weights."
+          : ". Use another unit of length, or a smaller factor."));
+  }
   catch (const flipflop::Error& error)
   {
     switch (error.code())
@@ -198,13 +213,11 @@ bool vtkFFRun::Try(const std::function<void()>& work, vtkFFFailure& failure)
   {
     const std::string kind = error.GetKind();
     failure.Say("A " + kind + " is a 64-bit integer that no double holds: first at " +
-      this->DescribePoint(this->GetId(error.GetIndex())) + ". Subtract an offset from every " +
-      kind + ": the result has the same shape.");
-  }
-  catch (const vtkFFBadWeight& error)
-  {
-    failure.Say(std::string(error.what()) + ": first at " +
-      this->DescribePoint(this->GetId(error.GetIndex())) + ". " + error.GetAdvice());
+      this->DescribePoint(this->GetId(error.GetIndex())) +
+      // Other disks have other radii, but weights may be shifted.
+      (kind == "radius"
+          ? ". Round the radii to doubles."
+          : ". Subtract an offset from every " + kind + ": the result has the same shape."));
   }
   catch (const vtkFFBadSetting& error)
   {

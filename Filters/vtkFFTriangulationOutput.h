@@ -4,23 +4,25 @@
  * @class   vtkFFTriangulationOutput
  * @brief   what vtkFFRegularTriangulationFilter makes of a triangulation
  *
- * vtkFFTriangulationOutput leaves out cells, as the filter's properties say, and makes the rest the
- * filter's outputs.
+ * vtkFFTriangulationOutput excludes cells, as the filter's properties say, and makes the rest the
+ * filter's outputs. Of an alpha complex, the edges and points that remain are lines and vertices of
+ * the same output. Cell arrays go over all cells in VTK's order: vertices, lines, polygons.
  */
 
 #ifndef vtkFFTriangulationOutput_h
 #define vtkFFTriangulationOutput_h
 
-#include "vtkFFAlphaCells.h"
 #include "vtkFFMarks.h"
-#include "vtkType.h"
+#include "vtkSmartPointer.h"
 
 #include <flipflop/PointView.h>
 #include <flipflop/Triangulation.h>
 
 #include <cstdint>
+#include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDoubleArray;
 class vtkFFPlanarInput;
 class vtkFFRegularTriangulationFilter;
 class vtkFFRun;
@@ -36,7 +38,7 @@ public:
   }
 
   /**
-   * Leave out the cells that are not in the alpha complex, or have a longer edge. Returns how many.
+   * Exclude the cells that are not in the alpha complex, or have a longer edge. Returns how many.
    *
    * @param points  in the plane, those that the cells name
    * @param weights theirs
@@ -50,18 +52,26 @@ public:
   void Write(vtkFFPlanarInput& input, flipflop::Triangulation& triangulation, vtkPolyData* cells,
     vtkPolyData* hidden, vtkPolyData* border);
 
-  /**
-   * Have the filter report so many.
-   */
-  void Report(std::int64_t hidden, std::int64_t dropped, vtkPolyData* output);
-
 private:
-  void MeasureCells(
-    vtkFFPlanarInput& input, flipflop::Triangulation& triangulation, vtkPolyData* output);
+  std::int64_t DropByAlpha(const flipflop::PointView& points, const flipflop::WeightView& weights,
+    flipflop::CellComplex& cells);
+  void DropLongLines(const flipflop::PointView& points, flipflop::CellComplex& cells);
+  std::int64_t GetNumberOfCells(const flipflop::CellComplex& cells) const;
+  void Measure(const vtkFFPlanarInput& input, flipflop::Triangulation& triangulation, double* areas,
+    double* centroids);
+  vtkSmartPointer<vtkDoubleArray> GetAlphas(
+    const vtkFFPlanarInput& input, const flipflop::Triangulation& triangulation) const;
+
+  /// Calls use(lines), if there are lines, as cells of the points of these cells.
+  void WithLines(
+    flipflop::CellComplex& cells, const std::function<void(flipflop::CellComplex&)>& use);
 
   vtkFFRegularTriangulationFilter* const Filter;
   vtkFFRun& Run;
-  vtkFFAlphaCells AlphaCells;
+  flipflop::CellComplex Lines;
+  flipflop::CellComplex Vertices;
+  flipflop::Buffer<double> LineAlphas;
+  flipflop::Buffer<double> VertexAlphas;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -22,12 +22,12 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const Rule& rule)
+vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const flipflop::WeightRule& rule)
 {
-  if (!std::isfinite(rule.Factor))
+  if (!std::isfinite(rule.factor))
   {
     std::ostringstream message;
-    message << "Weight Factor is " << rule.Factor << "; it must be finite.";
+    message << "Weight Factor is " << rule.factor << "; it must be finite.";
     throw vtkFFBadSetting(message.str());
   }
   if (!array)
@@ -35,11 +35,8 @@ vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const Rule& rule)
     return;
   }
   const vtkIdType count = array->GetNumberOfTuples();
-  if (rule.AreRadii || rule.Factor != 1.0)
-  {
-    this->Compute(array, rule);
-  }
-  else if (const float* floats = vtkFFExactValues::Memory<float>(array))
+  const char* const kind = rule.areRadii ? "radius" : "weight";
+  if (const float* floats = vtkFFExactValues::Memory<float>(array))
   {
     this->View = flipflop::WeightView(floats, count);
   }
@@ -49,69 +46,31 @@ vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const Rule& rule)
   }
   else if (array->GetDataType() == VTK_FLOAT)
   {
-    this->Convert(array, this->Floats);
+    this->Convert(array, kind, this->Floats);
   }
   else
   {
-    this->Convert(array, this->Doubles);
+    this->Convert(array, kind, this->Doubles);
+  }
+  if (!rule.isIdentity())
+  {
+    this->Doubles = flipflop::computeWeights(this->View, rule);
+    this->View = flipflop::WeightView(this->Doubles.data(), count);
   }
 }
 
 //------------------------------------------------------------------------------
 template <class T>
-void vtkFFWeightSource::Convert(vtkDataArray* array, flipflop::Buffer<T>& copy)
+void vtkFFWeightSource::Convert(vtkDataArray* array, const char* kind, flipflop::Buffer<T>& copy)
 {
   copy.allocate(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  vtkFFExactValues::Copy<1>(array, "weight", 0, copy.data());
+  vtkFFExactValues::Copy<1>(array, kind, 0, copy.data());
   this->View = flipflop::WeightView(copy.data(), array->GetNumberOfTuples());
   // After the copy to the host, which waits for whatever still writes to the device.
   if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
   {
     this->View.deviceData = vtkFFExactValues::DeviceMemory(array);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFWeightSource::Compute(vtkDataArray* array, const Rule& rule)
-{
-  const vtkIdType count = array->GetNumberOfTuples();
-  this->Doubles.allocate(static_cast<std::size_t>(count));
-  double* const weights = this->Doubles.data();
-  try
-  {
-    vtkFFExactValues::Copy<1>(array, "weight", 0, weights);
-  }
-  catch (const vtkFFInexactValue& error)
-  {
-    if (!rule.AreRadii)
-    {
-      throw;
-    }
-    // An offset, which helps with weights, would make other disks of these.
-    throw vtkFFBadWeight("A radius is a 64-bit integer that no double holds", error.GetIndex(),
-      "Round the radii to doubles.");
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double value = weights[i];
-    if (rule.AreRadii && value < 0 && std::isfinite(value))
-    {
-      throw vtkFFBadWeight("A radius is negative", i,
-        "Radii are lengths. If the array has weights, which may be negative, set "
-        "Weight Mode to Weights.");
-    }
-    const double scaled = rule.Factor * value;
-    weights[i] = rule.AreRadii ? scaled * scaled : scaled;
-    // What is not finite in the array is the engine's to judge: it may be ignored.
-    if (!std::isfinite(weights[i]) && std::isfinite(value))
-    {
-      throw vtkFFBadWeight(rule.AreRadii
-          ? "The square of a radius, times Weight Factor, is more than a double holds"
-          : "A weight, times Weight Factor, is more than a double holds",
-        i, "Use another unit of length, or a smaller factor.");
-    }
-  }
-  this->View = flipflop::WeightView(weights, count);
 }
 
 //------------------------------------------------------------------------------

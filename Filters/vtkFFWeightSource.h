@@ -9,8 +9,7 @@
  * another layout to floats, other arrays to doubles. If an array of float or double is on the CUDA
  * device, the view names that memory as well. A value that no double holds is an error.
  *
- * With a Rule other than the default, the weights are computed from the values: in double, each
- * step rounded once.
+ * By a rule other than the default, flipflop::computeWeights() makes weights of the values.
  */
 
 #ifndef vtkFFWeightSource_h
@@ -20,10 +19,10 @@
 
 #include <flipflop/Buffer.h>
 #include <flipflop/PointView.h>
+#include <flipflop/Weights.h>
 
 #include "vtkType.h"
 
-#include <exception>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -31,51 +30,16 @@ class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSet;
 
-/**
- * Thrown for a value of which no weight can be made.
- */
-class vtkFFBadWeight : public std::exception
-{
-public:
-  vtkFFBadWeight(const char* sentence, vtkIdType index, const char* advice)
-    : Sentence(sentence)
-    , Index(index)
-    , Advice(advice)
-  {
-  }
-  const char* what() const noexcept override { return this->Sentence; }
-
-  /// Which point it belongs to.
-  vtkIdType GetIndex() const { return this->Index; }
-
-  /// What helps, in a sentence.
-  const char* GetAdvice() const { return this->Advice; }
-
-private:
-  const char* Sentence;
-  vtkIdType Index;
-  const char* Advice;
-};
-
 class vtkFFWeightSource
 {
 public:
   /**
-   * What makes weights of the array's values: factor * value, or the square of factor * radius.
-   */
-  struct Rule
-  {
-    bool AreRadii = false;
-    double Factor = 1.0;
-  };
-
-  /**
    * The weights by the values of @p array; null: no weights.
    *
-   * @throw vtkFFInexactValue, vtkFFBadWeight, flipflop::Error OutOfMemory; vtkFFBadSetting for a
-   *        factor that is not finite.
+   * @throw vtkFFInexactValue, flipflop::Error as computeWeights(); vtkFFBadSetting for a factor
+   *        that is not finite.
    */
-  vtkFFWeightSource(vtkDataArray* array, const Rule& rule);
+  vtkFFWeightSource(vtkDataArray* array, const flipflop::WeightRule& rule);
 
   vtkFFWeightSource(const vtkFFWeightSource&) = delete;
   void operator=(const vtkFFWeightSource&) = delete;
@@ -99,8 +63,7 @@ public:
 
 private:
   template <class T>
-  void Convert(vtkDataArray* array, flipflop::Buffer<T>& copy);
-  void Compute(vtkDataArray* array, const Rule& rule);
+  void Convert(vtkDataArray* array, const char* kind, flipflop::Buffer<T>& copy);
 
   flipflop::WeightView View;
   flipflop::Buffer<float> Floats;

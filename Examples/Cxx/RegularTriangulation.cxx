@@ -41,7 +41,7 @@ int main(int argc, char* argv[])
   triangulation->Update();
 
   vtkPolyData* shown = triangulation->GetOutput();
-  vtkPolyData* hidden = triangulation->GetHiddenPointsOutput();
+  vtkPolyData* hidden = triangulation->GetOutput(1);
   std::cout << "disks:     " << disks->GetNumberOfPoints() << "\n"
             << "shown:     " << shown->GetNumberOfPoints() << "\n"
             << "hidden:    " << hidden->GetNumberOfPoints() << "\n"

@@ -33,7 +33,7 @@ triangulation.SetInputArrayToProcess(  # without: Delaunay
 triangulation.Update()
 
 shown = triangulation.GetOutput()
-hidden = triangulation.GetHiddenPointsOutput()
+hidden = triangulation.GetOutput(1)
 ids = vtk_to_numpy(hidden.GetPointData().GetArray("vtkOriginalPointIds"))
 triangles = vtk_to_numpy(shown.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 print(f"{len(xyz)} disks: {shown.GetNumberOfPoints()} shown, {len(ids)} hidden")

@@ -94,7 +94,7 @@ void vtkFFDistributedTriangulation::Compute(const std::vector<vtkFFInput::PieceT
     this->Weighted ? flipflop::BlockShape::RegularTriangulation : flipflop::BlockShape::Delaunay,
     std::move(block), this->Run.Options, this->Processes);
   this->Hidden = static_cast<std::int64_t>(this->Cells.hiddenIds.size());
-  if (this->Input.GetProjection().IsXYPlane() && this->Cells.cells.dimension == 1)
+  if (this->Input.IsXYPlane() && this->Cells.cells.dimension == 1)
   {
     this->LookForVerticalPlane();
   }
@@ -128,11 +128,8 @@ void vtkFFDistributedTriangulation::Read(const std::vector<vtkFFInput::PieceType
   this->Input.SetPoints(points);
   this->Source.SetPoints(points);
   this->Input.SetWeights(this->FindOwnWeights());
-  if (this->Filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::BEST_FITTING_PLANE)
-  {
-    this->Input.MakeProjection(); // of which all processes have a part
-  }
-  else
+  // Of a plane that fits, all processes have a part.
+  if (this->Filter->GetProjectionPlaneMode() != vtkFFPlanarAlgorithm::BEST_FITTING_PLANE)
   {
     this->Input.Project();
   }
@@ -156,8 +153,8 @@ vtkDataArray* vtkFFDistributedTriangulation::FindOwnWeights()
 void vtkFFDistributedTriangulation::FitPlane()
 {
   // Rounded sums depend on the order, so the processes sum one after another.
-  vtkFFProjection& projection = this->Input.GetProjection();
-  const flipflop::PointView& view = this->Input.GetSpace().GetView();
+  const flipflop::Options& options = this->Run.Options;
+  const flipflop::PointView& view = this->Input.GetSpace();
   flipflop::PlaneSums sums;
   flipflop::PlaneSums own;
   std::vector<double> passed(sizeof(sums) / sizeof(double));
@@ -173,11 +170,11 @@ void vtkFFDistributedTriangulation::FitPlane()
       });
     read();
   };
-  projection.AddExtent(view, own);
-  passOn([&] { vtkFFProjection::JoinExtent(sums, own); });
-  passOn([&] { projection.AddToSum(view, sums); });
-  passOn([&] { projection.AddToSpread(view, sums); });
-  projection.ToPlane(view, sums);
+  flipflop::addExtent(own, view, options);
+  passOn([&] { flipflop::joinExtent(sums, own); });
+  passOn([&] { flipflop::addToSum(sums, view, options); });
+  passOn([&] { flipflop::addToSpread(sums, view, options); });
+  this->Input.SetPlane(flipflop::planeOf(sums));
 }
 
 //------------------------------------------------------------------------------
@@ -186,7 +183,7 @@ flipflop::BlockPoints vtkFFDistributedTriangulation::Redistribute()
   using Point = vtkFFPointRedistribution::Point;
   this->BeginStep(isRedistributed);
   this->Weighted = this->Input.GetWeights().data != nullptr;
-  const flipflop::PointView& space = this->Input.GetSpace().GetView();
+  const flipflop::PointView& space = this->Input.GetSpace();
   std::vector<Point> points;
   points.reserve(static_cast<std::size_t>(space.count));
   this->NonFinite = this->Input.VisitPoints(
@@ -215,7 +212,7 @@ void vtkFFDistributedTriangulation::LookForVerticalPlane()
   using Points = std::vector<std::array<double, 3>>;
   Points points;
   this->Input.VisitPoints([&](std::int64_t i, double, double, double)
-    { points.push_back(pointAt(this->Input.GetSpace().GetView(), i)); });
+    { points.push_back(pointAt(this->Input.GetSpace(), i)); });
   vtkFFProcesses::Messages messages;
   for (const std::int64_t corner :
     vtkFFPlanarInput::HullInSpace(points, this->Run.Options).pointIds)
@@ -319,7 +316,7 @@ flipflop::Triangulation vtkFFDistributedTriangulation::FetchCells(bool withHidde
   {
     id = indexOf(id);
   }
-  this->Input.GetProjection().SetPlaces(std::move(positions));
+  this->Input.SetPositions(std::move(positions));
   return triangulation;
 }
 
@@ -328,8 +325,8 @@ vtkFFDistributedTriangulation::CountsType vtkFFDistributedTriangulation::Report(
   flipflop::CellComplex& cells)
 {
   const double lowest = this->Processes.Least(std::vector<double>{ this->Lowest })[0];
-  // A sum with 0 is never -0: see vtkFFPlanarInput::SetHeight().
-  this->Input.GetProjection().SetHeight(std::isinf(lowest) ? 0.0 : lowest + 0.0);
+  // A sum with 0 is never -0: see flipflop::heightBelow().
+  this->Input.SetHeight(std::isinf(lowest) ? 0.0 : lowest + 0.0);
   const std::vector<vtkIdType> own{ this->Own, this->NonFinite,
     static_cast<vtkIdType>(this->Hidden), static_cast<vtkIdType>(this->Dropped) };
   const std::vector<vtkIdType> all = this->Processes.Sum(own);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFDelaunayFilter.h"
 
-#include "vtkFFCellMeasures.h"
 #include "vtkFFDistributedInput.h"
 #include "vtkFFDistributedTriangulation.h"
 #include "vtkFFOutput.h"
@@ -10,7 +9,6 @@
 #include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
-#include <flipflop/Measures.h>
 #include <flipflop/Triangulation.h>
 
 #include "vtkInformation.h"
@@ -20,28 +18,10 @@
 #include "vtkPolyData.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN vtkStandardNewMacro(vtkPFFDelaunayFilter);
-
-namespace
-{
-
-void measureCells(vtkFFPlanarInput& input, const flipflop::Triangulation& triangulation,
-  const flipflop::Options& options, vtkPolyData* output)
-{
-  const auto measure = [&](double* areas, double* centroids)
-  {
-    // A share may have no cell, which the engine takes for none of its own.
-    if (triangulation.cellCount() > 0)
-    {
-      flipflop::cellMeasures(input.GetPlane(), triangulation, areas, centroids, options);
-    }
-  };
-  vtkFFCellMeasures(triangulation.cellCount(), input.GetProjection(), measure).AddTo(output);
-}
-
-}
 
 //------------------------------------------------------------------------------
 vtkPFFDelaunayFilter::vtkPFFDelaunayFilter()
@@ -120,18 +100,12 @@ int vtkPFFDelaunayFilter::RequestData(
     }
     flipflop::Triangulation cells = triangulation.FetchCells(false);
     const auto counts = triangulation.Report(cells);
-    if (this->GenerateCellMeasures)
-    {
-      measureCells(triangulation.GetInput(), cells, run.Options, output);
-    }
-    triangulation.GetInput().WriteCells(cells, output);
+    triangulation.GetInput().WriteTriangulation(cells, output);
     triangulation.MarkDuplicates(output);
     processes.Agree();
-    run.AddToReport(cells, output);
-    this->NumberOfDroppedCells += static_cast<vtkIdType>(counts.Dropped);
+    triangulation.GetInput().Report(cells, std::nullopt, counts.Dropped, output);
     if (this->ReportAsFieldData)
     {
-      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", counts.Dropped);
       vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints", std::int64_t(0));
     }
   };

@@ -5,7 +5,6 @@
 #include "vtkFFDistributedCells.h"
 #include "vtkFFDistributedInput.h"
 #include "vtkFFDistributedTriangulation.h"
-#include "vtkFFOutput.h"
 #include "vtkFFPowerCells.h"
 #include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
@@ -28,6 +27,7 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -201,12 +201,7 @@ int vtkPFFPowerDiagramFilter::RequestData(
     vtkFFDistributedCells::Mark(
       output->GetPointData(), duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
     processes.Agree();
-    run.AddToReport(cells, output);
-    this->NumberOfHiddenPoints += static_cast<vtkIdType>(counts.Hidden);
-    if (this->ReportAsFieldData)
-    {
-      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", counts.Hidden);
-    }
+    triangulation.GetInput().Report(cells, counts.Hidden, std::nullopt, output);
   };
   return vtkFFDistributedInput::Run(
     this, this->Controller, "Power diagram", false, inputVector, outputVector,

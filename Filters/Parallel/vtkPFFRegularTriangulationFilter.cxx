@@ -95,8 +95,7 @@ int vtkPFFRegularTriangulationFilter::RequestData(
       vtkPolyData::GetData(outputs, 2));
     triangulation.MarkDuplicates(output);
     processes.Agree();
-    run.AddToReport(cells, output);
-    writer.Report(counts.Hidden, counts.Dropped, output);
+    triangulation.GetInput().Report(cells, counts.Hidden, counts.Dropped, output);
   };
   return vtkFFDistributedInput::Run(
     this, this->Controller, "Regular triangulation", false, inputVector, outputVector, check, work);

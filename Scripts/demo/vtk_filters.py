@@ -34,7 +34,7 @@ def triangulation(points, weights=None, bounds=None):
     if weights:
         filter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, weights)
     seconds = updated(filter)
-    outputs = [filter.GetOutput(), filter.GetHiddenPointsOutput()]
+    outputs = [filter.GetOutput(), filter.GetOutput(1)]
     if bounds:
         diagram = vtkFFPowerDiagramFilter()
         diagram.SetInputData(points)

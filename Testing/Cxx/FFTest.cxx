@@ -495,7 +495,7 @@ bool isTriangulationOf(
   vtkPointSet* input, const char* weights, vtkFFRegularTriangulationFilter* filter, int dimension)
 {
   vtkPolyData* output = filter->GetOutput();
-  vtkPolyData* hidden = filter->GetHiddenPointsOutput();
+  vtkPolyData* hidden = filter->GetOutput(1);
   if (filter->GetDimension() != dimension)
   {
     std::cerr << "the dimension is " << filter->GetDimension() << "\n";

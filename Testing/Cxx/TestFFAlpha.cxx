@@ -53,8 +53,8 @@ void testAgainstDelaunay2D()
   }
   const auto input = makePoints(points);
   Run run(input);
-  run->AlphaLinesOn();
-  run->AlphaVertsOn();
+  run->SetAlphaLines(true);
+  run->SetAlphaVerts(true);
   vtkNew<vtkDelaunay2D> peer;
   peer->SetInputData(input);
   vtkIdType lines = 0;
@@ -94,10 +94,10 @@ void testParts()
   FF_CHECK(run->GetNumberOfDroppedCells() > 2);
   FF_CHECK_EQUAL(reported(output, "DroppedCells"), double(run->GetNumberOfDroppedCells()));
 
-  run->AlphaLinesOn();
-  run->AlphaVertsOn();
-  run->GenerateAlphasOn();
-  run->GenerateCellMeasuresOn();
+  run->SetAlphaLines(true);
+  run->SetAlphaVerts(true);
+  run->SetGenerateAlphas(true);
+  run->SetGenerateCellMeasures(true);
   output = run.Run();
   FF_CHECK((setOf(output->GetPolys()) == std::set<Ids>{ { 0, 1, 2 } }));
   FF_CHECK((setOf(output->GetLines()) == std::set<Ids>{ { 3, 4 } }));
@@ -118,8 +118,8 @@ void testParts()
   // Those that stay keep their own alphas.
   Run lines(makePoints({ { 0, 0, 0 }, { 3, 0, 0 }, { 50, 50, 0 }, { 52, 50, 0 } }));
   lines->SetAlpha(2.0);
-  lines->AlphaLinesOn();
-  lines->GenerateAlphasOn();
+  lines->SetAlphaLines(true);
+  lines->SetGenerateAlphas(true);
   FF_CHECK((valuesOf(lines.Run(), "Alpha") == std::vector<double>{ 1.5, 1 }));
   lines->SetMaximumEdgeLength(2.5);
   FF_CHECK((valuesOf(lines.Run(), "Alpha") == std::vector<double>{ 1 }));
@@ -143,21 +143,21 @@ void testBoundary()
     weights[id] = -0.5;
   }
   Run run(makeWeighted(points, weights), "weights");
-  run->GenerateBoundaryOn();
+  run->SetGenerateBoundary(true);
   run->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
   run.Run();
-  vtkPolyData* border = run->GetBoundaryOutput();
+  vtkPolyData* border = run->GetOutput(2);
   const Ids outer{ 0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4, 0 }; // counter-clockwise
   FF_CHECK((cellsByOriginalIds(border, border->GetLines()) == Cells{ outer }));
   FF_CHECK_EQUAL(border->GetNumberOfPoints(), 12);
   run->SetAlpha(0.95);
   FF_CHECK_EQUAL(run.Run()->GetNumberOfPolys(), 12); // the four at corners are two triangles each
   FF_CHECK((cellsByOriginalIds(border, border->GetLines()) == Cells{ outer, { 5, 9, 10, 6, 5 } }));
-  run->GenerateBoundaryOff();
+  run->SetGenerateBoundary(false);
   run.Run();
   FF_CHECK(isEmpty(border));
   // Ids count hidden points.
-  run->GenerateBoundaryOn();
+  run->SetGenerateBoundary(true);
   run.RunWith(makeWeighted({ { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { 0, 0, 0, 0 }));
   FF_CHECK((cellsByOriginalIds(border, border->GetLines()) == Cells{ { 0, 2, 3, 0 } }));
 }
@@ -167,15 +167,15 @@ void testOtherInputs()
 {
   Run run(makePoints({ { 0, 0, 0 }, { 2, 0, 0 }, { 9, 0, 0 } }));
   run->SetAlpha(1.0);
-  run->AlphaLinesOn();
-  run->AlphaVertsOn();
-  run->GenerateAlphasOn();
-  run->GenerateBoundaryOn();
+  run->SetAlphaLines(true);
+  run->SetAlphaVerts(true);
+  run->SetGenerateAlphas(true);
+  run->SetGenerateBoundary(true);
   vtkPolyData* output = run.Run();
   FF_CHECK((setOf(output->GetLines()) == std::set<Ids>{ { 0, 1 } }));
   FF_CHECK((setOf(output->GetVerts()) == std::set<Ids>{ { 2 } }));
   FF_CHECK_EQUAL(valuesOf(output, "Alpha")[1], 1.0);
-  FF_CHECK(isEmpty(run->GetBoundaryOutput()));
+  FF_CHECK(isEmpty(run->GetOutput(2)));
   FF_CHECK_EQUAL(run.RunWith(makePoints({ { 1, 2, 3 }, { 1, 2, 4 } }))->GetNumberOfVerts(), 1);
   FF_CHECK(isEmpty(run.RunWith(makePoints(std::vector<Point>{}))));
 }

@@ -25,7 +25,7 @@ struct Measured : Watched<FilterT>
   explicit Measured(vtkDataObject* input)
     : Watched<FilterT>(input)
   {
-    this->Filter->GenerateCellMeasuresOn();
+    this->Filter->SetGenerateCellMeasures(true);
   }
   vtkPolyData* Run()
   {
@@ -95,7 +95,7 @@ void testTriangles()
   FF_CHECK(run.IsCell(0, 36, { 1, 0, 1 }));
   transform->Scale(1.0, 0.0, 1.0); // y, which goes to z
   run.Fail("The cells' centroids have no finite places in space", vtkFFErrorCode::InputError);
-  run->GenerateCellMeasuresOff();
+  run->SetGenerateCellMeasures(false);
   FF_CHECK_EQUAL(run.Watched<FilterT>::Run()->GetNumberOfPolys(), 1);
 }
 

@@ -37,7 +37,7 @@ struct Run : Watched<Filter>
   /// Of port 1, each line with the id of its cell at the end.
   Cells Fixed()
   {
-    vtkPolyData* output = this->Filter->GetFixedEdgesOutput();
+    vtkPolyData* output = this->Filter->GetOutput(1);
     auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray("ConstraintCellIds"));
     Cells found = cellsOf(output->GetLines());
     FF_CHECK(ids && ids->GetNumberOfTuples() == output->GetNumberOfCells());
@@ -71,7 +71,7 @@ void testLines()
   run->RemoveSource();
   FF_CHECK(run->GetSource() == nullptr);
   FF_CHECK(polysOf(run.Watched::Run()) != across);
-  FF_CHECK(isEmpty(run->GetFixedEdgesOutput()));
+  FF_CHECK(isEmpty(run->GetOutput(1)));
 }
 
 void testPlanesAndGhosts()
@@ -117,7 +117,7 @@ void testFixedEdges()
   FF_CHECK(run.Fixed() == expected);
   // (6, 4) crosses (0, 1), along which is a side of the polygon, and another side, (5, 3).
   source->SetLines(makeCells({ { 0, 1, 2 }, { 6, 4 } }));
-  run->SplitCrossingConstraintsOn();
+  run->SetSplitCrossingConstraints(true);
   run->Modified();
   run->Update();
   FF_CHECK_EQUAL(run->GetNumberOfSplitPoints(), 2);
@@ -236,7 +236,7 @@ void testErrors()
     [](Filter* filter)
     {
       filter->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
-      filter->SplitCrossingConstraintsOn();
+      filter->SetSplitCrossingConstraints(true);
     });
   // There are no weights, with and without a source.
   for (vtkPolyData* source : { line.Get(), static_cast<vtkPolyData*>(nullptr) })

@@ -23,7 +23,7 @@ struct Splitting : Watched<vtkFFConstrainedDelaunayFilter>
     : Watched(input)
   {
     this->Filter->SetSourceData(makeConstraints(lines, polygons));
-    this->Filter->SplitCrossingConstraintsOn();
+    this->Filter->SetSplitCrossingConstraints(true);
     this->Filter->ReportAsFieldDataOn();
   }
   /// The point of that index in the output.

@@ -77,7 +77,7 @@ void testTransform(bool needsInverse)
   if (!needsInverse)
   {
     FF_CHECK(run.Run()->GetNumberOfPolys() > 0);
-    run->GenerateCellMeasuresOn();
+    run->SetGenerateCellMeasures(true);
   }
   run.Fail("no inverse", vtkFFErrorCode::InputError);
   run->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);

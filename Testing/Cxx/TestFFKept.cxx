@@ -129,7 +129,7 @@ std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* tran
 {
   return {
     { "report", false, [](FilterT* f) { f->ReportAsFieldDataOff(), f->ReportAsFieldDataOn(); } },
-    { "measures", false, [](FilterT* f) { f->GenerateCellMeasuresOn(); } },
+    { "measures", false, [](FilterT* f) { f->SetGenerateCellMeasures(true); } },
     { "visible ids", false, [](FilterT* f) { f->VisiblePointIdsOn(); } },
     { "no point data", false, [](FilterT* f) { f->PassPointDataOff(); } },
     { "unused transform", false, [=](FilterT* f) { f->StoreTransform(transform); } },
@@ -178,10 +178,10 @@ void testTriangulation()
   std::vector<Change<Triangulation>> changes{
     { "alpha", false, [](Triangulation* f) { f->SetAlpha(0.05); } },
     { "less alpha", false, [](Triangulation* f) { f->SetAlpha(0.02); } },
-    { "lines", false, [](Triangulation* f) { f->AlphaLinesOn(); } },
-    { "vertices", false, [](Triangulation* f) { f->AlphaVertsOn(); } },
-    { "alphas", false, [](Triangulation* f) { f->GenerateAlphasOn(); } },
-    { "border", false, [](Triangulation* f) { f->GenerateBoundaryOn(); } },
+    { "lines", false, [](Triangulation* f) { f->SetAlphaLines(true); } },
+    { "vertices", false, [](Triangulation* f) { f->SetAlphaVerts(true); } },
+    { "alphas", false, [](Triangulation* f) { f->SetGenerateAlphas(true); } },
+    { "border", false, [](Triangulation* f) { f->SetGenerateBoundary(true); } },
     { "length", false, [](Triangulation* f) { f->SetMaximumEdgeLength(0.06); } },
     { "no alpha", false, [](Triangulation* f) { f->SetAlpha(0.0); } },
     { "polygons", true,

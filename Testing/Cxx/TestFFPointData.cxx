@@ -218,7 +218,7 @@ int TestFFPointData(int, char*[])
     const auto filter = of.New();
     if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
     {
-      triangulation->GenerateBoundaryOn();
+      triangulation->SetGenerateBoundary(true);
     }
     auto* const hull = vtkFFHullFilter::SafeDownCast(filter);
     const bool joins = hull && hull->GetCompositeMode() == vtkFFHullFilter::HULL_OF_ALL_BLOCKS;

@@ -33,7 +33,7 @@ void testHeight()
   const auto heightOf = [](vtkPolyData* input, double height, bool ignore = false)
   {
     Watched<FilterT> run(input);
-    run->GenerateCellMeasuresOn();
+    run->SetGenerateCellMeasures(true);
     run->SetNonFinitePoints(ignore);
     const double* range = run.Run()->GetCellData()->GetArray("Centroid")->GetRange(2);
     FF_CHECK(range[0] == height && range[1] == height);
@@ -55,7 +55,7 @@ void testHeight()
   for (const double first : { 0.0, -0.0 })
   {
     Watched<FilterT> run(makePoints({ { 0, 0, first }, { 4, 0, -first }, { 0, 4, 9 } }));
-    run->GenerateCellMeasuresOn();
+    run->SetGenerateCellMeasures(true);
     FF_CHECK(!std::signbit(run.Run()->GetCellData()->GetArray("Centroid")->GetComponent(0, 2)));
   }
 }
@@ -93,7 +93,7 @@ void testCells()
     const char* const weights = row.Weights.empty() ? nullptr : "weights";
     const auto input = weights ? makeWeighted(row.Points, row.Weights) : makePoints(row.Points);
     Watched<vtkFFPowerDiagramFilter> run(input, weights);
-    run->GenerateCellMeasuresOn();
+    run->SetGenerateCellMeasures(true);
     if (!row.Box.empty())
     {
       run->SetPowerDiagramBounds(row.Box.data());

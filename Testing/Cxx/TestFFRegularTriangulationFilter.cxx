@@ -69,7 +69,7 @@ void testDimensions()
       run->SetFacetMode(polygons);
       vtkPolyData* const output = run.Run();
       FF_CHECK(cellsOfAnyKind(output) == (polygons ? row.Polygons : row.Triangles));
-      FF_CHECK(originalIds(run->GetHiddenPointsOutput()) == row.Hidden);
+      FF_CHECK(originalIds(run->GetOutput(1)) == row.Hidden);
       FF_CHECK_EQUAL(run->GetNumberOfHiddenPoints(), vtkIdType(row.Hidden.size()));
       FF_CHECK_EQUAL(run->GetDimension(), row.Dimension);
       FF_CHECK(row.Dimension < 0 || isTriangulationOf(input, weights, run.Get(), row.Dimension));
@@ -92,19 +92,19 @@ void testThreads()
   Watched<vtkFFRegularTriangulationFilter> run(input, "weights");
   run->SetNumberOfThreads(1);
   const auto expected = copyOf(run.Run());
-  const auto hidden = originalIds(run->GetHiddenPointsOutput());
+  const auto hidden = originalIds(run->GetOutput(1));
   FF_CHECK(!hidden.empty() && isTriangulationOf(input, "weights", run.Get()));
   for (const int threads : { 2, -1 })
   {
     run->SetNumberOfThreads(threads);
     run->SetVBiased(threads < 0);
     FF_CHECK(isSame(run.Run(), expected));
-    FF_CHECK(originalIds(run->GetHiddenPointsOutput()) == hidden);
+    FF_CHECK(originalIds(run->GetOutput(1)) == hidden);
   }
   Watched<vtkFFRegularTriangulationFilter> delaunay(input);
   Watched<vtkFFConstrainedDelaunayFilter> constrained(input);
   FF_CHECK(isIdentical(constrained.Run(), delaunay.Run(), "no source"));
-  FF_CHECK(isEmpty(constrained->GetFixedEdgesOutput()));
+  FF_CHECK(isEmpty(constrained->GetOutput(1)));
 }
 
 }

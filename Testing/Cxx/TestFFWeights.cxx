@@ -156,11 +156,11 @@ void testErrors()
   run.RunWith(with(root, 1e-200));
   run->SetInputData(with(2e154, 1e-200));
   run.Fail(
-    "The square of a radius, times Weight Factor, is more than a double holds: first at point 4.",
+    "The square of a radius, times the factor, is more than a double holds: first at point 4.",
     vtkFFErrorCode::InputError);
   run->SetWeightMode(vtkFFPlanarAlgorithm::WEIGHTS);
   run->SetWeightFactor(1e200);
-  run.Fail("A weight, times Weight Factor, is more than a double holds: first at point 4.",
+  run.Fail("A weight, times the factor, is more than a double holds: first at point 4.",
     vtkFFErrorCode::InputError);
 
   // A factor is looked at even where there are no weights.

@@ -102,7 +102,7 @@ def triangulation_of(data, ignore=False):
     found = outcome(triangulation)
     if found.startswith("error"):
         return found, "", ""
-    hidden = ids(triangulation.GetHiddenPointsOutput().GetPointData())
+    hidden = ids(triangulation.GetOutput(1).GetPointData())
     diagram.Update()
     sites = ids(diagram.GetOutput().GetCellData())
     return found, " ".join(map(str, hidden)), " ".join(map(str, sites))

@@ -192,7 +192,7 @@ class TestPointInterpolator2D(unittest.TestCase):
     def test_measures(self):
         """A triangle's value at its centroid is the mean of its corners'."""
         triangulation = vtkFFRegularTriangulationFilter()
-        triangulation.GenerateCellMeasuresOn()
+        triangulation.SetGenerateCellMeasures(True)
         triangulation.SetInputData(self.filter.GetSource())
         triangulation.Update()
         output = triangulation.GetOutput()

@@ -109,7 +109,7 @@ class TestTriangulation(unittest.TestCase):
         sites = original_ids(diagram.GetCellData())
         passed = vtk_to_numpy(diagram.GetCellData().GetArray("weights"))
         np.testing.assert_array_equal(passed, weights[sites])
-        hidden = original_ids(triangulation.GetHiddenPointsOutput().GetPointData())
+        hidden = original_ids(triangulation.GetOutput(1).GetPointData())
         self.assertGreater(len(hidden), 0)
         self.assertFalse(set(hidden) & set(sites))
 

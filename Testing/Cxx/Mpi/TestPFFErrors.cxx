@@ -283,7 +283,7 @@ void testSeveral()
   vtkFFPowerDiagramFilter::SafeDownCast(box.Distributed)->SetPowerDiagramBounds(1, 0, 0, 1);
   box.Fails("no box", ownOf(pieces), "(xmin, xmax, ymin, ymax)");
   DistributedVersusSerial boundary = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
-  boundary.Set<Triangulation>([](auto* filter) { filter->GenerateBoundaryOn(); });
+  boundary.Set<Triangulation>([](auto* filter) { filter->SetGenerateBoundary(true); });
   boundary.Fails("boundary", ownOf(pieces),
     "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha Verts, "
     "Generate Alphas and Generate Boundary must be off. To have them, bring all points to one "

@@ -229,7 +229,7 @@ void testGhosts()
       {
         useWeights(either);
         either->SetFacetMode(facets);
-        either->GenerateCellMeasuresOn();
+        either->SetGenerateCellMeasures(true);
       }
       filter->SetInputDataObject(pieces[static_cast<std::size_t>(rank())]);
       filter->Update();
