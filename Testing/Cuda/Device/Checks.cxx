@@ -195,9 +195,8 @@ void addRoundChecks(std::vector<Check>& checks)
     const char* label;
     bool plane;
     std::int64_t count;
-  } again[] = { { "shell:0", false, 30000 }, { "ball", false, 300000 },
-    { "duplicates", false, 50000 }, { "uniform:27", true, 100000 },
-    { "square-grid", true, 10000 } };
+  } again[] = { { "shell0", false, 30000 }, { "ball", false, 300000 },
+    { "duplicates", false, 50000 }, { "uniformHeavy", true, 100000 }, { "grid", true, 10000 } };
   for (const auto& one : again)
   {
     checks.push_back({ std::string("again/") + (one.plane ? "plane-" : "") + one.label, false,

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeviceInputs.h"
 
-#include "Distributions.h"
+#include "Testing/Engine/Inputs/InputsInUse.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <random>
 #include <utility>
@@ -54,43 +54,25 @@ Coordinates few(std::size_t count)
   return Coordinates(all, all + 3 * count);
 }
 
-/// All integer points at a distance, whose square is given, from the origin.
-Coordinates cospherical(int square)
+Coordinates coordinatesOf(const Cloud& cloud)
 {
-  const int most = static_cast<int>(std::sqrt(static_cast<double>(square))) + 1;
   Coordinates xyz;
-  for (int x = -most; x <= most; ++x)
+  xyz.reserve(3 * cloud.size());
+  for (const Point& p : cloud)
   {
-    for (int y = -most; y <= most; ++y)
-    {
-      for (int z = -most; z <= most; ++z)
-      {
-        if (x * x + y * y + z * z == square)
-        {
-          xyz.insert(
-            xyz.end(), { static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) });
-        }
-      }
-    }
+    xyz.insert(xyz.end(), p.begin(), p.end());
   }
   return xyz;
 }
 
 Coordinates cocircular(int square, double weight)
 {
-  const int most = static_cast<int>(std::sqrt(static_cast<double>(square))) + 1;
-  Coordinates xyw;
-  for (int x = -most; x <= most; ++x)
+  Cloud cloud = cocircularIntegers(square);
+  for (Point& p : cloud)
   {
-    for (int y = -most; y <= most; ++y)
-    {
-      if (x * x + y * y == square)
-      {
-        xyw.insert(xyw.end(), { static_cast<double>(x), static_cast<double>(y), weight });
-      }
-    }
+    p[2] = weight;
   }
-  return xyw;
+  return coordinatesOf(cloud);
 }
 
 DeviceInput onLine(std::int64_t count)
@@ -157,7 +139,7 @@ DeviceInput ofAllSizes(DeviceInput input, double least, double most)
 /// Points that appear, and heavy ones that hide most of them.
 DeviceInput hiding(std::int64_t count)
 {
-  DeviceInput input = drawn("uniform:0.19", true, count);
+  DeviceInput input = drawn("uniformLight", true, count);
   for (std::size_t i = 0; i < input.xyz.size(); i += 3)
   {
     input.xyz[i + 2] = i % 300 == 0 ? 0.01 : -0.5 * input.xyz[i + 2];
@@ -182,14 +164,14 @@ RunInput DeviceInput::view() const
   return input;
 }
 
-DeviceInput drawn(const std::string& label, bool plane, std::int64_t count)
+DeviceInput drawn(const std::string& family, bool plane, std::int64_t count)
 {
-  const Distribution distribution =
-    Distribution::parse(label, plane ? Family::Plane : Family::Space);
+  const Cloud cloud = makeCloud(family, plane, static_cast<int>(count), Seed);
   DeviceInput input;
-  input.xyz = makePoints(distribution, count, Seed);
+  input.xyz = coordinatesOf(cloud);
   input.plane = plane;
-  input.weighted = distribution.isWeighted();
+  input.weighted =
+    plane && std::any_of(cloud.begin(), cloud.end(), [](const Point& p) { return p[2] != 0; });
   return input;
 }
 
@@ -211,42 +193,41 @@ std::vector<InputMaker> deviceInputs()
     add("plane-few-" + std::to_string(n), n >= 3, [n] { return plane(few(n), false); });
     add("plane-few-weighted-" + std::to_string(n), n >= 4, [n] { return plane(few(n), true); });
   }
-  for (const char* label :
-    { "cube", "ball", "shell:0.01", "shell:0", "rotated-grid", "duplicates" })
+  for (const char* label : { "cube", "ball", "shell1e2", "shell0", "rotated-grid", "duplicates" })
   {
     addDrawn(label, false, 100);
     addDrawn(label, false, 10000);
   }
-  addDrawn("grid", false, 1000);
-  addDrawn("grid", false, 100000);
+  addDrawn("cube-grid", false, 1000);
+  addDrawn("cube-grid", false, 100000);
   addDrawn("surface-grid", false, 1000);
   addDrawn("surface-grid", false, 50000);
-  addDrawn("box", false, 100000);
-  addDrawn("shell:0.0001", false, 100000);
-  addDrawn("shell:0", false, 200000);
+  addDrawn("boxShell", false, 100000);
+  addDrawn("shell1e4", false, 100000);
+  addDrawn("shell0", false, 200000);
   addDrawn("cube", false, 1000000);
-  addDrawn("shell:0.01", false, 1000000);
+  addDrawn("shell1e2", false, 1000000);
   add("one-position", true, [] { return space(Coordinates(300, 1.5)); });
   add("collinear", true, [] { return onLine(1000); });
   add("coplanar", true, [] { return sheet(30, false); });
   add("pyramid-on-a-sheet", true, [] { return sheet(30, true); });
-  add("cospherical-101", true, [] { return space(cospherical(101)); });
-  add("cospherical-5525", false, [] { return space(cospherical(5525)); });
+  add("cospherical-101", true, [] { return space(coordinatesOf(cosphericalIntegers(101))); });
+  add("cospherical-5525", false, [] { return space(coordinatesOf(cosphericalIntegers(5525))); });
   add("tiny", true, [] { return scaled(drawn("ball", false, 500), 1e-300, 1e-300, 1e-300); });
   add("huge", true, [] { return scaled(drawn("ball", false, 500), 1e300, 1e300, 1e300); });
   add(
-    "flat-but-not-quite", true, [] { return scaled(drawn("shell:0", false, 800), 1, 1, 0x1p-40); });
-  add("floats", false, [] { return rounded(drawn("shell:0.01", false, 20000)); });
+    "flat-but-not-quite", true, [] { return scaled(drawn("shell0", false, 800), 1, 1, 0x1p-40); });
+  add("floats", false, [] { return rounded(drawn("shell1e2", false, 20000)); });
 
-  for (const char* label : { "uniform", "uniform:0.19", "uniform:27", "square-grid",
-         "weighted-grid", "circle", "clusters", "scan" })
+  for (const char* label : { "uniform", "uniformLight", "uniformHeavy", "grid", "gridOfOneWeight",
+         "circle", "hundred-normals", "scan" })
   {
     addDrawn(label, true, 400);
     addDrawn(label, true, 20000);
   }
-  addDrawn("uniform:27", true, 200000);
+  addDrawn("uniformHeavy", true, 200000);
   addDrawn("uniform", true, 500000);
-  addDrawn("uniform:27", true, 1000000);
+  addDrawn("uniformHeavy", true, 1000000);
   add("plane-cocircular", true, [] { return plane(cocircular(5525, 0), false); });
   add("plane-cocircular-weighted", true, [] { return plane(cocircular(27625, 2), true); });
   add("plane-collinear", true,
@@ -258,9 +239,9 @@ std::vector<InputMaker> deviceInputs()
     });
   add("plane-hiding", false, [] { return hiding(30000); });
   add("plane-tiny", true,
-    [] { return scaled(drawn("uniform:27", true, 400), 1e-150, 1e-150, 1e-300); });
-  add(
-    "plane-huge", true, [] { return scaled(drawn("uniform:27", true, 400), 1e150, 1e150, 1e300); });
+    [] { return scaled(drawn("uniformHeavy", true, 400), 1e-150, 1e-150, 1e-300); });
+  add("plane-huge", true,
+    [] { return scaled(drawn("uniformHeavy", true, 400), 1e150, 1e150, 1e300); });
 
   const auto addSpecial = [&all](
                             const std::string& name, bool wide, std::function<DeviceInput()> make) {
@@ -269,9 +250,9 @@ std::vector<InputMaker> deviceInputs()
   addSpecial("wide", true, [] { return ofAllSizes(drawn("ball", false, 60), 1e-300, 1e300); });
   addSpecial(
     "plane-wide", true, [] { return ofAllSizes(drawn("uniform", true, 60), 1e-150, 1e150); });
-  addSpecial("non-finite", false, [] { return withNonFinite(drawn("shell:0.01", false, 1000)); });
+  addSpecial("non-finite", false, [] { return withNonFinite(drawn("shell1e2", false, 1000)); });
   addSpecial(
-    "plane-non-finite", false, [] { return withNonFinite(drawn("uniform:27", true, 1000)); });
+    "plane-non-finite", false, [] { return withNonFinite(drawn("uniformHeavy", true, 1000)); });
   return all;
 }
 

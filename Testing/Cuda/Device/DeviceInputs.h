@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The points of the device test: the benchmarks' distributions, and what is special.
+/// The points of the device test: families by name, and special ones.
 #ifndef flipflop_test_DeviceInputs_h
 #define flipflop_test_DeviceInputs_h
 
-#include "Coordinates.h"
 #include "RoundsRunner.h"
 
 #include <functional>
@@ -16,6 +15,8 @@ namespace flipflop
 {
 namespace test
 {
+
+using Coordinates = std::vector<double>;
 
 struct DeviceInput
 {
@@ -39,8 +40,8 @@ struct InputMaker
 /// All of them; the points are a function of the name alone.
 std::vector<InputMaker> deviceInputs();
 
-/// One of the benchmarks' distributions.
-DeviceInput drawn(const std::string& label, bool plane, std::int64_t count);
+/// A family of makeCloud().
+DeviceInput drawn(const std::string& family, bool plane, std::int64_t count);
 
 }
 }

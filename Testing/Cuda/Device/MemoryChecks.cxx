@@ -158,7 +158,7 @@ void checkShortage(const Sides& sides, const DeviceInput& drawn)
 /// Runs of several threads at a time.
 void checkAtOnce(const Sides& sides)
 {
-  const DeviceInput inputs[] = { drawn("shell:0", false, 20000), drawn("uniform:27", true, 50000),
+  const DeviceInput inputs[] = { drawn("shell0", false, 20000), drawn("uniformHeavy", true, 50000),
     drawn("cube", false, 200000) };
   constexpr std::size_t Count = sizeof(inputs) / sizeof(inputs[0]);
   std::exception_ptr errors[Count];
@@ -249,7 +249,7 @@ void checkInPlace(const Sides& sides, const DeviceInput& drawn, std::int64_t str
 /// is copied.
 void checkDevices(const Sides& sides)
 {
-  const DeviceInput input = drawn("shell:0.01", false, 2000);
+  const DeviceInput input = drawn("shell1e2", false, 2000);
   const RunResult wanted = runOnCpu(input.view(), Options());
   RunInput placed = input.view();
   const std::pair<int, int> before = sides.subject.device();
@@ -272,7 +272,7 @@ void checkDevices(const Sides& sides)
 /// set, is as it was.
 void checkWhatStays(const Sides& sides)
 {
-  const DeviceInput input = drawn("shell:0", false, 50000);
+  const DeviceInput input = drawn("shell0", false, 50000);
   const std::int64_t before = sides.subject.bytesHeld();
   const std::size_t limit = sides.subject.stackLimit();
   RunSeen seen;
@@ -303,9 +303,9 @@ void addMemoryChecks(std::vector<Check>& checks)
   checks.push_back({ "abort/small", true,
     [](const Sides& sides) { checkAborts(sides, drawn("ball", false, 200)); } });
   checks.push_back({ "abort/hull", false,
-    [](const Sides& sides) { checkAborts(sides, drawn("shell:0.01", false, 200000)); } });
+    [](const Sides& sides) { checkAborts(sides, drawn("shell1e2", false, 200000)); } });
   checks.push_back({ "abort/plane", false,
-    [](const Sides& sides) { checkAborts(sides, drawn("uniform:27", true, 100000)); } });
+    [](const Sides& sides) { checkAborts(sides, drawn("uniformHeavy", true, 100000)); } });
   checks.push_back({ "shortage/hull", false,
     [](const Sides& sides) { checkShortage(sides, drawn("ball", false, 1000000)); } });
   checks.push_back({ "at-once", false, checkAtOnce });
@@ -315,7 +315,7 @@ void addMemoryChecks(std::vector<Check>& checks)
     checks.push_back({ std::string("in-place/hull") + (small ? "-small" : ""), small,
       [count](const Sides& sides)
       {
-        const DeviceInput input = drawn("shell:0.01", false, count);
+        const DeviceInput input = drawn("shell1e2", false, count);
         checkInPlace<double>(sides, input, 3);
         checkInPlace<double>(sides, input, 4);
         checkInPlace<float>(sides, input, 3);
@@ -324,7 +324,7 @@ void addMemoryChecks(std::vector<Check>& checks)
     checks.push_back({ std::string("in-place/plane") + (small ? "-small" : ""), small,
       [count](const Sides& sides)
       {
-        for (const char* label : { "uniform:27", "clusters" })
+        for (const char* label : { "uniformHeavy", "hundred-normals" })
         {
           const DeviceInput input = drawn(label, true, count);
           checkInPlace<double>(sides, input, 2);

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the lists of inputs are written with.
+/// Functions that the families of inputs share.
 #ifndef flipflop_test_InputMaking_h
 #define flipflop_test_InputMaking_h
 
 #include "Testing/Engine/Inputs/Inputs.h"
+
+#include <cmath>
 
 namespace flipflop
 {
@@ -24,6 +26,47 @@ Cloud generate(int count, const Make& make)
   }
   return cloud;
 }
+
+constexpr double Turn = 6.283185307179586;
+
+/// Uniform: x first, then y, then z.
+Point inCube(Random& random, double low = 0, double high = 1);
+
+/// A family of points drawn one by one.
+template <Point (*draw)(Random&)>
+Cloud drawn(int count, Random& random)
+{
+  return generate(count, [&random](int) { return draw(random); });
+}
+
+/// The points in a row of a square that has @p count points, or a few more.
+inline int rowOf(double count)
+{
+  return static_cast<int>(std::ceil(std::sqrt(count)));
+}
+
+inline double toStep(double x, double stepsPerUnit)
+{
+  return std::round(stepsPerUnit * x) / stepsPerUnit;
+}
+inline Cloud toSteps(Cloud cloud, double stepsPerUnit)
+{
+  for (Point& p : cloud)
+  {
+    p = { toStep(p[0], stepsPerUnit), toStep(p[1], stepsPerUnit), toStep(p[2], stepsPerUnit) };
+  }
+  return cloud;
+}
+
+using Line = Cloud;
+
+/// Points at equal steps along the lines, one line after another.
+Cloud evenlyAlong(const std::vector<Line>& lines, int count);
+
+/// The contours of Mount St Helens, in metres, of Data/sainthelens-contours.f32, which
+/// Data/vtp-to-contours.py writes: NaN ends a line.
+/// @throw std::runtime_error if there are none
+std::vector<Line> contourLines();
 
 /// Special inputs by their names.
 struct InputList

@@ -17,14 +17,6 @@ namespace test
 namespace
 {
 
-Point inCube(Random& random, double low = 0, double high = 1)
-{
-  const double x = random.uniform(low, high);
-  const double y = random.uniform(low, high);
-  const double z = random.uniform(low, high);
-  return { x, y, z };
-}
-
 Point inBall(Random& random)
 {
   while (true)
@@ -381,17 +373,17 @@ Cloud integerGrid(int side)
 
 Cloud cubeSurfaceGrid(int side)
 {
+  const int last = side - 1;
   Cloud cloud;
-  for (const Point& p : integerGrid(side))
+  for (int z = 0; z < side; ++z)
   {
-    bool onSurface = false;
-    for (double x : p)
+    for (int y = 0; y < side; ++y)
     {
-      onSurface = onSurface || x == 0 || x == side - 1;
-    }
-    if (onSurface)
-    {
-      cloud.push_back(p);
+      const bool whole = z == 0 || z == last || y == 0 || y == last;
+      for (int x = 0; x < side; x += whole || last == 0 ? 1 : last)
+      {
+        cloud.push_back({ double(x), double(y), double(z) });
+      }
     }
   }
   return cloud;

@@ -5,7 +5,7 @@
 #ifndef flipflop_test_Inputs_h
 #define flipflop_test_Inputs_h
 
-#include "Testing/Engine/References/Exact.h"
+#include "Testing/Engine/Inputs/Cloud.h"
 
 #include <cstdint>
 #include <functional>
@@ -36,6 +36,8 @@ public:
     const std::uint64_t range = static_cast<std::uint64_t>(high - low) + 1;
     return low + static_cast<int>(this->Engine() % range);
   }
+  /// One of 0 .. count - 1.
+  std::size_t pick(std::size_t count) { return this->Engine() % count; }
   Point direction();
   template <class T>
   void shuffle(std::vector<T>& values)

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Engine/Inputs/InputsConstrained.h"
+#include "Testing/Engine/Inputs/InputMaking.h"
 
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
+#include <map>
+#include <utility>
 
 namespace flipflop
 {
@@ -63,26 +64,18 @@ ConstrainedInput coast(int corners, Random& random)
 
 ConstrainedInput contours()
 {
-  std::ifstream file(FLIPFLOP_TEST_DATA "/../../Data/sainthelens-contours.f32", std::ios::binary);
   ConstrainedInput map;
-  float xy[2];
-  bool goesOn = false; // two NaNs end a polyline
-  while (file.read(reinterpret_cast<char*>(xy), sizeof(xy)))
+  for (const Line& line : contourLines())
   {
-    const auto id = static_cast<std::int64_t>(map.cloud.size());
-    if (!std::isnan(xy[0]))
+    for (std::size_t i = 0; i < line.size(); ++i)
     {
-      map.cloud.push_back({ xy[0], xy[1], 0 });
-      if (goesOn)
+      const auto id = static_cast<std::int64_t>(map.cloud.size());
+      map.cloud.push_back(line[i]);
+      if (i > 0)
       {
         map.segments.push_back({ id - 1, id });
       }
     }
-    goesOn = !std::isnan(xy[0]);
-  }
-  if (map.cloud.empty())
-  {
-    throw std::runtime_error("there are no contours");
   }
   return map;
 }
@@ -106,6 +99,80 @@ ConstrainedInput streets(int count, Random& random)
     map.cloud.push_back({ x, y, 0 });
     map.cloud.push_back({ x + dx, y + dy, 0 });
     map.segments.push_back({ id, id + 1 });
+  }
+  return map;
+}
+
+ConstrainedInput gridWithSteps(int count, int step, int most, Random& random)
+{
+  const int side = rowOf(count);
+  ConstrainedInput map;
+  map.cloud = generate(side * side,
+    [&](int i)
+    {
+      const double x = i % side + 0.8 * random.uniform();
+      return Point{ x, i / side + 0.8 * random.uniform(), 0 };
+    });
+  for (std::int64_t y = 0; y < side; y += 2)
+  {
+    for (std::int64_t x = 0; x + step < side && map.segments.size() < std::size_t(most); x += step)
+    {
+      map.segments.push_back({ y * side + x, y * side + x + step });
+    }
+  }
+  return map;
+}
+
+ConstrainedInput streetsAmongPoints(int count, Random& random)
+{
+  ConstrainedInput map;
+  const double reach = 5 / std::sqrt(count);
+  for (int i = 0; i < count / 10; ++i)
+  {
+    const double most = i % 1000 == 0 ? 0.3 : reach;
+    const Point p = { random.uniform(), random.uniform(), 0 };
+    map.cloud.push_back(p);
+    map.cloud.push_back(
+      { p[0] + random.uniform(-most, most), p[1] + random.uniform(-most, most), 0 });
+    map.segments.push_back({ 2 * std::int64_t(i), 2 * std::int64_t(i) + 1 });
+  }
+  while (map.cloud.size() < static_cast<std::size_t>(count))
+  {
+    map.cloud.push_back({ random.uniform(), random.uniform(), 0 });
+  }
+  return map;
+}
+
+ConstrainedInput contoursAmongPoints(int count, Random& random)
+{
+  ConstrainedInput map;
+  double high[2] = { 0, 0 };
+  std::map<Point, std::int64_t> idAt; // closed lines end where they began
+  for (const Line& line : contourLines())
+  {
+    std::int64_t last = -1;
+    for (const Point& p : line)
+    {
+      const auto next = static_cast<std::int64_t>(map.cloud.size());
+      const auto found = idAt.emplace(p, next);
+      const std::int64_t id = found.first->second;
+      if (found.second)
+      {
+        map.cloud.push_back(p);
+        high[0] = std::fmax(high[0], p[0]);
+        high[1] = std::fmax(high[1], p[1]);
+      }
+      if (last >= 0 && last != id)
+      {
+        map.segments.push_back({ last, id });
+      }
+      last = id;
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = high[0] * random.uniform();
+    map.cloud.push_back({ x, high[1] * random.uniform(), 0 });
   }
   return map;
 }

@@ -37,6 +37,17 @@ ConstrainedInput contours();
 /// directions.
 ConstrainedInput streets(int count, Random& random);
 
+/// About @p count points near those of a square grid, and @p most constraints, each from a point to
+/// the one @p step further in its row, in every other row: a street map, or long lines.
+ConstrainedInput gridWithSteps(int count, int step, int most, Random& random);
+
+/// Points in the unit square of which a fifth are the ends of streets that cross: most are short,
+/// one in a thousand is long.
+ConstrainedInput streetsAmongPoints(int count, Random& random);
+
+/// The contours, and as many points at random among them. No two points have one position.
+ConstrainedInput contoursAmongPoints(int count, Random& random);
+
 }
 }
 

@@ -5,6 +5,7 @@
 #include "PowerDiagram/CellRepair.h"
 #include "PowerDiagram/PlanarRings.h"
 #include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/References/Exact.h"
 
 #include <gtest/gtest.h>
 

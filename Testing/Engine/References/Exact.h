@@ -6,6 +6,8 @@
 #ifndef flipflop_test_Exact_h
 #define flipflop_test_Exact_h
 
+#include "Testing/Engine/Inputs/Cloud.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -16,9 +18,6 @@ namespace flipflop
 {
 namespace test
 {
-
-using Point = std::array<double, 3>;
-using Cloud = std::vector<Point>;
 
 /// Every coordinate of a cloud is an integer of at most @c bits bits times 2^exponent.
 struct Scale

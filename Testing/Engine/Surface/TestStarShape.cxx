@@ -7,6 +7,7 @@
 #include "Surface/StarShape.h"
 #include "Surface/Topology.h"
 #include "Testing/Engine/Inputs/Surfaces.h"
+#include "Testing/Engine/References/Exact.h"
 
 #include <gtest/gtest.h>
 
