@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Input points, kept off the heap.
-///
-/// The runs inherit the heap of the process that made their input. What large blocks came and went
-/// there would change where malloc finds memory, and with it a run's peak and even its time.
+/// Input points, kept off the heap: measured processes inherit the heap of the process that made
+/// the input, and large blocks that came and went there would change a run's peak of memory.
 #ifndef flipflop_Coordinates_h
 #define flipflop_Coordinates_h
 
@@ -23,12 +21,6 @@ struct PageAllocator
 {
   using value_type = T;
 
-  PageAllocator() = default;
-  template <class U>
-  PageAllocator(const PageAllocator<U>&)
-  {
-  }
-
   T* allocate(std::size_t count)
   {
     void* pages =
@@ -41,16 +33,8 @@ struct PageAllocator
   }
   void deallocate(T* pages, std::size_t count) { munmap(pages, count * sizeof(T)); }
 
-  template <class U>
-  bool operator==(const PageAllocator<U>&) const
-  {
-    return true;
-  }
-  template <class U>
-  bool operator!=(const PageAllocator<U>&) const
-  {
-    return false;
-  }
+  bool operator==(const PageAllocator&) const { return true; }
+  bool operator!=(const PageAllocator&) const { return false; }
 };
 
 /// x y z of each point, one after another.

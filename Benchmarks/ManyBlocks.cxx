@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The hulls of very many small blocks in one run of the filter, by the number of threads.
-///
-///     many-blocks [blocks = 16000] [points of each = 8]
+/// The hulls of very many small blocks in one run of vtkFFHullFilter.
+#include "Problems.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFFHullFilter.h"
 #include "vtkMultiBlockDataSet.h"
@@ -12,67 +12,66 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <random>
-#include <vector>
 
-int main(int argc, char** argv)
+namespace flipflop
 {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 16000;
-  const int size = argc > 2 ? std::atoi(argv[2]) : 8;
-  if (count < 1 || size < 1)
+namespace
+{
+
+class FilterOnBlocks final : public Program
+{
+public:
+  explicit FilterOnBlocks(const Settings& settings)
+    : settings(settings)
   {
-    std::fprintf(stderr, "usage: %s [blocks, 1 or more] [points of each, 1 or more]\n", argv[0]);
-    return EXIT_FAILURE;
   }
-  std::mt19937_64 random(1);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetNumberOfBlocks(static_cast<unsigned int>(count));
-  for (int block = 0; block < count; ++block)
+  void prepare(const Input& input) override
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (int i = 0; i < size; ++i)
+    const int each = std::max(1, this->settings.parts);
+    this->count = static_cast<unsigned int>(input.count() / each);
+    this->blocks->SetNumberOfBlocks(this->count);
+    for (unsigned int block = 0; block < this->count; ++block)
     {
-      double x[3];
-      for (double& coordinate : x)
-      {
-        coordinate = 0x1p-53 * static_cast<double>(random() >> 11);
-      }
-      points->InsertNextPoint(x);
+      vtkNew<vtkDoubleArray> array;
+      array->SetNumberOfComponents(3);
+      array->SetNumberOfTuples(each);
+      std::copy_n(
+        input.xyz.data() + 3 * std::int64_t(block) * each, 3 * each, array->GetPointer(0));
+      vtkNew<vtkPoints> points;
+      points->SetData(array);
+      vtkNew<vtkPolyData> data;
+      data->SetPoints(points);
+      this->blocks->SetBlock(block, data);
     }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    blocks->SetBlock(static_cast<unsigned int>(block), data);
+    this->hull->SetNumberOfThreads(this->settings.threads);
+    this->hull->SetInputData(this->blocks);
+  }
+  void run() override { this->hull->Update(); }
+  Metrics metrics() const override
+  {
+    auto* const output = vtkMultiBlockDataSet::SafeDownCast(this->hull->GetOutputDataObject(0));
+    vtkIdType vertices = 0;
+    for (unsigned int block = 0; block < this->count; ++block)
+    {
+      auto* const data = vtkPolyData::SafeDownCast(output->GetBlock(block));
+      vertices += data ? data->GetNumberOfPoints() : 0;
+    }
+    return { { "vertices", static_cast<double>(vertices) } };
   }
 
-  std::printf("%d blocks of %d points: seconds in each of five rounds\n", count, size);
-  const std::vector<int> threads{ 1, 2, 4, 0 };
-  std::vector<std::vector<double>> seconds(threads.size());
-  for (int round = 0; round < 5; ++round)
-  {
-    for (std::size_t k = 0; k < threads.size(); ++k)
-    {
-      vtkNew<vtkFFHullFilter> hull;
-      hull->SetNumberOfThreads(threads[k]);
-      hull->SetInputData(blocks);
-      const auto begin = std::chrono::steady_clock::now();
-      hull->Update();
-      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-      seconds[k].push_back(passed.count());
-    }
-  }
-  for (std::size_t k = 0; k < threads.size(); ++k)
-  {
-    std::printf(threads[k] ? "%7d thread(s)" : "default threads  ", threads[k]);
-    for (const double s : seconds[k])
-    {
-      std::printf(" %8.4f", s);
-    }
-    std::sort(seconds[k].begin(), seconds[k].end());
-    std::printf("  median %8.4f\n", seconds[k][2]);
-  }
-  return EXIT_SUCCESS;
+private:
+  Settings settings;
+  unsigned int count = 0;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkFFHullFilter> hull;
+};
+
+}
+
+std::vector<ProgramKind> filterManyHullsPrograms()
+{
+  return { ProgramKind::ours("flipflop-filter",
+    [](const Settings& settings) { return std::make_unique<FilterOnBlocks>(settings); }) };
+}
+
 }

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredRun.h"
 
+#include "ProcessMemory.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <type_traits>
+#include <sstream>
 
 #include <csignal>
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -22,8 +22,6 @@ namespace flipflop
 namespace
 {
 
-static_assert(std::is_trivially_copyable<Measurement>::value, "sent through a pipe");
-
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start)
@@ -31,56 +29,17 @@ double secondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void say(Measurement& measurement, const char* text)
-{
-  std::snprintf(measurement.message, sizeof(measurement.message), "%s", text);
-}
-
-/// A field of /proc/self/status in bytes, -1 where there is none.
-std::int64_t memoryField(const char* field)
-{
-  std::FILE* file = std::fopen("/proc/self/status", "r");
-  if (!file)
-  {
-    return -1;
-  }
-  std::int64_t bytes = -1;
-  char line[256];
-  const std::size_t length = std::strlen(field);
-  while (std::fgets(line, sizeof(line), file))
-  {
-    if (std::strncmp(line, field, length) == 0 && line[length] == ':')
-    {
-      bytes = std::strtoll(line + length + 1, nullptr, 10) * 1024;
-    }
-  }
-  std::fclose(file);
-  return bytes;
-}
-
-/// Let VmHWM start again at what is resident now, and return that.
-std::int64_t resetPeak()
-{
-  const int file = open("/proc/self/clear_refs", O_WRONLY);
-  if (file < 0)
-  {
-    return -1;
-  }
-  const bool done = write(file, "5", 1) == 1;
-  close(file);
-  return done ? memoryField("VmRSS") : -1;
-}
-
-/// Touch as much memory as contenders are known to take, 2 GiB at most, and give it back. A virtual
+/// Touch as much memory as programs are known to take, 2 GiB at most, and give it back. A virtual
 /// machine's host hands memory out when it is first touched, at a twentieth of the usual speed:
-/// without this, whoever runs first pays for all.
-void touchMemory(const Coordinates& xyz)
+/// without this, the first run pays for all.
+void touchMemory(std::int64_t points)
 {
-  constexpr std::size_t BytesAPoint = 800;
+  constexpr std::size_t BytesPerPoint = 800;
   constexpr std::size_t Most = std::size_t(1) << 31;
   constexpr std::size_t Page = 4096;
   const auto available = static_cast<std::size_t>(sysconf(_SC_AVPHYS_PAGES)) * Page;
-  const std::size_t bytes = std::min({ xyz.size() / 3 * BytesAPoint, Most, available / 2 });
+  const std::size_t bytes =
+    std::min({ static_cast<std::size_t>(points) * BytesPerPoint, Most, available / 2 });
   void* const memory =
     mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory != MAP_FAILED)
@@ -94,148 +53,206 @@ void touchMemory(const Coordinates& xyz)
   }
 }
 
-/// The contender's run on @p xyz; it keeps its result.
-Measurement runHere(Contender& contender, const Coordinates& xyz)
+/// Moves a metric that replaces a measured value.
+void takeMetric(Metrics& metrics, const char* name, double& value)
+{
+  const auto found = std::find_if(
+    metrics.begin(), metrics.end(), [&](const auto& metric) { return metric.first == name; });
+  if (found != metrics.end())
+  {
+    value = found->second;
+    metrics.erase(found);
+  }
+}
+
+Measurement runHere(Program& program, const Input& input)
 {
   Measurement result;
-  touchMemory(xyz);
-  contender.prepare(xyz);
-
-  const std::int64_t before = resetPeak();
+  touchMemory(input.count());
+  program.prepare(input);
+  const double before = resetPeakMemory();
   const Clock::time_point start = Clock::now();
-  contender.run();
+  program.run();
   result.seconds = secondsSince(start);
-  const std::int64_t peak = memoryField("VmHWM");
-
-  result.peakBytes = before < 0 || peak < 0 ? -1 : peak - before;
-  result.outcome = contender.outcome();
-  if (result.outcome.seconds >= 0)
-  {
-    result.seconds = result.outcome.seconds;
-    result.peakBytes = result.outcome.peakBytes;
-  }
+  result.peakBytes = peakMemory() - before;
+  result.metrics = program.metrics();
+  takeMetric(result.metrics, "seconds", result.seconds);
+  takeMetric(result.metrics, "peak_bytes", result.peakBytes);
   result.status = Status::Ok;
   return result;
 }
 
-void judgeHere(Measurement& result, const Contender& contender)
+void checkHere(Measurement& result, const Program& program)
 {
   const Clock::time_point start = Clock::now();
-  const Verdict verdict = contender.judge();
-  result.judgingSeconds = secondsSince(start);
-  result.status = verdict.right ? Status::Ok : Status::Wrong;
-  say(result, verdict.text.c_str());
+  const CheckResult check = program.check();
+  result.checkSeconds = secondsSince(start);
+  result.status = check.isRight ? Status::Ok : Status::Wrong;
+  result.message = check.text;
 }
 
-/// Send back what the run comes to and, if @p judge, once more with the verdict.
-[[noreturn]] void child(int pipe, const Coordinates& xyz, const Coordinates& few,
-  const ContenderFactory& factory, bool judge)
+/// The run, and its check; @p publish is called before the check begins.
+template <class Publish>
+Measurement runAndCheck(const RunRequest& request, const Publish& publish)
 {
   Measurement result;
-  const auto send = [&]
-  { return write(pipe, &result, sizeof(result)) == static_cast<ssize_t>(sizeof(result)); };
-  bool sent = true;
   try
   {
+    if (request.warmUp)
     {
-      const std::unique_ptr<Contender> warm = factory();
-      warm->prepare(few);
+      const std::unique_ptr<Program> warm = request.make();
+      warm->prepare(*request.warmUp);
       warm->run();
     }
-    const std::unique_ptr<Contender> contender = factory();
-    result = runHere(*contender, xyz);
-    if (judge)
+    const std::unique_ptr<Program> program = request.make();
+    result = runHere(*program, *request.input);
+    if (request.check)
     {
-      sent = send();
-      judgeHere(result, *contender);
+      publish(result);
+      checkHere(result, *program);
     }
   }
   catch (const std::exception& error)
   {
     result.status = Status::Failed;
-    say(result, error.what());
+    result.message = error.what();
   }
-  sent = send() && sent;
-  // Skip destructors and exit handlers: they belong to the parent.
-  _exit(sent ? 0 : 1);
+  return result;
 }
 
-/// What the child sends next.
+/// A length, and so many bytes of text: numbers, metrics line by line, the message.
+void send(int pipe, const Measurement& measurement)
+{
+  std::ostringstream text;
+  text.precision(17);
+  // Streams do not read NaN.
+  const auto orMissing = [](double value) { return std::isnan(value) ? -1 : value; };
+  text << static_cast<int>(measurement.status) << ' ' << orMissing(measurement.seconds) << ' '
+       << orMissing(measurement.peakBytes) << ' ' << measurement.checkSeconds << ' '
+       << measurement.metrics.size() << '\n';
+  for (const auto& [name, value] : measurement.metrics)
+  {
+    text << orMissing(value) << ' ' << name << '\n';
+  }
+  text << measurement.message;
+  const std::string bytes = text.str();
+  const std::size_t size = bytes.size();
+  const bool isSent = write(pipe, &size, sizeof(size)) == sizeof(size) &&
+    write(pipe, bytes.data(), size) == static_cast<ssize_t>(size);
+  if (!isSent)
+  {
+    _exit(1);
+  }
+}
+
+bool readAll(int pipe, void* to, std::size_t bytes)
+{
+  for (std::size_t at = 0; at < bytes;)
+  {
+    const ssize_t got = read(pipe, static_cast<char*>(to) + at, bytes - at);
+    if (got <= 0)
+    {
+      return false;
+    }
+    at += static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
 Measurement receive(int pipe)
 {
-  Measurement received;
-  if (read(pipe, &received, sizeof(received)) != static_cast<ssize_t>(sizeof(received)))
+  Measurement result;
+  std::size_t size = 0;
+  std::string bytes;
+  if (readAll(pipe, &size, sizeof(size)))
   {
-    received = Measurement();
-    say(received, "the process ended without a result");
+    bytes.resize(size);
   }
-  return received;
+  if (size == 0 || !readAll(pipe, &bytes[0], size))
+  {
+    result.message = "the process ended without a result";
+    return result;
+  }
+  std::istringstream text(bytes);
+  int status = 0;
+  std::size_t metrics = 0;
+  text >> status >> result.seconds >> result.peakBytes >> result.checkSeconds >> metrics;
+  result.status = static_cast<Status>(status);
+  for (double* value : { &result.seconds, &result.peakBytes })
+  {
+    *value = *value < 0 ? std::nan("") : *value;
+  }
+  for (std::size_t i = 0; i < metrics; ++i)
+  {
+    double value = 0;
+    std::string name;
+    text >> value >> std::ws;
+    std::getline(text, name);
+    result.metrics.emplace_back(name, value);
+  }
+  text >> std::ws;
+  std::getline(text, result.message, '\0');
+  return result;
+}
+
+Measurement failed(const char* message)
+{
+  Measurement result;
+  result.message = message;
+  return result;
 }
 
 }
 
 const char* name(Status status)
 {
-  switch (status)
-  {
-    case Status::Ok:
-      return "ok";
-    case Status::Wrong:
-      return "wrong";
-    case Status::Failed:
-      return "failed";
-    case Status::Timeout:
-      return "timeout";
-    case Status::Skipped:
-      return "skipped";
-  }
-  return "unknown";
+  const char* const names[] = { "ok", "wrong", "failed", "timeout", "skipped" };
+  return names[static_cast<int>(status)];
 }
 
-Measurement measure(const Coordinates& xyz, const Coordinates& few, const ContenderFactory& factory,
-  double limitSeconds, bool judge)
+Measurement measure(const RunRequest& request)
 {
-  Measurement result;
+  if (!request.isolate)
+  {
+    return runAndCheck(request, [](const Measurement&) {});
+  }
   int ends[2];
   if (pipe(ends) != 0)
   {
-    say(result, "no pipe");
-    return result;
+    return failed("no pipe");
   }
   std::fflush(nullptr);
   const pid_t process = fork();
-  if (process < 0)
-  {
-    say(result, "no process");
-    close(ends[0]);
-    close(ends[1]);
-    return result;
-  }
   if (process == 0)
   {
     close(ends[0]);
-    child(ends[1], xyz, few, factory, judge);
+    send(ends[1], runAndCheck(request, [&](const Measurement& early) { send(ends[1], early); }));
+    // Skip destructors and exit handlers: they belong to the parent.
+    _exit(0);
   }
   close(ends[1]);
-
-  pollfd wait = { ends[0], POLLIN, 0 };
-  const int limit = limitSeconds > 0 ? static_cast<int>(limitSeconds * 1000) : -1;
-  if (poll(&wait, 1, limit) == 0)
+  Measurement result = failed("no process");
+  if (process > 0)
   {
-    kill(process, SIGKILL);
-    result.status = Status::Timeout;
-    result.seconds = limitSeconds;
-  }
-  else
-  {
-    result = receive(ends[0]);
-    if (judge && result.done())
+    pollfd wait = { ends[0], POLLIN, 0 };
+    const int limit = request.limitSeconds > 0 ? static_cast<int>(request.limitSeconds * 1000) : -1;
+    if (poll(&wait, 1, limit) == 0)
+    {
+      kill(process, SIGKILL);
+      result = failed("");
+      result.status = Status::Timeout;
+    }
+    else
     {
       result = receive(ends[0]);
+      if (request.check && result.isDone())
+      {
+        result = receive(ends[0]);
+      }
     }
+    waitpid(process, nullptr, 0);
   }
   close(ends[0]);
-  waitpid(process, nullptr, 0);
   return result;
 }
 

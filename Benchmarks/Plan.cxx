@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plan.h"
 
-#include "ShapesInUse.h"
+#include "Testing/Engine/Inputs/InputsInUse.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <map>
 #include <stdexcept>
 
 namespace flipflop
@@ -13,21 +15,29 @@ namespace flipflop
 namespace
 {
 
-std::vector<std::string> split(const std::string& text)
+using Values = std::map<std::string, std::string>;
+
+std::string trimmed(const std::string& text)
 {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (begin <= text.size())
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  const std::size_t end = text.find_last_not_of(" \t\r");
+  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
+}
+
+std::vector<std::string> split(const std::string& list)
+{
+  std::vector<std::string> entries;
+  for (std::size_t begin = 0; begin <= list.size();)
   {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end == begin)
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    entries.push_back(trimmed(list.substr(begin, end - begin)));
+    if (entries.back().empty())
     {
-      throw std::invalid_argument("an empty entry in: " + text);
+      throw std::invalid_argument("an empty entry in: " + list);
     }
-    parts.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
-  return parts;
+  return entries;
 }
 
 double number(const std::string& text, double least, double most)
@@ -40,7 +50,7 @@ double number(const std::string& text, double least, double most)
   }
   catch (const std::exception&)
   {
-    used = text.size() + 1;
+    used = std::string::npos;
   }
   if (used != text.size() || !(value >= least && value <= most))
   {
@@ -49,209 +59,194 @@ double number(const std::string& text, double least, double most)
   return value;
 }
 
-std::vector<Distribution> distributions(const std::string& text, Family family)
+template <class Int>
+std::vector<Int> numbers(const std::string& list, double least, double most)
 {
-  std::vector<Distribution> result;
-  for (const std::string& part : split(text))
+  std::vector<Int> result;
+  for (const std::string& entry : split(list))
   {
-    if (part == "in-use")
+    result.push_back(static_cast<Int>(std::llround(number(entry, least, most))));
+  }
+  return result;
+}
+
+bool yesOrNo(const std::string& text)
+{
+  if (text != "yes" && text != "no")
+  {
+    throw std::invalid_argument("neither yes nor no: " + text);
+  }
+  return text == "yes";
+}
+
+std::vector<std::string> families(const std::string& list, bool isPlane)
+{
+  std::vector<std::string> result;
+  for (const std::string& entry : split(list))
+  {
+    if (entry != "in-use")
     {
-      const std::vector<Distribution> all = distributionsInUse(family);
-      result.insert(result.end(), all.begin(), all.end());
+      result.push_back(entry);
       continue;
     }
-    result.push_back(Distribution::parse(part, family));
+    const std::vector<std::string> all = test::withShuffled(test::namesInUse(isPlane));
+    result.insert(result.end(), all.begin(), all.end());
   }
   return result;
 }
 
-std::vector<std::int64_t> sizes(const std::string& text)
+void set(Plan& plan, const std::string& key, const std::string& value)
 {
-  std::vector<std::int64_t> result;
-  for (const std::string& part : split(text))
+  const auto seconds = [&] { return number(value, 0, 1e6); };
+  if (key == "families")
   {
-    result.push_back(std::llround(number(part, 8, 2e9)));
+    plan.families = families(value, plan.problem->isPlane);
   }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-std::vector<int> threads(const std::string& text)
-{
-  std::vector<int> result;
-  for (const std::string& part : split(text))
+  else if (key == "counts")
   {
-    result.push_back(static_cast<int>(number(part, 1, 4096)));
+    plan.counts = numbers<std::int64_t>(value, 1, 2e9);
   }
-  return result;
-}
-
-std::vector<Peer> peers(const std::string& text, const Suite& suite)
-{
-  std::vector<Peer> result;
-  for (const std::string& part : split(text))
+  else if (key == "programs")
   {
-    const Peer* peer = suite.find(part);
-    if (!peer && part != "none")
+    plan.programs.clear();
+    for (const std::string& name : split(value))
     {
-      throw std::invalid_argument("unknown peer: " + part);
-    }
-    if (peer)
-    {
-      result.push_back(*peer);
+      plan.programs.push_back(&plan.problem->find(name));
     }
   }
-  return result;
-}
-
-std::string joined(const std::vector<std::string>& names, const char* between)
-{
-  std::string result;
-  for (const std::string& name : names)
+  else if (key == "threads" || key == "parts")
   {
-    result += (result.empty() ? "" : between) + name;
+    (key == "threads" ? plan.threads : plan.parts) = numbers<int>(value, 0, 1e6);
   }
-  return result;
-}
-
-/// In lines as wide as the usage's.
-std::string wrapped(const std::vector<std::string>& names)
-{
-  const std::string begin = "\n" + std::string(26, ' ');
-  std::string result;
-  std::size_t width = 0;
-  for (const std::string& name : names)
+  else if (key == "repetitions")
   {
-    width += name.size() + 2;
-    const bool full = width > 74;
-    result += result.empty() ? name : (full ? "," + begin : ", ") + name;
-    width = full ? name.size() + 2 : width;
+    plan.repetitions = static_cast<int>(number(value, 1, 1000));
   }
-  return result;
-}
-
-std::string peerNames(const Suite& suite, const char* between)
-{
-  std::vector<std::string> names;
-  for (const Peer& peer : suite.peers)
+  else if (key == "max-peer-seconds")
   {
-    names.push_back(peer.name);
+    plan.maxPeerSeconds = seconds();
   }
-  return joined(names, between);
+  else if (key == "max-case-seconds")
+  {
+    plan.maxCaseSeconds = seconds();
+  }
+  else if (key == "max-seconds")
+  {
+    plan.maxSeconds = seconds();
+  }
+  else if (key == "seed")
+  {
+    plan.seed = static_cast<std::uint64_t>(number(value, 0, 0x1p53));
+  }
+  else if (key == "check" || key == "isolate")
+  {
+    (key == "check" ? plan.check : plan.isolate) = yesOrNo(value);
+  }
+  else if (key == "output")
+  {
+    plan.output = value;
+  }
+  else
+  {
+    throw std::invalid_argument("unknown key: " + key);
+  }
 }
 
-}
-
-Plan Plan::parse(const Suite& suite, int argc, const char* const* argv)
+Plan makePlan(const std::string& section, Values values)
 {
   Plan plan;
-  plan.distributions = flipflop::distributions(suite.distributions, suite.family);
-  plan.peers = suite.peers;
-  plan.sizes = { 100000, 1000000, 10000000 };
-  for (int i = 1; i < argc; ++i)
+  plan.section = section;
+  values.emplace("problem", section);
+  plan.problem = &findProblem(values["problem"]);
+  values.erase("problem");
+  for (const auto& [key, value] : values)
   {
-    std::string option = argv[i];
-    if (option == "--help" || option == "-h")
-    {
-      plan.help = true;
-      continue;
-    }
-    if (option == "--validate")
-    {
-      plan.validate = true;
-      continue;
-    }
-    std::string value;
-    const std::size_t equals = option.find('=');
-    if (equals != std::string::npos)
-    {
-      value = option.substr(equals + 1);
-      option.resize(equals);
-    }
-    else if (i + 1 < argc)
-    {
-      value = argv[++i];
-    }
-    if (value.empty())
-    {
-      throw std::invalid_argument("unknown option, or one without its value: " + option);
-    }
-    if (option == "--distributions")
-    {
-      plan.distributions = flipflop::distributions(value, suite.family);
-    }
-    else if (option == "--sizes")
-    {
-      plan.sizes = flipflop::sizes(value);
-    }
-    else if (option == "--threads")
-    {
-      plan.threads = flipflop::threads(value);
-    }
-    else if (option == "--peers")
-    {
-      plan.peers = flipflop::peers(value, suite);
-    }
-    else if (option == "--repetitions")
-    {
-      plan.repetitions = static_cast<int>(number(value, 1, 1000));
-    }
-    else if (option == "--max-peer-seconds")
-    {
-      plan.maxPeerSeconds = number(value, 0, 1e6);
-    }
-    else if (option == "--max-case-seconds")
-    {
-      plan.maxCaseSeconds = number(value, 0, 1e6);
-    }
-    else if (option == "--seed")
-    {
-      plan.seed = static_cast<std::uint64_t>(number(value, 0, 0x1p53));
-    }
-    else if (option == "--csv")
-    {
-      plan.csv = value;
-    }
-    else if (option == "--json")
-    {
-      plan.json = value;
-    }
-    else
-    {
-      throw std::invalid_argument("unknown option: " + option);
-    }
+    set(plan, key, value);
+  }
+  if (plan.families.empty() || plan.counts.empty() || plan.programs.empty())
+  {
+    throw std::invalid_argument("[" + section + "] lacks families, counts or programs");
   }
   return plan;
 }
 
-std::string Plan::usage(const Suite& suite)
+/// `key = value`, or an empty key where there is no "=".
+std::pair<std::string, std::string> keyAndValue(const std::string& text)
 {
-  return suite.program + ": " + suite.what + R"(, side by side
+  const std::size_t equals = text.find('=');
+  return equals == std::string::npos
+    ? std::pair<std::string, std::string>()
+    : std::make_pair(trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)));
+}
 
-  --distributions LIST    )" +
-    suite.distributionHelp + R"(
-                          and the shapes in use, of ShapesInUse.h; also shuffled
-                          (NAME-shuffled), and all of them by one word (in-use):
-                          )" +
-    wrapped(shapesInUse(suite.family == Family::Space)) + R"(
-  --sizes LIST            numbers of points (1e5,1e6,1e7)
-  --threads LIST          thread counts to run FlipFlop with (1,2)
-  --peers LIST            of )" +
-    peerNames(suite, ", ") + "; or none (" + peerNames(suite, ",") + R"()
-  --repetitions N         rounds of each case; a round runs every contender once (5)
-  --max-peer-seconds S    end a peer's run after so long, and skip the peer at a size where its time
-                          at the size before lets expect more; 0: no limit (120)
-  --max-case-seconds S    begin no further round of a case after so long, judging left out;
-                          0: no limit (0)
-  --seed N                of the random points (2013)
-  --validate              judge every result exactly, outside the clock: FlipFlop's, and peers'
-                          that have a judge
-  --csv FILE, --json FILE write the results
-  --help                  this text
+/// The sections in their order, each with the values that hold for all.
+std::vector<std::pair<std::string, Values>> readSections(const std::string& path)
+{
+  std::ifstream file(path);
+  if (!file)
+  {
+    throw std::invalid_argument("cannot read " + path);
+  }
+  Values common;
+  std::vector<std::pair<std::string, Values>> sections;
+  std::string line;
+  for (int at = 1; std::getline(file, line); ++at)
+  {
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.empty())
+    {
+      continue;
+    }
+    if (line.front() == '[' && line.back() == ']')
+    {
+      sections.emplace_back(line.substr(1, line.size() - 2), common);
+      continue;
+    }
+    const auto [key, value] = keyAndValue(line);
+    if (key.empty() || value.empty())
+    {
+      throw std::invalid_argument(path + ", line " + std::to_string(at) + ": " + line);
+    }
+    (sections.empty() ? common : sections.back().second)[key] = value;
+  }
+  return sections;
+}
 
-Each run is a process of its own that holds the input in memory before the clock starts; the clock
-stops at the complete result. Ratios are taken round by round, then their median.
-)";
+}
+
+std::vector<Plan> readPlans(const std::vector<std::string>& arguments)
+{
+  if (arguments.empty())
+  {
+    throw std::invalid_argument("no plan");
+  }
+  const auto sections = readSections(arguments[0]);
+  std::vector<std::string> chosen;
+  Values replaced;
+  for (std::size_t i = 1; i < arguments.size(); ++i)
+  {
+    const auto [key, value] = keyAndValue(arguments[i]);
+    key.empty() ? chosen.push_back(arguments[i]) : void(replaced[key] = value);
+  }
+  std::vector<Plan> plans;
+  for (const auto& [name, values] : sections)
+  {
+    if (chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end())
+    {
+      Values all = replaced;
+      all.insert(values.begin(), values.end());
+      plans.push_back(makePlan(name, all));
+    }
+  }
+  for (const std::string& name : chosen)
+  {
+    if (std::none_of(
+          plans.begin(), plans.end(), [&](const Plan& plan) { return plan.section == name; }))
+    {
+      throw std::invalid_argument("the plan has no section " + name);
+    }
+  }
+  return plans;
 }
 
 }

@@ -2,45 +2,43 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# run.sh [hull|triangulation|vtk|vtk-hull|vtk-triangulation] [OPTION OF THE BENCHMARK]...: build the
-# benchmarks, run one or both (vtk: the two beside VTK's newest release, which it installs), draw
-# the figures and write the tables of Documentation/Benchmarks.md or BenchmarksVtk.md. Results: hull.csv, hull.json and
-# so on in build/benchmark.
+# run.sh SECTION... [KEY=VALUE...]: build the benchmarks, measure sections of benchmarks.plan, and print their tables.
+# Results: build/benchmark/SECTION.csv for each run, SECTION-summary.csv for each program, for Documentation/Measurements.
+# Sections with Python packages install them; our wheel is taken from FLIPFLOP_WHEEL, if that is set.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Scripts/common.sh"
 
-subjects=(hull triangulation)
-case "${1:-}" in
-  hull | triangulation | vtk-hull | vtk-triangulation) subjects=("$1"); shift ;;
-  vtk) subjects=(vtk-hull vtk-triangulation); shift ;;
-  --* | "") ;;
-  *) echo "usage: run.sh [[vtk-]hull|[vtk-]triangulation|vtk] [OPTION]..." >&2; exit 2 ;;
-esac
-limits=(--max-case-seconds 120)
-
-"$top/Scripts/install-dependencies.sh" benchmark
-configure_and_build benchmark benchmark -DFLIPFLOP_BUILD_FILTERS=OFF \
-  -DBUILD_TESTING=OFF
-
-if [[ "${subjects[0]}" == vtk-* ]]; then
-  venv="$top/build/benchmark/vtk"
-  say "Install: $(grep -v '^#' "$top/Benchmarks/vtk-requirements.txt") in $venv"
-  "$python" -m venv "$venv"
-  "$venv/bin/pip" install --quiet --requirement "$top/Benchmarks/vtk-requirements.txt"
-  export FLIPFLOP_VTK_PYTHON="$venv/bin/python"
-  # A case where VTK takes longer is told as such.
-  limits=(--sizes 1e4,1e5,1e6 --repetitions 3 --max-case-seconds 15 --max-peer-seconds 15)
+plan="$top/Benchmarks/benchmarks.plan"
+results="$top/build/benchmark"
+sections=()
+for argument in "$@"; do
+  [[ "$argument" == *=* ]] || sections+=("$argument")
+done
+if [ ${#sections[@]} -eq 0 ]; then
+  echo "usage: run.sh SECTION... [KEY=VALUE...]; sections: $(sed -n 's/^\[\(.*\)\]/\1/p' "$plan" | tr '\n' ' ')" >&2
+  exit 2
 fi
 
-for subject in "${subjects[@]}"; do
-  page="$top/Documentation/Benchmarks.md"
-  [[ "$subject" != vtk-* ]] || page="$top/Documentation/BenchmarksVtk.md"
-  results="$top/build/benchmark/$subject"
-  say "Run: $subject"
-  "$top/build/benchmark/bin/$subject-benchmark" --validate "${limits[@]}" \
-    --csv "$results.csv" --json "$results.json" "$@"
+"$top/Scripts/install-dependencies.sh" benchmark
+options=(-DBUILD_TESTING=OFF -DFLIPFLOP_WRAP_PYTHON=OFF)
+[[ " ${sections[*]} " == *" many-blocks "* ]] || options+=(-DFLIPFLOP_BUILD_FILTERS=OFF)
+[[ " ${sections[*]} " != *" round-counts"* ]] || options+=(-DFLIPFLOP_BUILD_CUDA_PROGRAMS=ON)
+configure_and_build benchmark benchmark "${options[@]}"
 
-  say "Figures and tables: $subject"
-  "$python" -B "$top/Benchmarks/plot-figures.py" "$subject" "$results.csv" --json "$results.json" \
-    --figures "$top/Documentation/Figures" --markdown "$page"
+if [[ " ${sections[*]} " =~ " "(vtk-|python-|many-hulls) ]]; then
+  venv="$results/peers"
+  say "Install $(grep -v '^#' "$top/Benchmarks/peers-requirements.txt" | tr '\n' ' ')in $venv"
+  "$python" -m venv "$venv"
+  "$venv/bin/pip" install --quiet --requirement "$top/Benchmarks/peers-requirements.txt" \
+    ${FLIPFLOP_WHEEL:+"$FLIPFLOP_WHEEL"}
+  export FLIPFLOP_PEER_PYTHON="$venv/bin/python"
+fi
+
+cd "$top" # the plan names files from here
+status=0
+"$results/bin/flipflop-benchmark" "$plan" "$@" "output=$results" || status=$?
+for section in "${sections[@]}"; do
+  say "$section"
+  "$python" -B "$top/Benchmarks/report.py" "$results/$section.csv" --csv "$results/$section-summary.csv"
 done
+exit "$status"

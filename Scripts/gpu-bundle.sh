@@ -22,7 +22,7 @@ configure_and_build gpu gpu-bundle-build "-DCMAKE_CUDA_ARCHITECTURES=${1:-80-rea
 
 rm -rf "$bundle"
 mkdir -p "$bundle/bin" "$bundle/lib" "$bundle/Scripts" "$bundle/Benchmarks/Cuda"
-cp "$build/bin/flipflop-device-test" "$build/bin/cuda-benchmark" "$bundle/bin"
+cp "$build/bin/flipflop-device-test" "$build/bin/flipflop-benchmark" "$bundle/bin"
 strip "$bundle"/bin/*
 # All but the C library's own, which the machine has.
 ldd "$bundle"/bin/* | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p' | sort -u |
@@ -30,7 +30,8 @@ ldd "$bundle"/bin/* | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p' | sort -u |
 mkdir "$bundle/lib/standard"
 mv "$bundle"/lib/libstdc++.so.* "$bundle"/lib/libgcc_s.so.* "$bundle/lib/standard"
 cp "$top/Scripts/gpu.sh" "$top/Scripts/common.sh" "$bundle/Scripts"
-cp "$top"/Benchmarks/Cuda/*.py "$bundle/Benchmarks/Cuda"
+cp "$top/Benchmarks/report.py" "$bundle/Benchmarks"
+cp "$top/Benchmarks/Cuda/device.plan" "$bundle/Benchmarks/Cuda"
 
 megabytes=$(du -sm "$bundle" | cut -f1)
 # newest FILE...: the newest C library that one of them takes

@@ -12,7 +12,7 @@
 #   peers   beside the CPU engine and Qhull, and from how many points on the device is faster
 # In a bundle (gpu-bundle.sh), nothing is built.
 # --dependencies: what gather-dependencies.sh has put there. --output (build/gpu/results): for log.txt,
-# memcheck.txt, initcheck.txt, floors.csv, crossover.csv, engines.csv, kernels.csv and tables.md. --quick: small
+# memcheck.txt, initcheck.txt, a CSV for each section of Benchmarks/Cuda/device.plan, and tables.md. --quick: small
 # sizes only. FLIPFLOP_GPU_SECONDS in the environment: another limit for all.
 #
 # Exit status: 0; 1 where a step failed, whose successors ran all the same; 77 where there is no device.
@@ -22,6 +22,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 no_device=77
 sanitizer_found=99 # as we ask it to exit where it found something
 build="$top/build/gpu"
+plan="$top/Benchmarks/Cuda/device.plan"
 # A bundle has the programs beside Scripts/.
 prebuilt=
 if [ -x "$top/bin/flipflop-device-test" ]; then
@@ -122,21 +123,22 @@ profile() {
     note skipped "ncu: it is not there"
     return
   fi
+  mkdir -p "$output/ncu"
   step "ncu" 90 "$measuring" ncu --kernel-name-base demangled --kernel-name 'regex:(Relocate|Check|Relink)<' \
     --launch-skip 30 --launch-count 30 --section SpeedOfLight --section MemoryWorkloadAnalysis --section Occupancy \
-    --section LaunchStats "$build/bin/cuda-benchmark" --output "$output/ncu" --parts kernels --sizes 1e6 --only shell:0 \
-    >"$output/ncu.txt" || true
+    --section LaunchStats "$build/bin/flipflop-benchmark" "$plan" kernels-space "output=$output/ncu" counts=1e6 \
+    families=shell0 >"$output/ncu.txt" || true
   tail -n 3 "$output/ncu.txt"
 }
 
-# measure PARTS SHARE [OPTION]...: for SHARE tenths of the time that is left; it ends by itself once its time is up, but
-# for the case in hand
+# measure NAME SHARE SECTION...: sections of the plan for SHARE tenths of the time that is left. It ends by itself once its
+# time is up, except for the case at hand.
 measure() {
-  local measured=$1 seconds=$(($(left) * $2 / 10))
+  local name=$1 seconds=$(($(left) * $2 / 10))
   shift 2
-  local options=(--parts "$measured" --max-seconds "$seconds" --max-qhull-seconds $((seconds / 4)) "$@")
-  [ -z "$quick" ] || options+=(--sizes "1e4,1e5" --repetitions 3)
-  step "Benchmark of $measured" "$(left)" 5 "$build/bin/cuda-benchmark" --output "$output" "${options[@]}" || true
+  local options=("output=$output" "max-seconds=$seconds" "max-peer-seconds=$((seconds / 8))")
+  [ -z "$quick" ] || options+=("counts=1e5,1e4" repetitions=3)
+  step "Benchmark of $name" "$(left)" 5 "$build/bin/flipflop-benchmark" "$plan" "$@" "${options[@]}" || true
 }
 
 main() {
@@ -157,15 +159,22 @@ main() {
   if has tests; then
     sanitize memcheck "" --leak-check full
     sanitize initcheck rounds/
-    measure floors 8
+    measure floors 8 floors
   fi
   if has device; then
-    measure engines 4 --device-only
-    measure kernels 5
+    measure engines 4 device-hull device-triangulation
+    measure kernels 5 kernels-space kernels-plane
     profile
   fi
-  ! has peers || measure engines,crossover 8
-  python3 -B "$top/Benchmarks/Cuda/tables.py" "$output" >"$output/tables.md" || note FAILED tables.py
+  if has peers; then
+    measure peers 6 peers-hull peers-triangulation
+    measure crossover 8 crossover-hull crossover-triangulation
+  fi
+  local results
+  for results in "$output"/*.csv; do
+    echo "### $(basename "$results" .csv)"
+    python3 -B "$top/Benchmarks/report.py" "$results"
+  done >"$output/tables.md" || note FAILED report.py
   [ -z "$failed" ]
 }
 

@@ -5,10 +5,8 @@
 #include "Device/CudaExecutor.h"
 #include "Rounds/Atomics.h"
 #include "Rounds/ExecutorArray.h"
-#include <flipflop/Error.h>
 
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <vector>
@@ -90,61 +88,6 @@ double leastSeconds(const std::function<void()>& work)
   }
   return least;
 }
-
-#if CUDART_VERSION >= 13000
-
-/// Ends the loop of the graph that it is part of after so many times.
-__global__ void countDown(cudaGraphConditionalHandle handle, std::uint32_t* left)
-{
-  if (--*left == 0)
-  {
-    cudaGraphSetConditional(handle, 0);
-  }
-}
-
-/// A graph that loops on the device, without the host: the seconds of an iteration of five kernels.
-double secondsOfGraphIteration(CudaExecutor& executor)
-{
-  constexpr std::uint32_t Iterations = 2000;
-  ExecutorArray<CudaExecutor, std::uint32_t> left(executor, 1);
-  cudaStream_t stream = nullptr;
-  cudaGraph_t graph = nullptr;
-  cudaGraphExec_t ready = nullptr;
-  cudaGraphConditionalHandle handle{};
-  requireCuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
-  requireCuda(cudaGraphCreate(&graph, 0));
-  requireCuda(cudaGraphConditionalHandleCreate(&handle, graph, 1, cudaGraphCondAssignDefault));
-  cudaGraphNodeParams loop{};
-  loop.type = cudaGraphNodeTypeConditional;
-  loop.conditional.handle = handle;
-  loop.conditional.type = cudaGraphCondTypeWhile;
-  loop.conditional.size = 1;
-  cudaGraphNode_t node = nullptr;
-  requireCuda(cudaGraphAddNode(&node, graph, nullptr, nullptr, 0, &loop));
-  requireCuda(cudaStreamBeginCaptureToGraph(stream, loop.conditional.phGraph_out[0], nullptr,
-    nullptr, 0, cudaStreamCaptureModeThreadLocal));
-  for (int i = 0; i < 4; ++i)
-  {
-    runKernel<<<1, 256, 0, stream>>>(Nothing(), nullptr, 256);
-  }
-  countDown<<<1, 1, 0, stream>>>(handle, left.data());
-  requireCuda(cudaStreamEndCapture(stream, nullptr));
-  requireCuda(cudaGraphInstantiate(&ready, graph, 0));
-  const double seconds = leastSeconds(
-    [&]
-    {
-      executor.fromHost(left.data(), &Iterations, sizeof(Iterations));
-      executor.finish();
-      requireCuda(cudaGraphLaunch(ready, stream));
-      requireCuda(cudaStreamSynchronize(stream));
-    });
-  requireCuda(cudaGraphExecDestroy(ready));
-  requireCuda(cudaGraphDestroy(graph));
-  requireCuda(cudaStreamDestroy(stream));
-  return seconds / Iterations;
-}
-
-#endif
 
 /// Gigabytes a second between pinned memory and the device.
 double rateOfPinned(cudaMemcpyKind kind, void* device, std::size_t bytes)
@@ -237,18 +180,6 @@ std::vector<Floor> deviceFloors()
     rateOfPinned(cudaMemcpyHostToDevice, to.data(), Bytes / 4), "GB/s" });
   floors.push_back({ "pinned copy to the host",
     rateOfPinned(cudaMemcpyDeviceToHost, to.data(), Bytes / 4), "GB/s" });
-#if CUDART_VERSION >= 13000
-  try
-  {
-    floors.push_back({ "iteration of five kernels in a graph that loops",
-      1e6 * secondsOfGraphIteration(executor), "us" });
-  }
-  catch (const Error& error)
-  {
-    // An older driver has no such graphs.
-    std::printf("graph that loops: CUDA error %lld\n", static_cast<long long>(error.index()));
-  }
-#endif
   std::vector<char> host(Bytes / 4);
   const double fetching =
     leastSeconds([&] { executor.toHost(host.data(), from.data(), host.size()); });
