@@ -33,6 +33,10 @@ namespace fuzz
 namespace
 {
 
+/// A setter with a value from the bytes.
+template <class Filter>
+using Setter = void (*)(Bytes&, Filter*);
+
 /// Any number for a setting of a few values.
 int drawChoice(Bytes& bytes)
 {
@@ -93,50 +97,30 @@ vtkSmartPointer<vtkAbstractTransform> drawTransform(Bytes& bytes)
   return linear;
 }
 
+void print(Bytes&, vtkFFAlgorithm* filter)
+{
+  std::ostringstream text;
+  filter->Print(text);
+}
+
 void drawCommon(Bytes& bytes, vtkFFAlgorithm* filter)
 {
-  switch (bytes.below(12))
-  {
-    case 1:
-      filter->SetEngine(drawChoice(bytes));
-      break;
-    case 2:
-      filter->SetCUDAThreshold(static_cast<vtkIdType>(bytes.integer()));
-      break;
-    case 3:
-      filter->SetNumberOfThreads(drawThreads(bytes));
-      break;
-    case 4:
-      filter->SetFacetMode(drawChoice(bytes));
-      break;
-    case 5:
-      filter->SetNonFinitePoints(drawChoice(bytes));
-      break;
-    case 6:
-      filter->SetPassPointData(bytes.flag());
-      break;
-    case 7:
-      filter->SetVisiblePointIds(bytes.flag());
-      break;
-    case 8:
-      filter->SetReportAsFieldData(bytes.flag());
-      break;
-    case 9:
-      filter->SetVBiased(bytes.flag());
-      break;
-    case 10:
-      filter->SetSkipGhostPoints(bytes.flag());
-      break;
-    case 11:
-    {
-      std::ostringstream text;
-      filter->Print(text);
-      break;
-    }
-    default:
-      filter->Modified();
-      break;
-  }
+  using F = vtkFFAlgorithm;
+  static const Setter<F> setters[] = {
+    [](Bytes&, F* f) { f->Modified(); },
+    [](Bytes& b, F* f) { f->SetEngine(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetCUDAThreshold(static_cast<vtkIdType>(b.integer())); },
+    [](Bytes& b, F* f) { f->SetNumberOfThreads(drawThreads(b)); },
+    [](Bytes& b, F* f) { f->SetFacetMode(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetNonFinitePoints(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetPassPointData(b.flag()); },
+    [](Bytes& b, F* f) { f->SetVisiblePointIds(b.flag()); },
+    [](Bytes& b, F* f) { f->SetReportAsFieldData(b.flag()); },
+    [](Bytes& b, F* f) { f->SetVBiased(b.flag()); },
+    [](Bytes& b, F* f) { f->SetSkipGhostPoints(b.flag()); },
+    print,
+  };
+  setters[bytes.below(12)](bytes, filter);
 }
 
 void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
@@ -194,36 +178,31 @@ vtkSmartPointer<vtkDataObject> drawSource(Bytes& bytes)
   return source;
 }
 
+/// A length; 0 is none.
+double drawLength(Bytes& bytes)
+{
+  return bytes.flag() ? 0.0 : bytes.number();
+}
+
 void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter, int which)
 {
-  switch (which)
-  {
-    case 12:
-      filter->SetMaximumEdgeLength(bytes.flag() ? 0.0 : bytes.number());
-      break;
-    case 14:
-      filter->SetAlpha(bytes.flag() ? 0.0 : bytes.number());
-      break;
-    case 15:
-      filter->SetAlphaLines(bytes.flag());
-      break;
-    case 16:
-      filter->SetAlphaVerts(bytes.flag());
-      break;
-    case 17:
-      filter->SetGenerateAlphas(bytes.flag());
-      break;
-    default:
-      filter->SetGenerateBoundary(bytes.flag());
-      break;
-  }
+  using F = vtkFFRegularTriangulationFilter;
+  static const Setter<F> setters[] = {
+    [](Bytes& b, F* f) { f->SetMaximumEdgeLength(drawLength(b)); },
+    [](Bytes& b, F* f) { f->SetGenerateBoundary(b.flag()); },
+    [](Bytes& b, F* f) { f->SetAlpha(drawLength(b)); },
+    [](Bytes& b, F* f) { f->SetAlphaLines(b.flag()); },
+    [](Bytes& b, F* f) { f->SetAlphaVerts(b.flag()); },
+    [](Bytes& b, F* f) { f->SetGenerateAlphas(b.flag()); },
+  };
+  setters[which >= 12 && which < 18 ? which - 12 : 1](bytes, filter);
 }
 
 void drawOwn(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter, int which)
 {
   if (which == 12)
   {
-    filter->SetMaximumEdgeLength(bytes.flag() ? 0.0 : bytes.number());
+    filter->SetMaximumEdgeLength(drawLength(bytes));
     return;
   }
   const int choices = bytes.byte();
@@ -252,118 +231,92 @@ void drawOwn(Bytes& bytes, vtkFFPowerDiagramFilter* filter, int which)
   filter->SetPowerDiagramBounds(box);
 }
 
+constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+
 void drawOwn(Bytes& bytes, vtkFFPlanarAlgorithm* filter)
 {
-  const int which = bytes.below(19);
-  switch (which)
-  {
-    case 3:
-      filter->SetProjectionPlaneMode(drawChoice(bytes));
-      break;
-    case 4:
-      filter->SetTransform(drawTransform(bytes));
-      break;
-    case 5:
+  using F = vtkFFPlanarAlgorithm;
+  static const Setter<F> setters[] = {
+    [](Bytes& b, F* f) { f->SetProjectionPlaneMode(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetTransform(drawTransform(b)); },
+    [](Bytes& b, F* f)
     {
-      const int association = drawChoice(bytes);
-      filter->SetInputArrayToProcess(0, 0, 0, association, drawArrayName(bytes));
-      break;
-    }
-    case 6:
-      filter->SetInputArrayToProcess(
-        0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, drawChoice(bytes));
-      break;
-    case 7:
-      filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
-      break;
-    case 8:
-      filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE);
-      filter->SetTransform(drawTransform(bytes));
-      break;
-    case 9:
-      filter->SetGenerateCellMeasures(bytes.flag());
-      break;
-    case 10:
-      filter->SetWeightMode(drawChoice(bytes));
-      break;
-    case 11:
-      filter->SetWeightFactor(bytes.number());
-      break;
-    default:
-      if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
-      {
-        drawOwn(bytes, triangulation, which);
-      }
-      else if (auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(filter))
-      {
-        drawOwn(bytes, constrained, which);
-      }
-      else if (auto* diagram = vtkFFPowerDiagramFilter::SafeDownCast(filter))
-      {
-        drawOwn(bytes, diagram, which);
-      }
-      break;
+      const int association = drawChoice(b);
+      f->SetInputArrayToProcess(0, 0, 0, association, drawArrayName(b));
+    },
+    [](Bytes& b, F* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, drawChoice(b)); },
+    [](Bytes&, F* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, "weights"); },
+    [](Bytes& b, F* f)
+    {
+      f->SetProjectionPlaneMode(F::TRANSFORM_PLANE);
+      f->SetTransform(drawTransform(b));
+    },
+    [](Bytes& b, F* f) { f->SetGenerateCellMeasures(b.flag()); },
+    [](Bytes& b, F* f) { f->SetWeightMode(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetWeightFactor(b.number()); },
+  };
+  const int which = bytes.below(19);
+  if (which >= 3 && which < 12)
+  {
+    setters[which - 3](bytes, filter);
+  }
+  else if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
+  {
+    drawOwn(bytes, triangulation, which);
+  }
+  else if (auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(filter))
+  {
+    drawOwn(bytes, constrained, which);
+  }
+  else if (auto* diagram = vtkFFPowerDiagramFilter::SafeDownCast(filter))
+  {
+    drawOwn(bytes, diagram, which);
   }
 }
 
 void drawOwn(Bytes& bytes, vtkFFSelectEnclosedPoints* filter)
 {
-  switch (bytes.below(3))
-  {
-    case 1:
-      filter->SetInsideOut(bytes.flag());
-      break;
-    case 2:
-      filter->SetSelectPointsOnSurface(bytes.flag());
-      break;
-    default:
-      filter->SetGenerateDistances(bytes.flag());
-      break;
-  }
+  using F = vtkFFSelectEnclosedPoints;
+  static const Setter<F> setters[] = {
+    [](Bytes& b, F* f) { f->SetGenerateDistances(b.flag()); },
+    [](Bytes& b, F* f) { f->SetInsideOut(b.flag()); },
+    [](Bytes& b, F* f) { f->SetSelectPointsOnSurface(b.flag()); },
+  };
+  setters[bytes.below(3)](bytes, filter);
+}
+
+/// An array's name, and never none.
+const char* drawName(Bytes& bytes, const char* otherwise)
+{
+  const char* const name = drawArrayName(bytes);
+  return name ? name : otherwise;
 }
 
 void drawOwn(Bytes& bytes, vtkFFPointInterpolator2D* filter)
 {
-  const char* name = nullptr;
-  switch (bytes.below(10))
-  {
-    case 1:
-      filter->SetNullPointsStrategy(drawChoice(bytes));
-      break;
-    case 2:
-      filter->SetNullValue(bytes.number());
-      break;
-    case 3:
-      name = drawArrayName(bytes);
-      filter->SetValidPointsMaskArrayName(name ? name : "mask");
-      break;
-    case 4:
-      filter->SetInterpolateZ(bytes.flag());
-      break;
-    case 5:
-      name = drawArrayName(bytes);
-      filter->SetZArrayName(name ? name : "z");
-      break;
-    case 6:
-      filter->AddExcludedArray(drawArrayName(bytes));
-      break;
-    case 7:
-      filter->SetPassPointArrays(bytes.flag());
-      filter->SetPassCellArrays(bytes.flag());
-      filter->SetPassFieldArrays(bytes.flag());
-      break;
-    case 8:
-      filter->SetInputArrayToProcess(
-        0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, drawArrayName(bytes));
-      break;
-    case 9:
-      filter->SetWeightMode(drawChoice(bytes));
-      filter->SetWeightFactor(bytes.flag() ? 1.0 : bytes.number());
-      break;
-    default:
-      filter->SetInterpolationMode(drawChoice(bytes));
-      break;
-  }
+  using F = vtkFFPointInterpolator2D;
+  static const Setter<F> setters[] = {
+    [](Bytes& b, F* f) { f->SetInterpolationMode(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetNullPointsStrategy(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetNullValue(b.number()); },
+    [](Bytes& b, F* f) { f->SetValidPointsMaskArrayName(drawName(b, "mask")); },
+    [](Bytes& b, F* f) { f->SetInterpolateZ(b.flag()); },
+    [](Bytes& b, F* f) { f->SetZArrayName(drawName(b, "z")); },
+    [](Bytes& b, F* f) { f->AddExcludedArray(drawArrayName(b)); },
+    [](Bytes& b, F* f)
+    {
+      f->SetPassPointArrays(b.flag());
+      f->SetPassCellArrays(b.flag());
+      f->SetPassFieldArrays(b.flag());
+    },
+    [](Bytes& b, F* f) { f->SetInputArrayToProcess(0, 1, 0, OfPoints, drawArrayName(b)); },
+    [](Bytes& b, F* f)
+    {
+      f->SetWeightMode(drawChoice(b));
+      f->SetWeightFactor(b.flag() ? 1.0 : b.number());
+    },
+  };
+  setters[bytes.below(10)](bytes, filter);
 }
 
 }
@@ -395,29 +348,26 @@ void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter)
 
 void drawSettings(Bytes& bytes, vtkFFQueryAlgorithm* filter)
 {
+  using F = vtkFFQueryAlgorithm;
+  static const Setter<F> setters[] = {
+    [](Bytes& b, F* f) { f->SetNumberOfThreads(drawThreads(b)); },
+    [](Bytes& b, F* f) { f->SetNonFinitePoints(drawChoice(b)); },
+    [](Bytes& b, F* f) { f->SetSkipGhostPoints(b.flag()); },
+  };
   for (int n = bytes.below(8); n > 0; --n)
   {
-    switch (bytes.below(8))
+    const int which = bytes.below(8);
+    if (which >= 1 && which < 4)
     {
-      case 1:
-        filter->SetNumberOfThreads(drawThreads(bytes));
-        break;
-      case 2:
-        filter->SetNonFinitePoints(drawChoice(bytes));
-        break;
-      case 3:
-        filter->SetSkipGhostPoints(bytes.flag());
-        break;
-      default:
-        if (auto* interpolator = vtkFFPointInterpolator2D::SafeDownCast(filter))
-        {
-          drawOwn(bytes, interpolator);
-        }
-        else if (auto* enclosed = vtkFFSelectEnclosedPoints::SafeDownCast(filter))
-        {
-          drawOwn(bytes, enclosed);
-        }
-        break;
+      setters[which - 1](bytes, filter);
+    }
+    else if (auto* interpolator = vtkFFPointInterpolator2D::SafeDownCast(filter))
+    {
+      drawOwn(bytes, interpolator);
+    }
+    else if (auto* enclosed = vtkFFSelectEnclosedPoints::SafeDownCast(filter))
+    {
+      drawOwn(bytes, enclosed);
     }
   }
 }

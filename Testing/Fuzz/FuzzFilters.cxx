@@ -64,50 +64,33 @@ bool silence()
   return true;
 }
 
+template <class Filter>
+vtkSmartPointer<vtkFFAlgorithm> ofOneProcess()
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetController(nullptr);
+  return filter;
+}
+
 vtkSmartPointer<vtkFFAlgorithm> makeFilter(int kind)
 {
-  vtkSmartPointer<vtkFFAlgorithm> filter;
   switch (kind)
   {
     case 1:
-      filter = vtkSmartPointer<vtkFFRegularTriangulationFilter>::New();
-      break;
+      return vtkSmartPointer<vtkFFRegularTriangulationFilter>::New();
     case 2:
-      filter = vtkSmartPointer<vtkFFConvexifyFilter>::New();
-      break;
+      return vtkSmartPointer<vtkFFConvexifyFilter>::New();
     case 3:
-    {
-      auto hull = vtkSmartPointer<vtkPFFHullFilter>::New();
-      hull->SetController(nullptr);
-      filter = hull;
-      break;
-    }
+      return ofOneProcess<vtkPFFHullFilter>();
     case 4:
-    {
-      auto triangulation = vtkSmartPointer<vtkPFFRegularTriangulationFilter>::New();
-      triangulation->SetController(nullptr);
-      filter = triangulation;
-      break;
-    }
+      return ofOneProcess<vtkPFFRegularTriangulationFilter>();
     case 5:
-    {
-      auto delaunay = vtkSmartPointer<vtkPFFDelaunayFilter>::New();
-      delaunay->SetController(nullptr);
-      filter = delaunay;
-      break;
-    }
+      return ofOneProcess<vtkPFFDelaunayFilter>();
     case 6:
-    {
-      auto diagram = vtkSmartPointer<vtkPFFPowerDiagramFilter>::New();
-      diagram->SetController(nullptr);
-      filter = diagram;
-      break;
-    }
+      return ofOneProcess<vtkPFFPowerDiagramFilter>();
     default:
-      filter = vtkSmartPointer<vtkFFHullFilter>::New();
-      break;
+      return vtkSmartPointer<vtkFFHullFilter>::New();
   }
-  return filter;
 }
 
 /// Whether all numbers of the points are finite.

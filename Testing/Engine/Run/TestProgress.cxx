@@ -4,8 +4,6 @@
 /// Long runs say how far they are, and stop when asked to.
 #include "Testing/Engine/Conformance/Kind.h"
 #include "Testing/Engine/Conformance/ProgressWatch.h"
-#include "Testing/Engine/Inputs/Surfaces.h"
-#include <flipflop/Convexify.h>
 
 #include <functional>
 
@@ -41,29 +39,7 @@ protected:
   }
 };
 
-TEST_P(ProgressOf, GrowsFrom0To1OnTheCallersThread)
-{
-  const Kind& kind = *this->GetParam().kind;
-  const Cloud cloud = this->make(61);
-  for (int threads : { 1, 2, 4 })
-  {
-    Watch watch;
-    const Result found = kind.run(cloud, watch.options(threads));
-    watch.expectOrder();
-    EXPECT_GE(watch.fractions.size(), 2u) << threads << " threads";
-    ASSERT_FALSE(watch.steps.empty());
-    EXPECT_EQ(watch.steps.front(), "scanning");
-    if (watch.steps.size() > 1) // what is on a line is done at once
-    {
-      EXPECT_EQ(watch.steps.back(), "finishing");
-    }
-    Options quiet;
-    quiet.threads = threads;
-    EXPECT_EQ(bitDifference(found, kind.run(cloud, quiet)), "") << "watching changed it";
-  }
-}
-
-TEST_P(ProgressOf, StopsWhenAsked)
+TEST_P(ProgressOf, NamesItsStepsAndStopsWhenAsked)
 {
   const Kind& kind = *this->GetParam().kind;
   const Cloud cloud = this->make(62);
@@ -71,6 +47,14 @@ TEST_P(ProgressOf, StopsWhenAsked)
   {
     Watch all;
     kind.run(cloud, all.options(threads));
+    all.expectOrder();
+    EXPECT_GE(all.fractions.size(), 2u) << threads << " threads";
+    ASSERT_FALSE(all.steps.empty());
+    EXPECT_EQ(all.steps.front(), "scanning");
+    if (all.steps.size() > 1) // what is on a line is done at once
+    {
+      EXPECT_EQ(all.steps.back(), "finishing");
+    }
     const int calls = static_cast<int>(all.fractions.size());
     for (int stopAt : { 1, 2, 5, calls / 2, calls })
     {
