@@ -5,10 +5,7 @@
  * @brief   what the Flip-Flop filters have in common
  *
  * vtkFFAlgorithm is the abstract superclass of the filters that run the Flip-Flop engine. It has
- * the properties that all of them share (which engine, how many threads, what to do with points
- * that are not finite, how facets are given, whether point data is passed). It also has the figures
- * that a run reports: the dimension of the result, which engine ran and why, and the statistics
- * that the paper gives for its own runs.
+ * the properties that all of them share, and the figures that a run reports.
  *
  * The filters are exact: the exact sign of a determinant decides every branch that affects the
  * output. So there is no tolerance, and none can be set. The output is a function of the input
@@ -30,10 +27,9 @@
  * vtkFFConvexifyFilter accepts a vtkPolyData.
  *
  * Composite input gives a result for each data set in it, in a composite of the same structure on
- * every port (get it with GetOutputDataObject()): the executive runs the filter once for each, as
- * it does for VTK's own filters. A data set at fault has an empty result and one error, which
- * counts the data sets from 0 on; all others have theirs. GetErrorCode() is that of the last one at
- * fault, and what the filter reports are sums.
+ * every port (get it with GetOutputDataObject()), as with VTK's own filters. A data set at fault
+ * has an empty result and one error, which counts the data sets from 0 on; all others have theirs.
+ * GetErrorCode() is that of the last one at fault, and what the filter reports are sums.
  *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkFFConvexifyFilter vtkFFRegularTriangulationFilter
@@ -109,8 +105,6 @@ public:
    * With VTK 9.6 or later, the CUDA engine reads a single array of float or double in place if the
    * array is on the device (a vtkmDataArray can be). The device must be the current one. The host
    * reads the array, too.
-   *
-   * vtkFFConvexifyFilter runs on the CPU engine only: setting the CUDA engine for it is an error.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_CUDA);
   vtkGetMacro(Engine, int);
@@ -193,7 +187,6 @@ public:
    */
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
-  vtkBooleanMacro(SkipGhostPoints, bool);
   //@}
 
   //@{
@@ -204,7 +197,6 @@ public:
    */
   virtual void SetPassPointData(bool on) { this->ChangeOutput(this->PassPointData, on); }
   vtkGetMacro(PassPointData, bool);
-  vtkBooleanMacro(PassPointData, bool);
   //@}
 
   //@{
@@ -214,7 +206,6 @@ public:
    */
   virtual void SetVisiblePointIds(bool on) { this->ChangeOutput(this->VisiblePointIds, on); }
   vtkGetMacro(VisiblePointIds, bool);
-  vtkBooleanMacro(VisiblePointIds, bool);
   //@}
 
   //@{
@@ -234,7 +225,6 @@ public:
    */
   virtual void SetReportAsFieldData(bool on) { this->ChangeOutput(this->ReportAsFieldData, on); }
   vtkGetMacro(ReportAsFieldData, bool);
-  vtkBooleanMacro(ReportAsFieldData, bool);
   //@}
 
   //@{
@@ -246,7 +236,6 @@ public:
    */
   vtkSetMacro(VBiased, bool);
   vtkGetMacro(VBiased, bool);
-  vtkBooleanMacro(VBiased, bool);
   //@}
 
   /**

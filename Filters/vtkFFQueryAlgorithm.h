@@ -10,8 +10,7 @@
  *
  * Either input is any vtkDataSet, or a composite of these. Composite input on port 0 gives answers
  * for each data set in it, in a composite of the same structure (get it with
- * GetOutputDataObject()): the executive runs the filter once for each, as it does for VTK's own
- * filters. The points of a composite on port 1 count together.
+ * GetOutputDataObject()). The points of a composite on port 1 count together.
  *
  * What is made of the second input is kept. The next run uses it again if neither that input nor a
  * setting that concerns it has changed.
@@ -91,7 +90,6 @@ public:
    */
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
-  vtkBooleanMacro(SkipGhostPoints, bool);
   //@}
 
   /**

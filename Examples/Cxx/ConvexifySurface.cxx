@@ -52,7 +52,7 @@ int main(int argc, char* argv[])
   convexify->SetInputData(dented);
   convexify->SetKernelPoint(0.0, 0.0, 0.0);
   convexify->UseKernelPointOn(); // without it, a kernel point is sought
-  convexify->ReportAsFieldDataOn();
+  convexify->SetReportAsFieldData(true);
   convexify->Update();
   if (convexify->GetErrorCode() != vtkErrorCode::NoError)
   {

@@ -29,7 +29,7 @@ convexify = vtkFFConvexifyFilter()
 convexify.SetInputData(dented)
 convexify.SetKernelPoint(0.0, 0.0, 0.0)
 convexify.UseKernelPointOn()  # without it, a kernel point is sought
-convexify.ReportAsFieldDataOn()
+convexify.SetReportAsFieldData(True)
 convexify.Update()
 if convexify.GetErrorCode() != 0:
     sys.exit(1)  # the filter has said what is wrong, and where

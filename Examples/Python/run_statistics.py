@@ -39,12 +39,12 @@ regular, unbiased = vtkFFRegularTriangulationFilter(), vtkFFRegularTriangulation
 for triangulation in (regular, unbiased):
     triangulation.SetInputConnection(autzen.GetOutputPort())
     triangulation.SetInputArrayToProcess(0, 0, 0, 0, "weight")
-unbiased.VBiasedOff()  # vertices are labelled at once
+unbiased.SetVBiased(False)  # vertices are labelled at once
 
 runs = [hull, delaunay, regular, unbiased]
 for run in runs:
     run.SetNumberOfThreads(1)
-    run.ReportAsFieldDataOn()
+    run.SetReportAsFieldData(True)
     run.Update()
 
 

@@ -85,7 +85,7 @@ const std::vector<Point> few = { { 0, 0, 3 }, { 6, 0, 3 }, { 0, 8, 3 }, { 30, 0,
 void testParts()
 {
   Run run(makePoints(few));
-  run->ReportAsFieldDataOn();
+  run->SetReportAsFieldData(true);
   run->SetAlpha(5.0);
   vtkPolyData* output = run.Run();
   FF_CHECK((setOf(output->GetPolys()) == std::set<Ids>{ { 0, 1, 2 } }));

@@ -50,7 +50,7 @@ std::vector<Maker> makersOfPoints()
         [=]
         {
           const Filter made = of.New();
-          made->ReportAsFieldDataOn();
+          made->SetReportAsFieldData(true);
           return made;
         });
     }

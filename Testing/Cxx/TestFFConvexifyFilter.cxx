@@ -63,7 +63,7 @@ std::array<double, 2> checkHull(vtkPolyData* surface, const double* kernel = nul
   hull->SetInputData(surface);
   vtkNew<vtkFFConvexifyFilter> convexify;
   convexify->SetInputData(surface);
-  convexify->ReportAsFieldDataOn();
+  convexify->SetReportAsFieldData(true);
   if (kernel)
   {
     convexify->SetKernelPoint(kernel);

@@ -24,7 +24,7 @@ struct Splitting : Watched<vtkFFConstrainedDelaunayFilter>
   {
     this->Filter->SetSourceData(makeConstraints(lines, polygons));
     this->Filter->SetSplitCrossingConstraints(true);
-    this->Filter->ReportAsFieldDataOn();
+    this->Filter->SetReportAsFieldData(true);
   }
   /// The point of that index in the output.
   Point Place(vtkIdType id)

@@ -63,7 +63,7 @@ void testFilter(const FilterCase& of)
   FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), vtkIdType(0));
 
   // Off, they count. Their weights, too.
-  filter->SkipGhostPointsOff();
+  filter->SetSkipGhostPoints(false);
   if (of.IsWeighted)
   {
     FF_CHECK(
@@ -74,7 +74,7 @@ void testFilter(const FilterCase& of)
     FF_CHECK(succeeds(filter));
     FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(8));
   }
-  filter->SkipGhostPointsOn();
+  filter->SetSkipGhostPoints(true);
 
   // What is wrong with a ghost does not matter; other points are named by their ids.
   auto data = makeAmidGhosts();
@@ -107,7 +107,7 @@ void testFilter(const FilterCase& of)
   data->Modified();
   FF_CHECK(fails(filter, vtkFFErrorCode::InputError,
     { "The point array vtkGhostType has 2 value(s) for 8 point(s)" }));
-  filter->SkipGhostPointsOff();
+  filter->SetSkipGhostPoints(false);
   FF_CHECK(succeeds(filter));
   FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(8));
 
@@ -118,7 +118,7 @@ void testFilter(const FilterCase& of)
   grid->BlankPoint(7);
   grid->GetPointData()->AddArray(data->GetPointData()->GetArray("weights"));
   filter->SetInputDataObject(grid);
-  filter->SkipGhostPointsOn();
+  filter->SetSkipGhostPoints(true);
   FF_CHECK(succeeds(filter));
   FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(7));
 }
@@ -132,7 +132,7 @@ void testAllBlocks()
   blocks->SetBlock(2, makeAmidGhosts());
   vtkNew<vtkFFHullFilter> hull;
   hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
-  hull->VisiblePointIdsOn();
+  hull->SetVisiblePointIds(true);
   hull->SetInputData(blocks);
   FF_CHECK(succeeds(hull));
   const Ids ids = originalIds(hull->GetOutput());
@@ -159,7 +159,7 @@ void testMarksOfCells()
     { static_cast<vtkFFAlgorithm*>(diagram), static_cast<vtkFFAlgorithm*>(triangulation) })
   {
     filter->SetInputDataObject(data);
-    filter->SkipGhostPointsOff();
+    filter->SetSkipGhostPoints(false);
     FF_CHECK(succeeds(filter));
   }
   const char* const name = vtkDataSetAttributes::GhostArrayName();

@@ -93,7 +93,7 @@ void testThreads()
     return reported(hull.Run(), "Threads");
   };
   FF_CHECK_EQUAL(hull->GetNumberOfThreads(), 0);
-  hull->ReportAsFieldDataOn();
+  hull->SetReportAsFieldData(true);
   const std::string before = vtkSMPTools::GetBackend();
   FF_CHECK(vtkSMPTools::SetBackend("Sequential"));
   FF_CHECK_EQUAL(threadsOf(0), 1);
@@ -106,7 +106,7 @@ void testThreads()
   FF_CHECK(isSame(hull->GetOutput(), reference));
   vtkSMPTools::SetBackend(before.c_str());
   FF_CHECK(threadsOf(0) <= vtkSMPTools::GetEstimatedNumberOfThreads());
-  hull->VBiasedOff();
+  hull->SetVBiased(false);
   FF_CHECK(isSame(hull.Run(), reference));
 }
 

@@ -67,8 +67,8 @@ struct Pair
   explicit Pair(const std::function<void(vtkFFHullFilter*)>& set = {})
   {
     this->Streaming->SetInputConnection(this->Source->GetOutputPort());
-    this->Streaming->ReportAsFieldDataOn();
-    this->Plain->ReportAsFieldDataOn();
+    this->Streaming->SetReportAsFieldData(true);
+    this->Plain->SetReportAsFieldData(true);
     if (set)
     {
       set(this->Streaming);

@@ -56,7 +56,7 @@ void testChanges(vtkDataObject* input, const char* weights,
 {
   const auto set = [=](FilterT* filter)
   {
-    filter->ReportAsFieldDataOn();
+    filter->SetReportAsFieldData(true);
     if (auto* hull = vtkFFHullFilter::SafeDownCast(filter))
     {
       hull->SetCompositeMode(joins);
@@ -128,10 +128,10 @@ template <class FilterT>
 std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* transform)
 {
   return {
-    { "report", false, [](FilterT* f) { f->ReportAsFieldDataOff(), f->ReportAsFieldDataOn(); } },
+    { "report", false, [](FilterT* f) { f->SetReportAsFieldData(false), f->SetReportAsFieldData(true); } },
     { "measures", false, [](FilterT* f) { f->SetGenerateCellMeasures(true); } },
-    { "visible ids", false, [](FilterT* f) { f->VisiblePointIdsOn(); } },
-    { "no point data", false, [](FilterT* f) { f->PassPointDataOff(); } },
+    { "visible ids", false, [](FilterT* f) { f->SetVisiblePointIds(true); } },
+    { "no point data", false, [](FilterT* f) { f->SetPassPointData(false); } },
     { "unused transform", false, [=](FilterT* f) { f->StoreTransform(transform); } },
     { "weight factor", true, [](FilterT* f) { f->SetWeightFactor(0.5); } },
     { "weight mode", true, [](FilterT* f) { f->SetWeightMode(vtkFFPlanarAlgorithm::RADII); } },
@@ -157,14 +157,14 @@ std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* tran
       } },
     { "other points", true,
       once([=] { input->SetPoints(makePoints(randomPoints(2000, 302))->GetPoints()); }) },
-    { "ghosts", true, [](FilterT* f) { f->SkipGhostPointsOff(); } },
+    { "ghosts", true, [](FilterT* f) { f->SetSkipGhostPoints(false); } },
     { "fitted plane", true,
       [](FilterT* f) { f->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::BEST_FITTING_PLANE); } },
     { "transformed", true,
       [](FilterT* f) { f->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::TRANSFORM_PLANE); } },
-    { "point data", false, [](FilterT* f) { f->PassPointDataOn(); } },
+    { "point data", false, [](FilterT* f) { f->SetPassPointData(true); } },
     { "the transform", true, once([=] { transform->RotateX(20.0); }) },
-    { "variant", true, [](FilterT* f) { f->VBiasedOff(); } },
+    { "variant", true, [](FilterT* f) { f->SetVBiased(false); } },
     { "policy", true,
       [](FilterT* f) { f->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); } },
     { "no weights", true, [](FilterT* f) { useWeights(f, ""); } },
@@ -239,17 +239,17 @@ void testHull(bool joins)
   testChanges<Hull>(joins ? static_cast<vtkDataObject*>(blocks) : points.Get(), nullptr,
     {
       { "polygons", false, [](Hull* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); } },
-      { "visible ids", false, [](Hull* f) { f->VisiblePointIdsOn(); } },
-      { "no point data", false, [](Hull* f) { f->PassPointDataOff(); } },
+      { "visible ids", false, [](Hull* f) { f->SetVisiblePointIds(true); } },
+      { "no point data", false, [](Hull* f) { f->SetPassPointData(false); } },
       { "triangles", false, [](Hull* f) { f->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES); } },
-      { "point data", false, [](Hull* f) { f->PassPointDataOn(); } },
+      { "point data", false, [](Hull* f) { f->SetPassPointData(true); } },
       { "policy", true, [](Hull* f) { f->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE); } },
-      { "ghosts", true, [](Hull* f) { f->SkipGhostPointsOff(); } },
-      { "variant", true, [](Hull* f) { f->VBiasedOff(); } },
+      { "ghosts", true, [](Hull* f) { f->SetSkipGhostPoints(false); } },
+      { "variant", true, [](Hull* f) { f->SetVBiased(false); } },
       { "a point", true, move(9.0, [](Hull* f) { f->SetFacetMode(1); }) },
       { "back", true, move(0.0, [](Hull* f) { f->SetFacetMode(0); }) },
-      { "no point data, of a new point", true, move(8.0, [](Hull* f) { f->PassPointDataOff(); }) },
-      { "point data, of which nothing is kept", true, [](Hull* f) { f->PassPointDataOn(); } },
+      { "no point data, of a new point", true, move(8.0, [](Hull* f) { f->SetPassPointData(false); }) },
+      { "point data, of which nothing is kept", true, [](Hull* f) { f->SetPassPointData(true); } },
     },
     joins);
 }
@@ -262,9 +262,9 @@ void testChangedOutput()
   run->GetOutput()->GetPoints()->SetPoint(0, 7.0, 7.0, 7.0);
   run->GetOutput()->GetPointData()->GetArray("vtkOriginalPointIds")->SetTuple1(0, -5.0);
   run->GetOutput()->GetPolys()->ReverseCellAtId(0);
-  run->VisiblePointIdsOn();
+  run->SetVisiblePointIds(true);
   run.Run();
-  run->VisiblePointIdsOff();
+  run->SetVisiblePointIds(false);
   FF_CHECK(isIdentical(run.Run(), expected, "after a change of the output"));
 }
 
@@ -273,7 +273,7 @@ void testOtherRuns()
 {
   const auto input = makeInput();
   Watched<Triangulation> run(input);
-  run->ReportAsFieldDataOn();
+  run->SetReportAsFieldData(true);
   const auto expected = copyOf(run.Run());
   run->SetInputData(makePoints({ { notANumber, 0, 0 } }));
   run.Fail("NaN or infinite", vtkFFErrorCode::NonFiniteError);
@@ -309,7 +309,7 @@ void testNotKept()
   blocks->SetBlock(0, makeInput());
   blocks->SetBlock(1, makePoints(randomPoints(3000, 303)));
   Watched<Triangulation> run(blocks);
-  run->ReportAsFieldDataOn();
+  run->SetReportAsFieldData(true);
   const auto blockOf = [](Triangulation* filter, unsigned int block)
   {
     auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
@@ -321,7 +321,7 @@ void testNotKept()
   run.Run();
   FF_CHECK(reported(blockOf(run.Get(), 1), "SecondsTotal") != before);
   Watched<Triangulation> fresh(blocks);
-  fresh->ReportAsFieldDataOn();
+  fresh->SetReportAsFieldData(true);
   fresh->SetAlpha(0.1);
   fresh.Run();
   for (const unsigned int block : { 0U, 1U })

@@ -176,8 +176,8 @@ void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input, vtkPointData* from
   }
   FF_CHECK_EQUAL(filter->GetOutput()->GetFieldData()->HasArray("time"), input->IsA("vtkDataSet"));
 
-  filter->PassPointDataOff();
-  filter->VisiblePointIdsOn();
+  filter->SetPassPointData(false);
+  filter->SetVisiblePointIds(true);
   FF_CHECK(succeeds(filter));
   vtkDataSetAttributes* const data = dataOf(filter, 0);
   FF_CHECK_EQUAL(data->GetNumberOfArrays(), 2);

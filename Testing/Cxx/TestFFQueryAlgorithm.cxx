@@ -130,9 +130,9 @@ void testGhosts()
   for (const Case& of : cases())
   {
     FF_CHECK(answersOf(of, data, data) == (Answers{ 0, 1, 1, 1, 1, 1, 1, 1, 1 }));
-    of.Filter->SkipGhostPointsOff();
+    of.Filter->SetSkipGhostPoints(false);
     FF_CHECK(answersOf(of, data, data) == Answers(9, 1));
-    of.Filter->SkipGhostPointsOn();
+    of.Filter->SetSkipGhostPoints(true);
     of.Filter->SetInputDataObject(1, wrong);
     FF_CHECK(failsInPart(of.Filter, vtkFFErrorCode::NonFiniteError, // the id counts them
       { "point 3 of the " + of.Second + ", 1 such point(s)" }));
@@ -344,7 +344,7 @@ void testChanges(const Case& of)
   const vtkMTimeType time = filter->GetOutput()->GetUpdateTime();
   filter->SetNumberOfThreads(0);
   filter->SetNonFinitePoints(vtkFFQueryAlgorithm::NON_FINITE_ERROR);
-  filter->SkipGhostPointsOn();
+  filter->SetSkipGhostPoints(true);
   filter->Update();
   FF_CHECK_EQUAL(filter->GetOutput()->GetUpdateTime(), time);
 }

@@ -123,7 +123,7 @@ void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input, const Names& own)
     }
   }
   // A run reports itself alone.
-  filter->ReportAsFieldDataOn();
+  filter->SetReportAsFieldData(true);
   FF_CHECK(succeeds(filter));
   const std::string before = printedReport(filter);
   filter->Modified();
@@ -136,7 +136,7 @@ void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input, const Names& own)
   second->SetInputConnection(filter->GetOutputPort());
   FF_CHECK(succeeds(second));
   FF_CHECK(namesOf(second->GetOutput()) == none);
-  second->ReportAsFieldDataOn();
+  second->SetReportAsFieldData(true);
   FF_CHECK(succeeds(second));
   FF_CHECK(namesOf(second->GetOutput()) == expectedNames({ "FlipFlopVolume", "FlipFlopArea" }));
   FF_CHECK_EQUAL(reported(second->GetOutput(), "NonFinite"), 0);
@@ -147,7 +147,7 @@ void testFilter(vtkFFAlgorithm* filter, vtkDataObject* input, const Names& own)
 void testNone()
 {
   vtkNew<vtkFFHullFilter> hull;
-  hull->ReportAsFieldDataOn();
+  hull->SetReportAsFieldData(true);
   hull->SetInputData(makeInput(50));
   FF_CHECK(fails(hull, vtkFFErrorCode::NonFiniteError, { "point 3," }));
   FF_CHECK_EQUAL(hull->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);

@@ -26,7 +26,7 @@ vtkSmartPointer<vtkPolyData> outputOf(
   vtkPolyData* input, int mode = Filter::WEIGHTS, double factor = 1.0)
 {
   Run run(input, "weights");
-  run->PassPointDataOff();
+  run->SetPassPointData(false);
   run->SetWeightMode(mode);
   run->SetWeightFactor(factor);
   return run.Run();

@@ -60,7 +60,7 @@ class TestHelp(unittest.TestCase):
     def test_choices_say_what_they_choose(self):
         for name in ("SetFacetMode", "GetFacetMode"):
             self.assertIn("one polygon a", getattr(vtkflipflop.vtkFFHullFilter, name).__doc__)
-        self.assertIn("array vtkOriginalPointIds", vtkflipflop.vtkFFAlgorithm.VisiblePointIdsOn.__doc__)
+        self.assertIn("array vtkOriginalPointIds", vtkflipflop.vtkFFAlgorithm.SetVisiblePointIds.__doc__)
 
     def test_nothing_is_a_table(self):
         for cls in CLASSES:

@@ -102,14 +102,14 @@ void testSettings()
   using Hull = vtkFFHullFilter;
   const std::pair<std::string, void (*)(Hull*)> settings[] = {
     { "polygons", [](Hull* hull) { hull->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS); } },
-    { "visible ids", [](Hull* hull) { hull->VisiblePointIdsOn(); } },
-    { "field data", [](Hull* hull) { hull->ReportAsFieldDataOn(); } },
+    { "visible ids", [](Hull* hull) { hull->SetVisiblePointIds(true); } },
+    { "field data", [](Hull* hull) { hull->SetReportAsFieldData(true); } },
     { "all blocks of no composite",
       [](Hull* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); } },
-    { "V-biased", [](Hull* hull) { hull->VBiasedOn(); } },
+    { "V-biased", [](Hull* hull) { hull->SetVBiased(true); } },
     { "one thread", [](Hull* hull) { hull->SetNumberOfThreads(1); } },
-    { "no point data", [](Hull* hull) { hull->PassPointDataOff(); } },
-    { "ids no longer visible", [](Hull* hull) { hull->VisiblePointIdsOff(); } },
+    { "no point data", [](Hull* hull) { hull->SetPassPointData(false); } },
+    { "ids no longer visible", [](Hull* hull) { hull->SetVisiblePointIds(false); } },
   };
   for (const auto& setting : settings)
   {
@@ -326,7 +326,7 @@ void testThreads()
   FF_CHECK(vtkSMPTools::SetBackend("Sequential"));
   vtkNew<vtkPFFHullFilter> filter;
   filter->SetNumberOfThreads(-1);
-  filter->ReportAsFieldDataOn();
+  filter->SetReportAsFieldData(true);
   filter->SetInputData(makePoints(spherePoints(100000, 8 + rank())));
   filter->Update();
   if (rank() == 0 && processes() > 1)

@@ -111,7 +111,7 @@ void testFieldData()
     blocks->GetBlock(0)->GetFieldData()->AddArray(time);
   }
   DistributedVersusSerial both = compare<vtkPFFHullFilter, vtkFFHullFilter>();
-  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* filter) { filter->ReportAsFieldDataOn(); });
+  both.Set<vtkFFHullFilter>([](vtkFFHullFilter* filter) { filter->SetReportAsFieldData(true); });
   both.Run("field data of a block", piece, whole);
   if (rank() == 0)
   {

@@ -100,18 +100,18 @@ void testPieces(DistributedVersusSerial& both)
       [](Filter* filter)
       {
         filter->SetFacetMode(vtkFFAlgorithm::FACETS_AS_POLYGONS);
-        filter->VisiblePointIdsOn();
-        filter->ReportAsFieldDataOn();
+        filter->SetVisiblePointIds(true);
+        filter->SetReportAsFieldData(true);
       } },
-    { "no point data", [](Filter* filter) { filter->PassPointDataOff(); } },
+    { "no point data", [](Filter* filter) { filter->SetPassPointData(false); } },
     { "as at first",
       [](Filter* filter)
       {
         filter->SetProjectionPlaneMode(vtkFFPlanarAlgorithm::XY_PLANE);
         filter->SetFacetMode(vtkFFAlgorithm::FACETS_AS_TRIANGLES);
-        filter->VisiblePointIdsOff();
-        filter->ReportAsFieldDataOff();
-        filter->PassPointDataOn();
+        filter->SetVisiblePointIds(false);
+        filter->SetReportAsFieldData(false);
+        filter->SetPassPointData(true);
       } },
   };
   for (const auto& shape : shapes)
@@ -169,7 +169,7 @@ void testTypes(DistributedVersusSerial& both)
 
 void testBlocks(DistributedVersusSerial& both)
 {
-  both.Set<Filter>([](Filter* filter) { filter->ReportAsFieldDataOn(); });
+  both.Set<Filter>([](Filter* filter) { filter->SetReportAsFieldData(true); });
   std::vector<Pieces> leaves;
   for (unsigned int leaf = 0; leaf < 4; ++leaf)
   {

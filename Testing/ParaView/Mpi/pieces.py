@@ -322,7 +322,7 @@ def append(datas, keeps_partitions=True):
 def serial(filter_class, data, settings):
     """The filter's plain class, run on all of the data with the settings of the plugin's proxy."""
     plain = filter_class()
-    plain.ReportAsFieldDataOn()
+    plain.SetReportAsFieldData(True)
     for name, value in settings.items():
         if name == "Weights":
             plain.SetInputArrayToProcess(0, 0, 0, 0, value[1])
