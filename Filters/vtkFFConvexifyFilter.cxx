@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -28,13 +27,8 @@ vtkStandardNewMacro(vtkFFConvexifyFilter);
 namespace
 {
 
-void checkSettings(int engine, const double* kernel)
+void checkKernel(const double* kernel)
 {
-  if (engine == vtkFFAlgorithm::ENGINE_CUDA)
-  {
-    throw vtkFFBadSetting("The CUDA engine was asked for, but this filter runs on the CPU. Set "
-                          "Engine to Automatic or CPU.");
-  }
   if (kernel && !std::all_of(kernel, kernel + 3, [](double x) { return vtkMath::IsFinite(x); }))
   {
     std::ostringstream message;
@@ -42,30 +36,6 @@ void checkSettings(int engine, const double* kernel)
             << ") is not finite.";
     throw vtkFFBadSetting(message.str());
   }
-}
-
-/// The input as a surface that has cells, and no others than a surface's.
-vtkPolyData* surfaceOf(vtkDataObject* input, const std::string& ofWhat)
-{
-  auto* const surface = vtkPolyData::SafeDownCast(input);
-  if (!surface) // in a composite, VTK does not check types
-  {
-    throw std::runtime_error(
-      "The data" + ofWhat + " is a " + input->GetClassName() + ". It must be a vtkPolyData.");
-  }
-  if (surface->GetNumberOfCells() == 0 && surface->GetNumberOfPoints() > 0)
-  {
-    throw std::runtime_error("The surface" + ofWhat + " has no cells, but " +
-      std::to_string(surface->GetNumberOfPoints()) +
-      " point(s). It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) "
-      "gives the hull of points.");
-  }
-  const std::string fault = vtkFFSurfaceCells::DescribeFault(surface, ofWhat);
-  if (!fault.empty())
-  {
-    throw std::runtime_error(fault);
-  }
-  return surface;
 }
 
 }
@@ -81,6 +51,12 @@ int vtkFFConvexifyFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConvexifyFilter::SetEngine(int engine)
+{
+  this->Superclass::SetEngine(std::min<int>(engine, ENGINE_CPU));
 }
 
 //------------------------------------------------------------------------------
@@ -121,8 +97,9 @@ int vtkFFConvexifyFilter::RequestData(
     [&]
     {
       const double* const kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
-      checkSettings(this->Engine, kernel);
-      vtkPolyData* const surface = surfaceOf(vtkDataObject::GetData(inputVector[0]), run.OfWhat());
+      checkKernel(kernel);
+      vtkPolyData* const surface =
+        vtkFFSurfaceCells::SurfaceOf(vtkDataObject::GetData(inputVector[0]), run.OfWhat());
       vtkFFInput input;
       input.Take(vtkFFInput::PiecesOf(surface), false, run);
       const vtkFFSurfaceCells cells(surface, input.GetView(), run.Options);
@@ -135,7 +112,9 @@ int vtkFFConvexifyFilter::RequestData(
       vtkFFOutput::Adopt(result.Hull, input.GetPoints(),
         this->PassPointData ? input.GetPointData() : std::vector<vtkFFOutput::Source>(),
         result.Data);
-      this->WriteHull(result, run, vtkPolyData::GetData(outputVector));
+      vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+      this->WriteHull(result, run, output);
+      this->ReportHull(result, run, output);
     });
   return run.Finish();
 }

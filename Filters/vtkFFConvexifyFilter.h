@@ -32,8 +32,7 @@
  * NaN or infinite coordinate of a used point is always an error, since the surface would not be
  * closed without the point.
  *
- * This filter runs on the CPU engine, whatever GetCUDAThreshold() is. Asking it for the CUDA engine
- * is an error.
+ * This filter runs on the CPU engine, whatever GetCUDAThreshold() is.
  *
  * @sa
  * vtkFFHullAlgorithm vtkFFHullFilter vtkTriangleFilter vtkPolyDataNormals
@@ -58,6 +57,11 @@ public:
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   //@}
+
+  /**
+   * Set the engine: ENGINE_AUTOMATIC or ENGINE_CPU, to which ENGINE_CUDA is clamped.
+   */
+  void SetEngine(int engine) override;
 
   //@{
   /**

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFSurfaceCells.h"
 
+#include "vtkFFOutput.h"
+
+#include <flipflop/CellComplex.h>
 #include <flipflop/Error.h>
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -10,7 +13,8 @@
 #include "vtkPolyData.h"
 
 #include <cstddef>
-#include <sstream>
+#include <stdexcept>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -52,66 +56,65 @@ std::string vtkFFSurfaceCells::DescribeOffsets(vtkCellArray* cells, const std::s
   {
     ascending = beginOf(cells, i) <= beginOf(cells, i + 1);
   }
-  if (ascending)
-  {
-    return {};
-  }
-  std::ostringstream message;
-  message << "The " << whose << " are not valid: their offsets name corners " << first << " to "
-          << last - 1 << ", and the connectivity has " << given << ".";
-  return message.str();
+  return ascending ? std::string()
+                   : "The " + whose + " are not valid: their offsets name corners " +
+      std::to_string(first) + " to " + std::to_string(last - 1) + ", and the connectivity has " +
+      std::to_string(given) + ".";
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFFSurfaceCells::DescribeFault(vtkPolyData* surface, const std::string& ofBlock)
+vtkPolyData* vtkFFSurfaceCells::SurfaceOf(vtkDataObject* input, const std::string& of)
 {
-  vtkCellArray* polygons = surface->GetPolys();
-  vtkCellArray* strips = surface->GetStrips();
-  const vtkIdType vertices = surface->GetNumberOfVerts();
-  const vtkIdType lines = surface->GetNumberOfLines();
-  const vtkIdType faces = polygons->GetNumberOfCells() + strips->GetNumberOfCells();
-  std::ostringstream message;
-  if (vertices + lines > 0 && faces == 0)
+  const auto refuse = [](const std::string& message) { throw std::runtime_error(message); };
+  auto* const surface = vtkPolyData::SafeDownCast(input);
+  if (!surface) // in a composite, VTK does not check types
   {
-    message << "The surface" << ofBlock << " has no polygons: its cells are "
-            << (lines == 0         ? "vertices"
-                   : vertices == 0 ? "lines"
-                                   : "vertices and lines")
-            << ". It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) "
-               "gives the hull of points.";
-    return message.str();
+    refuse("The data" + of + " is a " + input->GetClassName() + ". It must be a vtkPolyData.");
   }
-  if (vertices + lines > 0)
+  vtkCellArray* const polygons = surface->GetPolys();
+  vtkCellArray* const strips = surface->GetStrips();
+  const std::string vertices = surface->GetNumberOfVerts() > 0 ? "vertices" : "";
+  const std::string lines = surface->GetNumberOfLines() > 0 ? "lines" : "";
+  const bool hasOthers = !vertices.empty() || !lines.empty();
+  if (polygons->GetNumberOfCells() + strips->GetNumberOfCells() == 0 &&
+    (hasOthers || surface->GetNumberOfPoints() > 0))
   {
-    message
-      << "Every cell of the input must be a triangle, a polygon or a triangle strip, but cell "
-         "0"
-      << ofBlock << " is a " << (vertices > 0 ? "vertex" : "line")
-      << " cell. Take vertices and lines out: Extract Cells By Type "
-         "(vtkExtractCellsByType) can do that.";
-    return message.str();
+    const std::string both = vertices.empty() || lines.empty() ? "" : " and ";
+    refuse("The surface" + of + " has no " +
+      (hasOthers ? "polygons: its cells are " + vertices + both + lines
+                 : "cells, but " + std::to_string(surface->GetNumberOfPoints()) + " point(s)") +
+      ". It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) gives the "
+      "hull of points.");
+  }
+  if (hasOthers)
+  {
+    refuse("Every cell of the input must be a triangle, a polygon or a triangle strip, but cell 0" +
+      of + " is a " + (lines.empty() || !vertices.empty() ? "vertex" : "line") +
+      " cell. Take vertices and lines out: Extract Cells By Type (vtkExtractCellsByType) can do "
+      "that.");
+  }
+  vtkIdType before = 0; // Cells are counted as vtkPolyData does: polygons, then strips.
+  for (vtkCellArray* cells : { polygons, strips })
+  {
+    const std::string fault = DescribeOffsets(cells, "input's cells" + of);
+    if (!fault.empty())
+    {
+      refuse(fault);
+    }
   }
   for (vtkCellArray* cells : { polygons, strips })
   {
-    const std::string fault = DescribeOffsets(cells, "input\'s cells" + ofBlock);
-    if (!fault.empty())
+    const vtkIdType small = findSmall(cells);
+    if (small < cells->GetNumberOfCells())
     {
-      return fault;
+      refuse("Every polygon and every triangle strip must have three points or more, but cell " +
+        std::to_string(before + small) + of + " is a " + (cells == strips ? "strip" : "polygon") +
+        " of " + std::to_string(cells->GetCellSize(small)) +
+        ". Clean (vtkCleanPolyData) can take it out.");
     }
+    before += cells->GetNumberOfCells();
   }
-  // Cells are counted as vtkPolyData does: polygons, then strips.
-  const vtkIdType polygon = findSmall(polygons);
-  const vtkIdType strip = findSmall(strips);
-  const bool isPolygon = polygon < polygons->GetNumberOfCells();
-  if (isPolygon || strip < strips->GetNumberOfCells())
-  {
-    message << "Every polygon and every triangle strip must have three points or more, but cell "
-            << (isPolygon ? polygon : polygons->GetNumberOfCells() + strip) << ofBlock << " is a "
-            << (isPolygon ? "polygon" : "strip") << " of "
-            << (isPolygon ? polygons->GetCellSize(polygon) : strips->GetCellSize(strip))
-            << ". Clean (vtkCleanPolyData) can take it out.";
-  }
-  return message.str();
+  return surface;
 }
 
 //------------------------------------------------------------------------------
@@ -163,15 +166,9 @@ void vtkFFSurfaceCells::TakeTriangles(vtkCellArray* cells)
     this->View.corners = reinterpret_cast<const std::int64_t*>(wide->GetPointer(first));
     return;
   }
-  const vtkIdType size = 3 * static_cast<vtkIdType>(this->View.count);
-  this->Copy.allocate(static_cast<std::size_t>(size));
-  auto* narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(corners);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    this->Copy[static_cast<std::size_t>(i)] = narrow
-      ? static_cast<std::int64_t>(narrow->GetValue(first + i))
-      : static_cast<std::int64_t>(corners->GetComponent(first + i, 0));
-  }
+  flipflop::CellComplex copy;
+  vtkFFOutput::CopyCells(cells, copy);
+  this->Copy = std::move(copy.connectivity);
   this->View.corners = this->Copy.data();
 }
 

@@ -24,17 +24,19 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
+class vtkDataObject;
 class vtkPolyData;
 
 class vtkFFSurfaceCells
 {
 public:
   /**
-   * What is wrong with the cells, before a look at their corners: in a sentence. Empty: nothing.
+   * The input as a surface that has cells, and no others than a surface's.
    *
-   * @param ofBlock how errors tell the block: " of the block of flat index 2", or nothing
+   * @param of how errors name the block: " of the block of flat index 2", or nothing
+   * @throw std::runtime_error that says what is wrong
    */
-  static std::string DescribeFault(vtkPolyData* surface, const std::string& ofBlock);
+  static vtkPolyData* SurfaceOf(vtkDataObject* input, const std::string& of);
 
   /**
    * Whether the corners of cells are there, which VTK's own calls rely on: what is wrong with them,
