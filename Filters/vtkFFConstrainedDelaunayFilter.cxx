@@ -3,7 +3,6 @@
 #include "vtkFFConstrainedDelaunayFilter.h"
 
 #include "vtkFFConstraints.h"
-#include "vtkFFFailure.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFRun.h"

@@ -9,19 +9,16 @@
 
 #include <flipflop/HullQueries.h>
 
-#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPlanes.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedIntArray.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -60,24 +57,16 @@ void setPlanes(vtkPolyData* output, const flipflop::Options& options, vtkPlanes*
   hull.dimension = 3;
   hull.pointIds.allocate(static_cast<std::size_t>(output->GetNumberOfPoints()));
   std::iota(hull.pointIds.begin(), hull.pointIds.end(), std::int64_t(0));
-  vtkCellArray* const cells = output->GetPolys();
-  const vtkIdType count = cells->GetNumberOfCells();
-  hull.connectivity.allocate(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
-  hull.offsets.allocate(static_cast<std::size_t>(count) + 1);
+  vtkFFOutput::CopyCells(output->GetPolys(), hull);
+  const vtkIdType count = output->GetNumberOfPolys();
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
   places->SetNumberOfPoints(count);
-  vtkNew<vtkIdList> corners;
-  std::int64_t end = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    hull.offsets[static_cast<std::size_t>(i)] = end;
-    cells->GetCellAtId(i, corners);
-    std::copy_n(corners->GetPointer(0), corners->GetNumberOfIds(), hull.connectivity.data() + end);
-    end += corners->GetNumberOfIds();
-    places->SetPoint(i, output->GetPoint(corners->GetId(0)));
+    const std::int64_t begin = hull.offsets[static_cast<std::size_t>(i)];
+    places->SetPoint(i, output->GetPoint(hull.connectivity[static_cast<std::size_t>(begin)]));
   }
-  hull.offsets[static_cast<std::size_t>(count)] = end;
 
   const vtkFFPointSource points(output->GetPoints()->GetData());
   const flipflop::Buffer<double> found = flipflop::facetPlanes(points.GetView(), hull, options);
@@ -108,12 +97,20 @@ void vtkFFHullAlgorithm::ForgetReport()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::WriteHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output)
+void vtkFFHullAlgorithm::WriteHull(
+  const vtkFFHullResult& hull, const vtkFFRun& run, vtkPolyData* output) const
 {
-  vtkNew<vtkFieldData> fieldData; // of the output stays
-  fieldData->ShallowCopy(output->GetFieldData());
-  output->ShallowCopy(hull.Data);
-  output->SetFieldData(fieldData);
+  vtkSmartPointer<vtkPolyData> data = hull.Data;
+  if (hull.IsKept) // and must not change when somebody changes the output in place
+  {
+    data = vtkSmartPointer<vtkPolyData>::New();
+    data->DeepCopy(hull.Data);
+  }
+  if (output != data)
+  {
+    output->CopyStructure(data);
+    output->GetPointData()->ShallowCopy(data->GetPointData());
+  }
   if (this->FacetMode == FACETS_AS_TRIANGLES)
   {
     vtkFFOutput::FanPolygons(output);
@@ -130,6 +127,11 @@ void vtkFFHullAlgorithm::WriteHull(const vtkFFHullResult& hull, vtkFFRun& run, v
   {
     addBlockIndex(run.Parts, output);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFHullAlgorithm::ReportHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output)
+{
   run.Report = hull.Engine;
   run.AddToReport(hull.Hull, output);
   this->Volume += hull.Hull.volume;

@@ -65,9 +65,15 @@ protected:
   void ForgetReport() override;
 
   /**
-   * The end of a run: the hull, whose facets are polygons, becomes the output, and is reported.
+   * The hull, whose facets are polygons, becomes the output, which may be its data. Several threads
+   * can call this at the same time, for outputs of their own.
    */
-  void WriteHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output);
+  void WriteHull(const vtkFFHullResult& hull, const vtkFFRun& run, vtkPolyData* output) const;
+
+  /**
+   * Add the hull to what the filter reports of its last run.
+   */
+  void ReportHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output);
 
 private:
   vtkFFHullAlgorithm(const vtkFFHullAlgorithm&) = delete;

@@ -2,31 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullFilter.h"
 
+#include "Support/Threads.h"
 #include "vtkFFHullResult.h"
 #include "vtkFFInput.h"
-#include "vtkFFInputPieces.h"
+#include "vtkFFOutput.h"
 #include "vtkFFRun.h"
 #include "vtkFFStamp.h"
 
 #include <flipflop/Error.h>
 
-#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataObjectTypes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationExecutivePortKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -38,39 +47,76 @@ vtkStandardNewMacro(vtkFFHullFilter);
 namespace
 {
 
-/// Gives the output arrays of its own where they are the kept hull's, which must not change when
-/// somebody changes the output in place.
-void copyShared(vtkPolyData* kept, vtkPolyData* output)
+using Blocks = std::vector<vtkFFInput::PieceType>;
+
+/// Whether a block is not worth a second thread, nor the device.
+bool isSmall(const vtkFFInput::PieceType& block, const flipflop::EngineOptions& engine)
 {
-  if (output->GetPoints())
+  const std::int64_t count = block.Data->GetNumberOfElements(vtkDataObject::POINT);
+  return count <= flipflop::UsualPointsPerThread &&
+    (engine.choice == flipflop::EngineChoice::CPU ||
+      (engine.choice == flipflop::EngineChoice::Automatic && count < engine.cudaFrom));
+}
+
+/// Calls make(i, run) for each block, and then write(i, run), with a run of its own. Small blocks
+/// are made side by side, some hundreds at a time. All are written in their order by the calling
+/// thread, as their errors are reported. An abort ends it.
+void runBlocks(const Blocks& blocks, vtkFFRun& run,
+  const std::function<void(std::size_t, vtkFFRun&)>& make,
+  const std::function<void(std::size_t, vtkFFRun&)>& write)
+{
+  constexpr std::size_t most = 256;
+  constexpr std::int64_t worth = 512; // a block takes at least as long as so many points
+  const std::size_t count = blocks.size();
+  const auto setPart = [&](std::size_t i)
   {
-    vtkSmartPointer<vtkDataArray> positions;
-    positions.TakeReference(output->GetPoints()->GetData()->NewInstance());
-    positions->DeepCopy(output->GetPoints()->GetData());
-    vtkNew<vtkPoints> points;
-    points->SetData(positions);
-    output->SetPoints(points);
-  }
-  vtkNew<vtkPointData> data;
-  data->DeepCopy(output->GetPointData());
-  output->GetPointData()->ShallowCopy(data);
-  const auto copyOf = [](vtkCellArray* cells)
-  {
-    auto copy = vtkSmartPointer<vtkCellArray>::New();
-    copy->DeepCopy(cells);
-    return copy;
+    run.SetPart(static_cast<double>(i) / static_cast<double>(count),
+      static_cast<double>(i + 1) / static_cast<double>(count));
   };
-  if (output->GetNumberOfVerts() > 0)
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < count && !run.Failure; begin = end)
   {
-    output->SetVerts(copyOf(output->GetVerts()));
-  }
-  if (output->GetNumberOfLines() > 0)
-  {
-    output->SetLines(copyOf(output->GetLines()));
-  }
-  if (output->GetPolys() == kept->GetPolys()) // and not fans of these
-  {
-    output->SetPolys(copyOf(output->GetPolys()));
+    const bool areSmall = isSmall(blocks[begin], run.Engine);
+    end = begin + 1;
+    while (areSmall && end < std::min(count, begin + most) && isSmall(blocks[end], run.Engine))
+    {
+      ++end;
+    }
+    std::deque<vtkFFRun> runs;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      runs.emplace_back(run, i, count);
+    }
+    const auto work = [&](std::size_t k) { runs[k].Do([&] { make(begin + k, runs[k]); }); };
+    if (areSmall)
+    {
+      const std::int64_t points = worth * static_cast<std::int64_t>(runs.size());
+      flipflop::runSideBySide(
+        runs.size(), flipflop::threadCount(run.Options.threads, points), work);
+    }
+    else
+    {
+      runs[0].Options = run.Options;
+      setPart(begin);
+      work(0);
+    }
+    for (std::size_t i = begin; i < end && !run.Failure; ++i)
+    {
+      vtkFFRun& own = runs[i - begin];
+      setPart(i);
+      run.Do(
+        [&]
+        {
+          vtkFFRun::Look(run.Options, 0.5);
+          if (own.Failure.Kind == vtkFFFailure::Aborted)
+          {
+            throw flipflop::Error(flipflop::ErrorCode::Aborted);
+          }
+          write(i, own);
+          own.Finish();
+          vtkFFRun::Look(run.Options, 1.0);
+        });
+    }
   }
 }
 
@@ -96,34 +142,99 @@ void addPiece(vtkFFHullFilter* filter, vtkDataObject* piece, vtkFFRun& run, vtkF
   }
 }
 
-/// The hull of a streamed input, of which one piece is in memory at a time.
-void takePieces(
-  vtkFFHullFilter* filter, vtkFFInputPieces& pieces, vtkFFRun& run, vtkFFHullResult& whole)
+/// Who makes the data of this information, on which port; null: nobody.
+vtkExecutive* producerOf(vtkInformation* info, int& port)
 {
-  const int count = pieces.GetCount();
-  run.NonFiniteReach = count > 1 ? "so far" : "in all";
-  run.Do(
-    [&]
+  vtkExecutive* producer = nullptr;
+  if (info)
+  {
+    vtkExecutive::PRODUCER()->Get(info, producer, port);
+  }
+  return producer;
+}
+
+/// Whether a source upstream can deliver pieces. The executive asks those that cannot for the first
+/// piece alone, and leaves that in place of the others.
+bool canDeliver(vtkInformation* info, std::set<vtkExecutive*>& visited)
+{
+  int port = 0;
+  vtkExecutive* const producer = producerOf(info, port);
+  if (!producer || !visited.insert(producer).second)
+  {
+    return false;
+  }
+  vtkAlgorithm* const algorithm = producer->GetAlgorithm();
+  if (algorithm->GetTotalNumberOfInputConnections() == 0)
+  {
+    // What was set as data says that it can, and gives all for each piece.
+    return !vtkTrivialProducer::SafeDownCast(algorithm) &&
+      (info->Get(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) ||
+        info->Get(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()));
+  }
+  for (int i = 0; i < algorithm->GetNumberOfInputPorts(); ++i)
+  {
+    for (int k = 0; k < algorithm->GetNumberOfInputConnections(i); ++k)
     {
-      if (filter->GetCompositeMode() == vtkFFHullFilter::HULL_OF_EACH_BLOCK &&
-        vtkCompositeDataSet::SafeDownCast(pieces.GetFirst()))
+      if (canDeliver(producer->GetInputInformation(i, k), visited))
       {
-        throw vtkFFBadSetting("A composite that is streamed has one hull. Set Composite Mode to "
-                              "Hull of All Blocks, or Number Of Stream Divisions to 1.");
+        return true;
       }
-    });
+    }
+  }
+  return false;
+}
+
+/// How many divisions of the piece that @p output is asked for there can be: numbers are ints.
+int divisionsOf(vtkInformation* output, int divisions)
+{
+  const int total = output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  return std::min(divisions, VTK_INT_MAX / std::max(1, total));
+}
+
+/// Has the next update upstream bring a division, from 0 on.
+void requestPiece(vtkInformation* input, vtkInformation* output, int divisions, int number)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int piece = output->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  const int total = std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece * divisions + number);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), total * divisions);
+}
+
+/// The hull of a streamed input, of which one piece is in memory at a time. The executive has
+/// brought the first one. The others come here: the algorithm upstream is told the piece, and
+/// updated. VTK's own streamers have their executive run them once for each piece
+/// (CONTINUE_EXECUTING); that loops for ever where the input fails at a later piece.
+void takePieces(vtkFFHullFilter* filter, vtkInformation* input, vtkInformation* output,
+  int divisions, vtkFFRun& run, vtkFFHullResult& whole)
+{
+  std::set<vtkExecutive*> visited;
+  const int count = canDeliver(input, visited) ? divisions : 1;
+  run.NonFiniteReach = count > 1 ? "so far" : "in all";
   for (int number = 0; number < count && !run.Failure; ++number)
   {
     const auto work = [&]
     {
-      vtkDataObject* const piece = number == 0 ? pieces.GetFirst() : pieces.GetNext(number);
-      if (pieces.AreAborted())
+      int port = 0;
+      vtkExecutive* const producer = producerOf(input, port);
+      requestPiece(input, output, divisions, number);
+      const bool isThere = number == 0 || (producer && producer->Update(port));
+#if VTK_FF_HAS_CHECK_ABORT
+      if (input->Get(vtkAlgorithm::ABORTED()))
       {
         throw flipflop::Error(flipflop::ErrorCode::Aborted);
       }
+#endif
+      vtkDataObject* const piece = isThere ? vtkDataObject::GetData(input) : nullptr;
       if (!piece)
       {
         throw std::runtime_error("The input did not deliver it. Its own error says why.");
+      }
+      if (filter->GetCompositeMode() == vtkFFHullFilter::HULL_OF_EACH_BLOCK &&
+        vtkCompositeDataSet::SafeDownCast(piece))
+      {
+        throw vtkFFBadSetting("A composite that is streamed has one hull. Set Composite Mode to "
+                              "Hull of All Blocks, or Number Of Stream Divisions to 1.");
       }
       run.SetPart(number / static_cast<double>(count), (number + 1) / static_cast<double>(count));
       addPiece(filter, piece, run, whole);
@@ -155,39 +266,57 @@ vtkFFHullFilter::vtkFFHullFilter() = default;
 vtkFFHullFilter::~vtkFFHullFilter() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFHullFilter::SetCompositeMode(int mode)
-{
-  const int clamped = vtkMath::ClampValue<int>(mode, HULL_OF_EACH_BLOCK, HULL_OF_ALL_BLOCKS);
-  if (this->CompositeMode != clamped)
-  {
-    this->CompositeMode = clamped;
-    this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFHullFilter::SetNumberOfStreamDivisions(int number)
-{
-  if (this->NumberOfStreamDivisions != std::max(number, 1))
-  {
-    this->NumberOfStreamDivisions = std::max(number, 1);
-    this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 int vtkFFHullFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // The executive takes a composite apart unless that is the first type asked for.
+  // Composites come first: so the executive leaves them whole.
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (this->CompositeMode == HULL_OF_ALL_BLOCKS || this->NumberOfStreamDivisions > 1)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  }
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFHullFilter::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // see RequestDataObject()
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkFFHullFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT())
+    ? this->RequestDataObject(request, inputVector, outputVector)
+    : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkFFHullFilter::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
+  const std::string type = !this->HasHullOfEach(input) ? "vtkPolyData"
+    : input->IsA("vtkDataObjectTree")                  ? input->GetClassName()
+                                                       : "vtkMultiBlockDataSet"; // of an AMR
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  vtkDataObject* const output = vtkDataObject::GetData(info);
+  if (!output || type != output->GetClassName())
+  {
+    vtkSmartPointer<vtkDataObject> made;
+    made.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
+    info->Set(vtkDataObject::DATA_OBJECT(), made);
+    this->GetOutputPortInformation(0)->Set(
+      vtkDataObject::DATA_EXTENT_TYPE(), made->GetExtentType());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFHullFilter::HasHullOfEach(vtkDataObject* input) const
+{
+  return this->CompositeMode == HULL_OF_EACH_BLOCK && this->NumberOfStreamDivisions == 1 &&
+    vtkCompositeDataSet::SafeDownCast(input);
 }
 
 //------------------------------------------------------------------------------
@@ -195,11 +324,11 @@ int vtkFFHullFilter::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  vtkFFInputPieces pieces(inputVector[0]->GetInformationObject(0),
-    outputVector->GetInformationObject(0), this->NumberOfStreamDivisions);
-  if (pieces.AreStreamed())
+  vtkInformation* const output = outputVector->GetInformationObject(0);
+  const int divisions = divisionsOf(output, this->NumberOfStreamDivisions);
+  if (divisions > 1)
   {
-    pieces.Request(0);
+    requestPiece(inputVector[0]->GetInformationObject(0), output, divisions, 0);
   }
   return done;
 }
@@ -209,33 +338,43 @@ int vtkFFHullFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkFFRun run(this, "Convex hull", outputVector);
-  vtkFFInputPieces pieces(inputVector[0]->GetInformationObject(0),
-    outputVector->GetInformationObject(0), this->NumberOfStreamDivisions);
-  const bool keeps = !pieces.AreStreamed() && !run.IsInComposite() && !this->GetReleaseDataFlag();
-  const vtkFFStamp stamp = keeps ? vtkFFStamp(this, pieces.GetFirst()) : vtkFFStamp();
+  vtkInformation* const inputInfo = inputVector[0]->GetInformationObject(0);
+  vtkInformation* const outputInfo = outputVector->GetInformationObject(0);
+  vtkDataObject* const input = vtkDataObject::GetData(inputInfo);
+  const int divisions = divisionsOf(outputInfo, this->NumberOfStreamDivisions);
+  if (this->HasHullOfEach(input))
+  {
+    this->Kept.reset();
+    this->WriteHulls(
+      vtkCompositeDataSet::SafeDownCast(input), run, vtkCompositeDataSet::GetData(outputVector));
+    return run.Finish();
+  }
+  const bool keeps = divisions == 1 && !this->GetReleaseDataFlag();
+  const vtkFFStamp stamp = keeps ? vtkFFStamp(this, input) : vtkFFStamp();
   const bool isKept =
     this->Kept && this->Kept->Stamp == stamp && (this->Kept->HasPointData || !this->PassPointData);
   if (!isKept)
   {
     this->Kept = std::make_shared<KeptType>();
     vtkFFHullResult& hull = this->Kept->Hull;
-    if (pieces.AreStreamed())
+    if (divisions > 1)
     {
-      takePieces(this, pieces, run, hull);
+      takePieces(this, inputInfo, outputInfo, divisions, run, hull);
     }
     else
     {
       run.Do(
         [&]
         {
-          vtkFFInput input;
-          input.Take(vtkFFInput::PiecesOf(pieces.GetFirst()), this->SkipGhostPoints, run);
-          hull.Take(input, this->PassPointData, run);
+          vtkFFInput points;
+          points.Take(vtkFFInput::PiecesOf(input), this->SkipGhostPoints, run);
+          hull.Take(points, this->PassPointData, run);
         });
     }
     this->Kept->Parts = run.Parts;
     this->Kept->HasPointData = this->PassPointData;
     this->Kept->Stamp = stamp;
+    hull.IsKept = keeps;
   }
   run.Parts = this->Kept->Parts;
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
@@ -243,16 +382,47 @@ int vtkFFHullFilter::RequestData(
     [&]
     {
       this->WriteHull(this->Kept->Hull, run, output);
-      if (keeps)
-      {
-        copyShared(this->Kept->Hull.Data, output);
-      }
+      this->ReportHull(this->Kept->Hull, run, output);
     });
   if (!keeps || run.Failure)
   {
     this->Kept.reset();
   }
   return run.Finish();
+}
+
+//------------------------------------------------------------------------------
+void vtkFFHullFilter::WriteHulls(
+  vtkCompositeDataSet* input, vtkFFRun& run, vtkCompositeDataSet* output)
+{
+  output->CopyStructure(input);
+  const std::vector<vtkFFInput::PieceType> blocks = vtkFFInput::PiecesOf(input);
+  std::vector<std::unique_ptr<vtkFFHullResult>> hulls(blocks.size());
+  const auto make = [&](std::size_t i, vtkFFRun& own)
+  {
+    auto hull = std::make_unique<vtkFFHullResult>();
+    vtkFFInput points;
+    points.Take({ { blocks[i].Data, 0 } }, this->SkipGhostPoints, own);
+    hull->Take(points, this->PassPointData, own);
+    hull->Data->GetFieldData()->PassData(blocks[i].Data->GetFieldData());
+    vtkFFOutput::RemoveReport(hull->Data->GetFieldData());
+    this->WriteHull(*hull, own, hull->Data);
+    hulls[i] = std::move(hull);
+  };
+  vtkSmartPointer<vtkCompositeDataIterator> place;
+  place.TakeReference(input->NewIterator());
+  place->InitTraversal();
+  const auto write = [&](std::size_t i, vtkFFRun& own)
+  {
+    if (hulls[i])
+    {
+      this->ReportHull(*hulls[i], own, hulls[i]->Data);
+    }
+    output->SetDataSet(place, hulls[i] ? hulls[i]->Data : vtkSmartPointer<vtkPolyData>::New());
+    place->GoToNextItem();
+    hulls[i].reset();
+  };
+  runBlocks(blocks, run, make, write);
 }
 
 //------------------------------------------------------------------------------

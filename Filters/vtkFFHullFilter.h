@@ -52,6 +52,8 @@
  * memory. It keeps none of composites that it does not join, and none if its release data flag is
  * on.
  *
+ * Of a composite, small data sets (4,096 points or fewer) run side by side, on a thread each.
+ *
  * Points that do not fit in memory can be streamed: see SetNumberOfStreamDivisions().
  *
  * @warning
@@ -72,6 +74,8 @@
 #include <memory> // For std::shared_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkCompositeDataSet;
+
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
@@ -98,7 +102,7 @@ public:
    * Set/Get what a composite input gives: a hull of each data set in it (the default), or one hull
    * of the points of all. It has no effect on other inputs.
    */
-  virtual void SetCompositeMode(int mode);
+  vtkSetClampMacro(CompositeMode, int, HULL_OF_EACH_BLOCK, HULL_OF_ALL_BLOCKS);
   vtkGetMacro(CompositeMode, int);
   //@}
 
@@ -130,15 +134,21 @@ public:
    * If the output itself is asked for in pieces, each is divided. Several processes can not stream:
    * vtkPFFHullFilter reports an error.
    */
-  virtual void SetNumberOfStreamDivisions(int number);
+  vtkSetClampMacro(NumberOfStreamDivisions, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfStreamDivisions, int);
   //@}
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 protected:
   vtkFFHullFilter();
   ~vtkFFHullFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -148,6 +158,12 @@ protected:
   int NumberOfStreamDivisions = 1;
 
 private:
+  /// Whether the output is a composite like this input.
+  bool HasHullOfEach(vtkDataObject* input) const;
+
+  /// A hull of each data set in a composite. VTK's executive would make one after another.
+  void WriteHulls(vtkCompositeDataSet* input, vtkFFRun& run, vtkCompositeDataSet* output);
+
   struct KeptType;
   std::shared_ptr<KeptType> Kept;
 

@@ -30,6 +30,7 @@ struct vtkFFHullResult
   vtkSmartPointer<vtkPolyData> Data; ///< points, true facets, point data and ids
   flipflop::Hull Hull;               ///< dimension and measures; statistics of all work so far
   flipflop::EngineReport Engine;
+  bool IsKept = false; ///< for another output
 
   /**
    * Become the hull of the input's points. The ids are those that the run has for them.

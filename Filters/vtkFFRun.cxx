@@ -21,7 +21,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -35,39 +38,111 @@ std::string capitalized(std::string text)
   return text;
 }
 
-/// What an error of the engine is about.
-unsigned long codeOf(flipflop::ErrorCode code)
+/// The sentence and the code for an error of the engine: with its {index} and {count}, its {text},
+/// and {of} which data set.
+struct ErrorText
 {
-  using flipflop::ErrorCode;
-  switch (code)
+  flipflop::ErrorCode Code;
+  unsigned long Id;
+  const char* Text;
+};
+
+using flipflop::ErrorCode;
+constexpr ErrorText errorTexts[] = {
+  { ErrorCode::TooManyPoints, vtkFFErrorCode::MemoryError,
+    "{count} points are more than 32-bit indices can name." },
+  { ErrorCode::OutOfMemory, vtkFFErrorCode::MemoryError,
+    "There is not enough memory for this input: {count} bytes were refused." },
+  { ErrorCode::BadArgument, vtkFFErrorCode::InputError, "The engine refuses an argument: {text}." },
+  { ErrorCode::WeightCount, vtkFFErrorCode::InputError,
+    "There are not as many weights as points: {count} for {index}." },
+  { ErrorCode::BadTriangle, vtkFFErrorCode::SurfaceError,
+    "A cell names a point that does not exist, or the same point twice: first at cell {index}{of}, "
+    "{count} such cell(s) in all." },
+  { ErrorCode::NotSimple, vtkFFErrorCode::SurfaceError,
+    "A polygon crosses or touches itself, so it cannot be cut into triangles: first at cell "
+    "{index}{of}, {count} such polygon(s) in all." },
+  { ErrorCode::NotClosed, vtkFFErrorCode::SurfaceError,
+    "The surface is not closed: first at cell {index}{of}, which has an edge that no other "
+    "triangle shares; {count} such edge(s) in all." },
+  { ErrorCode::NotManifold, vtkFFErrorCode::SurfaceError,
+    "The surface is not a manifold: first at cell {index}{of}, which has an edge of three or more "
+    "triangles, or a vertex where several fans of triangles meet; {count} such edge(s) and "
+    "vertices in all." },
+  { ErrorCode::NotOriented, vtkFFErrorCode::SurfaceError,
+    "The surface is not oriented consistently: first at cell {index}{of}, whose neighbour runs "
+    "their shared edge the same way. Generate Surface Normals (vtkPolyDataNormals) can mend that, "
+    "with Consistency on." },
+  { ErrorCode::NotStarShaped, vtkFFErrorCode::SurfaceError,
+    "The surface is not star-shaped: the kernel point does not see the inside of cell "
+    "{index}{of}; {count} such triangle(s) in all." },
+  { ErrorCode::NoKernel, vtkFFErrorCode::SurfaceError,
+    "The surface{of} is not star-shaped, or no point was found from which it is. If you know one, "
+    "turn on Use Kernel Point, and give it as Kernel Point." },
+  { ErrorCode::ConstraintPoint, vtkFFErrorCode::ConstraintError,
+    "Constraint {index} ends at point {count}{of}, which is not there or is left out." },
+  { ErrorCode::ConstraintsCross, vtkFFErrorCode::ConstraintError,
+    "Constraint {index} crosses constraint {count}, and there is no point where they do. Add one, "
+    "and end or begin both there." },
+  { ErrorCode::PolygonsDisagree, vtkFFErrorCode::ConstraintError,
+    "The polygons disagree about what is inside: what is on the left of a side is inside, and "
+    "holes run clockwise. Reverse the polygon of constraint {index}, which disagrees with that of "
+    "constraint {count}." },
+  { ErrorCode::NotConvex, vtkFFErrorCode::InputError,
+    "The domain is no convex polygon with finite corners, counter-clockwise." },
+  { ErrorCode::DuplicateSites, vtkFFErrorCode::InputError,
+    "The points {index} and {count}{of} are at one place, so their cells cannot have prescribed "
+    "areas." },
+  { ErrorCode::BadArea, vtkFFErrorCode::InputError,
+    "A prescribed area is not positive and finite: first at point {index}{of}, {count} such "
+    "point(s) in all." },
+  { ErrorCode::NoDevice, vtkFFErrorCode::DeviceError,
+    "The CUDA engine was asked for, but {text}. Set Engine to Automatic or CPU." },
+  { ErrorCode::DeviceMemory, vtkFFErrorCode::DeviceError,
+    "The CUDA device has not enough memory for this input: {count} bytes were refused. Set Engine "
+    "to Automatic or CPU." },
+  { ErrorCode::DeviceFailed, vtkFFErrorCode::DeviceError,
+    "The CUDA device failed: error {index} of the CUDA runtime. Set Engine to Automatic or CPU." },
+  { ErrorCode::Internal, vtkFFErrorCode::InternalError,
+    "An internal error: please report it, with the input." },
+};
+
+/// The failure that an error of the engine is; @p of says which data set has it.
+vtkFFFailure failureOf(const flipflop::Error& error, const std::string& of)
+{
+  vtkFFFailure failure;
+  const auto* const found = std::find_if(std::begin(errorTexts), std::end(errorTexts),
+    [&](const ErrorText& text) { return text.Code == error.code(); });
+  if (found == std::end(errorTexts))
   {
-    case ErrorCode::NonFinite:
-      return vtkFFErrorCode::NonFiniteError;
-    case ErrorCode::TooManyPoints:
-    case ErrorCode::OutOfMemory:
-      return vtkFFErrorCode::MemoryError;
-    case ErrorCode::BadTriangle:
-    case ErrorCode::NotSimple:
-    case ErrorCode::NotClosed:
-    case ErrorCode::NotManifold:
-    case ErrorCode::NotOriented:
-    case ErrorCode::NotStarShaped:
-    case ErrorCode::NoKernel:
-      return vtkFFErrorCode::SurfaceError;
-    case ErrorCode::ConstraintPoint:
-    case ErrorCode::ConstraintsCross:
-    case ErrorCode::PolygonsDisagree:
-      return vtkFFErrorCode::ConstraintError;
-    case ErrorCode::NoDevice:
-    case ErrorCode::DeviceMemory:
-    case ErrorCode::DeviceFailed:
-      return vtkFFErrorCode::DeviceError;
-    case ErrorCode::Internal:
-      return vtkFFErrorCode::InternalError;
-    default:
-      return vtkFFErrorCode::InputError;
+    failure.Say(error.what());
+    return failure;
   }
+  const std::pair<const char*, std::string> parts[] = { { "{index}",
+                                                          std::to_string(error.index()) },
+    { "{count}", std::to_string(error.count()) }, { "{of}", of },
+    { "{text}",
+      error.code() == ErrorCode::NoDevice ? flipflop::cudaStatus().problem : error.what() } };
+  std::string message = found->Text;
+  for (const auto& [name, value] : parts)
+  {
+    const std::size_t begin = message.find(name);
+    if (begin != std::string::npos)
+    {
+      message.replace(begin, std::strlen(name), value);
+    }
+  }
+  failure.Say(message, found->Id);
+  return failure;
 }
+
+/// Which data set of a composite it is, for errors.
+std::string clauseOf(std::size_t dataSet)
+{
+  return " of data set " + std::to_string(dataSet) + " of the composite";
+}
+
+constexpr const char* noMemory = "There is not enough memory for this input.";
 
 /// As vtkFFAlgorithm::SetNumberOfThreads() says; the engine takes 0 for all of the machine's.
 int threadsOf(int threads)
@@ -103,17 +178,11 @@ vtkFFRun::vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVect
       [filter](unsigned long code) { filter->SetErrorCode(code); })
 {
   this->Reporter = filter;
-  this->Options.facets = filter->GetFacetMode() == vtkFFAlgorithm::FACETS_AS_POLYGONS
-    ? flipflop::FacetMode::Polygons
-    : flipflop::FacetMode::Triangles;
-  this->Options.nonFinite = filter->GetNonFinitePoints() == vtkFFAlgorithm::NON_FINITE_IGNORE
-    ? flipflop::NonFinitePolicy::Ignore
-    : flipflop::NonFinitePolicy::Error;
+  // The engine has the same values in the same order.
+  this->Options.facets = static_cast<flipflop::FacetMode>(filter->GetFacetMode());
+  this->Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(filter->GetNonFinitePoints());
   this->Options.vBiased = filter->GetVBiased();
-  const int engine = filter->GetEngine();
-  this->Engine.choice = engine == vtkFFAlgorithm::ENGINE_CUDA ? flipflop::EngineChoice::CUDA
-    : engine == vtkFFAlgorithm::ENGINE_CPU                    ? flipflop::EngineChoice::CPU
-                                                              : flipflop::EngineChoice::Automatic;
+  this->Engine.choice = static_cast<flipflop::EngineChoice>(filter->GetEngine());
   // VTK_INT_MAX is as much as a panel of ParaView can say.
   this->Engine.cudaFrom = filter->GetCUDAThreshold() >= VTK_INT_MAX ? flipflop::CudaPaysNever
                                                                     : filter->GetCUDAThreshold();
@@ -133,14 +202,28 @@ vtkFFRun::vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformatio
   : vtkFFRun(filter, title, filter->GetNumberOfThreads(), outputs,
       [filter](unsigned long code) { filter->SetErrorCode(code); })
 {
-  this->Options.nonFinite = filter->GetNonFinitePoints() == vtkFFQueryAlgorithm::NON_FINITE_IGNORE
-    ? flipflop::NonFinitePolicy::Ignore
-    : flipflop::NonFinitePolicy::Error;
+  this->Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(filter->GetNonFinitePoints());
   if (outputs && !this->Begin(filter->LastBlock, filter->IsAborted))
   {
     filter->Dimension = -1;
     filter->IsSecondAtFault = false;
   }
+}
+
+//------------------------------------------------------------------------------
+vtkFFRun::vtkFFRun(const vtkFFRun& whole, std::size_t dataSet, std::size_t count)
+  : Options(whole.Options)
+  , Engine(whole.Engine)
+  , Filter(whole.Filter)
+  , Reporter(whole.Reporter)
+  , Title(whole.Title)
+  , Outputs(nullptr)
+  , SetCode(whole.SetCode)
+  , Block(count > 1 ? clauseOf(dataSet) : std::string())
+{
+  this->Options.threads = 1;
+  this->Options.progress = nullptr;
+  this->Options.step = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -154,7 +237,7 @@ bool vtkFFRun::Begin(vtkIdType& lastBlock, bool& isAborted)
   lastBlock = block;
   if (scale < 1.0 && (isNext || block == 0))
   {
-    this->Block = " of data set " + std::to_string(block) + " of the composite";
+    this->Block = clauseOf(static_cast<std::size_t>(block));
   }
   this->Aborted = &isAborted;
   if (!isNext)
@@ -172,12 +255,11 @@ bool vtkFFRun::Begin(vtkIdType& lastBlock, bool& isAborted)
 //------------------------------------------------------------------------------
 bool vtkFFRun::Do(const std::function<void()>& work)
 {
-  return !this->Failure && this->Try(work, this->Failure);
-}
-
-//------------------------------------------------------------------------------
-bool vtkFFRun::Try(const std::function<void()>& work, vtkFFFailure& failure)
-{
+  vtkFFFailure& failure = this->Failure;
+  if (failure)
+  {
+    return false;
+  }
   try
   {
     work();
@@ -204,8 +286,15 @@ bool vtkFFRun::Try(const std::function<void()>& work, vtkFFFailure& failure)
       case flipflop::ErrorCode::Aborted:
         failure.Kind = vtkFFFailure::Aborted;
         break;
+      case flipflop::ErrorCode::OutOfMemory:
+        if (error.count() <= 0)
+        {
+          failure.Say(noMemory, vtkFFErrorCode::MemoryError);
+          break;
+        }
+        [[fallthrough]];
       default:
-        failure.Say(this->DescribeError(error), codeOf(error.code()));
+        failure = failureOf(error, this->OfWhat());
         break;
     }
   }
@@ -229,7 +318,7 @@ bool vtkFFRun::Try(const std::function<void()>& work, vtkFFFailure& failure)
   }
   catch (const std::bad_alloc&)
   {
-    failure.Say("There is not enough memory for this input.", vtkFFErrorCode::MemoryError);
+    failure.Say(noMemory, vtkFFErrorCode::MemoryError);
   }
   catch (const std::exception& error)
   {
@@ -240,30 +329,6 @@ bool vtkFFRun::Try(const std::function<void()>& work, vtkFFFailure& failure)
     failure.Say("The engine failed for an unknown reason.", vtkFFErrorCode::InternalError);
   }
   return false;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFFRun::Describe(const vtkFFFailure& failure) const
-{
-  return failure.Kind == vtkFFFailure::NonFinite
-    ? this->NonFiniteWhat + " is NaN or infinite: first at " + this->DescribePoint(failure.Place) +
-      ", " + std::to_string(failure.Count) + " such point(s) " + this->NonFiniteReach + ". " +
-      this->NonFiniteAdvice
-    : failure.Message;
-}
-
-//------------------------------------------------------------------------------
-unsigned long vtkFFRun::CodeOf(const vtkFFFailure& failure)
-{
-  switch (failure.Kind)
-  {
-    case vtkFFFailure::NonFinite:
-      return vtkFFErrorCode::NonFiniteError;
-    case vtkFFFailure::Other:
-      return failure.Code;
-    default:
-      return vtkFFErrorCode::NoError;
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -300,13 +365,6 @@ void vtkFFRun::SetPart(double begin, double end)
 {
   this->Part[0] = begin;
   this->Part[1] = end;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFRun::SetTitle(const char* title)
-{
-  this->Title = title;
-  this->Filter->SetProgressText(title);
 }
 
 //------------------------------------------------------------------------------
@@ -390,20 +448,18 @@ void vtkFFRun::AddToReport(const flipflop::CellComplex& cells, vtkPolyData* outp
 //------------------------------------------------------------------------------
 int vtkFFRun::Finish(bool aloud)
 {
-  if (!this->Failure)
+  const vtkFFFailure& failure = this->Failure;
+  const bool isAborted = failure ? failure.Kind == vtkFFFailure::Aborted : this->IsAbortRequested();
+  if (this->Aborted)
   {
-    if (this->Aborted)
-    {
-      *this->Aborted = this->IsAbortRequested();
-    }
+    *this->Aborted = isAborted;
+  }
+  if (!failure)
+  {
     return 1;
   }
-  if (this->Failure.Kind == vtkFFFailure::Aborted)
+  if (isAborted)
   {
-    if (this->Aborted)
-    {
-      *this->Aborted = true;
-    }
     // The pipeline is to know that the output is not whole.
 #if VTK_FF_HAS_CHECK_ABORT
     this->Filter->SetAbortOutput(true);
@@ -411,100 +467,30 @@ int vtkFFRun::Finish(bool aloud)
   }
   else
   {
-    this->SetCode(CodeOf(this->Failure));
+    const bool isNonFinite = failure.Kind == vtkFFFailure::NonFinite;
+    this->SetCode(
+      isNonFinite ? static_cast<unsigned long>(vtkFFErrorCode::NonFiniteError) : failure.Code);
     if (aloud && this->Reporter)
     {
-      this->Reporter->NumberOfNonFinitePoints += this->Failure.Count;
+      this->Reporter->NumberOfNonFinitePoints += failure.Count;
     }
     if (aloud)
     {
-      vtkErrorWithObjectMacro(this->Filter, << this->Describe(this->Failure));
+      vtkErrorWithObjectMacro(this->Filter,
+        << (isNonFinite ? this->NonFiniteWhat + " is NaN or infinite: first at " +
+                 this->DescribePoint(failure.Place) + ", " + std::to_string(failure.Count) +
+                 " such point(s) " + this->NonFiniteReach + ". " + this->NonFiniteAdvice
+                        : failure.Message));
     }
   }
   for (int port = 0; this->Outputs && port < this->Outputs->GetNumberOfInformationObjects(); ++port)
   {
-    vtkDataObject::GetData(this->Outputs, port)->Initialize();
+    vtkDataObject* const output = vtkDataObject::GetData(this->Outputs, port);
+    if (!isAborted || !output->IsA("vtkCompositeDataSet"))
+    {
+      output->Initialize(); // what was done of a composite before an abort stays
+    }
   }
   return 1;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFFRun::DescribeError(const flipflop::Error& error) const
-{
-  using flipflop::ErrorCode;
-  const auto index = static_cast<vtkIdType>(error.index());
-  const std::string count = std::to_string(error.count());
-  const std::string cell = "cell " + std::to_string(index) + this->OfWhat();
-  switch (error.code())
-  {
-    case ErrorCode::NonFinite: // is described by what the filter calls its numbers
-    case ErrorCode::Aborted:   // is reported by the empty output alone
-      break;
-    case ErrorCode::TooManyPoints:
-      return count + " points are more than 32-bit indices can name.";
-    case ErrorCode::OutOfMemory:
-      return "There is not enough memory for this input" +
-        (error.count() > 0 ? ": " + count + " bytes were refused." : std::string("."));
-    case ErrorCode::BadArgument:
-      return "The engine refuses an argument: " + std::string(error.what()) + '.';
-    case ErrorCode::WeightCount:
-      return "There are not as many weights as points: " + count + " for " + std::to_string(index) +
-        ".";
-    case ErrorCode::BadTriangle:
-      return "A cell names a point that does not exist, or the same point twice: first at " + cell +
-        ", " + count + " such cell(s) in all.";
-    case ErrorCode::NotSimple:
-      return "A polygon crosses or touches itself, so it cannot be cut into triangles: first at " +
-        cell + ", " + count + " such polygon(s) in all.";
-    case ErrorCode::NotClosed:
-      return "The surface is not closed: first at " + cell +
-        ", which has an edge that no other triangle shares; " + count + " such edge(s) in all.";
-    case ErrorCode::NotManifold:
-      return "The surface is not a manifold: first at " + cell +
-        ", which has an edge of three or more triangles, or a vertex where several fans of "
-        "triangles meet; " +
-        count + " such edge(s) and vertices in all.";
-    case ErrorCode::NotOriented:
-      return "The surface is not oriented consistently: first at " + cell +
-        ", whose neighbour runs their shared edge the same way. Generate Surface "
-        "Normals (vtkPolyDataNormals) can mend that, with Consistency on.";
-    case ErrorCode::NotStarShaped:
-      return "The surface is not star-shaped: the kernel point does not see the inside of " + cell +
-        "; " + count + " such triangle(s) in all.";
-    case ErrorCode::NoKernel:
-      return "The surface" + this->OfWhat() +
-        " is not star-shaped, or no point was found from which it is. If you know one, turn on "
-        "Use Kernel Point, and give it as Kernel Point.";
-    case ErrorCode::ConstraintPoint:
-      return "Constraint " + std::to_string(index) + " ends at point " + count + this->OfWhat() +
-        ", which is not there or is left out.";
-    case ErrorCode::ConstraintsCross:
-      return "Constraint " + std::to_string(index) + " crosses constraint " + count +
-        ", and there is no point where they do. Add one, and end or begin both there.";
-    case ErrorCode::PolygonsDisagree:
-      return "The polygons disagree about what is inside: what is on the left of a side is inside, "
-             "and holes run clockwise. Reverse the polygon of constraint " +
-        std::to_string(index) + ", which disagrees with that of constraint " + count + ".";
-    case ErrorCode::NotConvex:
-      return "The domain is no convex polygon with finite corners, counter-clockwise.";
-    case ErrorCode::DuplicateSites:
-      return "The points " + std::to_string(index) + " and " + count + this->OfWhat() +
-        " are at one place, so their cells cannot have prescribed areas.";
-    case ErrorCode::BadArea:
-      return "A prescribed area is not positive and finite: first at point " +
-        std::to_string(index) + this->OfWhat() + ", " + count + " such point(s) in all.";
-    case ErrorCode::NoDevice:
-      return std::string("The CUDA engine was asked for, but ") + flipflop::cudaStatus().problem +
-        ". Set Engine to Automatic or CPU.";
-    case ErrorCode::DeviceMemory:
-      return "The CUDA device has not enough memory for this input: " + count +
-        " bytes were refused. Set Engine to Automatic or CPU.";
-    case ErrorCode::DeviceFailed:
-      return "The CUDA device failed: error " + std::to_string(index) +
-        " of the CUDA runtime. Set Engine to Automatic or CPU.";
-    case ErrorCode::Internal:
-      return "An internal error: please report it, with the input.";
-  }
-  return error.what();
 }
 VTK_ABI_NAMESPACE_END

@@ -13,7 +13,7 @@
 #ifndef vtkFFRun_h
 #define vtkFFRun_h
 
-#include "vtkFFFailure.h"
+#include "vtkFFErrorCode.h"
 #include "vtkFFMarks.h"
 #include "vtkType.h"
 #include "vtkVersionMacros.h"
@@ -21,7 +21,10 @@
 #include <flipflop/Engines.h>
 #include <flipflop/Options.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -45,6 +48,71 @@ class vtkFFQueryAlgorithm;
 class vtkInformationVector;
 class vtkPolyData;
 
+/**
+ * Why a run gave no result: apart from the error that users see, so that several processes can
+ * agree on one before it is reported.
+ */
+struct vtkFFFailure
+{
+  /// The graver kinds come last.
+  enum KindType
+  {
+    None,
+    NonFinite,
+    Other,
+    Aborted
+  };
+
+  KindType Kind = None;
+  vtkIdType Place = -1;                               ///< NonFinite: the id of the first such point
+  vtkIdType Count = 0;                                ///< NonFinite: of such points
+  unsigned long Code = vtkFFErrorCode::InternalError; ///< Other
+  std::string Message;                                ///< Other: a sentence
+
+  explicit operator bool() const { return this->Kind != None; }
+
+  /**
+   * A failure of the kind Other.
+   */
+  void Say(const std::string& message, unsigned long code = vtkFFErrorCode::InputError)
+  {
+    this->Kind = Other;
+    this->Code = code;
+    this->Message = message;
+  }
+
+  /**
+   * Combine both: the graver one remains, or this one if they are equal. All points that are not
+   * finite are counted.
+   */
+  void Add(const vtkFFFailure& other)
+  {
+    if (this->Kind == NonFinite && other.Kind == NonFinite)
+    {
+      this->Place = std::min(this->Place, other.Place);
+      this->Count += other.Count;
+    }
+    else if (other.Kind > this->Kind)
+    {
+      *this = other;
+    }
+  }
+};
+
+/**
+ * Thrown for settings that do not go together, and for constraints that do not.
+ */
+class vtkFFBadSetting : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class vtkFFBadConstraint : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 class vtkFFRun
 {
 public:
@@ -66,6 +134,12 @@ public:
   vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVector* outputs);
   vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformationVector* outputs);
 
+  /**
+   * A part of that run, for one of so many data sets of a composite, on a thread of its own: it
+   * reports no progress.
+   */
+  vtkFFRun(const vtkFFRun& whole, std::size_t dataSet, std::size_t count);
+
   vtkFFRun(const vtkFFRun&) = delete;
   void operator=(const vtkFFRun&) = delete;
 
@@ -79,11 +153,6 @@ public:
    * whether there is none.
    */
   bool Do(const std::function<void()>& work);
-
-  /**
-   * The same, and the failure is another one than this run's.
-   */
-  bool Try(const std::function<void()>& work, vtkFFFailure& failure);
 
   //@{
   /**
@@ -115,26 +184,13 @@ public:
    * points were looked at.
    */
   std::string NonFiniteWhat = "A coordinate";
-  std::string NonFiniteAdvice = "Remove them, or set Non Finite Points to Ignore.";
-  std::string NonFiniteReach = "in all";
+  const char* NonFiniteAdvice = "Remove them, or set Non Finite Points to Ignore.";
+  const char* NonFiniteReach = "in all";
 
   /**
-   * The failure as a sentence; empty for an abort.
-   */
-  std::string Describe(const vtkFFFailure& failure) const;
-
-  /**
-   * Its error code.
-   */
-  static unsigned long CodeOf(const vtkFFFailure& failure);
-
-  //@{
-  /**
-   * Where the progress of the next work lies within the whole, and what is being made.
+   * Where the progress of the next work lies within the whole.
    */
   void SetPart(double begin, double end);
-  void SetTitle(const char* title);
-  //@}
 
   /**
    * For work outside of the engine that has these options: report that this share of the part is
@@ -173,7 +229,6 @@ private:
   bool Begin(vtkIdType& lastBlock, bool& isAborted);
   static bool ForwardProgress(double fraction, void* self);
   static void ForwardStep(const char* name, void* self);
-  std::string DescribeError(const flipflop::Error& error) const;
 
   vtkAlgorithm* const Filter;
   vtkFFAlgorithm* Reporter = nullptr; // the same, if it is one

@@ -3,7 +3,7 @@
 #include "vtkFFWeightSource.h"
 
 #include "vtkFFExactValues.h"
-#include "vtkFFFailure.h"
+#include "vtkFFRun.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"

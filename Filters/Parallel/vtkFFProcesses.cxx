@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFProcesses.h"
 
-#include "vtkFFFailure.h"
+#include "vtkFFRun.h"
 #include "vtkFFRun.h"
 
 #include <flipflop/Buffer.h>

@@ -359,6 +359,7 @@ int vtkPFFHullFilter::RequestData(
       }
       vtkPolyData* const output = vtkPolyData::GetData(outputs);
       this->WriteHull(whole, run, output);
+      this->ReportHull(whole, run, output);
       if (duplicates)
       {
         vtkFFDistributedCells::Mark(

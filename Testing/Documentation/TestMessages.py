@@ -98,7 +98,8 @@ class TestMessages(unittest.TestCase):
         found = 0
         page = " ".join(PAGE.split())
         for path in sources("Filters", "Cuda/Choice", "Cuda/Device"):
-            for text in strings(read(path)):
+            said = strings(read(path))
+            for text in (part for string in said for part in re.split(r"\{[a-z]+\}", string)):
                 if len(re.findall(r"[A-Za-z]{2,}", text)) < 3 or "%" in text or text in UNSEEN:
                     continue
                 found += 1
