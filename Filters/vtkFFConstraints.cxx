@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFConstraints.h"
 
-#include "vtkFFPieces.h"
+#include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFRun.h"
 #include "vtkFFSurfaceCells.h"
@@ -254,7 +254,7 @@ void vtkFFConstraints::AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) c
     std::iota(run.Ids.begin(), run.Ids.end(), vtkIdType(0));
   }
   run.Ids.resize(static_cast<std::size_t>(count + added), -1);
-  input.SetPoints(vtkFFPieces::Append({ given, created }));
+  input.SetPoints(vtkFFOutput::Append({ given, created }));
 }
 
 //------------------------------------------------------------------------------

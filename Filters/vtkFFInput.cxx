@@ -2,16 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFInput.h"
 
-#include "vtkFFGridPoints.h"
-#include "vtkFFPieces.h"
+#include "vtkFFExactValues.h"
+#include "vtkFFOutput.h"
 #include "vtkFFRun.h"
+
+#include <flipflop/Buffer.h>
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -21,6 +41,137 @@ namespace
 vtkDataArray* coordinatesOf(vtkPointSet* piece)
 {
   return piece->GetPoints() ? piece->GetPoints()->GetData() : nullptr;
+}
+
+constexpr std::int64_t mostPoints = 4294967294; // what an engine takes
+
+/// How many points a grid has.
+std::int64_t countOf(const int* dimensions)
+{
+  if (*std::min_element(dimensions, dimensions + 3) <= 0)
+  {
+    return 0;
+  }
+  const std::int64_t layer = static_cast<std::int64_t>(dimensions[0]) * dimensions[1];
+  if (layer > mostPoints / dimensions[2])
+  {
+    constexpr std::int64_t limit = std::numeric_limits<std::int64_t>::max();
+    throw flipflop::Error(flipflop::ErrorCode::TooManyPoints, -1,
+      layer > limit / dimensions[2] ? limit : layer * dimensions[2]);
+  }
+  return layer * dimensions[2];
+}
+
+/// The points of a grid, as VTK computes them in double.
+template <class ArrayT>
+vtkSmartPointer<vtkPoints> layOut(vtkDataSet* grid, std::int64_t count)
+{
+  using Value = typename ArrayT::ValueType;
+  flipflop::Buffer<Value> values(3 * static_cast<std::size_t>(count));
+  if (count > 0)
+  {
+    grid->GetPoint(0); // newer VTK makes what it needs in the first call
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 14,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      double xyz[3];
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        grid->GetPoint(i, xyz);
+        std::transform(xyz, xyz + 3, values.data() + 3 * i,
+          [](double value) { return static_cast<Value>(value); });
+      }
+    });
+  vtkNew<ArrayT> array;
+  array->SetNumberOfComponents(3);
+  if (count > 0)
+  {
+    array->SetArray(values.release(), static_cast<vtkIdType>(3 * count), 0,
+      vtkAbstractArray::VTK_DATA_ARRAY_ALIGNED_FREE);
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(array);
+  return points;
+}
+
+/// Checks a grid's coordinates along x, y or z.
+void checkCoordinates(vtkDataArray* array, int count, char axis, const std::string& ofWhat)
+{
+  const std::string along = std::string(1, axis) + " coordinate";
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < count)
+  {
+    throw std::runtime_error("The vtkRectilinearGrid" + ofWhat + " has " +
+      std::to_string(array ? array->GetNumberOfTuples() : 0) + " " + along + "(s) of " +
+      std::to_string(array ? array->GetNumberOfComponents() : 0) + " component(s) and needs " +
+      std::to_string(count) + " of 1.");
+  }
+  try
+  {
+    flipflop::Buffer<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    vtkFFExactValues::Copy<1>(array, "coordinate", 0, values.data());
+  }
+  catch (const vtkFFInexactValue& error)
+  {
+    throw std::runtime_error("The " + along + " " + std::to_string(error.GetIndex()) +
+      " of the vtkRectilinearGrid" + ofWhat +
+      " is a 64-bit integer that no double holds. Subtract an offset from all: the result has the "
+      "same shape.");
+  }
+}
+
+vtkSmartPointer<vtkPoints> layOut(
+  vtkImageData* image, vtkRectilinearGrid* grid, const std::string& ofWhat)
+{
+  int dimensions[3];
+  image ? image->GetDimensions(dimensions) : grid->GetDimensions(dimensions);
+  const std::int64_t count = countOf(dimensions);
+  if (image)
+  {
+    return layOut<vtkDoubleArray>(image, count);
+  }
+  if (count == 0)
+  {
+    return vtkSmartPointer<vtkPoints>::New();
+  }
+  vtkDataArray* const arrays[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    checkCoordinates(arrays[axis], dimensions[axis], "xyz"[axis], ofWhat);
+  }
+  return std::all_of(
+           arrays, arrays + 3, [](auto* array) { return array->GetDataType() == VTK_FLOAT; })
+    ? layOut<vtkFloatArray>(grid, count)
+    : layOut<vtkDoubleArray>(grid, count);
+}
+
+/// The points that are no ghosts; null: all.
+vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
+{
+  vtkUnsignedCharArray* marks = piece->GetPointGhostArray();
+  const vtkIdType count = piece->GetNumberOfPoints();
+  if (!marks || count == 0)
+  {
+    return nullptr;
+  }
+  if (marks->GetNumberOfValues() != count)
+  {
+    throw std::runtime_error(std::string("The point array ") +
+      vtkDataSetAttributes::GhostArrayName() + " has " +
+      std::to_string(marks->GetNumberOfValues()) + " value(s) for " + std::to_string(count) +
+      " point(s). Mend or remove it, or turn off Skip Ghost Points.");
+  }
+  constexpr int ghost = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (!(marks->GetValue(i) & ghost))
+    {
+      ids->InsertNextValue(i);
+    }
+  }
+  return ids->GetNumberOfValues() < count ? ids : nullptr;
 }
 
 }
@@ -44,6 +195,27 @@ std::vector<vtkFFInput::PieceType> vtkFFInput::PiecesOf(vtkDataObject* input)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPointSet> vtkFFInput::PointsOf(vtkDataObject* data, const std::string& ofWhat)
+{
+  if (auto* points = vtkPointSet::SafeDownCast(data))
+  {
+    return points;
+  }
+  auto* image = vtkImageData::SafeDownCast(data);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(data);
+  if (!image && !grid)
+  {
+    throw std::runtime_error("The data" + ofWhat + " is a " + data->GetClassName() +
+      ". It must be a vtkPointSet, vtkImageData or vtkRectilinearGrid.");
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(layOut(image, grid, ofWhat));
+  result->GetPointData()->ShallowCopy(vtkDataSet::SafeDownCast(data)->GetPointData());
+  result->GetFieldData()->ShallowCopy(data->GetFieldData());
+  return result;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkFFInput::Take(
   const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run, const std::string& ofInput)
 {
@@ -56,7 +228,6 @@ vtkIdType vtkFFInput::Take(
 vtkIdType vtkFFInput::TakePieces(
   const std::vector<PieceType>& pieces, bool skipGhosts, vtkFFRun& run, const std::string& ofInput)
 {
-  std::vector<vtkPointSet*> all;
   vtkIdType count = 0;
   for (const PieceType& piece : pieces)
   {
@@ -64,7 +235,7 @@ vtkIdType vtkFFInput::TakePieces(
       ? " of the block of flat index " + std::to_string(piece.FlatIndex) + ofInput
       : ofInput.empty() ? run.OfWhat()
                         : ofInput;
-    this->Pieces.push_back(vtkFFGridPoints::PointsOf(piece.Data, ofWhat));
+    this->Pieces.push_back(PointsOf(piece.Data, ofWhat));
     vtkPointSet* const points = this->Pieces.back();
     vtkDataArray* const array = coordinatesOf(points);
     if (array && array->GetNumberOfComponents() != 3)
@@ -72,7 +243,6 @@ vtkIdType vtkFFInput::TakePieces(
       throw std::runtime_error("The points" + ofWhat + " have " +
         std::to_string(array->GetNumberOfComponents()) + " coordinates each; a point has 3.");
     }
-    all.push_back(points);
     count += points->GetNumberOfPoints();
     if (piece.FlatIndex > 0 || !ofInput.empty())
     {
@@ -81,7 +251,7 @@ vtkIdType vtkFFInput::TakePieces(
   }
   if (skipGhosts)
   {
-    this->Pieces = vtkFFPieces::SkipGhosts(all, run.Ids);
+    run.Ids = this->SkipGhosts();
   }
   return count;
 }
@@ -106,5 +276,34 @@ std::vector<vtkFFOutput::Source> vtkFFInput::GetPointData() const
     data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
   }
   return data;
+}
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkFFInput::SkipGhosts()
+{
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> remaining;
+  std::transform(
+    this->Pieces.begin(), this->Pieces.end(), std::back_inserter(remaining), idsWithoutGhosts);
+  std::vector<vtkIdType> ids;
+  if (std::none_of(remaining.begin(), remaining.end(), [](auto& array) { return array.Get(); }))
+  {
+    return ids;
+  }
+  vtkIdType begin = 0;
+  for (std::size_t k = 0; k < remaining.size(); ++k)
+  {
+    const vtkIdType size = this->Pieces[k]->GetNumberOfPoints();
+    vtkIdTypeArray* const own = remaining[k];
+    const vtkIdType count = own ? own->GetNumberOfValues() : size;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      ids.push_back(begin + (own ? own->GetValue(i) : i));
+    }
+    if (own)
+    {
+      this->Pieces[k] = vtkFFOutput::Select(this->Pieces[k], own);
+    }
+    begin += size;
+  }
+  return ids;
 }
 VTK_ABI_NAMESPACE_END

@@ -45,6 +45,18 @@ public:
   static std::vector<PieceType> PiecesOf(vtkDataObject* input);
 
   /**
+   * The points of a data set: itself, if it is a vtkPointSet. For a vtkImageData or a
+   * vtkRectilinearGrid, new points are made, without cells, with the point data (also vtkGhostType)
+   * and the field data: as float if all coordinates of a rectilinear grid are float, otherwise as
+   * double.
+   *
+   * @param ofWhat how errors name the data: " of the block of flat index 2"
+   * @throw std::runtime_error for other data, and for coordinates that are missing, have not one
+   *        component, or that no double holds; flipflop::Error TooManyPoints, OutOfMemory.
+   */
+  static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
+
+  /**
    * Become the points of these data sets. Returns how many these have, with ghosts.
    *
    * @param ofInput how errors name the input, unless it is the first one: " of the surface"
@@ -77,6 +89,10 @@ public:
   std::vector<vtkFFOutput::Source> GetPointData() const;
 
 private:
+  /// Leaves out points that are marked as duplicates of another piece's or as hidden. Returns the
+  /// ids of the others among all points; none, if all remain.
+  std::vector<vtkIdType> SkipGhosts();
+
   std::vector<vtkSmartPointer<vtkPointSet>> Pieces;
   std::optional<vtkFFPointSource> Points;
 };

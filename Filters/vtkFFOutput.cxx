@@ -19,6 +19,8 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
@@ -237,29 +239,35 @@ void vtkFFOutput::AdoptCells(flipflop::CellComplex& complex, vtkPolyData* output
 }
 
 //------------------------------------------------------------------------------
+void vtkFFOutput::CopyCells(vtkCellArray* cells, flipflop::CellComplex& complex)
+{
+  const auto count = static_cast<std::size_t>(cells->GetNumberOfCells());
+  complex.connectivity.allocate(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
+  complex.offsets.allocate(count + 1);
+  std::int64_t end = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    cells->GetCellAtId(static_cast<vtkIdType>(i), size, corners);
+    complex.offsets[i] = end;
+    std::copy_n(corners, size, complex.connectivity.data() + end);
+    end += size;
+  }
+  complex.offsets[count] = end;
+}
+
+//------------------------------------------------------------------------------
 void vtkFFOutput::FanPolygons(vtkPolyData* output)
 {
   vtkCellArray* const polygons = output->GetPolys();
-  const vtkIdType count = polygons->GetNumberOfCells();
-  if (count == 0 || polygons->IsHomogeneous() == 3)
+  if (polygons->GetNumberOfCells() == 0 || polygons->IsHomogeneous() == 3)
   {
     return;
   }
   flipflop::CellComplex complex;
   complex.dimension = 2;
-  complex.connectivity.allocate(static_cast<std::size_t>(polygons->GetNumberOfConnectivityIds()));
-  complex.offsets.allocate(static_cast<std::size_t>(count) + 1);
-  std::int64_t end = 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    vtkIdType size;
-    const vtkIdType* corners;
-    polygons->GetCellAtId(i, size, corners);
-    complex.offsets[static_cast<std::size_t>(i)] = end;
-    std::copy_n(corners, size, complex.connectivity.data() + end);
-    end += size;
-  }
-  complex.offsets[static_cast<std::size_t>(count)] = end;
+  CopyCells(polygons, complex);
   flipflop::fanPolygons(complex);
   AdoptCells(complex, output);
 }
@@ -400,5 +408,52 @@ void vtkFFOutput::AddValue(vtkFieldData* output, const char* name, double value)
 void vtkFFOutput::AddValue(vtkFieldData* output, const char* name, const char* value)
 {
   addValue<vtkStringArray>(output, name, value);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPointSet> vtkFFOutput::Append(
+  const std::vector<vtkPointSet*>& pieces, vtkIdType leftOut)
+{
+  const auto hasPoints = [](vtkPointSet* piece) { return piece->GetNumberOfPoints() > 0; };
+  const auto first = std::find_if(pieces.begin(), pieces.end(), hasPoints);
+  if (leftOut == 0 &&
+    (pieces.size() == 1 ||
+      (first != pieces.end() && std::none_of(first + 1, pieces.end(), hasPoints))))
+  {
+    return pieces.size() == 1 ? pieces[0] : *first;
+  }
+  std::vector<vtkDataArray*> arrays;
+  std::vector<Source> data;
+  vtkIdType count = 0;
+  for (vtkPointSet* piece : pieces)
+  {
+    arrays.push_back(piece->GetPoints() ? piece->GetPoints()->GetData() : nullptr);
+    data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
+    count += piece->GetNumberOfPoints();
+  }
+  count -= leftOut;
+  flipflop::Buffer<std::int64_t> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), static_cast<std::int64_t>(leftOut));
+
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  whole->SetPoints(vtkFFPointSource(arrays).Gather(all.data(), count));
+  CopyPointData(data, AdoptIds(all), whole->GetPointData());
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPointSet> vtkFFOutput::Select(vtkPointSet* piece, vtkIdTypeArray* which)
+{
+  const vtkIdType count = piece->GetNumberOfPoints();
+  vtkNew<vtkPointData> from;
+  vtkNew<vtkPointData> to;
+  from->AddArray(piece->GetPoints()->GetData());
+  CopyPointData({ { from, count } }, which, to);
+  vtkNew<vtkPoints> places;
+  places->SetData(to->GetArray(0));
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->SetPoints(places);
+  CopyPointData({ { piece->GetPointData(), count } }, which, points->GetPointData());
+  return points;
 }
 VTK_ABI_NAMESPACE_END

@@ -27,12 +27,14 @@ struct CellComplex;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkCellArray;
 class vtkCellData;
 class vtkDataSetAttributes;
 class vtkFFPointSource;
 class vtkFieldData;
 class vtkIdTypeArray;
 class vtkPointData;
+class vtkPointSet;
 class vtkPolyData;
 
 class vtkFFOutput
@@ -78,6 +80,11 @@ public:
    * Make the cells vertices, lines or polygons of @p output, which takes them over.
    */
   static void AdoptCells(flipflop::CellComplex& cells, vtkPolyData* output);
+
+  /**
+   * The other way: connectivity and offsets of cells, whatever integers these have.
+   */
+  static void CopyCells(vtkCellArray* cells, flipflop::CellComplex& complex);
 
   /**
    * Turn polygons of an output, which the engine gave, into the triangles that it would give.
@@ -127,6 +134,21 @@ public:
   static void AddValue(vtkFieldData* output, const char* name, double value);
   static void AddValue(vtkFieldData* output, const char* name, const char* value);
   //@}
+
+  /**
+   * The points of all @p pieces, one piece after another, with the point arrays that all of them
+   * have. A piece that has all points is returned unchanged. The first points can be left out: so
+   * many have a say in the type and the data of the others, and are not among them.
+   *
+   * @throw vtkFFInexactValue, flipflop::Error OutOfMemory.
+   */
+  static vtkSmartPointer<vtkPointSet> Append(
+    const std::vector<vtkPointSet*>& pieces, vtkIdType leftOut = 0);
+
+  /**
+   * Some points of a piece, by ascending ids, with their point data.
+   */
+  static vtkSmartPointer<vtkPointSet> Select(vtkPointSet* piece, vtkIdTypeArray* which);
 };
 VTK_ABI_NAMESPACE_END
 

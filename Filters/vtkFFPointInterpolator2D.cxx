@@ -3,7 +3,7 @@
 #include "vtkFFPointInterpolator2D.h"
 
 #include "vtkFFInput.h"
-#include "vtkFFPieces.h"
+#include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFPointSource.h"
 #include "vtkFFRun.h"
@@ -381,7 +381,7 @@ double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
   vtkSmartPointer<vtkPointSet> source = vtkSmartPointer<vtkPolyData>::New();
   if (!pieces.empty())
   {
-    source = vtkFFPieces::Append(pieces);
+    source = vtkFFOutput::Append(pieces);
   }
   if (!isTriangulated)
   {

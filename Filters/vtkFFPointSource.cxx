@@ -5,60 +5,30 @@
 #include "vtkFFExactValues.h"
 
 #include "vtkAOSDataArrayTemplate.h"
-#include "vtkBitArray.h"
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
+
+#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-/// The points named by ids, out of a view of From and into plain memory of To: exact both ways.
-template <class From, class To>
-void gatherFrom(const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, To* to)
+/// use(i, x) for the coordinates x of each point named by ids, by all threads.
+template <class From, class Use>
+void eachPoint(
+  const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, const Use& use)
 {
-  const From* from = static_cast<const From*>(view.data);
-  const std::int64_t stride = view.stride;
+  const From* const from = static_cast<const From*>(view.data);
   vtkSMPTools::For(0, count, 1 << 14,
-    [=](vtkIdType begin, vtkIdType end)
+    [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const From* xyz = from + ids[i] * stride;
-        for (vtkIdType k = 0; k < 3; ++k)
-        {
-          to[3 * i + k] = static_cast<To>(xyz[k]);
-        }
+        use(i, from + ids[i] * view.stride);
       }
     });
-}
-
-/// The same into an array of bits, eight to a byte: by one thread.
-void gatherBits(
-  const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, vtkBitArray* to)
-{
-  const double* from = static_cast<const double*>(view.data);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      to->SetValue(3 * i + k, static_cast<int>(from[ids[i] * view.stride + k]));
-    }
-  }
-}
-
-template <class To>
-void gather(const flipflop::PointView& view, const std::int64_t* ids, vtkIdType count, To* to)
-{
-  if (view.type == flipflop::ScalarType::Float32)
-  {
-    gatherFrom<float>(view, ids, count, to);
-  }
-  else
-  {
-    gatherFrom<double>(view, ids, count, to);
-  }
 }
 
 }
@@ -100,13 +70,11 @@ vtkFFPointSource::vtkFFPointSource(const std::vector<vtkDataArray*>& arrays)
     if (const float* floats = vtkFFExactValues::Memory<float>(parts[0]))
     {
       this->View = flipflop::PointView(floats, count);
-      this->ZeroCopy = true;
       return;
     }
     if (const double* doubles = vtkFFExactValues::Memory<double>(parts[0]))
     {
       this->View = flipflop::PointView(doubles, count);
-      this->ZeroCopy = true;
       return;
     }
   }
@@ -146,15 +114,29 @@ vtkSmartPointer<vtkPoints> vtkFFPointSource::Gather(const std::int64_t* ids, vtk
   vtkSmartPointer<vtkPoints> points;
   points.TakeReference(vtkPoints::New(this->OutputType));
   points->SetNumberOfPoints(count);
-  if (count > 0)
+  // Exact both ways: what is not float or double was converted to double.
+  if (count == 0)
   {
-    switch (this->OutputType)
+    return points;
+  }
+  if (this->OutputType == VTK_FLOAT)
+  {
+    auto* to = vtkAOSDataArrayTemplate<float>::FastDownCast(points->GetData())->GetPointer(0);
+    eachPoint<float>(
+      this->View, ids, count, [=](vtkIdType i, const float* x) { std::copy_n(x, 3, to + 3 * i); });
+  }
+  else if (this->OutputType == VTK_DOUBLE)
+  {
+    auto* to = vtkAOSDataArrayTemplate<double>::FastDownCast(points->GetData())->GetPointer(0);
+    eachPoint<double>(
+      this->View, ids, count, [=](vtkIdType i, const double* x) { std::copy_n(x, 3, to + 3 * i); });
+  }
+  else
+  {
+    const auto* const from = static_cast<const double*>(this->View.data);
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      vtkTemplateMacro(gather(this->View, ids, count,
-        vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(points->GetData())->GetPointer(0)));
-      case VTK_BIT:
-        gatherBits(this->View, ids, count, vtkBitArray::SafeDownCast(points->GetData()));
-        break;
+      points->SetPoint(i, from + ids[i] * this->View.stride);
     }
   }
   return points;

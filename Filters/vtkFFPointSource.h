@@ -51,11 +51,6 @@ public:
   const flipflop::PointView& GetView() const { return this->View; }
 
   /**
-   * Whether the view is of the array's own memory.
-   */
-  bool IsZeroCopy() const { return this->ZeroCopy; }
-
-  /**
    * The points that @p ids names, in the type of the arrays (double if the types differ).
    */
   vtkSmartPointer<vtkPoints> Gather(const std::int64_t* ids, vtkIdType count) const;
@@ -69,7 +64,6 @@ private:
   flipflop::Buffer<float> Floats;
   flipflop::Buffer<double> Doubles;
   int OutputType;
-  bool ZeroCopy = false;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -12,12 +12,9 @@
 #ifndef vtkFFStamp_h
 #define vtkFFStamp_h
 
-#include "vtkFFAlgorithm.h"
 #include "vtkFFInput.h"
 #include "vtkFFMarks.h"
-#include "vtkFFQueryAlgorithm.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 
 #include <cstdint>
@@ -35,36 +32,18 @@ public:
   vtkFFStamp() = default;
 
   /**
-   * Of an input, and of all settings but those that a filter changes with ChangeOutput().
+   * Of an input of a vtkFFAlgorithm or the second one of a vtkFFQueryAlgorithm, and of all settings
+   * but those that the filter changes with ChangeOutput().
    */
-  vtkFFStamp(vtkFFAlgorithm* filter, vtkDataObject* input)
+  template <class Filter>
+  vtkFFStamp(Filter* filter, vtkDataObject* input)
+    : Words{ filter->ResultTime }
   {
-    this->Add(input);
-    this->Words.push_back(filter->ResultTime);
-  }
-
-  /**
-   * The same of a second input, which a filter queries.
-   */
-  vtkFFStamp(vtkFFQueryAlgorithm* filter, vtkDataObject* input)
-  {
-    this->Add(input);
-    this->Words.push_back(filter->ResultTime);
-  }
-
-  /**
-   * Further data, which may be null. No two states of any data have the same time. A composite does
-   * not know when its data sets change.
-   */
-  void Add(vtkDataObject* data)
-  {
-    this->AddTime(data);
-    if (vtkCompositeDataSet::SafeDownCast(data))
+    // A composite does not know when its data sets change.
+    this->AddData(input);
+    for (const vtkFFInput::PieceType& piece : vtkFFInput::PiecesOf(input))
     {
-      for (const vtkFFInput::PieceType& piece : vtkFFInput::PiecesOf(data))
-      {
-        this->AddTime(piece.Data);
-      }
+      this->AddData(piece.Data);
     }
   }
 
@@ -96,9 +75,10 @@ public:
   }
 
 private:
-  void AddTime(vtkDataObject* data)
+  /// No two states of any data have the same time.
+  void AddData(vtkDataObject* data)
   {
-    this->Add(static_cast<vtkObject*>(data));
+    this->Add(data);
     this->Words.push_back(data ? data->GetUpdateTime() : 0);
   }
 

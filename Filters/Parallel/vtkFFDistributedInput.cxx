@@ -3,7 +3,7 @@
 #include "vtkFFDistributedInput.h"
 
 #include "vtkFFAlgorithm.h"
-#include "vtkFFGridPoints.h"
+#include "vtkFFInput.h"
 #include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
@@ -87,7 +87,7 @@ std::vector<BlockType> blocksOf(vtkDataObject* input, bool joined)
   }
   if (!vtkDataSet::SafeDownCast(input) && !vtkDataObjectTree::SafeDownCast(input))
   {
-    vtkFFGridPoints::PointsOf(input, ""); // throws what it must be
+    vtkFFInput::PointsOf(input, ""); // throws what it must be
   }
   std::vector<BlockType> blocks;
   visitBlocks(input,

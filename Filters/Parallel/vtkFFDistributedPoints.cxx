@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFDistributedPoints.h"
 
-#include "vtkFFPieces.h"
+#include "vtkFFOutput.h"
 #include "vtkFFPointMessage.h"
 #include "vtkFFProcesses.h"
 
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPointSet> select(
   {
     indices->InsertNextValue(id - begin);
   }
-  return vtkFFPieces::Select(piece, indices);
+  return vtkFFOutput::Select(piece, indices);
 }
 
 }
@@ -97,7 +97,7 @@ void vtkFFDistributedPoints::SetPoints(vtkPointSet* own)
   }
   this->Kind = firsts.empty()
     ? own
-    : select(vtkFFPieces::Append({ firsts.begin(), firsts.end() }), { 0 }, 0).Get();
+    : select(vtkFFOutput::Append({ firsts.begin(), firsts.end() }), { 0 }, 0).Get();
 }
 
 //------------------------------------------------------------------------------
@@ -142,6 +142,6 @@ vtkSmartPointer<vtkPointSet> vtkFFDistributedPoints::Fetch(
   {
     parts.emplace_back(vtkFFPointMessage::Unpack(std::move(message.second)));
   }
-  return vtkFFPieces::Append({ parts.begin(), parts.end() }, leftOut);
+  return vtkFFOutput::Append({ parts.begin(), parts.end() }, leftOut);
 }
 VTK_ABI_NAMESPACE_END

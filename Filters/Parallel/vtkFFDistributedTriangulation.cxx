@@ -3,7 +3,7 @@
 #include "vtkFFDistributedTriangulation.h"
 
 #include "vtkFFDistributedCells.h"
-#include "vtkFFPieces.h"
+#include "vtkFFOutput.h"
 #include "vtkFFPlanarAlgorithm.h"
 #include "vtkFFPointRedistribution.h"
 #include "vtkFFProcesses.h"
@@ -124,7 +124,7 @@ void vtkFFDistributedTriangulation::Read(const std::vector<vtkFFInput::PieceType
   }
   this->Source.Count(this->Own);
   this->Run.FirstId = this->Source.GetBegin();
-  const auto points = vtkFFPieces::Append({ own.GetPieces().begin(), own.GetPieces().end() });
+  const auto points = vtkFFOutput::Append({ own.GetPieces().begin(), own.GetPieces().end() });
   this->Input.SetPoints(points);
   this->Source.SetPoints(points);
   this->Input.SetWeights(this->FindOwnWeights());

@@ -3,7 +3,6 @@
 #include "vtkFFProcesses.h"
 
 #include "vtkFFRun.h"
-#include "vtkFFRun.h"
 
 #include <flipflop/Buffer.h>
 

@@ -128,7 +128,8 @@ template <class FilterT>
 std::vector<Change<FilterT>> changesOfAll(vtkPolyData* input, vtkTransform* transform)
 {
   return {
-    { "report", false, [](FilterT* f) { f->SetReportAsFieldData(false), f->SetReportAsFieldData(true); } },
+    { "report", false,
+      [](FilterT* f) { f->SetReportAsFieldData(false), f->SetReportAsFieldData(true); } },
     { "measures", false, [](FilterT* f) { f->SetGenerateCellMeasures(true); } },
     { "visible ids", false, [](FilterT* f) { f->SetVisiblePointIds(true); } },
     { "no point data", false, [](FilterT* f) { f->SetPassPointData(false); } },
@@ -248,7 +249,8 @@ void testHull(bool joins)
       { "variant", true, [](Hull* f) { f->SetVBiased(false); } },
       { "a point", true, move(9.0, [](Hull* f) { f->SetFacetMode(1); }) },
       { "back", true, move(0.0, [](Hull* f) { f->SetFacetMode(0); }) },
-      { "no point data, of a new point", true, move(8.0, [](Hull* f) { f->SetPassPointData(false); }) },
+      { "no point data, of a new point", true,
+        move(8.0, [](Hull* f) { f->SetPassPointData(false); }) },
       { "point data, of which nothing is kept", true, [](Hull* f) { f->SetPassPointData(true); } },
     },
     joins);

@@ -342,7 +342,6 @@ FAILURES = {
     "constraints with too few points": lambda: constrained_with_points("0 -3 0"),
     "constraints and weights": constrained_with_weights,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),
-    "the CUDA engine for a surface": lambda: surface(FACETS, Engine=CUDA),
     "the CUDA engine for constraints": lambda: constrained([[0, 1]], Engine=CUDA),
 }
 WARNINGS = {
