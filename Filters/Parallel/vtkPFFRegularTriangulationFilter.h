@@ -36,9 +36,9 @@
  * What follows is true of all filters of this module. With a single process, each is its
  * superclass.
  *
- * - Several processes leave out ghost points (see
- *   SetSkipGhostPoints()) where they are, and do not count them: ids
- *   count the remaining points. A single process counts all.
+ * - Several processes leave ghost points out where they are (see
+ *   SetSkipGhostPoints()), and do not count them: ids count the
+ *   remaining points. A single process counts all.
  * - Arrays of numbers and strings are sent, without the lookup tables
  *   and keys that they may have.
  * - For composite input, the blocks in the same place on all processes
@@ -50,10 +50,10 @@
  *   gives each partition a result, as for any VTK filter: merge the
  *   partitions to have one.
  * - An error on any process is an error of all processes. Process 0
- *   reports it, and names points as appended. The others only set
- *   their error code. A block at fault on any process has an empty
- *   result, and the other blocks have theirs. An abort on one process
- *   is an abort on all.
+ *   reports it, and names points as appended. The others have their
+ *   error code alone. A block at fault on any process has an empty
+ *   result, and the other blocks have theirs. An abort on any process
+ *   aborts all.
  * - Of triangulations, process 0 reports the numbers of input points,
  *   of points that are not finite, of hidden points and of cells left
  *   out for all pieces. The other processes report these for their own
