@@ -32,7 +32,8 @@ endforeach()
 file(GLOB pages CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/Documentation/*.md" "${PROJECT_SOURCE_DIR}/Documentation/Tutorials/*.md"
   "${PROJECT_SOURCE_DIR}/Documentation/*.dox")
-file(GLOB further_pages CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/*.md" "${PROJECT_SOURCE_DIR}/Data/*.md")
+file(GLOB further_pages CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/*.md" "${PROJECT_SOURCE_DIR}/Data/*.md"
+  "${PROJECT_SOURCE_DIR}/Benchmarks/*.md")
 
 set(documentation_folder "${PROJECT_BINARY_DIR}/Documentation")
 set(documentation_input ${pages} ${further_pages} ${public_headers})

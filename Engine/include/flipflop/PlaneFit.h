@@ -105,7 +105,8 @@ Buffer<double> positionsInXY(const PointView& points, const Options& options = O
 
 /// Where the xy plane lies for what is drawn in it: at the lowest z of the points that are in the
 /// triangulation or hidden; at 0 if there is none. It is never -0.
-/// @param points in space: those of the triangulation's ids
+/// @param points        in space
+/// @param triangulation of these points, projected to the xy plane
 double heightBelow(const PointView& points, const Triangulation& triangulation);
 
 }

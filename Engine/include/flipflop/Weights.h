@@ -53,6 +53,7 @@ private:
 /// The weights by the rule: in double, the product rounded and then its square. A number that is
 /// not finite gives a weight that is not finite, for the engine's call to report or to ignore.
 /// @param numbers one for each point
+/// @param rule    what a number is, and the factor
 /// @throw Error   BadArgument (also as BadWeight; a factor that is not finite), OutOfMemory
 Buffer<double> computeWeights(const WeightView& numbers, const WeightRule& rule);
 
