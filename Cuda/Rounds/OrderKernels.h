@@ -4,7 +4,7 @@
 /// The points alive, ordered so that neighbours in the list are neighbours in space: then a warp's
 /// points lie in few cones, and gather few triangles and vertices.
 ///
-///   KeyLive           each point's index along a Morton curve  (and a sort by it)
+///   KeyLive           each point's code along a Morton curve  (and a sort by it)
 ///   GatherLive        coordinates and ids in that order, and the list
 ///   GatherUnlocated   behind them, those of the points that were left open
 ///

@@ -70,7 +70,7 @@ private:
   std::vector<Link> links;
 };
 
-/// Which side of an edge a cell is on.
+/// Whether the cell next to a fixed edge is inside, by the direction of the edge.
 struct Vote
 {
   std::uint32_t cell;
@@ -110,7 +110,7 @@ public:
     }
     else
     {
-      this->findRemaining(inside);
+      this->findLeft(inside);
     }
   }
 
@@ -144,7 +144,7 @@ private:
   }
 
   /// What is on the left of sides.
-  void findRemaining(std::uint8_t* inside)
+  void findLeft(std::uint8_t* inside)
   {
     Regions regions(this->cells);
     std::vector<Vote> votes; // in the order of the edges

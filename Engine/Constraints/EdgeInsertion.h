@@ -41,7 +41,7 @@ public:
   /// @throw Error ConstraintsCross, Aborted
   void insert(std::uint32_t u, std::uint32_t v, std::uint32_t constraint, bool isSide);
 
-  /// Tell again which edges are flat, where triangles have changed. A fixed edge is not.
+  /// Mark again which edges are flat, where triangles have changed. A fixed edge is not.
   /// @return whether there is a flat one among these
   bool markFlatEdges();
 

@@ -41,7 +41,7 @@ struct PointSubset
       this->excluded + this->excludedCount, this->checkFinite ? &source : nullptr, use);
   }
 
-  /// use(idAt(i)) for i from @p begin to @p end, but for ids that are taken.
+  /// use(idAt(i)) for i from @p begin to @p end, but for ids that are excluded.
   /// @param idAt      ascending
   /// @param excludedIds  ascending
   /// @param finiteOf  leave points out that are not finite, too; null: there are none

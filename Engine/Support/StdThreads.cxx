@@ -218,7 +218,7 @@ private:
   std::thread thread;
 };
 
-/// The threads of an arena next to the one that entered it.
+/// The threads of an arena, without the one that entered it.
 class Crew
 {
 public:

@@ -56,7 +56,7 @@ int threadCount(int requested, std::int64_t points)
 {
   const std::int64_t worth = points / pointsPerThread().load(std::memory_order_relaxed);
   const std::int64_t wanted = requested > 0 ? std::min<std::int64_t>(requested, worth) : worth;
-  // The limit is requested only where it matters: that starts the threads' library.
+  // The limit is read only where it matters: that starts the threads' library.
   return wanted <= 1 ? 1 : static_cast<int>(std::min<std::int64_t>(wanted, threads::allowed()));
 }
 

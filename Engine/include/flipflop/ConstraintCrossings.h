@@ -8,7 +8,7 @@
 ///
 /// A crossing is seldom at a position that doubles can represent. So a new point is the crossing
 /// with each coordinate rounded to the nearest double, and constraints bend there, by half a unit
-/// in the last position at most. What is bent may pass on the other side of a point that is as near
+/// in the last place at most. What is bent may pass on the other side of a point that is as near
 /// to it, and so cross what it did not cross before. Pieces that cross again are split again, in as
 /// many rounds as it takes: at an end of one of them, if that is within two units of the other,
 /// else at their own crossing, rounded. Nearly all inputs take one round, a few two. The rounds
