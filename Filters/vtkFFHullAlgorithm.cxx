@@ -59,13 +59,13 @@ void setPlanes(vtkPolyData* output, const flipflop::Options& options, vtkPlanes*
   std::iota(hull.pointIds.begin(), hull.pointIds.end(), std::int64_t(0));
   vtkFFOutput::CopyCells(output->GetPolys(), hull);
   const vtkIdType count = output->GetNumberOfPolys();
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  places->SetNumberOfPoints(count);
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  positions->SetNumberOfPoints(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const std::int64_t begin = hull.offsets[static_cast<std::size_t>(i)];
-    places->SetPoint(i, output->GetPoint(hull.connectivity[static_cast<std::size_t>(begin)]));
+    positions->SetPoint(i, output->GetPoint(hull.connectivity[static_cast<std::size_t>(begin)]));
   }
 
   const vtkFFPointSource points(output->GetPoints()->GetData());
@@ -77,7 +77,7 @@ void setPlanes(vtkPolyData* output, const flipflop::Options& options, vtkPlanes*
   {
     normals->SetTypedTuple(i, found.data() + 4 * i);
   }
-  planes->SetPoints(places);
+  planes->SetPoints(positions);
   planes->SetNormals(normals);
 }
 

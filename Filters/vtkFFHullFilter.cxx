@@ -409,17 +409,17 @@ void vtkFFHullFilter::WriteHulls(
     this->WriteHull(*hull, own, hull->Data);
     hulls[i] = std::move(hull);
   };
-  vtkSmartPointer<vtkCompositeDataIterator> place;
-  place.TakeReference(input->NewIterator());
-  place->InitTraversal();
+  vtkSmartPointer<vtkCompositeDataIterator> leaf;
+  leaf.TakeReference(input->NewIterator());
+  leaf->InitTraversal();
   const auto write = [&](std::size_t i, vtkFFRun& own)
   {
     if (hulls[i])
     {
       this->ReportHull(*hulls[i], own, hulls[i]->Data);
     }
-    output->SetDataSet(place, hulls[i] ? hulls[i]->Data : vtkSmartPointer<vtkPolyData>::New());
-    place->GoToNextItem();
+    output->SetDataSet(leaf, hulls[i] ? hulls[i]->Data : vtkSmartPointer<vtkPolyData>::New());
+    leaf->GoToNextItem();
     hulls[i].reset();
   };
   runBlocks(blocks, run, make, write);

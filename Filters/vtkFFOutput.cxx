@@ -449,10 +449,10 @@ vtkSmartPointer<vtkPointSet> vtkFFOutput::Select(vtkPointSet* piece, vtkIdTypeAr
   vtkNew<vtkPointData> to;
   from->AddArray(piece->GetPoints()->GetData());
   CopyPointData({ { from, count } }, which, to);
-  vtkNew<vtkPoints> places;
-  places->SetData(to->GetArray(0));
+  vtkNew<vtkPoints> positions;
+  positions->SetData(to->GetArray(0));
   auto points = vtkSmartPointer<vtkPolyData>::New();
-  points->SetPoints(places);
+  points->SetPoints(positions);
   CopyPointData({ { piece->GetPointData(), count } }, which, points->GetPointData());
   return points;
 }

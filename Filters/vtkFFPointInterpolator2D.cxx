@@ -120,8 +120,8 @@ namespace
 std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filter,
   const vtkFFStamp& stamp, const vtkFFStamp& weightStamp, vtkPointSet* source, vtkFFRun& run)
 {
-  vtkPoints* const places = source->GetPoints();
-  const vtkFFPointSource points(places ? places->GetData() : nullptr);
+  vtkPoints* const positions = source->GetPoints();
+  const vtkFFPointSource points(positions ? positions->GetData() : nullptr);
   const vtkFFWeightSource weights(
     vtkFFWeightSource::FindArray(filter, source, run.OfWhat(), "source"),
     flipflop::WeightRule{
@@ -185,9 +185,9 @@ std::vector<Field> fieldsOf(
   const std::string nameOfZ = filter->GetZArrayName();
   if (filter->GetInterpolateZ() && source->GetPoints() && !data->HasArray(nameOfZ.c_str()))
   {
-    vtkDataArray* const places = source->GetPoints()->GetData();
-    const auto heights = makeLike(places, nameOfZ.c_str(), 1, count);
-    heights->CopyComponent(0, places, 2);
+    vtkDataArray* const positions = source->GetPoints()->GetData();
+    const auto heights = makeLike(positions, nameOfZ.c_str(), 1, count);
+    heights->CopyComponent(0, positions, 2);
     fields.push_back({ heights, -1 });
   }
   return fields;
@@ -220,7 +220,7 @@ void takeValues(vtkIdType count, vtkFFPreparedSource& prepared)
 }
 
 /// Null points get the values of the closest point.
-void askClosest(const vtkFFPreparedSource& source, const flipflop::PointView& points,
+void findClosest(const vtkFFPreparedSource& source, const flipflop::PointView& points,
   const flipflop::Options& options, flipflop::Buffer<double>& results)
 {
   const std::size_t stride = source.Components;
@@ -254,7 +254,7 @@ void askClosest(const vtkFFPreparedSource& source, const flipflop::PointView& po
 
 /// Interpolates at all points: the values of the fields. The last array that is returned marks the
 /// points that have values; the engine's value of 1 is NaN at the others.
-std::vector<vtkSmartPointer<vtkDataArray>> answer(vtkFFPointInterpolator2D* filter,
+std::vector<vtkSmartPointer<vtkDataArray>> interpolate(vtkFFPointInterpolator2D* filter,
   const vtkFFPreparedSource& source, const flipflop::PointView& points, double progress,
   vtkFFRun& run)
 {
@@ -262,7 +262,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> answer(vtkFFPointInterpolator2D* filt
   {
     demandFinite(points);
   }
-  const auto ask = filter->GetInterpolationMode() == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
+  const auto query = filter->GetInterpolationMode() == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
     ? &flipflop::TriangulationQueries::interpolateNatural
     : &flipflop::TriangulationQueries::interpolateLinear;
   const auto count = static_cast<vtkIdType>(points.count);
@@ -285,11 +285,11 @@ std::vector<vtkSmartPointer<vtkDataArray>> answer(vtkFFPointInterpolator2D* filt
     run.SetPart(
       progress + share * static_cast<double>(begin), progress + share * static_cast<double>(end));
     const flipflop::PointView part = partOf(points, begin, end);
-    (source.Queries.*ask)(
+    (source.Queries.*query)(
       source.Values.data(), static_cast<std::int64_t>(stride), part, results.data(), run.Options);
     if (filter->GetNullPointsStrategy() == vtkFFPointInterpolator2D::CLOSEST_POINT)
     {
-      askClosest(source, part, run.Options, results);
+      findClosest(source, part, run.Options, results);
     }
     double* values = results.data();
     for (auto i = static_cast<vtkIdType>(begin); i < end; ++i)
@@ -421,7 +421,7 @@ int vtkFFPointInterpolator2D::RequestData(
     {
       vtkFFInput input;
       input.Take(vtkFFInput::PiecesOf(points), false, run);
-      auto arrays = answer(this, *this->Prepared, input.GetView(), progress, run);
+      auto arrays = interpolate(this, *this->Prepared, input.GetView(), progress, run);
       output->ShallowCopy(points);
       vtkPointData* const data = output->GetPointData();
       const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays, data },

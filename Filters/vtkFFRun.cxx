@@ -280,7 +280,7 @@ bool vtkFFRun::Do(const std::function<void()>& work)
     {
       case flipflop::ErrorCode::NonFinite:
         failure.Kind = vtkFFFailure::NonFinite;
-        failure.Place = this->GetId(static_cast<vtkIdType>(error.index()));
+        failure.Point = this->GetId(static_cast<vtkIdType>(error.index()));
         failure.Count = static_cast<vtkIdType>(error.count());
         break;
       case flipflop::ErrorCode::Aborted:
@@ -478,7 +478,7 @@ int vtkFFRun::Finish(bool aloud)
     {
       vtkErrorWithObjectMacro(this->Filter,
         << (isNonFinite ? this->NonFiniteWhat + " is NaN or infinite: first at " +
-                 this->DescribePoint(failure.Place) + ", " + std::to_string(failure.Count) +
+                 this->DescribePoint(failure.Point) + ", " + std::to_string(failure.Count) +
                  " such point(s) " + this->NonFiniteReach + ". " + this->NonFiniteAdvice
                         : failure.Message));
     }

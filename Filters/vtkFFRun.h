@@ -64,7 +64,7 @@ struct vtkFFFailure
   };
 
   KindType Kind = None;
-  vtkIdType Place = -1;                               ///< NonFinite: the id of the first such point
+  vtkIdType Point = -1;                               ///< NonFinite: the id of the first such point
   vtkIdType Count = 0;                                ///< NonFinite: of such points
   unsigned long Code = vtkFFErrorCode::InternalError; ///< Other
   std::string Message;                                ///< Other: a sentence
@@ -89,7 +89,7 @@ struct vtkFFFailure
   {
     if (this->Kind == NonFinite && other.Kind == NonFinite)
     {
-      this->Place = std::min(this->Place, other.Place);
+      this->Point = std::min(this->Point, other.Point);
       this->Count += other.Count;
     }
     else if (other.Kind > this->Kind)

@@ -66,7 +66,7 @@ WORDS = {
 }
 
 # The words are checked in these folders, the names everywhere.
-FOLDERS = ("Engine/", "Cuda/", "Scripts/", "Wrapping/Core/")
+FOLDERS = ("Engine/", "Cuda/", "Filters/", "Wrapping/", "Examples/", "Scripts/")
 
 # Names that may stay, each with the reason.
 ALLOWED = {

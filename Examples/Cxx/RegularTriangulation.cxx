@@ -18,7 +18,7 @@ int main(int argc, char* argv[])
 {
   // Disks of many sizes; a weight is a squared length, here that of the radius.
   std::mt19937 generator(1);
-  std::uniform_real_distribution<double> place(0.0, 1.0);
+  std::uniform_real_distribution<double> coordinate(0.0, 1.0);
   std::exponential_distribution<double> size(500.0);
   vtkNew<vtkPoints> centres;
   centres->SetDataTypeToDouble();
@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
   for (int i = 0; i < 100000; ++i)
   {
     const double radius = size(generator);
-    centres->InsertNextPoint(place(generator), place(generator), 0.0);
+    centres->InsertNextPoint(coordinate(generator), coordinate(generator), 0.0);
     weights->InsertNextValue(radius * radius);
   }
   vtkNew<vtkPolyData> disks;

@@ -35,8 +35,8 @@ def plotter(panels, size):
     scene = pv.Plotter(
         shape=(1, panels), off_screen=True, window_size=size, border=False, lighting="none"
     )
-    for place, intensity in (((-0.7, 0.9, 1), 0.8), ((1, 0, 0.8), 0.4), ((0, -0.5, 1), 0.3)):
-        scene.add_light(pv.Light(position=place, light_type="camera light", intensity=intensity))
+    for position, intensity in (((-0.7, 0.9, 1), 0.8), ((1, 0, 0.8), 0.4), ((0, -0.5, 1), 0.3)):
+        scene.add_light(pv.Light(position=position, light_type="camera light", intensity=intensity))
     scene.set_background("white")
     scene.enable_anti_aliasing("ssaa")
     return scene

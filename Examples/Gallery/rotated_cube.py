@@ -10,18 +10,18 @@ from vtkflipflop.pyvista import convex_hull
 
 # A rotation in whole numbers, 21 times as large: no coordinate is rounded, far out either.
 rotation = np.array([[1, 2, 2], [2, 1, -2], [2, -2, 1]]) @ [[2, 3, 6], [3, -6, 2], [6, 2, -3]]
-places = np.stack(np.mgrid[0:11, 0:11, 0:11], axis=-1).reshape(-1, 3)
+positions = np.stack(np.mgrid[0:11, 0:11, 0:11], axis=-1).reshape(-1, 3)
 
 for offset in (0, 2**20, 2**30, 2**40):
-    grid = pv.PolyData((places @ rotation + offset).astype(float))
-    grid["place"] = places
+    grid = pv.PolyData((positions @ rotation + offset).astype(float))
+    grid["position"] = positions
     hull = convex_hull(grid, facets="polygons")
     assert (hull.n_cells, hull.n_points) == (6, 8)
-    assert np.isin(hull["place"], (0, 10)).all()
+    assert np.isin(hull["position"], (0, 10)).all()
 
     with pv.vtk_verbosity("off"):  # it warns of each point that it leaves out
         surface = grid.delaunay_3d().extract_surface(algorithm="geometry")
-    corners = surface["place"][surface.regular_faces]
+    corners = surface["position"][surface.regular_faces]
     in_a_side = ((corners == 0).all(axis=1) | (corners == 10).all(axis=1)).any(axis=1)
     inside = np.count_nonzero(~in_a_side)
     print(f"offset {offset:,}: {hull.n_cells} facets, {hull.n_points} corners;", end=" ")

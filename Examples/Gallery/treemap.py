@@ -37,8 +37,8 @@ COLOURS = ["#a9c8ee", "#f0c9a3", "#b9d9b0", "#e8b4b0", "#d2c3e6", "#e9e1a6", "#b
 
 def treemap(parts, domain):
     """Compact cells of the parts' areas: sites move to the centroids of their cells, and are weighed anew."""
-    areas, *places = (np.array(column, float) for column in zip(*parts.values()))
-    sites = np.column_stack(places)
+    areas, *positions = (np.array(column, float) for column in zip(*parts.values()))
+    sites = np.column_stack(positions)
     for _ in range(40):
         sites = prescribed_areas(sites, areas, domain, tolerance=1e-3).centroids
     found = prescribed_areas(sites, areas, domain)

@@ -124,7 +124,7 @@ bool vtkFFProcesses::Share()
   vtkFFFailure& failure = this->Run.Failure;
   this->Run.NoteAbort();
   constexpr std::size_t size = 5;
-  const vtkIdType own[size] = { failure.Kind, failure.Place, failure.Count,
+  const vtkIdType own[size] = { failure.Kind, failure.Point, failure.Count,
     static_cast<vtkIdType>(failure.Code), static_cast<vtkIdType>(failure.Message.size()) };
   std::vector<vtkIdType> all(size * static_cast<std::size_t>(this->Count));
   this->Controller->AllGather(own, all.data(), size);

@@ -26,8 +26,8 @@ class Projection:
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         """The points in the plane, as rows of two or more; a point has a NaN if any coordinate is not finite."""
-        places = _core.to_xy_plane(points, settings) if points.shape[1] == 3 else None
-        return points if places is None else places
+        positions = _core.to_xy_plane(points, settings) if points.shape[1] == 3 else None
+        return points if positions is None else positions
 
     def lie_beneath(self, points: NDArray[Any], triangulation: Any) -> None:
         """Chooses the plane's height in space, where there is a choice."""
@@ -45,9 +45,9 @@ class _BestFitting(Projection):
     _plane: Any
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
-        places: Floats
-        self._plane, places = _core.to_best_fitting_plane(points, settings)
-        return places
+        positions: Floats
+        self._plane, positions = _core.to_best_fitting_plane(points, settings)
+        return positions
 
     def to_space(self, corners: Floats) -> Floats:
         return _finite(self._plane.positions(corners))
@@ -118,7 +118,7 @@ def _transformed(matrix: Floats, points: Floats) -> Floats:
     return np.column_stack(rows[:3])
 
 
-def _finite(places: Floats) -> Floats:
-    if not np.isfinite(places).all():
+def _finite(positions: Floats) -> Floats:
+    if not np.isfinite(positions).all():
         raise InputError("the power diagram's corners have no finite places in space: they lie too far out")
-    return places
+    return positions

@@ -7,12 +7,12 @@ import numpy as np
 from vtkflipflop.arrays import regular_triangulation
 
 rng = np.random.default_rng(2)
-places = rng.random((10_000, 2))
-heights = np.sin(5 * places[:, 0]) * places[:, 1]
-triangulation = regular_triangulation(places)
+positions = rng.random((10_000, 2))
+heights = np.sin(5 * positions[:, 0]) * positions[:, 1]
+triangulation = regular_triangulation(positions)
 print(f"{len(triangulation.simplices)} triangles")
 
-# At the nodes of a grid; NaN outside the convex hull of the places.
+# At the nodes of a grid; NaN outside the convex hull of the positions.
 x, y = np.meshgrid(np.linspace(0.1, 0.9, 9), np.linspace(0.1, 0.9, 9))
 nodes = np.column_stack([x.ravel(), y.ravel()])
 truth = np.sin(5 * nodes[:, 0]) * nodes[:, 1]
@@ -22,7 +22,7 @@ for method in ("linear", "natural"):
     assert abs(found - truth).max() < 0.01
 
 # A masked value, as rasterio reads no data, is NaN: so is what it would enter.
-masked = np.ma.array(np.where(places[:, 0] < 0.5, -9999, heights), mask=places[:, 0] < 0.5)
+masked = np.ma.array(np.where(positions[:, 0] < 0.5, -9999, heights), mask=positions[:, 0] < 0.5)
 found = triangulation.interpolate(masked, nodes)
 print(f"{np.isnan(found).sum()} of {len(nodes)} nodes are NaN")
 assert np.isnan(found[nodes[:, 0] < 0.45]).all() and not np.isnan(found[nodes[:, 0] > 0.55]).any()
