@@ -426,7 +426,7 @@ struct LocateExact : ExactKernel<Geometry, GrowthData<Geometry>>
 template <class Geometry>
 struct MakeAllCandidates : Kernel
 {
-  static constexpr const char* Name = "all anew";
+  static constexpr const char* Name = "all again";
   static constexpr int Bytes = 4;
   GrowthData<Geometry> data;
   std::uint32_t turn; ///< of the candidates

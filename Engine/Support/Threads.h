@@ -29,10 +29,10 @@ inline std::atomic<std::int64_t>& pointsPerThread()
   return points;
 }
 
-/// @param asked threads; 0 or less: as many as there are
+/// @param requested threads; 0 or less: as many as there are
+/// @param points    how many the threads are to share
 /// @return 1 or more: no more than requested, than are allowed (oneTBB's global_control limits
-/// that), and than
-///         @p points are worth
+///         that), and than @p points are worth
 int threadCount(int requested, std::int64_t points);
 
 /// An arena of so many threads, the caller's among them, for one run at a time.

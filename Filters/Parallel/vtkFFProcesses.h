@@ -62,7 +62,7 @@ public:
     std::vector<T> values(message.size() / sizeof(T));
     if (!values.empty())
     {
-      std::memcpy(values.data(), message.data(), message.size());
+      std::memcpy(values.data(), message.data(), values.size() * sizeof(T));
     }
     return values;
   }

@@ -297,7 +297,7 @@ TEST(RoundsProperties, PointsLeftOpenFindTheirConesLater)
       const Hull found = hullByRounds(executor, points, optionsOf(false), &seen);
       EXPECT_EQ(bitDifference(found, wanted), "") << how.toString();
       expectGrowth(seen.reports, seen.counts);
-      anew += itemsOf(executor, "all anew");
+      anew += itemsOf(executor, "all again");
       ordered += itemsOf(executor, "gather unlocated");
     }
   }
