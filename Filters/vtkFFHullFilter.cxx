@@ -60,7 +60,8 @@ bool isSmall(const vtkFFInput::PieceType& block, const flipflop::EngineOptions& 
 
 /// Calls make(i, run) for each block, and then write(i, run), with a run of its own. Small blocks
 /// are made side by side, some hundreds at a time. All are written in their order by the calling
-/// thread, as their errors are reported. An abort ends it.
+/// thread, as their errors are reported. An abort ends it. A data set that is there several times
+/// is read by one thread at a time: some change when they are read.
 void runBlocks(const Blocks& blocks, vtkFFRun& run,
   const std::function<void(std::size_t, vtkFFRun&)>& make,
   const std::function<void(std::size_t, vtkFFRun&)>& write)
@@ -77,8 +78,10 @@ void runBlocks(const Blocks& blocks, vtkFFRun& run,
   for (std::size_t begin = 0; begin < count && !run.Failure; begin = end)
   {
     const bool areSmall = isSmall(blocks[begin], run.Engine);
+    std::set<vtkDataObject*> data{ blocks[begin].Data };
     end = begin + 1;
-    while (areSmall && end < std::min(count, begin + most) && isSmall(blocks[end], run.Engine))
+    while (areSmall && end < std::min(count, begin + most) && isSmall(blocks[end], run.Engine) &&
+      data.insert(blocks[end].Data).second)
     {
       ++end;
     }
@@ -296,15 +299,18 @@ int vtkFFHullFilter::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
-  const std::string type = !this->HasHullOfEach(input) ? "vtkPolyData"
-    : input->IsA("vtkDataObjectTree")                  ? input->GetClassName()
-                                                       : "vtkMultiBlockDataSet"; // of an AMR
+  const bool hasEach = this->HasHullOfEach(input);
+  const bool isLike = hasEach && input->IsA("vtkDataObjectTree");
+  const std::string type = isLike ? input->GetClassName()
+    : hasEach                     ? "vtkMultiBlockDataSet" // of an AMR
+                                  : "vtkPolyData";
   vtkInformation* const info = outputVector->GetInformationObject(0);
   vtkDataObject* const output = vtkDataObject::GetData(info);
   if (!output || type != output->GetClassName())
   {
     vtkSmartPointer<vtkDataObject> made;
-    made.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
+    made.TakeReference(
+      isLike ? input->NewInstance() : vtkDataObjectTypes::NewDataObject(type.c_str()));
     info->Set(vtkDataObject::DATA_OBJECT(), made);
     this->GetOutputPortInformation(0)->Set(
       vtkDataObject::DATA_EXTENT_TYPE(), made->GetExtentType());
@@ -404,7 +410,7 @@ void vtkFFHullFilter::WriteHulls(
     vtkFFInput points;
     points.Take({ { blocks[i].Data, 0 } }, this->SkipGhostPoints, own);
     hull->Take(points, this->PassPointData, own);
-    hull->Data->GetFieldData()->PassData(blocks[i].Data->GetFieldData());
+    vtkFFOutput::PassFieldData(blocks[i].Data, hull->Data);
     vtkFFOutput::RemoveReport(hull->Data->GetFieldData());
     this->WriteHull(*hull, own, hull->Data);
     hulls[i] = std::move(hull);

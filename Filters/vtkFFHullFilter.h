@@ -48,9 +48,8 @@
  * array BlockIndex (a vtkUnsignedIntArray) has the flat index of each point's data set.
  *
  * A setting that concerns the output alone (facets, arrays, the report) does not compute the hull
- * again while the input is unchanged: the filter keeps the last one, which shares the output's
- * memory. It keeps none of composites that it does not join, and none if its release data flag is
- * on.
+ * again while the input is unchanged: the filter keeps the last one, in memory of its own. It keeps
+ * none of composites that it does not join, and none if its release data flag is on.
  *
  * Of a composite, small data sets (4,096 points or fewer) run side by side, on a thread each.
  *

@@ -14,7 +14,6 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -211,7 +210,7 @@ vtkSmartPointer<vtkPointSet> vtkFFInput::PointsOf(vtkDataObject* data, const std
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(layOut(image, grid, ofWhat));
   result->GetPointData()->ShallowCopy(vtkDataSet::SafeDownCast(data)->GetPointData());
-  result->GetFieldData()->ShallowCopy(data->GetFieldData());
+  vtkFFOutput::PassFieldData(data, result);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -329,6 +330,15 @@ void vtkFFOutput::CopyPointData(
         output->SetActiveAttribute(index, attribute);
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::PassFieldData(vtkDataObject* input, vtkDataObject* output)
+{
+  if (vtkFieldData* const data = input->GetFieldData())
+  {
+    output->GetFieldData()->PassData(data);
   }
 }
 

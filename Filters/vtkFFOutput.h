@@ -29,6 +29,7 @@ struct CellComplex;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
 class vtkCellData;
+class vtkDataObject;
 class vtkDataSetAttributes;
 class vtkFFPointSource;
 class vtkFieldData;
@@ -100,6 +101,11 @@ public:
    */
   static void CopyPointData(
     const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
+
+  /**
+   * Pass the field data of an input, if it has some, as the executive does.
+   */
+  static void PassFieldData(vtkDataObject* input, vtkDataObject* output);
 
   /**
    * Remove the arrays whose names begin with FlipFlop: the reports of filters upstream.

@@ -113,6 +113,7 @@ class vtkFFBadConstraint : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
 class vtkFFRun
 {
 public:

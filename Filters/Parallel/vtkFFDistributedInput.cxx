@@ -4,6 +4,7 @@
 
 #include "vtkFFAlgorithm.h"
 #include "vtkFFInput.h"
+#include "vtkFFOutput.h"
 #include "vtkFFProcesses.h"
 #include "vtkFFRun.h"
 
@@ -11,7 +12,6 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -171,7 +171,7 @@ vtkSmartPointer<vtkInformationVector> makeResults(const BlockType& block, int po
     vtkNew<vtkPolyData> result;
     if (!block.Pieces.empty())
     {
-      result->GetFieldData()->PassData(block.Pieces[0].Data->GetFieldData());
+      vtkFFOutput::PassFieldData(block.Pieces[0].Data, result);
     }
     vtkNew<vtkInformation> info;
     info->Set(vtkDataObject::DATA_OBJECT(), result);
@@ -296,6 +296,13 @@ int vtkFFDistributedInput::Run(vtkFFAlgorithm* filter, vtkMultiProcessController
       check();
       blocks = blocksOf(input, joined);
       findData(!joined, blocks, processes);
+      if (processes.Sum(vtkIdType(hasResults)) != (hasResults ? processes.GetCount() : 0))
+      {
+        run.Failure.Say("The input is a composite on some processes, and not on others. Give all a "
+                        "composite of the same structure, or none.",
+          vtkFFErrorCode::ProcessError);
+        throw vtkFFSharedFailure();
+      }
       if (!hasResults)
       {
         std::vector<BlockType> some; // one without points, if there are none

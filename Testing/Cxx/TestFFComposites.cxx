@@ -81,15 +81,18 @@ vtkSmartPointer<vtkPolyData> makeInexact()
   return leaf;
 }
 
-/// Of many kinds, null and empty ones among them, and one large among many small ones.
+/// Of many kinds, null and empty ones among them, one that is there twice, one without field data,
+/// and one large among many small ones.
 std::vector<Leaf> makeLeaves()
 {
   const auto marked = randomWeighted(12, 4);
   markPoints(marked, { vtkDataSetAttributes::DUPLICATEPOINT, 0, 0 });
+  const auto bare = randomWeighted(15, 6);
+  bare->SetFieldData(nullptr);
   std::vector<Leaf> leaves{ randomWeighted(30, 1), nullptr, vtkSmartPointer<vtkPolyData>::New(),
     makeWeighted(cubeCorners(), std::vector<double>(8, 1.0)),
     makeWeighted(std::vector<Point>(4, Point{ 1.0, 2.0, 3.0 }), { 0.0, 1.0, 2.0, 3.0 }),
-    randomWeighted(10, 3, VTK_FLOAT), marked, randomWeighted(9000, 5) };
+    randomWeighted(10, 3, VTK_FLOAT), marked, randomWeighted(9000, 5), bare, marked, marked };
   for (int k = 0; k < 50; ++k)
   {
     leaves.push_back(randomWeighted(1 + k, static_cast<unsigned int>(k)));
@@ -264,6 +267,7 @@ void testAMR()
       grid->SetSpacing(spacing);
       grid->SetDimensions(5, 5, 5);
       grid->GetPointData()->ShallowCopy(randomWeighted(125, 1)->GetPointData());
+      grid->SetFieldData(nullptr);
       levels->SetDataSet(level, static_cast<unsigned int>(k), grid);
     }
   }

@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -142,6 +143,26 @@ void testChangeOfType(vtkFFHullFilter* hull)
   }
 }
 
+/// Of a class that VTK cannot make by its name.
+class OwnBlocks : public vtkMultiBlockDataSet
+{
+public:
+  static OwnBlocks* New();
+  vtkTypeMacro(OwnBlocks, vtkMultiBlockDataSet);
+};
+vtkStandardNewMacro(OwnBlocks);
+
+void testOwnClass()
+{
+  vtkNew<OwnBlocks> blocks;
+  blocks->SetBlock(0, makeBlock(0.0));
+  vtkNew<vtkFFHullFilter> hull;
+  hull->SetInputData(blocks);
+  FF_CHECK(succeeds(hull));
+  auto* const output = OwnBlocks::SafeDownCast(hull->GetOutputDataObject(0));
+  FF_CHECK(output && output->GetNumberOfBlocks() == 1);
+}
+
 /// Errors name the data set, by its flat index.
 void testErrors(vtkFFHullFilter* hull)
 {
@@ -171,6 +192,7 @@ int TestFFHullFilterComposite(int, char*[])
   hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
   testAllBlocks(hull);
   testChangeOfType(hull);
+  testOwnClass();
   testErrors(hull);
   return result();
 }

@@ -221,10 +221,14 @@ void testWrongInput(DistributedVersusSerial& both)
   const Pieces pieces = makePieces();
   vtkNew<vtkTable> table;
   const auto blocks = pieceOfBlocks(std::vector<Pieces>(4, pieces));
+  vtkNew<vtkMultiBlockDataSet> block; // a single one
+  block->SetBlock(0, ownOf(pieces));
   for (const bool composite : { false, true })
   {
     vtkDataObject* const piece = composite ? blocks.Get() : ownOf(pieces);
     vtkDataObject* const other = composite ? ownOf(pieces) : blocks.Get();
+    vtkDataObject* const single = composite ? block.Get() : ownOf(pieces);
+    vtkDataObject* const otherSingle = composite ? ownOf(pieces) : block.Get();
     for (int process = 0; process < processes(); ++process)
     {
       const bool wrong = rank() == process;
@@ -233,6 +237,8 @@ void testWrongInput(DistributedVersusSerial& both)
       if (!joinsBlocks(both))
       {
         both.Fails("other blocks", wrong ? other : piece, "different numbers of blocks");
+        both.Fails("a composite on some", wrong ? otherSingle : single,
+          "The input is a composite on some processes, and not on others.");
       }
       both.Run("after a wrong input", pieces);
       FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
