@@ -54,7 +54,8 @@ inline Vertex asVertex(const double* x)
 }
 
 constexpr std::int64_t BlockSiteStride = sizeof(BlockSite) / sizeof(double);
-static_assert(sizeof(BlockSite) % sizeof(double) == 0, "coordinates are doubles, equally far apart");
+static_assert(
+  sizeof(BlockSite) % sizeof(double) == 0, "coordinates are doubles, equally far apart");
 
 inline PointView viewOf(const std::vector<BlockSite>& sites)
 {

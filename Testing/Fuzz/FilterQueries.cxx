@@ -93,8 +93,7 @@ void queryFilters(Bytes& bytes, vtkDataObject* given, int mostPoints)
     filter->Update();
     vtkDataObject* output = filter->GetOutputDataObject(0);
     const bool typed = data[1]->IsA("vtkDataSet") || data[1]->IsA("vtkCompositeDataSet");
-    if (demandTold(filter, typed ? data[0] : nullptr, errors) ||
-      (abort->Aborted && isNothing(output)))
+    if (demandTold(filter, typed ? data[0] : nullptr, errors) || isCutShort(abort, output))
     {
       continue;
     }

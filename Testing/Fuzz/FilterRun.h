@@ -62,6 +62,13 @@ inline bool isNothing(vtkDataObject* data)
       data->GetNumberOfElements(vtkDataObject::CELL) == 0);
 }
 
+/// Whether what an abort has left need not be the whole output: nothing, or of a composite the data
+/// sets that were done before.
+inline bool isCutShort(const Aborter* abort, vtkDataObject* output)
+{
+  return abort->Aborted && (isNothing(output) || output->IsA("vtkCompositeDataSet"));
+}
+
 /// Whether the run failed, for some data set at least. One data set has one message at most; the
 /// code tells, and there is no output. Of an input whose type a filter does not take, its executive
 /// speaks.

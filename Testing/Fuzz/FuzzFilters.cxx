@@ -232,7 +232,7 @@ private:
     demand(!failed || !points || !hull || !mustHaveHull(hull, points),
       "no hull: " + (failed ? this->Errors->Messages.front() : ""));
     // An abort may come too late: after the last word of the run.
-    if (this->Abort->Aborted && isNothing(this->Filter->GetOutputDataObject(0)))
+    if (isCutShort(this->Abort, this->Filter->GetOutputDataObject(0)))
     {
       return;
     }
