@@ -238,7 +238,8 @@ void testWrongInput(DistributedVersusSerial& both)
       {
         both.Fails("other blocks", wrong ? other : piece, "different numbers of blocks");
         both.Fails("a composite on some", wrong ? otherSingle : single,
-          "The input is a composite on some processes, and not on others.");
+          "The input is a composite on some processes, and not on others. Give all a composite "
+          "of the same structure, or none.");
       }
       both.Run("after a wrong input", pieces);
       FF_CHECK_EQUAL(both.Distributed->GetErrorCode(), vtkErrorCode::NoError);
