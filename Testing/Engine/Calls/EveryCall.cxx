@@ -415,7 +415,10 @@ Bits Call::operator()(const Options& options) const
   return this->run(viewOf(this->cloud), this->weights(), options);
 }
 
-std::vector<Call> everyCall()
+namespace
+{
+
+std::vector<Call> makeCalls()
 {
   const Cloud body = roundedToFloat(fromFamily("ball", 4500, 5).make());
   const Cloud sites = roundedToFloat(randomSites(4500, 1e-4, 72));
@@ -425,6 +428,14 @@ std::vector<Call> everyCall()
   addQueriesOfTriangulations(table, sites);
   addPolygons(table);
   return table.calls;
+}
+
+}
+
+const std::vector<Call>& everyCall()
+{
+  static const std::vector<Call> calls = makeCalls();
+  return calls;
 }
 
 std::vector<CallOnCells> everyCallOnCells()

@@ -46,7 +46,7 @@ struct Call
 };
 
 /// Points are floats, weights too.
-std::vector<Call> everyCall();
+const std::vector<Call>& everyCall();
 
 /// A call with the cells of a triangulation of randomSites(20, 0, 11).
 struct CallOnCells
