@@ -22,7 +22,7 @@ def hull(points):
     """The hull, its volume, the engine's name, and the seconds that took."""
     filter = vtkFFHullFilter()
     filter.SetInputData(points)
-    filter.SetFacetModeToPolygons()
+    filter.SetFacetMode(filter.FACETS_AS_POLYGONS)
     seconds = updated(filter)
     return filter.GetOutput(), filter.GetVolume(), filter.GetEngineUsedAsString(), seconds
 
@@ -40,7 +40,7 @@ def triangulation(points, weights=None, bounds=None):
         diagram.SetInputData(points)
         diagram.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, weights or "")
         diagram.SetPowerDiagramBounds(*bounds)
-        diagram.SetPowerDiagramBoxModeToBounds()
+        diagram.SetPowerDiagramBoxMode(diagram.BOX_OF_BOUNDS)
         seconds += updated(diagram)
         outputs.append(diagram.GetOutput())
     return outputs, filter.GetEngineUsedAsString(), seconds
