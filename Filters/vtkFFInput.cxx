@@ -61,23 +61,19 @@ std::int64_t countOf(const int* dimensions)
   return layer * dimensions[2];
 }
 
-/// The points of a grid, as VTK computes them in double.
-template <class ArrayT>
-vtkSmartPointer<vtkPoints> layOut(vtkDataSet* grid, std::int64_t count)
+/// So many points of a grid, each by @p position(i, xyz), on all threads.
+template <class ArrayT, class Position>
+vtkSmartPointer<vtkPoints> layOut(std::int64_t count, const Position& position)
 {
   using Value = typename ArrayT::ValueType;
   flipflop::Buffer<Value> values(3 * static_cast<std::size_t>(count));
-  if (count > 0)
-  {
-    grid->GetPoint(0); // newer VTK makes what it needs in the first call
-  }
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 14,
     [&](vtkIdType begin, vtkIdType end)
     {
       double xyz[3];
       for (vtkIdType i = begin; i < end; ++i)
       {
-        grid->GetPoint(i, xyz);
+        position(i, xyz);
         std::transform(xyz, xyz + 3, values.data() + 3 * i,
           [](double value) { return static_cast<Value>(value); });
       }
@@ -119,16 +115,28 @@ void checkCoordinates(vtkDataArray* array, int count, char axis, const std::stri
   }
 }
 
-vtkSmartPointer<vtkPoints> layOut(
-  vtkImageData* image, vtkRectilinearGrid* grid, const std::string& ofWhat)
+/// GetPoint() of an image has other bits in VTK 9.6 than before.
+vtkSmartPointer<vtkPoints> layOut(vtkImageData* image)
+{
+  int extent[6];
+  int dimensions[3];
+  image->GetExtent(extent);
+  image->GetDimensions(dimensions);
+  return layOut<vtkDoubleArray>(countOf(dimensions),
+    [&](vtkIdType id, double* xyz)
+    {
+      const vtkIdType row = id / dimensions[0];
+      image->TransformIndexToPhysicalPoint(extent[0] + static_cast<int>(id % dimensions[0]),
+        extent[2] + static_cast<int>(row % dimensions[1]),
+        extent[4] + static_cast<int>(row / dimensions[1]), xyz);
+    });
+}
+
+vtkSmartPointer<vtkPoints> layOut(vtkRectilinearGrid* grid, const std::string& ofWhat)
 {
   int dimensions[3];
-  image ? image->GetDimensions(dimensions) : grid->GetDimensions(dimensions);
+  grid->GetDimensions(dimensions);
   const std::int64_t count = countOf(dimensions);
-  if (image)
-  {
-    return layOut<vtkDoubleArray>(image, count);
-  }
   if (count == 0)
   {
     return vtkSmartPointer<vtkPoints>::New();
@@ -139,10 +147,12 @@ vtkSmartPointer<vtkPoints> layOut(
   {
     checkCoordinates(arrays[axis], dimensions[axis], "xyz"[axis], ofWhat);
   }
+  grid->GetPoint(0); // newer VTK makes what it needs in the first call
+  const auto position = [&](vtkIdType id, double* xyz) { grid->GetPoint(id, xyz); };
   return std::all_of(
            arrays, arrays + 3, [](auto* array) { return array->GetDataType() == VTK_FLOAT; })
-    ? layOut<vtkFloatArray>(grid, count)
-    : layOut<vtkDoubleArray>(grid, count);
+    ? layOut<vtkFloatArray>(count, position)
+    : layOut<vtkDoubleArray>(count, position);
 }
 
 /// The points that are no ghosts; null: all.
@@ -208,7 +218,7 @@ vtkSmartPointer<vtkPointSet> vtkFFInput::PointsOf(vtkDataObject* data, const std
       ". It must be a vtkPointSet, vtkImageData or vtkRectilinearGrid.");
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(layOut(image, grid, ofWhat));
+  result->SetPoints(image ? layOut(image) : layOut(grid, ofWhat));
   result->GetPointData()->ShallowCopy(vtkDataSet::SafeDownCast(data)->GetPointData());
   vtkFFOutput::PassFieldData(data, result);
   return result;
