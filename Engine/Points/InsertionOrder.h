@@ -6,7 +6,7 @@
 /// A random order costs each point a few flips, wherever the points lie; a curve within each level
 /// keeps what is near near in time, so the walk to the next point's triangle is short, and in the
 /// cache (N. Amenta, S. Choi, G. Rote: Incremental Constructions con BRIO, 2003). Each level has
-/// about eight times the points of all before it.
+/// about seven times the points of all before it.
 ///
 /// The curve is one of the plane. Points in space are seen from the kernel point, their directions
 /// laid out in a square (OctahedralMap).
