@@ -346,9 +346,11 @@ int vtkPFFHullFilter::RequestData(
     {
       throw vtkFFSharedFailure();
     }
-    if (processes.GetRank() == 0 || duplicates)
+    const bool hasHull = processes.GetRank() == 0 || duplicates;
+    vtkFFHullResult whole;
+    vtkPolyData* const output = vtkPolyData::GetData(outputs);
+    if (hasHull)
     {
-      vtkFFHullResult whole;
       if (count == 1)
       {
         std::swap(whole, hulls[0]);
@@ -357,14 +359,17 @@ int vtkPFFHullFilter::RequestData(
       {
         whole.Join(hulls, run);
       }
-      vtkPolyData* const output = vtkPolyData::GetData(outputs);
       this->WriteHull(whole, run, output);
-      this->ReportHull(whole, run, output);
       if (duplicates)
       {
         vtkFFDistributedCells::Mark(
           output->GetPointData(), *duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
       }
+    }
+    processes.Agree(); // nobody reports a hull that another could not write
+    if (hasHull)
+    {
+      this->ReportHull(whole, run, output);
     }
   };
   return vtkFFDistributedInput::Run(this, this->Controller, "Convex hull",
