@@ -205,8 +205,8 @@ void requestPiece(vtkInformation* input, vtkInformation* output, int divisions, 
 }
 
 /// The hull of a streamed input, of which one piece is in memory at a time. The executive has
-/// brought the first one. The others come here: the algorithm upstream is told the piece, and
-/// updated. VTK's own streamers have their executive run them once for each piece
+/// brought the first one. The others come here: each is requested of the algorithm
+/// upstream. VTK's own streamers have their executive run them once for each piece
 /// (CONTINUE_EXECUTING); that loops for ever where the input fails at a later piece.
 void takePieces(vtkFFHullFilter* filter, vtkInformation* input, vtkInformation* output,
   int divisions, vtkFFRun& run, vtkFFHullResult& whole)

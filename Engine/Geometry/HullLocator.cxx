@@ -14,7 +14,7 @@
 //    (slope + 8 e). If depth is positive for all triangles that have an area, all x with |x| <=
 //    r are inside all planes. So g(x) <= |x| / r. If depth is not positive for one of them,
 //    nothing is dismissed. Nothing is dismissed either if r is below 1e-20, which float could
-//    not tell from s.
+//    not distinguish from s.
 // 3. A corner's direction d, |d| = 1/2, was found in the cone of abc by three rounded
 //    determinants that are not negative; the true ones are at least -E. By Cramer's rule, d is
 //    the sum of (a - s), (b - s), (c - s) with coefficients of at least -E / D; their sum is S =

@@ -273,7 +273,7 @@ TEST(RoundsProperties, ExactKernelsAreLaunchedWhereItemsNeedThem)
 TEST(RoundsProperties, PointsLeftOpenFindTheirConesLater)
 {
   // A few duplicates: filters leave them open, and in the middle of growing.
-  std::int64_t anew = 0;
+  std::int64_t again = 0;
   std::int64_t ordered = 0;
   const auto itemsOf = [](const WatchedExecutor& executor, const char* kernel)
   {
@@ -297,11 +297,11 @@ TEST(RoundsProperties, PointsLeftOpenFindTheirConesLater)
       const Hull found = hullByRounds(executor, points, optionsOf(false), &seen);
       EXPECT_EQ(bitDifference(found, wanted), "") << how.toString();
       expectGrowth(seen.reports, seen.counts);
-      anew += itemsOf(executor, "all again");
+      again += itemsOf(executor, "all again");
       ordered += itemsOf(executor, "gather unlocated");
     }
   }
-  EXPECT_GT(anew, 0) << "no point was left open in a round without the exact kernel";
+  EXPECT_GT(again, 0) << "no point was left open in a round without the exact kernel";
   EXPECT_GT(ordered, 0) << "no point was left open when the others were ordered";
 }
 

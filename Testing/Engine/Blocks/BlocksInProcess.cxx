@@ -159,7 +159,7 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
   {
     results.push_back(runs[static_cast<std::size_t>(block)]->finish());
     const BlockResult& result = results.back();
-    report.told.push_back(runs[static_cast<std::size_t>(block)]->pointsReceived());
+    report.received.push_back(runs[static_cast<std::size_t>(block)]->pointsReceived());
     report.dimension = result.cells.dimension;
     const std::vector<Cell> cells = cellsOf(result.cells);
     if (!std::is_sorted(cells.begin(), cells.end()))

@@ -38,9 +38,9 @@ struct BlocksReport
   int dimension = -1;
   double volume = 0, area = 0; ///< of a hull
   int rounds = 0;
-  std::vector<std::int64_t> told; ///< points that each block was told
-  std::int64_t bytes = 0;         ///< of all messages but introductions
-  std::string fault;              ///< what is wrong with a single block's result
+  std::vector<std::int64_t> received; ///< points of others that each block received
+  std::int64_t bytes = 0;             ///< of all messages but introductions
+  std::string fault;                  ///< what is wrong with a single block's result
 };
 
 /// @param carry what becomes of each message on its way
