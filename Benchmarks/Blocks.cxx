@@ -89,8 +89,8 @@ void deal(const std::vector<Keys>& keys, Ids ids, std::size_t first, std::size_t
 /// What one block sent and received, to be repeated.
 struct Recording
 {
-  std::vector<Messages> answers;                ///< by round
-  std::vector<std::vector<BlockMessage>> asked; ///< by round: what it was asked
+  std::vector<Messages> replies;                  ///< by round
+  std::vector<std::vector<BlockMessage>> queries; ///< by round: the queries that it received
 };
 
 class Blocks final : public Program
@@ -200,45 +200,45 @@ private:
   /// One round; whether any block had a question.
   bool exchange()
   {
-    bool isAnyAsked = false;
+    bool hasQueries = false;
     std::vector<Messages> questions(this->blocks.size());
     for (std::size_t b = 0; b < this->blocks.size(); ++b)
     {
       this->timed([&] { questions[b] = this->blocks[b]->makeQueries(); });
-      isAnyAsked = isAnyAsked || !questions[b].empty();
-      this->recordings[b].answers.emplace_back();
-      this->recordings[b].asked.emplace_back();
+      hasQueries = hasQueries || !questions[b].empty();
+      this->recordings[b].replies.emplace_back();
+      this->recordings[b].queries.emplace_back();
     }
     this->endStep();
-    // A block answers all who ask it in one step.
-    std::vector<double> answering(this->blocks.size(), 0);
+    // A block replies to all in one step.
+    std::vector<double> secondsToReply(this->blocks.size(), 0);
     for (std::size_t b = 0; b < this->blocks.size(); ++b)
     {
       for (const auto& [to, message] : questions[b])
       {
         const auto other = static_cast<std::size_t>(to);
-        BlockMessage& answer = this->recordings[b].answers.back()[to];
-        answering[other] +=
-          this->timed([&, &asked = message] { answer = this->blocks[other]->reply(asked); });
-        this->recordings[other].asked.back().push_back(message);
-        this->bytes += static_cast<std::int64_t>(message.size() + answer.size());
+        BlockMessage& reply = this->recordings[b].replies.back()[to];
+        secondsToReply[other] +=
+          this->timed([&, &query = message] { reply = this->blocks[other]->reply(query); });
+        this->recordings[other].queries.back().push_back(message);
+        this->bytes += static_cast<std::int64_t>(message.size() + reply.size());
       }
     }
-    this->slowest = *std::max_element(answering.begin(), answering.end());
+    this->slowest = *std::max_element(secondsToReply.begin(), secondsToReply.end());
     this->endStep();
     for (std::size_t b = 0; b < this->blocks.size(); ++b)
     {
       this->timed(
         [&]
         {
-          for (const auto& [from, answer] : this->recordings[b].answers.back())
+          for (const auto& [from, reply] : this->recordings[b].replies.back())
           {
-            this->blocks[b]->receive(from, answer);
+            this->blocks[b]->receive(from, reply);
           }
         });
     }
     this->endStep();
-    return isAnyAsked;
+    return hasQueries;
   }
 
   void repeat(std::size_t block) const
@@ -246,16 +246,16 @@ private:
     BlockRun run(this->shape, this->pointsOf(block), this->options);
     run.begin(this->summaries, static_cast<int>(block));
     const Recording& recording = this->recordings[block];
-    for (std::size_t round = 0; round < recording.answers.size(); ++round)
+    for (std::size_t round = 0; round < recording.replies.size(); ++round)
     {
       run.makeQueries();
-      for (const BlockMessage& questions : recording.asked[round])
+      for (const BlockMessage& questions : recording.queries[round])
       {
         run.reply(questions);
       }
-      for (const auto& [from, answer] : recording.answers[round])
+      for (const auto& [from, reply] : recording.replies[round])
       {
-        run.receive(from, answer);
+        run.receive(from, reply);
       }
     }
     run.finish();

@@ -47,7 +47,7 @@ Input makeCase(const Plan& plan, const std::string& family, std::int64_t count, 
   };
   Input input = plan.isolate ? makeApart(make) : make();
   input.family = family;
-  input.asked = count;
+  input.plannedCount = count;
   input.seed = seed;
   input.isPlane = plan.problem->isPlane;
   return input;

@@ -43,7 +43,7 @@ public:
     {
       throw std::length_error("too many points for Qhull");
     }
-    // Qhull does not write to the points unless asked to rotate or scale them.
+    // Qhull does not write to the points unless set to rotate or scale them.
     this->points = const_cast<double*>(input.xyz.data());
     this->count = static_cast<int>(input.count());
     this->log = std::fopen("/dev/null", "w");

@@ -65,7 +65,7 @@ Input makeInput(const std::string& family, bool isPlane, std::int64_t count, std
 {
   Input input;
   input.family = family;
-  input.asked = count;
+  input.plannedCount = count;
   input.seed = seed;
   input.isPlane = isPlane;
   if (family.compare(0, FilePrefix.size(), FilePrefix) == 0)

@@ -18,12 +18,12 @@ namespace
 {
 
 /// In the new process: become Python.
-[[noreturn]] void becomePython(int commands, int answers, const std::vector<std::string>& arguments)
+[[noreturn]] void becomePython(int commands, int replies, const std::vector<std::string>& arguments)
 {
   // A parent that is killed at its limit runs no destructor.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   dup2(commands, STDIN_FILENO);
-  dup2(answers, STDOUT_FILENO);
+  dup2(replies, STDOUT_FILENO);
   const char* const named = std::getenv("FLIPFLOP_PEER_PYTHON");
   const char* const python = named ? named : "python3";
   std::vector<char*> words;
@@ -64,13 +64,13 @@ PeerProcess::PeerProcess(const std::vector<std::string>& arguments)
   close(down[0]);
   close(up[1]);
   this->commands = fdopen(down[1], "w");
-  this->answers = fdopen(up[0], "r");
+  this->replies = fdopen(up[0], "r");
 }
 
 PeerProcess::~PeerProcess()
 {
   std::fclose(this->commands);
-  std::fclose(this->answers);
+  std::fclose(this->replies);
   waitpid(this->process, nullptr, 0);
 }
 
@@ -94,26 +94,26 @@ PeerRun PeerProcess::run()
   std::size_t points = 0;
   std::size_t cells = 0;
   std::size_t corners = 0;
-  Answer& answer = result.answer;
-  words >> done >> result.seconds >> result.peakBytes >> answer.rounded >> points >> cells >>
+  PeerOutput& output = result.output;
+  words >> done >> result.seconds >> result.peakBytes >> output.rounded >> points >> cells >>
     corners;
   if (!words || done != "done")
   {
     this->fail(line);
   }
-  answer.points.resize(3 * points);
-  answer.offsets.resize(cells + 1);
-  answer.connectivity.resize(corners);
-  this->read(answer.points.data(), answer.points.size() * sizeof(double));
-  this->read(answer.offsets.data(), answer.offsets.size() * sizeof(std::int64_t));
-  this->read(answer.connectivity.data(), answer.connectivity.size() * sizeof(std::int64_t));
+  output.points.resize(3 * points);
+  output.offsets.resize(cells + 1);
+  output.connectivity.resize(corners);
+  this->read(output.points.data(), output.points.size() * sizeof(double));
+  this->read(output.offsets.data(), output.offsets.size() * sizeof(std::int64_t));
+  this->read(output.connectivity.data(), output.connectivity.size() * sizeof(std::int64_t));
   return result;
 }
 
 std::string PeerProcess::readLine()
 {
   std::string line;
-  for (int c = std::fgetc(this->answers); c != '\n'; c = std::fgetc(this->answers))
+  for (int c = std::fgetc(this->replies); c != '\n'; c = std::fgetc(this->replies))
   {
     if (c == EOF)
     {
@@ -136,7 +136,7 @@ void PeerProcess::write(const std::string& line, const void* data, std::size_t b
 
 void PeerProcess::read(void* data, std::size_t bytes)
 {
-  if (std::fread(data, 1, bytes, this->answers) != bytes)
+  if (std::fread(data, 1, bytes, this->replies) != bytes)
   {
     this->fail("");
   }

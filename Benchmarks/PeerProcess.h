@@ -5,8 +5,8 @@
 #ifndef flipflop_PeerProcess_h
 #define flipflop_PeerProcess_h
 
-#include "AnswerCheck.h"
 #include "Coordinates.h"
+#include "PeerCheck.h"
 
 #include <cstdio>
 #include <string>
@@ -19,7 +19,7 @@ struct PeerRun
 {
   double seconds = -1; ///< of the package's call alone
   double peakBytes = -1;
-  Answer answer;
+  PeerOutput output;
 };
 
 class PeerProcess
@@ -48,7 +48,7 @@ private:
 
   int process = -1;
   std::FILE* commands = nullptr;
-  std::FILE* answers = nullptr;
+  std::FILE* replies = nullptr;
 };
 
 }

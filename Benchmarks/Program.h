@@ -25,7 +25,7 @@ namespace flipflop
 struct Input
 {
   std::string family;
-  std::int64_t asked = 0; ///< number of points, as the plan has it
+  std::int64_t plannedCount = 0; ///< number of points, as the plan has it
   std::uint64_t seed = 0;
   bool isPlane = false;
   bool isWeighted = false; ///< some weight is not zero

@@ -3,7 +3,7 @@
 /// @file
 /// Python packages as programs: VTK's newest filters, scipy, meshlib, matplotlib, triangle, and our
 /// own wheel. peers.py has the call of each by its name here. Their results are checked exactly.
-#include "AnswerCheck.h"
+#include "PeerCheck.h"
 #include "PeerProcess.h"
 #include "Problems.h"
 
@@ -15,16 +15,16 @@ namespace
 {
 
 /// A check of a result, in words. Null: there is none.
-using CheckAnswer = CheckResult (*)(const PointView&, const Answer&);
+using CheckOutput = CheckResult (*)(const PointView&, const PeerOutput&);
 
-CheckResult checkHullAnswer(const PointView& points, const Answer& answer)
+CheckResult checkHullOutput(const PointView& points, const PeerOutput& output)
 {
-  const AnswerReport report = checkHull(points, answer);
+  const PeerReport report = checkHull(points, output);
   return { report.isValid(), describeHull(report) };
 }
-CheckResult checkDelaunayAnswer(const PointView& points, const Answer& answer)
+CheckResult checkDelaunayOutput(const PointView& points, const PeerOutput& output)
 {
-  const AnswerReport report = checkDelaunay(points, answer);
+  const PeerReport report = checkDelaunay(points, output);
   return { report.isValid(), describeDelaunay(report) };
 }
 
@@ -43,9 +43,9 @@ std::shared_ptr<PeerProcess> findProcess(const std::vector<std::string>& argumen
 class PythonPeer final : public Program
 {
 public:
-  PythonPeer(const std::string& name, int threads, int parts, CheckAnswer check)
+  PythonPeer(const std::string& name, int threads, int parts, CheckOutput check)
     : process(findProcess({ name, std::to_string(threads), std::to_string(parts) }))
-    , checkAnswer(check)
+    , checkOutput(check)
   {
   }
   void prepare(const Input& input) override
@@ -56,29 +56,29 @@ public:
   void run() override { this->result = this->process->run(); }
   Metrics metrics() const override
   {
-    const Answer& answer = this->result.answer;
+    const PeerOutput& output = this->result.output;
     Metrics metrics =
-      metricsOf(answer.cellCount() ? answer.vertexCount() : std::int64_t(answer.points.size()) / 3,
-        answer.cellCount());
+      metricsOf(output.cellCount() ? output.vertexCount() : std::int64_t(output.points.size()) / 3,
+        output.cellCount());
     metrics.emplace_back("seconds", this->result.seconds);
     metrics.emplace_back("peak_bytes", this->result.peakBytes);
     return metrics;
   }
   CheckResult check() const override
   {
-    return this->checkAnswer ? this->checkAnswer(this->points, this->result.answer) : CheckResult();
+    return this->checkOutput ? this->checkOutput(this->points, this->result.output) : CheckResult();
   }
 
 private:
   std::shared_ptr<PeerProcess> process;
-  CheckAnswer checkAnswer;
+  CheckOutput checkOutput;
   PointView points;
   PeerRun result;
 };
 
 /// @param script  the name that peers.py has
 /// @param threads 0: as the plan says, as for our own engine
-ProgramKind peer(const std::string& name, const std::string& script, int threads, CheckAnswer check)
+ProgramKind peer(const std::string& name, const std::string& script, int threads, CheckOutput check)
 {
   ProgramKind kind;
   kind.name = name;
@@ -97,25 +97,25 @@ ProgramKind peer(const std::string& name, const std::string& script, int threads
 std::vector<ProgramKind> pythonHullPrograms()
 {
   return {
-    peer("vtkflipflop", "our-hull", 0, checkHullAnswer),
-    peer("vtk-convex-hull", "vtk-convex-hull", 1, checkHullAnswer),
-    peer("vtk-delaunay-3d", "vtk-delaunay-3d", 1, checkHullAnswer),
-    peer("scipy", "scipy-hull", 1, checkHullAnswer),
-    peer("meshlib", "meshlib-hull", 1, checkHullAnswer),
+    peer("vtkflipflop", "our-hull", 0, checkHullOutput),
+    peer("vtk-convex-hull", "vtk-convex-hull", 1, checkHullOutput),
+    peer("vtk-delaunay-3d", "vtk-delaunay-3d", 1, checkHullOutput),
+    peer("scipy", "scipy-hull", 1, checkHullOutput),
+    peer("meshlib", "meshlib-hull", 1, checkHullOutput),
   };
 }
 
 std::vector<ProgramKind> pythonTriangulationPrograms()
 {
   return {
-    peer("vtkflipflop", "our-triangulation", 0, checkDelaunayAnswer),
-    peer("vtk-flower", "vtk-voronoi-flower-2d", 1, checkDelaunayAnswer),
-    peer("vtk-flower-2", "vtk-voronoi-flower-2d", 2, checkDelaunayAnswer),
-    peer("vtk-delaunay-2d", "vtk-delaunay-2d", 1, checkDelaunayAnswer),
-    peer("vtk-delaunay-2d-sorted", "vtk-delaunay-2d-sorted", 1, checkDelaunayAnswer),
-    peer("scipy", "scipy-triangulation", 1, checkDelaunayAnswer),
-    peer("matplotlib", "matplotlib-triangulation", 1, checkDelaunayAnswer),
-    peer("triangle", "triangle-triangulation", 1, checkDelaunayAnswer),
+    peer("vtkflipflop", "our-triangulation", 0, checkDelaunayOutput),
+    peer("vtk-flower", "vtk-voronoi-flower-2d", 1, checkDelaunayOutput),
+    peer("vtk-flower-2", "vtk-voronoi-flower-2d", 2, checkDelaunayOutput),
+    peer("vtk-delaunay-2d", "vtk-delaunay-2d", 1, checkDelaunayOutput),
+    peer("vtk-delaunay-2d-sorted", "vtk-delaunay-2d-sorted", 1, checkDelaunayOutput),
+    peer("scipy", "scipy-triangulation", 1, checkDelaunayOutput),
+    peer("matplotlib", "matplotlib-triangulation", 1, checkDelaunayOutput),
+    peer("triangle", "triangle-triangulation", 1, checkDelaunayOutput),
   };
 }
 

@@ -27,7 +27,7 @@ public:
     this->inputs.push_back(input);
     for (std::uint64_t i = 1; i < 200; ++i)
     {
-      this->inputs.push_back(makeInput(input.family, true, input.asked, input.seed + i));
+      this->inputs.push_back(makeInput(input.family, true, input.plannedCount, input.seed + i));
     }
   }
   void run() override

@@ -148,7 +148,7 @@ public:
     };
     if (best == NoIndex)
     {
-      // No corner is extreme: ask them all.
+      // No corner is extreme: test them all.
       return std::none_of(this->truth.pointIds.begin(), this->truth.pointIds.end(),
         [&](std::int64_t id) { return isBeyond(static_cast<std::uint32_t>(id)); });
     }

@@ -5,7 +5,7 @@
 
     peers.py NAME THREADS PARTS
 
-Commands come on the standard input, answers go to the standard output, lines with data behind them:
+Commands come on the standard input, replies go to the standard output, lines with data behind them:
 
     points N, then x y z of each as doubles    ready
     run                                        done SECONDS PEAK ROUNDED POINTS CELLS CORNERS, then
@@ -286,7 +286,7 @@ def send(out, task):
 def main():
     name, threads, parts = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     commands, out = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what a package prints is no answer
+    os.dup2(2, 1)  # what a package prints is no reply
     points = None
     for line in iter(commands.readline, b""):
         words = line.decode().split()

@@ -66,7 +66,7 @@ WORDS = {
 }
 
 # The words are checked in these folders, the names everywhere.
-FOLDERS = ("Engine/", "Cuda/", "Filters/", "Wrapping/", "Examples/", "Scripts/")
+FOLDERS = ("Engine/", "Cuda/", "Filters/", "Wrapping/", "Examples/", "Benchmarks/", "Scripts/")
 
 # Names that may stay, each with the reason.
 ALLOWED = {

@@ -63,16 +63,16 @@ void addSeen(Metrics& metrics, const RunSeen& seen, std::int64_t points)
 class OnDevice final : public Program
 {
 public:
-  explicit OnDevice(bool isInPlace)
-    : isInPlace(isInPlace)
+  explicit OnDevice(bool isResident)
+    : isResident(isResident)
   {
   }
   void prepare(const Input& input) override
   {
     this->view = viewOf(input);
-    if (this->isInPlace)
+    if (this->isResident)
     {
-      this->held = deviceRunner().place(this->view);
+      this->held = deviceRunner().upload(this->view);
     }
     deviceRunner();
   }
@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  bool isInPlace; ///< the points are in the device's memory before the clock starts
+  bool isResident; ///< the points are in the device's memory before the clock starts
   RunInput view;
   Holding held;
   RunResult result;

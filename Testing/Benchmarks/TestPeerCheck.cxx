@@ -3,7 +3,7 @@
 /// @file
 /// The check of other libraries' results: right ones pass in whatever form they come, and each way
 /// to break one is found and named.
-#include "AnswerCheck.h"
+#include "PeerCheck.h"
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
@@ -21,16 +21,16 @@ namespace
 {
 
 /// Cells of input ids as a library would return them, over all points or those in use alone.
-Answer answerOf(const Cloud& cloud, const std::vector<Cell>& cells, bool all = true)
+PeerOutput outputOf(const Cloud& cloud, const std::vector<Cell>& cells, bool all = true)
 {
-  Answer answer;
+  PeerOutput output;
   std::vector<std::int64_t> position(cloud.size(), -1);
   const auto positionOf = [&](std::size_t id)
   {
     if (position[id] < 0)
     {
-      position[id] = static_cast<std::int64_t>(answer.points.size() / 3);
-      answer.points.insert(answer.points.end(), cloud[id].begin(), cloud[id].end());
+      position[id] = static_cast<std::int64_t>(output.points.size() / 3);
+      output.points.insert(output.points.end(), cloud[id].begin(), cloud[id].end());
     }
     return position[id];
   };
@@ -42,11 +42,11 @@ Answer answerOf(const Cloud& cloud, const std::vector<Cell>& cells, bool all = t
   {
     for (const std::int64_t id : cell)
     {
-      answer.connectivity.push_back(positionOf(static_cast<std::size_t>(id)));
+      output.connectivity.push_back(positionOf(static_cast<std::size_t>(id)));
     }
-    answer.offsets.push_back(static_cast<std::int64_t>(answer.connectivity.size()));
+    output.offsets.push_back(static_cast<std::int64_t>(output.connectivity.size()));
   }
-  return answer;
+  return output;
 }
 
 /// All points of a square grid, each square cut along one diagonal or, by turns, the other.
@@ -93,9 +93,9 @@ const std::vector<Cell> cubeCells = { { 1, 0, 8 }, { 2, 1, 8 }, { 3, 2, 8 }, { 0
   { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7, 6 }, { 7, 3, 4 },
   { 3, 0, 4 } };
 
-AnswerReport ofCube(const std::vector<Cell>& cells)
+PeerReport ofCube(const std::vector<Cell>& cells)
 {
-  return checkHull(viewOf(cube), answerOf(cube, cells));
+  return checkHull(viewOf(cube), outputOf(cube, cells));
 }
 
 std::vector<Cell> changed(
@@ -105,7 +105,7 @@ std::vector<Cell> changed(
   return cells;
 }
 
-/// The answer with the first two triangles that share an edge joined the other way.
+/// The output with the first two triangles that share an edge joined the other way.
 std::vector<Cell> withEdgeFlipped(std::vector<Cell> triangles)
 {
   for (std::size_t j = 1; j < triangles.size(); ++j)
@@ -132,7 +132,7 @@ std::vector<Cell> withEdgeFlipped(std::vector<Cell> triangles)
   return triangles;
 }
 
-TEST(AnswerCheck, TakesHullsInAnyForm)
+TEST(PeerCheck, TakesHullsInAnyForm)
 {
   for (const char* family : { "ball", "shell0", "doubled", "smallIntegers", "far8", "skewPlane" })
   {
@@ -143,7 +143,7 @@ TEST(AnswerCheck, TakesHullsInAnyForm)
     {
       for (const std::vector<Cell>& cells : { polygons, triangulate(polygons) })
       {
-        const AnswerReport found = checkHull(viewOf(cloud), answerOf(cloud, cells, all));
+        const PeerReport found = checkHull(viewOf(cloud), outputOf(cloud, cells, all));
         EXPECT_TRUE(found.isValid());
         EXPECT_EQ(describeHull(found), "valid");
       }
@@ -151,13 +151,13 @@ TEST(AnswerCheck, TakesHullsInAnyForm)
   }
 }
 
-TEST(AnswerCheck, TakesVerticesWithinFacetsAndRemarksThem)
+TEST(PeerCheck, TakesVerticesWithinFacetsAndRemarksThem)
 {
   EXPECT_TRUE(ofCube(cubeCells).isValid());
   EXPECT_EQ(describeHull(ofCube(cubeCells)), "valid (vertices not extreme: 1)");
 }
 
-TEST(AnswerCheck, TakesTurnedAndFlatFacetsAndRemarksThem)
+TEST(PeerCheck, TakesTurnedAndFlatFacetsAndRemarksThem)
 {
   const std::vector<Cell> turned = changed(cubeCells,
     [](std::vector<Cell>& cells)
@@ -177,21 +177,21 @@ TEST(AnswerCheck, TakesTurnedAndFlatFacetsAndRemarksThem)
   EXPECT_EQ(describeHull(ofCube(flat)), "valid (vertices not extreme: 1; facets without area: 1)");
 }
 
-TEST(AnswerCheck, NoticesAnEmptyHull)
+TEST(PeerCheck, NoticesAnEmptyHull)
 {
   EXPECT_FALSE(ofCube({}).isValid());
   EXPECT_EQ(describeHull(ofCube({})), "empty");
 }
 
-TEST(AnswerCheck, NoticesAHullThatIsNotClosed)
+TEST(PeerCheck, NoticesAHullThatIsNotClosed)
 {
-  const AnswerReport found =
+  const PeerReport found =
     ofCube(changed(cubeCells, [](std::vector<Cell>& cells) { cells.erase(cells.begin() + 6); }));
   EXPECT_FALSE(found.isValid());
   EXPECT_EQ(describeHull(found), "open edges: 3");
 }
 
-TEST(AnswerCheck, NoticesMissingVerticesAndPointsOutside)
+TEST(PeerCheck, NoticesMissingVerticesAndPointsOutside)
 {
   // Without 6 = (1, 1, 1), which two further points near it need.
   Cloud cloud = cube;
@@ -199,14 +199,14 @@ TEST(AnswerCheck, NoticesMissingVerticesAndPointsOutside)
   cloud.push_back({ 0.8, 0.9, 0.9 });
   const std::vector<Cell> cells = { { 3, 2, 1, 0 }, { 4, 5, 7 }, { 0, 1, 5, 4 }, { 1, 2, 5 },
     { 2, 3, 7 }, { 7, 3, 0, 4 }, { 2, 7, 5 } };
-  const AnswerReport found = checkHull(viewOf(cloud), answerOf(cloud, cells));
+  const PeerReport found = checkHull(viewOf(cloud), outputOf(cloud, cells));
   EXPECT_FALSE(found.isValid());
   EXPECT_EQ(describeHull(found),
     "extreme points missing: 1 of 8; points outside: 3 (by up to 5.8e-01 of the extent); facets "
     "with points beyond: 1 of 10");
 }
 
-TEST(AnswerCheck, SeparatesRoundingErrorsFromDistances)
+TEST(PeerCheck, SeparatesRoundingErrorsFromDistances)
 {
   // The cube turned, with a point beyond its facet by as little as doubles have.
   Cloud cloud = rotated({ cube.begin(), cube.begin() + 9 });
@@ -215,12 +215,12 @@ TEST(AnswerCheck, SeparatesRoundingErrorsFromDistances)
   cloud[8][2] -= 0x1p-50;
   const std::vector<Cell> cells = { { 3, 2, 1 }, { 3, 1, 0 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 },
     { 0, 5, 4 }, { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } };
-  const AnswerReport found = checkHull(viewOf(cloud), answerOf(cloud, cells));
+  const PeerReport found = checkHull(viewOf(cloud), outputOf(cloud, cells));
   EXPECT_FALSE(found.isValid());
   EXPECT_NE(describeHull(found).find("points outside: 1 (by rounding errors)"), std::string::npos);
 }
 
-TEST(AnswerCheck, NoticesAHullThatIsNotConvex)
+TEST(PeerCheck, NoticesAHullThatIsNotConvex)
 {
   // A dent to 9, which is inside.
   const std::vector<Cell> dented = changed(cubeCells,
@@ -234,13 +234,13 @@ TEST(AnswerCheck, NoticesAHullThatIsNotConvex)
 
   const Cloud cloud = fromFamily("shell0", 100, 5).make();
   const std::vector<Cell> flipped = withEdgeFlipped(triangulate(cgalHull(cloud).cells));
-  const AnswerReport found = checkHull(viewOf(cloud), answerOf(cloud, flipped));
+  const PeerReport found = checkHull(viewOf(cloud), outputOf(cloud, flipped));
   EXPECT_EQ(describeHull(found), "facets with points beyond: 2 of 196");
 }
 
-TEST(AnswerCheck, NoticesFacetsUponEachOther)
+TEST(PeerCheck, NoticesFacetsUponEachOther)
 {
-  const AnswerReport folded = ofCube(changed(cubeCells,
+  const PeerReport folded = ofCube(changed(cubeCells,
     [](std::vector<Cell>& cells) {
       cells.insert(cells.end(), { cells[6], cells[6] });
     }));
@@ -253,16 +253,16 @@ TEST(AnswerCheck, NoticesFacetsUponEachOther)
   EXPECT_EQ(describeHull(ofCube(twice)), "times that the whole is covered: 2");
 }
 
-TEST(AnswerCheck, NoticesCornersThatAreNoInputPoints)
+TEST(PeerCheck, NoticesCornersThatAreNoInputPoints)
 {
-  Answer answer = answerOf(cube, cubeCells);
-  answer.points[3 * 8 + 2] = 0x1p-60;
-  const AnswerReport found = checkHull(viewOf(cube), answer);
+  PeerOutput output = outputOf(cube, cubeCells);
+  output.points[3 * 8 + 2] = 0x1p-60;
+  const PeerReport found = checkHull(viewOf(cube), output);
   EXPECT_FALSE(found.isValid());
   EXPECT_EQ(found.unknownCorners, 4);
 }
 
-TEST(AnswerCheck, MatchesRoundedPoints)
+TEST(PeerCheck, MatchesRoundedPoints)
 {
   Cloud cloud = fromFamily("shell0", 300, 7).make();
   const std::vector<Cell> cells = cgalHull(cloud).cells;
@@ -273,17 +273,17 @@ TEST(AnswerCheck, MatchesRoundedPoints)
     x -= 0x1p-40 * x;
   }
   Cloud both = joined({ inside }, cloud);
-  Answer answer = answerOf(cloud, cells);
-  for (double& x : answer.points)
+  PeerOutput output = outputOf(cloud, cells);
+  for (double& x : output.points)
   {
     x = static_cast<double>(static_cast<float>(x));
   }
-  EXPECT_GT(checkHull(viewOf(both), answer).unknownCorners, 0);
-  answer.rounded = true;
-  EXPECT_EQ(describeHull(checkHull(viewOf(both), answer)), "valid");
+  EXPECT_GT(checkHull(viewOf(both), output).unknownCorners, 0);
+  output.rounded = true;
+  EXPECT_EQ(describeHull(checkHull(viewOf(both), output)), "valid");
 }
 
-TEST(AnswerCheck, ChecksPolygonsOfCoplanarPoints)
+TEST(PeerCheck, ChecksPolygonsOfCoplanarPoints)
 {
   Cloud cloud = flatGrid(4);
   for (Point& p : cloud)
@@ -291,7 +291,7 @@ TEST(AnswerCheck, ChecksPolygonsOfCoplanarPoints)
     p[2] = p[0] + 2 * p[1];
   }
   const auto checked = [&](const std::vector<Cell>& cells)
-  { return describeHull(checkHull(viewOf(cloud), answerOf(cloud, cells))); };
+  { return describeHull(checkHull(viewOf(cloud), outputOf(cloud, cells))); };
   EXPECT_EQ(checked({ { 0, 3, 15, 12 } }), "valid");
   EXPECT_EQ(checked({ { 0, 12, 15, 3 } }), checked({ { 0, 3, 15 }, { 15, 12, 0 } }));
   EXPECT_NE(
@@ -302,16 +302,16 @@ TEST(AnswerCheck, ChecksPolygonsOfCoplanarPoints)
   EXPECT_EQ(checked({ { 0, 3, 15, 12 }, { 0, 3, 15, 12 } }), "times that the whole is covered: 2");
 }
 
-TEST(AnswerCheck, DoesNotCheckWhatSpansNoPlane)
+TEST(PeerCheck, DoesNotCheckWhatSpansNoPlane)
 {
   const Cloud line = { { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } };
-  EXPECT_FALSE(checkHull(viewOf(line), answerOf(line, {})).possible);
-  EXPECT_FALSE(checkDelaunay(viewOf(line), answerOf(line, {})).possible);
+  EXPECT_FALSE(checkHull(viewOf(line), outputOf(line, {})).possible);
+  EXPECT_FALSE(checkDelaunay(viewOf(line), outputOf(line, {})).possible);
 }
 
 std::string checkedInPlane(const Cloud& cloud, const std::vector<Cell>& cells)
 {
-  const AnswerReport found = checkDelaunay(viewOf(cloud), answerOf(cloud, cells));
+  const PeerReport found = checkDelaunay(viewOf(cloud), outputOf(cloud, cells));
   const std::string text = describeDelaunay(found);
   EXPECT_EQ(found.isValid(), text.compare(0, 5, "valid") == 0) << text;
   return text;
@@ -328,7 +328,7 @@ Cloud unweighted(const char* family, int count)
   return cloud;
 }
 
-TEST(AnswerCheck, AcceptsAnyDelaunayTriangulation)
+TEST(PeerCheck, AcceptsAnyDelaunayTriangulation)
 {
   for (const char* family : { "uniform", "smallIntegers", "doubled", "wheel", "far8", "clusters" })
   {
@@ -347,17 +347,17 @@ TEST(AnswerCheck, AcceptsAnyDelaunayTriangulation)
   }
 }
 
-TEST(AnswerCheck, NoticesWhatIsNotDelaunay)
+TEST(PeerCheck, NoticesWhatIsNotDelaunay)
 {
   const Cloud cloud = unweighted("uniform", 100);
   const std::vector<Cell> right =
     triangulate(cgalTriangulation(cloud, kernelForWeighted(cloud)).cells);
-  const AnswerReport found = checkDelaunay(viewOf(cloud), answerOf(cloud, withEdgeFlipped(right)));
+  const PeerReport found = checkDelaunay(viewOf(cloud), outputOf(cloud, withEdgeFlipped(right)));
   EXPECT_EQ(found.faults.beyond, 2);
   EXPECT_FALSE(found.isValid());
 }
 
-TEST(AnswerCheck, NoticesMissingPointsAndGapsInThePlane)
+TEST(PeerCheck, NoticesMissingPointsAndGapsInThePlane)
 {
   const Cloud grid = flatGrid(5);
   const std::vector<Cell> right = cutSquares(5, false);
@@ -373,7 +373,7 @@ TEST(AnswerCheck, NoticesMissingPointsAndGapsInThePlane)
   EXPECT_EQ(checkedInPlane(grid, {}), "empty");
 }
 
-TEST(AnswerCheck, NoticesWhatLiesUponEachOtherInThePlane)
+TEST(PeerCheck, NoticesWhatLiesUponEachOtherInThePlane)
 {
   const std::vector<Cell> right = cutSquares(5, false);
   std::vector<Cell> twice = right;

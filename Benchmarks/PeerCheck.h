@@ -7,8 +7,8 @@
 /// float, each stands for an input point that rounds alike: what is checked is which points it
 /// chose and how it joined them. What it is compared with is the engine's own result, which
 /// `validate` must have passed.
-#ifndef flipflop_AnswerCheck_h
-#define flipflop_AnswerCheck_h
+#ifndef flipflop_PeerCheck_h
+#define flipflop_PeerCheck_h
 
 #include "SurfaceCheck.h"
 #include <flipflop/PointView.h>
@@ -20,7 +20,7 @@
 namespace flipflop
 {
 
-struct Answer
+struct PeerOutput
 {
   std::vector<double> points; ///< x y z of each
   bool rounded = false;       ///< to float
@@ -33,11 +33,11 @@ struct Answer
   std::int64_t vertexCount() const;
 };
 
-struct AnswerReport
+struct PeerReport
 {
   bool possible = true;            ///< the points span enough
   std::int64_t unknownCorners = 0; ///< cells with a corner that is no input point
-  std::int64_t outside = 0;        ///< input points outside the hull of the answer's points
+  std::int64_t outside = 0;        ///< input points outside the hull of the output's points
   double farthest = 0; ///< of them, by the points' greatest extent; 0 if rounding may explain it
   SurfaceFaults faults;
 
@@ -45,15 +45,15 @@ struct AnswerReport
 };
 
 /// Is it the hull of points in space? In a plane, it may also be their polygon.
-AnswerReport checkHull(const PointView& points, const Answer& answer);
+PeerReport checkHull(const PointView& points, const PeerOutput& output);
 
 /// Is it a Delaunay triangulation of points in the plane? Any one of cocircular points will do.
-AnswerReport checkDelaunay(const PointView& points, const Answer& answer);
+PeerReport checkDelaunay(const PointView& points, const PeerOutput& output);
 
 /// In words. Of a triangulation, "only gaps" says that every point is there, and every triangle is
 /// Delaunay.
-std::string describeHull(const AnswerReport& report);
-std::string describeDelaunay(const AnswerReport& report);
+std::string describeHull(const PeerReport& report);
+std::string describeDelaunay(const PeerReport& report);
 
 }
 

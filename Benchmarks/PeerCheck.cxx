@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AnswerCheck.h"
+#include "PeerCheck.h"
 
 #include "Run/HullRun.h"
 #include "Run/TriangulationRun.h"
@@ -38,7 +38,7 @@ struct PositionHash
   }
 };
 
-/// The positions as they are compared, rounded if the answer is.
+/// The positions as they are compared, rounded if the output is.
 Position positionOf(const double* x, bool rounded)
 {
   Position position;
@@ -50,21 +50,21 @@ Position positionOf(const double* x, bool rounded)
   return position;
 }
 
-/// The input ids of the answer's points, NoIndex where there is none: of those at a position the
+/// The input ids of the output's points, NoIndex where there is none: of those at a position the
 /// extreme one, else the lowest.
 std::vector<std::uint32_t> identify(
-  const PointSource& source, const CellComplex& truth, const Answer& answer)
+  const PointSource& source, const CellComplex& truth, const PeerOutput& output)
 {
   std::unordered_map<Position, std::uint32_t, PositionHash> ids;
-  for (std::size_t i = 0; i < answer.points.size(); i += 3)
+  for (std::size_t i = 0; i < output.points.size(); i += 3)
   {
-    ids.emplace(positionOf(&answer.points[i], answer.rounded), NoIndex);
+    ids.emplace(positionOf(&output.points[i], output.rounded), NoIndex);
   }
   const auto note = [&](std::uint32_t id)
   {
     double x[3];
     source.load(id, x);
-    const auto found = ids.find(positionOf(x, answer.rounded));
+    const auto found = ids.find(positionOf(x, output.rounded));
     if (found != ids.end() && found->second == NoIndex)
     {
       found->second = id;
@@ -79,31 +79,31 @@ std::vector<std::uint32_t> identify(
     note(id);
   }
   std::vector<std::uint32_t> result;
-  for (std::size_t i = 0; i < answer.points.size(); i += 3)
+  for (std::size_t i = 0; i < output.points.size(); i += 3)
   {
-    result.push_back(ids[positionOf(&answer.points[i], answer.rounded)]);
+    result.push_back(ids[positionOf(&output.points[i], output.rounded)]);
   }
   return result;
 }
 
 /// The cells as fans; those with unknownCorners are counted and left out.
 std::vector<SurfaceTriangle> fansOf(
-  const Answer& answer, const std::vector<std::uint32_t>& ids, std::int64_t& unknownCorners)
+  const PeerOutput& output, const std::vector<std::uint32_t>& ids, std::int64_t& unknownCorners)
 {
   std::vector<SurfaceTriangle> fans;
-  for (std::size_t cell = 0; cell + 1 < answer.offsets.size(); ++cell)
+  for (std::size_t cell = 0; cell + 1 < output.offsets.size(); ++cell)
   {
     const auto corner = [&](std::int64_t i) {
-      return ids.at(static_cast<std::size_t>(answer.connectivity.at(static_cast<std::size_t>(i))));
+      return ids.at(static_cast<std::size_t>(output.connectivity.at(static_cast<std::size_t>(i))));
     };
-    const std::int64_t begin = answer.offsets[cell];
+    const std::int64_t begin = output.offsets[cell];
     bool known = true;
-    for (std::int64_t i = begin; i < answer.offsets[cell + 1]; ++i)
+    for (std::int64_t i = begin; i < output.offsets[cell + 1]; ++i)
     {
       known = known && corner(i) != NoIndex;
     }
     unknownCorners += known ? 0 : 1;
-    for (std::int64_t i = begin + 2; known && i < answer.offsets[cell + 1]; ++i)
+    for (std::int64_t i = begin + 2; known && i < output.offsets[cell + 1]; ++i)
     {
       fans.push_back({ corner(begin), corner(i - 1), corner(i) });
     }
@@ -199,10 +199,10 @@ double leastDistance(const Vertex& a, const Vertex& b, const Vertex& c, const Ve
     std::hypot(normal[0], normal[1], normal[2]);
 }
 
-/// The points outside the hull of those that the answer uses: how many, unless it takes too long,
+/// The points outside the hull of those that the output uses: how many, unless it takes too long,
 /// and how far.
 void findOutside(const HullCheck& check, const HullGeometry& geometry, const PointSource& source,
-  const std::vector<SurfaceTriangle>& fans, AnswerReport& result)
+  const std::vector<SurfaceTriangle>& fans, PeerReport& result)
 {
   constexpr double MostTests = 1e10;
   std::vector<bool> used(source.count());
@@ -228,7 +228,7 @@ void findOutside(const HullCheck& check, const HullGeometry& geometry, const Poi
   const Hull hull = convexHull(PointView(chosen.data(), chosenCount), inPolygons());
   if (hull.dimension < 3)
   {
-    return; // no answer of interest
+    return; // no output of interest
   }
   // What is outside is beyond a facet that is none of all points' hull.
   std::vector<std::array<Vertex, 3>> facets;
@@ -266,17 +266,17 @@ void findOutside(const HullCheck& check, const HullGeometry& geometry, const Poi
   }
 }
 
-AnswerReport impossible()
+PeerReport impossible()
 {
-  AnswerReport report;
+  PeerReport report;
   report.possible = false;
   return report;
 }
 
-/// @param apex as SurfaceCheck's; a point of the truth that the answer cannot have
-AnswerReport checkSolid(const PointView& points, const Answer& answer, const std::uint32_t* apex)
+/// @param apex as SurfaceCheck's; a point of the truth that the output cannot have
+PeerReport checkSolid(const PointView& points, const PeerOutput& output, const std::uint32_t* apex)
 {
-  AnswerReport result;
+  PeerReport result;
   const Hull truth = exactHull(points);
   HullRun run(points, Options());
   run.execute<Hull>(
@@ -285,7 +285,7 @@ AnswerReport checkSolid(const PointView& points, const Answer& answer, const std
       run.inspect(scratch);
       const HullCheck check(run.geometry, run.source, truth, apex);
       const std::vector<SurfaceTriangle> fans =
-        fansOf(answer, identify(run.source, truth, answer), result.unknownCorners);
+        fansOf(output, identify(run.source, truth, output), result.unknownCorners);
       result.faults = check.check(fans);
       if (result.faults.missing && !apex)
       {
@@ -322,7 +322,7 @@ public:
   std::string text;
 };
 
-std::string describe(const AnswerReport& report, Findings& faults, const Findings& remarks)
+std::string describe(const PeerReport& report, Findings& faults, const Findings& remarks)
 {
   if (!report.possible)
   {
@@ -346,7 +346,7 @@ std::string describe(const AnswerReport& report, Findings& faults, const Finding
 
 }
 
-std::int64_t Answer::vertexCount() const
+std::int64_t PeerOutput::vertexCount() const
 {
   std::vector<bool> used(this->points.size() / 3);
   for (const std::int64_t corner : this->connectivity)
@@ -356,7 +356,7 @@ std::int64_t Answer::vertexCount() const
   return std::count(used.begin(), used.end(), true);
 }
 
-AnswerReport checkHull(const PointView& points, const Answer& answer)
+PeerReport checkHull(const PointView& points, const PeerOutput& output)
 {
   const Hull truth = exactHull(points);
   if (truth.dimension < 2)
@@ -365,16 +365,16 @@ AnswerReport checkHull(const PointView& points, const Answer& answer)
   }
   if (truth.dimension == 3)
   {
-    return checkSolid(points, answer, nullptr);
+    return checkSolid(points, output, nullptr);
   }
   const auto apex = static_cast<std::uint32_t>(points.count);
   const std::vector<double> solid = withApex(points, truth);
-  return checkSolid(PointView(solid.data(), points.count + 1), answer, &apex);
+  return checkSolid(PointView(solid.data(), points.count + 1), output, &apex);
 }
 
-AnswerReport checkDelaunay(const PointView& points, const Answer& answer)
+PeerReport checkDelaunay(const PointView& points, const PeerOutput& output)
 {
-  AnswerReport result;
+  PeerReport result;
   const Triangulation truth = regularTriangulation(points, WeightView(), inPolygons());
   requireSound(validate(points, WeightView(), truth));
   if (truth.dimension < 2)
@@ -389,12 +389,12 @@ AnswerReport checkDelaunay(const PointView& points, const Answer& answer)
       const std::uint32_t apex = NoIndex;
       const SurfaceCheck<LiftedGeometry<false>> check(run.geometry, run.source, truth, &apex);
       result.faults =
-        check.check(fansOf(answer, identify(run.source, truth, answer), result.unknownCorners));
+        check.check(fansOf(output, identify(run.source, truth, output), result.unknownCorners));
     });
   return result;
 }
 
-std::string describeHull(const AnswerReport& report)
+std::string describeHull(const PeerReport& report)
 {
   const SurfaceFaults& found = report.faults;
   Findings faults;
@@ -421,7 +421,7 @@ std::string describeHull(const AnswerReport& report)
   return describe(report, faults, remarks);
 }
 
-std::string describeDelaunay(const AnswerReport& report)
+std::string describeDelaunay(const PeerReport& report)
 {
   const SurfaceFaults& found = report.faults;
   const std::int64_t right = found.triangles - found.withoutArea - found.beyond;
