@@ -37,7 +37,7 @@
  * hull. If the source has no points, all are null. So is a point that is not finite, if such points
  * are ignored.
  *
- * Source points that are hidden have no part in it: of points at one place, that of the greatest
+ * Source points that are hidden have no part in it: of points at one position, that of the greatest
  * weight counts, then that of the lowest id.
  *
  * @warning

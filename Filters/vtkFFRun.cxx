@@ -91,7 +91,7 @@ constexpr ErrorText errorTexts[] = {
   { ErrorCode::NotConvex, vtkFFErrorCode::InputError,
     "The domain is no convex polygon with finite corners, counter-clockwise." },
   { ErrorCode::DuplicateSites, vtkFFErrorCode::InputError,
-    "The points {index} and {count}{of} are at one place, so their cells cannot have prescribed "
+    "The points {index} and {count}{of} are at one position, so their cells cannot have prescribed "
     "areas." },
   { ErrorCode::BadArea, vtkFFErrorCode::InputError,
     "A prescribed area is not positive and finite: first at point {index}{of}, {count} such "

@@ -23,7 +23,7 @@ Polyhedron CpuBuilder<Geometry>::build(
   const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
 {
   static_assert(isGeometry<Geometry>());
-  if constexpr (Geometry::InsertsAtOnce)
+  if constexpr (Geometry::BuiltByParts)
   {
     return PartsBuilder<!Geometry::AllExtreme>::build(task, std::move(start), tally, statistics);
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The geometry concept: all that the algorithms need of space. A model is written by filling in
-/// this list; a static assertion on isGeometry checks that it has all.
+/// The geometry concept: what the algorithms that any geometry shares need of space (PartsBuilder,
+/// of the plane alone, uses LiftedGeometry's own besides). isGeometry checks that a model has all.
 ///
 /// Vertices are seen from a kernel point s, inside of what is built. Triangles are
 /// counter-clockwise seen from outside, so s is beneath every triangle of a polyhedron that is
@@ -40,10 +40,10 @@ constexpr bool hasSigns()
   using G = const Geometry&;
   using V = const Vertex&;
 
-  // Are all points vertices but for duplicates? Do threads insert all points, part by
-  // part (PartsBuilder)? Else they grow first and flip afterwards where that is faster (Builder).
+  // Are all points vertices but for duplicates? Is it built by parts (PartsBuilder), from points
+  // alone? Else it is built by growing and flipping in rounds, from a tetrahedron (Builder).
   FF_REQUIRES(const bool, Geometry::AllExtreme);
-  FF_REQUIRES(const bool, Geometry::InsertsAtOnce);
+  FF_REQUIRES(const bool, Geometry::BuiltByParts);
 
   // The kernel point: a position, or the exact centroid of four vertices, which no double need be.
   // kernel() is rounded then.
@@ -128,8 +128,8 @@ constexpr bool hasLocator()
   return true;
 }
 
-/// What a model that grows (not InsertsAtOnce) gives besides: tests of planes and split cones,
-/// prepared for many points, each a rounded value and its error bound.
+/// What Builder needs besides, of models that are not BuiltByParts: tests of planes and split
+/// cones, prepared for many points, each a rounded value and its error bound.
 template <class Geometry>
 constexpr bool canGrow()
 {
@@ -172,7 +172,7 @@ constexpr bool canGrow()
 template <class Geometry>
 constexpr bool isGeometry()
 {
-  if constexpr (!Geometry::InsertsAtOnce)
+  if constexpr (!Geometry::BuiltByParts)
   {
     static_assert(canGrow<Geometry>());
   }

@@ -51,7 +51,7 @@ public:
 
   /// Do threads of this machine insert all points, part by part (PartsBuilder)? Else they grow
   /// first and flip afterwards where that is faster (Builder).
-  static constexpr bool InsertsAtOnce = false;
+  static constexpr bool BuiltByParts = false;
 
   /// Differences of up to 2^16 units of a lattice make products of three, sums of six of which are
   /// below 2^53 units.

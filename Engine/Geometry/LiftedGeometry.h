@@ -73,7 +73,7 @@ public:
 
   /// Do threads of this machine insert all points, part by part (PartsBuilder)? Else they grow
   /// first and flip afterwards where that is faster (Builder).
-  static constexpr bool InsertsAtOnce = true;
+  static constexpr bool BuiltByParts = true;
 
   /// Differences of up to 2^12 units of a lattice, and weights' below latticeWeights(), make
   /// heights below 2^26 square units, and six products of three whose sums are below 2^53.

@@ -82,7 +82,7 @@ def test_nothing():
 
 def test_errors():
     points = np.array([[0.2, 0.3], [0.5, 0.5], [0.2, 0.3], [0.8, 0.6]])
-    with pytest.raises(InputError, match="two sites are at one place: sites 0, and 2") as caught:
+    with pytest.raises(InputError, match="two sites are at one position: sites 0, and 2") as caught:
         prescribed_areas(points)
     assert (caught.value.code, caught.value.index, caught.value.count) == ("duplicate_sites", 0, 2)
     with pytest.raises(InputError, match="not positive and finite: first at site 1, 2 such") as caught:

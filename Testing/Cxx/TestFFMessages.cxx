@@ -72,7 +72,7 @@ void testErrorsOfTheEngine()
   FF_CHECK_EQUAL(saidOf(ErrorCode::NotConvex),
     "2: The domain is no convex polygon with finite corners, counter-clockwise.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::DuplicateSites, 3, 7),
-    "2: The points 3 and 7 are at one place, so their cells cannot have prescribed areas.");
+    "2: The points 3 and 7 are at one position, so their cells cannot have prescribed areas.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::BadArea, 3, 2),
     "2: A prescribed area is not positive and finite: first at point 3, 2 such point(s) in all.");
   FF_CHECK_EQUAL(saidOf(ErrorCode::NoDevice),

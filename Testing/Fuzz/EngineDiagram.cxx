@@ -86,7 +86,7 @@ void demandDiagram(const PowerDiagram& diagram, const Triangulation& triangulati
     const double x = diagram.corners[2 * i];
     const double y = diagram.corners[2 * i + 1];
     demand(x >= box[0] && x <= box[1] && y >= box[2] && y <= box[3], "a corner out of the box");
-    demand(places.emplace(x, y).second, "two corners at one place");
+    demand(places.emplace(x, y).second, "two corners at one position");
   }
   std::int64_t next = 0;
   for (std::size_t i = 0; i < cells; ++i)

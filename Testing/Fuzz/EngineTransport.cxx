@@ -512,7 +512,7 @@ void fuzzPrescribed(Bytes& bytes)
         (outcome.error->index() == faults.first && outcome.error->count() == faults.count),
       "NonFinite where all are finite, or of another site");
     demand(!isCode(outcome.error, ErrorCode::DuplicateSites) || places.size() < sites.count,
-      "no two sites are at one place");
+      "no two sites are at one position");
     demand(
       !isCode(outcome.error, ErrorCode::BadArea) || !areShares || isSmall, "all areas are right");
   }

@@ -457,7 +457,7 @@ def test_an_unknown_choice_lists_the_choices(name):
 
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_other_arguments(function):
-    mesh = cloud() if function is prescribed_areas else starlike()  # which has two sites at one place
+    mesh = cloud() if function is prescribed_areas else starlike()  # which has two sites at one position
     for value in (-1, -(2**31), 2**31, 2**70):
         with pytest.raises(ValueError, match="^threads is 0 .all. or more, not"):
             function(mesh, threads=value)

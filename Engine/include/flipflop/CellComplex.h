@@ -19,7 +19,7 @@ struct CellComplex
 {
   int dimension = -1; ///< of what the input spans, 0 to 3; -1: there was no point
 
-  /// The id (position in the input) of each point that appears, ascending.
+  /// The id (index in the input) of each point that appears, ascending.
   Buffer<std::int64_t> pointIds;
 
   /// The corners of all cells, one cell after another: indices into pointIds.

@@ -113,7 +113,7 @@ public:
       case ErrorCode::NotConvex:
         return "the domain is no convex polygon with finite corners, counter-clockwise";
       case ErrorCode::DuplicateSites:
-        return "two sites are at one place";
+        return "two sites are at one position";
       case ErrorCode::BadArea:
         return "a prescribed area is not positive and finite";
       case ErrorCode::NoDevice:

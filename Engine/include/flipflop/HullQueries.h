@@ -36,7 +36,7 @@ enum class Side : std::int8_t
 /// Two points of a hull that are as far apart as any two are.
 struct Diameter
 {
-  std::int64_t first = -1;  ///< its id: a position in the hull's points; -1: the hull is empty
+  std::int64_t first = -1;  ///< its id: an index of the hull's points; -1: the hull is empty
   std::int64_t second = -1; ///< its id, not below the first; that of the same point in dimension 0
   double length = 0;        ///< their distance, off by a few units of its last place
 };
@@ -120,7 +120,7 @@ public:
   /// A table of directions holds a vertex near the result, or the result where a vertex is extreme
   /// in many directions. From there on the way leads uphill over the edges.
   /// @param directions vectors
-  /// @param ids     space for one id a direction: a position in the hull's points. -1: the hull is
+  /// @param ids     space for one id a direction: an index of the hull's points. -1: the hull is
   ///                empty, or the direction is not finite and ignored
   /// @param options threads, progress, nonFinite
   /// @throw Error   BadArgument, TooManyPoints, NonFinite, OutOfMemory, Aborted

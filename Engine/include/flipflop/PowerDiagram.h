@@ -49,7 +49,7 @@ struct PowerDiagram
   /// Where each cell begins in connectivity, ascending from 0; then the size of connectivity.
   Buffer<std::int64_t> offsets;
 
-  /// The id (position in the input) of each cell's site, ascending.
+  /// The id (index in the input) of each cell's site, ascending.
   Buffer<std::int64_t> siteIds;
 };
 

@@ -88,7 +88,7 @@ public:
   ///
   /// A query costs the neighbours of a few sites: more, if a site has very many.
   /// @param queries positions
-  /// @param ids     receives for each query the site's id (position in the input); of several at
+  /// @param ids     receives for each query the site's id (index in the input); of several at
   ///                one distance, the lowest; -1 where there is no site
   /// @param options as for locate()
   /// @throw Error   as for locate(); BadArgument also of a constrained triangulation

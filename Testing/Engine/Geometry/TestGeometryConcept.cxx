@@ -36,7 +36,7 @@ class RationalGeometry : public PredicateSteps<RationalGeometry>
 public:
   using Locator = RationalLocator;
   static constexpr bool AllExtreme = false;
-  static constexpr bool InsertsAtOnce = true;
+  static constexpr bool BuiltByParts = true;
 
   HullGeometry hull;
 

@@ -52,7 +52,7 @@ private:
 
 TEST(TriangulationErrors, ABadWeightIgnoredTakesThePointAlong)
 {
-  // The heaviest of three at one place is not finite: the next one stands for them.
+  // The heaviest of three at one position is not finite: the next one stands for them.
   const Cloud cloud = joined(squareGrid(2), { { 0, 0, 3 }, { 0, 0, infinity }, { nan, 0, 9 } });
   Options options;
   options.nonFinite = NonFinitePolicy::Ignore;

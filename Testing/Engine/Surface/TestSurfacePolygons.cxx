@@ -225,7 +225,7 @@ TEST(SurfacePolygons, NotSimple)
                                  std::int64_t index, std::int64_t count)
   { expectError([&] { triangulated(points, polygons); }, ErrorCode::NotSimple, index, count); };
   expectNotSimple(bowTie, { { 0, 2, 1, 3 }, { 0, 1, 2, 3 }, { 1, 2, 3, 0 } }, 1, 2);
-  // On a line; two corners at one place; a corner on an edge; back on itself.
+  // On a line; two corners at one position; a corner on an edge; back on itself.
   expectNotSimple({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 }, { 3, 3, 3 } }, { { 0, 1, 2, 3 } }, 0, 1);
   expectNotSimple({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 0 } }, { { 0, 1, 2, 3 } }, 0, 1);
   expectNotSimple({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 2, 0, 0 }, { 0, 4, 0 } },
