@@ -25,6 +25,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -180,44 +181,52 @@ vtkSmartPointer<vtkInformationVector> makeResults(const BlockType& block, int po
   return results;
 }
 
-/// Work on one block of a composite after another, as the executive does it. Returns whether it was
-/// aborted.
+/// Work on one block of a composite after another, as the executive does it. All outputs are made
+/// before: a process where that fails stops the others. Returns whether it was aborted. Collective.
 bool runEachBlock(vtkFFAlgorithm* filter, vtkMultiProcessController* controller, const char* title,
   vtkDataObjectTree* input, const std::vector<BlockType>& blocks,
-  const vtkFFDistributedInput::Work& work, vtkInformationVector* outputs)
+  const vtkFFDistributedInput::Work& work, vtkFFProcesses& all, vtkInformationVector* outputs)
 {
-  const int ports = outputs->GetNumberOfInformationObjects();
-  for (int port = 0; port < ports; ++port)
-  {
-    vtkDataObjectTree::GetData(outputs, port)->CopyStructure(input);
-  }
-  const auto count = static_cast<double>(std::count_if(
-    blocks.begin(), blocks.end(), [](const BlockType& block) { return block.HasData; }));
-  double done = 0.0;
-  bool isAborted = false;
-  auto block = blocks.begin();
-  visitBlocks(input,
-    [&](vtkDataObject*, vtkDataObjectTreeIterator* nodes)
+  using Task = std::pair<const BlockType*, vtkSmartPointer<vtkInformationVector>>;
+  std::vector<Task> tasks; // of blocks that some process has data for
+  const bool isReady = all.Do(
+    [&]
     {
-      const BlockType& own = *block++;
-      if (!own.HasData || isAborted)
-      {
-        return;
-      }
-      filter->SetProgressShiftScale(done++ / count, 1.0 / count);
-      const auto results = makeResults(own, ports);
-      vtkFFRun run(filter, title, results);
-      limitThreads(run);
-      vtkFFProcesses processes(controller, run);
-      processes.Do([&] { work({ own }, processes, results); });
-      run.Finish(processes.GetRank() == 0);
-      isAborted = run.Failure.Kind == vtkFFFailure::Aborted;
+      const int ports = outputs->GetNumberOfInformationObjects();
       for (int port = 0; port < ports; ++port)
       {
-        setBlock(
-          vtkDataObjectTree::GetData(outputs, port), nodes, vtkDataObject::GetData(results, port));
+        vtkDataObjectTree::GetData(outputs, port)->CopyStructure(input);
       }
+      auto block = blocks.begin();
+      visitBlocks(input,
+        [&](vtkDataObject*, vtkDataObjectTreeIterator* nodes)
+        {
+          const BlockType& own = *block++;
+          if (!own.HasData)
+          {
+            return;
+          }
+          tasks.emplace_back(&own, makeResults(own, ports));
+          for (int port = 0; port < ports; ++port)
+          {
+            setBlock(vtkDataObjectTree::GetData(outputs, port), nodes,
+              vtkDataObject::GetData(tasks.back().second, port));
+          }
+        });
     });
+  bool isAborted = false;
+  for (std::size_t i = 0; isReady && !isAborted && i < tasks.size(); ++i)
+  {
+    const auto& [block, results] = tasks[i];
+    filter->SetProgressShiftScale(
+      static_cast<double>(i) / tasks.size(), 1.0 / static_cast<double>(tasks.size()));
+    vtkFFRun run(filter, title, results);
+    limitThreads(run);
+    vtkFFProcesses processes(controller, run);
+    processes.Do([&, &own = *block, &made = results] { work({ own }, processes, made); });
+    run.Finish(processes.GetRank() == 0);
+    isAborted = run.Failure.Kind == vtkFFFailure::Aborted;
+  }
   filter->SetProgressShiftScale(0.0, 1.0);
   return isAborted;
 }
@@ -314,7 +323,7 @@ int vtkFFDistributedInput::Run(vtkFFAlgorithm* filter, vtkMultiProcessController
     });
   if (isGood && hasResults &&
     runEachBlock(filter, controller, title, vtkDataObjectTree::SafeDownCast(input), blocks, work,
-      outputVector))
+      processes, outputVector))
   {
     run.Failure.Kind = vtkFFFailure::Aborted;
   }
