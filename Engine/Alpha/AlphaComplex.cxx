@@ -123,12 +123,11 @@ private:
     }
   }
 
-  /// An edge: its sides, and what is found of it.
+  /// An edge that no cell of the complex has: its sides, and what is found of it.
   struct Edge
   {
     const CellSide* begin;
     const CellSide* end;
-    bool isFree; ///< no cell of the complex has it
     bool isSingular = false;
     bool attaches[2] = { false,
       false };        ///< is the other end in the circle of the lower, the higher?
@@ -145,15 +144,14 @@ private:
       [&](const CellSide* begin, const CellSide* end)
       {
         poll.step();
-        const bool isFree = std::none_of(
-          begin, end, [&](const CellSide& side) { return complex.cells[cellOf[side.index]] != 0; });
-        if (!isFree)
+        if (std::any_of(begin, end,
+              [&](const CellSide& side) { return complex.cells[cellOf[side.index]] != 0; }))
         {
           this->isOut[begin->low] = this->isOut[begin->high] = 1;
         }
-        if (isFree || this->isWeighted)
+        else
         {
-          edges.push_back({ begin, end, isFree });
+          edges.push_back({ begin, end });
         }
       });
     this->monitor.stage(0.7, 1.0, static_cast<std::int64_t>(edges.size()));
@@ -196,7 +194,7 @@ private:
       edge.attaches[1] = isInCircle(b, a);
     }
     const CircleSquare circle(a, b);
-    edge.isSingular = edge.isFree &&
+    edge.isSingular =
       std::none_of(edge.begin, edge.end,
         [&](const CellSide& side)
         { return isInCircle(a, b, this->corner(this->apexOf(side.index, cellOf[side.index]))); }) &&
