@@ -10,6 +10,8 @@ function(flipflop_compile_options target)
   set(msvc $<COMPILE_LANG_AND_ID:CXX,MSVC>)
   target_compile_options(${target} PRIVATE
     $<${gcc_like}:-ffp-contract=off>
+    # A host's flags may have parts of -ffast-math that no macro reveals (Support/StrictArithmetic.h stops the others).
+    $<${gcc_like}:-fno-unsafe-math-optimizations>
     $<${gcc_like}:-Wall -Wextra -Wconversion -Wno-sign-conversion>
     # A constructor's parameter may have the name of the member it sets.
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wshadow=local>

@@ -81,8 +81,8 @@ endif()
 function(flipflop_cuda_options target)
   target_compile_options(${target} PRIVATE
     # A contracted a*b-c*d is no longer antisymmetric, on a device as little as on the host.
-    "$<$<COMPILE_LANGUAGE:CUDA>:-fmad=false;--expt-relaxed-constexpr>"
-    "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-ffp-contract=off,-Wall,-Wextra,-Wno-sign-conversion>")
+    "$<$<COMPILE_LANGUAGE:CUDA>:-fmad=false;-ftz=false;-prec-div=true;-prec-sqrt=true;--expt-relaxed-constexpr>"
+    "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-ffp-contract=off,-fno-unsafe-math-optimizations,-Wall,-Wextra,-Wno-sign-conversion>")
   if(FLIPFLOP_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:-Werror=all-warnings>)
   endif()

@@ -3,6 +3,7 @@
 #include "Points/CoordinateRange.h"
 
 #include "Support/PowersOfTwo.h"
+#include "Support/StrictArithmetic.h"
 
 #include <algorithm>
 #include <cmath>

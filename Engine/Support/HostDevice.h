@@ -5,6 +5,8 @@
 #ifndef flipflop_HostDevice_h
 #define flipflop_HostDevice_h
 
+#include "Support/StrictArithmetic.h"
+
 #if defined(__CUDACC__)
 #define FF_HD __host__ __device__
 #else

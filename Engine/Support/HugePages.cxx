@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/Memory.h>
 
+#include "Support/StrictArithmetic.h"
+
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Threads.h"
 
+#include "Support/StrictArithmetic.h"
+
 #include <algorithm>
 #include <map>
 #include <memory>

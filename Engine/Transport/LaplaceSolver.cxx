@@ -5,6 +5,8 @@
 /// nested halves by position, factors took twice as long. All that includes Eigen is here.
 #include "Transport/LaplaceSolver.h"
 
+#include "Support/StrictArithmetic.h"
+
 #define EIGEN_MPL2_ONLY
 #include <Eigen/SparseCholesky>
 

@@ -3,12 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is built by default: on top, inside another project, inside a build of VTK's modules, with a device and without.
 
-Everything is configured, and nothing compiled.
+Everything is configured, and nothing compiled but for one source by flags that it refuses.
 """
 
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -100,6 +101,21 @@ class TestConfigure(unittest.TestCase):
         self.assertFalse(configured.failed, configured.printed)
         self.assertEqual(configured.parts(), {"Engine", "Cuda", "Filters"} if HAS_VTK else {"Engine", "Cuda"})
 
+    def test_arithmetic_is_strict(self):
+        unsafe = "-funsafe-math-optimizations -ffp-contract=fast"
+        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", f"-DCMAKE_CXX_FLAGS={unsafe}")
+        commands = configured.compiles("/Engine/") + configured.compiles("/Cuda/Choice/")
+        self.assertGreater(len(commands), 80)
+        for command in commands:
+            last = re.findall(r"-f(?:no-)?unsafe-math-optimizations|-ffp-contract=\w+", command)[-2:]
+            self.assertEqual(set(last), {"-ffp-contract=off", "-fno-unsafe-math-optimizations"}, command)
+        (command,) = configured.compiles("/Fans.cxx")
+        for flags, is_refused in ((unsafe, False), ("-ffast-math", True), ("-ffinite-math-only", True)):
+            words = shlex.split(command.replace(unsafe, f"{flags} -fsyntax-only"))
+            done = subprocess.run(words, cwd=self.folder / "build", capture_output=True, text=True, check=False)
+            self.assertEqual("FlipFlop is exact only with" in done.stderr, is_refused, done.stderr)
+            self.assertEqual(done.returncode != 0, is_refused, done.stderr)
+
     def test_subdirectory(self):
         self.assert_libraries_alone(self.host(ADD_SUBDIRECTORY, ENGINE_ALONE))
 
@@ -139,6 +155,11 @@ class TestConfigure(unittest.TestCase):
         configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", path=self.with_devices("9.0", "8.6", "9.0", "6.1"))
         if shutil.which("nvcc"):
             self.assertIn("The CUDA engine is built for 90;86\n", configured.printed)
+            commands = configured.compiles(".cu")
+            self.assertTrue(commands)
+            for command in commands:
+                for flag in ("-fmad=false", "-ftz=false", "-prec-div=true", "-prec-sqrt=true", "-ffp-contract=off"):
+                    self.assertIn(flag, command)
         else:
             self.assertIn("No CUDA engine: no CUDA compiler was found", configured.printed)
 
