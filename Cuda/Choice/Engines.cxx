@@ -8,7 +8,7 @@
 #include "FlipFlop/CpuBuilder.h"
 #include "Run/HullRun.h"
 #include "Run/TriangulationRun.h"
-#include "Support/TypedErrors.h"
+#include "Support/EngineCall.h"
 
 #include <cstdio>
 #include <memory>
@@ -29,7 +29,7 @@ auto runEngine(
   {
     try
     {
-      const auto builder = withTypedErrors([] { return makeCudaBuilder<Geometry>(); });
+      const auto builder = makeCudaBuilder<Geometry>();
       const auto run = makeRun();
       auto result = run->compute(*builder);
       if (!builder->ran)
@@ -75,20 +75,28 @@ const CudaStatus& cudaStatus()
 Hull convexHull(const PointView& points, const Options& options, const EngineOptions& engine,
   EngineReport& report)
 {
-  return runEngine<HullGeometry>(
-    engine, points.count, report, [&] { return std::make_unique<HullRun>(points, options); });
+  return engineCall(
+    [&]
+    {
+      return runEngine<HullGeometry>(
+        engine, points.count, report, [&] { return std::make_unique<HullRun>(points, options); });
+    });
 }
 
 Triangulation regularTriangulation(const PointView& points, const WeightView& weights,
   const Options& options, const EngineOptions& engine, EngineReport& report)
 {
-  return withOrWithoutWeights(weights,
-    [&](auto weighted)
+  return engineCall(
+    [&]
     {
-      // By its type: GCC 16 takes the name for a use of the parameter in the lambda below.
-      using Run = TriangulationRun<decltype(weighted)::value>;
-      return runEngine<typename Run::Geometry>(engine, points.count, report,
-        [&] { return std::make_unique<Run>(points, weights, options); });
+      return withOrWithoutWeights(weights,
+        [&](auto weighted)
+        {
+          // By its type: GCC 16 takes the name for a use of the parameter in the lambda below.
+          using Run = TriangulationRun<decltype(weighted)::value>;
+          return runEngine<typename Run::Geometry>(engine, points.count, report,
+            [&] { return std::make_unique<Run>(points, weights, options); });
+        });
     });
 }
 

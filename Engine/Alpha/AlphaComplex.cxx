@@ -9,6 +9,7 @@
 #include "PowerDiagram/TriangulationInput.h"
 #include "Run/QueryRun.h"
 #include "Support/BufferCopy.h"
+#include "Support/EngineCall.h"
 #include "Surface/Sides.h"
 
 #include <algorithm>
@@ -226,44 +227,52 @@ private:
 AlphaComplex alphaComplex(const PointView& points, const WeightView& weights,
   const CellComplex& triangulation, double alpha, bool singular, const Options& options)
 {
-  if (std::isnan(alpha))
-  {
-    throw badArgument("alpha must not be NaN");
-  }
-  AlphaComplex complex;
-  const auto cells = static_cast<std::size_t>(triangulation.cellCount());
-  runOver(cells, options,
-    [&](Monitor& monitor)
+  return engineCall(
+    [&]
     {
-      AlphaRun run(points, weights, triangulation, monitor);
-      monitor.stage(0.0, singular ? 0.4 : 1.0, triangulation.cellCount());
-      complex.cells.allocate(cells);
-      run.eachCell([&](std::size_t cell, const CircleSquare& circle)
-        { complex.cells[cell] = circle.exceeds(alpha) ? 0 : 1; });
-      complex.cellCount = static_cast<std::int64_t>(
-        std::count(complex.cells.begin(), complex.cells.end(), std::uint8_t(1)));
-      if (singular)
+      if (std::isnan(alpha))
       {
-        monitor.stage(0.4, 1.0, 1);
-        run.findSingular(alpha, complex);
+        throw badArgument("alpha must not be NaN");
       }
+      AlphaComplex complex;
+      const auto cells = static_cast<std::size_t>(triangulation.cellCount());
+      runOver(cells, options,
+        [&](Monitor& monitor)
+        {
+          AlphaRun run(points, weights, triangulation, monitor);
+          monitor.stage(0.0, singular ? 0.4 : 1.0, triangulation.cellCount());
+          complex.cells.allocate(cells);
+          run.eachCell([&](std::size_t cell, const CircleSquare& circle)
+            { complex.cells[cell] = circle.exceeds(alpha) ? 0 : 1; });
+          complex.cellCount = static_cast<std::int64_t>(
+            std::count(complex.cells.begin(), complex.cells.end(), std::uint8_t(1)));
+          if (singular)
+          {
+            monitor.stage(0.4, 1.0, 1);
+            run.findSingular(alpha, complex);
+          }
+        });
+      return complex;
     });
-  return complex;
 }
 
 void cellAlphas(const PointView& points, const WeightView& weights,
   const CellComplex& triangulation, double* alphas, const Options& options)
 {
-  if (triangulation.cellCount() > 0 && !alphas)
-  {
-    throw badArgument("alphas must have room for one number a cell: a null pointer was given");
-  }
-  runOver(static_cast<std::size_t>(triangulation.cellCount()), options,
-    [&](Monitor& monitor)
+  engineCall(
+    [&]
     {
-      AlphaRun run(points, weights, triangulation, monitor);
-      run.eachCell(
-        [&](std::size_t cell, const CircleSquare& circle) { alphas[cell] = circle.leastAlpha(); });
+      if (triangulation.cellCount() > 0 && !alphas)
+      {
+        throw badArgument("alphas must have room for one number a cell: a null pointer was given");
+      }
+      runOver(static_cast<std::size_t>(triangulation.cellCount()), options,
+        [&](Monitor& monitor)
+        {
+          AlphaRun run(points, weights, triangulation, monitor);
+          run.eachCell([&](std::size_t cell, const CircleSquare& circle)
+            { alphas[cell] = circle.leastAlpha(); });
+        });
     });
 }
 

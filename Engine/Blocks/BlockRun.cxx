@@ -30,7 +30,7 @@
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
 #include "Run/QueryRun.h"
-#include "Support/TypedErrors.h"
+#include "Support/EngineCall.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -449,7 +449,7 @@ void BlockRun::State::sizeOf(const BlockMeasure& sum, double& volume, double& ar
 }
 
 BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& options)
-  : state(withTypedErrors([&] { return std::make_unique<State>(shape, points, options); }))
+  : state(engineCall([&] { return std::make_unique<State>(shape, points, options); }))
 {
 }
 
@@ -457,42 +457,42 @@ BlockRun::~BlockRun() = default;
 
 BlockMessage BlockRun::summary() const
 {
-  return withTypedErrors([&] { return this->state->summary(); });
+  return engineCall([&] { return this->state->summary(); });
 }
 
 void BlockRun::begin(const std::vector<BlockMessage>& summaries, int self)
 {
-  withTypedErrors([&] { this->state->begin(summaries, self); });
+  engineCall([&] { this->state->begin(summaries, self); });
 }
 
 std::map<int, BlockMessage> BlockRun::makeQueries()
 {
-  return withTypedErrors([&] { return this->state->makeQueries(); });
+  return engineCall([&] { return this->state->makeQueries(); });
 }
 
 BlockMessage BlockRun::reply(const BlockMessage& queries)
 {
-  return withTypedErrors([&] { return this->state->reply(queries); });
+  return engineCall([&] { return this->state->reply(queries); });
 }
 
 void BlockRun::receive(int from, const BlockMessage& replies)
 {
-  withTypedErrors([&] { this->state->receive(from, replies); });
+  engineCall([&] { this->state->receive(from, replies); });
 }
 
 BlockResult BlockRun::finish()
 {
-  return withTypedErrors([&] { return this->state->finish(); });
+  return engineCall([&] { return this->state->finish(); });
 }
 
 BlockMeasure BlockRun::measure(const BlockResult& result, const double* origin) const
 {
-  return withTypedErrors([&] { return this->state->measure(result, origin); });
+  return engineCall([&] { return this->state->measure(result, origin); });
 }
 
 void BlockRun::sizeOf(const BlockMeasure& sum, double& volume, double& area) const
 {
-  this->state->sizeOf(sum, volume, area);
+  engineCall([&] { this->state->sizeOf(sum, volume, area); });
 }
 
 std::int64_t BlockRun::pointsReceived() const

@@ -8,6 +8,7 @@
 
 #include "PowerDiagram/TriangulationInput.h"
 #include "Run/QueryRun.h"
+#include "Support/EngineCall.h"
 #include "Surface/Sides.h"
 
 #include <algorithm>
@@ -250,18 +251,22 @@ private:
 std::int64_t cellsInside(
   const ConstrainedTriangulation& triangulation, std::uint8_t* inside, const Options& options)
 {
-  const std::int64_t cells = triangulation.cellCount();
-  if (cells > 0 && !inside)
-  {
-    throw badArgument("inside must have room for one byte a cell: a null pointer was given");
-  }
-  runOver(static_cast<std::size_t>(cells), options,
-    [&](Monitor& monitor)
+  return engineCall(
+    [&]
     {
-      checkCells(triangulation);
-      InsideFinder(triangulation, monitor).find(options.polygons, inside);
+      const std::int64_t cells = triangulation.cellCount();
+      if (cells > 0 && !inside)
+      {
+        throw badArgument("inside must have room for one byte a cell: a null pointer was given");
+      }
+      runOver(static_cast<std::size_t>(cells), options,
+        [&](Monitor& monitor)
+        {
+          checkCells(triangulation);
+          InsideFinder(triangulation, monitor).find(options.polygons, inside);
+        });
+      return static_cast<std::int64_t>(std::count(inside, inside + cells, std::uint8_t(1)));
     });
-  return static_cast<std::int64_t>(std::count(inside, inside + cells, std::uint8_t(1)));
 }
 
 }

@@ -10,6 +10,7 @@
 #include "FlipFlop/CpuBuilder.h"
 #include "Points/ConstraintInput.h"
 #include "Run/TriangulationRun.h"
+#include "Support/EngineCall.h"
 
 #include <cstdint>
 #include <vector>
@@ -94,9 +95,13 @@ private:
 ConstrainedTriangulation constrainedTriangulation(
   const PointView& points, const ConstraintView& constraints, const Options& options)
 {
-  ConstrainedRun run(points, constraints, options);
-  return run.execute<ConstrainedTriangulation>(
-    [&run](ConstrainedTriangulation& result) { run.triangulateConstrained(result); });
+  return engineCall(
+    [&]
+    {
+      ConstrainedRun run(points, constraints, options);
+      return run.execute<ConstrainedTriangulation>(
+        [&run](ConstrainedTriangulation& result) { run.triangulateConstrained(result); });
+    });
 }
 
 }

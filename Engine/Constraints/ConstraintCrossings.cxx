@@ -13,6 +13,7 @@
 #include "Points/ConstraintInput.h"
 #include "Predicates/DoubleDouble.h"
 #include "Run/QueryRun.h"
+#include "Support/EngineCall.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -479,17 +480,21 @@ private:
 SplitConstraints splitCrossings(
   const PointView& points, const ConstraintView& constraints, const Options& options)
 {
-  QueryRun run(points, 2, options);
-  requireValid(constraints, points.count);
-  SplitConstraints split;
-  run.execute<QueryResult>(
-    [&](QueryResult& result)
+  return engineCall(
+    [&]
     {
-      run.scanPoints(result.statistics);
-      requireFinite(constraints, run.source, run.checkFinite);
-      split = CrossingSplitter(constraints, run).split();
+      QueryRun run(points, 2, options);
+      requireValid(constraints, points.count);
+      SplitConstraints split;
+      run.execute<QueryResult>(
+        [&](QueryResult& result)
+        {
+          run.scanPoints(result.statistics);
+          requireFinite(constraints, run.source, run.checkFinite);
+          split = CrossingSplitter(constraints, run).split();
+        });
+      return split;
     });
-  return split;
 }
 
 }

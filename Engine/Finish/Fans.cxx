@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/CellComplex.h>
 
-#include "Support/TypedErrors.h"
+#include "Support/EngineCall.h"
 
 #include <algorithm>
 #include <array>
@@ -52,13 +52,17 @@ Buffer<std::int64_t> fansOf(const CellComplex& complex)
 
 void fanPolygons(CellComplex& complex)
 {
-  if (complex.dimension < 2 || complex.cellSize == 3)
-  {
-    return;
-  }
-  complex.connectivity = withTypedErrors([&] { return fansOf(complex); });
-  complex.offsets = Buffer<std::int64_t>();
-  complex.cellSize = 3;
+  engineCall(
+    [&]
+    {
+      if (complex.dimension < 2 || complex.cellSize == 3)
+      {
+        return;
+      }
+      complex.connectivity = fansOf(complex);
+      complex.offsets = Buffer<std::int64_t>();
+      complex.cellSize = 3;
+    });
 }
 
 }

@@ -6,8 +6,8 @@
 #include <flipflop/PlaneFit.h>
 
 #include "Points/PointSource.h"
+#include "Support/EngineCall.h"
 #include "Support/Threads.h"
-#include "Support/TypedErrors.h"
 
 #include <algorithm>
 #include <atomic>
@@ -66,9 +66,13 @@ void inStretches(std::int64_t count, std::int64_t length, const Options& options
 {
   for (std::int64_t begin = 0; begin < count; begin += length)
   {
-    if (options.progress && !options.progress(0.0, options.progressContext))
+    if (options.progress)
     {
-      throw Error(ErrorCode::Aborted);
+      const CallersFloatingPointEnvironment callers;
+      if (!options.progress(0.0, options.progressContext))
+      {
+        throw Error(ErrorCode::Aborted);
+      }
     }
     work(begin, std::min(count, begin + length));
   }
@@ -264,7 +268,7 @@ FittedPlane fitted(const PlaneSums& sums)
 
 void addExtent(PlaneSums& sums, const PointView& points, const Options& options)
 {
-  withTypedErrors(
+  engineCall(
     [&]
     {
       requireArray(points, 3);
@@ -282,17 +286,21 @@ void addExtent(PlaneSums& sums, const PointView& points, const Options& options)
 
 void joinExtent(PlaneSums& sums, const PlaneSums& next)
 {
-  if (sums.count == 0.0)
-  {
-    sums.start = next.start;
-  }
-  sums.count += next.count;
-  sums.largest = std::max(sums.largest, next.largest);
+  engineCall(
+    [&]
+    {
+      if (sums.count == 0.0)
+      {
+        sums.start = next.start;
+      }
+      sums.count += next.count;
+      sums.largest = std::max(sums.largest, next.largest);
+    });
 }
 
 void addToSum(PlaneSums& sums, const PointView& points, const Options& options)
 {
-  withTypedErrors(
+  engineCall(
     [&]
     {
       requireArray(points, 3);
@@ -313,7 +321,7 @@ void addToSum(PlaneSums& sums, const PointView& points, const Options& options)
 
 void addToSpread(PlaneSums& sums, const PointView& points, const Options& options)
 {
-  withTypedErrors(
+  engineCall(
     [&]
     {
       requireArray(points, 3);
@@ -342,22 +350,26 @@ void addToSpread(PlaneSums& sums, const PointView& points, const Options& option
 
 FittedPlane planeOf(const PlaneSums& sums)
 {
-  return withTypedErrors([&] { return fitted(sums); });
+  return engineCall([&] { return fitted(sums); });
 }
 
 FittedPlane fitPlane(const PointView& points, const Options& options)
 {
-  PlaneSums sums;
-  addExtent(sums, points, options);
-  addToSum(sums, points, options);
-  addToSpread(sums, points, options);
-  return planeOf(sums);
+  return engineCall(
+    [&]
+    {
+      PlaneSums sums;
+      addExtent(sums, points, options);
+      addToSum(sums, points, options);
+      addToSpread(sums, points, options);
+      return planeOf(sums);
+    });
 }
 
 Buffer<double> positionsInPlane(
   const PointView& points, const FittedPlane& plane, const Options& options)
 {
-  return withTypedErrors(
+  return engineCall(
     [&]
     {
       requireArray(points, 3);
@@ -375,9 +387,23 @@ Buffer<double> positionsInPlane(
     });
 }
 
+std::array<double, 3> positionOf(const FittedPlane& plane, double x, double y)
+{
+  return engineCall(
+    [&]
+    {
+      std::array<double, 3> position;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        position[k] = plane.origin[k] + (x * plane.first[k] + y * plane.second[k]);
+      }
+      return position;
+    });
+}
+
 Buffer<double> positionsInXY(const PointView& points, const Options& options)
 {
-  return withTypedErrors(
+  return engineCall(
     [&]
     {
       requireArray(points, 3);
@@ -407,16 +433,20 @@ Buffer<double> positionsInXY(const PointView& points, const Options& options)
 
 double heightBelow(const PointView& points, const Triangulation& triangulation)
 {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Buffer<std::int64_t>* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
-  {
-    for (const std::int64_t id : *ids)
+  return engineCall(
+    [&]
     {
-      visitRange(points, id, id + 1,
-        [&](std::int64_t, const Vector& p) { lowest = std::min(lowest, p[2]); });
-    }
-  }
-  return std::isinf(lowest) ? 0.0 : lowest + 0.0;
+      double lowest = std::numeric_limits<double>::infinity();
+      for (const Buffer<std::int64_t>* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
+      {
+        for (const std::int64_t id : *ids)
+        {
+          visitRange(points, id, id + 1,
+            [&](std::int64_t, const Vector& p) { lowest = std::min(lowest, p[2]); });
+        }
+      }
+      return std::isinf(lowest) ? 0.0 : lowest + 0.0;
+    });
 }
 
 }

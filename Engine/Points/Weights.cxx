@@ -3,7 +3,7 @@
 #include <flipflop/Weights.h>
 
 #include "Points/PointSource.h"
-#include "Support/TypedErrors.h"
+#include "Support/EngineCall.h"
 
 #include <cmath>
 #include <cstddef>
@@ -63,7 +63,7 @@ Buffer<double> computeFrom(const WeightView& numbers, const WeightRule& rule)
 
 Buffer<double> computeWeights(const WeightView& numbers, const WeightRule& rule)
 {
-  return withTypedErrors(
+  return engineCall(
     [&]
     {
       requireValid(numbers, numbers.count);

@@ -17,10 +17,10 @@
 #include "PowerDiagram/SiteNeighbours.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Support/BufferCopy.h"
+#include "Support/EngineCall.h"
 #include "Support/Monitor.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
-#include "Support/TypedErrors.h"
 
 #include <algorithm>
 #include <array>
@@ -313,13 +313,14 @@ void diagramInPolygon(const PointView& points, const WeightView& weights,
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const double* box, const Options& options)
 {
-  return powerDiagram(points, weights, triangulation, ConvexDomain(box), options);
+  return engineCall(
+    [&] { return powerDiagram(points, weights, triangulation, ConvexDomain(box), options); });
 }
 
 PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const ConvexDomain& domain, const Options& options)
 {
-  return withTypedErrors(
+  return engineCall(
     [&]
     {
       PowerDiagram result;
@@ -338,7 +339,7 @@ PowerDiagram powerDiagram(const PointView& points, const WeightView& weights,
 bool powerCells(const PointView& points, const WeightView& weights, const CellComplex& facets,
   const std::uint8_t* wanted, const double* box, PowerDiagram& diagram, const Options& options)
 {
-  return withTypedErrors(
+  return engineCall(
     [&]
     {
       diagram = PowerDiagram();

@@ -3,6 +3,7 @@
 #include <flipflop/PowerDiagram.h>
 
 #include "Points/PointSource.h"
+#include "Support/EngineCall.h"
 
 #include <algorithm>
 #include <limits>
@@ -61,39 +62,47 @@ PlaneBox withInside(PlaneBox box)
 
 std::array<double, 4> powerDiagramBox(const PointView& points, const Triangulation& triangulation)
 {
-  requireValid(points, 2);
-  if (triangulation.pointIds.empty())
-  {
-    throw badArgument("the triangulation must have a point");
-  }
-  const PointSource source(points, WeightView());
-  PlaneBox box = emptyBox();
-  for (std::size_t i = 0; i < triangulation.pointIds.size(); ++i)
-  {
-    const std::int64_t id = triangulation.pointIds[i];
-    if (id < 0 || id >= points.count)
+  return engineCall(
+    [&]
     {
-      throw badArgument(
-        "the triangulation's ids must be positions of points", static_cast<std::int64_t>(i));
-    }
-    add(box, source, id);
-  }
-  return withInside(box);
+      requireValid(points, 2);
+      if (triangulation.pointIds.empty())
+      {
+        throw badArgument("the triangulation must have a point");
+      }
+      const PointSource source(points, WeightView());
+      PlaneBox box = emptyBox();
+      for (std::size_t i = 0; i < triangulation.pointIds.size(); ++i)
+      {
+        const std::int64_t id = triangulation.pointIds[i];
+        if (id < 0 || id >= points.count)
+        {
+          throw badArgument(
+            "the triangulation's ids must be positions of points", static_cast<std::int64_t>(i));
+        }
+        add(box, source, id);
+      }
+      return withInside(box);
+    });
 }
 
 std::array<double, 4> powerDiagramBox(const PointView& points)
 {
-  requireValid(points, 2);
-  const PointSource source(points, WeightView());
-  PlaneBox box = emptyBox();
-  for (std::int64_t id = 0; id < points.count; ++id)
-  {
-    if (isFinite(source.vertex(static_cast<std::uint32_t>(id)).x))
+  return engineCall(
+    [&]
     {
-      add(box, source, id);
-    }
-  }
-  return box[0] <= box[1] ? withInside(box) : PlaneBox{ 0, 1, 0, 1 };
+      requireValid(points, 2);
+      const PointSource source(points, WeightView());
+      PlaneBox box = emptyBox();
+      for (std::int64_t id = 0; id < points.count; ++id)
+      {
+        if (isFinite(source.vertex(static_cast<std::uint32_t>(id)).x))
+        {
+          add(box, source, id);
+        }
+      }
+      return box[0] <= box[1] ? withInside(box) : PlaneBox{ 0, 1, 0, 1 };
+    });
 }
 
 }

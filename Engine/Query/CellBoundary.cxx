@@ -8,6 +8,7 @@
 
 #include "Points/Vertex.h"
 #include "Run/QueryRun.h"
+#include "Support/EngineCall.h"
 #include "Surface/Sides.h"
 #include "Validate/ValidateStructure.h"
 
@@ -154,28 +155,32 @@ private:
 
 CellBoundary cellBoundary(const CellComplex& cells, const Options& options)
 {
-  const std::size_t entries = cells.connectivity.size();
-  if (entries >= NoIndex - 1)
-  {
-    throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(entries));
-  }
-  CellBoundary boundary;
-  runOver(entries, options,
-    [&](Monitor& monitor)
+  return engineCall(
+    [&]
     {
-      if (!checkStructure(std::numeric_limits<std::int64_t>::max(), cells, 2, true))
+      const std::size_t entries = cells.connectivity.size();
+      if (entries >= NoIndex - 1)
       {
-        throw badArgument("cells must be of dimension -1 to 2, with corners in range");
+        throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(entries));
       }
-      if (cells.dimension < 2)
-      {
-        boundary.offsets.allocate(1);
-        boundary.offsets[0] = 0;
-        return;
-      }
-      BoundaryWalk(cells, monitor).write(boundary);
+      CellBoundary boundary;
+      runOver(entries, options,
+        [&](Monitor& monitor)
+        {
+          if (!checkStructure(std::numeric_limits<std::int64_t>::max(), cells, 2, true))
+          {
+            throw badArgument("cells must be of dimension -1 to 2, with corners in range");
+          }
+          if (cells.dimension < 2)
+          {
+            boundary.offsets.allocate(1);
+            boundary.offsets[0] = 0;
+            return;
+          }
+          BoundaryWalk(cells, monitor).write(boundary);
+        });
+      return boundary;
     });
-  return boundary;
 }
 
 }

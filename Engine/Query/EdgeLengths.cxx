@@ -7,6 +7,7 @@
 #include "PowerDiagram/TriangulationInput.h"
 #include "Predicates/WideSigns.h"
 #include "Run/QueryRun.h"
+#include "Support/EngineCall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,75 +79,84 @@ private:
 std::int64_t cellsWithinEdgeLength(const PointView& points, const CellComplex& triangulation,
   double limit, std::uint8_t* within, const Options& options)
 {
-  // A NaN is not 0 or more.
-  if (!(limit >= 0))
-  {
-    throw badArgument("the limit of edge lengths must be 0 or more");
-  }
-  if (triangulation.cellCount() > 0 && !within)
-  {
-    throw badArgument("within must have room for one byte a cell: a null pointer was given");
-  }
-  std::int64_t count = 0;
-  const auto cells = static_cast<std::size_t>(triangulation.cellCount());
-  runOver(cells, options,
-    [&](Monitor& monitor)
+  return engineCall(
+    [&]
     {
-      const Buffer<PowerSite> sites = loadSites(points, WeightView(), triangulation);
-      checkCells(triangulation);
-      const LengthLimit length(limit);
-      eachChunk(cells, FacetsPerTask,
-        [&](std::size_t begin, std::size_t end, std::size_t)
+      // A NaN is not 0 or more.
+      if (!(limit >= 0))
+      {
+        throw badArgument("the limit of edge lengths must be 0 or more");
+      }
+      if (triangulation.cellCount() > 0 && !within)
+      {
+        throw badArgument("within must have room for one byte a cell: a null pointer was given");
+      }
+      std::int64_t count = 0;
+      const auto cells = static_cast<std::size_t>(triangulation.cellCount());
+      runOver(cells, options,
+        [&](Monitor& monitor)
         {
-          for (std::size_t cell = begin; cell < end; ++cell)
-          {
-            const std::int64_t first = triangulation.cellBegin(static_cast<std::int64_t>(cell));
-            const std::int64_t next = triangulation.cellBegin(static_cast<std::int64_t>(cell) + 1);
-            const auto siteAt = [&](std::int64_t i)
-            { return sites[triangulation.connectivity[i]].x; };
-            bool isWithin = true;
-            for (std::int64_t i = first; i < next && isWithin; ++i)
+          const Buffer<PowerSite> sites = loadSites(points, WeightView(), triangulation);
+          checkCells(triangulation);
+          const LengthLimit length(limit);
+          eachChunk(cells, FacetsPerTask,
+            [&](std::size_t begin, std::size_t end, std::size_t)
             {
-              isWithin = !length.isExceeded(siteAt(i), siteAt(i + 1 < next ? i + 1 : first));
-            }
-            within[cell] = isWithin ? 1 : 0;
-          }
-          monitor.advance(static_cast<std::int64_t>(end - begin));
+              for (std::size_t cell = begin; cell < end; ++cell)
+              {
+                const std::int64_t first = triangulation.cellBegin(static_cast<std::int64_t>(cell));
+                const std::int64_t next =
+                  triangulation.cellBegin(static_cast<std::int64_t>(cell) + 1);
+                const auto siteAt = [&](std::int64_t i)
+                { return sites[triangulation.connectivity[i]].x; };
+                bool isWithin = true;
+                for (std::int64_t i = first; i < next && isWithin; ++i)
+                {
+                  isWithin = !length.isExceeded(siteAt(i), siteAt(i + 1 < next ? i + 1 : first));
+                }
+                within[cell] = isWithin ? 1 : 0;
+              }
+              monitor.advance(static_cast<std::int64_t>(end - begin));
+            });
+          count = static_cast<std::int64_t>(std::count(within, within + cells, std::uint8_t(1)));
         });
-      count = static_cast<std::int64_t>(std::count(within, within + cells, std::uint8_t(1)));
+      return count;
     });
-  return count;
 }
 
 void keepCells(CellComplex& complex, const std::uint8_t* kept)
 {
-  const std::int64_t cells = complex.cellCount();
-  std::int64_t* const corners = complex.connectivity.data();
-  std::size_t size = 0;
-  std::size_t keptCount = 0;
-  // Cells move towards the front, so none is overwritten before it has moved.
-  for (std::int64_t cell = 0; cell < cells; ++cell)
-  {
-    const std::int64_t begin = complex.cellBegin(cell);
-    const std::int64_t end = complex.cellBegin(cell + 1);
-    if (!kept[cell])
+  engineCall(
+    [&]
     {
-      continue;
-    }
-    std::copy(corners + begin, corners + end, corners + size);
-    if (!complex.cellSize)
-    {
-      complex.offsets[keptCount] = static_cast<std::int64_t>(size);
-    }
-    size += static_cast<std::size_t>(end - begin);
-    ++keptCount;
-  }
-  complex.connectivity.truncate(size);
-  if (!complex.cellSize && !complex.offsets.empty())
-  {
-    complex.offsets[keptCount] = static_cast<std::int64_t>(size);
-    complex.offsets.truncate(keptCount + 1);
-  }
+      const std::int64_t cells = complex.cellCount();
+      std::int64_t* const corners = complex.connectivity.data();
+      std::size_t size = 0;
+      std::size_t keptCount = 0;
+      // Cells move towards the front, so none is overwritten before it has moved.
+      for (std::int64_t cell = 0; cell < cells; ++cell)
+      {
+        const std::int64_t begin = complex.cellBegin(cell);
+        const std::int64_t end = complex.cellBegin(cell + 1);
+        if (!kept[cell])
+        {
+          continue;
+        }
+        std::copy(corners + begin, corners + end, corners + size);
+        if (!complex.cellSize)
+        {
+          complex.offsets[keptCount] = static_cast<std::int64_t>(size);
+        }
+        size += static_cast<std::size_t>(end - begin);
+        ++keptCount;
+      }
+      complex.connectivity.truncate(size);
+      if (!complex.cellSize && !complex.offsets.empty())
+      {
+        complex.offsets[keptCount] = static_cast<std::int64_t>(size);
+        complex.offsets.truncate(keptCount + 1);
+      }
+    });
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Predicates/WideIntegers.h"
 #include "Query/HullCorners.h"
 #include "Run/QueryRun.h"
+#include "Support/EngineCall.h"
 #include <flipflop/HullQueries.h>
 
 namespace flipflop
@@ -35,34 +36,38 @@ double FacetPlane::wideNormal(const double* a, const double* b, const double* c,
 
 Buffer<double> facetPlanes(const PointView& points, const Hull& hull, const Options& options)
 {
-  const Buffer<double> corners = withTypedErrors([&] { return cornersOf(points, hull); });
-  Buffer<double> planes;
-  if (hull.dimension < 2)
-  {
-    return planes;
-  }
-  const auto cells = static_cast<std::size_t>(hull.cellCount());
-  runOver(cells, options,
-    [&](Monitor& monitor)
+  return engineCall(
+    [&]
     {
-      constexpr std::size_t CellsPerTask = 1 << 12;
-      planes.allocate(4 * cells);
-      eachChunk(cells, CellsPerTask,
-        [&](std::size_t begin, std::size_t end, std::size_t)
+      const Buffer<double> corners = cornersOf(points, hull);
+      Buffer<double> planes;
+      if (hull.dimension < 2)
+      {
+        return planes;
+      }
+      const auto cells = static_cast<std::size_t>(hull.cellCount());
+      runOver(cells, options,
+        [&](Monitor& monitor)
         {
-          for (std::size_t cell = begin; cell < end; ++cell)
-          {
-            const std::int64_t* const v =
-              hull.connectivity.data() + hull.cellBegin(static_cast<std::int64_t>(cell));
-            const FacetPlane plane(
-              corners.data() + 3 * v[0], corners.data() + 3 * v[1], corners.data() + 3 * v[2]);
-            std::copy(plane.normal, plane.normal + 3, planes.data() + 4 * cell);
-            planes[4 * cell + 3] = plane.offset;
-          }
-          monitor.advance(static_cast<std::int64_t>(end - begin));
+          constexpr std::size_t CellsPerTask = 1 << 12;
+          planes.allocate(4 * cells);
+          eachChunk(cells, CellsPerTask,
+            [&](std::size_t begin, std::size_t end, std::size_t)
+            {
+              for (std::size_t cell = begin; cell < end; ++cell)
+              {
+                const std::int64_t* const v =
+                  hull.connectivity.data() + hull.cellBegin(static_cast<std::int64_t>(cell));
+                const FacetPlane plane(
+                  corners.data() + 3 * v[0], corners.data() + 3 * v[1], corners.data() + 3 * v[2]);
+                std::copy(plane.normal, plane.normal + 3, planes.data() + 4 * cell);
+                planes[4 * cell + 3] = plane.offset;
+              }
+              monitor.advance(static_cast<std::int64_t>(end - begin));
+            });
         });
+      return planes;
     });
-  return planes;
 }
 
 }

@@ -6,6 +6,7 @@
 #include "Query/FarthestPair.h"
 #include "Query/MinimalBox.h"
 #include "Query/PreparedHull.h"
+#include "Support/EngineCall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace flipflop
 
 HullQueries::HullQueries(
   const PointView& points, const Hull& hull, const Options& options, PointSpace space)
-  : model(withTypedErrors(
+  : model(engineCall(
       [&] { return std::make_unique<const PreparedHull>(points, hull, options, space); }))
 {
 }
@@ -113,116 +114,138 @@ const HullLocator* locatorOf(const PreparedHull& hull, Monitor& monitor)
 void HullQueries::contains(
   const PointView& queries, std::int8_t* sides, const Options& options) const
 {
-  const PreparedHull& hull = *this->model;
-  const HullLocator* locator = nullptr;
-  eachQuery(
-    queries, hull.axisCount(), sides, options,
-    [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
-    [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
+  engineCall(
+    [&]
     {
-      eachLocated(hull, run, locator, begin, end,
-        [sides](std::uint32_t query, const double*, const Location& location)
-        { sides[query] = static_cast<std::int8_t>(location.side); });
+      const PreparedHull& hull = *this->model;
+      const HullLocator* locator = nullptr;
+      eachQuery(
+        queries, hull.axisCount(), sides, options,
+        [&](QueryRun& run) { locator = locatorOf(hull, run.monitor); },
+        [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
+        {
+          eachLocated(hull, run, locator, begin, end,
+            [sides](std::uint32_t query, const double*, const Location& location)
+            { sides[query] = static_cast<std::int8_t>(location.side); });
+        });
     });
 }
 
 void HullQueries::distance(
   const PointView& queries, double* distances, const Options& options) const
 {
-  const PreparedHull& hull = *this->model;
-  const HullLocator* locator = nullptr;
-  const SurfaceTree* surface = nullptr;
-  const auto distanceOf = [&](const double* x, const Location& location)
-  {
-    if (!isFinite(x))
+  engineCall(
+    [&]
     {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-    if (location.side == Side::On || !surface)
-    {
-      return surface ? 0.0 : std::numeric_limits<double>::infinity();
-    }
-    const std::uint32_t start = location.triangle == NoIndex && locator
-      ? hull.triangleTowards(x, *locator)
-      : location.triangle;
-    // The side is exact, so zero would be wrong.
-    const double distance = std::max(surface->distance(x, location.side == Side::Inside, start),
-      std::numeric_limits<double>::denorm_min());
-    return location.side == Side::Inside ? -distance : distance;
-  };
-  eachQuery(
-    queries, hull.axisCount(), distances, options,
-    [&](QueryRun& run)
-    {
-      locator = locatorOf(hull, run.monitor);
-      run.monitor.stage(0.2, 0.3, 1);
-      surface = hull.dimension() < 0 ? nullptr : &hull.surface(run.monitor);
-    },
-    [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
-    {
-      eachLocated(hull, run, locator, begin, end,
-        [&](std::uint32_t query, const double* x, const Location& location)
-        { distances[query] = distanceOf(x, location); });
+      const PreparedHull& hull = *this->model;
+      const HullLocator* locator = nullptr;
+      const SurfaceTree* surface = nullptr;
+      const auto distanceOf = [&](const double* x, const Location& location)
+      {
+        if (!isFinite(x))
+        {
+          return std::numeric_limits<double>::quiet_NaN();
+        }
+        if (location.side == Side::On || !surface)
+        {
+          return surface ? 0.0 : std::numeric_limits<double>::infinity();
+        }
+        const std::uint32_t start = location.triangle == NoIndex && locator
+          ? hull.triangleTowards(x, *locator)
+          : location.triangle;
+        // The side is exact, so zero would be wrong.
+        const double distance = std::max(surface->distance(x, location.side == Side::Inside, start),
+          std::numeric_limits<double>::denorm_min());
+        return location.side == Side::Inside ? -distance : distance;
+      };
+      eachQuery(
+        queries, hull.axisCount(), distances, options,
+        [&](QueryRun& run)
+        {
+          locator = locatorOf(hull, run.monitor);
+          run.monitor.stage(0.2, 0.3, 1);
+          surface = hull.dimension() < 0 ? nullptr : &hull.surface(run.monitor);
+        },
+        [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
+        {
+          eachLocated(hull, run, locator, begin, end,
+            [&](std::uint32_t query, const double* x, const Location& location)
+            { distances[query] = distanceOf(x, location); });
+        });
     });
 }
 
 void HullQueries::support(
   const PointView& directions, std::int64_t* ids, const Options& options) const
 {
-  const PreparedHull& hull = *this->model;
-  const DirectionMap* map = nullptr;
-  eachQuery(
-    directions, hull.axisCount(), ids, options,
-    [&](QueryRun& run)
+  engineCall(
+    [&]
     {
-      run.monitor.stage(0.1, 0.3, 1);
-      map = hull.dimension() < 0 ? nullptr : &hull.directions(run.monitor);
-    },
-    [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
-    {
-      for (std::uint32_t i = begin; i < end; ++i)
-      {
-        double vector[3];
-        run.source.load(i, vector);
-        ids[i] =
-          map && (!run.checkFinite || isFinite(vector)) ? hull.inputId(map->farthest(vector)) : -1;
-      }
+      const PreparedHull& hull = *this->model;
+      const DirectionMap* map = nullptr;
+      eachQuery(
+        directions, hull.axisCount(), ids, options,
+        [&](QueryRun& run)
+        {
+          run.monitor.stage(0.1, 0.3, 1);
+          map = hull.dimension() < 0 ? nullptr : &hull.directions(run.monitor);
+        },
+        [&](QueryRun& run, std::uint32_t begin, std::uint32_t end)
+        {
+          for (std::uint32_t i = begin; i < end; ++i)
+          {
+            double vector[3];
+            run.source.load(i, vector);
+            ids[i] = map && (!run.checkFinite || isFinite(vector))
+              ? hull.inputId(map->farthest(vector))
+              : -1;
+          }
+        });
     });
 }
 
 Diameter HullQueries::diameter(const Options& options) const
 {
-  const PreparedHull& hull = *this->model;
-  Diameter result;
-  runOver(hull.size(), options,
-    [&](Monitor& monitor)
+  return engineCall(
+    [&]
     {
-      if (hull.dimension() < 0)
-      {
-        return;
-      }
-      const CornerPair pair = farthestPair(&hull.corner(0), hull.size(), hull.isWide(), monitor);
-      result.first = hull.inputId(pair.first);
-      result.second = hull.inputId(pair.second);
-      result.length =
-        distanceBetween(hull.corner(pair.first), hull.corner(pair.second), hull.scaleExponent());
+      const PreparedHull& hull = *this->model;
+      Diameter result;
+      runOver(hull.size(), options,
+        [&](Monitor& monitor)
+        {
+          if (hull.dimension() < 0)
+          {
+            return;
+          }
+          const CornerPair pair =
+            farthestPair(&hull.corner(0), hull.size(), hull.isWide(), monitor);
+          result.first = hull.inputId(pair.first);
+          result.second = hull.inputId(pair.second);
+          result.length = distanceBetween(
+            hull.corner(pair.first), hull.corner(pair.second), hull.scaleExponent());
+        });
+      return result;
     });
-  return result;
 }
 
 OrientedBox HullQueries::minimalBox(const Options& options) const
 {
-  const PreparedHull& hull = *this->model;
-  OrientedBox box;
-  runOver(hull.size(), options,
-    [&](Monitor& monitor)
+  return engineCall(
+    [&]
     {
-      if (hull.dimension() >= 0)
-      {
-        box = minimalBoxOf(hull, monitor);
-      }
+      const PreparedHull& hull = *this->model;
+      OrientedBox box;
+      runOver(hull.size(), options,
+        [&](Monitor& monitor)
+        {
+          if (hull.dimension() >= 0)
+          {
+            box = minimalBoxOf(hull, monitor);
+          }
+        });
+      return box;
     });
-  return box;
 }
 
 }

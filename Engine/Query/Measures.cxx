@@ -7,9 +7,9 @@
 
 #include "PowerDiagram/TriangulationInput.h"
 #include "Query/PlaneValues.h"
+#include "Support/EngineCall.h"
 #include "Support/Monitor.h"
 #include "Support/Threads.h"
-#include "Support/TypedErrors.h"
 
 #include <cmath>
 #include <cstddef>
@@ -78,18 +78,14 @@ void eachCell(std::int64_t cells, Monitor& monitor, const Measure& measure)
   monitor.stage(1.0, 1.0, 1);
 }
 
-/// body(monitor) on threads; see withTypedErrors.
+/// body(monitor) on threads.
 template <class Body>
 void onThreads(const Options& options, std::size_t count, const Body& body)
 {
-  withTypedErrors(
-    [&]
-    {
-      Monitor monitor(options);
-      monitor.stage(0.0, 0.1, 1);
-      ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(count)));
-      arena.execute([&] { body(monitor); });
-    });
+  Monitor monitor(options);
+  monitor.stage(0.0, 0.1, 1);
+  ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(count)));
+  arena.execute([&] { body(monitor); });
 }
 
 constexpr const char* NotADiagram = "the diagram must be one that powerDiagram() returned";
@@ -104,21 +100,25 @@ double* at(double* array, std::size_t i)
 void cellMeasures(const PointView& points, const CellComplex& triangulation, double* areas,
   double* centroids, const Options& options)
 {
-  onThreads(options, triangulation.connectivity.size(),
-    [&](Monitor& monitor)
+  engineCall(
+    [&]
     {
-      const Buffer<PowerSite> sites = loadSites(points, WeightView(), triangulation);
-      checkCells(triangulation);
-      eachCell(triangulation.cellCount(), monitor,
-        [&](std::size_t cell)
+      onThreads(options, triangulation.connectivity.size(),
+        [&](Monitor& monitor)
         {
-          const std::int64_t begin = triangulation.cellBegin(static_cast<std::int64_t>(cell));
-          const std::int64_t end = triangulation.cellBegin(static_cast<std::int64_t>(cell) + 1);
-          const std::int64_t* const corners = triangulation.connectivity.data() + begin;
-          measure(
-            end - begin,
-            [&](std::int64_t i) { return sites[static_cast<std::size_t>(corners[i])].x; },
-            at(areas, cell), at(centroids, 2 * cell));
+          const Buffer<PowerSite> sites = loadSites(points, WeightView(), triangulation);
+          checkCells(triangulation);
+          eachCell(triangulation.cellCount(), monitor,
+            [&](std::size_t cell)
+            {
+              const std::int64_t begin = triangulation.cellBegin(static_cast<std::int64_t>(cell));
+              const std::int64_t end = triangulation.cellBegin(static_cast<std::int64_t>(cell) + 1);
+              const std::int64_t* const corners = triangulation.connectivity.data() + begin;
+              measure(
+                end - begin,
+                [&](std::int64_t i) { return sites[static_cast<std::size_t>(corners[i])].x; },
+                at(areas, cell), at(centroids, 2 * cell));
+            });
         });
     });
 }
@@ -126,48 +126,52 @@ void cellMeasures(const PointView& points, const CellComplex& triangulation, dou
 void cellMeasures(
   const PowerDiagram& diagram, double* areas, double* centroids, const Options& options)
 {
-  onThreads(options, diagram.connectivity.size(),
-    [&](Monitor& monitor)
+  engineCall(
+    [&]
     {
-      const std::size_t cells = diagram.siteIds.size();
-      const auto size = static_cast<std::int64_t>(diagram.connectivity.size());
-      const auto corners = static_cast<std::int64_t>(diagram.corners.size() / 2);
-      if (diagram.offsets.size() != (cells ? cells + 1 : diagram.offsets.size()) ||
-        (cells && (diagram.offsets[0] != 0 || diagram.offsets[cells] != size)))
-      {
-        throw badArgument(NotADiagram);
-      }
-      eachCheckedChunk(cells, FacetsPerTask,
-        [&](std::size_t begin, std::size_t end, std::size_t)
+      onThreads(options, diagram.connectivity.size(),
+        [&](Monitor& monitor)
         {
-          for (std::size_t c = begin; c < end; ++c)
+          const std::size_t cells = diagram.siteIds.size();
+          const auto size = static_cast<std::int64_t>(diagram.connectivity.size());
+          const auto corners = static_cast<std::int64_t>(diagram.corners.size() / 2);
+          if (diagram.offsets.size() != (cells ? cells + 1 : diagram.offsets.size()) ||
+            (cells && (diagram.offsets[0] != 0 || diagram.offsets[cells] != size)))
           {
-            const std::int64_t first = diagram.offsets[c];
-            const std::int64_t next = diagram.offsets[c + 1];
-            if (first < 0 || next <= first || next > size)
-            {
-              throw badArgument(NotADiagram, diagram.siteIds[c]);
-            }
-            for (std::int64_t i = first; i < next; ++i)
-            {
-              const std::int64_t corner = diagram.connectivity[static_cast<std::size_t>(i)];
-              if (corner < 0 || corner >= corners ||
-                !std::isfinite(diagram.corners[static_cast<std::size_t>(2 * corner)]) ||
-                !std::isfinite(diagram.corners[static_cast<std::size_t>(2 * corner) + 1]))
-              {
-                throw badArgument(NotADiagram, diagram.siteIds[c]);
-              }
-            }
+            throw badArgument(NotADiagram);
           }
-        });
-      eachCell(static_cast<std::int64_t>(cells), monitor,
-        [&](std::size_t cell)
-        {
-          const std::int64_t* const ring = diagram.connectivity.data() + diagram.offsets[cell];
-          measure(
-            diagram.offsets[cell + 1] - diagram.offsets[cell],
-            [&](std::int64_t i) { return diagram.corners.data() + 2 * ring[i]; }, at(areas, cell),
-            at(centroids, 2 * cell));
+          eachCheckedChunk(cells, FacetsPerTask,
+            [&](std::size_t begin, std::size_t end, std::size_t)
+            {
+              for (std::size_t c = begin; c < end; ++c)
+              {
+                const std::int64_t first = diagram.offsets[c];
+                const std::int64_t next = diagram.offsets[c + 1];
+                if (first < 0 || next <= first || next > size)
+                {
+                  throw badArgument(NotADiagram, diagram.siteIds[c]);
+                }
+                for (std::int64_t i = first; i < next; ++i)
+                {
+                  const std::int64_t corner = diagram.connectivity[static_cast<std::size_t>(i)];
+                  if (corner < 0 || corner >= corners ||
+                    !std::isfinite(diagram.corners[static_cast<std::size_t>(2 * corner)]) ||
+                    !std::isfinite(diagram.corners[static_cast<std::size_t>(2 * corner) + 1]))
+                  {
+                    throw badArgument(NotADiagram, diagram.siteIds[c]);
+                  }
+                }
+              }
+            });
+          eachCell(static_cast<std::int64_t>(cells), monitor,
+            [&](std::size_t cell)
+            {
+              const std::int64_t* const ring = diagram.connectivity.data() + diagram.offsets[cell];
+              measure(
+                diagram.offsets[cell + 1] - diagram.offsets[cell],
+                [&](std::int64_t i) { return diagram.corners.data() + 2 * ring[i]; },
+                at(areas, cell), at(centroids, 2 * cell));
+            });
         });
     });
 }

@@ -33,8 +33,7 @@ PreparedHull::PreparedHull(
   const PointView& points, const Hull& hull, const Options& options, PointSpace space)
   : inPlane(space == PointSpace::Plane)
 {
-  const Buffer<double> given =
-    withTypedErrors([&] { return cornersOf(points, hull, this->axisCount()); });
+  const Buffer<double> given = cornersOf(points, hull, this->axisCount());
   if (this->inPlane && hull.dimension > 2)
   {
     throw badArgument("the hull of points in the plane must be of dimension 2 or less");

@@ -11,9 +11,9 @@
 #include "Query/SiteLocator.h"
 #include "Query/Sites.h"
 #include "Run/QueryRun.h"
+#include "Support/EngineCall.h"
 #include "Support/Monitor.h"
 #include "Support/Threads.h"
-#include "Support/TypedErrors.h"
 
 #include <algorithm>
 #include <limits>
@@ -345,7 +345,7 @@ private:
 
 TriangulationQueries::TriangulationQueries(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const Options& options)
-  : implementation(withTypedErrors(
+  : implementation(engineCall(
       [&]
       {
         return std::make_unique<Implementation>(
@@ -356,7 +356,7 @@ TriangulationQueries::TriangulationQueries(const PointView& points, const Weight
 
 TriangulationQueries::TriangulationQueries(const PointView& points,
   const ConstrainedTriangulation& triangulation, const std::uint8_t* inside, const Options& options)
-  : implementation(withTypedErrors(
+  : implementation(engineCall(
       [&]
       {
         return std::make_unique<Implementation>(
@@ -373,35 +373,48 @@ TriangulationQueries::~TriangulationQueries() = default;
 void TriangulationQueries::locate(
   const PointView& queries, std::int64_t* cells, const Options& options) const
 {
-  const Implementation& self = *this->implementation;
-  self.findEach(queries, cells, options,
-    [&self](const SiteSigns& signs, const double* position)
-    { return self.cellAt(signs, position); });
+  engineCall(
+    [&]
+    {
+      const Implementation& self = *this->implementation;
+      self.findEach(queries, cells, options,
+        [&self](const SiteSigns& signs, const double* position)
+        { return self.cellAt(signs, position); });
+    });
 }
 
 void TriangulationQueries::nearest(
   const PointView& queries, std::int64_t* ids, const Options& options) const
 {
-  const Implementation& self = *this->implementation;
-  self.requireRegular("the nearest point is a question to a regular triangulation, not to a "
-                      "constrained one");
-  self.findEach(queries, ids, options,
-    [&self](const SiteSigns& signs, const double* position)
-    { return self.nearestTo(signs, position); });
+  engineCall(
+    [&]
+    {
+      const Implementation& self = *this->implementation;
+      self.requireRegular("the nearest point is a question to a regular triangulation, not to a "
+                          "constrained one");
+      self.findEach(queries, ids, options,
+        [&self](const SiteSigns& signs, const double* position)
+        { return self.nearestTo(signs, position); });
+    });
 }
 
 void TriangulationQueries::interpolateLinear(const double* values, std::int64_t components,
   const PointView& queries, double* result, const Options& options) const
 {
-  this->implementation->interpolate(false, values, components, queries, result, options);
+  engineCall([&]
+    { this->implementation->interpolate(false, values, components, queries, result, options); });
 }
 
 void TriangulationQueries::interpolateNatural(const double* values, std::int64_t components,
   const PointView& queries, double* result, const Options& options) const
 {
-  this->implementation->requireRegular(
-    "natural neighbours are those of a regular triangulation, not of a constrained one");
-  this->implementation->interpolate(true, values, components, queries, result, options);
+  engineCall(
+    [&]
+    {
+      this->implementation->requireRegular(
+        "natural neighbours are those of a regular triangulation, not of a constrained one");
+      this->implementation->interpolate(true, values, components, queries, result, options);
+    });
 }
 
 }

@@ -3,9 +3,9 @@
 #include <flipflop/Batch.h>
 
 #include "Points/PointSource.h"
+#include "Support/EngineCall.h"
 #include "Support/Monitor.h"
 #include "Support/Threads.h"
-#include "Support/TypedErrors.h"
 #include <flipflop/ConvexHull.h>
 #include <flipflop/RegularTriangulation.h>
 
@@ -123,6 +123,8 @@ private:
     /// A ProgressFunction: on the thread of the set.
     static bool reportFrom(double fraction, void* context)
     {
+      // It is called in the caller's environment.
+      const DefaultFloatingPointEnvironment environment;
       try
       {
         static_cast<Share*>(context)->report(fraction);
@@ -150,7 +152,7 @@ private:
     own.step = nullptr; // many sets are at many steps
     try
     {
-      withTypedErrors(
+      engineCall(
         [&]
         {
           this->monitor.poll();
@@ -175,29 +177,38 @@ private:
 template <class Result, class RunOne>
 Batch<Result> runBatch(const SetView& sets, const Options& options, const RunOne& runOne)
 {
-  return withTypedErrors([&] { return BatchRun<Result, RunOne>(sets, options, runOne).execute(); });
+  return BatchRun<Result, RunOne>(sets, options, runOne).execute();
 }
 
 }
 
 Batch<Hull> convexHulls(const PointView& points, const SetView& sets, const Options& options)
 {
-  requireArray(points, 3);
-  requireValid(sets, points.count);
-  return runBatch<Hull>(sets, options,
-    [&](std::int64_t first, std::int64_t count, const Options& own)
-    { return convexHull(part(points, first, count), own); });
+  return engineCall(
+    [&]
+    {
+      requireArray(points, 3);
+      requireValid(sets, points.count);
+      return runBatch<Hull>(sets, options,
+        [&](std::int64_t first, std::int64_t count, const Options& own)
+        { return convexHull(part(points, first, count), own); });
+    });
 }
 
 Batch<Triangulation> regularTriangulations(
   const PointView& points, const SetView& sets, const WeightView& weights, const Options& options)
 {
-  requireArray(points, 2);
-  requireValid(weights, points.count);
-  requireValid(sets, points.count);
-  return runBatch<Triangulation>(sets, options,
-    [&](std::int64_t first, std::int64_t count, const Options& own)
-    { return regularTriangulation(part(points, first, count), part(weights, first, count), own); });
+  return engineCall(
+    [&]
+    {
+      requireArray(points, 2);
+      requireValid(weights, points.count);
+      requireValid(sets, points.count);
+      return runBatch<Triangulation>(sets, options,
+        [&](std::int64_t first, std::int64_t count, const Options& own) {
+          return regularTriangulation(part(points, first, count), part(weights, first, count), own);
+        });
+    });
 }
 
 }

@@ -12,6 +12,7 @@
 #include "Geometry/HullStart.h"
 #include "Run/HullRun.h"
 #include "Run/LowDimensionalHull.h"
+#include "Support/EngineCall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,13 @@ namespace flipflop
 
 Hull convexHull(const PointView& points, const Options& options)
 {
-  HullRun run(points, options);
-  CpuBuilder<HullGeometry> builder;
-  return run.compute(builder);
+  return engineCall(
+    [&]
+    {
+      HullRun run(points, options);
+      CpuBuilder<HullGeometry> builder;
+      return run.compute(builder);
+    });
 }
 
 HullRun::HullRun(const PointView& points, const Options& chosen)

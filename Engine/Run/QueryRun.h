@@ -10,7 +10,6 @@
 #include "Support/Monitor.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
-#include "Support/TypedErrors.h"
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
 #include <flipflop/Statistics.h>
@@ -26,18 +25,14 @@ namespace flipflop
 template <class Body>
 void runOver(std::size_t items, const Options& options, Body&& body)
 {
-  withTypedErrors(
+  Monitor monitor(options);
+  ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(items)));
+  arena.execute(
     [&]
     {
-      Monitor monitor(options);
-      ArenaLoan arena(threadCount(options.threads, static_cast<std::int64_t>(items)));
-      arena.execute(
-        [&]
-        {
-          monitor.stage(0.0, 1.0, static_cast<std::int64_t>(items));
-          body(monitor);
-          monitor.stage(1.0, 1.0, 1);
-        });
+      monitor.stage(0.0, 1.0, static_cast<std::int64_t>(items));
+      body(monitor);
+      monitor.stage(1.0, 1.0, 1);
     });
 }
 

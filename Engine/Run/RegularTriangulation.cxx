@@ -12,6 +12,7 @@
 #include "Points/PointSubset.h"
 #include "Run/Chain.h"
 #include "Run/TriangulationRun.h"
+#include "Support/EngineCall.h"
 #include "Support/Parallel.h"
 
 #include <cstdint>
@@ -22,12 +23,16 @@ namespace flipflop
 Triangulation regularTriangulation(
   const PointView& points, const WeightView& weights, const Options& options)
 {
-  return withOrWithoutWeights(weights,
-    [&](auto weighted)
+  return engineCall(
+    [&]
     {
-      TriangulationRun<weighted> run(points, weights, options);
-      CpuBuilder<LiftedGeometry<weighted>> builder;
-      return run.compute(builder);
+      return withOrWithoutWeights(weights,
+        [&](auto weighted)
+        {
+          TriangulationRun<weighted> run(points, weights, options);
+          CpuBuilder<LiftedGeometry<weighted>> builder;
+          return run.compute(builder);
+        });
     });
 }
 

@@ -11,7 +11,6 @@
 #include "Support/Monitor.h"
 #include "Support/Stopwatch.h"
 #include "Support/Threads.h"
-#include "Support/TypedErrors.h"
 #include <flipflop/Options.h>
 #include <flipflop/Statistics.h>
 
@@ -30,24 +29,20 @@ public:
   Run(const PointView& points, std::int64_t least, const PointSource& source,
     const Options& options, double pointCost = 1);
 
-  /// Run @p body (Result&) on the run's threads; see withTypedErrors.
+  /// Run @p body (Result&) on the run's threads.
   template <class Result, class Body>
   Result execute(Body&& body)
   {
-    return withTypedErrors(
+    Result result;
+    ArenaLoan arena(this->threads);
+    arena.execute(
       [&]
       {
-        Result result;
-        ArenaLoan arena(this->threads);
-        arena.execute(
-          [&]
-          {
-            body(result);
-            this->monitor.stage(1.0, 1.0, 1);
-          });
-        result.statistics.secondsTotal = this->watch.total();
-        return result;
+        body(result);
+        this->monitor.stage(1.0, 1.0, 1);
       });
+    result.statistics.secondsTotal = this->watch.total();
+    return result;
   }
 
   const Options options;

@@ -5,6 +5,7 @@
 #ifndef flipflop_Monitor_h
 #define flipflop_Monitor_h
 
+#include "Support/FloatingPointEnvironment.h"
 #include <flipflop/Error.h>
 #include <flipflop/Options.h>
 
@@ -38,6 +39,7 @@ public:
   {
     if (name && this->step && std::this_thread::get_id() == this->caller)
     {
+      const CallersFloatingPointEnvironment callers;
       this->step(name, this->context);
     }
     this->begin = from;
@@ -83,11 +85,17 @@ private:
     {
       this->reported = fraction;
     }
-    if (!this->function(this->reported, this->context))
+    if (!this->callFunction())
     {
       this->stop.store(true, std::memory_order_relaxed);
       throw Error(ErrorCode::Aborted);
     }
+  }
+
+  bool callFunction() const
+  {
+    const CallersFloatingPointEnvironment callers;
+    return this->function(this->reported, this->context);
   }
 
   ProgressFunction function;

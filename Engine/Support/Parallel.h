@@ -14,6 +14,7 @@
 ///   invoke(first, second)      both
 ///   sort(first, last, less)
 ///
+/// Tasks run in the default floating-point environment, if the caller does.
 /// Calls wait for their tasks; tasks may call in turn. What one of them throws comes out of the
 /// call: one of it, where several throw. By then all tasks have ended, but not all have begun.
 ///

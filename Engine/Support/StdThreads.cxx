@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/StdThreads.h"
 
+#include "Support/FloatingPointEnvironment.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -195,6 +197,7 @@ private:
   void work(Crew& crew)
   {
     current() = &crew;
+    const DefaultFloatingPointEnvironment environment;
     for (Job job = this->wait(); job.fork; job = this->wait())
     {
       job.fork->run(job.part);

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/TbbThreads.h"
 
+#include "Support/FloatingPointEnvironment.h"
+
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <utility>
 
@@ -38,6 +41,14 @@ public:
 
 private:
   const bool before;
+};
+
+/// Of a loop whose tasks have the floating-point environment of the thread that calls it. By
+/// default they have that of the thread that first used the arena.
+struct LoopContext
+{
+  tbb::task_group_context context{ tbb::task_group_context::bound,
+    tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings };
 };
 
 /// @return false: this thread is not alone
@@ -76,6 +87,8 @@ void Arena::run(const std::function<void()>& body)
     [&body]
     {
       const Enter enter(false);
+      // oneTBB sets that of the thread that first used the arena.
+      const DefaultFloatingPointEnvironment environment;
       body();
     });
 }
@@ -107,7 +120,8 @@ void forEach(std::size_t count, const std::function<void(std::size_t)>& body)
 {
   if (!loopAlone(count, body))
   {
-    tbb::parallel_for(std::size_t(0), count, body);
+    LoopContext loop;
+    tbb::parallel_for(std::size_t(0), count, body, loop.context);
   }
 }
 
@@ -115,7 +129,8 @@ void forEachAlone(std::size_t count, const std::function<void(std::size_t)>& bod
 {
   if (!loopAlone(count, body))
   {
-    tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner());
+    LoopContext loop;
+    tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner(), loop.context);
   }
 }
 
@@ -127,7 +142,8 @@ void invokeBoth(const std::function<void()>& first, const std::function<void()>&
     second();
     return;
   }
-  tbb::parallel_invoke(first, second);
+  LoopContext loop;
+  tbb::parallel_invoke(first, second, loop.context);
 }
 
 }

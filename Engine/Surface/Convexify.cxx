@@ -6,6 +6,7 @@
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
 #include "Run/HullRun.h"
+#include "Support/EngineCall.h"
 #include "Support/Stopwatch.h"
 #include "Surface/StarShape.h"
 #include "Surface/Topology.h"
@@ -176,54 +177,58 @@ void chooseKernel(HullRun& run, Polyhedron& polyhedron, const double* kernel)
 Hull convexify(const PointView& points, const TriangleView& triangles, const double* kernel,
   const Options& options)
 {
-  // Checks the arguments before anything is read.
-  HullRun checked(points, options);
-  if (triangles.count < 0 || (triangles.count > 0 && !triangles.corners))
-  {
-    throw badArgument("triangles must have a count of 0 or more, and three corners each");
-  }
-  if (kernel && !isFinite(kernel))
-  {
-    throw badArgument("the kernel point must be finite");
-  }
-  if (triangles.count > static_cast<std::int64_t>(NoIndex / 8))
-  {
-    throw Error(ErrorCode::TooManyPoints, -1, triangles.count);
-  }
-  Stopwatch watch;
-  const UsedPoints used = withTypedErrors([&] { return gatherUsed(points, triangles); });
-  HullRun run(
-    PointView(used.coordinates.data(), static_cast<std::int64_t>(used.ids.size())), options);
-  Hull hull = run.execute<Hull>(
-    [&](Hull& result)
+  return engineCall(
+    [&]
     {
-      if (!run.inspect(result, kernel))
+      // Checks the arguments before anything is read.
+      HullRun checked(points, options);
+      if (triangles.count < 0 || (triangles.count > 0 && !triangles.corners))
       {
-        return;
+        throw badArgument("triangles must have a count of 0 or more, and three corners each");
       }
-      Polyhedron polyhedron = makePolyhedron(run.source, used.corner);
-      double scaled[3] = { 0, 0, 0 };
-      for (int i = 0; kernel && i < 3; ++i)
+      if (kernel && !isFinite(kernel))
       {
-        scaled[i] = std::ldexp(kernel[i], run.arithmetic.scaleExponent);
+        throw badArgument("the kernel point must be finite");
       }
-      chooseKernel(run, polyhedron, kernel ? scaled : nullptr);
-      result.statistics.secondsScan = watch.lap();
+      if (triangles.count > static_cast<std::int64_t>(NoIndex / 8))
+      {
+        throw Error(ErrorCode::TooManyPoints, -1, triangles.count);
+      }
+      Stopwatch watch;
+      const UsedPoints used = gatherUsed(points, triangles);
+      HullRun run(
+        PointView(used.coordinates.data(), static_cast<std::int64_t>(used.ids.size())), options);
+      Hull hull = run.execute<Hull>(
+        [&](Hull& result)
+        {
+          if (!run.inspect(result, kernel))
+          {
+            return;
+          }
+          Polyhedron polyhedron = makePolyhedron(run.source, used.corner);
+          double scaled[3] = { 0, 0, 0 };
+          for (int i = 0; kernel && i < 3; ++i)
+          {
+            scaled[i] = std::ldexp(kernel[i], run.arithmetic.scaleExponent);
+          }
+          chooseKernel(run, polyhedron, kernel ? scaled : nullptr);
+          result.statistics.secondsScan = watch.lap();
 
-      run.monitor.stage(
-        0.1, 0.9, static_cast<std::int64_t>(polyhedron.triangles.size()), "flipping");
-      ConflictLists nothing = noConflicts(polyhedron);
-      Patches<HullGeometry> patches(
-        run.geometry, std::move(polyhedron), std::move(nothing), options.vBiased, run.monitor);
-      Tally tally = patches.run();
-      run.watch.lap();
-      run.finish(patches.release(), std::move(tally), result);
+          run.monitor.stage(
+            0.1, 0.9, static_cast<std::int64_t>(polyhedron.triangles.size()), "flipping");
+          ConflictLists nothing = noConflicts(polyhedron);
+          Patches<HullGeometry> patches(
+            run.geometry, std::move(polyhedron), std::move(nothing), options.vBiased, run.monitor);
+          Tally tally = patches.run();
+          run.watch.lap();
+          run.finish(patches.release(), std::move(tally), result);
+        });
+      for (std::int64_t& id : hull.pointIds)
+      {
+        id = used.ids[static_cast<std::size_t>(id)];
+      }
+      return hull;
     });
-  for (std::int64_t& id : hull.pointIds)
-  {
-    id = used.ids[static_cast<std::size_t>(id)];
-  }
-  return hull;
 }
 
 }

@@ -3,8 +3,8 @@
 #include <flipflop/SurfacePolygons.h>
 
 #include "Points/PointSource.h"
+#include "Support/EngineCall.h"
 #include "Support/Monitor.h"
-#include "Support/TypedErrors.h"
 #include "Surface/EarCutter.h"
 #include "Surface/SimplePolygon.h"
 
@@ -228,7 +228,7 @@ PolygonTriangles cutAll(const PointView& points, const PolygonView& polygons, Mo
 PolygonTriangles triangulatePolygons(
   const PointView& points, const PolygonView& polygons, const Options& options)
 {
-  return withTypedErrors(
+  return engineCall(
     [&]
     {
       requireValid(points, 3);

@@ -3,6 +3,7 @@
 #include <flipflop/CentroidalCells.h>
 
 #include "Support/BufferCopy.h"
+#include "Support/EngineCall.h"
 #include "Transport/CellMoments.h"
 #include "Transport/IterationWatch.h"
 #include "Transport/SiteArrays.h"
@@ -125,8 +126,12 @@ private:
 CentroidalCells centroidalCells(const PointView& points, const WeightView& weights,
   const ConvexDomain& domain, std::int64_t iterations, double tolerance, const Options& options)
 {
-  return withSeconds(
-    [&] { return LloydRun(points, weights, domain, iterations, tolerance, options).run(); });
+  return engineCall(
+    [&]
+    {
+      return withSeconds(
+        [&] { return LloydRun(points, weights, domain, iterations, tolerance, options).run(); });
+    });
 }
 
 }

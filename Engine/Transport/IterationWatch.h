@@ -6,8 +6,8 @@
 #ifndef flipflop_IterationWatch_h
 #define flipflop_IterationWatch_h
 
+#include "Support/FloatingPointEnvironment.h"
 #include "Support/Stopwatch.h"
-#include "Support/TypedErrors.h"
 #include <flipflop/Options.h>
 
 #include <algorithm>
@@ -59,14 +59,18 @@ public:
   {
     if (this->caller.step)
     {
+      const CallersFloatingPointEnvironment callers;
       this->caller.step(step, this->caller.progressContext);
     }
   }
 
 private:
+  /// Called in the caller's environment, by a run's Monitor.
   bool report(double fraction)
   {
+    const DefaultFloatingPointEnvironment environment;
     this->done = std::max(this->done, this->begin + fraction * (this->end - this->begin));
+    const CallersFloatingPointEnvironment callers;
     return this->caller.progress(this->done, this->caller.progressContext);
   }
 
@@ -76,18 +80,14 @@ private:
   double end = 0;
 };
 
-/// The result of work(), with the seconds of the whole; it throws nothing but Error.
+/// The result of work(), with the seconds of the whole.
 template <class Work>
 auto withSeconds(const Work& work)
 {
-  return withTypedErrors(
-    [&]
-    {
-      Stopwatch watch;
-      auto result = work();
-      result.statistics.secondsTotal = watch.lap();
-      return result;
-    });
+  Stopwatch watch;
+  auto result = work();
+  result.statistics.secondsTotal = watch.lap();
+  return result;
 }
 
 }

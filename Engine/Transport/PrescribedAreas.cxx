@@ -8,6 +8,7 @@
 
 #include "PowerDiagram/DomainCorners.h"
 #include "Support/BufferCopy.h"
+#include "Support/EngineCall.h"
 #include "Support/Stopwatch.h"
 #include "Transport/CellMoments.h"
 #include "Transport/IterationWatch.h"
@@ -357,8 +358,12 @@ private:
 PrescribedAreas prescribedAreas(const PointView& points, const WeightView& areas,
   const ConvexDomain& domain, double tolerance, std::int64_t iterations, const Options& options)
 {
-  return withSeconds(
-    [&] { return NewtonRun(points, areas, domain, tolerance, iterations, options).run(); });
+  return engineCall(
+    [&]
+    {
+      return withSeconds(
+        [&] { return NewtonRun(points, areas, domain, tolerance, iterations, options).run(); });
+    });
 }
 
 }

@@ -6,6 +6,7 @@
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
 #include "Run/HullRun.h"
+#include "Support/EngineCall.h"
 #include "Surface/CellMesh.h"
 #include "Surface/HullKernel.h"
 #include "Validate/ValidateStructure.h"
@@ -163,28 +164,32 @@ private:
 
 Validation validate(const PointView& points, const Hull& hull, int threads)
 {
-  Options options;
-  options.threads = threads;
-  options.nonFinite = NonFinitePolicy::Ignore;
-  // A hull in polygons has true facets; one in triangles may have flat edges.
-  options.facets = hull.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
-  HullRun run(points, options);
-  Validation result = withTypedErrors([&] { return checkHullStructure(points.count, hull); });
-  if (!result)
-  {
-    return result;
-  }
-  run.execute<Hull>(
-    [&](Hull& scratch)
+  return engineCall(
+    [&]
     {
-      if (!run.inspect(scratch))
+      Options options;
+      options.threads = threads;
+      options.nonFinite = NonFinitePolicy::Ignore;
+      // A hull in polygons has true facets; one in triangles may have flat edges.
+      options.facets = hull.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
+      HullRun run(points, options);
+      Validation result = checkHullStructure(points.count, hull);
+      if (!result)
       {
-        result = hull.dimension == -1 ? Validation() : faultAt(Fault::WrongDimension, -1);
-        return;
+        return result;
       }
-      result = HullChecker(run, hull).check();
+      run.execute<Hull>(
+        [&](Hull& scratch)
+        {
+          if (!run.inspect(scratch))
+          {
+            result = hull.dimension == -1 ? Validation() : faultAt(Fault::WrongDimension, -1);
+            return;
+          }
+          result = HullChecker(run, hull).check();
+        });
+      return result;
     });
-  return result;
 }
 
 const char* describe(Fault fault)

@@ -11,6 +11,7 @@
 #include "Geometry/LiftedStart.h"
 #include "Points/ConstraintInput.h"
 #include "Run/TriangulationRun.h"
+#include "Support/EngineCall.h"
 #include "Validate/ValidateStructure.h"
 #include "Validate/ValidateSurface.h"
 
@@ -306,32 +307,36 @@ private:
 Validation validate(const PointView& points, const ConstraintView& constraints,
   const ConstrainedTriangulation& triangulation, int threads)
 {
-  Options options;
-  options.threads = threads;
-  options.nonFinite = NonFinitePolicy::Ignore;
-  options.facets = triangulation.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
-  TriangulationRun<false> run(points, WeightView(), options);
-  requireValid(constraints, points.count);
-  Validation result =
-    withTypedErrors([&] { return checkStructure(points.count, triangulation, 2); });
-  if (!result)
-  {
-    return result;
-  }
-  run.execute<Triangulation>(
-    [&](Triangulation& scratch)
+  return engineCall(
+    [&]
     {
-      if (!run.inspect(scratch.statistics))
+      Options options;
+      options.threads = threads;
+      options.nonFinite = NonFinitePolicy::Ignore;
+      options.facets = triangulation.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
+      TriangulationRun<false> run(points, WeightView(), options);
+      requireValid(constraints, points.count);
+      Validation result = checkStructure(points.count, triangulation, 2);
+      if (!result)
       {
-        result = triangulation.dimension == -1 ? Validation() : faultAt(Fault::WrongDimension, -1);
-        return;
+        return result;
       }
-      requireFinite(constraints, run.source, run.checkFinite);
-      result = triangulation.dimension == -1
-        ? faultAt(Fault::WrongDimension, 0)
-        : ConstrainedChecker(run, constraints, triangulation).check();
+      run.execute<Triangulation>(
+        [&](Triangulation& scratch)
+        {
+          if (!run.inspect(scratch.statistics))
+          {
+            result =
+              triangulation.dimension == -1 ? Validation() : faultAt(Fault::WrongDimension, -1);
+            return;
+          }
+          requireFinite(constraints, run.source, run.checkFinite);
+          result = triangulation.dimension == -1
+            ? faultAt(Fault::WrongDimension, 0)
+            : ConstrainedChecker(run, constraints, triangulation).check();
+        });
+      return result;
     });
-  return result;
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Geometry/LiftedLocator.h"
 #include "Geometry/LiftedStart.h"
 #include "Run/TriangulationRun.h"
+#include "Support/EngineCall.h"
 #include "Validate/ValidateStructure.h"
 #include "Validate/ValidateSurface.h"
 
@@ -225,8 +226,7 @@ Validation validateAs(const PointView& points, const WeightView& weights,
   // A result in polygons has true facets; one in triangles may have flat edges.
   options.facets = triangulation.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
   TriangulationRun<Weighted> run(points, weights, options);
-  Validation result =
-    withTypedErrors([&] { return checkTriangulationStructure(points.count, triangulation); });
+  Validation result = checkTriangulationStructure(points.count, triangulation);
   if (!result)
   {
     return result;
@@ -251,8 +251,13 @@ Validation validateAs(const PointView& points, const WeightView& weights,
 Validation validate(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, int threads)
 {
-  return withOrWithoutWeights(weights,
-    [&](auto weighted) { return validateAs<weighted>(points, weights, triangulation, threads); });
+  return engineCall(
+    [&]
+    {
+      return withOrWithoutWeights(weights,
+        [&](auto weighted)
+        { return validateAs<weighted>(points, weights, triangulation, threads); });
+    });
 }
 
 }

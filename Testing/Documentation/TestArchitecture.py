@@ -10,9 +10,12 @@ import unittest
 from dependencies import (
     dependencies,
     folders,
+    includes,
     private_includes,
     module_dependencies,
     modules,
+    public_calls,
+    reached,
 )
 from tree import TOP, read
 
@@ -33,6 +36,11 @@ MODULES = {
                "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }
+
+
+# Public functions that compute with no coordinate.
+WITHOUT_NUMBERS = {"BlockRun::pointsReceived", "adviseHugePages", "copyFromDevice", "cudaStatus", "describe",
+                   "releaseCudaMemory"}
 
 
 def of_page(page):
@@ -76,6 +84,19 @@ class TestArchitecture(unittest.TestCase):
         for folder, order in MODULES.items():
             self.assertEqual(of_table(page, folder), order)
         self.assertIn("](Figures/modules.svg)", page)
+
+    def test_public_calls_have_the_default_environment(self):
+        calls = [call for folder in MODULES for call in public_calls(TOP, folder)]
+        self.assertGreater(len(calls), 60)
+        self.assertEqual({name for name, is_within in calls if not is_within}, WITHOUT_NUMBERS)
+
+    def test_every_source_refuses_fast_arithmetic(self):
+        edges = includes(TOP, "Engine")
+        sources = [name for name in edges if name.endswith(".cxx")]
+        self.assertGreater(len(sources), 80)
+        check = "Support/StrictArithmetic.h"
+        self.assertEqual([name for name in sources if check not in reached(name, edges)], [])
+
 
 def make_tree(top, files):
     for path, text in files.items():
@@ -136,6 +157,18 @@ class TestDependencies(unittest.TestCase):
             self.assertEqual(upward(module_dependencies(top, "Engine"), ["Mesh", "Run"]), {("Mesh", "Run")})
             self.assertEqual(private_includes(top, "Engine"), {"Mesh/Mesh.h"})
             self.assertEqual(broken_promises(dependencies(top)), {("Engine", "Filters")})
+
+    def test_a_call_in_the_callers_environment_is_noticed(self):
+        header = "class Queries\n{\n  Queries(int a); // or (b)\n  int at(int) const;\n};\nint sum(int a,\n  int b);\n"
+        source = (
+            "namespace\n{\n\nint sum(int a)\n{\n  return a;\n}\n\n}\n\nQueries::Queries(int a)\n  : b(engineCall([&] { return a; }))\n"
+            "{\n}\n\nint Queries::at(int i) const\n{\n  return i;\n}\n\nint sum(int a, int b)\n{\n  return engineCall([&] { return a; });\n}\n"
+        )
+        with tempfile.TemporaryDirectory() as top:
+            make_tree(top, {"Engine/include/flipflop/Sum.h": header, "Engine/Run/Sum.cxx": source})
+            self.assertEqual(
+                dict(public_calls(top, "Engine")), {"Queries::Queries": True, "Queries::at": False, "sum": True}
+            )
 
 
 if __name__ == "__main__":

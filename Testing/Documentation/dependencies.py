@@ -6,7 +6,7 @@ import fnmatch
 import os
 import re
 
-from tree import TOP
+from tree import TOP, read
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^"<>]+)[">]', re.MULTILINE)
 CXX = {".h", ".cxx", ".cu"}
@@ -99,6 +99,47 @@ def private_includes(top, folder):
         for name in INCLUDE.findall(text)
         if f'"{name}"' in text or name.split("/")[0] in modules(top, folder)
     }
+
+
+def includes(top, folder):
+    """For each file of a folder the names that it includes."""
+    return {
+        os.path.relpath(os.path.join(path, name), os.path.join(top, folder)): set(
+            INCLUDE.findall(read(os.path.join(path, name)))
+        )
+        for path, _, names in os.walk(os.path.join(top, folder))
+        for name in names
+        if os.path.splitext(name)[1] in CXX
+    }
+
+
+def reached(start, edges):
+    """All files that a file includes, over others, too."""
+    found, left = set(), [start]
+    while left:
+        for name in edges.get(left.pop(), ()):
+            name = f"include/{name}" if f"include/{name}" in edges else name
+            if name not in found:
+                found.add(name)
+                left.append(name)
+    return found
+
+
+def public_calls(top, folder):
+    """(name, whether all of it is in engineCall()) of each function of the public headers that a folder defines."""
+    texts = [text for _, text in sources(top, os.path.join(folder, "include"), CXX)]
+    declared = re.sub(r"//.*", "", "\n".join(texts))
+    names = set(re.findall(r"\b(\w+)\(", declared))
+    classes = "|".join(re.findall(r"^class (\w+)\n\{", declared, re.MULTILINE)) or "-"
+    begin = re.compile(rf"^(?:\w[^\n;{{}}()=]*[ >&*])?((?:(?:{classes})::)?(\w+))\(", re.MULTILINE)
+    for module in modules(top, folder):
+        for _, text in sources(top, os.path.join(folder, module), {".cxx"}):
+            text = re.sub(r"^namespace\n\{.*?^\}\n(?=\n\S|\})", "", text, flags=re.MULTILINE | re.DOTALL)
+            for found in begin.finditer(text):
+                rest = text[found.end():]
+                is_defined = rest.find("\n{\n") >= 0 and ";" not in rest[:rest.find("\n{\n")].split("engineCall(")[0]
+                if found[2] in names and is_defined:
+                    yield found[1], bool(re.match(r"[^;{]*(?:\n\{\n  (?:return )?|: \w+\()engineCall\(", rest))
 
 
 def reduced(pairs):

@@ -29,8 +29,9 @@ enum class PolygonRule
   Direction ///< what is on the left of their sides: holes run clockwise
 };
 
-/// Called with the progress of the run (0 to 1), on the calling thread only. Returns false to stop
-/// the run, which then throws ErrorCode::Aborted.
+/// Called with the progress of the run (0 to 1), on the calling thread only, in the caller's
+/// floating-point environment. Returns false to stop the run, which then throws
+/// ErrorCode::Aborted.
 using ProgressFunction = bool (*)(double fraction, void* context);
 
 /// Called with the name of each step of the run that begins ("locating", "growing and flipping"),

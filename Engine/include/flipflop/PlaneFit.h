@@ -86,15 +86,7 @@ Buffer<double> positionsInPlane(
   const PointView& points, const FittedPlane& plane, const Options& options = Options());
 
 /// The position in space of a position in the plane, rounded.
-inline std::array<double, 3> positionOf(const FittedPlane& plane, double x, double y)
-{
-  std::array<double, 3> position;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    position[k] = plane.origin[k] + (x * plane.first[k] + y * plane.second[k]);
-  }
-  return position;
-}
+std::array<double, 3> positionOf(const FittedPlane& plane, double x, double y);
 
 /// x and y of points whose z does not matter, but must be finite: x is NaN where z is not.
 /// @param points  in space

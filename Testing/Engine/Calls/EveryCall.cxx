@@ -116,7 +116,25 @@ std::size_t sizeOf(const T& value)
   return static_cast<std::size_t>(value);
 }
 
-const double box[4] = { 0.1, 0.9, 0.2, 0.7 };
+using Box = std::array<double, 4>;
+
+/// What diagrams fill.
+Box boxOf(double unit)
+{
+  return { 0.1 * unit, 0.9 * unit, 0.2 * unit, 0.7 * unit };
+}
+
+Cloud scaled(Cloud cloud, double unit)
+{
+  for (auto& point : cloud)
+  {
+    for (double& x : point)
+    {
+      x *= unit;
+    }
+  }
+  return cloud;
+}
 
 struct Table
 {
@@ -134,8 +152,11 @@ struct Table
 using Points = const PointView&;
 using Weights = const WeightView&;
 
-void addRuns(Table& table, const Cloud& body, const Cloud& sites)
+void addRuns(Table& table, const CallInputs& given)
 {
+  const Cloud& body = given.body;
+  const Cloud& sites = given.sites;
+  const Box box = boxOf(given.unit);
   const NonFinitePoint refused = NonFinitePoint::IsRefused;
   table.add("convexHull", body, false, false, refused,
     [](Points points, Weights, const Options& options)
@@ -164,28 +185,29 @@ void addRuns(Table& table, const Cloud& body, const Cloud& sites)
       return batchOf(points,
         [&](const SetView& sets) { return regularTriangulations(points, sets, weights, options); });
     });
-  const auto surface = std::make_shared<Surface>(perturbedIcosphere(5, 0.05, 64));
-  table.add("convexify", roundedToFloat(surface->points), false, false, refused,
+  const auto surface = std::make_shared<Surface>(perturbedIcosphere(given.levels, 0.05, 64));
+  table.add("convexify", scaled(roundedToFloat(surface->points), given.unit), false, false, refused,
     [=](Points points, Weights, const Options& options)
     { return bitsOf(convexify(points, surface->view(), nullptr, options)); });
   // The lines of a grid and its diagonals: they meet at its points.
-  constexpr int Side = 50;
+  const int side = given.side;
   using Segment = std::array<std::int64_t, 2>;
   const auto lines = std::make_shared<std::vector<Segment>>();
-  for (int i = 0; i < Side; ++i)
+  for (std::int64_t i = 0; i < side; ++i)
   {
-    lines->push_back({ Side * i, Side * i + Side - 1 });
-    lines->push_back({ i, Side * (Side - 1) + i });
-    lines->push_back({ i, Side * (Side - 1 - i) + Side - 1 });
+    lines->push_back({ side * i, side * i + side - 1 });
+    lines->push_back({ i, side * (side - 1) + i });
+    lines->push_back({ i, side * (side - 1 - i) + side - 1 });
   }
-  table.add("constrainedTriangulation", squareGrid(Side), true, false, refused,
+  table.add("constrainedTriangulation", scaled(squareGrid(side), given.unit), true, false, refused,
     [=](Points points, Weights, const Options& options)
     {
-      const ConstraintView constraints((*lines)[0].data(), 3 * Side);
+      const ConstraintView constraints((*lines)[0].data(), 3 * side);
       return bitsOf(constrainedTriangulation(points, constraints, options));
     });
   const auto chords = std::make_shared<std::vector<Segment>>();
-  for (int i = 0; i < 300; ++i)
+  const auto chordCount = static_cast<std::int64_t>(sites.size() / 15);
+  for (std::int64_t i = 0; i < chordCount; ++i)
   {
     chords->push_back({ 5 * i, 5 * i / 2 });
   }
@@ -193,21 +215,22 @@ void addRuns(Table& table, const Cloud& body, const Cloud& sites)
     [=](Points points, Weights, const Options& options)
     {
       const SplitConstraints split =
-        splitCrossings(points, ConstraintView((*chords)[0].data(), 300), options);
+        splitCrossings(points, ConstraintView((*chords)[0].data(), chordCount), options);
       return bitsOf(split.ends) + bitsOf(split.constraintOf) + bitsOf(split.positions) +
         bitsOf(split.crossing) + bitsOf(split.offsets);
     });
   table.add("centroidalCells", sites, true, true, refused,
-    [](Points points, Weights weights, const Options& options)
+    [=](Points points, Weights weights, const Options& options)
     {
-      const CentroidalCells found = centroidalCells(points, weights, box, 2, 0, options);
+      const CentroidalCells found = centroidalCells(points, weights, box.data(), 2, 0, options);
       return bitsOf(found.sites) + bitsOf(found.cells) + bitsOf(found.areas) +
         bitsOf(found.centroids) + bitsOf(&found.lastMove, 1);
     });
   table.add("prescribedAreas", sites, true, false, refused,
-    [](Points points, Weights, const Options& options)
+    [=](Points points, Weights, const Options& options)
     {
-      const PrescribedAreas found = prescribedAreas(points, WeightView(), box, 1e-6, 2, options);
+      const PrescribedAreas found =
+        prescribedAreas(points, WeightView(), box.data(), 1e-6, 2, options);
       return bitsOf(found.weights) + bitsOf(found.areas) + bitsOf(found.centroids);
     });
   table.add("fitPlane", body, false, false, NonFinitePoint::IsLeftOut,
@@ -273,8 +296,10 @@ void addQueriesOfHulls(Table& table, const Cloud& body)
     [=](Points, Weights, const Options& options) { return bitsOf(cellNeighbors(*hull, options)); });
 }
 
-void addQueriesOfTriangulations(Table& table, const Cloud& sites)
+void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
 {
+  const Cloud& sites = inputs.sites;
+  const Box box = boxOf(inputs.unit);
   const NonFinitePoint refused = NonFinitePoint::IsRefused;
   const NonFinitePoint bad = NonFinitePoint::IsBadArgument;
   const NonFinitePoint unread = NonFinitePoint::IsNotRead;
@@ -289,7 +314,8 @@ void addQueriesOfTriangulations(Table& table, const Cloud& sites)
     [=](Points points, Weights weights, const Options& options)
     {
       std::int64_t id = -2;
-      TriangulationQueries(points, weights, *found, options).nearest(PointView(box, 1, 2), &id);
+      TriangulationQueries(points, weights, *found, options)
+        .nearest(PointView(box.data(), 1, 2), &id);
       return bitsOf(&id, 1);
     });
   const auto add = [&](const char* name, auto value, auto ask)
@@ -316,12 +342,15 @@ void addQueriesOfTriangulations(Table& table, const Cloud& sites)
     { of.interpolateNatural(given->data()->data(), 1, points, values, o); });
   table.add("powerDiagram", sites, true, true, bad,
     [=](Points points, Weights weights, const Options& options)
-    { return bitsOf(powerDiagram(points, weights, *found, box, options)); });
+    { return bitsOf(powerDiagram(points, weights, *found, box.data(), options)); });
+  const double unit = inputs.unit;
+  const std::array<double, 8> polygon{ 0.1 * unit, 0, 0.9 * unit, 0.2 * unit, 0.7 * unit,
+    0.8 * unit, 0.2 * unit, 0.9 * unit };
   table.add("powerDiagramInAPolygon", sites, true, true, bad,
     [=](Points points, Weights weights, const Options& options)
     {
-      const double polygon[] = { 0.1, 0, 0.9, 0.2, 0.7, 0.8, 0.2, 0.9 };
-      return bitsOf(powerDiagram(points, weights, *found, ConvexDomain(polygon, 4), options));
+      return bitsOf(
+        powerDiagram(points, weights, *found, ConvexDomain(polygon.data(), 4), options));
     });
   table.add("alphaComplex", sites, true, true, bad,
     [=](Points points, Weights weights, const Options& options)
@@ -337,12 +366,13 @@ void addQueriesOfTriangulations(Table& table, const Cloud& sites)
       return bitsWritten<double>(
         cells, [&](double* alphas) { cellAlphas(points, weights, *found, alphas, options); });
     });
+  const double limit = 0.02 * unit;
   table.add("cellsWithinEdgeLength", sites, true, false, bad,
     [=](Points points, Weights, const Options& options)
     {
       return bitsWritten<std::uint8_t>(cells,
         [&](std::uint8_t* within)
-        { cellsWithinEdgeLength(points, *found, 0.02, within, options); });
+        { cellsWithinEdgeLength(points, *found, limit, within, options); });
     });
   table.add("cellMeasures", sites, true, false, bad,
     [=](Points points, Weights, const Options& options)
@@ -350,8 +380,8 @@ void addQueriesOfTriangulations(Table& table, const Cloud& sites)
       return bitsWritten<double>(3 * cells,
         [&](double* values) { cellMeasures(points, *found, values, values + cells, options); });
     });
-  const auto diagram =
-    std::make_shared<PowerDiagram>(powerDiagram(viewOf(sites), weightsOf(sites), *found, box));
+  const auto diagram = std::make_shared<PowerDiagram>(
+    powerDiagram(viewOf(sites), weightsOf(sites), *found, box.data()));
   const std::size_t regions = diagram->siteIds.size();
   table.add("cellMeasuresOfADiagram", sites, true, false, unread,
     [=](Points, Weights, const Options& options)
@@ -376,12 +406,12 @@ void addQueriesOfTriangulations(Table& table, const Cloud& sites)
     });
 }
 
-void addPolygons(Table& table)
+void addPolygons(Table& table, const CallInputs& given)
 {
   // A comb: one polygon of so many corners that it is cut in steps.
   const auto corners = std::make_shared<std::vector<std::int64_t>>();
   Cloud teeth = { { 9000, -1, 0 }, { 0, -1, 0 } };
-  for (int i = 0; i < 4000; ++i)
+  for (int i = 0; i < given.teeth; ++i)
   {
     teeth.push_back({ { double(i), i % 2 ? 5.0 : 0.0, 0 } });
   }
@@ -391,7 +421,8 @@ void addPolygons(Table& table)
   }
   const auto offsets = std::make_shared<std::vector<std::int64_t>>(
     std::vector<std::int64_t>{ 0, static_cast<std::int64_t>(teeth.size()) });
-  table.add("triangulatePolygons", teeth, false, false, NonFinitePoint::IsLeftOut,
+  table.add("triangulatePolygons", scaled(teeth, given.unit), false, false,
+    NonFinitePoint::IsLeftOut,
     [=](Points points, Weights, const Options& options)
     {
       PolygonView view;
@@ -418,23 +449,28 @@ Bits Call::operator()(const Options& options) const
 namespace
 {
 
-std::vector<Call> makeCalls()
+CallInputs usualInputs()
 {
-  const Cloud body = roundedToFloat(fromFamily("ball", 4500, 5).make());
-  const Cloud sites = roundedToFloat(randomSites(4500, 1e-4, 72));
-  Table table;
-  addRuns(table, body, sites);
-  addQueriesOfHulls(table, roundedToFloat(fromFamily("shell0", 2100, 6).make()));
-  addQueriesOfTriangulations(table, sites);
-  addPolygons(table);
-  return table.calls;
+  return { roundedToFloat(fromFamily("ball", 4500, 5).make()),
+    roundedToFloat(fromFamily("shell0", 2100, 6).make()),
+    roundedToFloat(randomSites(4500, 1e-4, 72)) };
 }
 
+}
+
+std::vector<Call> callsOn(const CallInputs& inputs)
+{
+  Table table;
+  addRuns(table, inputs);
+  addQueriesOfHulls(table, inputs.shell);
+  addQueriesOfTriangulations(table, inputs);
+  addPolygons(table, inputs);
+  return table.calls;
 }
 
 const std::vector<Call>& everyCall()
 {
-  static const std::vector<Call> calls = makeCalls();
+  static const std::vector<Call> calls = callsOn(usualInputs());
   return calls;
 }
 
@@ -462,7 +498,7 @@ std::vector<CallOnCells> everyCallOnCells()
       { alphaComplex(viewOf(sites), WeightView(), cells, 1, true); } },
     { "powerDiagram",
       [](const Cloud& sites, const Triangulation& cells)
-      { powerDiagram(viewOf(sites), WeightView(), cells, box); } },
+      { powerDiagram(viewOf(sites), WeightView(), cells, boxOf(1).data()); } },
     { "TriangulationQueries",
       [](const Cloud& sites, const Triangulation& cells)
       { TriangulationQueries(viewOf(sites), WeightView(), cells); } },

@@ -45,6 +45,18 @@ struct Call
   friend void PrintTo(const Call& call, std::ostream* out) { *out << call.name; }
 };
 
+struct CallInputs
+{
+  Cloud body;
+  Cloud shell;
+  Cloud sites;      ///< (x, y, weight)
+  double unit = 1;  ///< of the calls' other numbers; the sites fill [0, unit]^2
+  int levels = 5;   ///< of the icosphere that is made convex
+  int side = 50;    ///< of the grid whose lines are constraints
+  int teeth = 4000; ///< of a comb, which is cut into triangles
+};
+std::vector<Call> callsOn(const CallInputs& inputs);
+
 /// Points are floats, weights too.
 const std::vector<Call>& everyCall();
 

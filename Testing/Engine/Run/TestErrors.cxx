@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Bad input gets an Error that says what is wrong, where, and how often.
-#include "Support/TypedErrors.h"
+#include "Support/EngineCall.h"
 #include "Testing/Engine/Conformance/Kind.h"
 
 #include <cerrno>
@@ -190,7 +190,7 @@ std::optional<ErrorCode> codeOf(const std::function<void()>& work)
 TEST(Errors, WhateverIsThrownLeavesAsAnError)
 {
   const auto codeFrom = [](auto thrown)
-  { return codeOf([&] { withTypedErrors([&]() -> int { throw thrown; }); }); };
+  { return codeOf([&] { engineCall([&]() -> int { throw thrown; }); }); };
   EXPECT_EQ(codeFrom(Error(ErrorCode::NotClosed)), ErrorCode::NotClosed);
   EXPECT_EQ(codeFrom(std::bad_alloc()), ErrorCode::OutOfMemory);
   EXPECT_EQ(codeFrom(std::bad_array_new_length()), ErrorCode::OutOfMemory);
@@ -201,7 +201,7 @@ TEST(Errors, WhateverIsThrownLeavesAsAnError)
   // The place at fault is kept.
   try
   {
-    withTypedErrors([]() -> int { throw Error(ErrorCode::NotManifold, 3, 5); });
+    engineCall([]() -> int { throw Error(ErrorCode::NotManifold, 3, 5); });
     ADD_FAILURE() << "no error";
   }
   catch (const Error& error)
