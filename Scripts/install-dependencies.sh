@@ -12,7 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 build=(g++ cmake ninja-build libtbb-dev libboost-dev libeigen3-dev)
 vtk=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy xvfb)
 peers=(libcgal-dev libqhull-dev)
-tests=(ccache libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-dev doxygen graphviz)
+tests=(ccache gappa libgtest-dev libgmp-dev clang-format mpi-default-bin mpi-default-dev doxygen graphviz)
 # clang, and what comes with it only by itself: libFuzzer and the sanitizers.
 fuzzers=(clang libclang-rt-dev)
 libcxx=(clang libc++-dev libc++abi-dev)

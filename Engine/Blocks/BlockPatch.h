@@ -9,6 +9,7 @@
 #define flipflop_BlockPatch_h
 
 #include "Blocks/BlockSite.h"
+#include "Predicates/ErrorBounds.h"
 #include "Support/BoxTree.h"
 
 #include <algorithm>
@@ -85,9 +86,9 @@ private:
       [&](const BlockSite& site) { return length(cross(along, between(begin->x, site.x))); });
     const Vector n = cross(along, between(begin->x, third->x));
     const double size = length(n);
-    if (!(size > 0) || !std::isfinite(extent))
+    if (!(size >= PatchFloor) || !std::isfinite(extent))
     {
-      return; // a point, a line, or numbers that overflow
+      return; // a point, a line, or numbers whose squares overflow or vanish
     }
     for (int i = 0; i < 3; ++i)
     {
@@ -106,11 +107,9 @@ private:
       this->high = std::max(this->high, t);
       this->radius = std::max(this->radius, length(d));
     }
-    // Each sum passes fewer than eight roundings.
-    constexpr double Unit = 1.1102230246251565e-16;
-    this->radius *= 1 + 16 * Unit;
-    this->low -= 16 * Unit * this->radius;
-    this->high += 16 * Unit * this->radius;
+    this->radius *= 1 + PatchError;
+    this->low -= PatchError * this->radius;
+    this->high += PatchError * this->radius;
   }
 };
 

@@ -16,6 +16,7 @@
 #define flipflop_ConflictBound_h
 
 #include "Blocks/BlockPatch.h"
+#include "Predicates/ErrorBounds.h"
 #include "Support/BoxTree.h"
 
 #include <algorithm>
@@ -34,8 +35,7 @@ public:
   /// Of the plane of a triangle in space, counter-clockwise from outside.
   static ConflictBound ofPlane(const double* a, const double* b, const double* c)
   {
-    // Underflow costs a normal 2^-1073, times a difference below 2^302 (chooseArithmetic).
-    ConflictBound bound(a, 1e-225);
+    ConflictBound bound(a, PlaneConflictUnderflow);
     for (int i = 0; i < 3; ++i)
     {
       const int p = (i + 1) % 3;
@@ -50,7 +50,7 @@ public:
   /// Of the orthocircle of a triangle in the plane, counter-clockwise.
   static ConflictBound ofCircle(const double* a, const double* b, const double* c)
   {
-    ConflictBound bound(a, PlaneUnderflow);
+    ConflictBound bound(a, CircleConflictUnderflow);
     const double bx = b[0] - a[0], by = b[1] - a[1], bw = b[2] - a[2];
     const double cx = c[0] - a[0], cy = c[1] - a[1], cw = c[2] - a[2];
     const double bSquare = bx * bx + by * by;
@@ -69,7 +69,7 @@ public:
   /// Of the outside of a border's edge, which has the inside on its left.
   static ConflictBound ofEdge(const double* from, const double* to)
   {
-    ConflictBound bound(from, PlaneUnderflow);
+    ConflictBound bound(from, CircleConflictUnderflow);
     bound.setSlope(0, to[1] - from[1], std::fabs(to[1] - from[1]));
     bound.setSlope(1, from[0] - to[0], std::fabs(to[0] - from[0]));
     return bound;
@@ -105,15 +105,15 @@ public:
       const double d = patch.origin[i] - this->origin[i];
       const double across = this->slope[i] - along * patch.normal[i];
       sum += this->slope[i] * d;
-      size += (this->error[i] + TermError * std::fabs(this->slope[i])) *
-        (std::fabs(d) + 4 * patch.radius);
+      size += this->error[i] * (std::fabs(d) + patch.radius) +
+        TermError * std::fabs(this->slope[i]) * (2 * std::fabs(d) + 4 * patch.radius);
       rest += across * across;
     }
     const double low = along * patch.low;
     const double high = along * patch.high;
     // Where a term is no number, so is the sum.
     return sum + (low > high ? low : high) + 0 * (low + high) +
-      std::sqrt(rest) * patch.radius * (1 + TermError) + 2 * size + this->underflow;
+      std::sqrt(rest) * patch.radius * (1 + TermError) + size + this->underflow;
   }
 
   /// Can the plane outside of a rectangle have a point in conflict, if no weight is above a bound?
@@ -146,14 +146,6 @@ public:
   }
 
 private:
-  // In units of 2^-53. A slope passes at most 9 roundings, against the sum of its terms' sizes; a
-  // term of the value 6 more; the sum of the three axes 4.
-  static constexpr double Unit = 1.1102230246251565e-16;
-  static constexpr double SlopeError = 10 * Unit;
-  static constexpr double TermError = 8 * Unit;
-  static constexpr double SumError = 8 * Unit;
-  static constexpr double PlaneUnderflow = 1e-170; ///< see LiftedUnderflow
-
   ConflictBound(const double* from, double leastError)
     : origin{ from[0], from[1], from[2] }
     , underflow(leastError)
@@ -163,7 +155,7 @@ private:
   void setSlope(int axis, double value, double size)
   {
     this->slope[axis] = value;
-    this->error[axis] = SlopeError * size + TermError * std::fabs(value);
+    this->error[axis] = SlopeError * size;
   }
 
   /// Add the greatest value for differences from low to high, and the size of what was added.

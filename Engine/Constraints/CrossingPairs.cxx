@@ -4,6 +4,7 @@
 
 #include "Constraints/Crossing.h"
 #include "Constraints/SegmentBundle.h"
+#include "Predicates/ErrorBounds.h"
 #include "Support/BoxTree.h"
 #include "Support/Parallel.h"
 
@@ -161,8 +162,7 @@ private:
     for (int i = 0; i < 3; ++i)
     {
       const double most = std::max(std::fabs(from[i]), std::fabs(to[i]));
-      const double error =
-        i < 2 ? 0.0 : SegmentBundle::RelativeError * most + SegmentBundle::AbsoluteError;
+      const double error = i < 2 ? 0.0 : OffsetError * most + OffsetUnit;
       box.low[i] = std::min(from[i], to[i]) - error;
       box.high[i] = std::max(from[i], to[i]) + error;
       if (part.count > 1)
@@ -173,8 +173,7 @@ private:
           return (1 - t) * from[i] + t * to[i];
         };
         const double p = at(part.number), q = at(part.number + 1);
-        // Four roundings.
-        const double off = 8 * 0x1p-53 * most + 0x1p-1070 + error;
+        const double off = PartError * most + PartUnderflow + error;
         box.low[i] = std::max(box.low[i], std::min(p, q) - off);
         box.high[i] = std::min(box.high[i], std::max(p, q) + off);
       }

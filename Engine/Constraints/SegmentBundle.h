@@ -24,10 +24,6 @@ namespace flipflop
 class SegmentBundle
 {
 public:
-  /// How far offsets are off, as a share of themselves, and beyond that: coordinates are at most 1.
-  static constexpr double RelativeError = 0x1p-50;
-  static constexpr double AbsoluteError = 0x1p-90;
-
   SegmentBundle(
     const std::vector<Position>& positions, const std::vector<PositionSegment>& segments)
   {

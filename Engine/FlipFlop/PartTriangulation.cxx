@@ -208,7 +208,7 @@ double PartTriangulation::cross(const PlaneVertex& q, const Row& a, const Row& b
   const double right = a.y * b.x;
   const double value = left - right;
   const double most = std::fabs(left) + std::fabs(right);
-  if (std::fabs(value) > PlaneError * most && most > 1e-290)
+  if (std::fabs(value) > PlaneError * most && most > PlaneFloor)
   {
     return value;
   }

@@ -39,7 +39,7 @@ public:
     , end(first + count)
     , firstTriangle(firstTriangleOf(first))
     , next(this->firstTriangle)
-    , error(1.08 * geometryToUse.heightError())
+    , error(geometryToUse.heightError())
     , leastError(geometryToUse.leastHeightError())
   {
   }

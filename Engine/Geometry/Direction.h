@@ -6,6 +6,7 @@
 #define flipflop_Direction_h
 
 #include "Points/Vertex.h"
+#include "Predicates/ErrorBounds.h"
 #include "Predicates/WideSigns.h"
 
 #include <algorithm>
@@ -66,9 +67,8 @@ public:
       sum += term;
       size += std::fabs(term);
     }
-    // A difference, a product and two additions, 2^-53 each; below the floor products lose bits.
-    const double error = 5.01 * 0x1p-53 * size;
-    if (size > 1e-270 && (sum > error || sum < -error))
+    const double error = DirectionError * size;
+    if (size > DirectionFloor && (sum > error || sum < -error))
     {
       return sum > 0 ? 1 : -1;
     }

@@ -14,6 +14,7 @@
 #include "Geometry/Extents.h"
 #include "Points/CoordinateRange.h"
 #include "Points/Vertex.h"
+#include "Predicates/ErrorBounds.h"
 #include "Predicates/KernelPoint.h"
 #include "Predicates/Perturbation.h"
 #include "Predicates/PredicateSteps.h"
@@ -25,15 +26,6 @@
 
 namespace flipflop
 {
-
-/// Error of a 3 by 3 determinant of rounded differences, against the product of its rows' or
-/// columns' largest entries: six terms, each off by 3 differences, 2 products and 3 additions of
-/// 2^-53 each, rounded up.
-constexpr double DeterminantError = 48.1 * 1.1102230246251565e-16;
-
-/// Largest magnitudes between which no underflow spoils the filter.
-constexpr double FilterFloor = 1e-97;
-constexpr double FilterCeiling = 1e102;
 
 class HullLocator;
 class HullPlane;
@@ -70,7 +62,7 @@ public:
     double extent[3];
     for (int i = 0; i < 3; ++i)
     {
-      extent[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
+      extent[i] = range.high[i] - range.low[i];
       this->low[i] = range.low[i];
       this->high[i] = range.high[i];
       this->reach[i] = extent[i];
@@ -83,7 +75,7 @@ public:
     const double bound = DeterminantError * extent[0] * extent[1] * extent[2];
     this->exactInDouble = lattice.everywhere;
     this->pointError = lattice.everywhere ? 0.0
-      : this->inRange                     ? bound * (1 + 1e-15)
+      : this->inRange                     ? bound
                                           : std::numeric_limits<double>::infinity();
     this->kernelError = std::numeric_limits<double>::infinity();
   }
@@ -98,9 +90,8 @@ public:
       inBox = inBox && point[i] >= this->low[i] && point[i] <= this->high[i];
     }
     // In the bounding box no point is further from it than the extent.
-    this->kernelError = inBox
-      ? DeterminantError * this->reach[0] * this->reach[1] * this->reach[2] * (1 + 1e-15)
-      : std::numeric_limits<double>::infinity();
+    this->kernelError = inBox ? DeterminantError * this->reach[0] * this->reach[1] * this->reach[2]
+                              : std::numeric_limits<double>::infinity();
   }
 
   /// Use the exact centroid of four points, which no double need be.
@@ -108,15 +99,16 @@ public:
   {
     this->kernelPoint.setCentroid(corners);
     double slack = 0.0;
-    // The determinant is linear in s, with coefficients below 2 * (extent * extent).
+    // The determinant is linear in s.
     for (int i = 0; i < 3; ++i)
     {
-      const double error = 8.9e-16 * std::fmax(std::fabs(this->low[i]), std::fabs(this->high[i]));
-      slack += 2.01 * error * this->reach[(i + 1) % 3] * this->reach[(i + 2) % 3];
-      this->reach[i] = (this->reach[i] + error) * (1 + 4e-16);
+      const double error =
+        CentroidError * std::fmax(std::fabs(this->low[i]), std::fabs(this->high[i]));
+      slack += CentroidSlope * error * this->reach[(i + 1) % 3] * this->reach[(i + 2) % 3];
+      this->reach[i] += error;
     }
     this->kernelError = this->inRange
-      ? (DeterminantError * this->reach[0] * this->reach[1] * this->reach[2] + slack) * (1 + 1e-14)
+      ? DeterminantError * this->reach[0] * this->reach[1] * this->reach[2] + slack
       : std::numeric_limits<double>::infinity();
   }
 
@@ -262,9 +254,9 @@ public:
     {
       return std::numeric_limits<double>::infinity();
     }
-    const double byRows = DeterminantError * lu * lv * lw * (1 + 1e-15);
+    const double byRows = DeterminantError * lu * lv * lw;
     const double byColumns = DeterminantError * this->reach[0] * this->reach[1] * this->reach[2];
-    return byRows < byColumns ? byRows : byColumns * (1 + 1e-15);
+    return byRows < byColumns ? byRows : byColumns;
   }
 
   /// No two points are further apart, by coordinate; false when the floating-point bounds do not
@@ -329,7 +321,7 @@ private:
     {
       return false;
     }
-    const double error = DeterminantError * (1 + 1e-15) * x * y * z;
+    const double error = DeterminantError * x * y * z;
     sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
     return det > error || det < -error;
   }

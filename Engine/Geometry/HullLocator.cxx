@@ -11,7 +11,7 @@
 // 2. A cube around s. Let n = (b - a) x (c - a) be the normal of a triangle abc, and D = n . (a
 //    - s) the height of its plane over s. Computed heights are off by at most e, so D >= depth =
 //    (computed) - e. Let slope be the computed sum of |n_i| / u_i, and r the least depth /
-//    (slope + 8 e). If depth is positive for all triangles that have an area, all x with |x| <=
+//    (slope + 2 e). If depth is positive for all triangles that have an area, all x with |x| <=
 //    r are inside all planes. So g(x) <= |x| / r. If depth is not positive for one of them,
 //    nothing is dismissed. Nothing is dismissed either if r is below 1e-20, which float could
 //    not distinguish from s.
@@ -24,14 +24,15 @@
 //    smaller D give an upper bound: n . d <= rise + e, and D >= depth. With sum = (rise + e) /
 //    depth and negative = E / depth, the gauge at length 1 is at most 2 sum + 6 negative (1 + 1
 //    / r).
-// 4. Rounding. A few operations compute these bounds, each off by 2^-53 of its result. Factors
-//    of 1 + 1e-12 and 1 - 1e-12 cover that. A point's direction is rounded to float, by less
-//    than 1e-6, and may fall into the next cell: by 2 that adds 1e-6 / r to G. Its length and
-//    the limit are off by less than 1e-6 each, so the limit is (1 - 2e-6) / (G + 1e-6 / r).
+// 4. Rounding. At most 20 operations compute these bounds, each off by 2^-53 of its result. A
+//    factor of 1 + LocatorSlack, or 1 less it, covers that. A point's direction is rounded to
+//    float, by less than d = LocatorDirectionError, and may fall into the next cell: by 2 that
+//    adds d / r to G. Its length and the limit are rounded to float, by less than l =
+//    LocatorLengthError together, so the limit is (1 - l) / (G + d / r).
 //
 // Testing/Engine/Geometry/TestHullLocator.cxx compares the farthest points that are dismissed
 // with the planes, in rationals: of thin and far polyhedra, of needles, and for kernel points as
-// near to the border as 1e-15. The greatest gauge there is 0.999997.
+// near to the border as 1e-15.
 #include "Geometry/HullLocator.h"
 
 #include "Geometry/VisibilityWalk.h"
@@ -91,7 +92,7 @@ double HullLocator::innerRadius(const HullGeometry& geometry, StepPoll& poll) co
       {
         slope += std::fabs(plane.slope(i)) / this->unit[i];
       }
-      radius = std::min(radius, depth / (slope + 8 * plane.error()));
+      radius = std::min(radius, depth / (slope + LocatorSlopeErrors * plane.error()));
       continue;
     }
     // A triangle without area bounds nothing. One that is only nearly so cannot be trusted.
@@ -102,7 +103,7 @@ double HullLocator::innerRadius(const HullGeometry& geometry, StepPoll& poll) co
     }
   }
   // What is that small, float does not distinguish from the kernel point (see classifyPoints).
-  return radius > 1e-20 ? radius * (1 - 1e-12) : 0.0;
+  return radius > 1e-20 ? radius * (1 - LocatorSlack) : 0.0;
 }
 
 std::uint32_t HullLocator::walkTo(
@@ -168,7 +169,7 @@ void HullLocator::buildGrid(const HullGeometry& geometry, StepPoll& poll)
           {
             const double sum = (plane.rise(direction) + plane.error()) / depth;
             const double negative = geometry.coneError() / depth;
-            bound = (2 * sum + 6 * negative * (1 + 1 / radius)) * (1 + 1e-12);
+            bound = (2 * sum + 6 * negative * (1 + 1 / radius)) * (1 + LocatorSlack);
           }
         }
         gauge[static_cast<std::size_t>(row) * points + column] = bound;
@@ -182,10 +183,10 @@ void HullLocator::buildGrid(const HullGeometry& geometry, StepPoll& poll)
         const std::size_t corner = static_cast<std::size_t>(row) * points + column;
         const double most = std::max(std::max(gauge[corner], gauge[corner + 1]),
           std::max(gauge[corner + points], gauge[corner + points + 1]));
-        // A point's direction is rounded to float, by less than 1e-6: it may be the next cell's.
-        const double slack = radius > 0 ? 1e-6 / radius : HUGE_VAL;
+        // A point's direction is rounded to float: it may be the next cell's.
+        const double slack = radius > 0 ? LocatorDirectionError / radius : HUGE_VAL;
         const std::size_t cell = (static_cast<std::size_t>(face) * side + row) * side + column;
-        this->limits[cell] = static_cast<float>((1 - 2e-6) / (most + slack));
+        this->limits[cell] = static_cast<float>((1 - LocatorLengthError) / (most + slack));
         this->hints[cell] = at[corner];
       }
     }
@@ -195,8 +196,8 @@ void HullLocator::buildGrid(const HullGeometry& geometry, StepPoll& poll)
 namespace
 {
 
-/// The pass over all points. Directions and distances are rounded to float, by less than 1e-6 of
-/// the largest coordinate in all: the limits allow for that (see buildGrid).
+/// The pass over all points. Directions and distances are rounded to float: the limits allow for
+/// that (see buildGrid).
 FF_VECTOR_CLONES
 void classifyPoints(const double* kernel, const double* unit, std::int32_t side,
   const float* limits, HullLocator::Block& block, int n)

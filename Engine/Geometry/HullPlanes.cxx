@@ -11,9 +11,9 @@
 //   and may be a duplicate of a vertex all of whose planes are such sides. Such a vertex is a
 //   corner of the box. So points at the box's corners are looked up among the vertices, as are
 //   all others that the bound leaves open.
-// A point counts as above a plane if the computed sum is more than 3 e. Exact signs insert the
-// furthest one. Testing/Engine/Geometry/TestHullPlanes.cxx compares points about the border with
-// exact signs.
+// A point counts as above a plane if the computed sum is more than PlaneClearance e. Exact signs
+// insert the furthest one. Testing/Engine/Geometry/TestHullPlanes.cxx compares points about the
+// border with exact signs.
 #include "Geometry/HullPlanes.h"
 
 #include "Geometry/HullCones.h"

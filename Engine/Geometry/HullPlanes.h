@@ -66,7 +66,7 @@ public:
   /// Is a point with such a height above a plane certainly above it?
   bool isAbove(double height, std::size_t plane) const
   {
-    return height > 0 && height > 3 * this->planes[plane].error;
+    return height > 0 && height > PlaneClearance * this->planes[plane].error;
   }
 
   /// The triangle that a plane is of.

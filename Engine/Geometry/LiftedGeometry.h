@@ -26,6 +26,7 @@
 #include "Geometry/Extents.h"
 #include "Points/CoordinateRange.h"
 #include "Points/Vertex.h"
+#include "Predicates/ErrorBounds.h"
 #include "Predicates/KernelPoint.h"
 #include "Predicates/LiftedSigns.h"
 #include "Predicates/Perturbation.h"
@@ -38,25 +39,6 @@
 
 namespace flipflop
 {
-
-/// Error of the determinant of three rows (x, y, height) of rounded differences, against the sum of
-/// its six terms' magnitudes: each passes 12 roundings, 5 of them its height. A height counts with
-/// the sum of its parts' magnitudes.
-constexpr double LiftedTermError = 13.0 * 1.1102230246251565e-16;
-
-/// Error of an orientation in the plane, against the sum of its two products' magnitudes.
-constexpr double PlaneError = 4.01 * 1.1102230246251565e-16;
-
-/// Error of a difference of power distances, against the sum of its three terms' magnitudes: each
-/// passes at most 7 roundings.
-constexpr double PowerError = 8.0 * 1.1102230246251565e-16;
-
-/// Largest magnitude in the plane, and its square that of heights, below which nothing overflows.
-constexpr double LiftedCeiling = 1e70;
-
-/// Underflow costs a determinant less than 1e-183 then: nothing compared with an error bound as
-/// large as this.
-constexpr double LiftedUnderflow = 1e-170;
 
 template <bool Weighted>
 class LiftedLocator;
@@ -95,7 +77,7 @@ public:
     double extent[3];
     for (int i = 0; i < 3; ++i)
     {
-      extent[i] = (range.high[i] - range.low[i]) * (1 + 4e-16);
+      extent[i] = range.high[i] - range.low[i];
     }
     const bool inRange = extent[0] <= LiftedCeiling && extent[1] <= LiftedCeiling &&
       extent[2] <= LiftedCeiling * LiftedCeiling;

@@ -112,9 +112,7 @@ private:
       const double left = (this->x[j] - this->x[i]) * (py - this->y[i]);
       const double right = (this->y[j] - this->y[i]) * (px - this->x[i]);
       const double most = std::fabs(left) + std::fabs(right);
-      // Below, products lose bits.
-      error =
-        most > 1e-280 ? PlaneError * (1 + 1e-15) * most : std::numeric_limits<double>::infinity();
+      error = most > PlaneFloor ? PlaneError * most : std::numeric_limits<double>::infinity();
       // From and to the virtual corner, the kernel point's position is on the other side.
       const double turn = left - right;
       return i == this->virtualCorner || j == this->virtualCorner ? -turn : turn;

@@ -3,6 +3,7 @@
 #include "PowerDiagram/CellLines.h"
 
 #include "PowerDiagram/SiteRange.h"
+#include "Predicates/ErrorBounds.h"
 
 #include <cmath>
 
@@ -128,9 +129,9 @@ int CellCutter::signOfRounded(const double* x) const
     // number.
     size += std::fabs(this->normal[k]) * (std::fabs(way) + std::fabs(x[k]) + 0x1p-1022);
   }
-  const double error = 0x1p-49 * size;
+  const double error = CutError * size;
   // What underflows is less by far; what overflows or is NaN is not certain.
-  const bool isCertain = error > 0x1p-900 && error < 0x1p1000 && std::fabs(sum) > error;
+  const bool isCertain = error > CutFloor && error < 0x1p1000 && std::fabs(sum) > error;
   return isCertain ? (sum > 0 ? 1 : -1) : 0;
 }
 

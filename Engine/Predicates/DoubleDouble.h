@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Numbers as unevaluated sums of two doubles: about 106 bits, rounded (T. J. Dekker, 1971). Every
-/// operation is off by at most 2^-102 of its result, or of its operands' magnitudes for sums.
+/// Numbers as unevaluated sums of two doubles: about 106 bits, rounded (T. J. Dekker, 1971). An
+/// operation's error is FarUnit (ErrorBounds.h).
 #ifndef flipflop_DoubleDouble_h
 #define flipflop_DoubleDouble_h
 

@@ -11,6 +11,7 @@
 #define flipflop_ExactSigns_h
 
 #include "Predicates/DoubleDouble.h"
+#include "Predicates/ErrorBounds.h"
 #include "Predicates/Expansion.h"
 #include "Predicates/FixedSigns.h"
 
@@ -139,11 +140,10 @@ struct ExpansionSigns
     const DoubleDouble right = y1 * x2;
     const DoubleDouble det = left - right;
     const double most = std::fabs(left.high) + std::fabs(right.high);
-    // Two products and a sum; below the floor their low parts are lost.
     const double bound =
-      8 * 0x1p-102 * most + 1.01 * (std::fabs(x1.high) * error2 + std::fabs(x2.high) * error1);
+      MinorError * most + MinorSlack * (std::fabs(x1.high) * error2 + std::fabs(x2.high) * error1);
     sign = det.high > 0 ? 1 : -1;
-    return most > 1e-250 && most < 1e300 && std::fabs(det.high) > bound;
+    return most > MinorFloor && most < MinorCeiling && std::fabs(det.high) > bound;
   }
 
   /// Sign of x1 * y2 - y1 * x2, exactly: rounding is monotone, so where the rounded products
@@ -161,7 +161,7 @@ struct ExpansionSigns
     }
     const double most = std::fabs(left) + std::fabs(right);
     const double least = std::fmin(std::fabs(left), std::fabs(right));
-    return most < 1e300 && (least > 1e-250 || (most > 1e-250 && least == 0.0));
+    return most < MinorCeiling && (least > MinorFloor || (most > MinorFloor && least == 0.0));
   }
 
   /// The same in double; false when the error bound leaves it open. The sign is that of the rounded
@@ -175,10 +175,9 @@ struct ExpansionSigns
     const double right = bq * cp;
     const double det = left - right;
     const double most = std::fabs(left) + std::fabs(right);
-    // Two differences, a product and a subtraction, 2^-53 each; below the floor products lose bits.
-    const double error = 4.01 * 0x1p-53 * most;
+    const double error = PlaneError * most;
     sign = det > 0 ? 1 : (det < 0 ? -1 : 0);
-    if (most > 1e-290 && (det > error || det < -error))
+    if (most > PlaneFloor && (det > error || det < -error))
     {
       return true;
     }
@@ -239,8 +238,7 @@ private:
         size += std::fabs(more.high);
       }
       size = std::fmax(size, std::fmax(std::fabs(u[i].high), std::fabs(v[i].high)));
-      // The range in which no product's low part is lost (see HullGeometry's filter).
-      if (!(size >= 1e-97 && size <= 1e102))
+      if (!(size >= FilterFloor && size <= FilterCeiling))
       {
         return 0;
       }
@@ -248,8 +246,7 @@ private:
     }
     const DoubleDouble det = (u[1] * v[2] - u[2] * v[1]) * w[0] +
       (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2];
-    // Six terms; each passes fewer than 16 roundings of 2^-102 each.
-    bound *= 0x1p-95;
+    bound *= RoundedDeterminantError;
     return det.high > bound ? 1 : (det.high < -bound ? -1 : 0);
   }
 };

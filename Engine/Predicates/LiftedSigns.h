@@ -130,7 +130,7 @@ private:
     {
       weight = doubleDifference(p[2], a[2]);
     }
-    error = 8 * 0x1p-102 * (std::fabs(x.high) + std::fabs(y.high) + std::fabs(weight.high));
+    error = HeightError * (std::fabs(x.high) + std::fabs(y.high) + std::fabs(weight.high));
     return weight - (x + y);
   }
 
@@ -156,17 +156,16 @@ private:
       size[1] = std::fmax(size[1], std::fabs(u[i][1].high));
       size[2] = std::fmax(size[2], height);
     }
-    // The range in which no product's low part is lost.
-    if (!(size[0] >= 1e-70 && size[1] >= 1e-70 && size[0] <= 1e70 && size[1] <= 1e70 &&
-          size[2] <= 1e140))
+    if (!(size[0] >= RoundedLiftedFloor && size[1] >= RoundedLiftedFloor &&
+          size[0] <= LiftedCeiling && size[1] <= LiftedCeiling &&
+          size[2] <= LiftedCeiling * LiftedCeiling))
     {
       return 0;
     }
     const DoubleDouble det = (u[0][0] * u[1][1] - u[0][1] * u[1][0]) * u[2][2] +
       (u[1][0] * u[2][1] - u[1][1] * u[2][0]) * u[0][2] +
       (u[2][0] * u[0][1] - u[2][1] * u[0][0]) * u[1][2];
-    // Six terms; each passes fewer than 20 roundings of 2^-102 each.
-    const double bound = size[0] * size[1] * size[2] * 0x1p-94;
+    const double bound = size[0] * size[1] * size[2] * RoundedLiftedError;
     return det.high > bound ? 1 : (det.high < -bound ? -1 : 0);
   }
 };

@@ -14,6 +14,7 @@
 #define flipflop_RoundedFractions_h
 
 #include "Predicates/DoubleDouble.h"
+#include "Predicates/ErrorBounds.h"
 #include <flipflop/Error.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -46,13 +47,13 @@ inline DoubleDouble negative(const DoubleDouble& a)
 {
   return { -a.high, -a.low };
 }
-/// More than an operation's relative error.
+/// An operation's relative error.
 template <class Value>
-constexpr double RoundingUnit = std::is_same<Value, double>::value ? 0x1p-52 : 0x1p-100;
+constexpr double RoundingUnit = std::is_same<Value, double>::value ? NearUnit : FarUnit;
 /// @}
 
-/// A double or a double-double, and a bound on how far it is off (but for a factor of 1 + 2^-10,
-/// which covers the rounding of the bounds themselves). Infinite or NaN: nothing is known.
+/// A double or a double-double, and a bound on how far it is off, but for a factor of BoundedSlack,
+/// which covers the rounding of the bounds themselves. Infinite or NaN: nothing is known.
 template <class Value>
 struct Bounded
 {
@@ -76,7 +77,8 @@ struct Bounded
     const double sizeA = std::fabs(leading(a.value));
     const double sizeB = std::fabs(leading(b.value));
     return { a.value * b.value,
-      sizeA * b.error + sizeB * a.error + a.error * b.error + RoundingUnit<Value> * sizeA * sizeB };
+      sizeA * b.error + sizeB * a.error + a.error * b.error + RoundingUnit<Value> * sizeA * sizeB +
+        BoundedUnderflow };
   }
 };
 
@@ -100,7 +102,7 @@ public:
     {
       result.value = doubleDifference(a, b);
     }
-    // Within this range products of six lengths stay clear of overflow and underflow.
+    // Within this range products of six lengths stay clear of overflow.
     const double size = std::fabs(leading(result.value));
     const bool inRange =
       degree == 1 ? size >= 0x1p-150 && size <= 0x1p150 : size >= 0x1p-300 && size <= 0x1p300;
@@ -128,7 +130,7 @@ public:
   static bool sign(const Number& a, int& result)
   {
     result = leading(a.value) > 0.0 ? 1 : -1;
-    return std::fabs(leading(a.value)) > 1.001 * a.error;
+    return std::fabs(leading(a.value)) > BoundedSlack * a.error;
   }
 
   /// base + numerator / denominator, rounded to nearest; false when it cannot decide which is.
@@ -145,14 +147,14 @@ public:
     twoSum(first, rest.high / denominator.value.high, quotient.high, quotient.low);
     const DoubleDouble sum = DoubleDouble{ base, 0.0 } + quotient;
     double error = (numerator.error + std::fabs(first) * denominator.error) / size +
-      4 * RoundingUnit<Value> * (std::fabs(base) + std::fabs(first));
-    error = 1.001 * error + 0x1p-50 * std::fabs(sum.low);
+      FractionError * (std::fabs(base) + std::fabs(first));
+    error = BoundedSlack * error + FractionLowError * std::fabs(sum.low);
     result = sum.high;
     // Both ends of the interval round to the same.
     return sum.high + (sum.low + error) == sum.high && sum.high + (sum.low - error) == sum.high;
   }
 
-  static bool positive(const Number& a) { return leading(a.value) > 1.001 * a.error; }
+  static bool positive(const Number& a) { return leading(a.value) > BoundedSlack * a.error; }
 };
 
 /// The exact arithmetic: lengths are integers times 2^exponent, weights times its square.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/DirectionMap.h"
 
+#include "Predicates/ErrorBounds.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -144,9 +145,7 @@ std::size_t DirectionMap::cellOf(const Direction& d, bool& certain) const
   {
     const double coordinate = (d[other] / size[axis] + 1) * half;
     const std::int32_t step = std::min(static_cast<std::int32_t>(coordinate), this->side - 1);
-    // Far more than the coordinate is off by.
-    constexpr double Margin = 1e-9;
-    certain = certain && coordinate - step > Margin && coordinate - step < 1 - Margin;
+    certain = certain && coordinate - step > MapMargin && coordinate - step < 1 - MapMargin;
     cell = cell * static_cast<std::size_t>(this->side) + static_cast<std::size_t>(step);
   }
   return cell;

@@ -5,6 +5,7 @@
 #include <flipflop/EdgeLengths.h>
 
 #include "PowerDiagram/TriangulationInput.h"
+#include "Predicates/ErrorBounds.h"
 #include "Predicates/WideSigns.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
@@ -38,14 +39,13 @@ public:
     const double x = p[0] - q[0];
     const double y = p[1] - q[1];
     const double found = x * x + y * y;
-    // Both squares are off by fewer than six roundings of 2^-53, where they are normal numbers.
     if (isNormal(found) && isNormal(this->square))
     {
-      if (found > this->square * (1 + 0x1p-49))
+      if (found > this->square * (1 + LengthError))
       {
         return true;
       }
-      if (found < this->square * (1 - 0x1p-49))
+      if (found < this->square * (1 - LengthError))
       {
         return false;
       }
@@ -62,7 +62,7 @@ public:
 
 private:
   /// Neither overflown nor of lost bits.
-  static bool isNormal(double square) { return square > 1e-290 && square < 1e300; }
+  static bool isNormal(double square) { return square > SquareFloor && square < SquareCeiling; }
 
   /// Of what expansions carry: squares of the last bits are doubles.
   static bool isNarrow(double x)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/FarthestPair.h"
 
+#include "Predicates/ErrorBounds.h"
 #include "Predicates/WideSigns.h"
 #include "Query/UnitFrame.h"
 #include "Support/BoxTree.h"
@@ -17,9 +18,6 @@ namespace flipflop
 
 namespace
 {
-
-/// Squares of distances in the frame, and bounds on them, are off by less than 2e-14.
-constexpr double Margin = 1e-13;
 
 class PairSearch
 {
@@ -181,7 +179,7 @@ private:
 
   void search(const NodePair& pair, Found& found)
   {
-    if (this->boundOf(pair) < this->longest.load(std::memory_order_relaxed) - Margin)
+    if (this->boundOf(pair) < this->longest.load(std::memory_order_relaxed) - FarthestPairMargin)
     {
       return;
     }
@@ -210,14 +208,15 @@ private:
   void consider(const CornerPair& pair, double square, Found& found)
   {
     double known = this->longest.load(std::memory_order_relaxed);
-    if (square < known - Margin || (found.any && square < found.square - Margin))
+    if (square < known - FarthestPairMargin ||
+      (found.any && square < found.square - FarthestPairMargin))
     {
       return;
     }
     while (square > known && !this->longest.compare_exchange_weak(known, square))
     {
     }
-    if (found.any && square <= found.square + Margin)
+    if (found.any && square <= found.square + FarthestPairMargin)
     {
       const int sign = this->compare(pair, found.pair);
       const bool before = pair.first != found.pair.first ? pair.first < found.pair.first

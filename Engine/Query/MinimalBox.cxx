@@ -3,6 +3,7 @@
 #include "Query/MinimalBox.h"
 
 #include "Geometry/HullCones.h"
+#include "Predicates/ErrorBounds.h"
 #include "Query/FacetPlane.h"
 #include "Query/LeastRectangle.h"
 #include "Query/UnitFrame.h"
@@ -435,14 +436,13 @@ double leastVolume(const PreparedHull& hull)
   subtract(frame.at(four[2]), frame.at(four[0]), second);
   cross(edge, second, normal);
   four[3] = farthest([&](const double* v) { return std::fabs(dot(normal, v)); });
-  const double slack = 1e-14;
-  const double byHull = sum / 6 - slack * static_cast<double>(solid.triangles.size());
+  const double byHull = sum / 6 - VolumeSlack * static_cast<double>(solid.triangles.size());
   int exponent = -3 * hull.scaleExponent();
   for (int i = 0; i < 3; ++i)
   {
     exponent += frame.lengthExponent(i);
   }
-  return std::ldexp(std::max(0.0, std::max(byHull, largest / 2 - 10 * slack)), exponent);
+  return std::ldexp(std::max(0.0, std::max(byHull, largest / 2 - 10 * VolumeSlack)), exponent);
 }
 
 /// The axes for a hull below dimension 3, where the least box is no matter of search. In the plane,

@@ -14,6 +14,7 @@
 
 #include "Points/Vertex.h"
 #include "Predicates/DoubleDouble.h"
+#include "Predicates/ErrorBounds.h"
 #include "Predicates/WideIntegers.h"
 #include "Support/HostDevice.h"
 
@@ -133,11 +134,11 @@ public:
   }
 
 private:
-  /// The value is off by less than 2^-94 of its terms.
+  /// The value is off by less than 2^-100 of its terms.
   template <class Exact>
   Number checked(const Number& value, double most, const Exact& exact)
   {
-    if (this->vague || std::fabs(value.high) >= 0x1p-34 * most)
+    if (this->vague || std::fabs(value.high) >= PlaneValueShare * most)
     {
       return value;
     }

@@ -3,6 +3,7 @@
 #include "Query/SurfaceTree.h"
 
 #include "Geometry/HullCones.h"
+#include "Predicates/ErrorBounds.h"
 #include "Query/FacetPlane.h"
 
 #include <algorithm>
@@ -17,9 +18,6 @@ namespace
 using detail::cross;
 using detail::dot;
 
-/// Units of the last place, as a share.
-constexpr double Unit = 0x1p-53;
-
 double sumOf(const double* v)
 {
   return std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]);
@@ -32,8 +30,7 @@ double heightOver(const double* normal, const double* offset)
 }
 
 /// n . (edge x (x - a)): how far the frame's point x is on the left of an edge from a, times its
-/// length. It is off by less than 32 Unit |edge| |offset|: 4 for a difference and two products, 9
-/// for the normal, 3 for the last product and sums, twice as large a sum of terms.
+/// length. It is off by less than LeftError |edge| |offset|.
 double leftOf(const double* normal, const double* edge, const double* offset)
 {
   double turn[3];
@@ -238,12 +235,12 @@ SurfaceTree::Nearest SurfaceTree::nearestOf(const Element& element, const Offset
     double edge[3];
     frame.edge(c[i].x, c[next].x, edge);
     const double left = leftOf(element.normal, edge, offset[i]);
-    if (left > 128 * Unit * sumOf(edge) * sumOf(offset[i]))
+    if (left > 4 * LeftError * sumOf(edge) * sumOf(offset[i]))
     {
       continue;
     }
     isOver = isOver &&
-      left > 32 * Unit * std::sqrt(dot(edge, edge)) * std::sqrt(dot(offset[i], offset[i]));
+      left > LeftError * std::sqrt(dot(edge, edge)) * std::sqrt(dot(offset[i], offset[i]));
     const OnSegment on = nearestOnSegment(edge, offset[i], offset[next]);
     if (on.square < nearest.square)
     {

@@ -132,6 +132,31 @@ TEST(Alpha, TieIsIn)
   }
 }
 
+/// Products of six lengths underflow: what is lost exceeds the error that their factors have.
+TEST(Alpha, ProductsBelowTheDoubles)
+{
+  struct Case
+  {
+    double b[3], c[3], alpha;
+  };
+  const Case cases[] = {
+    { { 7.0064923216558041e-46, 7.0064923216547337e-46, 9.818186930682848e-91 },
+      { 7.0064923216558056e-46, 7.0064923216547353e-46, 9.8181869306828523e-91 },
+      5.2197696687703701e-44 },
+    { { 7.0064923216625311e-46, 7.006492321661299e-46, 9.8181869307014745e-91 },
+      { 7.0064923216625327e-46, 7.0064923216613005e-46, 9.8181869307014789e-91 },
+      6.4056127877276576e-44 },
+  };
+  for (const Case& of : cases)
+  {
+    const Cloud sites = { { 0, 0, 0 }, { of.b[0], of.b[1], of.b[2] },
+      { of.c[0], of.c[1], of.c[2] } };
+    const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+    ASSERT_EQ(triangulation.cellCount(), 1);
+    expectComplex(sites, triangulation, of.alpha);
+  }
+}
+
 /// The radius of a needle's circle may be no double.
 TEST(Alpha, BeyondDoubles)
 {

@@ -4,11 +4,14 @@
 /// What blocks have together is what one run on all points has, however points are dealt to them:
 /// all families of the engine's tests, and small degenerate inputs in bulk.
 #include "Blocks/BlockSummary.h"
+#include "Blocks/ConflictBound.h"
 #include "Testing/Engine/Blocks/BlocksInProcess.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 namespace flipflop
 {
@@ -140,6 +143,51 @@ void runDealtCases(BlockShape shape, int cases, const Make& make)
       }
       ADD_FAILURE() << "seed " << seed << ": " << found << "\n" << toString(cloud) << dealt;
     }
+  }
+}
+
+/// A thin patch has a point above a plane, also where squares of its lengths lost bits or vanished
+/// before it was scaled.
+TEST(ConflictBounds, HoldWhereSquaresVanish)
+{
+  constexpr std::uint64_t Seed = 7;
+  SCOPED_TRACE(Seed);
+  Random random(Seed);
+  const auto uniform = [&random] { return random.integer(-1000, 1000) / 1024.0; };
+  for (int i = 0; i < 3000; ++i)
+  {
+    const int exponent = random.integer(-540, -530);
+    const auto scale = [](double* x, int by)
+    { std::transform(x, x + 3, x, [by](double value) { return std::ldexp(value, by); }); };
+    const double n[2] = { uniform(), uniform() };
+    const double m[2] = { n[0] + 0.25 * uniform(), n[1] + 0.25 * uniform() };
+    const auto heightOf = [&m](const double* x) { return m[0] * x[0] + m[1] * x[1] + x[2]; };
+    std::vector<BlockSite> sites(8);
+    double highest[3] = { 0, 0, -HUGE_VAL };
+    for (BlockSite& site : sites)
+    {
+      site.x[0] = uniform();
+      site.x[1] = uniform();
+      site.x[2] = uniform() / 256 - n[0] * site.x[0] - n[1] * site.x[1];
+      if (heightOf(site.x) > heightOf(highest))
+      {
+        std::copy(site.x, site.x + 3, highest);
+      }
+      scale(site.x, exponent);
+    }
+    BlockPatch patch(sites.data(), sites.data() + sites.size(), false);
+    double sizes[3] = { patch.low, patch.high, patch.radius };
+    for (double* const x : { patch.box.low, patch.box.high, patch.origin, sizes })
+    {
+      scale(x, -exponent);
+    }
+    patch.low = sizes[0];
+    patch.high = sizes[1];
+    patch.radius = sizes[2];
+    const double a[3] = { highest[0], highest[1], highest[2] - 0.001 };
+    const double b[3] = { a[0] + 1, a[1], a[2] - m[0] };
+    const double c[3] = { a[0], a[1] + 1, a[2] - m[1] };
+    ASSERT_FALSE(ConflictBound::ofPlane(a, b, c).most(patch) < 0) << exponent << ", " << i;
   }
 }
 

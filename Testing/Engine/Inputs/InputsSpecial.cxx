@@ -170,6 +170,13 @@ std::vector<Input> smallSpecialInputs()
     []() {
       return Cloud{ { 0, 0x1p-1074, 0 }, { -0x1p1023, 0, 0 }, { 0, 0, 0 } };
     });
+  // Products of these differences are zero in double; no determinant of them is.
+  list.add("vanishingProducts",
+    []()
+    {
+      return Cloud{ { 0, 0, 0 }, { 0x1p-200, 0, 0 }, { 0x1p-200, 0x1p-900, 0 },
+        { 0x1p-200, 0, 0x1p-900 }, { 0x1p-201, 0x1p-902, 0x1p-902 } };
+    });
   list.add("tiny", []() { return scaled(family("shell0", 36, 23), 1e-300, 1e-300, 1e-300); });
   list.addRandom("denormalsFew", 24, [](Random& random) { return denormals(30, 3, random); });
   list.addRandom("denormalsMany", 25, [](Random& random) { return denormals(30, 100000, random); });

@@ -208,6 +208,11 @@ std::vector<Input> smallWeightedInputs()
       }
       return cloud;
     });
+  // Products of these differences are zero in double; no orientation is.
+  list.add("vanishingProducts",
+    []() {
+      return Cloud{ { 0, 0, 0 }, { 0x1p-200, 0, 0 }, { 0x1p-200, 0x1p-900, 0 } };
+    });
   list.add("tiny", []() { return scaled(family("uniformHeavy", 25, 6), 1e-300, 1e-300, 0); });
   list.add("tinySquares", []() { return magnified(family("uniformHeavy", 25, 7), 0x1p-500); });
   list.add("tinyBesideWeights",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every sign against rationals: random, nearly degenerate, degenerate, and of extreme range.
+#include "Predicates/PlaneOrientation.h"
 #include "Testing/Engine/Predicates/PredicateCases.h"
 
 #include <gtest/gtest.h>
@@ -185,6 +186,32 @@ TEST(Predicates, ExtremeRanges)
     wide += geometry.isWide() ? 1 : 0;
   }
   EXPECT_GT(wide, 1000);
+}
+
+/// Where products of differences underflow to zero, the sign is not.
+TEST(Predicates, UnderflowIsNoTie)
+{
+  for (const int wide : { -1, -200, -537, -800 })
+  {
+    for (const int high : { -400, -538, -900, -1074 })
+    {
+      SCOPED_TRACE(std::to_string(wide) + ", " + std::to_string(high));
+      const double x = std::ldexp(1.0, wide), y = std::ldexp(1.0, high);
+      std::vector<Vertex> v = { makeVertex(0, 0, 0, 0), makeVertex(x, 0, 0, 1),
+        makeVertex(x, y, 0, 2), makeVertex(x, 0, y, 3) };
+      for (int turn = 0; turn < 3; ++turn)
+      {
+        const double* const p = v[static_cast<std::size_t>(turn)].x;
+        const double* const q = v[static_cast<std::size_t>((turn + 1) % 3)].x;
+        const double* const r = v[static_cast<std::size_t>((turn + 2) % 3)].x;
+        EXPECT_EQ(planeOrientation(p, q, r), 1);
+        EXPECT_EQ(planeOrientation(q, p, r), -1);
+      }
+      EXPECT_NE(exactAbove(v[0], v[1], v[2], v[3]), 0);
+      const HullGeometry geometry = geometryOf(v);
+      expectAllSigns(geometry, v);
+    }
+  }
 }
 
 TEST(Predicates, OnALatticeDoublesAreExact)
