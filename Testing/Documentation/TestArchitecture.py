@@ -22,6 +22,7 @@ from tree import TOP, read
 # What a folder of the library may use of the others.
 PROMISED = {
     "Engine": set(),
+    "Checker": set(),
     "Cuda": {"Engine"},
     "Filters": {"Engine", "Cuda"},
     "Plugin": {"Filters"},

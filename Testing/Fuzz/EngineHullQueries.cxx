@@ -5,6 +5,7 @@
 
 #include "Testing/Engine/Query/QueryCases.h"
 #include "Testing/Engine/Query/ReferenceDistance.h"
+#include <flipflop/Certificate.h>
 #include <flipflop/HullQueries.h>
 #include <flipflop/Neighbors.h>
 
@@ -230,6 +231,7 @@ void fuzzHullQueries(Bytes& bytes)
   expectOutcome(planes, none, { ErrorCode::BadArgument });
   const auto neighbors = attempt([&] { return cellNeighbors(hull, unwatched(options)); });
   expectOutcome(neighbors, none, { ErrorCode::BadArgument });
+  const auto named = attempt([&] { return certificate(points, hull, unwatched(options)); });
   if (corrupted)
   {
     // Of what looks like a hull and is none, any answer will do. But one must come.
@@ -253,7 +255,7 @@ void fuzzHullQueries(Bytes& bytes)
     }
     return;
   }
-  demand(planes.result && neighbors.result, "a hull is refused");
+  demand(planes.result && neighbors.result && named.result, "a hull is refused");
   judgePlane(cloud, queries, options);
   demandNeighbors(hull, *neighbors.result);
   if (asked.result)

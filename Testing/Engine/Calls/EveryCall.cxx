@@ -8,6 +8,7 @@
 #include <flipflop/Batch.h>
 #include <flipflop/CellBoundary.h>
 #include <flipflop/CentroidalCells.h>
+#include <flipflop/Certificate.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/Convexify.h>
@@ -292,6 +293,12 @@ void addQueriesOfHulls(Table& table, const Cloud& body)
   table.add("facetPlanes", body, false, false, NonFinitePoint::IsBadArgument,
     [=](Points points, Weights, const Options& options)
     { return bitsOf(facetPlanes(points, *hull, options)); });
+  table.add("certificateOfAHull", body, false, false, refused,
+    [=](Points points, Weights, const Options& options)
+    {
+      const Certificate found = certificate(points, *hull, options);
+      return bitsOf(found.cells) + bitsOf(found.apex);
+    });
   table.add("cellNeighbors", body, false, false, unread,
     [=](Points, Weights, const Options& options) { return bitsOf(cellNeighbors(*hull, options)); });
 }
@@ -340,6 +347,9 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
   add("interpolateNatural", 0.0,
     [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
     { of.interpolateNatural(given->data()->data(), 1, points, values, o); });
+  table.add("certificateOfATriangulation", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    { return bitsOf(certificate(points, weights, *found, options).cells); });
   table.add("powerDiagram", sites, true, true, bad,
     [=](Points points, Weights weights, const Options& options)
     { return bitsOf(powerDiagram(points, weights, *found, box.data(), options)); });
@@ -398,6 +408,9 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
   const std::int64_t square[] = { 0, 1, 1, 2, 2, 0 };
   const auto inside = std::make_shared<ConstrainedTriangulation>(
     constrainedTriangulation(viewOf(sites), ConstraintView(square, 3, 3)));
+  table.add("certificateOfAConstrainedTriangulation", sites, true, false, bad,
+    [=](Points points, Weights, const Options& options)
+    { return bitsOf(certificate(points, *inside, options).cells); });
   table.add("cellsInside", sites, true, false, unread,
     [=](Points, Weights, const Options& options)
     {
@@ -502,6 +515,9 @@ std::vector<CallOnCells> everyCallOnCells()
     { "TriangulationQueries",
       [](const Cloud& sites, const Triangulation& cells)
       { TriangulationQueries(viewOf(sites), WeightView(), cells); } },
+    { "certificate",
+      [](const Cloud& sites, const Triangulation& cells)
+      { certificate(viewOf(sites), WeightView(), cells); } },
   };
 }
 

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <flipflop/Certificate.h>
+
+#include "Geometry/ConvexPolygon.h"
+#include "Geometry/HullLocator.h"
+#include "Geometry/HullStart.h"
+#include "Run/HullRun.h"
+#include "Surface/CellMesh.h"
+#include "Surface/HullKernel.h"
+#include "Surface/StarShape.h"
+#include "Validate/ValidateStructure.h"
+#include <flipflop/TriangulationQueries.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace flipflop
+{
+
+namespace
+{
+
+constexpr const char* NoHull = "the hull must be one of these points";
+
+class HullCertifier
+{
+public:
+  HullCertifier(HullRun& run, const Hull& hull, Certificate& certificate)
+    : run(run)
+    , hull(hull)
+    , certificate(certificate)
+  {
+    for (const std::int64_t id : hull.pointIds)
+    {
+      this->corners.push_back(run.source.vertex(static_cast<std::uint32_t>(id)));
+      this->corners.back().flags = VertexAlive;
+      if (!isFinite(this->corners.back().x))
+      {
+        throw badArgument("a hull's points must be finite", id);
+      }
+    }
+  }
+
+  void certify()
+  {
+    switch (this->hull.dimension)
+    {
+      case -1:
+        return this->nameCells([](const HullGeometry&, const Vertex&) { return -1; });
+      case 2:
+        return this->certifyPolygon();
+      case 3:
+        return this->certifySolid();
+      default:
+        return this->nameCells([](const HullGeometry&, const Vertex&) { return 0; });
+    }
+  }
+
+private:
+  /// @param cellOf std::int64_t (geometry, point), of a finite point
+  template <class CellOf>
+  void nameCells(const CellOf& cellOf)
+  {
+    constexpr std::size_t PointsPerTask = 1 << 12;
+    const std::uint32_t count = this->run.source.count();
+    this->run.monitor.stage(0.3, 1.0, count, "naming cells");
+    eachChunk(count, PointsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        const HullGeometry local = this->run.geometry; // it counts
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const Vertex p = this->run.source.vertex(static_cast<std::uint32_t>(i));
+          this->certificate.cells[i] =
+            this->run.checkFinite && !isFinite(p.x) ? -1 : cellOf(local, p);
+        }
+        this->run.monitor.advance(static_cast<std::int64_t>(end - begin));
+      });
+  }
+
+  void certifyPolygon()
+  {
+    const std::vector<std::int64_t> ring = ringOfCells(this->hull);
+    if (ring.size() != this->corners.size())
+    {
+      throw badArgument(NoHull);
+    }
+    // Which cell the triangle of the corners 0, i and i + 1 is: cells are in the order of corners.
+    std::vector<std::int64_t> cellAt(ring.size(), 0);
+    if (this->hull.cellCount() > 1)
+    {
+      std::vector<std::int64_t> cellFrom(ring.size(), 0);
+      for (std::int64_t cell = 0; cell < this->hull.cellCount(); ++cell)
+      {
+        cellFrom[static_cast<std::size_t>(
+          this->hull.connectivity[this->hull.cellBegin(cell) + 1])] = cell;
+      }
+      std::transform(ring.begin(), ring.end(), cellAt.begin(),
+        [&](std::int64_t corner) { return cellFrom[static_cast<std::size_t>(corner)]; });
+    }
+    const auto at = [&](std::size_t i) -> const Vertex&
+    { return this->corners[static_cast<std::size_t>(ring[i])]; };
+    const PlaneAxes axes = planeAxes(this->run.geometry, at(0), at(1), at(2));
+    this->nameCells(
+      [&](const HullGeometry& local, const Vertex& p) -> std::int64_t
+      {
+        const std::size_t i = fanTriangleOf(ring.size(),
+          [&](std::size_t from, std::size_t to)
+          { return local.planar(at(from), at(to), p, axes.p, axes.q); });
+        return i == 0 ? -1 : cellAt[i];
+      });
+  }
+
+  void certifySolid()
+  {
+    const CellMesh mesh = meshOfCells(this->hull, this->corners, false);
+    if (!mesh.any || mesh.fault.any)
+    {
+      throw badArgument(NoHull);
+    }
+    this->setApex(mesh.polyhedron);
+    const HullLocator locator(std::as_const(this->run.geometry), mesh.polyhedron.triangles.data(),
+      mesh.polyhedron.triangleCount(), mesh.polyhedron.vertices.data(), this->run.monitor);
+    this->nameCells(
+      [&](const HullGeometry& local, const Vertex& p)
+      {
+        const std::uint32_t start = locator.near(p, locator.cellOf(p.x));
+        return mesh.cellOf[locator.locate(local, p, start)];
+      });
+  }
+
+  /// In the middle, if that is a position that doubles name in the caller's unit, too.
+  void setApex(const Polyhedron& solid)
+  {
+    HullGeometry& geometry = this->run.geometry;
+    std::vector<std::uint32_t> ids(this->hull.pointIds.begin(), this->hull.pointIds.end());
+    const Span span = placeKernel(geometry, this->run.source, ids.data(),
+      static_cast<std::uint32_t>(ids.size()), solid, this->run.monitor);
+    if (span.dimension < 3)
+    {
+      throw badArgument(NoHull);
+    }
+    centerKernel(geometry, solid);
+    const int exponent = this->run.arithmetic.scaleExponent;
+    const auto given = [exponent](double x) { return std::ldexp(x, -exponent); };
+    const double* const kernel = geometry.kernel();
+    bool isGiven = !geometry.kernelIsSymbolic();
+    for (int i = 0; i < 3; ++i)
+    {
+      isGiven = isGiven && std::ldexp(given(kernel[i]), exponent) == kernel[i];
+    }
+    Vertex four[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      four[k] = this->run.source.vertex(span.ids[k]);
+    }
+    if (!isGiven)
+    {
+      geometry.setSymbolicKernel(four);
+    }
+    if (findStarFault(geometry, solid).count)
+    {
+      throw badArgument(NoHull);
+    }
+    Buffer<double>& apex = this->certificate.apex;
+    apex.allocate(isGiven ? 3 : 12);
+    for (std::size_t i = 0; i < apex.size(); ++i)
+    {
+      apex[i] = given(isGiven ? kernel[i] : four[i / 3].x[i % 3]);
+    }
+  }
+
+  HullRun& run;
+  const Hull& hull;
+  Certificate& certificate;
+  std::vector<Vertex> corners;
+};
+
+/// A half of a call, which reports its progress as that of the whole.
+class Half
+{
+public:
+  Half(const Options& options, double from)
+    : whole(options)
+    , begin(from)
+  {
+  }
+
+  Options options()
+  {
+    Options half = this->whole;
+    if (half.progress)
+    {
+      half.progressContext = this;
+      half.step = nullptr; // which takes the caller's context
+      half.progress = [](double fraction, void* context)
+      {
+        const Half& self = *static_cast<const Half*>(context);
+        return self.whole.progress(self.begin + 0.5 * fraction, self.whole.progressContext);
+      };
+    }
+    return half;
+  }
+
+private:
+  const Options whole;
+  const double begin;
+};
+
+/// @param prepare TriangulationQueries (const Options&)
+template <class Prepare>
+Certificate locateEach(const PointView& points, const Options& options, const Prepare& prepare)
+{
+  Half preparing(options, 0.0);
+  Half naming(options, 0.5);
+  const TriangulationQueries queries = prepare(preparing.options());
+  Certificate result;
+  result.cells.allocate(static_cast<std::size_t>(points.count));
+  queries.locate(points, result.cells.data(), naming.options());
+  return result;
+}
+
+}
+
+Certificate certificate(const PointView& points, const Hull& hull, const Options& options)
+{
+  HullRun run(points, options);
+  if (!withTypedErrors([&] { return checkHullStructure(points.count, hull); }))
+  {
+    throw badArgument(NoHull);
+  }
+  Certificate result;
+  run.execute<Hull>(
+    [&](Hull& scratch)
+    {
+      result.cells.allocate(static_cast<std::size_t>(points.count));
+      run.inspect(scratch);
+      HullCertifier(run, hull, result).certify();
+    });
+  return result;
+}
+
+Certificate certificate(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const Options& options)
+{
+  return locateEach(points, options,
+    [&](const Options& half)
+    { return TriangulationQueries(points, weights, triangulation, half); });
+}
+
+Certificate certificate(
+  const PointView& points, const ConstrainedTriangulation& triangulation, const Options& options)
+{
+  return locateEach(points, options,
+    [&](const Options& half)
+    { return TriangulationQueries(points, triangulation, nullptr, half); });
+}
+
+}
