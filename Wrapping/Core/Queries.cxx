@@ -7,6 +7,7 @@
 #include "Sites.h"
 #include "Views.h"
 
+#include <flipflop/Certificate.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/HullQueries.h>
 #include <flipflop/Measures.h>
@@ -157,6 +158,17 @@ void bindQueries(nb::module_& module)
         [&](const Options& options) { return facetPlanes(input.view(), *hull.result, options); });
       const std::size_t rows = planes.size() / 4;
       return arrayOf(std::move(planes), { rows, 4 });
+    });
+
+  module.def("hull_certificate",
+    [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)
+    {
+      const SpacePoints input(points);
+      Certificate found = settings.run(
+        [&](const Options& options) { return certificate(input.view(), *hull.result, options); });
+      const std::size_t rows = found.apex.size() / 3;
+      return nb::make_tuple(
+        arrayOf(std::move(found.cells)), arrayOf(std::move(found.apex), { rows, 3 }));
     });
 
   nb::class_<Sites>(module, "TriangulationQueries")

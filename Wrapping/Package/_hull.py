@@ -139,6 +139,23 @@ class ConvexHull(Cells):
         return Polygons(core.offsets(), core.corners())
 
     @property
+    def certificate(self) -> Ids:
+        """For each point the row of `simplices` whose cone from `apex` holds it; below dimension 3, that holds it.
+
+        With it, a program that shares nothing with the engine checks the hull in linear time: Checker/check_result.py.
+        -1: the point is not finite and ignored. Of points in the plane, 0: the one polygon.
+        """
+        return self._certificate[0]
+
+    @property
+    def apex(self) -> Floats:
+        """One position, or four, as rows: their exact mean is the apex of the certificate's cones. Inside the hull.
+
+        Below dimension 3 there is none.
+        """
+        return self._certificate[1]
+
+    @property
     def volume(self) -> float:
         """Of the solid; of points in the plane, the area."""
         return self._core.area if self._planar else self._core.volume
@@ -248,6 +265,13 @@ class ConvexHull(Cells):
     def _queries(self) -> Any:
         with unchanged():
             return _core.hull_queries(self.points, self._triangles, QUIET)
+
+    @cached_property
+    def _certificate(self) -> tuple[Ids, Floats]:
+        chosen = _core.Settings(0, False, self._ignores, 1, None)
+        with unchanged():
+            cells, apex = _core.hull_certificate(self.points, self._triangles, chosen)
+        return (frozen(np.minimum(cells, 0)) if self._planar else cells), apex
 
     def _ring(self) -> Ids:
         """The corners of the one cell, in order."""

@@ -89,6 +89,16 @@ class RegularTriangulation(Cells):
             return Polygons(core.offsets(), corners)
         return Polygons(core.offsets(), core.corners())
 
+    @cached_property
+    def certificate(self) -> Ids:
+        """For each point the row of `simplices` that holds it, of several the lowest; it hides the point if that is hidden.
+
+        With it, a program that shares nothing with the engine checks the triangulation in linear time:
+        Checker/check_result.py. -1: the point is not finite and ignored, or only cells that are left out hold it.
+        """
+        found = self.locate(self.points, non_finite="ignore" if self._ignores else "error")
+        return frozen(np.asarray(found))
+
     @property
     def areas(self) -> Floats:
         """The area of each of `simplices`, rounded."""
