@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python of README.md and Documentation/Python.md runs as it is printed, page by page; so do the arrays' examples.
+"""The Python of README.md and of two other pages runs as it is printed, page by page; so do the arrays' examples.
 
 Where there is no PyVista, a page ends where it is first used. Where the VTK classes do not fit the VTK that is there, what
 uses them is left out.
@@ -17,7 +17,7 @@ import pytest
 from vtkflipflop import _vtk_check
 
 TOP = Path(__file__).resolve().parents[2]
-PAGES = ("README.md", "Documentation/Python.md")
+PAGES = ("README.md", "Documentation/Python.md", "Documentation/CheckAResult.md")
 EXAMPLES = TOP / "Examples" / "Python" / "Arrays"
 
 
@@ -30,8 +30,8 @@ def has_filters():
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_page(page, capsys, monkeypatch):
-    monkeypatch.chdir(TOP)
+def test_page(page, capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
     blocks = re.findall(r"```python\n(.*?)```", (TOP / page).read_text(), re.DOTALL)
     assert blocks
     names = {"__name__": page}

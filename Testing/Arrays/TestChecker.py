@@ -1,0 +1,342 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checker/check_result.py: every result with its certificate passes it, and every mutant of a result fails it.
+
+FLIPFLOP_CHECKER_CASES is the number of random cases of each kind: 40, if it is not set.
+"""
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from vtkflipflop.arrays import convex_hull, regular_triangulation
+
+PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Checker", "check_result.py")
+specification = importlib.util.spec_from_file_location("check_result", PROGRAM)
+checker = importlib.util.module_from_spec(specification)
+specification.loader.exec_module(checker)
+
+CASES = int(os.environ.get("FLIPFLOP_CHECKER_CASES", "40"))
+
+
+def listed(arrays):
+    """As the program reads them from a file."""
+    rows = lambda a: list(map(tuple, a.tolist())) if a.ndim == 2 else a.tolist()
+    return {name: rows(np.asarray(a)) if not isinstance(a, list) else a for name, a in arrays.items() if a is not None}
+
+
+def check(kind, arrays):
+    checker.KINDS[kind](listed(arrays))
+
+
+def cloud(random, columns):
+    """Points of some family: in general position, with ties, of lower dimension, of any range."""
+    count = int(random.integers(0, 60))
+    whole = random.integers(-3, 4, (count, columns)).astype(float)
+    kind = random.integers(10)
+    if kind == 0:
+        return whole
+    if kind == 1:
+        return whole * [1, 1, 0][:columns]
+    if kind == 2:
+        return whole[:, :1] * [1, 2, 3][:columns]
+    if kind == 3:
+        return np.repeat(random.random((count // 5 + 1, columns)), 5, axis=0)
+    if kind == 4:
+        return np.ldexp(random.standard_normal((count, columns)), random.integers(-1000, 1000, (count, columns)))
+    if kind == 5:
+        return whole * 5e-324
+    if kind == 6:
+        return whole + 2.0**52
+    if kind == 7:
+        angles = random.random(count) * 7
+        return np.column_stack([np.cos(angles), np.sin(angles), random.random(count)])[:, :columns]
+    if kind == 8:
+        return random.random((count, columns)).astype(np.float32)
+    points = random.random((count, columns))
+    points[: count // 4] = np.nan
+    return points
+
+
+def weights_for(random, points):
+    kind = random.integers(4)
+    if kind == 0:
+        return None
+    if kind == 1:
+        return random.integers(0, 3, len(points)).astype(float)
+    spread = float(np.ptp(np.nan_to_num(points.astype(float)), axis=0).max()) if len(points) else 0.0
+    return random.random(len(points)) * (min(spread, 1e150) ** 2 if kind == 2 else 0.01)
+
+
+def hull_of(points):
+    hull = convex_hull(points, non_finite="ignore")
+    cells = [tuple(hull.vertices.tolist())] * (hull.dimension >= 0) if points.shape[1] == 2 else hull.simplices
+    return {"points": points, "cells": cells, "certificate": hull.certificate, "apex": hull.apex}
+
+
+def triangulation_of(points, weights=None):
+    found = regular_triangulation(points, weights, non_finite="ignore")
+    return {"points": points, "weights": weights, "cells": found.simplices, "hidden": found.hidden,
+            "certificate": found.certificate}  # fmt: skip
+
+
+def constrained_of(points, random):
+    """Chains from point to point that do not cross: edges of another triangulation."""
+    whole = regular_triangulation(points, random.random(len(points)) * 0.05)
+    edges = whole.simplices[:, :2][random.random(whole.nsimplex) < 0.3]
+    found = regular_triangulation(points, constraints=edges)
+    return {"points": points, "constraints": edges, "cells": found.simplices, "hidden": found.hidden}
+
+
+def alpha_of(points, weights, alpha):
+    found = regular_triangulation(points, weights, non_finite="ignore")
+    part = found.alpha_complex(alpha)
+    return triangulation_of(points, weights) | {
+        "alpha": alpha, "within": part.within, "edges": part.edges, "edge_alphas": part.edge_alphas,
+        "vertices": part.vertices, "vertex_alphas": part.vertex_alphas}  # fmt: skip
+
+
+def diagram_of(points, weights, box):
+    found = regular_triangulation(points, weights, non_finite="ignore")
+    cells = found.power_diagram(box)
+    return triangulation_of(points, weights) | {
+        "box": np.array(box, float), "corners": cells.vertices, "sites": cells.sites,
+        "rings": [tuple(ring.tolist()) for ring in cells.cells]}  # fmt: skip
+
+
+def span_of(points):
+    low, high = np.nanmin(points, axis=0), np.nanmax(points, axis=0)
+    return low - (high == low), high + (high == low)
+
+
+@pytest.mark.parametrize("kind", ["hull", "triangulation", "constrained", "alpha", "diagram"])
+def test_results_pass(kind):
+    for seed in range(CASES):
+        random = np.random.default_rng([seed, len(kind)])
+        points = cloud(random, 3 if kind == "hull" and random.random() < 0.7 else 2)
+        weights = weights_for(random, points)
+        if kind == "hull":
+            arrays = hull_of(points)
+        elif kind == "triangulation":
+            arrays = triangulation_of(points, weights)
+        elif kind == "constrained":
+            arrays = constrained_of(
+                random.random((40, 2)) if seed % 2 else random.integers(0, 6, (30, 2)) * 0.5, random)  # fmt: skip
+        else:
+            points = points.astype(float)
+            if len(points) == 0 or not np.isfinite(points).any() or abs(np.nan_to_num(points)).max() > 1e100:
+                points = random.random((9, 2))
+                weights = None
+            (x0, y0), (x1, y1) = span_of(points)
+            arrays = alpha_of(points, weights, float(random.choice([0.0, 0.1, 0.5, 1.0, 1e300, np.inf])) * (x1 - x0)
+                              ) if kind == "alpha" else diagram_of(points, weights, (x0, x1, y0, y1))  # fmt: skip
+        try:
+            check(kind, arrays)
+            check(kind, {name: a for name, a in arrays.items() if name not in ("certificate", "apex")})
+        except Exception as error:
+            raise AssertionError(f"{kind}, seed {seed}: {error!r}") from error
+
+
+def flipped(cells, i, random):
+    """The edge between a cell and one of its neighbours, flipped; None: they have none."""
+    a, b, c = cells[i]
+    for j, other in enumerate(cells):
+        third = set(other) - {b, c}
+        if j != i and {b, c} < set(other) and len(third) == 1:
+            d = third.pop()
+            changed = [tuple(cell) for cell in cells]
+            changed[i], changed[j] = (a, b, d), (d, c, a)
+            return changed
+    return None
+
+
+def mutants_of_cells(arrays, random):
+    """Of hulls and triangulations in general position: the name and the arrays."""
+    cells = [tuple(cell) for cell in np.asarray(arrays["cells"]).tolist()]
+    corners = {id for cell in cells for id in cell}
+    i, count = int(random.integers(len(cells))), len(arrays["points"])
+    a, b, c = cells[i]
+    put = lambda cell: cells[:i] + [cell] + cells[i + 1 :]
+    yield "flipped edge", {"cells": flipped(cells, i, random)}
+    yield "moved id", {"cells": put((a, b, int(random.choice(sorted(set(range(count)) - {a, b, c})))))}
+    yield "id out of range", {"cells": put((a, b, count))}
+    yield "negative id", {"cells": put((a, b, -1))}
+    yield "dropped cell", {"cells": cells[:i] + cells[i + 1 :]}
+    yield "cell twice", {"cells": cells + [cells[i]]}
+    yield "swapped orientation", {"cells": put((a, c, b))}
+    yield "all turned over", {"cells": [(u, w, v) for u, v, w in cells]}
+    yield "two corners alike", {"cells": put((a, b, b))}
+    inner = next(id for id in random.permutation(count).tolist() if id not in corners)
+    certificate = np.array(arrays["certificate"])
+    certificate[inner] = (certificate[inner] + 1 + random.integers(len(cells) - 1)) % len(cells)
+    yield "certificate names another", {"certificate": certificate}
+    certificate = certificate.copy()
+    certificate[inner] = random.choice([-1, len(cells)])
+    yield "certificate names none", {"certificate": certificate}
+    yield "certificate too short", {"certificate": certificate[:-1]}
+
+
+def mutants(random):
+    """For each kind of result: (kind, name, arrays)."""
+    points = random.random((50, 3))
+    hull = hull_of(points)
+    for name, change in mutants_of_cells(hull, random):
+        yield "hull", name, hull | change
+    out = points.copy()
+    inner = int(np.setdiff1d(np.arange(50), hull["cells"])[0])
+    out[inner] += random.choice([-2, 2], 3)
+    yield "hull", "point outside", hull | {"points": out}
+    yield "hull", "apex outside", hull | {"apex": hull["apex"] + 2}
+    yield "hull", "apex on a vertex", hull | {"apex": points[hull["cells"][0, :1]]}
+    corner = int(hull["cells"][0, 0])
+    less = hull_of(np.delete(points, corner, axis=0))
+    yield "hull", "vertex passed over", {"points": points, "cells": less["cells"] + (less["cells"] >= corner)}
+    flat = points * [1, 1, 0]
+    polygon = hull_of(flat)
+    yield "hull", "flat: dropped cell", polygon | {"cells": polygon["cells"][1:]}
+    yield "hull", "of another dimension", {"points": flat, "cells": hull["cells"]}
+
+    weights = random.random(50) * 0.02
+    triangulation = triangulation_of(points[:, :2], weights)
+    for name, change in mutants_of_cells(triangulation, random):
+        yield "triangulation", name, triangulation | change
+    hidden = triangulation["hidden"]
+    yield "triangulation", "wrong hidden point", triangulation | {
+        "hidden": np.append(hidden[1:], triangulation["cells"][0, 0])}  # fmt: skip
+    yield "triangulation", "no hidden point", triangulation | {"hidden": hidden[:0]}
+    raised = weights.copy()
+    raised[hidden[0]] += 1
+    yield "triangulation", "hidden point outweighs", triangulation | {"weights": raised}
+    most = int(np.argmax(weights))
+    less = triangulation_of(np.delete(points[:, :2], most, axis=0), np.delete(weights, most))["cells"]
+    yield "triangulation", "vertex passed over", {
+        "points": points[:, :2], "weights": weights, "cells": less + (less >= most)}  # fmt: skip
+    line = triangulation_of(points[:, :1] * [1, 2])
+    yield "triangulation", "chain: dropped cell", line | {"cells": line["cells"][1:], "hidden": None}
+
+    constrained = constrained_of(points[:, :2], random)
+    plain = triangulation_of(points[:, :2])
+    yield "constrained", "without its constraints", constrained | {"cells": plain["cells"]}
+    across = [int(np.argmin(points[:, 0])), int(np.argmax(points[:, 0]))]
+    yield "constrained", "one more constraint", constrained | {
+        "constraints": np.vstack([constrained["constraints"], across])}  # fmt: skip
+    yield "constrained", "no constraint", constrained | {"constraints": constrained["constraints"][:0]}
+    square = {"points": np.array([[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [3, 1], [3, 3], [1, 3]], float),
+              "constraints": np.array([[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]]),
+              "sides": 8}  # fmt: skip
+    whole = regular_triangulation(square["points"], constraints=square["constraints"])
+    kept = regular_triangulation(square["points"], polygons=[[0, 1, 2, 3], [4, 5, 6, 7]])
+    square |= {"cells": whole.simplices, "kept": kept.simplices}
+    check("constrained", square)
+    yield "constrained", "hole filled", square | {"kept": whole.simplices}
+    yield "constrained", "kept cell dropped", square | {"kept": kept.simplices[1:]}
+
+    alpha = alpha_of(points[:, :2], weights * 0.01, 0.05)
+    within, i = alpha["within"].copy(), int(random.integers(len(alpha["within"])))
+    within[i] = not within[i]
+    yield "alpha", "cell", alpha | {"within": within}
+    yield "alpha", "another alpha", alpha | {"alpha": 0.16}
+    yield "alpha", "dropped edge", alpha | {"edges": alpha["edges"][1:]}
+    if len(alpha["vertices"]):
+        yield "alpha", "dropped vertex", alpha | {"vertices": alpha["vertices"][1:]}
+    for step in (-1, 1):
+        yield "alpha", "an edge's alpha off by one ulp", alpha | {
+            "edge_alphas": np.nextafter(alpha["edge_alphas"], step * np.inf)}  # fmt: skip
+
+    diagram = diagram_of(points[:, :2], weights, (0.25, 0.75, 0.25, 0.75))
+    rings = diagram["rings"]
+    moved = diagram["corners"].copy()
+    which = int(random.integers(len(moved)))
+    moved[which] = np.nextafter(moved[which], random.choice([-1, 1], 2))
+    yield "diagram", "corner off by one ulp", diagram | {"corners": moved}
+    yield "diagram", "dropped cell", diagram | {"rings": rings[1:], "sites": diagram["sites"][1:]}
+    yield "diagram", "sites exchanged", diagram | {"sites": np.roll(diagram["sites"], 1)}
+    yield "diagram", "dropped corner", diagram | {"rings": [rings[0][1:], *rings[1:]]}
+    yield "diagram", "turned over", diagram | {"rings": [rings[0][::-1], *rings[1:]]}
+    yield "diagram", "another box", diagram | {"box": np.array([0.25, 0.75, 0.25, 0.76])}
+
+
+def test_mutants_fail():
+    count = 0
+    for seed in range(4):
+        for kind, name, arrays in mutants(np.random.default_rng(seed)):
+            if arrays["cells"] is None:
+                continue
+            count += 1
+            with pytest.raises(checker.Wrong) as found:
+                check(kind, arrays)
+                pytest.fail(f"{kind}, {name}, seed {seed} is not noticed")
+            assert str(found.value)
+    assert count >= 200
+
+
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory):
+    """Checker/CheckResult.cxx."""
+    program = str(tmp_path_factory.mktemp("checker") / "check-result")
+    source = os.path.join(os.path.dirname(PROGRAM), "CheckResult.cxx")
+    compiler = shutil.which("c++")
+    if compiler is None:
+        pytest.skip("there is no compiler")
+    command = [compiler, "-O1", "-std=c++17", source, "-lgmpxx", "-lgmp", "-o", program]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if "gmpxx" in done.stderr:
+        pytest.skip("there is no GMP")
+    assert done.returncode == 0, done.stderr
+    return program
+
+
+def test_the_compiled_program(compiled, tmp_path):
+    path, counts = str(tmp_path / "result.npz"), {0: 0, 1: 0}
+
+    def run(kind, arrays, code):
+        np.savez(path, **{name: np.asarray(a) for name, a in arrays.items() if a is not None})
+        done = subprocess.run([compiled, kind, path], capture_output=True, text=True)
+        assert done.returncode == code, done.stdout
+        counts[code] += 1
+
+    for seed in range(20):
+        random = np.random.default_rng(seed)
+        points = cloud(random, 3).astype(float)
+        arrays = hull_of(points)
+        if len(arrays["apex"]):
+            run("hull", arrays, 0)
+        arrays = triangulation_of(points[:, :2], weights_for(random, points[:, :2]))
+        if np.shape(arrays["cells"])[1:] == (3,):
+            run("triangulation", arrays, 0)
+    for kind, name, arrays in mutants(np.random.default_rng(5)):
+        # It takes triangles with a certificate, and does not read which points are hidden.
+        complete = np.shape(arrays["cells"])[1:] == (3,) and arrays.get("certificate") is not None
+        complete = complete and (kind == "triangulation" or (kind == "hull" and len(arrays.get("apex", ()))))
+        if complete and name not in ("wrong hidden point", "no hidden point", "certificate too short"):
+            run(kind, arrays, 1)
+    assert counts[0] > 10 and counts[1] > 20
+
+
+def test_the_program(tmp_path):
+    """Files, exit codes, messages."""
+
+    def run(kind, path):
+        done = subprocess.run([sys.executable, PROGRAM, kind, path], capture_output=True, text=True)
+        return done.returncode, done.stdout + done.stderr
+
+    points, path = np.random.default_rng(1).random((500, 3)), str(tmp_path / "hull.npz")
+    hull = convex_hull(points)
+    np.savez(path, points=points, cells=hull.simplices, certificate=hull.certificate, apex=hull.apex)
+    assert run("hull", path)[0] == 0
+    np.savez_compressed(path, points=np.asfortranarray(points), cells=hull.simplices)
+    assert run("hull", path)[0] == 0
+    polygons = convex_hull(np.round(points * 4)).polygons
+    np.savez(path, points=np.round(points * 4), connectivity=polygons.connectivity, offsets=polygons.offsets)
+    assert run("hull", path)[0] == 0
+    np.savez(path, points=points, cells=hull.simplices[1:])
+    code, text = run("hull", path)
+    assert code == 1 and "has no facet on its other side" in text
+    np.savez(path, points=points)
+    assert run("hull", path)[0] == 2
+    assert run("hull", str(tmp_path / "none.npz"))[0] == 2
