@@ -9,6 +9,7 @@
 #include "vtkFFRun.h"
 #include "vtkFFStamp.h"
 
+#include <flipflop/Certificate.h>
 #include <flipflop/Error.h>
 
 #include "vtkCompositeDataIterator.h"
@@ -18,11 +19,13 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -387,7 +390,21 @@ int vtkFFHullFilter::RequestData(
   run.Do(
     [&]
     {
+      if (this->GenerateCertificate && this->NumberOfStreamDivisions > 1)
+      {
+        throw vtkFFBadSetting("A certificate needs all points at once, and the input is streamed. "
+                              "Turn off Generate Certificate, or set Number Of Stream Divisions to "
+                              "1.");
+      }
       this->WriteHull(this->Kept->Hull, run, output);
+      if (this->GenerateCertificate)
+      {
+        run.Parts.clear();
+        vtkFFInput points;
+        const vtkIdType count =
+          points.Take(vtkFFInput::PiecesOf(input), this->SkipGhostPoints, run);
+        this->AddCertificate(points, count, this->Kept->Hull, run, output);
+      }
       this->ReportHull(this->Kept->Hull, run, output);
     });
   if (!keeps || run.Failure)
@@ -408,11 +425,15 @@ void vtkFFHullFilter::WriteHulls(
   {
     auto hull = std::make_unique<vtkFFHullResult>();
     vtkFFInput points;
-    points.Take({ { blocks[i].Data, 0 } }, this->SkipGhostPoints, own);
+    const vtkIdType size = points.Take({ { blocks[i].Data, 0 } }, this->SkipGhostPoints, own);
     hull->Take(points, this->PassPointData, own);
     vtkFFOutput::PassFieldData(blocks[i].Data, hull->Data);
     vtkFFOutput::RemoveReport(hull->Data->GetFieldData());
     this->WriteHull(*hull, own, hull->Data);
+    if (this->GenerateCertificate)
+    {
+      this->AddCertificate(points, size, *hull, own, hull->Data);
+    }
     hulls[i] = std::move(hull);
   };
   vtkSmartPointer<vtkCompositeDataIterator> leaf;
@@ -432,10 +453,40 @@ void vtkFFHullFilter::WriteHulls(
 }
 
 //------------------------------------------------------------------------------
+void vtkFFHullFilter::AddCertificate(const vtkFFInput& points, vtkIdType count,
+  const vtkFFHullResult& hull, const vtkFFRun& run, vtkPolyData* output) const
+{
+  // The output's cells, over the points as the engine has them: those ids and these both ascend.
+  flipflop::Hull cells;
+  cells.dimension = hull.Hull.dimension;
+  auto* ids =
+    vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetAbstractArray("vtkOriginalPointIds"));
+  cells.pointIds.allocate(static_cast<std::size_t>(ids ? ids->GetNumberOfValues() : 0));
+  vtkIdType index = 0;
+  for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
+  {
+    while (run.GetId(index) != ids->GetValue(static_cast<vtkIdType>(i)))
+    {
+      ++index;
+    }
+    cells.pointIds[i] = index;
+  }
+  vtkFFOutput::CopyCells(cells.dimension <= 0 ? output->GetVerts()
+      : cells.dimension == 1                  ? output->GetLines()
+                                              : output->GetPolys(),
+    cells);
+  const flipflop::Certificate certificate =
+    flipflop::certificate(points.GetView(), cells, run.Options);
+  vtkFFOutput::AddCertificate(
+    output->GetFieldData(), certificate, count, [&](vtkIdType id) { return run.GetId(id); });
+}
+
+//------------------------------------------------------------------------------
 void vtkFFHullFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CompositeMode: " << this->CompositeMode << "\n";
   os << indent << "NumberOfStreamDivisions: " << this->NumberOfStreamDivisions << "\n";
+  os << indent << "GenerateCertificate: " << (this->GenerateCertificate ? "On" : "Off") << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -74,6 +74,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCompositeDataSet;
+class vtkFFInput;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
@@ -137,6 +138,28 @@ public:
   vtkGetMacro(NumberOfStreamDivisions, int);
   //@}
 
+  //@{
+  /**
+   * Set/Get whether the output has a certificate as field data. Off by default. With it, a program
+   * that shares nothing with this one checks the hull in linear time: Checker/check_result.py.
+   *
+   * - FlipFlopCertificate (vtkIdTypeArray): for each point of the
+   *   input, ghosts included, the cell of the output whose cone from
+   *   the apex holds it. Below dimension 3, the cell that holds it. -1
+   *   for a point that was left out.
+   * - FlipFlopApex (vtkDoubleArray of three components), in dimension
+   *   3: one position, or four. Their exact mean is the apex, inside
+   *   the hull.
+   *
+   * It needs all points at once: a streamed input, and several processes, are errors.
+   */
+  virtual void SetGenerateCertificate(bool on)
+  {
+    this->ChangeOutput(this->GenerateCertificate, on);
+  }
+  vtkGetMacro(GenerateCertificate, bool);
+  //@}
+
 protected:
   vtkFFHullFilter();
   ~vtkFFHullFilter() override;
@@ -154,6 +177,7 @@ protected:
 
   int CompositeMode = HULL_OF_EACH_BLOCK;
   int NumberOfStreamDivisions = 1;
+  bool GenerateCertificate = false;
 
 private:
   /// Whether the output is a composite like this input.
@@ -161,6 +185,10 @@ private:
 
   /// A hull of each data set in a composite. VTK's executive would make one after another.
   void WriteHulls(vtkCompositeDataSet* input, vtkFFRun& run, vtkCompositeDataSet* output);
+
+  /// Adds the certificate, if it is wanted. The points and their number, with ghosts.
+  void AddCertificate(const vtkFFInput& points, vtkIdType count, const vtkFFHullResult& hull,
+    const vtkFFRun& run, vtkPolyData* output) const;
 
   struct KeptType;
   std::shared_ptr<KeptType> Kept;

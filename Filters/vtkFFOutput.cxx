@@ -6,6 +6,7 @@
 #include "vtkFFPointSource.h"
 
 #include <flipflop/CellComplex.h>
+#include <flipflop/Certificate.h>
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -393,6 +394,30 @@ void vtkFFOutput::Renumber(
   for (vtkIdType i = 0; i < count; ++i)
   {
     ids->SetValue(i, idOf(ids->GetValue(i)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFOutput::AddCertificate(vtkFieldData* output, const flipflop::Certificate& certificate,
+  vtkIdType count, const std::function<vtkIdType(vtkIdType)>& idOf)
+{
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("FlipFlopCertificate");
+  cells->SetNumberOfValues(count);
+  cells->FillValue(-1);
+  for (std::size_t i = 0; i < certificate.cells.size(); ++i)
+  {
+    cells->SetValue(idOf(static_cast<vtkIdType>(i)), static_cast<vtkIdType>(certificate.cells[i]));
+  }
+  output->AddArray(cells);
+  if (!certificate.apex.empty())
+  {
+    vtkNew<vtkDoubleArray> apex;
+    apex->SetName("FlipFlopApex");
+    apex->SetNumberOfComponents(3);
+    apex->SetNumberOfTuples(static_cast<vtkIdType>(certificate.apex.size() / 3));
+    std::copy(certificate.apex.begin(), certificate.apex.end(), apex->GetPointer(0));
+    output->AddArray(apex);
   }
 }
 

@@ -24,6 +24,7 @@
 namespace flipflop
 {
 struct CellComplex;
+struct Certificate;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -140,6 +141,14 @@ public:
   static void AddValue(vtkFieldData* output, const char* name, double value);
   static void AddValue(vtkFieldData* output, const char* name, const char* value);
   //@}
+
+  /**
+   * Add a certificate: the arrays FlipFlopCertificate, of so many points, and FlipFlopApex.
+   *
+   * @param idOf the id of each point that the certificate has; others have -1
+   */
+  static void AddCertificate(vtkFieldData* output, const flipflop::Certificate& certificate,
+    vtkIdType count, const std::function<vtkIdType(vtkIdType)>& idOf);
 
   /**
    * The points of all @p pieces, one piece after another, with the point arrays that all of them

@@ -3,11 +3,15 @@
 #include "vtkFFRegularTriangulationFilter.h"
 
 #include "vtkFFKeptTriangulation.h"
+#include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
 #include "vtkFFRun.h"
 #include "vtkFFTriangulationOutput.h"
 
+#include <flipflop/Certificate.h>
+
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -57,6 +61,12 @@ int vtkFFRegularTriangulationFilter::RequestData(
       }
 
       vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+      flipflop::Certificate certificate;
+      if (this->GenerateCertificate)
+      {
+        certificate =
+          flipflop::certificate(input.GetPlane(), input.GetWeights(), triangulation, run.Options);
+      }
       vtkFFTriangulationOutput outputs(this, run);
       const std::int64_t dropped =
         outputs.DropCells(input.GetPlane(), input.GetWeights(), triangulation);
@@ -64,6 +74,12 @@ int vtkFFRegularTriangulationFilter::RequestData(
       outputs.Write(input, triangulation, output, vtkPolyData::GetData(outputVector, 1),
         vtkPolyData::GetData(outputVector, 2));
       input.Report(triangulation, hidden, dropped, output);
+      if (this->GenerateCertificate)
+      {
+        const vtkIdType count = vtkDataSet::GetData(inputVector[0])->GetNumberOfPoints();
+        vtkFFOutput::AddCertificate(
+          output->GetFieldData(), certificate, count, [&](vtkIdType id) { return run.GetId(id); });
+      }
     });
   return run.Finish();
 }
@@ -77,6 +93,7 @@ void vtkFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AlphaVerts: " << (this->AlphaVerts ? "On" : "Off") << "\n";
   os << indent << "GenerateAlphas: " << (this->GenerateAlphas ? "On" : "Off") << "\n";
   os << indent << "GenerateBoundary: " << (this->GenerateBoundary ? "On" : "Off") << "\n";
+  os << indent << "GenerateCertificate: " << (this->GenerateCertificate ? "On" : "Off") << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
 }
 VTK_ABI_NAMESPACE_END

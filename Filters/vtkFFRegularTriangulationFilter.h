@@ -126,6 +126,24 @@ public:
 
   //@{
   /**
+   * Set/Get whether the output has a certificate as field data. Off by default. With it, a program
+   * that shares nothing with this one checks the triangulation in linear time:
+   * Checker/check_result.py.
+   *
+   * FlipFlopCertificate (vtkIdTypeArray) has for each point of the input, ghosts included, the cell
+   * of port 0 that holds it, of several the lowest; a hidden point is hidden by it. -1 for a point
+   * that was left out. Cells are counted before Alpha and MaximumEdgeLength leave some out. Where
+   * several processes triangulate together, it is an error.
+   */
+  virtual void SetGenerateCertificate(bool on)
+  {
+    this->ChangeOutput(this->GenerateCertificate, on);
+  }
+  vtkGetMacro(GenerateCertificate, bool);
+  //@}
+
+  //@{
+  /**
    * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
    * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
    * measured in the plane of the triangulation, and compared exactly: one as long as
@@ -155,6 +173,7 @@ protected:
   bool AlphaVerts = false;
   bool GenerateAlphas = false;
   bool GenerateBoundary = false;
+  bool GenerateCertificate = false;
   double MaximumEdgeLength = 0.0;
 
 private:

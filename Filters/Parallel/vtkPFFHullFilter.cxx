@@ -318,6 +318,12 @@ int vtkPFFHullFilter::RequestData(
         "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: "
         "each process has its piece alone in memory then.");
     }
+    if (this->GenerateCertificate)
+    {
+      throw vtkFFBadSetting(
+        "Several processes have a part of the points each, and a certificate needs all. Turn off "
+        "Generate Certificate, or bring all points to one process.");
+    }
   };
   const auto work =
     [&](const Blocks& blocks, vtkFFProcesses& processes, vtkInformationVector* outputs)

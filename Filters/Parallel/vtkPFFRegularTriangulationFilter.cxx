@@ -67,12 +67,13 @@ int vtkPFFRegularTriangulationFilter::RequestData(
   }
   const auto check = [&]
   {
-    if (this->AlphaLines || this->AlphaVerts || this->GenerateAlphas || this->GenerateBoundary)
+    if (this->AlphaLines || this->AlphaVerts || this->GenerateAlphas || this->GenerateBoundary ||
+      this->GenerateCertificate)
     {
       throw vtkFFBadSetting(
         "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha "
-        "Verts, Generate Alphas and Generate Boundary must be off. To have them, bring all points "
-        "to one process.");
+        "Verts, Generate Alphas, Generate Boundary and Generate Certificate must be off. To have "
+        "them, bring all points to one process.");
     }
   };
   const auto work = [&](const std::vector<vtkFFDistributedInput::BlockType>& blocks,

@@ -64,7 +64,7 @@ inline std::vector<FilterCase> filterCases()
     return own;
   };
   const std::vector<std::string> hullSettings{ "Volume", "Area", "CompositeMode",
-    "NumberOfStreamDivisions" };
+    "NumberOfStreamDivisions", "GenerateCertificate" };
   const std::vector<std::string> hullSteps{ "Convex hull: scanning", "Convex hull: sorting",
     "Convex hull: finishing" };
   const std::vector<std::string> hullReport{ "FlipFlopVolume", "FlipFlopArea" };
@@ -78,7 +78,8 @@ inline std::vector<FilterCase> filterCases()
     { makeWeightedFilter<vtkFFRegularTriangulationFilter>, false, true, "Regular triangulation",
       { "Regular triangulation: scanning", "Regular triangulation: finishing" },
       withPlanar({ "Alpha", "AlphaLines", "AlphaVerts", "GenerateAlphas", "GenerateBoundary",
-        "MaximumEdgeLength", "NumberOfHiddenPoints", "NumberOfDroppedCells" }),
+        "GenerateCertificate", "MaximumEdgeLength", "NumberOfHiddenPoints",
+        "NumberOfDroppedCells" }),
       { "FlipFlopHiddenPoints", "FlipFlopDroppedCells" } },
     { makeWeightedFilter<vtkFFPowerDiagramFilter>, false, true, "Power diagram",
       { "Power diagram: scanning", "Power diagram: making cells" },

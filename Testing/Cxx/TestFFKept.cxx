@@ -183,6 +183,7 @@ void testTriangulation()
     { "vertices", false, [](Triangulation* f) { f->SetAlphaVerts(true); } },
     { "alphas", false, [](Triangulation* f) { f->SetGenerateAlphas(true); } },
     { "border", false, [](Triangulation* f) { f->SetGenerateBoundary(true); } },
+    { "certificate", false, [](Triangulation* f) { f->SetGenerateCertificate(true); } },
     { "length", false, [](Triangulation* f) { f->SetMaximumEdgeLength(0.06); } },
     { "no alpha", false, [](Triangulation* f) { f->SetAlpha(0.0); } },
     { "polygons", true,

@@ -194,8 +194,9 @@ void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter, int which)
     [](Bytes& b, F* f) { f->SetAlphaLines(b.flag()); },
     [](Bytes& b, F* f) { f->SetAlphaVerts(b.flag()); },
     [](Bytes& b, F* f) { f->SetGenerateAlphas(b.flag()); },
+    [](Bytes& b, F* f) { f->SetGenerateCertificate(b.flag()); },
   };
-  setters[which >= 12 && which < 18 ? which - 12 : 1](bytes, filter);
+  setters[which >= 12 && which < 19 ? which - 12 : 1](bytes, filter);
 }
 
 void drawOwn(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter, int which)

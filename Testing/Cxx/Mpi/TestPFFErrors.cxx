@@ -293,8 +293,8 @@ void testSeveral()
   boundary.Set<Triangulation>([](auto* filter) { filter->SetGenerateBoundary(true); });
   boundary.Fails("boundary", ownOf(pieces),
     "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha Verts, "
-    "Generate Alphas and Generate Boundary must be off. To have them, bring all points to one "
-    "process.");
+    "Generate Alphas, Generate Boundary and Generate Certificate must be off. To have them, bring "
+    "all points to one process.");
   DistributedVersusSerial constrained =
     compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>();
   vtkNew<vtkPolyData> source;
@@ -311,6 +311,11 @@ void testSeveral()
       "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: each "
       "process has its piece alone in memory then.");
     hull->SetNumberOfStreamDivisions(1);
+    hull->SetGenerateCertificate(rank() == process || process == processes());
+    streamed.Fails("certificate", ownOf(pieces),
+      "Several processes have a part of the points each, and a certificate needs all. Turn off "
+      "Generate Certificate, or bring all points to one process.");
+    hull->SetGenerateCertificate(false);
     streamed.Run("after streaming", pieces);
   }
 }
