@@ -2,11 +2,12 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# nightly.sh [sanitizers|tests|compilers|windows|wheels|reference|fuzz]...: what takes too long for every change. By default all:
+# nightly.sh [sanitizers|tests|checker|compilers|windows|wheels|reference|fuzz]...: what takes too long for every change. By default all:
 #   sanitizers  every test that a sanitizer can find something in (test.sh runs a part of them), and where there is
 #               nvcc, the device's code
 #   tests       the tests that only FLIPFLOP_NIGHTLY builds: the tests of the tests, by mutants; the pictures beside
 #               their sources; the device code's budgets for every architecture
+#   checker     10,000 random results, and mutants of some, by the program that shares nothing with the engine
 #   compilers   clang with libc++, compiled only
 #   windows     MinGW-w64, run by Wine
 #   wheels      the wheels for each Python that is here, beside each VTK and PyVista (Testing/Wheel/matrix.py)
@@ -17,12 +18,12 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests compilers windows wheels reference fuzz)
+[ ${#parts[@]} -gt 0 ] || parts=(sanitizers tests checker compilers windows wheels reference fuzz)
 
 for part in "${parts[@]}"; do
   case "$part" in
-    sanitizers | tests | compilers | windows | wheels | reference | fuzz) ;;
-    *) echo "usage: nightly.sh [sanitizers|tests|compilers|windows|wheels|reference|fuzz]..." >&2; exit 2 ;;
+    sanitizers | tests | checker | compilers | windows | wheels | reference | fuzz) ;;
+    *) echo "usage: nightly.sh [sanitizers|tests|checker|compilers|windows|wheels|reference|fuzz]..." >&2; exit 2 ;;
   esac
 done
 
@@ -46,6 +47,13 @@ for part in "${parts[@]}"; do
       layout=()
       ;;
     tests) build_and_test ci ci-nightly -DFLIPFLOP_NIGHTLY=ON "${device_code[@]}" ;;
+    checker)
+      "$top/Scripts/install-dependencies.sh" wheel
+      "$python" -m venv --clear "$top/build/checker"
+      "$top/build/checker/bin/pip" install --quiet "$top" pytest
+      FLIPFLOP_CHECKER_CASES=2000 "$top/build/checker/bin/python" -m pytest -p no:cacheprovider \
+        --override-ini 'python_files=Test*.py' "$top/Testing/Arrays/TestChecker.py"
+      ;;
     compilers) "$top/Scripts/libcxx.sh" ;;
     windows) "$top/Scripts/mingw.sh" ;;
     wheels)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// MakeBaselines <directory>: write CGAL's hull, or regular triangulation, of every baseline input
-/// to <directory>/<name>.txt.
+/// to <directory>/<name>.txt. MakeBaselines --points <directory>: write the inputs alone, to
+/// <directory>/<name>.f64: x, y and z, or the weight, of each point as doubles.
 ///
 /// Exact constructions where bearable, rationals for extreme ranges: never the engine, which the
 /// files are there to judge.
@@ -11,6 +12,9 @@
 
 #include <cstdio>
 #include <exception>
+#include <fstream>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -25,17 +29,35 @@ void write(const std::string& directory, const std::string& kind, const Input& i
     input.make().size(), result.dimension, result.ids.size(), kind.c_str(), result.cells.size());
 }
 
+void writePoints(const std::string& directory, const std::vector<Input>& inputs)
+{
+  for (const Input& input : inputs)
+  {
+    const Cloud cloud = input.make();
+    std::ofstream file(directory + "/" + input.name + ".f64", std::ios::binary);
+    file.write(reinterpret_cast<const char*>(cloud.data()),
+      static_cast<std::streamsize>(cloud.size() * sizeof(cloud[0])));
+  }
+}
+
 }
 
 int main(int argc, char* argv[])
 {
-  if (argc != 2)
+  const bool isOfPoints = argc == 3 && std::string(argv[1]) == "--points";
+  if (argc != 2 && !isOfPoints)
   {
-    std::fprintf(stderr, "usage: %s <directory>\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--points] <directory>\n", argv[0]);
     return 2;
   }
   try
   {
+    if (isOfPoints)
+    {
+      writePoints(argv[2], baselineInputs());
+      writePoints(argv[2], weightedBaselineInputs());
+      return 0;
+    }
     for (const Input& input : baselineInputs())
     {
       const Cloud cloud = input.make();
