@@ -218,8 +218,8 @@ bool runEachBlock(vtkFFAlgorithm* filter, vtkMultiProcessController* controller,
   for (std::size_t i = 0; isReady && !isAborted && i < tasks.size(); ++i)
   {
     const auto& [block, results] = tasks[i];
-    filter->SetProgressShiftScale(
-      static_cast<double>(i) / tasks.size(), 1.0 / static_cast<double>(tasks.size()));
+    const auto count = static_cast<double>(tasks.size());
+    filter->SetProgressShiftScale(static_cast<double>(i) / count, 1.0 / count);
     vtkFFRun run(filter, title, results);
     limitThreads(run);
     vtkFFProcesses processes(controller, run);
