@@ -6,6 +6,7 @@
 #include "Geometry/HullLocator.h"
 #include "Geometry/HullStart.h"
 #include "Run/HullRun.h"
+#include "Support/EngineCall.h"
 #include "Surface/CellMesh.h"
 #include "Surface/HullKernel.h"
 #include "Surface/StarShape.h"
@@ -226,36 +227,48 @@ Certificate locateEach(const PointView& points, const Options& options, const Pr
 
 Certificate certificate(const PointView& points, const Hull& hull, const Options& options)
 {
-  HullRun run(points, options);
-  if (!withTypedErrors([&] { return checkHullStructure(points.count, hull); }))
-  {
-    throw badArgument(NoHull);
-  }
-  Certificate result;
-  run.execute<Hull>(
-    [&](Hull& scratch)
+  return engineCall(
+    [&]
     {
-      result.cells.allocate(static_cast<std::size_t>(points.count));
-      run.inspect(scratch);
-      HullCertifier(run, hull, result).certify();
+      HullRun run(points, options);
+      if (!checkHullStructure(points.count, hull))
+      {
+        throw badArgument(NoHull);
+      }
+      Certificate result;
+      run.execute<Hull>(
+        [&](Hull& scratch)
+        {
+          result.cells.allocate(static_cast<std::size_t>(points.count));
+          run.inspect(scratch);
+          HullCertifier(run, hull, result).certify();
+        });
+      return result;
     });
-  return result;
 }
 
 Certificate certificate(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const Options& options)
 {
-  return locateEach(points, options,
-    [&](const Options& half)
-    { return TriangulationQueries(points, weights, triangulation, half); });
+  return engineCall(
+    [&]
+    {
+      return locateEach(points, options,
+        [&](const Options& half)
+        { return TriangulationQueries(points, weights, triangulation, half); });
+    });
 }
 
 Certificate certificate(
   const PointView& points, const ConstrainedTriangulation& triangulation, const Options& options)
 {
-  return locateEach(points, options,
-    [&](const Options& half)
-    { return TriangulationQueries(points, triangulation, nullptr, half); });
+  return engineCall(
+    [&]
+    {
+      return locateEach(points, options,
+        [&](const Options& half)
+        { return TriangulationQueries(points, triangulation, nullptr, half); });
+    });
 }
 
 }
