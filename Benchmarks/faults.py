@@ -133,10 +133,10 @@ def verdict(kind, task, points):
     for i, p in enumerate((points if kind == "hull" else points[:, :2]).tolist()):
         ids.setdefault(tuple(p), i)
     try:
-        place = [ids[tuple(map(float, p[: 3 if kind == "hull" else 2]))] for p in np.asarray(found).tolist()]
+        corner = [ids[tuple(map(float, p[: 3 if kind == "hull" else 2]))] for p in np.asarray(found).tolist()]
     except KeyError as error:
         return f"wrong: no point is at {error.args[0]}"
-    cells = [tuple(place[i] for i in cell) for cell in cells]
+    cells = [tuple(corner[i] for i in cell) for cell in cells]
     rows = points if kind == "hull" else points[:, :2]
     case = {"points": list(map(tuple, rows.tolist())), "cells": outwards(kind, points, cells)}
     try:
@@ -168,7 +168,7 @@ def watched(kind, name, points, seconds=20):
 
 
 def main(paths):
-    for path in paths or sorted(glob.glob(os.path.join(TOP, "Data", "PeersFaults", "*.txt"))):
+    for path in paths or sorted(glob.glob(os.path.join(TOP, "Data", "PeersFaults", "*-*.txt"))):
         kind, what, points = read(path)
         print(f"\n{os.path.basename(path)}: {kind} of {len(points)} points: {what}")
         for name, (package, _) in PEERS[kind].items():
