@@ -22,7 +22,7 @@ def names(*patterns):
 
 
 def all_tests():
-    found = names("**/Test*.*", "Cxx/RunPackage.cmake", "Cuda/Rounds/mutants.py", "Fuzz/*.cxx")
+    found = names("**/Test*.*", "Cxx/RunPackage.cmake", "Cuda/mutants.py", "Cuda/Device/DeviceTest.cxx", "Fuzz/*.cxx")
     for path in glob.glob(os.path.join(TOP, "Testing", "**", "*.cxx"), recursive=True):
         found |= {".".join(name) for name in re.findall(r"^TEST\w*\((\w+), (\w+)\)", read(path), re.MULTILINE)}
     return found

@@ -4,6 +4,7 @@
 /// The choice between engines: the report says which one ran and why, and the result never tells.
 #include "Choice/DeviceStatus.h"
 #include "Choice/EngineDecision.h"
+#include "Testing/Cuda/Rounds/EngineRuns.h"
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
@@ -57,13 +58,9 @@ void expectCpuResult(const EngineOptions& engine, EngineChoice used)
   }
 }
 
-TEST(Engines, TheCpuWhereItIsAskedFor)
-{
-  expectCpuResult(chosen(EngineChoice::CPU), EngineChoice::CPU);
-}
-
 TEST(Engines, AutomaticTakesTheCpuWhileNoMeasurementTellsOtherwise)
 {
+  expectCpuResult(chosen(EngineChoice::CPU), EngineChoice::CPU);
   expectCpuResult(EngineOptions(), EngineChoice::CPU);
   expectCpuResult(chosen(EngineChoice::Automatic, 1000000), EngineChoice::CPU);
 }
@@ -219,28 +216,13 @@ TEST(Engines, CudaWithoutADeviceIsAnError)
   {
     const EngineOptions engine = chosen(EngineChoice::CUDA);
     EngineReport report;
-    int errors = 0;
-    try
-    {
-      convexHull(viewOf(cloud), Options(), engine, report);
-    }
-    catch (const Error& error)
-    {
-      errors += error.code() == ErrorCode::NoDevice ? 1 : 0;
-    }
+    const PointView points = viewOf(cloud);
+    const int noDevice = static_cast<int>(ErrorCode::NoDevice);
+    EXPECT_EQ(codeOf([&] { convexHull(points, Options(), engine, report); }), noDevice);
     EXPECT_STRNE(report.reason, "");
-    for (const WeightView& weights : { weightsOf(cloud), WeightView() })
-    {
-      try
-      {
-        regularTriangulation(viewOf(cloud), weights, Options(), engine, report);
-      }
-      catch (const Error& error)
-      {
-        errors += error.code() == ErrorCode::NoDevice ? 1 : 0;
-      }
-    }
-    EXPECT_EQ(errors, 3);
+    EXPECT_EQ(
+      codeOf([&] { regularTriangulation(points, weightsOf(cloud), Options(), engine, report); }),
+      noDevice);
   }
 }
 
@@ -251,16 +233,8 @@ TEST(Engines, ErrorsOfTheInputAreTheSame)
   for (EngineChoice choice : { EngineChoice::Automatic, EngineChoice::CPU })
   {
     EngineReport report;
-    try
-    {
-      convexHull(viewOf(cloud), Options(), chosen(choice, 0), report);
-      ADD_FAILURE() << "no error";
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.code(), ErrorCode::NonFinite);
-      EXPECT_EQ(error.index(), 5);
-    }
+    expectError([&] { convexHull(viewOf(cloud), Options(), chosen(choice, 0), report); },
+      ErrorCode::NonFinite, 5);
   }
 }
 

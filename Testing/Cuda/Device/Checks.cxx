@@ -3,12 +3,12 @@
 #include "Checks.h"
 
 #include "DeviceInputs.h"
+#include "Testing/Cuda/Rounds/EngineRuns.h"
 #include <flipflop/Engines.h>
 #include <flipflop/Validate.h>
 
-#include <algorithm>
 #include <cstring>
-#include <sstream>
+#include <set>
 
 namespace flipflop
 {
@@ -23,31 +23,6 @@ bool same(const Buffer<T>& a, const Buffer<T>& b)
 {
   return a.size() == b.size() &&
     (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-std::string toString(const RoundReport& report)
-{
-  const char* const stages[] = { "associate", "grow", "flip" };
-  std::ostringstream out;
-  out << stages[static_cast<int>(report.stage)] << " " << report.round << " (" << report.items
-      << " items, " << report.triangles << " triangles, " << report.vertices << " vertices, "
-      << report.changes << " changes, " << report.labelled << " labelled, mesh " << std::hex
-      << report.mesh << ")";
-  return out.str();
-}
-
-/// Where two sequences of rounds part, in words.
-std::string partingOf(const std::vector<RoundReport>& a, const std::vector<RoundReport>& b)
-{
-  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
-  {
-    if (i >= a.size() || i >= b.size() || !(a[i] == b[i]))
-    {
-      return (i < a.size() ? toString(a[i]) : std::string("the end")) + " where " +
-        (i < b.size() ? toString(b[i]) : std::string("the end")) + " is right";
-    }
-  }
-  return "";
 }
 
 void requireSame(const std::string& what, const RunResult& found, const RunResult& wanted)
@@ -65,18 +40,51 @@ void checkRounds(const Sides& sides, const RunInput& input, const Options& optio
   RunSeen seen;
   RunSeen known;
   const RunResult found = sides.subject.run(input, options, watch, &seen);
-  sides.reference.run(input, options, watch, &known);
-  const std::string text = partingOf(seen.reports, known.reports);
+  const RunResult reference = sides.reference.run(input, options, watch, &known);
+  const std::string text = reportDifference(seen.reports, known.reports);
   require(text.empty(), "other rounds: " + text);
   requireSame("watched", found, wanted);
-  // Unwatched, no round waits for the host: kernels follow each other closely.
-  requireSame("unwatched", sides.subject.run(input, options), wanted);
+  const std::string counts =
+    countDifference(found.cells().statistics, reference.cells().statistics);
+  require(counts.empty(), "other counts: " + counts);
+  // Unwatched, no round waits for the host: kernels follow each other closely, and the last rounds
+  // are one launch. It ends at once for the exact kernel, which rounds of their own wait for.
+  RunSeen alone;
+  const RunResult unwatched = sides.subject.run(input, options, RunWatch(), &alone);
+  requireSame("unwatched", unwatched, wanted);
+  const std::string apart =
+    countDifference(unwatched.cells().statistics, reference.cells().statistics);
+  require(
+    apart.empty() || alone.launches.count("check, exact"), "other counts unwatched: " + apart);
   const Validation validation = input.plane
     ? validate(input.points, input.weights, found.triangulation)
     : validate(input.points, found.hull);
   require(static_cast<bool>(validation),
     std::string("not valid: ") + describe(validation.fault) + ", at " +
       std::to_string(validation.index));
+}
+
+/// The mesh's hash is no constant: rounds with a change have hashes of their own.
+void checkDigests(const Sides& sides)
+{
+  RunWatch watch;
+  watch.reports = true;
+  std::set<std::uint64_t> meshes;
+  std::size_t changes = 0;
+  for (const char* family : { "ball", "shell0", "cube" })
+  {
+    RunSeen seen;
+    sides.subject.run(drawn(family, false, 200).view(), Options(), watch, &seen);
+    std::uint64_t labelled = 0;
+    for (const RoundReport& report : seen.reports)
+    {
+      const bool first = report.stage == RoundReport::Stage::Associate;
+      changes += first || report.changes != 0 || report.labelled != labelled ? 1 : 0;
+      labelled = report.labelled;
+      meshes.insert(report.mesh);
+    }
+  }
+  require(changes > 20 && meshes.size() == changes, "rounds with a change have one digest");
 }
 
 /// The public functions, by the chosen engine.
@@ -149,21 +157,9 @@ std::string difference(const RunResult& a, const RunResult& b)
                                                                   : "";
 }
 
-int codeOf(const std::function<void()>& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const Error& error)
-  {
-    return static_cast<int>(error.code());
-  }
-  return -1;
-}
-
 void addRoundChecks(std::vector<Check>& checks)
 {
+  checks.push_back({ "digests", true, checkDigests });
   bool odd = false;
   for (const InputMaker& maker : deviceInputs())
   {
@@ -215,7 +211,7 @@ void addRoundChecks(std::vector<Check>& checks)
           if (watch.reports)
           {
             first = i == 0 ? seen.reports : first;
-            const std::string text = partingOf(seen.reports, first);
+            const std::string text = reportDifference(seen.reports, first);
             require(text.empty(), "run " + std::to_string(i + 1) + ": other rounds: " + text);
           }
         }

@@ -48,9 +48,6 @@ struct Check
 /// Where two results differ, in words; empty where they are the same bit for bit.
 std::string difference(const RunResult& a, const RunResult& b);
 
-/// The code of the error that work throws; -1: none.
-int codeOf(const std::function<void()>& work);
-
 /// Rounds and results, one input after another.
 void addRoundChecks(std::vector<Check>& checks);
 /// Aborts, shortage of memory, runs at once, points in the executor's memory.

@@ -3,6 +3,7 @@
 #include "Checks.h"
 
 #include "DeviceInputs.h"
+#include "Testing/Cuda/Rounds/EngineRuns.h"
 #include <flipflop/Engines.h>
 
 #include <algorithm>

@@ -59,6 +59,7 @@ struct RunSeen
   std::vector<RoundReport> reports; ///< of every round, where asked for
   std::uint32_t growthRounds = 0;
   std::uint32_t flipRounds = 0;
+  Statistics counts;          ///< of the rounds alone: the result's include the finish
   std::int64_t mostBytes = 0; ///< of the executor's memory, at its peak
   std::map<std::string, LaunchTally> launches;
   std::map<std::string, double> partSeconds; ///< on a device, by its own clock

@@ -10,19 +10,47 @@
 #include "RoundsRunner.h"
 #include "Testing/Cuda/Rounds/EngineRuns.h"
 
+#include <stdexcept>
+
 namespace flipflop
 {
+
+/// Keeps what the rounds count.
+template <class Executor, class Geometry>
+class CountedRounds : public RoundsBuilder<Executor, Geometry>
+{
+public:
+  using RoundsBuilder<Executor, Geometry>::RoundsBuilder;
+
+  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+    Statistics& statistics) override
+  {
+    Polyhedron result =
+      RoundsBuilder<Executor, Geometry>::build(task, std::move(start), tally, statistics);
+    this->counts = tally.statistics;
+    return result;
+  }
+
+  Statistics counts;
+};
 
 /// @param work Result (PolyhedronBuilder<Geometry>&)
 template <class Geometry, class Executor, class Work>
 auto byRounds(Executor& executor, bool reports, RunSeen& seen, const Work& work)
 {
   const RoundObserver observer = [&seen](const RoundReport& report)
-  { seen.reports.push_back(report); };
-  RoundsBuilder<Executor, Geometry> rounds(executor, reports ? &observer : nullptr);
+  {
+    seen.reports.push_back(report);
+    if (seen.reports.size() > 10000)
+    {
+      throw std::runtime_error("rounds without an end"); // of kernels that are broken
+    }
+  };
+  CountedRounds<Executor, Geometry> rounds(executor, reports ? &observer : nullptr);
   auto result = work(rounds);
   seen.growthRounds = rounds.growthRounds;
   seen.flipRounds = rounds.flipRounds;
+  seen.counts = rounds.counts;
   return result;
 }
 

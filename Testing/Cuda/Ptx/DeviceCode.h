@@ -28,9 +28,6 @@ struct Entry
   bool waits;                  ///< for the other threads of its block
 };
 
-/// By the name that abi::__cxa_demangle gives; null if there is none.
-Kernel find(const char* demangledName);
-
 /// By the name that the linker has; null if there is none.
 const Entry* entryOf(const char* mangled);
 

@@ -5,9 +5,8 @@
 import re
 
 from ptx_syntax import (
-    BITS, COMPARISONS, CXX, EXPRESSIONS, FLOAT_COMPARISONS, identifier, literal, LOGIC,
-    parse_declaration, parse_opcode, Refused, Register, ROUND_TO_INTEGER, ROUNDING, SPECIAL,
-    split_operands, TESTS,
+    BITS, COMPARISONS, CXX, EXPRESSIONS, FLOAT_COMPARISONS, identifier, literal, parse_declaration,
+    parse_opcode, Refused, Register, ROUNDING, SPECIAL, split_operands,
 )
 
 
@@ -23,7 +22,6 @@ class Function:
         self.used = {}  # C++ type -> names of registers
         self.arrays = []
         self.labels = {}
-        self.tables = {}
         self.lines = []
         self.count = 0  # of instructions
         self.scopes = 0  # so far
@@ -53,7 +51,7 @@ class Function:
         for scope in reversed(self.addresses):
             if name in scope:
                 return scope[name]
-        return self.module.addresses.get(name)
+        return self.module.functions.get(name)
 
     def read(self, operand, type_name, may_be_wider=False):
         """A C++ expression of the type's value."""
@@ -194,11 +192,6 @@ class Function:
                 return f"{{ const {cxx} whole = {self.read(a[1], kind)}; {' '.join(lines)} }}"
         return self.write(a[0], kind, self.read(a[1], kind))
 
-    @staticmethod
-    def order(op):
-        strong = {"acquire": "ACQUIRE", "release": "RELEASE", "acq_rel": "ACQ_REL"}
-        return "__ATOMIC_" + next((strong[f] for f in op.flags if f in strong), "RELAXED")
-
     def elements(self, op, operand):
         """The registers of a vector and their type."""
         kind = op.types[0]
@@ -206,10 +199,7 @@ class Function:
         parts = split_operands(operand[1:-1]) if is_vector else [operand]
         if is_vector and len(parts) != (2 if "v2" in op.flags else 4):
             raise Refused("a vector of another length")
-        is_atomic = {"volatile", "relaxed", "acquire", "release"} & set(op.flags)
-        if is_atomic and kind[0] == "f":
-            kind = "b" + kind[1:]
-        return parts, kind, is_atomic
+        return parts, kind, "volatile" in op.flags
 
     def place(self, op, operand):
         """Where an instruction reads or writes; what is to be global memory can be checked there."""
@@ -221,7 +211,7 @@ class Function:
         lines = []
         for i, part in enumerate(parts):
             place = f"(M{CXX[kind]}*)(from + {i * BITS[kind] // 8})"
-            value = f"strongLoad<{self.order(op)}>({place})" if is_atomic else f"*{place}"
+            value = f"strongLoad({place})" if is_atomic else f"*{place}"
             lines.append(self.write(part, kind, value, True))
         return f"{{ const U64 from = {self.place(op, a[1])}; {' '.join(lines)} }}"
 
@@ -231,7 +221,7 @@ class Function:
         for i, part in enumerate(parts):
             place = f"(M{CXX[kind]}*)(to + {i * BITS[kind] // 8})"
             value = self.read(part, kind, True)
-            lines.append(f"__atomic_store_n({place}, {value}, {self.order(op)});" if is_atomic
+            lines.append(f"__atomic_store_n({place}, {value}, __ATOMIC_RELAXED);" if is_atomic
                          else f"*{place} = {value};")
         return f"{{ const U64 to = {self.place(op, a[0])}; {' '.join(lines)} }}"
 
@@ -264,8 +254,6 @@ class Function:
     def multiply(self, op, a):
         kind = op.types[0]
         if kind[0] == "f":
-            if op.base != "mul":
-                raise Refused("not an fma")
             return self.write(a[0], kind, f"{self.read(a[1], kind)} * {self.read(a[2], kind)}")
         part = next((f for f in op.flags if f in ("lo", "hi", "wide")), None)
         bits, sign = BITS[kind], "S" if kind[0] == "s" else "U"
@@ -280,19 +268,12 @@ class Function:
             value = f"({double}({x}) * {double}({y}))"
             value = f"U{bits}({value} >> {bits})" if part == "hi" else f"U{2 * bits}{value}"
         kind = f"u{2 * bits if part == 'wide' else bits}"
-        if op.base == "mul":
-            return self.write(a[0], kind, value)
-        carry = "carry" if op.base == "madc" else "false"
-        c = self.read(a[3], kind)
-        if "cc" in op.flags:
-            return self.write(a[0], kind, f"addCarry<{CXX[kind]}>({value}, {c}, {carry}, carry)")
-        return self.write(a[0], kind, f"{value} + {c} + {carry}")
+        return self.write(a[0], kind, value if op.base == "mul" else f"{value} + {self.read(a[3], kind)}")
 
     # Bits.
 
-    def count_bits(self, op, a):
-        call = "leadingZeros" if op.base == "clz" else "__builtin_popcountll"
-        return self.write(a[0], "u32", f"{call}({self.read(a[1], op.types[0])})")
+    def count_zeros(self, op, a):
+        return self.write(a[0], "u32", f"leadingZeros({self.read(a[1], op.types[0])})")
 
     def funnel(self, op, a):
         direction, mode = op.flags
@@ -301,118 +282,45 @@ class Function:
         call = "funnelLeft" if direction == "l" else "funnelRight"
         return self.write(a[0], "u32", f"{call}({low}, {high}, {n})")
 
-    def find_bit(self, op, a):
-        x, above = self.read(a[1], op.types[0]), "true" if op.flags else "false"
-        return self.write(a[0], "u32", f"findBit<{CXX[op.types[0]]}>({x}, {above})")
-
     # Choosing.
-
-    def select_by_sign(self, op, a):
-        kind, by = op.types
-        x, y, sign = self.read(a[1], kind), self.read(a[2], kind), self.read(a[3], by)
-        return self.write(a[0], kind, f"{sign} >= 0 ? {x} : {y}")
 
     def compare(self, op, a):
         kind = op.types[0]
         x, y = self.read(a[1], kind), self.read(a[2], kind)
-        name, results = op.flags[0], a[0].split("|")
-        value = FLOAT_COMPARISONS[name].format(x, y) if kind[0] == "f" else (
-            f"{x} {COMPARISONS[name]} {y}")
-        if (len(op.flags) != len(a) - 2 or (len(op.flags) == 2 and op.flags[1] not in LOGIC)
-                or (name in ("lo", "ls", "hi", "hs") and kind[0] == "s")):
-            raise Refused("unknown comparison")
-        values = ["is", "!is"]
-        also = ""
-        if len(a) == 4:
-            also = f", also = {self.read(a[3], 'pred')}"
-            values = [f"{v} {LOGIC[op.flags[1]]} also" for v in values]
-        lines = [self.write(r.strip(), "pred", v) for r, v in zip(results, values)]
-        return f"{{ const bool is = {value}{also}; {' '.join(lines)} }}"
-
-    def test(self, op, a):
-        return self.write(a[0], "pred", TESTS[op.flags[0]].format(self.read(a[1], op.types[0])))
+        form = FLOAT_COMPARISONS[op.flags[0]] if kind[0] == "f" else f"{{0}} {COMPARISONS[op.flags[0]]} {{1}}"
+        return self.write(a[0], "pred", form.format(x, y))
 
     def convert(self, op, a):
         to, kind = op.types
-        rounding = [flag for flag in op.flags if flag != "sat"]
         x = self.read(a[1], kind, True)
-        if rounding and rounding[0] in ROUND_TO_INTEGER and kind[0] == "f":
-            x = f"std::{ROUND_TO_INTEGER[rounding[0]]}({x})"
-            if to[0] != "f":  # saturates anyhow
-                return self.write(a[0], to, f"integerOf<{CXX[to]}>({x})", True)
-            is_exact = to == kind
-        elif to[0] != "f" and kind[0] != "f":
-            is_exact = not rounding
-            if "sat" in op.flags:
-                return self.write(a[0], to, f"saturate<{CXX[to]}>({x})", True)
-        else:
-            exact = to == kind or (to == "f64" and kind != "f64" and BITS[kind] <= 32)
-            is_exact = to[0] == "f" and (rounding == ["rn"] or (exact and not rounding))
-        if not is_exact or "sat" in op.flags:
+        if op.flags == ["rzi"] and kind[0] == "f" and to[0] != "f":
+            return self.write(a[0], to, f"integerOf<{CXX[to]}>(std::trunc({x}))", True)
+        integers = to[0] != "f" and kind[0] != "f"
+        exact = integers or to == kind or (to == "f64" and BITS[kind] <= 32)
+        if not (exact and not op.flags) and not (to[0] == "f" and op.flags == ["rn"]):
             raise Refused("unknown conversion")
         return self.write(a[0], to, f"{CXX[to]}({x})", True)
 
     # Threads together.
 
     def atomic(self, op, a):
-        kind = "b" + op.types[0][1:] if op.types[0][0] == "f" else op.types[0]
-        what = next((f for f in op.flags if f in ("exch", "cas", "inc", "dec", "min", "max", "add",
-                                                  "and", "or", "xor")), None)
-        results, values = (a[:1], a[2:]) if op.base == "atom" else (["_"], a[1:])
-        if len(values) != (2 if what == "cas" else 1) or what is None or kind[0] == "p":
+        kind = op.types[0]
+        what = next((f for f in op.flags if f != "global"), None)
+        if what is None or kind[0] in "fp" or "global" not in op.flags:
             raise Refused("unknown atomic operation")
-        place, x = self.place(op, a[-1 - len(values)]), ", ".join(self.read(v, kind) for v in values)
-        if op.types[0][0] == "f":
-            if what not in ("add", "exch"):
-                raise Refused("unknown atomic operation")
-            what = "add bits" if what == "add" else what
-        call = "atomic" + what.title().replace(" ", "")
-        value = f"{call}<{CXX[kind]}, {self.order(op)}>({place}, {x})"
-        return self.write(results[0], kind, value)
-
-    def fence(self, op, a):
-        return "__atomic_thread_fence(__ATOMIC_SEQ_CST);"
-
-    def nothing(self, op, a):
-        return ";"
+        value = f"atomic{what.title()}<{CXX[kind]}>({self.place(op, a[1])}, {self.read(a[2], kind)})"
+        return self.write(a[0], kind, value)
 
     def barrier(self, op, a):
-        if op.flags == ["warp", "sync"]:
-            return ";"
         if op.flags != ["sync"] or a != ["0"] or not self.is_entry:
             raise Refused("a barrier")
         self.waits = True
         return "if (!launch.wait) { std::abort(); } launch.wait();"
 
-    def active_mask(self, op, a):
-        return self.write(a[0], "u32", "1u")
-
-    def vote(self, op, a):
-        if len(op.flags) != 2:
-            raise Refused("unknown vote")
-        value = "true" if op.flags[1] == "uni" else self.read(a[1], "pred")
-        return self.write(a[0], op.types[0], value)
-
-    def shuffle(self, op, a):
-        # Upwards nothing is below lane 0: it keeps its own.
-        value, lane = self.read(a[1], "b32"), self.read(a[2], "u32")
-        result, _, inside = a[0].partition("|")
-        kept = value if "up" in op.flags else f"onlyLane({value}, {lane})"
-        lines = [f"const bool inside = {lane} == 0;", self.write(result.strip(), "b32", kept)]
-        lines += [self.write(inside.strip(), "pred", "inside")] if inside else []
-        return f"{{ {' '.join(lines)} }}"
-
     # Elsewhere.
 
     def branch(self, op, a):
         return f"goto {self.label(a[0])};"
-
-    def branch_by_table(self, op, a):
-        targets = self.tables.get(a[1])
-        if targets is None:
-            raise Refused(f"no table {a[1]}")
-        cases = [f"case {i}: goto {self.label(t)};" for i, t in enumerate(targets)]
-        return f"switch ({self.read(a[0], 'u32')}) {{ {' '.join(cases)} default: std::abort(); }}"
 
     def call(self, op, a):
         results = split_operands(a.pop(0)[1:-1].strip()) if a[0].startswith("(") else []
@@ -421,21 +329,13 @@ class Function:
         passed = [self.find_address(name) for name in results + values]
         if not all(passed):
             raise Refused("arguments that are not .param variables")
-        register = self.find_register(target)
-        if register:
-            types = "".join(", Byte*" for _ in passed)
-            callee = f"((void (*)(const Launch&{types})){register.name})"
-        else:
-            callee = self.module.functions.get(target)
-            if not callee:
-                raise Refused(f"a call of {target}, which is not defined here")
+        callee = self.module.functions.get(target)
+        if not callee:
+            raise Refused(f"a call of {target}, which is not defined here")
         return f"{callee}({', '.join(['launch', *passed])});"
 
     def leave(self, op, a):
         return "return;"
-
-    def trap(self, op, a):
-        return "std::abort();"
 
     # The result.
 

@@ -22,7 +22,7 @@ import sys
 
 from ptx_function import Function
 from ptx_syntax import (
-    CXX, identifier, literal, parse_declaration, Refused, split_operands,
+    identifier, parse_declaration, Refused,
 )
 
 TEMPLATES = pathlib.Path(__file__).parent
@@ -31,7 +31,6 @@ INTERFACE = "\n" + (TEMPLATES / "ptx_interface.cxx.in").read_text()
 
 HEADER = re.compile(r"((?:\.(?:visible|weak|extern)\s+)*)\.(entry|func)\s+(?:\(([^)]*)\)\s*)?"
                     r"([$%\w]+)\s*(?:\(([^)]*)\))?[^{;]*([{;])")
-VARIABLE = re.compile(r"(\.[^;{=]*(?:=[^;]*)?);")
 SKIPPED = re.compile(r"\s+|\.(?:version|target)\b[^\n]*|\.address_size\s+64\b"
                      r"|\.section\s+[^{]*\{[^}]*\}")
 STATEMENT = re.compile(r"\s*(?:([{}])|([$%\w]+)\s*:(?!:)|([^;{}]+(?:\{[^{}]*\}[^;{}]*)*);)")
@@ -42,9 +41,7 @@ class Module:
 
     def __init__(self, path, prefix, taken):
         self.path, self.prefix, self.taken = path, prefix, taken
-        self.addresses = {}  # of variables and functions, as C++ expressions
         self.functions = {}
-        self.variables = []
         self.bodies = []  # name, start, end, function
         self.entries = []  # mangled name, function
         # What is left out keeps its lines.
@@ -66,8 +63,7 @@ class Module:
         position = 0
         while position < len(self.text):
             skipped = SKIPPED.match(self.text, position)
-            match = skipped or HEADER.match(self.text, position) or VARIABLE.match(
-                self.text, position)
+            match = skipped or HEADER.match(self.text, position)
             try:
                 if not match:
                     raise Refused("unknown directive")
@@ -79,21 +75,12 @@ class Module:
             self.translate_body(start, end, function)
 
     def define(self, match):
-        """A function or a variable; where it ends."""
-        if match.re is VARIABLE:
-            text = re.sub(r"^\s*(\.(visible|weak)\s+)*", "", match[1])
-            if not re.match(r"\.(global|const)\b", text):
-                raise Refused("unknown declaration")
-            variable, = parse_declaration(text)
-            name = self.new_name(variable.name)
-            self.addresses[variable.name] = name
-            self.variables.append((variable, name))
-            return match.end()
+        """A function; where it ends."""
         linkage, kind, results, name, parameters, end = match.groups()
         if ".extern" in linkage:
             return match.end()
         new = self.new_name(name)
-        self.addresses[name] = self.functions[name] = new
+        self.functions[name] = new
         if end == ";":
             return match.end()
         results, parameters = (
@@ -111,9 +98,6 @@ class Module:
         raise Refused("no end")
 
     def translate_body(self, start, end, function):
-        for match in re.compile(r"([$%\w]+)\s*:\s*\.branchtargets([^;]*);").finditer(
-                self.text, start, end):
-            function.tables[match[1]] = split_operands(match[2].strip())
         position, end = start, start + len(self.text[start:end].rstrip())
         while position < end:
             match = STATEMENT.match(self.text, position, end)
@@ -125,35 +109,13 @@ class Module:
                 if brace:
                     function.open_scope() if brace == "{" else function.close_scope()
                 elif label:
-                    table = re.compile(r"\s*\.(branchtargets|callprototype)\b[^;]*;").match(
-                        self.text, position)
-                    position = table.end() if table else position
-                    function.lines += [] if table else [f"{function.label(label)}:;"]
+                    function.lines.append(f"{function.label(label)}:;")
                 else:
                     function.translate(statement.strip())
             except Refused as error:
                 self.refuse(match.start(match.lastindex), statement or label, error)
             except (ValueError, IndexError, KeyError):
                 self.refuse(match.start(match.lastindex), statement or label, "unknown operands")
-
-    def definition(self, variable, name):
-        """An initialised array."""
-        elements = []
-        text = variable.value
-        for element in split_operands(text[1:-1] if text.startswith("{") else text):
-            value = literal(element, variable.type)
-            match = re.fullmatch(r"(?:generic\()?\s*([$%\w]+)\s*\)?\s*(?:\+\s*(\d+))?", element)
-            if value is None and match and match[1] in self.addresses and (
-                    CXX[variable.type] == "U64"):
-                value = f"U64({self.addresses[match[1]]}) + {match[2] or 0}"
-            if value is None:
-                raise Refused(f"unknown initial value {element} of {variable.name}")
-            elements.append(value)
-        return f"{self.declaration(variable, name)} = {{ {', '.join(elements)} }};"
-
-    @staticmethod
-    def declaration(variable, name, linkage=""):
-        return f"alignas({variable.align}) {linkage}{CXX[variable.type]} {name}[{variable.count}]"
 
 
 def dispatch_table(modules):
@@ -172,21 +134,16 @@ def dispatch_table(modules):
 
 
 def generate(modules, namespace, count):
-    """The texts of so many files, the last one with the data and the table."""
+    """The texts of so many files, the last one with the table."""
     functions = [function for module in modules for _, _, function in module.bodies]
     head = PREAMBLE.replace("@NAMESPACE@", namespace)
     head += "\n".join(f"{function.signature()};" for function in functions) + "\n"
-    tail = []
-    for module in modules:
-        for variable, name in module.variables:
-            head += module.declaration(variable, name, "extern ") + ";\n"
-            tail.append(module.definition(variable, name))
     texts, sizes = [[] for _ in range(count)], [0] * count
     for function in sorted(functions, key=lambda function: -function.count):
         lightest = sizes.index(min(sizes))
         texts[lightest].append(function.text())
         sizes[lightest] += function.count + 1
-    texts[-1] += tail + [dispatch_table(modules)]
+    texts[-1].append(dispatch_table(modules))
     return [f"{head}\n" + "\n".join(text) + "\n}\n" for text in texts]
 
 

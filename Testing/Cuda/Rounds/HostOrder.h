@@ -8,6 +8,7 @@
 #include "Rounds/HostExecutor.h"
 
 #include <string>
+#include <vector>
 
 namespace flipflop
 {
@@ -36,6 +37,19 @@ struct HostOrder
     return "on " + std::to_string(this->threads) + " threads";
   }
 };
+
+/// All four orders: forwards, backwards, shuffled by several seeds, on several numbers of threads.
+/// Under ThreadSanitizer on threads: on one there is nothing for it to see.
+inline std::vector<HostOrder> allOrders()
+{
+  using Order = HostExecutor::Order;
+#if defined(__SANITIZE_THREAD__)
+  return { { Order::Threads, 1, 3 }, { Order::Threads, 1, 7 } };
+#else
+  return { { Order::Threads, 1, 3 }, { Order::Threads, 1, 2 }, { Order::Threads, 1, 7 },
+    { Order::Backwards }, { Order::Shuffled, 1 }, { Order::Shuffled, 2 }, { Order::Shuffled, 3 } };
+#endif
+}
 
 }
 }
