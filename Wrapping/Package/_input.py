@@ -242,7 +242,7 @@ def _as_doubles(array: np.ndarray, mask: Any, what: str) -> np.ndarray:
             rows = np.nonzero(changed)
             changed[rows] = [int(double) != int(one) for double, one in zip(doubles[rows], array[rows])]
     else:
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore", invalid="ignore"):  # comparing with a NaN may be invalid
             boxed = np.frompyfunc(_as_double, 1, 1)(np.where(mask, 0.0, array.astype(object)))
         changed = np.equal(boxed, None)
         doubles = np.where(changed, np.nan, boxed).astype(np.float64)
