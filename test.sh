@@ -43,12 +43,12 @@ if [ "$what" = wheel ]; then
       -p no:cacheprovider --override-ini 'python_files=Test*.py' "$@")
   }
   say "Test: the wheel with numpy alone"
-  in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestReadme.py" \
-    "$top/Testing/Wheel/TestImports.py" "$top/Testing/Wheel/TestTutorials.py"
+  in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestPages.py" \
+    "$top/Testing/Wheel/TestImports.py"
   say "Test: the wheel with PyVista and the VTK of its classes"
   start_display
   in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy shapely geopandas rasterio" "$top/Testing/Python" "$top/Testing/Wheel" \
-    "$top/Testing/Arrays/TestTyping.py"
+    "$top/Testing/Arrays/TestForms.py" "$top/Testing/Arrays/TestTyping.py"
   exit
 fi
 

@@ -198,16 +198,6 @@ def test_the_types_of_results_name_the_call(name, call):
             getattr(arrays, name)(*arguments)
 
 
-@pytest.mark.parametrize("name", ["alpha_complex", "power_diagram"])
-def test_help_tells_what_numbers_mean(name):
-    text = " ".join(getattr(arrays, name).__doc__.split())
-    words = {
-        "alpha_complex": ["a radius", "gudhi's filtration value is its square", "alphashape's alpha its inverse"],
-        "power_diagram": ["(x0, x1, y0, y1), in VTK's order", "two corners ((x0, y0), (x1, y1))"],
-    }
-    assert all(word in text for word in words[name])
-
-
 # Points that change after the call ----------------------------------------------------------------------------------
 
 

@@ -135,12 +135,6 @@ def together(work):
     return found
 
 
-def test_many_threads_at_once():
-    expected = convex_hull(SPHERE[:2000]).simplices
-    for each in together(lambda: [convex_hull(SPHERE[:2000]).simplices for _ in range(20)]):
-        assert all(np.array_equal(one, expected) for one in each)
-
-
 @pytest.mark.parametrize("make", [convex_hull, lambda points: regular_triangulation(points[:, :2])])
 def test_threads_share_a_result(make):
     """What is made when it is first asked for, on several threads at once: free-threaded Python holds no lock."""

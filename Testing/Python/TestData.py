@@ -9,10 +9,6 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from vtkflipflop import vtkFFConvexifyFilter
-
-from watching import errors_of
-
 FILES = sorted((Path(__file__).resolve().parents[2] / "Data").glob("*.vtp"))
 
 
@@ -42,16 +38,6 @@ class TestData(unittest.TestCase):
                 content = path.read_bytes()
                 self.assertNotIn(b"AppendedData", content)
                 self.assertLess(len(content), 2**20)
-
-    def test_points_are_no_surface(self):
-        for path in FILES:
-            with self.subTest(path.name):
-                convexify = vtkFFConvexifyFilter()
-                convexify.SetInputData(read(path))
-                errors = errors_of(convexify)
-                convexify.Update()
-                self.assertEqual(len(errors), 1)
-                self.assertIn("The surface has no polygons: its cells are vertices", errors[0])
 
 
 if __name__ == "__main__":

@@ -57,11 +57,6 @@ class TestHelp(unittest.TestCase):
                     self.assertTrue(text_of(name, method.__doc__).strip(), method.__doc__)
         self.assertGreater(counted, 100)
 
-    def test_choices_say_what_they_choose(self):
-        for name in ("SetFacetMode", "GetFacetMode"):
-            self.assertIn("one polygon a", getattr(vtkflipflop.vtkFFHullFilter, name).__doc__)
-        self.assertIn("array vtkOriginalPointIds", vtkflipflop.vtkFFAlgorithm.SetVisiblePointIds.__doc__)
-
     def test_nothing_is_a_table(self):
         for cls in CLASSES:
             texts = {cls.__name__: cls.__doc__}

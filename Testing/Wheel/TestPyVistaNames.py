@@ -11,7 +11,6 @@ import pytest
 import vtkflipflop.arrays
 from pyvista_meshes import cloud
 from vtkflipflop.pyvista import (
-    InputError,
     centroidal_cells,
     convex_hull,
     convexify,
@@ -58,17 +57,3 @@ def test_0_is_the_number_and_none_is_off():
     assert regular_triangulation(flat, radii="radius", alpha=0).n_cells > whole / 2
     flat.point_data["radius"] = np.full(100, 0.001)
     assert regular_triangulation(flat, radii="radius", alpha=0).n_cells == 0
-
-
-def test_boxes_and_domains():
-    flat = cloud(50)
-    expected = power_diagram(flat, box=(-1, 2, -3, 4))
-    assert expected.area == pytest.approx(21)
-    for settings in ({"box": ((-1, -3), (2, 4))}, {"domain": (-1, 2, -3, 4)}, {"domain": ((-1, -3), (2, 4))}):
-        assert np.array_equal(power_diagram(flat, **settings).points, expected.points)
-    triangle = [(0, 0), (4, 0), (0, 4)]
-    assert power_diagram(flat, domain=triangle).area == pytest.approx(8)
-    with pytest.raises(TypeError, match="two names of one"):
-        power_diagram(flat, box=(0, 1, 0, 1), domain=triangle)
-    with pytest.raises(InputError, match="no convex polygon.* at corner"):
-        power_diagram(flat, domain=[(0, 0), (4, 0), (1, 1), (0, 4)])

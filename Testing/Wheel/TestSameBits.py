@@ -39,6 +39,8 @@ TRANSFORM = np.array([[0.8, 0.3, -0.1, 1], [-0.2, 0.7, 0.5, 2], [0.3, -0.4, 0.9,
 
 def with_data(mesh):
     """The mesh with point data of many types, field data, and something active."""
+    if not isinstance(mesh, pv.DataSet):
+        return mesh
     count = mesh.n_points
     if count:
         ids = np.arange(count)
@@ -88,29 +90,21 @@ MESHES = {
     "narrow": lambda: pv.RectilinearGrid(*(np.arange(n, dtype=np.float32) ** 0.5 for n in (3, 4, 5))),
     "far": lambda: pv.PolyData(rows(500) + 1e15),
     "ghosts": some_ghosts,
+    "partitions": lambda: pv.PartitionedDataSet([made(name) for name in ("uniform", "floats", "empty", "ghosts")]),
+    "blocks": lambda: blocks(),
     "autzen": lambda: pv.read(TOP / "Data" / "autzen.vtp"),
 }
 
 
+def made(name):
+    return with_data(MESHES[name]())
+
+
 def blocks():
-    made = pv.MultiBlock(
-        {
-            "a": with_data(MESHES["uniform"]()),
-            "none": None,
-            "inner": pv.MultiBlock({"b": with_data(MESHES["image"]()), "c": with_data(MESHES["ghosts"]())}),
-            "empty": pv.PolyData(),
-            "d": with_data(MESHES["floats"]()),
-        }
-    )
-    made.field_data["survey"] = [7]
-    return made
-
-
-def outputs_of(algorithm, mesh):
-    algorithm.SetInputDataObject(mesh)
-    algorithm.Update()
-    assert algorithm.GetErrorCode() == 0
-    return [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+    inner = pv.MultiBlock({"b": made("image"), "c": made("ghosts")})
+    whole = pv.MultiBlock({"a": made("uniform"), "none": None, "inner": inner, "empty": pv.PolyData(), "d": made("floats")})
+    whole.field_data["survey"] = [7]
+    return whole
 
 
 def parts(data):
@@ -119,203 +113,113 @@ def parts(data):
     return found
 
 
-def expect_same(found, expected):
-    assert parts(found) == parts(expected)
+def expect_same(function, kind, mesh, settings, calls):
+    """The function with its settings gives what a filter of this class gives after these calls, on each port."""
+    algorithm = kind()
+    for name, values in calls.items():
+        getattr(algorithm, name)(*values)
+    algorithm.SetInputDataObject(mesh)
+    algorithm.Update()
+    assert algorithm.GetErrorCode() == 0
+    found = function(mesh, **settings)
+    for port, one in enumerate(found if isinstance(found, tuple) else (found,)):
+        assert parts(one) == parts(algorithm.GetOutputDataObject(port)), port
+
+
+def transform():
+    turn = vtkTransform()
+    turn.SetMatrix(TRANSFORM.ravel().tolist())
+    return turn
+
+
+POLYGONS = {"facets": "polygons"}, {"SetFacetMode": [vtkFFAlgorithm.FACETS_AS_POLYGONS]}
+IGNORING = {"non_finite": "ignore"}, {"SetNonFinitePoints": [vtkFFAlgorithm.NON_FINITE_IGNORE]}
+HIDDEN = {"return_hidden_points": True}, {}
+PLANES = {
+    "xy": ({}, {}),
+    "fitted": ({"projection_plane_mode": "best_fitting_plane"}, {"SetProjectionPlaneMode": [vtkFFPowerDiagramFilter.BEST_FITTING_PLANE]}),
+    "turned": ({"transform": TRANSFORM}, {"SetTransform": [transform()]}),
+}
+
+
+def weighted(name, radii=False, factor=1.0):
+    settings = {"radii" if radii else "weights": name, "weight_factor": factor}
+    calls = {"SetInputArrayToProcess": [0, 0, 0, 0, name], "SetWeightMode": [int(radii)], "SetWeightFactor": [factor]}
+    return settings, calls
+
+
+HULLS = {
+    "triangles": [],
+    "polygons": [POLYGONS],
+    "bare": [({"skip_ghost_points": False, "pass_point_data": False}, {"SetSkipGhostPoints": [0], "SetPassPointData": [0]})],
+    "of all": [({"composite_mode": "all_blocks"}, {"SetCompositeMode": [vtkFFHullFilter.HULL_OF_ALL_BLOCKS]})],
+}
+PLANAR = {"plain": [], "weights": [weighted("weight")]}
+PLANAR |= {
+    f"{'radii' if radii else 'weights'} {name} {factor}": [weighted(name, radii, factor)]
+    for name in ("f4", "u2") for radii in (False, True) for factor in (0.03, -0.7)
+}  # fmt: skip
+TRIANGULATIONS = {"polygons": [POLYGONS], "hidden": [HIDDEN, weighted("weight")]}
+for limit in (1e-9, 0.05, 2.0**0.5, 30.0, np.inf):
+    TRIANGULATIONS[f"edges {limit}"] = [({"maximum_edge_length": limit}, {"SetMaximumEdgeLength": [limit]})]
+    TRIANGULATIONS[f"alpha {limit}"] = [weighted("weight"), ({"alpha": limit}, {"SetAlpha": [limit]})]
+TRIANGULATIONS["edges of polygons"] = [POLYGONS, *TRIANGULATIONS["edges 0.05"]]
+DIAGRAMS = {"box": [weighted("weight"), ({"box": (-0.25, 0.5, 0.125, 2)}, {"SetPowerDiagramBounds": [-0.25, 0.5, 0.125, 2]})]}
+
+
+def joined(*rows):
+    """One row of settings and of calls."""
+    return {k: v for row in rows for k, v in row[0].items()}, {k: v for row in rows for k, v in row[1].items()}
 
 
 @pytest.mark.parametrize("name", MESHES)
-@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
-def test_hulls(name, facets):
-    mesh = with_data(MESHES[name]())
-    algorithm = vtkFFHullFilter()
-    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
-    (expected,) = outputs_of(algorithm, mesh)
-    expect_same(convex_hull(mesh, facets=facets.lower()), expected)
-    algorithm.SetSkipGhostPoints(False)
-    algorithm.SetPassPointData(False)
-    (expected,) = outputs_of(algorithm, mesh)
-    found = convex_hull(mesh, facets=facets.lower(), skip_ghost_points=False, pass_point_data=False)
-    expect_same(found, expected)
-
-
-def planar_filter(make, projection, weights):
-    algorithm = make()
-    settings = {}
-    if projection == "transform":
-        transform = vtkTransform()
-        transform.SetMatrix(TRANSFORM.ravel().tolist())
-        algorithm.SetTransform(transform)
-        settings["transform"] = TRANSFORM
-    elif projection == "best_fitting_plane":
-        algorithm.SetProjectionPlaneMode(algorithm.BEST_FITTING_PLANE)
-        settings["projection_plane_mode"] = projection
-    if weights:
-        algorithm.SetInputArrayToProcess(0, 0, 0, 0, weights)
-    return algorithm, settings
-
-
-def triangulation_filter(projection, weights):
-    return planar_filter(vtkFFRegularTriangulationFilter, projection, weights)
-
-
-def diagram_filter(projection, weights):
-    return planar_filter(vtkFFPowerDiagramFilter, projection, weights)[0]
+@pytest.mark.parametrize("row", HULLS)
+def test_hulls(name, row):
+    expect_same(convex_hull, vtkFFHullFilter, made(name), *joined(*HULLS[row]))
 
 
 @pytest.mark.parametrize("name", MESHES)
-@pytest.mark.parametrize("projection", ["xy_plane", "best_fitting_plane", "transform"])
-@pytest.mark.parametrize("weights", [None, "weight"])
-def test_triangulations(name, projection, weights):
-    mesh = with_data(MESHES[name]())
-    algorithm, settings = triangulation_filter(projection, weights)
-    expected, hidden, border = outputs_of(algorithm, mesh)
-    (cells,) = outputs_of(diagram_filter(projection, weights), mesh)
-    assert border.GetNumberOfPoints() == 0
-    shown, left = regular_triangulation(mesh, weights, return_hidden_points=True, **settings)
-    expect_same(shown, expected)
-    expect_same(left, hidden)
-    expect_same(power_diagram(mesh, weights, **settings), cells)
-    algorithm.SetFacetMode(algorithm.FACETS_AS_POLYGONS)
-    expect_same(
-        regular_triangulation(mesh, weights, facets="polygons", **settings), outputs_of(algorithm, mesh)[0]
-    )
+@pytest.mark.parametrize("plane", PLANES)
+def test_in_the_plane(name, plane):
+    mesh = made(name)
+    for rows in [*PLANAR.values(), *TRIANGULATIONS.values()]:
+        expect_same(
+            regular_triangulation, vtkFFRegularTriangulationFilter, mesh, *joined(PLANES[plane], *rows)
+        )
+    for rows in [*PLANAR.values(), *DIAGRAMS.values()]:
+        expect_same(power_diagram, vtkFFPowerDiagramFilter, mesh, *joined(PLANES[plane], *rows))
 
 
-@pytest.mark.parametrize("name", ["uniform", "floats", "bytes", "image", "ghosts", "far"])
-@pytest.mark.parametrize("array", ["weight", "f4", "u2"])
-@pytest.mark.parametrize("factor", [1.0, 0.03, -0.7])
-@pytest.mark.parametrize("radii", [False, True])
-def test_radii_and_factors(name, array, factor, radii):
-    mesh = with_data(MESHES[name]())
-    mesh.point_data["weight"] = np.abs(mesh.point_data["weight"])
-    algorithm, _ = triangulation_filter("xy_plane", array)
-    diagram = diagram_filter("xy_plane", array)
-    for each in (algorithm, diagram):
-        each.SetWeightMode(int(radii))
-        each.SetWeightFactor(factor)
-    expected, hidden, border = outputs_of(algorithm, mesh)
-    (cells,) = outputs_of(diagram, mesh)
-    assert border.GetNumberOfPoints() == 0
-    settings = {"radii" if radii else "weights": array, "weight_factor": factor}
-    shown, left = regular_triangulation(mesh, return_hidden_points=True, **settings)
-    expect_same(shown, expected)
-    expect_same(left, hidden)
-    expect_same(power_diagram(mesh, **settings), cells)
-
-
-@pytest.mark.parametrize("name", MESHES)
-@pytest.mark.parametrize("projection", ["xy_plane", "best_fitting_plane", "transform"])
-@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
-def test_long_edges(name, projection, facets):
-    mesh = with_data(MESHES[name]())
-    algorithm, settings = triangulation_filter(projection, None)
-    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
-    for limit in (1e-9, 0.05, 1.0, 2.0**0.5, 30.0, np.inf):
-        algorithm.SetMaximumEdgeLength(limit)
-        expected = outputs_of(algorithm, mesh)[0]
-        found = regular_triangulation(mesh, maximum_edge_length=limit, facets=facets.lower(), **settings)
-        expect_same(found, expected)
-
-
-@pytest.mark.parametrize("name", MESHES)
-@pytest.mark.parametrize("projection", ["xy_plane", "best_fitting_plane", "transform"])
-@pytest.mark.parametrize("weights", [None, "weight"])
-def test_alpha_complexes(name, projection, weights):
-    mesh = with_data(MESHES[name]())
-    algorithm, settings = triangulation_filter(projection, weights)
-    for alpha in (1e-9, 0.05, 1.0, 30.0, np.inf):
-        algorithm.SetAlpha(alpha)
-        expected = outputs_of(algorithm, mesh)[0]
-        expect_same(regular_triangulation(mesh, weights, alpha=alpha, **settings), expected)
-
-
+@pytest.mark.parametrize("facets", [[], [POLYGONS]])
 @pytest.mark.parametrize("name", ["uniform", "ghosts", "far"])
-@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
 def test_constraints(name, facets):
-    mesh = with_data(MESHES[name]())
-    algorithm, settings = planar_filter(vtkFFConstrainedDelaunayFilter, "xy_plane", None)
-    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
+    mesh = made(name)
     # Edges of the triangulation, some as lines and one triangle as a polygon, cross nothing.
     faces = regular_triangulation(mesh)
-    ids = faces["vtkOriginalPointIds"]
-    chains = ids[faces.regular_faces]
+    chains = faces["vtkOriginalPointIds"][faces.regular_faces]
     source = pv.PolyData(mesh.points, lines=[2, *chains[3][:2], 3, *chains[7]], faces=[3, *chains[11]])
-    algorithm.SetSourceData(source)
-    expected = outputs_of(algorithm, mesh)[0]
-    expect_same(regular_triangulation(mesh, constraints=source, facets=facets.lower(), **settings), expected)
-
-
-def test_bounds_of_diagrams():
-    for projection in ("xy_plane", "best_fitting_plane", "transform"):
-        mesh = with_data(MESHES["uniform"]())
-        bounds = (-0.25, 0.5, 0.125, 2)
-        algorithm, settings = planar_filter(vtkFFPowerDiagramFilter, projection, "weight")
-        algorithm.SetPowerDiagramBounds(*bounds)
-        (cells,) = outputs_of(algorithm, mesh)
-        expect_same(power_diagram(mesh, "weight", box=bounds, **settings), cells)
+    row = joined(*facets, ({"constraints": source}, {"SetSourceData": [source]}))
+    expect_same(regular_triangulation, vtkFFConstrainedDelaunayFilter, mesh, *row)
 
 
 def test_points_that_are_not_finite():
-    mesh = with_data(MESHES["ghosts"]())
+    mesh = made("ghosts")
     mesh.points[[4, 9, 100], [0, 1, 2]] = np.nan, np.inf, np.nan
-    hull = vtkFFHullFilter()
-    hull.SetNonFinitePoints(hull.NON_FINITE_IGNORE)
-    expect_same(convex_hull(mesh, non_finite="ignore"), outputs_of(hull, mesh)[0])
-    for projection in ("xy_plane", "best_fitting_plane", "transform"):
-        algorithm, settings = triangulation_filter(projection, "weight")
-        algorithm.SetNonFinitePoints(algorithm.NON_FINITE_IGNORE)
-        diagram = diagram_filter(projection, "weight")
-        diagram.SetNonFinitePoints(diagram.NON_FINITE_IGNORE)
-        expected = outputs_of(algorithm, mesh)
-        settings["non_finite"] = "ignore"
-        found = regular_triangulation(mesh, "weight", return_hidden_points=True, **settings)
-        expect_same(found[0], expected[0])
-        expect_same(found[1], expected[1])
-        expect_same(power_diagram(mesh, "weight", **settings), outputs_of(diagram, mesh)[0])
+    expect_same(convex_hull, vtkFFHullFilter, mesh, *IGNORING)
+    for plane in PLANES.values():
+        rows = plane, IGNORING, weighted("weight")
+        expect_same(regular_triangulation, vtkFFRegularTriangulationFilter, mesh, *joined(*rows, HIDDEN))
+        expect_same(power_diagram, vtkFFPowerDiagramFilter, mesh, *joined(*rows))
 
 
-def test_composites():
-    hull = vtkFFHullFilter()
-    expect_same(convex_hull(blocks()), outputs_of(hull, blocks())[0])
-    hull.SetCompositeMode(hull.HULL_OF_ALL_BLOCKS)
-    expect_same(convex_hull(blocks(), composite_mode="all_blocks"), outputs_of(hull, blocks())[0])
-    algorithm, settings = triangulation_filter("best_fitting_plane", "weight")
-    expected = outputs_of(algorithm, blocks())
-    found = regular_triangulation(blocks(), "weight", return_hidden_points=True, **settings)
-    expect_same(found[0], expected[0])
-    expect_same(found[1], expected[1])
-    diagram = diagram_filter("best_fitting_plane", "weight")
-    expect_same(power_diagram(blocks(), "weight", **settings), outputs_of(diagram, blocks())[0])
-
-
-def test_partitions():
-    pieces = [with_data(MESHES[name]()) for name in ("uniform", "floats", "empty", "ghosts")]
-    partitions = pv.PartitionedDataSet(pieces)
-    expect_same(convex_hull(partitions), outputs_of(vtkFFHullFilter(), partitions)[0])
-    algorithm, _ = triangulation_filter("xy_plane", "weight")
-    expected = outputs_of(algorithm, partitions)
-    expect_same(regular_triangulation(partitions, "weight"), expected[0])
-    diagram = diagram_filter("xy_plane", "weight")
-    expect_same(power_diagram(partitions, "weight"), outputs_of(diagram, partitions)[0])
-
-
-@pytest.mark.parametrize("kernel", [None, (0.01, 0.02, 0)])
-@pytest.mark.parametrize("facets", ["Triangles", "Polygons"])
+@pytest.mark.parametrize("facets", [[], [POLYGONS]])
+@pytest.mark.parametrize("kernel", [[], [({"kernel": (0.01, 0.02, 0)}, {"SetKernelPoint": [0.01, 0.02, 0]})]])
 def test_surfaces(kernel, facets):
     surface = pv.Sphere(theta_resolution=20, phi_resolution=20).triangulate()
     surface.points *= 1 + 0.2 * np.random.default_rng(2).random((surface.n_points, 1))
     surface = with_data(surface)
-    algorithm = vtkFFConvexifyFilter()
-    algorithm.SetFacetMode(getattr(algorithm, f"FACETS_AS_{facets.upper()}"))
-    if kernel:
-        algorithm.SetKernelPoint(*kernel)
     quads = with_data(pv.Cube().clean())
     stripped = pv.Sphere(theta_resolution=12, phi_resolution=9).strip()
     assert quads.faces[0] == 4 and stripped.n_strips
     for mesh in (surface, pv.PolyData(), pv.MultiBlock({"a": surface, "b": None}), quads, stripped):
-        (expected,) = outputs_of(algorithm, mesh)
-        expect_same(convexify(mesh, kernel, facets=facets.lower()), expected)
-
-
-def test_the_filters_are_the_real_ones():
-    assert issubclass(vtkFFHullFilter, vtkFFAlgorithm)
+        expect_same(convexify, vtkFFConvexifyFilter, mesh, *joined(*kernel, *facets))

@@ -19,8 +19,8 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 
-ARRAYS = ["Testing/Arrays", "Testing/Wheel/TestReadme.py"]
-PYVISTA = ["Testing/Arrays/TestBits.py", "Testing/Arrays/TestTyping.py", "Testing/Wheel"]
+ARRAYS = ["Testing/Arrays", "Testing/Wheel/TestPages.py"]
+PYVISTA = [*(f"Testing/Arrays/Test{name}.py" for name in ("Bits", "Forms", "Typing")), "Testing/Wheel"]
 CLASSES = [*PYVISTA, "Testing/Python"]
 
 # What is installed beside the wheel, without what it would bring along by itself; and the tests.
