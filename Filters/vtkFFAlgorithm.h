@@ -9,7 +9,8 @@
  *
  * The filters are exact: the exact sign of a determinant decides every branch that affects the
  * output. So there is no tolerance, and none can be set. The output is a function of the input
- * alone. It does not depend on the engine, nor on the number of threads.
+ * alone. It does not depend on the engine, nor on the number of threads, nor on the caller's
+ * floating-point environment, which observers of progress have.
  *
  * An error is one message, of vtkErrorMacro: a sentence that names what is wrong and where. After
  * it, the output is empty, and GetErrorCode() is one of vtkFFErrorCode. A run reports progress. It

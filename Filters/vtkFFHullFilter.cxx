@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullFilter.h"
 
+#include "Support/FloatingPointEnvironment.h"
 #include "Support/Threads.h"
 #include "vtkFFHullResult.h"
 #include "vtkFFInput.h"
@@ -224,7 +225,12 @@ void takePieces(vtkFFHullFilter* filter, vtkInformation* input, vtkInformation* 
       int port = 0;
       vtkExecutive* const producer = producerOf(input, port);
       requestPiece(input, output, divisions, number);
-      const bool isThere = number == 0 || (producer && producer->Update(port));
+      bool isThere = number == 0;
+      if (!isThere && producer)
+      {
+        const flipflop::CallersFloatingPointEnvironment upstream;
+        isThere = producer->Update(port);
+      }
 #if VTK_FF_HAS_CHECK_ABORT
       if (input->Get(vtkAlgorithm::ABORTED()))
       {

@@ -6,6 +6,7 @@
 #include "vtkFFOutput.h"
 #include "vtkFFRun.h"
 
+#include "Support/FloatingPointEnvironment.h"
 #include <flipflop/Buffer.h>
 
 #include "vtkCompositeDataIterator.h"
@@ -70,6 +71,7 @@ vtkSmartPointer<vtkPoints> layOut(std::int64_t count, const Position& position)
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 14,
     [&](vtkIdType begin, vtkIdType end)
     {
+      const flipflop::DefaultFloatingPointEnvironment environment; // VTK's threads have their own
       double xyz[3];
       for (vtkIdType i = begin; i < end; ++i)
       {

@@ -7,6 +7,7 @@
 #include "vtkFFOutput.h"
 #include "vtkFFQueryAlgorithm.h"
 
+#include "Support/FloatingPointEnvironment.h"
 #include <flipflop/CellComplex.h>
 #include <flipflop/Error.h>
 #include <flipflop/Weights.h>
@@ -260,6 +261,7 @@ bool vtkFFRun::Do(const std::function<void()>& work)
   {
     return false;
   }
+  const flipflop::DefaultFloatingPointEnvironment environment;
   try
   {
     work();
@@ -371,6 +373,7 @@ void vtkFFRun::SetPart(double begin, double end)
 void vtkFFRun::ForwardStep(const char* name, void* self)
 {
   const auto* run = static_cast<vtkFFRun*>(self);
+  const flipflop::CallersFloatingPointEnvironment observers;
   run->Filter->SetProgressText((std::string(run->Title) + ": " + name).c_str());
 }
 
@@ -378,8 +381,11 @@ void vtkFFRun::ForwardStep(const char* name, void* self)
 bool vtkFFRun::ForwardProgress(double fraction, void* self)
 {
   auto* run = static_cast<vtkFFRun*>(self);
+  // The engine calls in the observers' environment.
+  const flipflop::DefaultFloatingPointEnvironment environment;
   // Never back: a run that the CUDA engine gave up starts again on the CPU.
   run->Reached = std::max(run->Reached, run->Part[0] + fraction * (run->Part[1] - run->Part[0]));
+  const flipflop::CallersFloatingPointEnvironment observers;
   run->Filter->UpdateProgress(run->Reached);
   return !run->IsAbortRequested();
 }

@@ -150,8 +150,8 @@ public:
   vtkFFFailure Failure;
 
   /**
-   * Do some work, unless there is a failure already: whatever it throws becomes one. Returns
-   * whether there is none.
+   * Do some work in the default floating-point environment, unless there is a failure already:
+   * whatever it throws becomes one. Returns whether there is none.
    */
   bool Do(const std::function<void()>& work);
 
