@@ -52,7 +52,6 @@ cross = lambda u, v: (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0]
 dot = lambda u, v: u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 turn = lambda a, b, c: (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
-# Of numpy's and VTK's types, the letters of struct.
 NPY = {"f8": "d", "f4": "f", "i8": "q", "i4": "i", "i2": "h", "i1": "b", "u8": "Q", "u4": "I", "u2": "H", "u1": "B",
        "b1": "B"}  # fmt: skip
 VTK = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "Int16": "h", "Int8": "b",
@@ -288,10 +287,8 @@ class Cells:
 def check_hull(case):
     exact = Exact(case)
     span = independent(exact.points, exact.ids)
-    if len(span) == 4:
-        return check_solid(case, exact)
-    if len(span) == 3:
-        return check_polygon(case, exact, span)
+    if len(span) > 2:
+        return check_solid(case, exact) if len(span) == 4 else check_polygon(case, exact, span)
     cells = Cells(case, exact, len(span)).cells
     right = [len(cell) for cell in cells] == [len(span)] * bool(span)
     require(right, f"the points span dimension {len(span) - 1}, and the cells are {cells[:3]}")
@@ -543,30 +540,33 @@ def true_cells(exact, cells, domain):
             ring = clipped(ring, 2 * (u - x), 2 * (v - y), far - height)
         if len(ring) > 2:
             corners = [tuple(exact.rounded(Fraction(t)) for t in p) for p in ring]
-            found[id] = turned([p for p, q in sides_of(corners) if p != q])
+            found[id] = turned([p for p, q in sides_of(corners) if p != q] or corners[:1])
     return found
 
 
 def check_diagram(case):
-    """Each cell is the true one, its corners rounded. Where that is not convex, it may have others of these corners."""
+    """Each cell is the true one, its corners rounded; mended where that is not convex, edges of four units merged."""
     exact, cells, _, _ = check_triangulation(case)
     domain = list(case["box"])
     if not isinstance(domain[0], tuple):
         domain = [(domain[i], domain[j]) for i, j in ((0, 2), (1, 2), (1, 3), (0, 3))]
-    if sum(turn((0, 0), p, q) for p, q in sides_of([exact.scaled(p) for p in domain])) < 0:
-        domain.reverse()
-    wanted = true_cells(exact, cells, domain)
+    turns_right = sum(turn((0, 0), p, q) for p, q in sides_of([exact.scaled(p) for p in domain])) < 0
+    wanted = true_cells(exact, cells, domain[::-1] if turns_right else domain)
     rings = [turned([tuple(case["corners"][i]) for i in ring]) for ring in case["rings"]]
     found = dict(zip(case["sites"], rings))
     require(len(found) == len(rings) == len(case["sites"]), "there are not as many sites as cells")
-    exact = lambda p: tuple(map(Fraction, p))
-    turns = lambda ring: [turn(*map(exact, (ring[i - 2], ring[i - 1], p))) for i, p in enumerate(ring)]
+    exactly = lambda p: tuple(map(Fraction, p))
+    turns = lambda ring: [turn(*map(exactly, (ring[i - 2], ring[i - 1], p))) for i, p in enumerate(ring)]
+    near = lambda p, ring: (q for q in ring if max(map(abs, minus(p, q))) <= 4 * math.ulp(max(map(abs, (*p, *q)))))
+    moved = lambda p, ring: p if p in ring else next(near(p, ring), ())
     has_inside = lambda ring: len(ring) > 2 and min(turns(ring)) >= 0 < max(turns(ring))
     bent = {p for ring in wanted.values() if not has_inside(ring) for p in ring}
     true = {p for ring in wanted.values() for p in ring}
     other = {id: wanted.get(id, ()) for id in {*wanted, *found} if wanted.get(id, ()) != found.get(id, ())}
+    merged = lambda ring, right: ring == turned([p for p, q in sides_of([moved(p, ring) for p in right]) if p != q])
+    may_be = lambda ring, right: true.issuperset(ring) and (bent & set(right) or (ring and merged(ring, right)))
     # What is mended at one cell may need mending at the next.
-    while mended := [id for id, right in other.items() if bent & set(right) and true.issuperset(found.get(id, ()))]:
+    while mended := [id for id, right in other.items() if may_be(found.get(id, ()), right)]:
         bent.update(p for id in mended for p in other.pop(id))
     for id in sorted(other):
         raise Wrong(f"the cell of point {id} is not the true one, rounded: {found.get(id)}, not {other[id]}")
