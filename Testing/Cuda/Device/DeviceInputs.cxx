@@ -80,10 +80,11 @@ std::vector<InputMaker> deviceInputs()
 
   for (const bool plane : { false, true })
   {
+    int count = 250; // and many, in turns
     for (const Family& family : plane ? weightedFamilies() : families())
     {
-      addDrawn(plane, family.name, 250);
-      addDrawn(plane, family.name, 10000);
+      addDrawn(plane, family.name, count);
+      count = count == 250 ? 10000 : 250;
     }
     for (const bool small : { true, false })
     {
