@@ -538,7 +538,7 @@ def true_cells(exact, cells, domain):
         (x, y, height), ring = exact.lift[id], [exact.scaled(p) for p in domain]
         for u, v, far in (exact.lift[other] for other in near[id]):
             ring = clipped(ring, 2 * (u - x), 2 * (v - y), far - height)
-        if len(ring) > 2:
+        if ring:  # also without an inside: rounding may give it to a neighbour
             corners = [tuple(exact.rounded(Fraction(t)) for t in p) for p in ring]
             found[id] = turned([p for p, q in sides_of(corners) if p != q] or corners[:1])
     return found
@@ -557,8 +557,8 @@ def check_diagram(case):
     require(len(found) == len(rings) == len(case["sites"]), "there are not as many sites as cells")
     exactly = lambda p: tuple(map(Fraction, p))
     turns = lambda ring: [turn(*map(exactly, (ring[i - 2], ring[i - 1], p))) for i, p in enumerate(ring)]
-    near = lambda p, ring: (q for q in ring if max(map(abs, minus(p, q))) <= 4 * math.ulp(max(map(abs, (*p, *q)))))
-    moved = lambda p, ring: p if p in ring else next(near(p, ring), ())
+    gap = lambda p, q: max(map(abs, minus(p, q))) / math.ulp(max(map(abs, (*p, *q))))
+    moved = lambda p, ring: min((q for q in ring if gap(p, q) <= 4), key=lambda q: gap(p, q), default=())
     has_inside = lambda ring: len(ring) > 2 and min(turns(ring)) >= 0 < max(turns(ring))
     bent = {p for ring in wanted.values() if not has_inside(ring) for p in ring}
     true = {p for ring in wanted.values() for p in ring}
