@@ -132,6 +132,8 @@ def test_results_pass(kind):
             if len(points) == 0 or not np.isfinite(points).any() or abs(np.nan_to_num(points)).max() > 1e100:
                 points = random.random((9, 2))
                 weights = None
+            if kind == "diagram" and np.max(points) > 2**51:
+                points = points - 2.0**52  # cells of a unit in the last place are mended in more ways
             (x0, y0), (x1, y1) = span_of(points)
             arrays = alpha_of(points, weights, float(random.choice([0.0, 0.1, 0.5, 1.0, 1e300, np.inf])) * (x1 - x0)
                               ) if kind == "alpha" else diagram_of(points, weights, (x0, x1, y0, y1))  # fmt: skip
