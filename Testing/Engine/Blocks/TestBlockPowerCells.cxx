@@ -5,6 +5,7 @@
 /// all points, bit for bit.
 #include "Testing/Engine/Blocks/BlocksInProcess.h"
 #include "Testing/Engine/Conformance/Kind.h"
+#include "Testing/Engine/Validate/TriangulationClaims.h"
 #include <flipflop/PowerDiagram.h>
 
 #include <algorithm>
@@ -18,58 +19,36 @@ namespace test
 namespace
 {
 
-/// By site: the places of a cell's corners, in their order.
+/// By site: the corners of a cell, in their order.
 using Cells = std::map<std::int64_t, std::vector<double>>;
 
 void addCells(const PowerDiagram& diagram, Cells& cells)
 {
   for (std::size_t i = 0; i < diagram.siteIds.size(); ++i)
   {
-    std::vector<double>& cell = cells[diagram.siteIds[i]];
-    for (auto k = static_cast<std::size_t>(diagram.offsets[i]);
-         k < static_cast<std::size_t>(diagram.offsets[i + 1]); ++k)
+    for (std::int64_t k = diagram.offsets[i]; k < diagram.offsets[i + 1]; ++k)
     {
-      const auto corner = static_cast<std::size_t>(diagram.connectivity[k]);
-      cell.push_back(diagram.corners[2 * corner]);
-      cell.push_back(diagram.corners[2 * corner + 1]);
+      const double* const x =
+        diagram.corners.data() + 2 * diagram.connectivity[static_cast<std::size_t>(k)];
+      cells[diagram.siteIds[i]].insert(cells[diagram.siteIds[i]].end(), x, x + 2);
     }
   }
 }
 
 /// The facets that have a corner in a block, in canonical form.
-CellComplex facetsAround(const CellComplex& all, const Dealing& dealing, int block)
+Triangulation facetsAround(
+  const Cloud& cloud, const CellComplex& all, const Dealing& dealing, int block)
 {
-  std::vector<Cell> cells;
-  std::vector<std::int64_t> ids;
-  for (const Cell& cell : cellsOf(all))
-  {
-    if (std::any_of(cell.begin(), cell.end(),
-          [&](std::int64_t id) { return dealing[static_cast<std::size_t>(id)] == block; }))
-    {
-      cells.push_back(cell);
-      ids.insert(ids.end(), cell.begin(), cell.end());
-    }
-  }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  CellComplex facets;
-  facets.dimension = all.dimension;
-  facets.pointIds.allocate(ids.size());
-  std::copy(ids.begin(), ids.end(), facets.pointIds.begin());
-  facets.offsets.allocate(cells.size() + 1);
-  std::vector<std::int64_t> corners;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    facets.offsets[i] = static_cast<std::int64_t>(corners.size());
-    for (const std::int64_t id : cells[i])
-    {
-      corners.push_back(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
-    }
-  }
-  facets.offsets[cells.size()] = static_cast<std::int64_t>(corners.size());
-  facets.connectivity.allocate(corners.size());
-  std::copy(corners.begin(), corners.end(), facets.connectivity.begin());
-  return facets;
+  std::vector<Cell> cells = cellsOf(all);
+  cells.erase(std::remove_if(cells.begin(), cells.end(),
+                [&](const Cell& cell)
+                {
+                  return std::none_of(cell.begin(), cell.end(),
+                    [&](std::int64_t id)
+                    { return dealing[static_cast<std::size_t>(id)] == block; });
+                }),
+    cells.end());
+  return claim(cloud, all.dimension, cells);
 }
 
 /// Whether no cell is broken.
@@ -90,7 +69,7 @@ bool expectSameCells(const Cloud& cloud)
   Cells found;
   for (int block = 0; block < blocks; ++block)
   {
-    const CellComplex facets = facetsAround(whole, dealing, block);
+    const Triangulation facets = facetsAround(cloud, whole, dealing, block);
     std::vector<std::uint8_t> wanted;
     for (const std::int64_t id : facets.pointIds)
     {

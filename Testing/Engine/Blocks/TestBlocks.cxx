@@ -21,19 +21,14 @@ namespace test
 namespace
 {
 
-Cloud withoutWeights(Cloud cloud)
+/// Empty when blocks have what one run has.
+std::string fault(BlockShape shape, Cloud cloud, const Dealing& dealing, int blocks,
+  FacetMode facets = FacetMode::Triangles)
 {
   for (Point& p : cloud)
   {
-    p[2] = 0;
+    p[2] = shape == BlockShape::Delaunay ? 0 : p[2];
   }
-  return cloud;
-}
-
-/// Empty when blocks have what one run has.
-std::string fault(BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks,
-  FacetMode facets = FacetMode::Triangles)
-{
   Options options;
   options.facets = facets;
   options.threads = blocks % 2 + 1;
@@ -58,93 +53,116 @@ private:
   const SampleSizes usual;
 };
 
-/// Every shape that a kind's cloud has, each dealt in several ways.
-void expectSame(const Kind& kind, const Cloud& cloud)
+class Blocks : public ::testing::TestWithParam<InputOf>
 {
-  const bool isHull = kind.dimension == 3;
+};
+
+/// Every shape that a kind's cloud has, each dealt in several ways.
+TEST_P(Blocks, AreOneRun)
+{
+  const bool isHull = this->GetParam().kind->dimension == 3;
   const int axes = isHull ? 3 : 2;
-  std::vector<BlockShape> shapes = { BlockShape::RegularTriangulation, BlockShape::Delaunay };
-  if (isHull)
+  const Cloud cloud = this->GetParam().input.make();
+  for (const BlockShape shape :
+    { isHull ? BlockShape::Hull : BlockShape::RegularTriangulation, BlockShape::Delaunay })
   {
-    shapes = { BlockShape::Hull };
-  }
-  for (const BlockShape shape : shapes)
-  {
-    const Cloud sites = shape == BlockShape::Delaunay ? withoutWeights(cloud) : cloud;
     for (const int blocks : { 1, 2, 5 })
     {
       const FacetMode facets = blocks == 2 ? FacetMode::Polygons : FacetMode::Triangles;
-      EXPECT_EQ(fault(shape, sites, dealInHalves(sites, blocks, axes), blocks, facets), "")
+      EXPECT_EQ(fault(shape, cloud, dealInHalves(cloud, blocks, axes), blocks, facets), "")
         << blocks << " blocks in halves";
     }
     const SmallSamples small;
-    EXPECT_EQ(fault(shape, sites, dealInHalves(sites, 8, axes), 8), "") << "8 blocks in halves";
-    EXPECT_EQ(fault(shape, sites, dealAtRandom(sites, 3, axes, 1), 3), "") << "at random";
-    EXPECT_EQ(fault(shape, sites, Dealing(sites.size(), 2), 4), "") << "all in one";
+    EXPECT_EQ(fault(shape, cloud, dealInHalves(cloud, 8, axes), 8), "") << "8 blocks in halves";
+    EXPECT_EQ(fault(shape, cloud, dealAtRandom(cloud, 3, axes, 1), 3), "") << "at random";
+    EXPECT_EQ(fault(shape, cloud, Dealing(cloud.size(), 2), 4), "") << "all in one";
+    if (isHull)
+    {
+      break;
+    }
   }
 }
 
-class BlocksOfFamilies : public ::testing::TestWithParam<FamilyOf>
+/// The special ones, and 400 points of each family.
+std::vector<InputOf> inputsOf(const Kind& kind)
 {
-};
-
-TEST_P(BlocksOfFamilies, AreOneRun)
-{
-  const FamilyOf& of = this->GetParam();
-  expectSame(*of.kind, of.kind->family(of.name, of.count, 1).make());
+  std::vector<Input> inputs = kind.smallInputs();
+  for (const FamilyOf& of : familiesOf(kind, { 400 }))
+  {
+    inputs.push_back(kind.family(of.name, of.count, 1));
+  }
+  return inputsOf(kind, inputs);
 }
 
+INSTANTIATE_TEST_SUITE_P(Hulls, Blocks, ::testing::ValuesIn(inputsOf(convexHulls)));
 INSTANTIATE_TEST_SUITE_P(
-  Hulls, BlocksOfFamilies, ::testing::ValuesIn(familiesOf(convexHulls, { 400 })), Named());
-INSTANTIATE_TEST_SUITE_P(Triangulations, BlocksOfFamilies,
-  ::testing::ValuesIn(familiesOf(regularTriangulations, { 400 })), Named());
+  Triangulations, Blocks, ::testing::ValuesIn(inputsOf(regularTriangulations)));
 
-class BlocksOfInputs : public ::testing::TestWithParam<InputOf>
+Cloud integersInSpace(int count, int side, Random& random)
 {
-};
-
-TEST_P(BlocksOfInputs, AreOneRun)
-{
-  const InputOf& of = this->GetParam();
-  expectSame(*of.kind, of.input.make());
+  Cloud cloud(static_cast<std::size_t>(count));
+  for (Point& p : cloud)
+  {
+    p = { double(random.integer(0, side)), double(random.integer(0, side)),
+      double(random.integer(0, side)) };
+  }
+  return cloud;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Hulls, BlocksOfInputs, ::testing::ValuesIn(inputsOf(convexHulls, smallSpecialInputs())), Named());
-INSTANTIATE_TEST_SUITE_P(Triangulations, BlocksOfInputs,
-  ::testing::ValuesIn(inputsOf(regularTriangulations, smallWeightedInputs())), Named());
+struct RandomBlocks
+{
+  const char* name;
+  BlockShape shape;
+  int cases;
+  Cloud (*make)(Random&);
+
+  friend void PrintTo(const RandomBlocks& of, std::ostream* out) { *out << of.name; }
+};
+
+const RandomBlocks randomBlocks[] = {
+  { "Weights", BlockShape::RegularTriangulation, 6000,
+    [](Random& r) { return smallIntegerSites(r.integer(1, 24), 0, r.integer(1, 6), -3, 3, r); } },
+  { "GreatWeights", BlockShape::RegularTriangulation, 3000,
+    [](Random& r) { return smallIntegerSites(r.integer(1, 40), 0, 6, -40, 40, r); } },
+  { "NoWeights", BlockShape::Delaunay, 6000,
+    [](Random& r) { return smallIntegerSites(r.integer(1, 40), 0, r.integer(1, 7), 0, 0, r); } },
+  { "Space", BlockShape::Hull, 6000,
+    [](Random& r) { return integersInSpace(r.integer(1, 40), r.integer(1, 5), r); } },
+  { "Ulps", BlockShape::RegularTriangulation, 3000,
+    [](Random& r) { return withUlps(0x1p-52, 3, r); } },
+  { "UlpsInSpace", BlockShape::Hull, 3000, [](Random& r) { return withUlps(0x1p-52, 3, r); } },
+};
+
+class BlocksInBulk : public ::testing::TestWithParam<RandomBlocks>
+{
+};
 
 /// Stops at the third failure.
-template <class Make>
-void runDealtCases(BlockShape shape, int cases, const Make& make)
+TEST_P(BlocksInBulk, AreOneRun)
 {
+  const RandomBlocks& of = this->GetParam();
   const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(of.cases));
   int failures = 0;
   const SmallSamples small;
   for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
   {
     Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
-    const Cloud cloud = make(random);
+    const Cloud cloud = of.make(random);
     const int blocks = random.integer(1, 6);
-    const int axes = shape == BlockShape::Hull ? 3 : 2;
+    const int axes = of.shape == BlockShape::Hull ? 3 : 2;
     const Dealing dealing = seed % 3
       ? dealAtRandom(cloud, blocks, axes, static_cast<std::uint64_t>(seed))
       : dealInHalves(cloud, blocks, axes);
-    const std::string found =
-      fault(shape, cloud, dealing, blocks, seed % 2 ? FacetMode::Polygons : FacetMode::Triangles);
-    if (!found.empty())
-    {
-      ++failures;
-      std::string dealt;
-      for (const int block : dealing)
-      {
-        dealt += std::to_string(block) + " ";
-      }
-      ADD_FAILURE() << "seed " << seed << ": " << found << "\n" << toString(cloud) << dealt;
-    }
+    const std::string found = fault(
+      of.shape, cloud, dealing, blocks, seed % 2 ? FacetMode::Polygons : FacetMode::Triangles);
+    failures += found.empty() ? 0 : 1;
+    EXPECT_EQ(found, "") << "seed " << seed << "\n"
+                         << toString(cloud) << ::testing::PrintToString(dealing);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Integers, BlocksInBulk, ::testing::ValuesIn(randomBlocks));
 
 /// A thin patch has a point above a plane, also where squares of its lengths lost bits or vanished
 /// before it was scaled.
@@ -189,46 +207,6 @@ TEST(ConflictBounds, HoldWhereSquaresVanish)
     const double c[3] = { a[0], a[1] + 1, a[2] - m[1] };
     ASSERT_FALSE(ConflictBound::ofPlane(a, b, c).most(patch) < 0) << exponent << ", " << i;
   }
-}
-
-TEST(BlocksRandom, SmallIntegersWithWeights)
-{
-  runDealtCases(BlockShape::RegularTriangulation, 6000,
-    [](Random& r) { return smallIntegerSites(r.integer(1, 24), 0, r.integer(1, 6), -3, 3, r); });
-}
-
-TEST(BlocksRandom, SmallIntegersWithGreatWeights)
-{
-  runDealtCases(BlockShape::RegularTriangulation, 3000,
-    [](Random& r) { return smallIntegerSites(r.integer(1, 40), 0, 6, -40, 40, r); });
-}
-
-TEST(BlocksRandom, SmallIntegersWithoutWeights)
-{
-  runDealtCases(BlockShape::Delaunay, 6000,
-    [](Random& r) { return smallIntegerSites(r.integer(1, 40), 0, r.integer(1, 7), 0, 0, r); });
-}
-
-TEST(BlocksRandom, SmallIntegersInSpace)
-{
-  runDealtCases(BlockShape::Hull, 6000,
-    [](Random& r)
-    {
-      Cloud cloud(static_cast<std::size_t>(r.integer(1, 40)));
-      const int side = r.integer(1, 5);
-      for (Point& p : cloud)
-      {
-        p = { double(r.integer(0, side)), double(r.integer(0, side)), double(r.integer(0, side)) };
-      }
-      return cloud;
-    });
-}
-
-TEST(BlocksRandom, Ulps)
-{
-  runDealtCases(
-    BlockShape::RegularTriangulation, 3000, [](Random& r) { return withUlps(0x1p-52, 3, r); });
-  runDealtCases(BlockShape::Hull, 3000, [](Random& r) { return withUlps(0x1p-52, 3, r); });
 }
 
 }

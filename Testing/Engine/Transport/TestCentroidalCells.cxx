@@ -167,15 +167,10 @@ TEST(CentroidalCells, AnyUnit)
   const CentroidalCells plain = lloyd(sites, {}, unitBox, 3);
   for (const int exponent : { -500, -400, 400, 500 })
   {
-    Numbers scaled = sites;
-    for (double& x : scaled)
-    {
-      x = std::ldexp(x, exponent);
-    }
     const double side = std::ldexp(1.0, exponent);
     const double box[] = { 0, side, 0, side };
-    const CentroidalCells found = lloyd(scaled, {}, box, 3);
-    for (std::size_t i = 0; i < scaled.size(); ++i)
+    const CentroidalCells found = lloyd(scaled(sites, exponent), {}, box, 3);
+    for (std::size_t i = 0; i < sites.size(); ++i)
     {
       EXPECT_EQ(found.sites[i], std::ldexp(plain.sites[i], exponent)) << exponent;
     }
@@ -189,17 +184,8 @@ TEST(CentroidalCells, ToTheEndsOfAreas)
   const Numbers sites = { 0.1, 0.2, 1, 1, 0.3, 0.9 };
   const auto lloydAt = [&](int exponent)
   {
-    Numbers domain = polygon;
-    Numbers places = sites;
-    for (double& x : domain)
-    {
-      x = std::ldexp(x, exponent);
-    }
-    for (double& x : places)
-    {
-      x = std::ldexp(x, exponent);
-    }
-    return lloyd(places, {}, ConvexDomain(domain.data(), 5), 10);
+    const Numbers domain = scaled(polygon, exponent);
+    return lloyd(scaled(sites, exponent), {}, ConvexDomain(domain.data(), 5), 10);
   };
   const CentroidalCells plain = lloydAt(0);
   for (const int exponent : { -512, -511, -200, 200, 509, 510 })

@@ -67,85 +67,78 @@ PrescribedAreas expectMetInBox(const Numbers& sites, const Numbers& areas = {})
   return expectMet(sites, areas, unitBox, { 0, 0, 1, 0, 1, 1, 0, 1 });
 }
 
-TEST(PrescribedAreas, RandomSites)
+Numbers joined(Numbers a, const Numbers& b)
 {
-  for (unsigned seed = 1; seed < 5; ++seed)
-  {
-    const Numbers sites = randomNumbers(600, 0, 1, seed);
-    expectMetInBox(sites);
-    expectMetInBox(sites, randomNumbers(300, 0.5, 1.5, seed));
-  }
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
-TEST(PrescribedAreas, ManySites)
-{
-  // Enough for several tasks and threads.
-  expectMetInBox(randomNumbers(20000, 0, 1, 9));
-}
-
-TEST(PrescribedAreas, VeryDifferentAreas)
+/// From 1 to 10,000.
+Numbers veryDifferentAreas()
 {
   Numbers areas;
   for (int i = 0; i < 100; ++i)
   {
     areas.push_back(std::pow(10.0, 4.0 * i / 99));
   }
-  expectMetInBox(randomNumbers(200, 0, 1, 3), areas);
+  return areas;
 }
 
-TEST(PrescribedAreas, ClusteredSites)
-{
-  Numbers sites = randomNumbers(200, 0.2, 0.2 + 1e-4, 4);
-  const Numbers others = randomNumbers(100, 0.7, 0.8, 5);
-  sites.insert(sites.end(), others.begin(), others.end());
-  expectMetInBox(sites);
-}
-
-TEST(PrescribedAreas, Grids)
-{
-  const PrescribedAreas equal = expectMetInBox(grid(12));
-  EXPECT_EQ(equal.iterations, 0); // they are so without weights
-  expectMetInBox(grid(12), randomNumbers(144, 0.2, 2, 6));
-}
-
-TEST(PrescribedAreas, CollinearSites)
+Numbers sitesOnALine()
 {
   Numbers sites;
   for (int i = 0; i < 20; ++i)
   {
     sites.insert(sites.end(), { 0.3 + 0.01 * i * i / 20, 0.2 + 0.02 * i * i / 20 });
   }
-  expectMetInBox(sites);
-  expectMetInBox({ 5, 5, 7, 7, 6, 6, 10, 10 }, { 1, 2, 3, 4 });
+  return sites;
 }
 
-TEST(PrescribedAreas, SitesOutside)
+struct AreaCase
 {
-  expectMetInBox(randomNumbers(400, 3, 5, 7));
-  expectMetInBox(randomNumbers(400, -2, 3, 8));
-  // The same in another frame is the same: places count but for a shift.
-  Numbers sites = randomNumbers(60, 0.5, 0.9, 9);
-  for (double& x : sites)
+  const char* name;
+  Numbers sites;
+  Numbers areas; ///< none: all equal
+};
+
+TEST(PrescribedAreas, AreMetInTheBox)
+{
+  const AreaCase cases[] = {
+    { "at random", randomNumbers(600, 0, 1, 1), {} },
+    { "at random, any areas", randomNumbers(600, 0, 1, 2), randomNumbers(300, 0.5, 1.5, 2) },
+    { "enough for several tasks", randomNumbers(20000, 0, 1, 9), {} },
+    { "very different areas", randomNumbers(200, 0, 1, 3), veryDifferentAreas() },
+    { "clusters", joined(randomNumbers(200, 0.2, 0.2 + 1e-4, 4), randomNumbers(100, 0.7, 0.8, 5)),
+      {} },
+    { "a grid", grid(12), randomNumbers(144, 0.2, 2, 6) },
+    { "a line", sitesOnALine(), {} },
+    { "a line outside", { 5, 5, 7, 7, 6, 6, 10, 10 }, { 1, 2, 3, 4 } },
+    { "all outside", randomNumbers(400, 3, 5, 7), {} },
+    { "far outside", randomNumbers(120, 100.5, 100.9, 9), randomNumbers(60, 1, 3, 9) },
+    { "some outside", randomNumbers(400, -2, 3, 8), {} },
+    { "three", { 0.1, 0.1, 0.8, 0.2, 0.3, 0.9 }, { 1, 2, 5 } },
+  };
+  for (const AreaCase& one : cases)
   {
-    x += 100;
+    SCOPED_TRACE(one.name);
+    expectMetInBox(one.sites, one.areas);
   }
-  expectMetInBox(sites, randomNumbers(30, 1, 3, 9));
 }
 
-TEST(PrescribedAreas, FewSites)
+TEST(PrescribedAreas, KnownWeights)
 {
+  EXPECT_EQ(expectMetInBox(grid(12)).iterations, 0); // they are so without weights
   EXPECT_EQ(expectMetInBox({ 0.2, 0.4 }).weights[0], 0.0);
   EXPECT_EQ(expectMetInBox({ 9, 9 }).areas[0], 1.0);
   // The edge between two is where the areas say: x is 0.75.
   const PrescribedAreas two = expectMetInBox({ 0.25, 0.5, 0.5, 0.5 }, { 3, 1 });
   EXPECT_NEAR(two.weights[0] - two.weights[1], 0.5 * 0.5 - 0.25 * 0.25, 1e-6);
-  expectMetInBox({ 0.1, 0.1, 0.8, 0.2, 0.3, 0.9 }, { 1, 2, 5 });
   const PrescribedAreas none = prescribedAreas(PointView(), WeightView(), unitBox);
   EXPECT_TRUE(none.converged);
   EXPECT_TRUE(none.weights.empty());
 }
 
-TEST(PrescribedAreas, Polygons)
+TEST(PrescribedAreas, AreMetInOtherDomains)
 {
   for (int corners = 3; corners < 9; ++corners)
   {
@@ -155,10 +148,6 @@ TEST(PrescribedAreas, Polygons)
     expectMet(
       randomNumbers(160, -2, 2, 12), randomNumbers(80, 0.5, 1.5, 13), domain, polygon, 1e-9);
   }
-}
-
-TEST(PrescribedAreas, OtherUnits)
-{
   // Metres of a country far from the origin.
   const double box[] = { 4e5, 5e5, 5.1e6, 5.2e6 };
   Numbers sites = randomNumbers(200, 0, 1e5, 14);
@@ -176,14 +165,10 @@ TEST(PrescribedAreas, AnyUnit)
   const PrescribedAreas plain = expectMetInBox(sites);
   for (const int exponent : { -480, -400, 400, 480 })
   {
-    Numbers scaled = sites;
-    for (double& x : scaled)
-    {
-      x = std::ldexp(x, exponent);
-    }
+    const Numbers there = scaled(sites, exponent);
     const double side = std::ldexp(1.0, exponent);
     const double box[] = { 0, side, 0, side };
-    const PrescribedAreas found = prescribedAreas(sitesView(scaled), WeightView(), box);
+    const PrescribedAreas found = prescribedAreas(sitesView(there), WeightView(), box);
     EXPECT_TRUE(found.converged) << exponent;
     for (std::size_t i = 0; i < plain.weights.size(); ++i)
     {

@@ -8,6 +8,7 @@
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/RegularTriangulation.h>
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -44,6 +45,16 @@ inline Numbers randomNumbers(std::size_t count, double from, double to, unsigned
   for (double& x : numbers)
   {
     x = from + (to - from) * 0x1p-32 * static_cast<double>(random());
+  }
+  return numbers;
+}
+
+/// By a power of two.
+inline Numbers scaled(Numbers numbers, int exponent)
+{
+  for (double& x : numbers)
+  {
+    x = std::ldexp(x, exponent);
   }
   return numbers;
 }
