@@ -49,8 +49,27 @@ inline std::vector<FixedSegment> fixedOf(const ConstrainedTriangulation& result)
   return fixed;
 }
 
-/// What is wrong with a run; empty when nothing is. An error counts as right where the reference
-/// has constraints that cross.
+/// What differs from the reference; empty when nothing does.
+inline std::string difference(const Cloud& cloud, const std::vector<Segment>& constraints,
+  const ConstrainedTriangulation& result, const ReferenceConstrained& reference, FacetMode facets)
+{
+  std::vector<FixedSegment> fixed = fixedOf(result);
+  for (std::size_t i = 0; i < std::min(fixed.size(), reference.fixed.size()); ++i)
+  {
+    // CGAL does not tell which constraint it is.
+    fixed[i].constraint = reference.fixed[i].constraint < 0 ? -1 : fixed[i].constraint;
+  }
+  const std::string cells =
+    difference(result, reference.triangulation, facets, static_cast<std::int64_t>(cloud.size()));
+  const Validation valid = validate(viewOf(cloud), viewOf(constraints), result);
+  return !cells.empty()        ? cells
+    : !valid                   ? describe(valid.fault)
+    : fixed == reference.fixed ? ""
+                               : "the fixed edges differ";
+}
+
+/// What is wrong with a run. An error counts as right where the reference has constraints that
+/// cross.
 inline std::string constrainedFault(const Cloud& cloud, const std::vector<Segment>& constraints,
   const ReferenceConstrained& reference, const Options& options)
 {
@@ -58,17 +77,9 @@ inline std::string constrainedFault(const Cloud& cloud, const std::vector<Segmen
   {
     const ConstrainedTriangulation result =
       constrainedTriangulation(viewOf(cloud), viewOf(constraints), options);
-    if (reference.crossing >= 0)
-    {
-      return "no error where constraints cross";
-    }
-    const std::string fault = difference(
-      result, reference.triangulation, options.facets, static_cast<std::int64_t>(cloud.size()));
-    const Validation valid = validate(viewOf(cloud), viewOf(constraints), result, options.threads);
-    return !fault.empty()                  ? fault
-      : !valid                             ? describe(valid.fault)
-      : fixedOf(result) == reference.fixed ? ""
-                                           : "the fixed edges differ";
+    return reference.crossing >= 0
+      ? "no error where constraints cross"
+      : difference(cloud, constraints, result, reference, options.facets);
   }
   catch (const Error& error)
   {

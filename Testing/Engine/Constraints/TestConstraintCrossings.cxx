@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Crossing constraints in pieces: beside rationals and a brute force of all pairs, on grids, on
-/// doubles, and where so few doubles are near that pieces cross anew.
+/// Crossing constraints in pieces: stars, bundles and streets, what does not cross, and errors. On
+/// points of every kind they are compared with brute force in TestConstraintsByReference.
 #include "Constraints/CrossingPairs.h"
-#include "Testing/Engine/Conformance/ProgressWatch.h"
-#include "Testing/Engine/Conformance/RandomCases.h"
 #include "Testing/Engine/Constraints/SplitCases.h"
+#include "Testing/Engine/Inputs/InputsConstrained.h"
 
 #include <flipflop/ConstraintCrossings.h>
 
@@ -27,130 +26,6 @@ namespace test
 
 namespace
 {
-
-/// The most rounds of all.
-/// @param make void (Random&, Cloud&): points
-template <class Make>
-std::int64_t runBruteForce(int cases, const Make& make)
-{
-  const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
-  int failures = 0;
-  std::int64_t rounds = 0;
-  for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
-  {
-    Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
-    Case given;
-    make(random, given.cloud);
-    const int last = static_cast<int>(given.cloud.size()) - 1;
-    for (int i = random.integer(1, 12); i > 0; --i)
-    {
-      given.segments.push_back({ random.integer(0, last), random.integer(0, last) });
-    }
-    if (random.integer(0, 3) == 0)
-    {
-      given.segments.push_back({ given.segments[0][1], given.segments[0][0] });
-      given.segments.push_back(given.segments[0]);
-    }
-    given.sides = random.integer(0, static_cast<int>(given.segments.size()));
-    const SplitConstraints result = split(given, seed % 16 ? 1 : 2);
-    rounds = std::max(rounds, result.rounds);
-    std::string fault = faultOf(given, result);
-    fault = fault.empty() ? faultOfOrder(given, result, random) : fault;
-    if (!fault.empty())
-    {
-      ++failures;
-      ADD_FAILURE() << "seed " << seed << ": " << fault << "\n"
-                    << toString(given.cloud) << textOf(given.segments);
-    }
-  }
-  return rounds;
-}
-
-TEST(ConstraintCrossingsByForce, OnGrids)
-{
-  EXPECT_GE(
-    runBruteForce(150,
-      [](Random& random, Cloud& cloud)
-      {
-        const int side = random.integer(1, 12);
-        for (int i = random.integer(2, 16); i > 0; --i)
-        {
-          cloud.push_back({ double(random.integer(0, side)), double(random.integer(0, side)), 0 });
-        }
-      }),
-    1);
-}
-
-TEST(ConstraintCrossingsByForce, InGeneralPosition)
-{
-  EXPECT_GE(runBruteForce(100,
-              [](Random& random, Cloud& cloud)
-              {
-                for (int i = random.integer(4, 16); i > 0; --i)
-                {
-                  cloud.push_back({ random.uniform(-1, 1), random.uniform(-1, 1), 0 });
-                }
-              }),
-    1);
-}
-
-/// Where the doubles are so few that each is a small integer times a unit: crossings move by much,
-/// and pieces cross again.
-TEST(ConstraintCrossingsByForce, AmongFewDoubles)
-{
-  EXPECT_GE(runBruteForce(200,
-              [](Random& random, Cloud& cloud)
-              {
-                const bool isDenormal = random.integer(0, 1) == 0;
-                const double unit = isDenormal ? 0x1p-1074 : 1;
-                const double base = isDenormal ? -3 * unit : 0x1p52;
-                const int side = random.integer(2, 12);
-                for (int i = random.integer(4, 24); i > 0; --i)
-                {
-                  cloud.push_back({ base + random.integer(0, side) * unit,
-                    base + random.integer(0, side) * unit, 0 });
-                }
-              }),
-    1);
-}
-
-TEST(ConstraintCrossingsByForce, NearlyParallel)
-{
-  EXPECT_GE(runBruteForce(200,
-              [](Random& random, Cloud& cloud)
-              {
-                const double ulp = std::ldexp(1.0, random.integer(-52, -40));
-                const double slope = random.integer(0, 2) * 0.5;
-                const double units = random.integer(1, 8);
-                for (int i = random.integer(4, 20); i > 0; --i)
-                {
-                  const double x = random.integer(0, 1) + random.uniform(-0.1, 0.1);
-                  cloud.push_back({ x, 1 + slope * x + ulp * random.uniform(0, units), 0 });
-                }
-              }),
-    1);
-}
-
-TEST(ConstraintCrossingsByForce, AtAnyRange)
-{
-  EXPECT_GE(runBruteForce(100,
-              [](Random& random, Cloud& cloud)
-              {
-                const bool isMixed = random.integer(0, 1) == 0;
-                const double scale = random.integer(0, 1) ? 1e300 : 1e-300;
-                for (int i = random.integer(4, 12); i > 0; --i)
-                {
-                  cloud.emplace_back();
-                  for (std::size_t k = 0; k < 2; ++k)
-                  {
-                    cloud.back()[k] = random.uniform(-1, 1) *
-                      (isMixed ? std::pow(10.0, random.integer(-307, 307)) : scale);
-                  }
-                }
-              }),
-    1);
-}
 
 /// Lines through one place that no double names, and through one that is a point.
 TEST(ConstraintCrossings, OfAStarAreOne)
@@ -223,11 +98,7 @@ double comparisonsOf(int lines, double slope)
   Random random(7);
   std::vector<int> order(static_cast<std::size_t>(lines));
   std::iota(order.begin(), order.end(), 0);
-  for (int i = lines - 1; i > 0; --i)
-  {
-    std::swap(
-      order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>(random.integer(0, i))]);
-  }
+  random.shuffle(order);
   Case given;
   for (int i = 0; i < lines; ++i)
   {
@@ -305,37 +176,12 @@ TEST(ConstraintCrossings, HaveTheIdOfAGivenPoint)
 TEST(ConstraintCrossings, OfStreetsHaveOneAnswer)
 {
   Random random(8);
-  Case given;
-  for (int i = 0; i < 3000; ++i)
-  {
-    const double reach = i % 50 ? 0.02 : 1.0;
-    const double x = random.uniform(), y = random.uniform();
-    const auto id = static_cast<std::int64_t>(given.cloud.size());
-    given.cloud.push_back({ x, y, 0 });
-    given.cloud.push_back(
-      { x + random.uniform(-reach, reach), y + random.uniform(-reach, reach), 0 });
-    given.segments.push_back({ id, id + 1 });
-  }
+  const ConstrainedInput town = streets(3000, random);
+  Case given = { town.cloud, town.segments };
   given.sides = 1000;
   const SplitConstraints first = split(given, 1);
-  std::int64_t crossings = 0;
-  for (std::size_t s = 0; s < given.segments.size(); ++s)
-  {
-    for (std::size_t t = 0; t < s; ++t)
-    {
-      const auto side = [&](const Segment& line, std::int64_t p)
-      {
-        const auto at = [&](std::int64_t id) -> const Point&
-        { return given.cloud[static_cast<std::size_t>(id)]; };
-        const Point &a = at(line[0]), &b = at(line[1]), &c = at(p);
-        return (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]); // no ties here
-      };
-      const Segment &a = given.segments[s], &b = given.segments[t];
-      crossings += side(a, b[0]) != side(a, b[1]) && side(b, a[0]) != side(b, a[1]) ? 1 : 0;
-    }
-  }
-  EXPECT_EQ(first.newPointCount(), crossings);
-  EXPECT_EQ(first.rounds, 1);
+  EXPECT_GT(first.newPointCount(), 1000);
+  EXPECT_EQ(faultOfPoints(given, first, allPoints(given, first)), "");
   const Cloud cloud = allPoints(given, first);
   EXPECT_TRUE(
     validate(viewOf(cloud), first.view(), constrainedTriangulation(viewOf(cloud), first.view())));
@@ -343,11 +189,9 @@ TEST(ConstraintCrossings, OfStreetsHaveOneAnswer)
   {
     const SplitConstraints other = split(given, threads);
     EXPECT_EQ(other.sides, first.sides);
-    const auto isSame = [](const auto& a, const auto& b)
-    { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
-    EXPECT_TRUE(isSame(other.ends, first.ends) && isSame(other.positions, first.positions) &&
-      isSame(other.crossing, first.crossing) && isSame(other.offsets, first.offsets) &&
-      isSame(other.constraintOf, first.constraintOf));
+    EXPECT_TRUE(sameBits(other.ends, first.ends) && sameBits(other.positions, first.positions) &&
+      sameBits(other.crossing, first.crossing) && sameBits(other.offsets, first.offsets) &&
+      sameBits(other.constraintOf, first.constraintOf));
   }
   EXPECT_EQ(faultOfOrder(given, first, random), "");
 }
