@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Clouds.h"
+#include "Testing/Engine/Inputs/InputsInUse.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace fuzz
 namespace
 {
 
-using test::Random;
-
 /// Sizes of clouds that a generator makes. The engine takes samples from 2,048 points on.
 int drawCount(Bytes& bytes, int most)
 {
@@ -25,94 +24,26 @@ int drawCount(Bytes& bytes, int most)
   return std::min(count, most);
 }
 
-/// Sines that are the same on every machine: good to some digits, which is all that is asked.
-Point onCircle(double turn)
+std::vector<std::string> namesOf(bool isPlane)
 {
-  const double t = 2 * turn - 1; // the rational circle, of both halves
-  const double s = std::fabs(t) < 0.5 ? 2 * t : 2 * (std::fabs(t) - 1) * (t < 0 ? -1 : 1);
-  const double side = std::fabs(t) < 0.5 ? 1 : -1;
-  return { side * (1 - s * s) / (1 + s * s), 2 * s / (1 + s * s), 0 };
+  std::vector<std::string> names = test::namesInUse(isPlane);
+  for (const test::Family& family : isPlane ? test::weightedFamilies() : test::families())
+  {
+    names.push_back(family.name);
+  }
+  return names;
 }
 
-/// Points on something that rounding does not quite keep: lines, planes, circles, the edges of a
-/// box, grids of decimals, in any direction and at any offset.
-Cloud drawNearly(Bytes& bytes, int most)
-{
-  const int kind = bytes.below(8);
-  const int count = drawCount(bytes, most);
-  Random random(bytes.raw<std::uint16_t>());
-  Point frame[4]; // an origin and three axes
-  const bool aligned = bytes.flag();
-  const double offset = bytes.flag() ? bytes.number() : 0;
-  for (int i = 0; i < 4; ++i)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      frame[i][k] = i == 0          ? offset
-        : aligned                   ? (k + 1 == static_cast<std::size_t>(i) ? 1.0 : 0.0)
-        : random.integer(0, 2) == 0 ? random.integer(-9, 9) / 10.0
-                                    : random.uniform(-1, 1);
-    }
-  }
-  const double levels = 1 + bytes.below(16);
-  Cloud cloud;
-  for (int i = 0; i < count; ++i)
-  {
-    Point p{ random.uniform(), random.uniform(), random.uniform() };
-    const Point circle = onCircle(p[0]);
-    switch (kind)
-    {
-      case 1: // a line
-        p[1] = p[2] = 0;
-        break;
-      case 2: // a plane
-        p[2] = 0;
-        break;
-      case 3: // a circle
-        p = circle;
-        break;
-      case 4: // a cylinder of some levels
-        p = { circle[0], circle[1], std::floor(p[2] * levels) / 10 };
-        break;
-      case 5: // a sphere
-        p = random.direction();
-        break;
-      case 6: // the edges of a box
-      {
-        const auto along = static_cast<std::size_t>(random.integer(0, 2));
-        p[(along + 1) % 3] = random.integer(0, 1);
-        p[(along + 2) % 3] = random.integer(0, 1);
-        break;
-      }
-      case 7: // a grid
-        for (double& x : p)
-        {
-          x = std::floor(x * levels);
-        }
-        break;
-      default:
-        break;
-    }
-    Point q;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      q[k] = frame[0][k] + (p[0] * frame[1][k] + p[1] * frame[2][k] + p[2] * frame[3][k]);
-    }
-    cloud.push_back(q);
-  }
-  return cloud;
-}
-
-/// Of the tests' families. Draws beyond their number give other things, so that a new family leaves
-/// the old ones' bytes alone.
+/// Of the tests' families, and of those in use: points on lines, rims, walls and grids, which
+/// rounding does not quite keep.
 Cloud drawFamily(Bytes& bytes, int most)
 {
-  const auto& families = bytes.flag() ? test::weightedFamilies() : test::families();
-  const auto which = static_cast<std::size_t>(bytes.below(64));
+  static const std::vector<std::string> names[2] = { namesOf(false), namesOf(true) };
+  const bool isPlane = bytes.flag();
+  const std::string& name =
+    names[isPlane][static_cast<std::size_t>(bytes.below(128)) % names[isPlane].size()];
   const int count = drawCount(bytes, most);
-  Random random(bytes.raw<std::uint16_t>());
-  return which < families.size() ? families[which].make(count, random)
-                                 : test::families()[0].make(count, random);
+  return test::makeCloud(name, isPlane, count, bytes.raw<std::uint16_t>());
 }
 
 /// Numbers out of the bytes: each its own, or of a palette of a few.
@@ -255,10 +186,7 @@ void change(Bytes& bytes, Cloud& cloud, int most)
 Cloud drawCloud(Bytes& bytes, int most)
 {
   const int kind = bytes.below(8);
-  Cloud cloud = kind < 3 ? drawNumbers(bytes, false)
-    : kind < 5           ? drawNumbers(bytes, true)
-    : kind < 7           ? drawNearly(bytes, most)
-                         : drawFamily(bytes, most);
+  Cloud cloud = kind < 5 ? drawNumbers(bytes, kind > 2) : drawFamily(bytes, most);
   change(bytes, cloud, most);
   return cloud;
 }

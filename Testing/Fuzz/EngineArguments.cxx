@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Every call of the engine with points and weights that are no arrays: an error that says so, with
+/// its code, before any is read.
 #include "EngineCall.h"
 #include "EngineCalls.h"
 
-#include <flipflop/ConvexHull.h>
-#include <flipflop/Convexify.h>
-#include <flipflop/PowerDiagram.h>
-#include <flipflop/RegularTriangulation.h>
-#include <flipflop/Validate.h>
+#include "Testing/Engine/Calls/EveryCall.h"
 
 #include <cstdint>
 
@@ -35,34 +34,27 @@ std::int64_t drawStride(Bytes& bytes, std::int64_t count)
   return stride > 3 && count > 1 && count <= Most ? 3 : stride;
 }
 
-/// What is wrong with the points, if anything is.
-std::optional<ErrorCode> faultOf(const PointView& points, std::int64_t least)
+/// What is wrong with the views, if anything is.
+std::optional<ErrorCode> faultOf(
+  const PointView& points, const WeightView& weights, const test::Call& call)
 {
+  const std::int64_t least = call.planar ? 2 : 3;
   if (points.count < 0 || (points.count > 0 && (!points.data || points.stride < least)))
   {
     return ErrorCode::BadArgument;
   }
-  return points.count > Most ? std::optional<ErrorCode>(ErrorCode::TooManyPoints) : std::nullopt;
-}
-
-std::optional<ErrorCode> faultOf(const WeightView& weights, const PointView& points)
-{
-  if (weights.count < 0 || (weights.data ? weights.stride < 1 : weights.count > 0))
+  if (points.count > Most)
+  {
+    return ErrorCode::TooManyPoints;
+  }
+  if (call.weighted &&
+    (weights.count < 0 || (weights.data ? weights.stride < 1 : weights.count > 0)))
   {
     return ErrorCode::BadArgument;
   }
-  return weights.data && weights.count != points.count
+  return call.weighted && weights.data && weights.count != points.count
     ? std::optional<ErrorCode>(ErrorCode::WeightCount)
     : std::nullopt;
-}
-
-template <class Result>
-void expectFault(const Outcome<Result>& outcome, const std::optional<ErrorCode>& expected)
-{
-  const bool same = expected ? outcome.error && outcome.error->code() == *expected : !outcome.error;
-  demand(same,
-    std::string("an argument gives \"") + (outcome.error ? outcome.error->what() : "no error") +
-      "\" for \"" + (expected ? Error(*expected).what() : "no error") + "\"");
 }
 
 }
@@ -70,7 +62,6 @@ void expectFault(const Outcome<Result>& outcome, const std::optional<ErrorCode>&
 void fuzzArguments(Bytes& bytes)
 {
   static const double values[12] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  static const std::int64_t corners[12] = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2 };
   PointView points;
   points.data = bytes.oneOf(4) ? nullptr : values;
   points.count = drawCount(bytes);
@@ -81,44 +72,21 @@ void fuzzArguments(Bytes& bytes)
   weights.stride = drawStride(bytes, weights.count);
   Options options;
   options.threads = 1 + bytes.below(2);
-
-  const auto inSpace = faultOf(points, 3);
-  const auto hull = attempt([&] { return convexHull(points, options); });
-  expectFault(hull, inSpace);
-  expectFault(attempt([&] { return validate(points, Hull(), 1); }), inSpace);
-
-  const auto inPlane = faultOf(points, 2);
-  const auto weighted = inPlane ? inPlane : faultOf(weights, points);
-  const auto triangulation =
-    attempt([&] { return regularTriangulation(points, weights, options); });
-  expectFault(triangulation, weighted);
-  expectFault(attempt([&] { return validate(points, weights, Triangulation(), 1); }), weighted);
-  const double box[4] = { 0, 1, 0, 1 };
-  const Triangulation none;
-  expectFault(attempt(
-                [&]
-                {
-                  return powerDiagram(points, weights,
-                    triangulation.result ? *triangulation.result : none, box, options);
-                }),
-    weighted);
-
-  TriangleView triangles;
-  triangles.corners = bytes.oneOf(4) ? nullptr : corners;
-  triangles.count = drawCount(bytes);
-  const auto surface = attempt([&] { return convexify(points, triangles, nullptr, options); });
-  if (inSpace)
+  const std::vector<test::Call>& calls = test::everyCall();
+  const test::Call& call = calls[bytes.byte() % calls.size()];
+  if (call.nonFinite == test::NonFinitePoint::IsNotRead)
   {
-    expectFault(surface, inSpace);
+    return;
   }
-  else if (triangles.count < 0 || (triangles.count > 0 && !triangles.corners))
-  {
-    expectFault(surface, ErrorCode::BadArgument);
-  }
-  else if (triangles.count > 4)
-  {
-    expectFault(surface, ErrorCode::TooManyPoints);
-  }
+  const auto outcome = attempt([&] { return call.run(points, weights, options); });
+  const auto expected = faultOf(points, weights, call);
+  // Four points are of no cells that were made of others.
+  demand(expected ? outcome.is(*expected)
+                  : !outcome.error ||
+        (outcome.error->code() != ErrorCode::TooManyPoints &&
+          outcome.error->code() != ErrorCode::WeightCount),
+    std::string(call.name) + " gives \"" + (outcome.error ? outcome.error->what() : "no error") +
+      "\" for \"" + (expected ? Error(*expected).what() : "no error") + "\"");
 }
 
 }

@@ -97,47 +97,44 @@ void addBundle(Bytes& bytes, Cloud& cloud)
   }
 }
 
-std::vector<std::uint8_t> insideOf(const ConstrainedTriangulation& triangulation, PolygonRule rule,
-  int threads, std::initializer_list<ErrorCode> allowed)
+/// One for each cell; nothing, where an error that is allowed is thrown.
+std::vector<std::uint8_t> insideOf(Trial& trial, const ConstrainedTriangulation& triangulation,
+  PolygonRule rule, std::initializer_list<ErrorCode> allowed)
 {
   const auto cells = static_cast<std::size_t>(triangulation.cellCount());
-  std::vector<std::uint8_t> inside(cells + 1, 7);
-  Options options;
-  options.threads = threads;
-  options.polygons = rule;
-  const auto outcome = attempt([&] { return cellsInside(triangulation, inside.data(), options); });
-  expectOutcome(outcome, Watch(), allowed);
-  demand(inside.back() == 7, "an answer too many");
-  inside.pop_back();
-  if (!outcome.result)
-  {
-    return {};
-  }
-  demand(*outcome.result == std::count(inside.begin(), inside.end(), 1) &&
-      std::count(inside.begin(), inside.end(), 0) + *outcome.result ==
-        static_cast<std::int64_t>(cells),
-    "the count of cells inside is wrong");
-  return inside;
+  const auto outcome = trial.run(-1, allowed,
+    [&](Options options)
+    {
+      std::vector<std::uint8_t> inside(cells + 1, 7);
+      options.polygons = rule;
+      const std::int64_t count = cellsInside(triangulation, inside.data(), options);
+      demand(inside.back() == 7, "a value too many");
+      inside.pop_back();
+      demand(count == std::count(inside.begin(), inside.end(), 1) &&
+          count + std::count(inside.begin(), inside.end(), 0) == static_cast<std::int64_t>(cells),
+        "the count of cells inside is wrong");
+      return inside;
+    });
+  return outcome.result ? *outcome.result : std::vector<std::uint8_t>();
 }
 
-/// By the even-odd rule there is an answer where sides close. Where no edge has more sides one way
-/// than one, and the directions agree, they part the same cells.
-void demandInside(const ConstrainedTriangulation& triangulation, bool areClosed, int threads)
+/// A result is valid. By the even-odd rule cells are inside or not where sides close. Where no edge
+/// has more sides one way than one, and the directions agree, they part the same cells.
+void demandRight(Trial& trial, const PointView& points, const ConstraintView& constraints,
+  const ConstrainedTriangulation& result, bool areClosed)
 {
-  if (!areClosed)
-  {
-    insideOf(triangulation, PolygonRule::EvenOdd, threads, { ErrorCode::BadArgument });
-    insideOf(triangulation, PolygonRule::Direction, threads,
-      { ErrorCode::BadArgument, ErrorCode::PolygonsDisagree });
-    return;
-  }
-  const std::vector<std::uint8_t> odd = insideOf(triangulation, PolygonRule::EvenOdd, threads, {});
+  const Validation verdict = validate(points, constraints, result, trial.plain().threads);
+  demand(static_cast<bool>(verdict), std::string("not valid: ") + describe(verdict.fault));
+  const ErrorCode open = areClosed ? ErrorCode::PolygonsDisagree : ErrorCode::BadArgument;
+  const std::vector<std::uint8_t> odd = insideOf(trial, result, PolygonRule::EvenOdd, { open });
   const std::vector<std::uint8_t> left =
-    insideOf(triangulation, PolygonRule::Direction, threads, { ErrorCode::PolygonsDisagree });
-  demand(triangulation.sides > 0 || std::count(odd.begin(), odd.end(), 0) == 0,
+    insideOf(trial, result, PolygonRule::Direction, { ErrorCode::PolygonsDisagree, open });
+  demand(!areClosed || odd.size() == static_cast<std::size_t>(result.cellCount()),
+    "sides that close are refused");
+  demand(result.sides > 0 || std::count(odd.begin(), odd.end(), 0) == 0,
     "a cell is outside, and there is no polygon");
-  const auto& balance = triangulation.balance;
-  if (left.size() == odd.size() && !left.empty() &&
+  const auto& balance = result.balance;
+  if (areClosed && left.size() == odd.size() && !left.empty() &&
     std::any_of(balance.begin(), balance.end(), [](std::int64_t b) { return b != 0; }) &&
     std::all_of(balance.begin(), balance.end(), [](std::int64_t b) { return -1 <= b && b <= 1; }))
   {
@@ -149,20 +146,11 @@ void demandInside(const ConstrainedTriangulation& triangulation, bool areClosed,
   }
 }
 
-void demandValid(const PointView& points, const ConstraintView& constraints,
-  const ConstrainedTriangulation& result, bool areClosed, const Options& options)
-{
-  const Validation verdict = validate(points, constraints, result, options.threads);
-  demand(static_cast<bool>(verdict), std::string("not valid: ") + describe(verdict.fault));
-  demandInside(result, areClosed, options.threads);
-}
-
 }
 
 void fuzzConstraints(Bytes& bytes)
 {
-  Watch watch;
-  const Options options = drawOptions(bytes, watch);
+  Trial trial(bytes);
   const Layout layout = drawLayout(bytes);
   Cloud cloud = drawCloud(bytes, 300);
   if (bytes.oneOf(8))
@@ -174,29 +162,27 @@ void fuzzConstraints(Bytes& bytes)
   const PointView points = scalars.points();
   const ConstraintView view = constraints.view();
   const bool isRight = constraints.arePoints &&
-    (options.nonFinite == NonFinitePolicy::Ignore || findNonFinite(cloud, 2).count == 0);
+    (trial.plain().nonFinite == NonFinitePolicy::Ignore || findNonFinite(cloud, 2).count == 0);
 
-  const auto whole = attempt([&] { return constrainedTriangulation(points, view, options); });
-  expectOutcome(whole, watch,
-    { ErrorCode::NonFinite, ErrorCode::ConstraintPoint, ErrorCode::ConstraintsCross });
-  const bool crosses = whole.error && whole.error->code() == ErrorCode::ConstraintsCross;
-  demand(watch.stopped || isRight == (whole.result || crosses), "an error without a reason");
+  const auto whole =
+    trial.run(0, { ErrorCode::NonFinite, ErrorCode::ConstraintPoint, ErrorCode::ConstraintsCross },
+      [&](const Options& options) { return constrainedTriangulation(points, view, options); });
+  const bool crosses = whole.is(ErrorCode::ConstraintsCross);
+  demand(isRight == (whole.result || crosses), "an error without a reason");
   if (whole.result)
   {
-    demandValid(points, view, *whole.result, constraints.areClosed, options);
-    if (constraints.areClosed)
-    {
-      const ConstrainedTriangulation turned =
-        constrainedTriangulation(points, constraints.turnedView(), unwatched(options));
-      demand(insideOf(turned, PolygonRule::EvenOdd, options.threads, {}) ==
-          insideOf(*whole.result, PolygonRule::EvenOdd, options.threads, {}),
-        "the direction of rings counts");
-    }
+    demandRight(trial, points, view, *whole.result, constraints.areClosed);
   }
-
-  const Options others = unwatched(options);
-  const auto split = attempt([&] { return splitCrossings(points, view, others); });
-  expectOutcome(split, Watch(), { ErrorCode::NonFinite, ErrorCode::ConstraintPoint });
+  if (whole.result && constraints.areClosed)
+  {
+    const ConstrainedTriangulation turned =
+      constrainedTriangulation(points, constraints.turnedView(), trial.plain());
+    demand(insideOf(trial, turned, PolygonRule::EvenOdd, {}) ==
+        insideOf(trial, *whole.result, PolygonRule::EvenOdd, {}),
+      "the direction of rings counts");
+  }
+  const auto split = trial.run(-1, { ErrorCode::NonFinite, ErrorCode::ConstraintPoint },
+    [&](const Options& options) { return splitCrossings(points, view, options); });
   demand(isRight == split.result.has_value(), "splitting has an error without a reason");
   if (!split.result)
   {
@@ -209,8 +195,8 @@ void fuzzConstraints(Bytes& bytes)
   }
   const PointView all(
     cloud.empty() ? nullptr : cloud.front().data(), static_cast<std::int64_t>(cloud.size()));
-  demandValid(all, split.result->view(),
-    constrainedTriangulation(all, split.result->view(), others), constraints.areClosed, others);
+  demandRight(trial, all, split.result->view(),
+    constrainedTriangulation(all, split.result->view(), trial.plain()), constraints.areClosed);
 }
 
 }

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace flipflop
@@ -20,10 +21,9 @@ namespace flipflop
 namespace fuzz
 {
 
-void fuzzFlipFlop(Bytes& bytes)
+void fuzzConvexify(Bytes& bytes)
 {
-  Watch watch;
-  const Options options = drawOptions(bytes, watch);
+  Trial trial(bytes);
   const Layout layout = drawLayout(bytes);
   const int kernels = bytes.below(4);
   Point kernel{ 0, 0, 0 };
@@ -33,53 +33,44 @@ void fuzzFlipFlop(Bytes& bytes)
   }
   test::Surface surface = drawSurface(bytes, 3000);
   const Scalars scalars(surface.points, 0, 3, layout);
-
-  const auto call = [&](const Options& chosen)
-  {
-    return convexify(
-      scalars.points(), surface.view(), kernels >= 2 ? kernel.data() : nullptr, chosen);
-  };
-  const auto outcome = attempt([&] { return call(options); });
-  expectOutcome(outcome, watch,
+  const auto outcome = trial.run(0,
     { ErrorCode::BadArgument, ErrorCode::BadTriangle, ErrorCode::NonFinite, ErrorCode::NotClosed,
       ErrorCode::NotManifold, ErrorCode::NotOriented, ErrorCode::NotStarShaped,
-      ErrorCode::NoKernel });
-  if (!watch.stopped)
-  {
-    const bool refused = outcome.error && outcome.error->code() == ErrorCode::BadArgument;
-    const bool finite =
-      std::all_of(kernel.begin(), kernel.end(), [](double x) { return std::isfinite(x); });
-    demand(refused != finite, "a finite kernel is refused, or another is not");
-  }
+      ErrorCode::NoKernel },
+    [&](const Options& options)
+    {
+      return convexify(
+        scalars.points(), surface.view(), kernels >= 2 ? kernel.data() : nullptr, options);
+    });
+  demand(outcome.is(ErrorCode::BadArgument) == (finiteOf({ kernel }).empty()),
+    "a finite kernel is refused, or another is not");
   if (!outcome.result)
   {
     return;
   }
-  const Hull& hull = *outcome.result;
-  demand(test::bitDifference(call(unwatched(options)), hull).empty(), "differs on other threads");
-
-  // The hull of the points that are used, of which each id is a place in the list.
-  std::vector<std::int64_t> used;
+  // The hull of the points that are used, of which each id is an index into the list.
+  std::set<std::int64_t> used;
   for (const test::Corners& triangle : surface.triangles)
   {
-    used.insert(used.end(), triangle.begin(), triangle.end());
+    used.insert(triangle.begin(), triangle.end());
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const std::vector<std::int64_t> ids(used.begin(), used.end());
   Cloud cloud;
-  for (const std::int64_t id : used)
+  for (const std::int64_t id : ids)
   {
     cloud.push_back(surface.points[static_cast<std::size_t>(id)]);
   }
-  Hull expected = convexHull(test::viewOf(cloud), unwatched(options));
+  Hull expected = convexHull(test::viewOf(cloud), trial.plain());
   demand(static_cast<bool>(validate(test::viewOf(cloud), expected, 1)), "the hull is not valid");
   for (std::int64_t& id : expected.pointIds)
   {
-    id = used[static_cast<std::size_t>(id)];
+    id = ids[static_cast<std::size_t>(id)];
   }
-  const std::string difference = test::bitDifference(hull, expected);
-  demand(difference.empty(), "not the hull of the points used: " + difference);
+  demandNone(test::bitDifference(*outcome.result, expected));
 }
+
+namespace
+{
 
 /// By all pairs of sides, as seen along an axis: none shares a place with another, but a corner
 /// with the next.
@@ -132,10 +123,41 @@ void demandSimple(const Cloud& cloud, const std::int64_t* corners, std::int64_t 
     "a polygon that crosses or touches itself was cut");
 }
 
+/// Each polygon's edges are edges of one of its triangles, run the same way; the others pair.
+void demandCut(const PolygonView& polygons, const PolygonTriangles& found)
+{
+  using Side = std::pair<std::int64_t, std::int64_t>;
+  std::size_t t = 0;
+  for (std::int64_t p = 0; p < polygons.count; ++p)
+  {
+    std::vector<Side> open;
+    for (; t < found.polygonIds.size() && found.polygonIds[t] == p; ++t)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Side side(found.corners[3 * t + k], found.corners[3 * t + (k + 1) % 3]);
+        const auto twin = std::find(open.begin(), open.end(), Side(side.second, side.first));
+        twin == open.end() ? open.insert(twin, side) : open.erase(twin);
+      }
+    }
+    std::vector<Side> border;
+    for (std::int64_t i = polygons.offsets[p]; i < polygons.offsets[p + 1]; ++i)
+    {
+      border.emplace_back(polygons.corners[i],
+        polygons.corners[i + 1 < polygons.offsets[p + 1] ? i + 1 : polygons.offsets[p]]);
+    }
+    std::sort(open.begin(), open.end());
+    std::sort(border.begin(), border.end());
+    demand(open == border, "the triangles are not of the polygon");
+  }
+  demand(t == found.polygonIds.size(), "triangles of no polygon");
+}
+
+}
+
 void fuzzPolygons(Bytes& bytes)
 {
-  Watch watch;
-  const Options options = drawOptions(bytes, watch);
+  Trial trial(bytes);
   const Layout layout = drawLayout(bytes);
   Cloud cloud = drawCloud(bytes, 60);
   const Scalars scalars(cloud, 0, 3, layout);
@@ -159,44 +181,19 @@ void fuzzPolygons(Bytes& bytes)
   polygons.offsets = offsets.data();
   polygons.count = static_cast<std::int64_t>(offsets.size()) - 1;
   const auto outcome =
-    attempt([&] { return triangulatePolygons(scalars.points(), polygons, options); });
-  expectOutcome(
-    outcome, watch, { ErrorCode::BadArgument, ErrorCode::BadTriangle, ErrorCode::NotSimple });
+    trial.run(0, { ErrorCode::BadArgument, ErrorCode::BadTriangle, ErrorCode::NotSimple },
+      [&](const Options& options)
+      { return triangulatePolygons(scalars.points(), polygons, options); });
   if (!outcome.result)
   {
     return;
   }
-  // Each polygon's edges are edges of one of its triangles, run the same way; the others pair.
-  const PolygonTriangles& found = *outcome.result;
-  std::size_t t = 0;
+  demandCut(polygons, *outcome.result);
   for (std::int64_t p = 0; p < polygons.count; ++p)
   {
-    const std::int64_t first = polygons.offsets[p];
-    demandSimple(cloud, polygons.corners + first, polygons.offsets[p + 1] - first);
-    std::vector<std::pair<std::int64_t, std::int64_t>> open;
-    for (; t < found.polygonIds.size() && found.polygonIds[t] == p; ++t)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const std::int64_t a = found.corners[3 * t + k];
-        const std::int64_t b = found.corners[3 * t + (k + 1) % 3];
-        const auto twin = std::find(open.begin(), open.end(), std::make_pair(b, a));
-        twin == open.end() ? open.insert(twin, { a, b }) : open.erase(twin);
-      }
-    }
-    std::vector<std::pair<std::int64_t, std::int64_t>> border;
-    const auto begin = offsets[static_cast<std::size_t>(p)];
-    const auto end = offsets[static_cast<std::size_t>(p) + 1];
-    for (std::int64_t i = begin; i < end; ++i)
-    {
-      border.emplace_back(corners[static_cast<std::size_t>(i)],
-        corners[static_cast<std::size_t>(i + 1 < end ? i + 1 : begin)]);
-    }
-    std::sort(open.begin(), open.end());
-    std::sort(border.begin(), border.end());
-    demand(open == border, "the triangles are not of the polygon");
+    demandSimple(cloud, corners.data() + offsets[static_cast<std::size_t>(p)],
+      offsets[static_cast<std::size_t>(p) + 1] - offsets[static_cast<std::size_t>(p)]);
   }
-  demand(t == found.polygonIds.size(), "triangles of no polygon");
 }
 
 }

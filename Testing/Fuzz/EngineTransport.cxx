@@ -1,21 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Cells in a domain: their measures are numbers, and sum to its area where doubles can tell.
+/// Cells in a domain: power diagrams, sites that move to centroids, prescribed areas.
+#include "EngineCall.h"
 #include "EngineCalls.h"
-#include "EngineQueries.h"
 
 #include "PowerDiagram/PlanarRings.h"
+#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/PowerDiagram/DiagramFault.h"
 #include "Testing/Engine/PowerDiagram/ExactPolygons.h"
 #include "Testing/Engine/PowerDiagram/PowerPolygons.h"
 #include "Testing/Engine/Query/PlaneQueries.h"
 #include <flipflop/CellBoundary.h>
-#include <flipflop/CentroidalCells.h>
 #include <flipflop/Measures.h>
-#include <flipflop/PowerDiagram.h>
-#include <flipflop/PrescribedAreas.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -209,117 +208,108 @@ private:
   }
 };
 
-/// Sites and numbers beside them, as the calls take them.
-struct Sites
+/// Sites and numbers for them, in any unit, mostly one in which nothing stays a small integer; and
+/// where their cells are to be.
+struct Case
 {
-  Cloud cloud;
   bool isWeighted;
-  std::size_t count;
-  NonFinite faults;
+  Cloud sites;
+  Domain domain;
 
-  explicit Sites(Bytes& bytes, int most)
-    : cloud(drawCloud(bytes, most))
-    , isWeighted(bytes.flag())
+  /// @param areWeights the numbers, which go with the square of lengths; else areas, mostly right
+  Case(Bytes& bytes, int most, bool areWeights)
+    : isWeighted(bytes.flag())
+    , sites(drawCloud(bytes, most))
+    , domain(drawDomain(bytes, areWeights))
   {
-    if (this->isWeighted)
+    if (bytes.flag())
     {
-      drawWeights(bytes, this->cloud);
+      const int exponent = bytes.flag() ? 8 * bytes.raw<std::int8_t>() : 0;
+      const double factor = std::ldexp(1 + bytes.byte() / 177.0, exponent);
+      for (Point& p : this->sites)
+      {
+        p = { p[0] * factor, p[1] * factor, areWeights ? p[2] * factor * factor : p[2] };
+      }
+      this->domain.stretch(factor);
     }
-    this->isWeighted = this->isWeighted && !this->cloud.empty();
-    this->count = this->cloud.size();
-    this->faults = findNonFinite(this->cloud, this->isWeighted ? 3 : 2);
+    this->isWeighted = this->isWeighted && !this->sites.empty();
   }
 
-  /// @param areWeights the numbers, which go with the square of lengths
-  void stretch(double factor, bool areWeights)
-  {
-    for (Point& p : this->cloud)
-    {
-      p = { p[0] * factor, p[1] * factor, areWeights ? p[2] * factor * factor : p[2] };
-    }
-    this->faults = findNonFinite(this->cloud, this->isWeighted ? 3 : 2);
-  }
-
-  PointView points() const { return test::viewOf(this->cloud); }
+  PointView points() const { return test::viewOf(this->sites); }
   WeightView numbers() const
   {
-    return this->isWeighted ? test::weightsOf(this->cloud) : WeightView();
+    return this->isWeighted ? test::weightsOf(this->sites) : WeightView();
+  }
+  NonFinite faults(int axes) const { return findNonFinite(this->sites, axes); }
+
+  std::size_t positionCount() const
+  {
+    std::set<std::pair<double, double>> positions;
+    for (const Point& p : this->sites)
+    {
+      positions.emplace(p[0], p[1]);
+    }
+    return positions.size();
   }
 
-  /// Are places and weights such that doubles tell the cells in a domain?
-  bool areNear(const Domain& domain) const
+  /// Are positions such that doubles tell the cells in the domain?
+  bool areNear() const
   {
-    const double far = 1e4 * domain.perimeter;
-    return std::all_of(this->cloud.begin(), this->cloud.end(),
+    const double far = 1e4 * this->domain.perimeter;
+    return std::all_of(this->sites.begin(), this->sites.end(),
       [&](const Point& p) { return std::fabs(p[0]) <= far && std::fabs(p[1]) <= far; });
+  }
+
+private:
+  Domain drawDomain(Bytes& bytes, bool areWeights)
+  {
+    if (areWeights)
+    {
+      drawWeights(bytes, this->sites);
+    }
+    else if (!bytes.oneOf(8))
+    {
+      for (Point& p : this->sites)
+      {
+        p[2] = std::isfinite(p[2]) && p[2] != 0 ? std::fabs(p[2]) : 1.0;
+      }
+    }
+    return Domain(bytes, this->sites);
   }
 };
 
-/// Sites and their domain in any unit, mostly one in which nothing stays a small integer.
-/// @param areWeights the sites' numbers
-void stretch(Bytes& bytes, Sites& sites, Domain& domain, bool areWeights = true)
-{
-  if (bytes.flag())
-  {
-    const int exponent = bytes.flag() ? 8 * bytes.raw<std::int8_t>() : 0;
-    const double factor = std::ldexp(1 + bytes.byte() / 177.0, exponent);
-    sites.stretch(factor, areWeights);
-    domain.stretch(factor);
-  }
-}
-
-/// Up to so many sites, brute force in rationals is quick.
-constexpr std::size_t FewSites = 12;
-
-/// Sites at different places, all finite, and few?
-bool isForBruteForce(const Sites& sites)
-{
-  std::set<std::pair<double, double>> places;
-  for (const Point& p : sites.cloud)
-  {
-    places.emplace(p[0], p[1]);
-  }
-  return sites.count <= FewSites && sites.faults.count == 0 && places.size() == sites.count;
-}
-
 /// The cells are those of brute force, unless rounding has broken one.
-void demandCells(const PowerDiagram& diagram, const Sites& sites, const Domain& domain)
+void demandCells(const PowerDiagram& diagram, const Case& given)
 {
-  Numbers places;
+  Numbers positions;
   Numbers weights;
-  for (const Point& p : sites.cloud)
+  for (const Point& p : given.sites)
   {
-    places.insert(places.end(), { p[0], p[1] });
-    weights.push_back(sites.isWeighted ? p[2] : 0);
+    positions.insert(positions.end(), { p[0], p[1] });
+    weights.push_back(given.isWeighted ? p[2] : 0);
   }
   std::map<std::int64_t, test::Polygon> expected;
-  for (std::size_t i = 0; i < sites.count; ++i)
+  for (std::size_t i = 0; i < given.sites.size(); ++i)
   {
     const test::Polygon cell =
-      test::roundingOf(test::exactCell(places, weights, domain.bends(), i));
-    if (cell.size() < 3)
-    {
-      continue;
-    }
-    Numbers positions;
+      test::roundingOf(test::exactCell(positions, weights, given.domain.bends(), i));
+    Numbers corners;
     Ring ring;
     for (const auto& corner : cell)
     {
       ring.push_back(static_cast<std::uint32_t>(ring.size()));
-      positions.insert(positions.end(), corner.begin(), corner.end());
+      corners.insert(corners.end(), corner.begin(), corner.end());
     }
-    if (!PlanarRings(positions).isConvex(ring.data(), ring.size()))
+    if (cell.size() >= 3 && !PlanarRings(corners).isConvex(ring.data(), ring.size()))
     {
       return;
     }
-    expected[static_cast<std::int64_t>(i)] = cell;
+    if (cell.size() >= 3)
+    {
+      expected[static_cast<std::int64_t>(i)] = cell;
+    }
   }
   demand(test::polygonsOf(diagram) == expected, "not the cells of brute force");
-}
-
-bool isCode(const std::optional<Error>& error, ErrorCode code)
-{
-  return error && error->code() == code;
 }
 
 /// An error about the domain has its reason there.
@@ -327,219 +317,184 @@ bool isCode(const std::optional<Error>& error, ErrorCode code)
 template <class Result>
 void expectDomainError(const Outcome<Result>& outcome, const Domain& domain, bool isBad)
 {
-  demand(!isCode(outcome.error, ErrorCode::NotConvex) || (!domain.isBox && !domain.isRight),
+  demand(!outcome.is(ErrorCode::NotConvex) || (!domain.isBox && !domain.isRight),
     "a convex domain is refused");
-  demand(!isCode(outcome.error, ErrorCode::BadArgument) || isBad || !domain.isRight,
+  demand(!outcome.is(ErrorCode::BadArgument) || isBad || !domain.isRight,
     "a domain that is right is refused");
 }
 
-void demandSum(const Numbers& areas, const Domain& domain)
+/// Areas are not negative, though that of a small cell may be less than any double, and sum to the
+/// domain's.
+template <class Values>
+void demandAreas(const Values& areas, const Domain& domain)
 {
+  demand(std::all_of(areas.begin(), areas.end(), [](double area) { return area >= 0; }),
+    "a cell has a negative area");
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   demand(std::fabs(sum - domain.area) <= 1e-9 * domain.area,
     "areas sum to " + std::to_string(sum) + ", not to the domain's " + std::to_string(domain.area));
 }
 
-Numbers numbersOf(const Buffer<double>& values)
+template <class Values>
+void demandNumbers(const Values& values, std::size_t count, const char* what)
 {
-  return Numbers(values.begin(), values.end());
-}
-
-void demandNumbers(const Buffer<double>& values, std::size_t count, const char* what)
-{
-  demand(values.size() == count, std::string("not one for each site: ") + what);
-  demand(areFinite(values.begin(), values.end()), std::string("not a number: ") + what);
+  demand(values.size() == count, std::string("not one for each: ") + what);
+  demand(areFinite(values.data(), values.data() + count), std::string("not a number: ") + what);
 }
 
 }
 
-void fuzzDomains(Bytes& bytes)
+void fuzzDiagram(Bytes& bytes)
 {
-  Watch watch;
-  const Options options = drawOptions(bytes, watch);
-  Sites sites(bytes, 400);
-  Domain domain(bytes, sites.cloud);
-  stretch(bytes, sites, domain);
-  Options making = unwatched(options);
-  making.facets = options.facets;
-  const auto made =
-    attempt([&] { return regularTriangulation(sites.points(), sites.numbers(), making); });
+  constexpr std::size_t FewSites = 12; // brute force in rationals is quick
+  Trial trial(bytes);
+  const bool isBroken = bytes.oneOf(3);
+  const Case given(bytes, 400, true);
+  const Domain& domain = given.domain;
+  auto made =
+    attempt([&] { return regularTriangulation(given.points(), given.numbers(), trial.plain()); });
   if (!made.result)
   {
     return;
   }
-  const auto diagramOn = [&](const Options& chosen)
+  Triangulation& triangulation = *made.result;
+  if (isBroken)
   {
-    return attempt(
-      [&] {
-        return powerDiagram(sites.points(), sites.numbers(), *made.result, domain.view(), chosen);
-      });
-  };
-  const auto outcome = diagramOn(options);
-  expectOutcome(outcome, watch, { ErrorCode::BadArgument, ErrorCode::NotConvex });
-  if (!watch.stopped)
-  {
-    expectDomainError(outcome, domain, false);
+    corrupt(bytes, triangulation, &triangulation.hiddenIds);
   }
+  const auto outcome = trial.run(0, { ErrorCode::BadArgument, ErrorCode::NotConvex },
+    [&](const Options& options) {
+      return powerDiagram(given.points(), given.numbers(), triangulation, domain.view(), options);
+    });
+  if (isBroken)
+  {
+    return;
+  }
+  expectDomainError(outcome, domain, false);
+  demand(!domain.isBox || domain.isRight == outcome.result.has_value(),
+    "a good box is refused, or a bad one is not");
   if (!outcome.result)
   {
     return;
   }
   const PowerDiagram& diagram = *outcome.result;
-  demand(test::bitDifference(diagram, *diagramOn(making).result).empty(),
-    "cells depend on the number of threads");
-  Numbers areas(diagram.siteIds.size());
-  Numbers centroids(2 * areas.size());
-  cellMeasures(diagram, areas.data(), centroids.data(), making);
-  demand(areFinite(diagram.corners.begin(), diagram.corners.end()), "a corner is not finite");
-  demand(
-    areFinite(centroids.data(), centroids.data() + centroids.size()), "a centroid is not finite");
-  // In a box, a corner that rounds to a side is taken to be on it.
-  if (domain.isRight && !domain.isBox && isForBruteForce(sites))
+  demandNumbers(diagram.corners, diagram.corners.size(), "a corner");
+  Cloud sites = given.sites;
+  for (Point& p : sites)
   {
-    demandCells(diagram, sites, domain);
+    p[2] = given.isWeighted ? p[2] : 0;
   }
-  if (domain.isRight && domain.isThick() && !made.result->pointIds.empty())
+  const bool isFinite = given.faults(given.isWeighted ? 3 : 2).count == 0;
+  if (domain.isBox && isFinite)
   {
-    // That of a small cell may be less than any double.
-    demand(std::all_of(areas.begin(), areas.end(), [](double area) { return area >= 0; }),
-      "a cell has a negative area");
-    demandSum(areas, domain);
+    const Numbers& x = domain.numbers;
+    demandNone(test::diagramFault(diagram, sites, triangulation, { x[0], x[1], x[2], x[3] }));
+  }
+  if (domain.isRight && !domain.isBox && isFinite && sites.size() <= FewSites &&
+    given.positionCount() == sites.size())
+  {
+    demandCells(diagram, given);
+  }
+  Numbers measures(3 * diagram.siteIds.size());
+  cellMeasures(diagram, measures.data(), measures.data() + diagram.siteIds.size(), trial.plain());
+  measures.resize(diagram.siteIds.size());
+  if (domain.isRight && domain.isThick() && !triangulation.pointIds.empty())
+  {
+    demandAreas(measures, domain);
   }
 }
 
 void fuzzCentroidal(Bytes& bytes)
 {
-  Watch watch;
-  const Options options = drawOptions(bytes, watch);
-  Sites sites(bytes, 150);
-  Domain domain(bytes, sites.cloud);
+  Trial trial(bytes);
+  const Case given(bytes, 150, true);
   const std::int64_t iterations = bytes.oneOf(16) ? -1 : bytes.below(5);
   const double tolerance = bytes.flag() ? 0.0 : bytes.number();
-  stretch(bytes, sites, domain);
-  const auto cellsOn = [&](const Options& chosen)
-  {
-    return attempt(
-      [&]
+  const std::size_t count = given.sites.size();
+  const auto outcome =
+    trial.run(0, { ErrorCode::BadArgument, ErrorCode::NotConvex, ErrorCode::NonFinite },
+      [&](const Options& options)
       {
         return centroidalCells(
-          sites.points(), sites.numbers(), domain.view(), iterations, tolerance, chosen);
+          given.points(), given.numbers(), given.domain.view(), iterations, tolerance, options);
       });
-  };
-  const auto outcome = cellsOn(options);
-  expectOutcome(
-    outcome, watch, { ErrorCode::BadArgument, ErrorCode::NotConvex, ErrorCode::NonFinite });
-  if (!watch.stopped)
-  {
-    expectDomainError(
-      outcome, domain, iterations < 0 || !(tolerance >= 0) || !domain.isMeasurable());
-    demand(!isCode(outcome.error, ErrorCode::NonFinite) ||
-        (outcome.error->index() == sites.faults.first &&
-          outcome.error->count() == sites.faults.count),
-      "NonFinite where all are finite, or of another site");
-  }
+  expectDomainError(
+    outcome, given.domain, iterations < 0 || !(tolerance >= 0) || !given.domain.isMeasurable());
+  const NonFinite faults = given.faults(given.isWeighted ? 3 : 2);
+  demand(!outcome.is(ErrorCode::NonFinite) ||
+      (outcome.error->index() == faults.first && outcome.error->count() == faults.count),
+    "NonFinite where all are finite, or of another site");
   if (!outcome.result)
   {
     return;
   }
   const CentroidalCells& found = *outcome.result;
-  demand(sites.faults.count == 0, "a site that is not finite has a cell");
-  demandNumbers(found.sites, 2 * sites.count, "a site");
-  demandNumbers(found.centroids, 2 * sites.count, "a centroid");
-  demandNumbers(found.areas, sites.count, "an area");
+  demand(faults.count == 0, "a site that is not finite has a cell");
+  demandNumbers(found.sites, 2 * count, "a site");
+  demandNumbers(found.centroids, 2 * count, "a centroid");
+  demandNumbers(found.areas, count, "an area");
   demand(std::isfinite(found.lastMove) && found.lastMove >= 0, "a move is no length");
   demand(found.iterations <= iterations, "too many iterations");
-  demand(found.withoutCell == static_cast<std::int64_t>(sites.count - found.cells.siteIds.size()),
+  demand(found.withoutCell == static_cast<std::int64_t>(count - found.cells.siteIds.size()),
     "the count of sites without a cell is wrong");
-  const auto other = cellsOn(unwatched(options));
-  demand(sameBits(numbersOf(other.result->sites), numbersOf(found.sites)) &&
-      test::bitDifference(other.result->cells, found.cells).empty(),
-    "sites depend on the number of threads");
-  if (domain.isRight && domain.isThick() && sites.count > 0)
+  if (given.domain.isRight && given.domain.isThick() && count > 0)
   {
-    demandSum(numbersOf(found.areas), domain);
+    demandAreas(found.areas, given.domain);
   }
 }
 
 void fuzzPrescribed(Bytes& bytes)
 {
-  Watch watch;
-  const Options options = drawOptions(bytes, watch);
-  Sites sites(bytes, 100);
-  if (!bytes.oneOf(8))
-  {
-    for (Point& p : sites.cloud)
-    {
-      p[2] = std::isfinite(p[2]) && p[2] != 0 ? std::fabs(p[2]) : 1.0;
-    }
-  }
-  Domain domain(bytes, sites.cloud);
+  Trial trial(bytes);
+  const Case given(bytes, 100, false);
   const std::int64_t iterations = bytes.oneOf(16) ? -1 : bytes.below(5);
   const double tolerance = bytes.flag() ? 1e-6 : bytes.number();
-  stretch(bytes, sites, domain, false);
-  const auto areasOn = [&](const Options& chosen)
-  {
-    return attempt(
-      [&]
-      {
-        return prescribedAreas(
-          sites.points(), sites.numbers(), domain.view(), tolerance, iterations, chosen);
-      });
-  };
-  const NonFinite faults = findNonFinite(sites.cloud, 2);
-  std::set<std::pair<double, double>> places;
+  const std::size_t count = given.sites.size();
+  const NonFinite faults = given.faults(2);
+  const bool isApart = given.positionCount() == count;
   bool areShares = true;
   double greatest = 0;
   double least = std::numeric_limits<double>::max();
-  for (const Point& p : sites.cloud)
+  for (const Point& p : given.sites)
   {
-    places.emplace(p[0], p[1]);
-    areShares = areShares && (!sites.isWeighted || (p[2] > 0 && std::isfinite(p[2])));
-    greatest = sites.isWeighted ? std::max(greatest, p[2]) : 1.0;
-    least = sites.isWeighted ? std::min(least, p[2]) : 1.0;
+    const double share = given.isWeighted ? p[2] : 1.0;
+    areShares = areShares && share > 0 && std::isfinite(share);
+    greatest = std::max(greatest, share);
+    least = std::min(least, share);
   }
   // A share may become no normal double.
-  const bool isSmall = !(least / greatest * domain.area > 1e-300);
-  const auto outcome = areasOn(options);
-  expectOutcome(outcome, watch,
+  const bool isSmall = !(least / greatest * given.domain.area > 1e-300);
+  const auto outcome = trial.run(0,
     { ErrorCode::BadArgument, ErrorCode::NotConvex, ErrorCode::NonFinite, ErrorCode::DuplicateSites,
-      ErrorCode::BadArea });
-  if (!watch.stopped)
-  {
-    expectDomainError(
-      outcome, domain, iterations < 0 || !(tolerance >= 0) || !domain.isMeasurable());
-    demand(!isCode(outcome.error, ErrorCode::NonFinite) ||
-        (outcome.error->index() == faults.first && outcome.error->count() == faults.count),
-      "NonFinite where all are finite, or of another site");
-    demand(!isCode(outcome.error, ErrorCode::DuplicateSites) || places.size() < sites.count,
-      "no two sites are at one position");
-    demand(
-      !isCode(outcome.error, ErrorCode::BadArea) || !areShares || isSmall, "all areas are right");
-  }
+      ErrorCode::BadArea },
+    [&](const Options& options)
+    {
+      return prescribedAreas(
+        given.points(), given.numbers(), given.domain.view(), tolerance, iterations, options);
+    });
+  expectDomainError(
+    outcome, given.domain, iterations < 0 || !(tolerance >= 0) || !given.domain.isMeasurable());
+  demand(!outcome.is(ErrorCode::NonFinite) ||
+      (outcome.error->index() == faults.first && outcome.error->count() == faults.count),
+    "NonFinite where all are finite, or of another site");
+  demand(!outcome.is(ErrorCode::DuplicateSites) || !isApart, "no two sites are at one position");
+  demand(!outcome.is(ErrorCode::BadArea) || !areShares || isSmall, "all areas are right");
   if (!outcome.result)
   {
     return;
   }
   const PrescribedAreas& found = *outcome.result;
-  demand(faults.count == 0 && areShares && places.size() == sites.count,
-    "a site or an area that is none has a result");
-  demandNumbers(found.weights, sites.count, "a weight");
-  demandNumbers(found.areas, sites.count, "an area");
-  demandNumbers(found.centroids, 2 * sites.count, "a centroid");
+  demand(faults.count == 0 && areShares && isApart, "a site or an area that is none has a result");
+  demandNumbers(found.weights, count, "a weight");
+  demandNumbers(found.areas, count, "an area");
+  demandNumbers(found.centroids, 2 * count, "a centroid");
   demand(found.error >= 0, "the error is no number");
-  demand(found.converged == (sites.count == 0 || found.error <= tolerance),
+  demand(found.converged == (count == 0 || found.error <= tolerance),
     "converged, and the error is beyond the tolerance; or the reverse");
   demand(found.iterations <= iterations, "too many iterations");
-  const auto other = areasOn(unwatched(options));
-  demand(sameBits(numbersOf(other.result->weights), numbersOf(found.weights)) &&
-      sameBits(numbersOf(other.result->areas), numbersOf(found.areas)),
-    "weights depend on the number of threads");
-  if (domain.isRight && domain.isThick() && sites.count > 0 && sites.areNear(domain))
+  if (given.domain.isRight && given.domain.isThick() && count > 0 && given.areNear())
   {
-    demand(
-      std::all_of(found.areas.begin(), found.areas.end(), [](double area) { return area >= 0; }),
-      "an area is negative");
-    demandSum(numbersOf(found.areas), domain);
+    demandAreas(found.areas, given.domain);
   }
 }
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The engine's public calls with any arguments that callers can make: an error of the type and
-/// code that is promised, or a result that validate takes for right, that is the same on any number
-/// of threads and in the CUDA engine's rounds, and that brute force finds too where points are few.
+/// code that is promised, or a result that is right, and the same on any number of threads.
 #include "EngineCalls.h"
 
-#include <functional>
+#include <iterator>
 #include <thread>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -18,11 +17,11 @@ using namespace flipflop::fuzz;
 
 void oneCall(Bytes bytes)
 {
-  static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzPowerDiagram,
-    fuzzFlipFlop, fuzzHullJudge, fuzzTriangulationJudge, fuzzArguments, fuzzHullQueries,
-    fuzzTriangulationQueries, fuzzPolygons, fuzzConstraints, fuzzAlpha, fuzzDomains, fuzzCentroidal,
+  static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzDiagram,
+    fuzzConvexify, fuzzHullClaims, fuzzTriangulationClaims, fuzzArguments, fuzzHullQueries,
+    fuzzTriangulationQueries, fuzzPolygons, fuzzConstraints, fuzzCells, fuzzDiagram, fuzzCentroidal,
     fuzzPrescribed };
-  calls[bytes.below(15)](bytes);
+  calls[bytes.below(static_cast<int>(std::size(calls)))](bytes);
 }
 
 }

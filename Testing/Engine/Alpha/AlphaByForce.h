@@ -8,6 +8,8 @@
 
 #include "Testing/Engine/Query/PlaneQueries.h"
 
+#include <flipflop/AlphaComplex.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -140,6 +142,60 @@ inline AlphaByForce alphaByForce(
     }
   }
   return result;
+}
+
+/// Is it the least double whose square is not less?
+inline bool isLeastAlpha(const Rational& square, double alpha)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  const double below = std::nextafter(alpha, -infinite);
+  return (std::isinf(alpha) || isWithin(square, alpha)) &&
+    (std::isinf(below) || !isWithin(square, below));
+}
+
+/// What differs from the definition; empty when nothing does.
+inline std::string alphaFault(
+  const AlphaComplex& found, const Cloud& sites, const Triangulation& triangulation, double alpha)
+{
+  const AlphaByForce expected = alphaByForce(sites, triangulation, alpha);
+  const auto id = [&](std::int64_t v)
+  { return triangulation.pointIds[static_cast<std::size_t>(v)]; };
+  std::vector<std::pair<std::int64_t, std::int64_t>> edges;
+  for (std::size_t i = 0; i < found.edges.size(); i += 2)
+  {
+    edges.emplace_back(id(found.edges[i]), id(found.edges[i + 1]));
+  }
+  Cell vertices;
+  for (const std::int64_t v : found.vertices)
+  {
+    vertices.push_back(id(v));
+  }
+  if (std::vector<std::uint8_t>(found.cells.begin(), found.cells.end()) != expected.cells ||
+    found.cellCount != std::count(expected.cells.begin(), expected.cells.end(), 1))
+  {
+    return "other cells";
+  }
+  if (edges != expected.edges || vertices != expected.vertices ||
+    found.edgeAlphas.size() != edges.size() || found.vertexAlphas.size() != vertices.size())
+  {
+    return "other edges or points";
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (!isLeastAlpha(expected.edgeSquares[i], found.edgeAlphas[i]))
+    {
+      return "the alpha of an edge is " + std::to_string(found.edgeAlphas[i]);
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const Point& site = sites[static_cast<std::size_t>(vertices[i])];
+    if (!isLeastAlpha(circleByForce({ site }).square, found.vertexAlphas[i]))
+    {
+      return "the alpha of a point is " + std::to_string(found.vertexAlphas[i]);
+    }
+  }
+  return "";
 }
 
 }

@@ -4,18 +4,11 @@
 /// Alpha complexes are those that rationals tell, at every range and at every tie; and the sweep
 /// has for each cell the least double for which it is in.
 #include "Testing/Engine/Alpha/AlphaByForce.h"
-#include "Testing/Engine/Conformance/ProgressWatch.h"
 
-#include <flipflop/AlphaComplex.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/EdgeLengths.h>
 
 #include <gtest/gtest.h>
-
-#include <chrono>
-#include <cmath>
-#include <functional>
-#include <limits>
 
 namespace flipflop
 {
@@ -26,48 +19,48 @@ namespace
 {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double most = std::numeric_limits<double>::max();
 
-std::vector<double> alphasOf(
-  const Cloud& sites, const CellComplex& cells, const Options& options = Options())
+std::vector<double> alphasOf(const Cloud& sites, const CellComplex& cells)
 {
   std::vector<double> alphas(static_cast<std::size_t>(cells.cellCount()), -1e9);
-  cellAlphas(viewOf(sites), weightsOf(sites), cells, alphas.data(), options);
+  cellAlphas(viewOf(sites), weightsOf(sites), cells, alphas.data());
   return alphas;
 }
 
-void expectComplex(const Cloud& sites, const Triangulation& triangulation, double alpha)
+/// Each cell's alpha is the least; and the complexes at some of them, just below, and at others.
+void expectComplexes(const Cloud& sites, const Triangulation& triangulation)
 {
-  const AlphaByForce expected = alphaByForce(sites, triangulation, alpha);
-  const AlphaComplex found =
-    alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, true);
-  ASSERT_EQ(std::vector<std::uint8_t>(found.cells.begin(), found.cells.end()), expected.cells)
-    << alpha;
-  EXPECT_EQ(found.cellCount, std::count(expected.cells.begin(), expected.cells.end(), 1));
-  std::vector<std::pair<std::int64_t, std::int64_t>> edges;
-  for (std::size_t i = 0; i < found.edges.size(); i += 2)
+  const std::vector<Cell> cells = cellsOf(triangulation);
+  const std::vector<double> alphas = alphasOf(sites, triangulation);
+  std::set<double> limits = { 0, -1, 1, 1e-200, -1e200, 1e200,
+    std::numeric_limits<double>::denorm_min(), most };
+  for (std::size_t c = 0; c < cells.size(); ++c)
   {
-    edges.emplace_back(
-      triangulation.pointIds[found.edges[i]], triangulation.pointIds[found.edges[i + 1]]);
+    std::vector<Point> corners;
+    for (std::size_t i = 0; i < std::min<std::size_t>(cells[c].size(), 3); ++i)
+    {
+      corners.push_back(sites[static_cast<std::size_t>(cells[c][i])]);
+    }
+    ASSERT_TRUE(isLeastAlpha(circleByForce(corners).square, alphas[c])) << c << ": " << alphas[c];
+    if (c % (1 + cells.size() / 6) == 0 && std::isfinite(alphas[c]))
+    {
+      limits.insert({ alphas[c], std::nextafter(alphas[c], -infinite) });
+    }
   }
-  ASSERT_EQ(edges, expected.edges) << alpha;
-  ASSERT_EQ(found.edgeAlphas.size(), edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  const auto complexAt = [&](double alpha, bool singular)
+  { return alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, singular); };
+  for (const double limit : limits)
   {
-    const double least = found.edgeAlphas[i];
-    EXPECT_TRUE(isWithin(expected.edgeSquares[i], least));
-    EXPECT_FALSE(isWithin(expected.edgeSquares[i], std::nextafter(least, -infinite)));
+    const AlphaComplex complex = complexAt(limit, true);
+    ASSERT_EQ(alphaFault(complex, sites, triangulation, limit), "") << limit;
+    const AlphaComplex alone = complexAt(limit, false);
+    EXPECT_TRUE(sameBits(alone.cells, complex.cells));
+    EXPECT_TRUE(alone.edges.empty() && alone.vertices.empty());
   }
-  Cell vertices;
-  for (const std::int64_t v : found.vertices)
-  {
-    vertices.push_back(triangulation.pointIds[v]);
-  }
-  ASSERT_EQ(vertices, expected.vertices) << alpha;
-  ASSERT_EQ(found.vertexAlphas.size(), vertices.size());
-
-  const AlphaComplex alone = alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha);
-  EXPECT_TRUE(std::equal(alone.cells.begin(), alone.cells.end(), found.cells.begin()));
-  EXPECT_TRUE(alone.edges.empty() && alone.vertices.empty());
+  EXPECT_EQ(complexAt(infinite, true).cellCount, triangulation.cellCount());
+  const AlphaComplex none = complexAt(-infinite, true);
+  EXPECT_TRUE(none.cellCount == 0 && none.edges.empty() && none.vertices.empty());
 }
 
 class Alphas : public testing::TestWithParam<Input>
@@ -79,38 +72,7 @@ TEST_P(Alphas, AreThoseOfRationals)
   const Cloud sites = GetParam().make();
   for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
   {
-    const Triangulation triangulation = triangulationOf(sites, facets);
-    const std::vector<Cell> cells = cellsOf(triangulation);
-    const std::vector<double> alphas = alphasOf(sites, triangulation);
-    std::set<double> limits = { 0, -1, 1, 1e-200, -1e200, 1e200,
-      std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max() };
-    for (std::size_t c = 0; c < cells.size(); ++c)
-    {
-      std::vector<Point> corners;
-      for (std::size_t i = 0; i < std::min<std::size_t>(cells[c].size(), 3); ++i)
-      {
-        corners.push_back(sites[static_cast<std::size_t>(cells[c][i])]);
-      }
-      const Rational square = circleByForce(corners).square;
-      const double below = std::nextafter(alphas[c], -infinite);
-      ASSERT_TRUE(std::isinf(alphas[c]) || isWithin(square, alphas[c])) << c;
-      ASSERT_TRUE(std::isinf(below) || !isWithin(square, below)) << c;
-      if (c % (1 + cells.size() / 6) == 0 && std::isfinite(alphas[c]))
-      {
-        limits.insert({ alphas[c], below });
-      }
-    }
-    for (const double limit : limits)
-    {
-      expectComplex(sites, triangulation, limit);
-    }
-    const AlphaComplex all =
-      alphaComplex(viewOf(sites), weightsOf(sites), triangulation, infinite, true);
-    EXPECT_EQ(all.cellCount, triangulation.cellCount());
-    const AlphaComplex none =
-      alphaComplex(viewOf(sites), weightsOf(sites), triangulation, -infinite, true);
-    EXPECT_EQ(none.cellCount, 0);
-    EXPECT_TRUE(none.edges.empty() && none.vertices.empty());
+    expectComplexes(sites, triangulationOf(sites, facets));
   }
 }
 
@@ -124,89 +86,54 @@ TEST(Alpha, TieIsIn)
     const double unit = std::ldexp(1.0, exponent);
     const Cloud sites = { { 0, 0, 0 }, { 6 * unit, 0, 0 }, { 0, 8 * unit, 0 } };
     const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-    ASSERT_EQ(triangulation.cellCount(), 1);
-    EXPECT_EQ(alphasOf(sites, triangulation)[0], 5 * unit) << exponent;
-    expectComplex(sites, triangulation, 5 * unit);
-    expectComplex(sites, triangulation, std::nextafter(5 * unit, 0));
-    expectComplex(sites, triangulation, 4 * unit);
+    EXPECT_EQ(alphasOf(sites, triangulation), std::vector<double>{ 5 * unit }) << exponent;
+    expectComplexes(sites, triangulation);
   }
 }
 
 /// Products of six lengths underflow: what is lost exceeds the error that their factors have.
 TEST(Alpha, ProductsBelowTheDoubles)
 {
-  struct Case
-  {
-    double b[3], c[3], alpha;
-  };
-  const Case cases[] = {
-    { { 7.0064923216558041e-46, 7.0064923216547337e-46, 9.818186930682848e-91 },
-      { 7.0064923216558056e-46, 7.0064923216547353e-46, 9.8181869306828523e-91 },
+  const std::pair<Cloud, double> cases[] = {
+    { { { 0, 0, 0 }, { 7.0064923216558041e-46, 7.0064923216547337e-46, 9.818186930682848e-91 },
+        { 7.0064923216558056e-46, 7.0064923216547353e-46, 9.8181869306828523e-91 } },
       5.2197696687703701e-44 },
-    { { 7.0064923216625311e-46, 7.006492321661299e-46, 9.8181869307014745e-91 },
-      { 7.0064923216625327e-46, 7.0064923216613005e-46, 9.8181869307014789e-91 },
+    { { { 0, 0, 0 }, { 7.0064923216625311e-46, 7.006492321661299e-46, 9.8181869307014745e-91 },
+        { 7.0064923216625327e-46, 7.0064923216613005e-46, 9.8181869307014789e-91 } },
       6.4056127877276576e-44 },
   };
-  for (const Case& of : cases)
+  for (const auto& [sites, alpha] : cases)
   {
-    const Cloud sites = { { 0, 0, 0 }, { of.b[0], of.b[1], of.b[2] },
-      { of.c[0], of.c[1], of.c[2] } };
     const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
     ASSERT_EQ(triangulation.cellCount(), 1);
-    expectComplex(sites, triangulation, of.alpha);
+    const AlphaComplex complex =
+      alphaComplex(viewOf(sites), weightsOf(sites), triangulation, alpha, true);
+    EXPECT_EQ(alphaFault(complex, sites, triangulation, alpha), "");
+    expectComplexes(sites, triangulation);
   }
 }
 
-/// The radius of a needle's circle may be no double.
+/// The radius of a needle's circle may be no double, and numbers of a triangulation may have
+/// thousands of bits. A first guess of 0 may be half of all doubles away from the least alpha.
 TEST(Alpha, BeyondDoubles)
 {
-  const Cloud sites = { { 0, 0, 0 }, { 1e300, 0, 0 }, { 5e299, 1e-300, 0 } };
-  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-  ASSERT_EQ(triangulation.cellCount(), 1);
-  EXPECT_EQ(alphasOf(sites, triangulation)[0], infinite);
-  expectComplex(sites, triangulation, std::numeric_limits<double>::max());
-}
-
-/// A first guess of 0 may be half of all doubles away from the least alpha.
-TEST(Alpha, FarFromTheFirstGuess)
-{
-  const double most = 0x1p1023;
-  for (const double weight : { 0.0, most, -most })
+  const double half = 0x1p1023;
+  for (const Cloud& sites : { Cloud{ { 0, 0, 0 }, { 1e300, 0, 0 }, { 5e299, 1e-300, 0 } },
+         Cloud{ { -half, 0, 0 }, { half, 0, 0 }, { 0, 0x1p-1070, 0 } },
+         Cloud{ { -half, 0, 0 }, { half, 0, 0 }, { 0, 0x1p-1070, half } },
+         Cloud{ { -half, 0, 0 }, { half, 0, 0 }, { 0, 0x1p-1070, -half } } })
   {
-    const Cloud sites = { { -most, 0, 0 }, { most, 0, 0 }, { 0, 0x1p-1070, weight } };
     const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-    ASSERT_EQ(triangulation.cellCount(), 1);
-    EXPECT_EQ(alphasOf(sites, triangulation)[0], infinite);
+    EXPECT_EQ(alphasOf(sites, triangulation), std::vector<double>{ infinite });
+    expectComplexes(sites, triangulation);
   }
-}
-
-/// At the ends of the doubles numbers of a triangulation have thousands of bits. Each cell's is
-/// found without a search among the doubles.
-TEST(Alpha, PointsAtTheEndsOfTheDoubles)
-{
-  const double most = std::numeric_limits<double>::max();
-  const Cloud sites = { { most, most, 0 }, { -most, most, 0 }, { most, -most, 0 },
+  const Cloud ends = { { most, most, 0 }, { -most, most, 0 }, { most, -most, 0 },
     { -most, -most, 0 }, { most / 2, 0.1, 0 }, { 0, most, 0 }, { -most, 0.3, 0 },
     { 1e-300, most / 3, 0 } };
-  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-  const auto begin = std::chrono::steady_clock::now();
-  std::vector<double> alphas;
-  const int times = effort(50);
-  for (int i = 0; i < times; ++i)
-  {
-    alphas = alphasOf(sites, triangulation);
-  }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(seconds.count(), 0.03 * times); // with a search: 0.1 s each
+  const Triangulation triangulation = triangulationOf(ends, FacetMode::Triangles);
+  const std::vector<double> alphas = alphasOf(ends, triangulation);
   EXPECT_EQ(std::count(alphas.begin(), alphas.end(), infinite), 2);
-  for (std::size_t cell = 0; cell < alphas.size(); ++cell)
-  {
-    const double alpha = alphas[cell];
-    const auto isIn = [&](double limit)
-    { return alphaComplex(viewOf(sites), WeightView(), triangulation, limit).cells[cell] != 0; };
-    EXPECT_TRUE(isIn(alpha));
-    EXPECT_FALSE(isIn(std::nextafter(alpha, -infinite)));
-  }
+  expectComplexes(ends, triangulation);
 }
 
 /// Of every size of the square, the least number whose square is not less.
@@ -222,13 +149,8 @@ TEST(Alpha, RootsAreRoundedUp)
            Cloud{ { 0, 0, 0 }, { std::ldexp(3.0, exponent), std::ldexp(4.0, exponent), 0 } },
            Cloud{ { 0, 0, weight } } })
     {
-      const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
-      const double alpha = alphasOf(sites, triangulation)[0];
-      const auto isIn = [&](double limit) {
-        return alphaComplex(viewOf(sites), weightsOf(sites), triangulation, limit).cellCount == 1;
-      };
-      EXPECT_TRUE(isIn(alpha)) << exponent;
-      EXPECT_FALSE(isIn(std::nextafter(alpha, -infinite))) << exponent;
+      SCOPED_TRACE(exponent);
+      expectComplexes(sites, triangulationOf(sites, FacetMode::Triangles));
     }
   }
 }
@@ -239,8 +161,8 @@ TEST(Alpha, NerveOfDisks)
   // Two disks that meet, one beside them, and one inside the first, whose cell is not in it.
   const Cloud disks = { { 0, 0, 4 }, { 3, 0, 4 }, { 0, 9, 1 }, { 1.5, 0.25, 0.01 } };
   const Triangulation triangulation = triangulationOf(disks, FacetMode::Triangles);
-  expectComplex(disks, triangulation, 0);
   const AlphaComplex nerve = alphaComplex(viewOf(disks), weightsOf(disks), triangulation, 0, true);
+  EXPECT_EQ(alphaFault(nerve, disks, triangulation, 0), "");
   EXPECT_EQ(nerve.cellCount, 0);
   EXPECT_EQ(nerve.edgeAlphas.size(), 1u);
   EXPECT_EQ(nerve.vertices.size(), 1u);
@@ -253,10 +175,7 @@ TEST(Alpha, OfConstrainedAndMissingCells)
   const std::int64_t ends[2] = { 0, 1 };
   ConstrainedTriangulation triangulation =
     constrainedTriangulation(viewOf(sites), ConstraintView(ends, 1));
-  ASSERT_EQ(triangulation.cellCount(), 2);
-  const std::vector<double> alphas = alphasOf(sites, triangulation);
-  EXPECT_EQ(alphas[0], 13.0);
-  EXPECT_EQ(alphas[1], 13.0);
+  EXPECT_EQ(alphasOf(sites, triangulation), (std::vector<double>{ 13, 13 }));
   // The long edge has both others in its circle: it is there with the cells alone.
   const AlphaComplex short4 = alphaComplex(viewOf(sites), WeightView(), triangulation, 6, true);
   EXPECT_EQ(short4.edgeAlphas.size(), 4u);
@@ -267,7 +186,7 @@ TEST(Alpha, OfConstrainedAndMissingCells)
   EXPECT_EQ(rest.vertices.size(), 1u);
 }
 
-TEST(Alpha, Errors)
+TEST(Alpha, BadArguments)
 {
   const Cloud sites = randomSites(20, 0, 11);
   const Triangulation right = triangulationOf(sites, FacetMode::Triangles);

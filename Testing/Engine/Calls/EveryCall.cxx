@@ -4,22 +4,12 @@
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 #include "Testing/Engine/Inputs/Surfaces.h"
 
-#include <flipflop/AlphaComplex.h>
 #include <flipflop/Batch.h>
-#include <flipflop/CellBoundary.h>
-#include <flipflop/CentroidalCells.h>
 #include <flipflop/Certificate.h>
-#include <flipflop/ConstrainedTriangulation.h>
-#include <flipflop/ConstraintCrossings.h>
 #include <flipflop/Convexify.h>
 #include <flipflop/EdgeLengths.h>
-#include <flipflop/HullQueries.h>
 #include <flipflop/Measures.h>
 #include <flipflop/Neighbors.h>
-#include <flipflop/PlaneFit.h>
-#include <flipflop/PowerDiagram.h>
-#include <flipflop/PrescribedAreas.h>
-#include <flipflop/SurfacePolygons.h>
 #include <flipflop/TriangulationQueries.h>
 
 #include <array>
@@ -33,62 +23,8 @@ namespace test
 namespace
 {
 
-template <class T>
-Bits bitsOf(const T* values, std::size_t count)
-{
-  return std::to_string(count) + ":" +
-    (count ? Bits(reinterpret_cast<const char*>(values), count * sizeof(T)) : Bits());
-}
-
-template <class T>
-Bits bitsOf(const std::vector<T>& values)
-{
-  return bitsOf(values.data(), values.size());
-}
-
-template <class T>
-Bits bitsOf(const Buffer<T>& values)
-{
-  return bitsOf(values.data(), values.size());
-}
-
-Bits bitsOf(const CellComplex& cells)
-{
-  return std::to_string(cells.dimension) + bitsOf(cells.pointIds) + bitsOf(cells.connectivity) +
-    bitsOf(cells.offsets);
-}
-
-Bits bitsOf(const Hull& hull)
-{
-  const double sizes[] = { hull.volume, hull.area };
-  return bitsOf(static_cast<const CellComplex&>(hull)) + bitsOf(sizes, 2);
-}
-
-Bits bitsOf(const Triangulation& triangulation)
-{
-  return bitsOf(static_cast<const CellComplex&>(triangulation)) + bitsOf(triangulation.hiddenIds);
-}
-
-Bits bitsOf(const ConstrainedTriangulation& result)
-{
-  return bitsOf(static_cast<const Triangulation&>(result)) + bitsOf(result.fixedEdges) +
-    bitsOf(result.constraintOf) + bitsOf(result.balance) + bitsOf(result.sideOf);
-}
-
-Bits bitsOf(const PowerDiagram& diagram)
-{
-  return bitsOf(diagram.corners) + bitsOf(diagram.connectivity) + bitsOf(diagram.offsets) +
-    bitsOf(diagram.siteIds);
-}
-
-Bits bitsOf(const FittedPlane& plane)
-{
-  return bitsOf(plane.start.data(), 3) + bitsOf(plane.origin.data(), 3) +
-    bitsOf(plane.first.data(), 3) + bitsOf(plane.second.data(), 3);
-}
-
 template <class Result>
-Bits bitsOf(const Batch<Result>& batch)
+Bits bitsOfAll(const Batch<Result>& batch)
 {
   Bits bits;
   for (const Result& result : batch.results)
@@ -172,7 +108,7 @@ void addRuns(Table& table, const CallInputs& given)
     SetView sets;
     sets.offsets = offsets;
     sets.count = 2;
-    return bitsOf(run(sets));
+    return bitsOfAll(run(sets));
   };
   table.add("convexHulls", body, false, false, refused,
     [=](Points points, Weights, const Options& options)
@@ -215,25 +151,15 @@ void addRuns(Table& table, const CallInputs& given)
   table.add("splitCrossings", sites, true, false, refused,
     [=](Points points, Weights, const Options& options)
     {
-      const SplitConstraints split =
-        splitCrossings(points, ConstraintView((*chords)[0].data(), chordCount), options);
-      return bitsOf(split.ends) + bitsOf(split.constraintOf) + bitsOf(split.positions) +
-        bitsOf(split.crossing) + bitsOf(split.offsets);
+      return bitsOf(
+        splitCrossings(points, ConstraintView((*chords)[0].data(), chordCount), options));
     });
   table.add("centroidalCells", sites, true, true, refused,
     [=](Points points, Weights weights, const Options& options)
-    {
-      const CentroidalCells found = centroidalCells(points, weights, box.data(), 2, 0, options);
-      return bitsOf(found.sites) + bitsOf(found.cells) + bitsOf(found.areas) +
-        bitsOf(found.centroids) + bitsOf(&found.lastMove, 1);
-    });
+    { return bitsOf(centroidalCells(points, weights, box.data(), 2, 0, options)); });
   table.add("prescribedAreas", sites, true, false, refused,
     [=](Points points, Weights, const Options& options)
-    {
-      const PrescribedAreas found =
-        prescribedAreas(points, WeightView(), box.data(), 1e-6, 2, options);
-      return bitsOf(found.weights) + bitsOf(found.areas) + bitsOf(found.centroids);
-    });
+    { return bitsOf(prescribedAreas(points, WeightView(), box.data(), 1e-6, 2, options)); });
   table.add("fitPlane", body, false, false, NonFinitePoint::IsLeftOut,
     [](Points points, Weights, const Options& options)
     { return bitsOf(fitPlane(points, options)); });
@@ -253,10 +179,7 @@ void addQueriesOfHulls(Table& table, const Cloud& body)
   const auto queries = std::make_shared<HullQueries>(viewOf(body), *hull);
   table.add("HullQueries", body, false, false, NonFinitePoint::IsBadArgument,
     [=](Points points, Weights, const Options& options)
-    {
-      const Diameter found = HullQueries(points, *hull, options).diameter();
-      return bitsOf(&found.length, 1);
-    });
+    { return bitsOf(HullQueries(points, *hull, options).diameter()); });
   const auto add = [&](const char* name, auto value, auto ask)
   {
     using Value = decltype(value);
@@ -278,18 +201,9 @@ void addQueriesOfHulls(Table& table, const Cloud& body)
     { of.distance(points, values, o); });
   const NonFinitePoint unread = NonFinitePoint::IsNotRead;
   table.add("diameter", body, false, false, unread,
-    [=](Points, Weights, const Options& options)
-    {
-      const Diameter found = queries->diameter(options);
-      return bitsOf(&found.first, 1) + bitsOf(&found.second, 1) + bitsOf(&found.length, 1);
-    });
+    [=](Points, Weights, const Options& options) { return bitsOf(queries->diameter(options)); });
   table.add("minimalBox", body, false, false, unread,
-    [=](Points, Weights, const Options& options)
-    {
-      const OrientedBox found = queries->minimalBox(options);
-      return bitsOf(found.center, 3) + bitsOf(found.axes[0], 9) + bitsOf(found.lengths, 3) +
-        bitsOf(&found.lowerBound, 1);
-    });
+    [=](Points, Weights, const Options& options) { return bitsOf(queries->minimalBox(options)); });
   table.add("facetPlanes", body, false, false, NonFinitePoint::IsBadArgument,
     [=](Points points, Weights, const Options& options)
     { return bitsOf(facetPlanes(points, *hull, options)); });
@@ -364,11 +278,7 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
     });
   table.add("alphaComplex", sites, true, true, bad,
     [=](Points points, Weights weights, const Options& options)
-    {
-      const AlphaComplex alpha = alphaComplex(points, weights, *found, 0.01, true, options);
-      return bitsOf(alpha.cells) + bitsOf(alpha.edges) + bitsOf(alpha.edgeAlphas) +
-        bitsOf(alpha.vertices) + bitsOf(alpha.vertexAlphas);
-    });
+    { return bitsOf(alphaComplex(points, weights, *found, 0.01, true, options)); });
   const std::size_t cells = sizeOf(found->cellCount());
   table.add("cellAlphas", sites, true, true, bad,
     [=](Points points, Weights weights, const Options& options)
@@ -400,11 +310,7 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
         [&](double* values) { cellMeasures(*diagram, values, values + regions, options); });
     });
   table.add("cellBoundary", sites, true, false, unread,
-    [=](Points, Weights, const Options& options)
-    {
-      const CellBoundary border = cellBoundary(*found, options);
-      return bitsOf(border.connectivity) + bitsOf(border.offsets);
-    });
+    [=](Points, Weights, const Options& options) { return bitsOf(cellBoundary(*found, options)); });
   const std::int64_t square[] = { 0, 1, 1, 2, 2, 0 };
   const auto inside = std::make_shared<ConstrainedTriangulation>(
     constrainedTriangulation(viewOf(sites), ConstraintView(square, 3, 3)));
@@ -442,8 +348,7 @@ void addPolygons(Table& table, const CallInputs& given)
       view.corners = corners->data();
       view.offsets = offsets->data();
       view.count = 1;
-      const PolygonTriangles cut = triangulatePolygons(points, view, options);
-      return bitsOf(cut.corners) + bitsOf(cut.polygonIds);
+      return bitsOf(triangulatePolygons(points, view, options));
     });
 }
 

@@ -5,6 +5,7 @@
 #ifndef flipflop_test_EveryCall_h
 #define flipflop_test_EveryCall_h
 
+#include "Testing/Engine/Calls/Bits.h"
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
 
 #include <functional>
@@ -16,9 +17,6 @@ namespace flipflop
 {
 namespace test
 {
-
-/// A result as bytes: equal if and only if all numbers have the same bits.
-using Bits = std::string;
 
 /// What a call does with a point that is not finite.
 enum class NonFinitePoint

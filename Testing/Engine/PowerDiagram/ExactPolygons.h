@@ -7,8 +7,6 @@
 
 #include "Testing/Engine/PowerDiagram/PowerPolygons.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,11 +44,6 @@ inline bool isNext(double rounded, const mpq_class& exact)
     }
   }
   return true;
-}
-
-inline void expectRounded(double rounded, const mpq_class& exact)
-{
-  EXPECT_TRUE(isNext(rounded, exact)) << rounded << " for " << exact.get_d();
 }
 
 /// The double next to @p exact; of two, the one whose last bit is 0.
@@ -139,41 +132,6 @@ inline Polygon roundingOf(const ExactPolygon& exact)
   }
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
   return polygon;
-}
-
-/// Is @p cell the polygon @p exact with every corner rounded to nearest; what rounds to one place
-/// is one? Each is from its lowest corner on, or from any.
-inline bool isRoundingOf(const Polygon& cell, const ExactPolygon& exact)
-{
-  if (cell.empty())
-  {
-    return exact.empty();
-  }
-  const std::size_t count = exact.size();
-  const auto isAt = [&](std::size_t corner, std::size_t i)
-  { return isNext(cell[corner][0], exact[i][0]) && isNext(cell[corner][1], exact[i][1]); };
-  for (std::size_t start = 0; start < count; ++start)
-  {
-    std::size_t corner = 0;
-    std::size_t i = 0;
-    for (; i < count; ++i)
-    {
-      const std::size_t at = (start + i) % count;
-      if (i > 0 && corner + 1 < cell.size() && isAt(corner + 1, at))
-      {
-        ++corner;
-      }
-      else if (!isAt(corner, at))
-      {
-        break;
-      }
-    }
-    if (i == count && corner + 1 == cell.size())
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 }

@@ -120,33 +120,6 @@ inline void expectFills(const PowerDiagram& diagram, const std::vector<double>& 
   EXPECT_NEAR(sum, polygonArea(polygon), 1e-12 * polygonArea(polygon) + tolerance * size);
 }
 
-/// The middle of each cell has its site for the nearest, by power distance.
-inline void expectNearest(const PowerDiagram& diagram, const std::vector<double>& sites,
-  const std::vector<double>& weights, const std::vector<double>& polygon)
-{
-  std::vector<double> centroids(2 * diagram.siteIds.size());
-  cellMeasures(diagram, nullptr, centroids.data());
-  for (std::size_t c = 0; c < diagram.siteIds.size(); ++c)
-  {
-    const double* const x = &centroids[2 * c];
-    EXPECT_LT(beyond(polygon, x), 0);
-    std::size_t best = 0;
-    double least = 1e300;
-    for (std::size_t i = 0; 2 * i < sites.size(); ++i)
-    {
-      const double u = sites[2 * i] - x[0];
-      const double v = sites[2 * i + 1] - x[1];
-      const double power = u * u + v * v - (weights.empty() ? 0.0 : weights[i]);
-      if (power < least)
-      {
-        least = power;
-        best = i;
-      }
-    }
-    EXPECT_EQ(static_cast<std::int64_t>(best), diagram.siteIds[c]);
-  }
-}
-
 }
 }
 

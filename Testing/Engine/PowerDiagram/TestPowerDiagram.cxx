@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Power diagrams fill the box, agree with the power distance, and share their corners.
-/// Sites are a Cloud of (x, y, weight); their triangulations come from CGAL.
+/// Power diagrams in boxes fill the box edge to edge with the cells of the sites, and have the same
+/// bits on any number of threads: on every family of sites, on those whose corners round past each
+/// other, and where ties, ranges or the box are awkward. Sites are a Cloud of (x, y, weight).
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/Inputs/InputsRounded.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
+#include "Testing/Engine/PowerDiagram/DiagramFault.h"
 #include "Testing/Engine/PowerDiagram/PowerPolygons.h"
-
-#include <flipflop/PowerDiagram.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 namespace flipflop
@@ -25,337 +25,118 @@ namespace test
 namespace
 {
 
-struct Box
-{
-  double side[4];
-};
-constexpr Box unitBox = { { 0, 1, 0, 1 } };
+constexpr double most = std::numeric_limits<double>::max();
+const Box unitBox = { 0, 1, 0, 1 };
 
-Point at(double x, double y, double weight)
+Triangulation triangulate(const Cloud& sites, FacetMode facets = FacetMode::Polygons)
 {
-  return { x, y, weight };
+  Options options;
+  options.facets = facets;
+  return regularTriangulation(viewOf(sites), weightsOf(sites), options);
 }
 
-Triangulation triangulate(const Cloud& sites)
+PowerDiagram diagramOf(const Cloud& sites, const Triangulation& of, const Box& box, int threads = 1)
 {
-  const ReferenceTriangulation found = cgalTriangulation(sites, kernelForWeighted(sites));
-  return makeTriangulation(found, static_cast<std::int64_t>(sites.size()));
+  Options options;
+  options.threads = threads;
+  return powerDiagram(viewOf(sites), weightsOf(sites), of, box.data(), options);
 }
 
-long double areaOf(const PowerDiagram& diagram, std::size_t cell)
+/// The diagram, after a check of all that it promises.
+PowerDiagram expectRight(const Cloud& sites, const Box& box)
 {
-  long double area = 0;
-  const std::int64_t begin = diagram.offsets[cell];
-  const std::int64_t end = diagram.offsets[cell + 1];
-  const auto at = [&](std::int64_t i, int axis)
-  { return static_cast<long double>(diagram.corners[2 * diagram.connectivity[i] + axis]); };
-  for (std::int64_t i = begin + 1; i + 1 < end; ++i)
-  {
-    area += (at(i, 0) - at(begin, 0)) * (at(i + 1, 1) - at(begin, 1)) -
-      (at(i, 1) - at(begin, 1)) * (at(i + 1, 0) - at(begin, 0));
-  }
-  return area / 2;
-}
-
-/// The form, and that the cells fill the box edge to edge.
-void expectPartition(const PowerDiagram& diagram, const Box& box)
-{
-  const std::size_t cells = diagram.siteIds.size();
-  const std::int64_t corners = static_cast<std::int64_t>(diagram.corners.size()) / 2;
-  ASSERT_EQ(diagram.offsets.size(), cells + 1);
-  ASSERT_EQ(diagram.offsets[0], 0);
-  ASSERT_EQ(diagram.offsets[cells], static_cast<std::int64_t>(diagram.connectivity.size()));
-  EXPECT_TRUE(std::is_sorted(diagram.siteIds.begin(), diagram.siteIds.end()));
-  std::set<std::array<double, 2>> positions;
-  for (std::int64_t i = 0; i < corners; ++i)
-  {
-    const double* p = diagram.corners.data() + 2 * i;
-    ASSERT_TRUE(
-      p[0] >= box.side[0] && p[0] <= box.side[1] && p[1] >= box.side[2] && p[1] <= box.side[3]);
-    EXPECT_TRUE(positions.insert({ p[0], p[1] }).second) << "a position has two numbers";
-  }
-  std::int64_t used = 0;
-  std::map<std::pair<std::int64_t, std::int64_t>, int> edges;
-  long double area = 0;
-  for (std::size_t c = 0; c < cells; ++c)
-  {
-    const std::int64_t begin = diagram.offsets[c];
-    const std::int64_t end = diagram.offsets[c + 1];
-    ASSERT_GE(end - begin, 3);
-    for (std::int64_t i = begin; i < end; ++i)
-    {
-      const std::int64_t a = diagram.connectivity[i];
-      const std::int64_t b = diagram.connectivity[i + 1 < end ? i + 1 : begin];
-      ASSERT_TRUE(a >= 0 && a <= used) << "corners come in order of first use";
-      used = std::max(used, a + 1);
-      EXPECT_NE(a, b);
-      EXPECT_EQ((++edges[{ a, b }]), 1);
-    }
-    EXPECT_GT(areaOf(diagram, c), 0);
-    area += areaOf(diagram, c);
-  }
-  EXPECT_EQ(used, corners);
-  const long double whole = (static_cast<long double>(box.side[1]) - box.side[0]) *
-    (static_cast<long double>(box.side[3]) - box.side[2]);
-  EXPECT_NEAR(static_cast<double>(area / whole), 1.0, 1e-12);
-  for (const auto& edge : edges)
-  {
-    const std::int64_t a = edge.first.first;
-    const std::int64_t b = edge.first.second;
-    bool border = false;
-    for (int k = 0; k < 4; ++k)
-    {
-      border = border ||
-        (diagram.corners[2 * a + k / 2] == box.side[k] &&
-          diagram.corners[2 * b + k / 2] == box.side[k]);
-    }
-    EXPECT_EQ(edges.count({ b, a }), border ? 0u : 1u);
-  }
-}
-
-/// Points of the box lie in the cell of the site of least power distance.
-void expectLeastPower(const PowerDiagram& diagram, const Cloud& sites, const Box& box, int samples)
-{
-  const std::map<std::int64_t, Polygon> polygons = polygonsOf(diagram);
-  Random random(71);
-  const double width = box.side[1] - box.side[0];
-  const double height = box.side[3] - box.side[2];
-  int tested = 0;
-  for (int s = 0; s < samples; ++s)
-  {
-    const double x = random.uniform(box.side[0], box.side[1]);
-    const double y = random.uniform(box.side[2], box.side[3]);
-    // Sites of least power, and the second of those that have cells: hidden ones may be level.
-    long double least = HUGE_VALL;
-    long double second = HUGE_VALL;
-    long double nearest = HUGE_VALL;
-    const Polygon* polygon = nullptr;
-    for (std::size_t i = 0; i < sites.size(); ++i)
-    {
-      const long double u = static_cast<long double>(x) - sites[i][0];
-      const long double v = static_cast<long double>(y) - sites[i][1];
-      const long double power = u * u + v * v - sites[i][2];
-      least = std::min(least, power);
-      const auto found = polygons.find(static_cast<std::int64_t>(i));
-      if (found == polygons.end())
-      {
-        continue;
-      }
-      second = std::min(second, std::max(power, nearest));
-      if (power < nearest)
-      {
-        nearest = power;
-        polygon = &found->second;
-      }
-    }
-    ASSERT_TRUE(polygon && nearest <= least + 1e-15L) << "the nearest site has no cell";
-    if (second - nearest < 1e-9L * width * height)
-    {
-      continue;
-    }
-    ++tested;
-    for (std::size_t i = 0; i < polygon->size(); ++i)
-    {
-      const auto& a = (*polygon)[i];
-      const auto& b = (*polygon)[(i + 1) % polygon->size()];
-      const double turn = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
-      ASSERT_GT(turn, -1e-14 * width * height);
-    }
-  }
-  EXPECT_GT(tested, samples / 2);
-}
-
-PowerDiagram diagramOf(const Cloud& sites, const Triangulation& triangulation, const Box& box)
-{
-  PowerDiagram diagram = powerDiagram(viewOf(sites), weightsOf(sites), triangulation, box.side);
-  expectPartition(diagram, box);
-  for (const std::int64_t id : diagram.siteIds)
-  {
-    EXPECT_TRUE(
-      std::binary_search(triangulation.pointIds.begin(), triangulation.pointIds.end(), id));
-  }
+  const Triangulation triangulation = triangulate(sites);
+  PowerDiagram diagram = diagramOf(sites, triangulation, box);
+  EXPECT_EQ(diagramFault(diagram, sites, triangulation, box), "");
+  // Fans of triangles in place of polygons change nothing.
+  EXPECT_EQ(polygonsOf(diagramOf(sites, triangulate(sites, FacetMode::Triangles), box)),
+    polygonsOf(diagram));
   return diagram;
 }
 
-Cloud gridSites(int side)
+/// The bounds of the sites, wider or narrower by chance.
+Box boxFor(const Cloud& sites, Random& random)
 {
-  Cloud sites;
-  for (int i = 0; i < side * side; ++i)
+  Box box = powerDiagramBox(viewOf(sites));
+  const int kind = random.integer(0, 2);
+  for (std::size_t k = 0; k < 4; k += 2)
   {
-    sites.push_back(at(i % side, i / side, 0));
-  }
-  return sites;
-}
-
-/// In how many cells every corner is, by position.
-std::map<std::array<double, 2>, int> degreesOf(const PowerDiagram& diagram)
-{
-  std::map<std::array<double, 2>, int> result;
-  for (const std::int64_t corner : diagram.connectivity)
-  {
-    ++result[{ diagram.corners[2 * corner], diagram.corners[2 * corner + 1] }];
-  }
-  return result;
-}
-
-TEST(PowerDiagram, AGridHasSquareCells)
-{
-  const int side = 7;
-  const Cloud sites = gridSites(side);
-  const Box box = { { -0.5, side - 0.5, -0.5, side - 0.5 } };
-  const PowerDiagram diagram = diagramOf(sites, triangulate(sites), box);
-  ASSERT_EQ(diagram.siteIds.size(), static_cast<std::size_t>(side * side));
-  for (const auto& cell : polygonsOf(diagram))
-  {
-    const double x = sites[cell.first][0];
-    const double y = sites[cell.first][1];
-    const Polygon square = { { x - 0.5, y - 0.5 }, { x + 0.5, y - 0.5 }, { x + 0.5, y + 0.5 },
-      { x - 0.5, y + 0.5 } };
-    EXPECT_EQ(cell.second, square);
-  }
-  for (const auto& corner : degreesOf(diagram))
-  {
-    int sides = 0;
-    for (int k = 0; k < 4; ++k)
+    const double size = box[k + 1] - box[k];
+    const double inwards = kind == 0 ? 0 : kind == 1 ? -1 : random.uniform(0, 0.45);
+    box[k] += inwards * size;
+    box[k + 1] -= inwards * size;
+    if (!(box[k] < box[k + 1]))
     {
-      sides += corner.first[k / 2] == box.side[k] ? 1 : 0;
-    }
-    EXPECT_EQ(corner.second, 4 >> sides);
-  }
-}
-
-TEST(PowerDiagram, ABoxAlongCellsCutsNoSlivers)
-{
-  // The sides run along edges of the diagram, or through corners.
-  const Cloud sites = gridSites(6);
-  const Triangulation triangulation = triangulate(sites);
-  const PowerDiagram aligned = diagramOf(sites, triangulation, { { 0.5, 3.5, 1.5, 4.5 } });
-  EXPECT_EQ(aligned.siteIds.size(), 9u);
-  EXPECT_EQ(aligned.corners.size(), 32u);
-  const PowerDiagram between = diagramOf(sites, triangulation, { { 1, 3, 1.5, 4 } });
-  EXPECT_EQ(between.siteIds.size(), 9u);
-  EXPECT_EQ(between.corners.size(), 32u);
-  // Within one cell: the box itself.
-  const PowerDiagram within = diagramOf(sites, triangulation, { { 1.75, 2.25, 2.5, 3.25 } });
-  ASSERT_EQ(within.siteIds.size(), 1u);
-  EXPECT_EQ(within.siteIds[0], 3 * 6 + 2);
-  EXPECT_EQ(within.connectivity.size(), 4u);
-}
-
-TEST(PowerDiagram, CocircularSitesMeetInOneCorner)
-{
-  // All integer points at distance 65 of (100, 100): 36 of them.
-  Cloud sites;
-  for (int x = -65; x <= 65; ++x)
-  {
-    for (int y = -65; y <= 65; ++y)
-    {
-      if (x * x + y * y == 65 * 65)
-      {
-        sites.push_back(at(100 + x, 100 + y, 0));
-      }
+      const double more = 1 + std::fabs(box[k]);
+      box[k] -= more;
+      box[k + 1] += more;
     }
   }
-  const PowerDiagram diagram = diagramOf(sites, triangulate(sites), { { 0, 200, 10, 190 } });
-  EXPECT_EQ(diagram.siteIds.size(), 36u);
-  const auto degrees = degreesOf(diagram);
-  const std::array<double, 2> center = { 100, 100 };
-  ASSERT_EQ(degrees.count(center), 1u);
-  for (const auto& corner : degrees)
-  {
-    EXPECT_TRUE(corner.first == center ? corner.second == 36 : corner.second <= 2);
-  }
-  expectLeastPower(diagram, sites, { { 0, 200, 10, 190 } }, 500);
+  return box;
 }
 
-TEST(PowerDiagram, RandomSitesFillTheBox)
+struct FamilyIn
 {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  const std::vector<Family>& (*list)();
+  std::string name;
+  std::uint64_t seeds;
+};
+void PrintTo(const FamilyIn& family, std::ostream* out)
+{
+  *out << family.name;
+}
+
+class PowerDiagrams : public testing::TestWithParam<FamilyIn>
+{
+};
+
+TEST_P(PowerDiagrams, CellsAreSimpleAndFillTheBox)
+{
+  for (std::uint64_t seed = 1; seed <= this->GetParam().seeds; ++seed)
   {
-    const int count = seed % 4 == 0 ? 3 : static_cast<int>(3 * seed * seed);
-    for (const double weight : { 0.0, 0.19 / count, 27.0 / count })
-    {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", weight " + std::to_string(weight));
-      const Cloud sites = randomSites(count, weight, seed);
-      const Triangulation triangulation = triangulate(sites);
-      for (const Box& box : { unitBox, Box{ { -3, 5, -2, 2 } }, Box{ { 0.25, 0.5, 0.3, 0.8 } },
-             Box{ { 2, 2.5, 0, 10 } } })
-      {
-        const PowerDiagram diagram = diagramOf(sites, triangulation, box);
-        expectLeastPower(diagram, sites, box, 100);
-      }
-    }
+    Random random(seed);
+    const int count = seed % 30 == 0 ? 400 : random.integer(3, 60);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", sites " + std::to_string(count));
+    const Cloud sites =
+      fromFamilies(this->GetParam().list(), this->GetParam().name, count, seed).make();
+    expectRight(sites, boxFor(sites, random));
+    ASSERT_FALSE(HasFailure());
   }
 }
 
-TEST(PowerDiagram, ManySites)
+std::vector<FamilyIn> familiesIn(const std::vector<Family>& (*list)(), std::uint64_t seeds)
 {
-  // Of the engine's own triangulation.
-  const int count = 20000;
-  Options options;
-  options.facets = FacetMode::Polygons;
-  for (const double weight : { 0.0, 0.19 / count, 27.0 / count })
+  std::vector<FamilyIn> all;
+  for (const Family& family : list())
   {
-    const Cloud sites = randomSites(count, weight, 5);
-    const Triangulation triangulation =
-      regularTriangulation(viewOf(sites), weightsOf(sites), options);
-    const PowerDiagram diagram = diagramOf(sites, triangulation, unitBox);
-    expectLeastPower(diagram, sites, unitBox, 200);
-    // Without a box in the way, every visible site has its cell.
-    const PowerDiagram all = diagramOf(sites, triangulation, { { -1e12, 1e12, -1e12, 1e12 } });
-    EXPECT_EQ(all.siteIds.size(), triangulation.pointIds.size());
+    all.push_back({ list, family.name, seeds });
   }
+  return all;
 }
+
+const auto byName = [](const testing::TestParamInfo<FamilyIn>& given) { return given.param.name; };
+INSTANTIATE_TEST_SUITE_P(
+  Rounded, PowerDiagrams, testing::ValuesIn(familiesIn(roundedFamilies, 60)), byName);
+INSTANTIATE_TEST_SUITE_P(
+  Weighted, PowerDiagrams, testing::ValuesIn(familiesIn(weightedFamilies, 10)), byName);
 
 TEST(PowerDiagram, SmallLatticesAreFullOfTies)
 {
   Random random(9);
-  for (int round = 0; round < 300; ++round)
+  for (int round = 0; round < 150; ++round)
   {
-    Cloud sites;
-    const int range = random.integer(1, 6);
-    const int count = random.integer(3, 30);
-    for (int i = 0; i < count; ++i)
-    {
-      sites.push_back(
-        at(random.integer(0, range), random.integer(0, range), random.integer(0, range)));
-    }
-    sites.push_back(at(0, 0, 0));
-    sites.push_back(at(range, 0, 0));
-    sites.push_back(at(0, range, 0));
     SCOPED_TRACE("round " + std::to_string(round));
-    const Triangulation triangulation = triangulate(sites);
+    const int range = random.integer(1, 6);
+    Cloud sites = smallIntegerSites(random.integer(0, 30), 0, range, 0, range, random);
+    sites.insert(sites.end(), { { 0, 0, 0 }, { 1.0 * range, 0, 0 }, { 0, 1.0 * range, 0 } });
     for (int b = 0; b < 6; ++b)
     {
       const double x = random.integer(-2, 2 * range) / 2.0;
       const double y = random.integer(-2, 2 * range) / 2.0;
-      const Box box = { { x, x + random.integer(1, range + 4) / 2.0, y,
-        y + random.integer(1, range + 4) / 2.0 } };
-      const PowerDiagram diagram = diagramOf(sites, triangulation, box);
-      expectLeastPower(diagram, sites, box, 20);
+      expectRight(sites,
+        { x, x + random.integer(1, range + 4) / 2.0, y, y + random.integer(1, range + 4) / 2.0 });
     }
   }
-}
-
-TEST(PowerDiagram, OneSiteHasTheBox)
-{
-  Cloud sites;
-  sites.push_back(at(5, 5, 0));
-  sites.push_back(at(70, 7, 1e300));
-  const PowerDiagram diagram = diagramOf(sites, triangulate(sites), unitBox);
-  ASSERT_EQ(diagram.siteIds.size(), 1u);
-  EXPECT_EQ(diagram.siteIds[0], 1);
-  const Polygon square = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
-  EXPECT_EQ(polygonsOf(diagram).begin()->second, square);
-}
-
-TEST(PowerDiagram, NoSiteHasNoCell)
-{
-  const PowerDiagram diagram =
-    powerDiagram(PointView(), WeightView(), Triangulation(), unitBox.side);
-  EXPECT_EQ(diagram.siteIds.size(), 0u);
-  EXPECT_EQ(diagram.corners.size(), 0u);
-  EXPECT_EQ(diagram.offsets.size(), 1u);
 }
 
 TEST(PowerDiagram, CollinearSitesHaveStrips)
@@ -369,135 +150,232 @@ TEST(PowerDiagram, CollinearSitesHaveStrips)
       Cloud sites;
       for (int i = 0; i < count; ++i)
       {
-        sites.push_back(at(step[0] * i, step[1] * i, i % 2 ? 0.25 : 0));
+        sites.push_back({ 1.0 * step[0] * i, 1.0 * step[1] * i, i % 2 ? 0.25 : 0 });
       }
-      for (const Box& box : { Box{ { -20, 20, -20, 20 } }, Box{ { 0, 1, 0, 1 } },
-             Box{ { -1, 1.5, -1, 0.5 } }, Box{ { 3, 4, 7, 9 } }, Box{ { 0.5, 2.5, -0.5, 2.5 } } })
+      for (const Box& box : { Box{ -20, 20, -20, 20 }, unitBox, Box{ -1, 1.5, -1, 0.5 },
+             Box{ 3, 4, 7, 9 }, Box{ 0.5, 2.5, -0.5, 2.5 } })
       {
-        const PowerDiagram diagram = diagramOf(sites, triangulate(sites), box);
-        expectLeastPower(diagram, sites, box, 100);
-        for (const auto& cell : polygonsOf(diagram))
+        for (const auto& cell : polygonsOf(expectRight(sites, box)))
         {
           EXPECT_LE(cell.second.size(), 6u);
         }
       }
     }
   }
-  Cloud row;
-  row.push_back(at(0, 0, 0));
-  row.push_back(at(1, 0, 0));
-  row.push_back(at(2, 0, 0));
-  const PowerDiagram diagram = diagramOf(row, triangulate(row), { { -1, 3, -1, 1 } });
-  EXPECT_EQ(diagram.connectivity.size(), 12u);
-  EXPECT_EQ(diagram.corners.size(), 16u);
+}
+
+/// What has a known number of cells and corners.
+struct KnownDiagram
+{
+  const char* name;
+  Cloud sites;
+  Box box;
+  std::size_t cells;
+  std::size_t corners; ///< 0: unknown
+};
+
+TEST(PowerDiagram, HasTheKnownCells)
+{
+  Cloud giant = randomSites(100, 0.01, 4);
+  giant[17][2] = 1e200;
+  const KnownDiagram known[] = { { "a grid has square cells", squareGrid(7),
+                                   { -0.5, 6.5, -0.5, 6.5 }, 49, 64 },
+    { "a box along cells cuts no slivers", squareGrid(6), { 0.5, 3.5, 1.5, 4.5 }, 9, 16 },
+    { "and one between", squareGrid(6), { 1, 3, 1.5, 4 }, 9, 16 },
+    { "within one cell", squareGrid(6), { 1.75, 2.25, 2.5, 3.25 }, 1, 4 },
+    { "cocircular sites", moved(cocircularIntegers(65 * 65), 100, 100, 0), { 0, 200, 10, 190 }, 36,
+      0 },
+    { "a heavy one has the box", { { 5, 5, 0 }, { 70, 7, 1e300 } }, unitBox, 1, 4 },
+    { "of two heavy ones, one", { { 0, 0, 1e300 }, { 1, 0, 1.0000001e300 } }, unitBox, 1, 4 },
+    { "a giant hides all", giant, unitBox, 1, 4 },
+    { "a row", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { -1, 3, -1, 1 }, 3, 8 },
+    { "a center beyond all doubles", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1e-320, 0 } },
+      { -1, 3, -1, 1 }, 3, 8 },
+    { "tiny beside huge", { { 0, 0, 0 }, { 1e-300, 0, 0 }, { 0, 1e300, 0 }, { -1e300, 0, 0 } },
+      { -1e300, 1e300, -1e300, 1e300 }, 4, 0 },
+    { "as large as boxes get", randomSites(50, 0, 3), { -most, most, -most, most }, 50, 0 },
+    { "nothing", {}, unitBox, 0, 0 } };
+  for (const KnownDiagram& one : known)
+  {
+    SCOPED_TRACE(one.name);
+    const PowerDiagram diagram = expectRight(one.sites, one.box);
+    EXPECT_EQ(diagram.siteIds.size(), one.cells);
+    EXPECT_TRUE(one.corners == 0 || diagram.corners.size() == 2 * one.corners)
+      << diagram.corners.size() / 2;
+  }
 }
 
 TEST(PowerDiagram, PowersOfTwoScaleTheCorners)
 {
   const Cloud sites = randomSites(300, 0.05, 8);
-  const Triangulation triangulation = triangulate(sites);
-  const PowerDiagram diagram = diagramOf(sites, triangulation, unitBox);
+  const PowerDiagram wanted = expectRight(sites, unitBox);
   for (const int exponent : { 20, -20, 100, -100, 300, -300, 500, -480 })
   {
     const double factor = std::ldexp(1.0, exponent);
-    const Cloud larger = [&]
+    const Cloud larger = magnified(sites, factor);
+    PowerDiagram other = diagramOf(larger, triangulate(larger), { 0, factor, 0, factor });
+    for (double& x : other.corners)
     {
-      Cloud result = sites;
-      for (Point& p : result)
-      {
-        p = { p[0] * factor, p[1] * factor, std::ldexp(p[2], 2 * exponent) };
-      }
-      return result;
-    }();
-    const double box[] = { 0, factor, 0, factor };
-    const PowerDiagram other = powerDiagram(viewOf(larger), weightsOf(larger), triangulation, box);
-    EXPECT_TRUE(std::equal(other.connectivity.begin(), other.connectivity.end(),
-      diagram.connectivity.begin(), diagram.connectivity.end()));
-    ASSERT_EQ(other.corners.size(), diagram.corners.size());
-    for (std::size_t i = 0; i < other.corners.size(); ++i)
-    {
-      EXPECT_EQ(other.corners[i], diagram.corners[i] * factor);
+      x /= factor;
     }
+    EXPECT_EQ(bitDifference(other, wanted), "") << exponent;
   }
 }
 
-TEST(PowerDiagram, ExtremeRanges)
+/// The tips of its cells cross near the center; further out they are wide.
+TEST(PowerDiagram, NoCellOfACircleIsLost)
 {
-  // Tiny beside huge: half of 1e-300 is a corner, and so is half of 1e300.
-  Cloud sites = { { 0, 0, 0 }, { 1e-300, 0, 0 }, { 0, 1e300, 0 }, { -1e300, 0, 0 } };
-  Box box = { { -1e300, 1e300, -1e300, 1e300 } };
-  PowerDiagram diagram = diagramOf(sites, triangulate(sites), box);
-  EXPECT_EQ(diagram.siteIds.size(), 4u);
-  const auto degrees = degreesOf(diagram);
-  EXPECT_EQ(degrees.count({ 5e-301, 5e299 }), 1u);
-  EXPECT_EQ(degrees.count({ -5e299, 5e299 }), 1u);
-
-  // A center beyond all doubles.
-  sites = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1e-320, 0 } };
-  box = { { -1, 3, -1, 1 } };
-  diagram = diagramOf(sites, triangulate(sites), box);
-  EXPECT_EQ(diagram.connectivity.size(), 12u);
-  expectLeastPower(diagram, sites, box, 200);
-
-  // The box as large as boxes get.
-  const double most = std::numeric_limits<double>::max();
-  sites = randomSites(50, 0.1, 3);
-  const Triangulation triangulation = triangulate(sites);
-  const double whole[] = { -most, most, -most, most };
-  diagram = powerDiagram(viewOf(sites), weightsOf(sites), triangulation, whole);
-  EXPECT_EQ(diagram.siteIds.size(), triangulation.pointIds.size());
-  for (const double corner : diagram.corners)
+  for (int count = 480; count <= 510; count += 10)
   {
-    EXPECT_TRUE(std::isfinite(corner));
+    SCOPED_TRACE(count);
+    const Cloud sites = circleAt(count, 1e3, 1e3);
+    EXPECT_EQ(expectRight(sites, { 998, 1002, 998, 1002 }).siteIds.size(), sites.size());
   }
 }
 
-TEST(PowerDiagram, GiantWeights)
+/// Sides of the box run along edges that are not quite straight, and corners just outside of it are
+/// rounded to it.
+TEST(PowerDiagram, ABoxAlongTheCells)
 {
-  // Of two heavy sites one has the box; a heavy one hides the light ones around it.
-  Cloud sites = { { 0, 0, 1e300 }, { 1, 0, 1.0000001e300 } };
-  PowerDiagram diagram = diagramOf(sites, triangulate(sites), unitBox);
-  ASSERT_EQ(diagram.siteIds.size(), 1u);
-  EXPECT_EQ(diagram.siteIds[0], 1);
-
-  sites = randomSites(100, 0.01, 4);
-  sites[17][2] = 1e200;
-  diagram = diagramOf(sites, triangulate(sites), unitBox);
-  ASSERT_EQ(diagram.siteIds.size(), 1u);
-  EXPECT_EQ(diagram.siteIds[0], 17);
-
-  // Negative weights are weights.
-  sites = randomSites(100, -0.02, 5);
-  const Box box = { { -1, 2, -1, 2 } };
-  diagram = diagramOf(sites, triangulate(sites), box);
-  expectLeastPower(diagram, sites, box, 200);
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const double noise = std::ldexp(1.0, -random.integer(48, 56));
+    const double origin = random.integer(0, 3);
+    Cloud sites = squareGrid(6);
+    for (Point& p : sites)
+    {
+      p = { origin + p[0] + random.uniform(-noise, noise),
+        origin + p[1] + random.uniform(-noise, noise), 0 };
+    }
+    const double low = origin + random.integer(-1, 2) + 0.5;
+    const double high = origin + random.integer(3, 5) + 0.5;
+    const double side = std::min(high, origin + 5.5) - std::max(low, origin - 0.5);
+    EXPECT_GE(expectRight(sites, { low, high, low, high }).siteIds.size(),
+      static_cast<std::size_t>(side * side));
+  }
 }
 
+/// Each vertex of the grid is two corners or one; an edge of a unit or two has any direction.
+TEST(PowerDiagram, CellsOfARotatedGridAreConvex)
+{
+  for (int step = 1; step <= 15; ++step)
+  {
+    SCOPED_TRACE(step);
+    const double a = angleOf(0.053 * step);
+    Cloud sites = squareGrid(15);
+    for (Point& p : sites)
+    {
+      p = { p[0] * std::cos(a) - p[1] * std::sin(a), p[0] * std::sin(a) + p[1] * std::cos(a), 0 };
+    }
+    EXPECT_FALSE(hasReflexCorner(expectRight(sites, powerDiagramBox(viewOf(sites)))));
+  }
+}
+
+/// Here doubles are whole numbers, and so are corners, but sites are neighbours.
 TEST(PowerDiagram, CellsBelowTheUnitOfTheLastPlaceVanish)
 {
-  // Here doubles are whole numbers, and so are corners, but sites are neighbours.
   const double origin = 0x1p52;
   Random random(14);
   for (int round = 0; round < 50; ++round)
   {
-    Cloud sites;
-    for (int i = 0; i < 300; ++i)
-    {
-      sites.push_back(
-        { origin + random.integer(0, 25), origin + random.integer(0, 25), random.uniform(-3, 3) });
-    }
+    const Cloud sites = moved(
+      withWeights(smallIntegerSites(300, 0, 25, 0, 0, random), -3, 3, random), origin, origin, 0);
     const Triangulation triangulation = triangulate(sites);
-    const double box[] = { origin, origin + 25, origin, origin + 25 };
-    const PowerDiagram diagram = powerDiagram(viewOf(sites), weightsOf(sites), triangulation, box);
+    const Box box = { origin, origin + 25, origin, origin + 25 };
+    const PowerDiagram diagram = diagramOf(sites, triangulation, box);
     EXPECT_LT(diagram.siteIds.size(), triangulation.pointIds.size());
-    std::set<std::array<double, 2>> positions;
-    for (std::size_t i = 0; i < diagram.corners.size(); i += 2)
+    EXPECT_EQ(diagramFault(diagram, sites, triangulation, box), "");
+  }
+}
+
+// ---- Several tasks' worth of sites -------------------------------------------------------------
+
+const int Many = isSanitized() ? 9000 : 20000;
+
+/// Around each of a hundred places, a ring of sites almost on a circle.
+Cloud manyRings()
+{
+  Random random(72);
+  Cloud sites;
+  for (int i = 0; i < Many; ++i)
+  {
+    const double angle = random.uniform(0, 6.28);
+    const double place = 10 + 3 * (i % 100);
+    sites.push_back({ place + std::cos(angle), place + std::sin(angle), 0 });
+  }
+  return sites;
+}
+
+/// A grid; around its holes facets have up to eight corners and more.
+Cloud gridOfMany(bool hasHoles)
+{
+  Random random(73);
+  Cloud sites;
+  for (int i = 0; i < Many; ++i)
+  {
+    if (!hasHoles || random.integer(0, 2) > 0)
     {
-      EXPECT_TRUE(positions.insert({ diagram.corners[i], diagram.corners[i + 1] }).second);
+      sites.push_back({ i % 200 / 4.0, i / 200 / 4.0, 0 });
     }
-    for (std::size_t c = 0; c < diagram.siteIds.size(); ++c)
+  }
+  return sites;
+}
+
+/// Corners at one position, of cells that different threads make, are one.
+TEST(PowerDiagram, OfManySitesOnAnyThreads)
+{
+  Cloud line;
+  for (int i = 0; i < Many; ++i)
+  {
+    line.push_back({ i / 4.0, i / 8.0, 0 });
+  }
+  const std::pair<Cloud, Box> cases[] = { { randomSites(Many, 0, 71), { 0.3, 0.7, 0.4, 0.6 } },
+    { randomSites(Many, 1.0 / Many, 71), unitBox },
+    { randomSites(Many, 27.0 / Many, 5), { -1e12, 1e12, -1e12, 1e12 } },
+    // Its lower border goes through corners, whose positions so come of facets and the box.
+    { gridOfMany(false), { -1, 60, 0.125, 60 } }, { gridOfMany(true), { 0, 40, 0, 20 } },
+    { line, { 0, 40, -1, 20 } }, { manyRings(), { 0, 400, 0, 400 } } };
+  for (const auto& [sites, box] : cases)
+  {
+    const Triangulation triangulation = triangulate(sites);
+    const PowerDiagram alone = diagramOf(sites, triangulation, box);
+    EXPECT_EQ(diagramFault(alone, sites, triangulation, box), "");
+    for (const int threads : threadsTried())
     {
-      EXPECT_GT(areaOf(diagram, c), 0);
+      EXPECT_EQ(bitDifference(diagramOf(sites, triangulation, box, threads), alone), "");
+    }
+  }
+}
+
+TEST(PowerDiagram, TheFirstFaultIsTold)
+{
+  const Cloud sites = randomSites(Many, 0.0, 71);
+  for (const std::int64_t from : { Many / 4, Many / 3, Many / 2 })
+  {
+    // Two facets are there twice, so no ring closes at their corners.
+    Triangulation triangulation = triangulate(sites);
+    ASSERT_EQ(triangulation.cellSize, 3);
+    std::vector<std::int64_t> corners(
+      triangulation.connectivity.begin(), triangulation.connectivity.end());
+    for (const std::int64_t lowest : { std::int64_t(Many / 5 * 4), from })
+    {
+      std::size_t at = 0;
+      while (triangulation.connectivity[at] < lowest)
+      {
+        at += 3;
+      }
+      corners.insert(corners.end(), triangulation.connectivity.begin() + at,
+        triangulation.connectivity.begin() + at + 3);
+    }
+    const std::int64_t first = triangulation.pointIds[corners[corners.size() - 3]];
+    triangulation.connectivity.allocate(corners.size());
+    std::copy(corners.begin(), corners.end(), triangulation.connectivity.begin());
+    for (const int threads : { 1, 2, 4, 4, 4, 4 })
+    {
+      expectError(
+        [&] { diagramOf(sites, triangulation, unitBox, threads); }, ErrorCode::BadArgument, first);
     }
   }
 }

@@ -2,19 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Places to ask about, and answers from their definitions: every cell, every site, in rationals.
-/// Sites are a Cloud of (x, y, weight); of a query, z is nothing, and must not be read.
+/// Sites are a Cloud of (x, y, weight); of a query, z is nothing, and must not be read. Faults are
+/// words; empty where there is none.
 #ifndef flipflop_test_PlaneQueries_h
 #define flipflop_test_PlaneQueries_h
 
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
+#include <flipflop/CellBoundary.h>
 #include <flipflop/RegularTriangulation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -29,6 +35,36 @@ inline Triangulation triangulationOf(const Cloud& sites, FacetMode facets)
   Options options;
   options.facets = facets;
   return regularTriangulation(viewOf(sites), weightsOf(sites), options);
+}
+
+/// One special input, or a family in several sizes.
+struct Rung
+{
+  std::string name;
+  std::vector<Input> inputs;
+
+  friend void PrintTo(const Rung& rung, std::ostream* out) { *out << rung.name; }
+};
+
+inline std::vector<Rung> rungs()
+{
+  std::vector<Rung> all;
+  for (const Input& input : smallWeightedInputs())
+  {
+    all.push_back({ input.name, { input } });
+  }
+  for (const Family& family : weightedFamilies())
+  {
+    all.push_back({ family.name, {} });
+    for (const int count : { 3, 7, 30 })
+    {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed)
+      {
+        all.back().inputs.push_back(fromWeightedFamily(family.name, count, seed));
+      }
+    }
+  }
+  return all;
 }
 
 /// At the sites and around them, on edges, between any two, beyond the hull, near and far.
@@ -156,6 +192,130 @@ inline std::vector<std::uint8_t> withinByForce(
     within.push_back(isWithin ? 1 : 0);
   }
   return within;
+}
+
+/// The linear value at a place, from the corners of the triangle of its cell's fan.
+inline Rational linearByForce(const Cloud& sites, const Cell& cell, int dimension,
+  const std::vector<double>& values, const Point& place)
+{
+  const auto at = [&](std::size_t i) -> const Point&
+  { return sites[static_cast<std::size_t>(cell[i])]; };
+  const auto value = [&](std::size_t i)
+  { return Rational(values[static_cast<std::size_t>(cell[i])]); };
+  if (dimension == 0)
+  {
+    return value(0);
+  }
+  if (dimension == 1)
+  {
+    const std::size_t k = at(0)[0] != at(1)[0] ? 0 : 1;
+    const Rational t = (Rational(place[k]) - at(0)[k]) / (Rational(at(1)[k]) - Rational(at(0)[k]));
+    return value(0) + t * (value(1) - value(0));
+  }
+  for (std::size_t i = 1; i + 1 < cell.size(); ++i)
+  {
+    const Rational a = orientation(at(i), at(i + 1), place);
+    const Rational b = orientation(at(i + 1), at(0), place);
+    const Rational c = orientation(at(0), at(i), place);
+    if (a >= 0 && b >= 0 && c >= 0)
+    {
+      return (a * value(0) + b * value(i) + c * value(i + 1)) / (a + b + c);
+    }
+  }
+  ADD_FAILURE() << "not in the cell";
+  return 0;
+}
+
+/// Are area and centroid of a cell off by no more than some units of the last place?
+inline std::string measuresFault(
+  const std::vector<Point>& corners, double area, const double* centroid)
+{
+  const Point& a = corners[0];
+  Rational exact = 0;
+  Rational moment[2] = { 0, 0 };
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+  {
+    const Rational twice = orientation(a, corners[i], corners[i + 1]);
+    exact += twice / 2;
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      moment[k] += twice * (Rational(a[k]) + corners[i][k] + Rational(corners[i + 1][k])) / 6;
+    }
+  }
+  const auto isNear = [](double found, const Rational& wanted, const Rational& size)
+  { return abs(Rational(Rational(found) - wanted)) <= Rational(size * 0x1p-50 + 0x1p-1074); };
+  const bool isInfinite = exact > std::numeric_limits<double>::max();
+  if (isInfinite ? !std::isinf(area) : !isNear(area, exact, exact))
+  {
+    return "the area is " + std::to_string(area);
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    double size = 0;
+    for (const Point& corner : corners)
+    {
+      size = std::max(size, std::fabs(corner[k]));
+    }
+    const Rational mean =
+      exact != 0 ? Rational(moment[k] / exact) : Rational((Rational(a[k]) + corners.back()[k]) / 2);
+    if (!isNear(centroid[k], mean, size))
+    {
+      return "the centroid is at " + std::to_string(centroid[k]);
+    }
+  }
+  return "";
+}
+
+/// All that a border promises of its cells.
+inline std::string ringsFault(const CellBoundary& boundary, const CellComplex& cells)
+{
+  using Side = std::pair<std::int64_t, std::int64_t>;
+  std::set<Side> sides;
+  for (std::int64_t c = 0; cells.dimension == 2 && c < cells.cellCount(); ++c)
+  {
+    const std::int64_t begin = cells.cellBegin(c);
+    const std::int64_t end = cells.cellBegin(c + 1);
+    for (std::int64_t k = begin; k < end; ++k)
+    {
+      sides.emplace(cells.connectivity[static_cast<std::size_t>(k)],
+        cells.connectivity[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)]);
+    }
+  }
+  std::set<Side> border;
+  std::copy_if(sides.begin(), sides.end(), std::inserter(border, border.end()),
+    [&](const Side& side) {
+      return sides.count({ side.second, side.first }) == 0;
+    });
+  const auto& offsets = boundary.offsets;
+  if (offsets.empty() || offsets[0] != 0 ||
+    offsets[offsets.size() - 1] != static_cast<std::int64_t>(boundary.connectivity.size()))
+  {
+    return "offsets of rings do not begin at 0, or do not end with the corners";
+  }
+  Cell last;
+  for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
+  {
+    if (offsets[i + 1] < offsets[i] + 3)
+    {
+      return "a ring of less than three corners";
+    }
+    const Cell ring(
+      boundary.connectivity.begin() + offsets[i], boundary.connectivity.begin() + offsets[i + 1]);
+    if (std::set<std::int64_t>(ring.begin(), ring.end()).size() != ring.size() ||
+      *std::min_element(ring.begin(), ring.end()) != ring[0] || !(last < ring))
+    {
+      return "a ring passes a corner twice, starts at another, or is not in order";
+    }
+    for (std::size_t k = 0; k < ring.size(); ++k)
+    {
+      if (border.erase({ ring[k], ring[(k + 1) % ring.size()] }) != 1)
+      {
+        return "a ring along what is no border, or twice";
+      }
+    }
+    last = ring;
+  }
+  return border.empty() ? "" : "a side at the border is in no ring";
 }
 
 inline std::string placeText(const Point& place)

@@ -87,74 +87,44 @@ void expectShares(const Cloud& sites, const Point& place, const std::vector<doub
   }
 }
 
-void expectAll(const Cloud& sites, int count, std::uint64_t seed)
+class NaturalNeighbours : public testing::TestWithParam<Rung>
 {
-  Random random(seed);
-  const Cloud places = placesAmong(sites, count, random);
-  for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
+};
+
+TEST_P(NaturalNeighbours, AreSharesWithThePlaceForTheirMean)
+{
+  for (const Input& input : this->GetParam().inputs)
   {
-    const Coordinates coordinates(sites, facets);
-    std::vector<std::int64_t> cells(places.size());
-    coordinates.queries.locate(viewOf(places), cells.data());
-    for (std::size_t i = 0; i < places.size(); ++i)
+    const Cloud sites = input.make();
+    Random random(1 + input.seed);
+    const Cloud places = placesAmong(sites, sites.size() > 100 ? 2 : 6, random);
+    for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
     {
-      const std::vector<double> shares = coordinates.at(places[i]);
-      if (cells[i] < 0)
+      SCOPED_TRACE(std::to_string(sites.size()) + " sites, seed " + std::to_string(input.seed));
+      const Coordinates coordinates(sites, facets);
+      std::vector<std::int64_t> cells(places.size());
+      coordinates.queries.locate(viewOf(places), cells.data());
+      for (std::size_t i = 0; i < places.size(); ++i)
       {
-        ASSERT_TRUE(std::all_of(
-          shares.begin(), shares.end(), [](double share) { return std::isnan(share); }));
-        continue;
+        const std::vector<double> shares = coordinates.at(places[i]);
+        if (cells[i] < 0)
+        {
+          ASSERT_TRUE(std::all_of(
+            shares.begin(), shares.end(), [](double share) { return std::isnan(share); }));
+          continue;
+        }
+        ASSERT_NO_FATAL_FAILURE(expectShares(sites, places[i], shares));
       }
-      ASSERT_NO_FATAL_FAILURE(expectShares(sites, places[i], shares));
-    }
-    for (const std::int64_t id : coordinates.triangulation.pointIds)
-    {
-      EXPECT_EQ(
-        coordinates.at(sites[static_cast<std::size_t>(id)])[static_cast<std::size_t>(id)], 1.0);
-    }
-  }
-}
-
-class OnSpecialSites : public testing::TestWithParam<Input>
-{
-};
-
-TEST_P(OnSpecialSites, AreSharesWithThePlaceForTheirMean)
-{
-  const Cloud sites = GetParam().make();
-  expectAll(sites, sites.size() > 100 ? 2 : 8, 1 + GetParam().seed);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-  NaturalNeighbours, OnSpecialSites, testing::ValuesIn(smallWeightedInputs()));
-
-class OnFamilies : public testing::TestWithParam<std::string>
-{
-};
-
-TEST_P(OnFamilies, AreSharesWithThePlaceForTheirMean)
-{
-  for (const int count : { 4, 30 })
-  {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed)
-    {
-      SCOPED_TRACE(std::to_string(count) + " sites, seed " + std::to_string(seed));
-      expectAll(fromWeightedFamily(GetParam(), count, seed).make(), 8, seed);
+      for (const std::int64_t id : coordinates.triangulation.pointIds)
+      {
+        const auto site = static_cast<std::size_t>(id);
+        EXPECT_EQ(coordinates.at(sites[site])[site], 1.0);
+      }
     }
   }
 }
 
-std::vector<std::string> familyNames()
-{
-  std::vector<std::string> names;
-  for (const Family& family : weightedFamilies())
-  {
-    names.push_back(family.name);
-  }
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(NaturalNeighbours, OnFamilies, testing::ValuesIn(familyNames()));
+INSTANTIATE_TEST_SUITE_P(Sites, NaturalNeighbours, testing::ValuesIn(rungs()));
 
 /// By the id of the site; and is the cell of one site within the box?
 std::map<std::int64_t, double> areasOf(
@@ -180,7 +150,7 @@ std::map<std::int64_t, double> areasOf(
   return result;
 }
 
-TEST(NaturalNeighbours, AreWhatPowerDiagramsDifferBy)
+TEST(NaturalNeighbour, AreWhatPowerDiagramsDifferBy)
 {
   const double box[] = { -3, 4, -3, 4 };
   int compared = 0;
@@ -237,7 +207,7 @@ TEST(NaturalNeighbours, AreWhatPowerDiagramsDifferBy)
 }
 
 /// On an edge a place is in two triangles, and a step away in one.
-TEST(NaturalNeighbours, AreContinuous)
+TEST(NaturalNeighbour, AreContinuous)
 {
   for (const double weight : { 0.0, 0.02 })
   {
@@ -253,23 +223,20 @@ TEST(NaturalNeighbours, AreContinuous)
           const Point& b = sites[static_cast<std::size_t>(cell[(e + 1) % 3])];
           for (const double t : { 0.25, 0.5 })
           {
-            const double x = a[0] + t * (b[0] - a[0]);
-            const double y = a[1] + t * (b[1] - a[1]);
-            const double step = 1e-9;
-            const std::vector<double> here = coordinates.at({ x, y, 0 });
-            const std::vector<double> left =
-              coordinates.at({ x - step * (b[1] - a[1]), y + step * (b[0] - a[0]), 0 });
-            const std::vector<double> right =
-              coordinates.at({ x + step * (b[1] - a[1]), y - step * (b[0] - a[0]), 0 });
-            for (std::size_t i = 0; i < sites.size(); ++i)
+            const std::vector<double> here =
+              coordinates.at({ a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0 });
+            for (const double step : { 1e-9, -1e-9 })
             {
-              // Beyond the border there is nothing.
-              EXPECT_TRUE(
-                std::isnan(here[i]) || std::isnan(left[i]) || std::fabs(here[i] - left[i]) < 1e-5)
-                << left[i] - here[i];
-              EXPECT_TRUE(
-                std::isnan(here[i]) || std::isnan(right[i]) || std::fabs(here[i] - right[i]) < 1e-5)
-                << right[i] - here[i];
+              const std::vector<double> beside =
+                coordinates.at({ a[0] + t * (b[0] - a[0]) - step * (b[1] - a[1]),
+                  a[1] + t * (b[1] - a[1]) + step * (b[0] - a[0]), 0 });
+              for (std::size_t i = 0; i < sites.size(); ++i)
+              {
+                // Beyond the border there is nothing.
+                EXPECT_TRUE(std::isnan(here[i]) || std::isnan(beside[i]) ||
+                  std::fabs(here[i] - beside[i]) < 1e-5)
+                  << beside[i] - here[i];
+              }
             }
           }
         }
@@ -279,7 +246,7 @@ TEST(NaturalNeighbours, AreContinuous)
 }
 
 /// Shares sum to one but for rounding: values stay within those that are blended all the same.
-TEST(Interpolation, StaysWithinTheValues)
+TEST(NaturalNeighbour, StaysWithinTheValues)
 {
   Random random(5);
   for (const double weight : { 0.0, 0.01 })
@@ -307,7 +274,7 @@ TEST(Interpolation, StaysWithinTheValues)
 }
 
 /// In every arithmetic: scaled, and in integers of any size.
-TEST(NaturalNeighbours, AreTheSameAtEveryScale)
+TEST(NaturalNeighbour, AreTheSameAtEveryScale)
 {
   for (const double weight : { 0.0, 0.01 })
   {
@@ -348,7 +315,7 @@ TEST(NaturalNeighbours, AreTheSameAtEveryScale)
 }
 
 /// In one triangle the shares are those of the corners, however thin it is.
-TEST(NaturalNeighbours, InThinTriangles)
+TEST(NaturalNeighbour, InThinTriangles)
 {
   for (const double height : { 1e-30, 1e-44, 1e-50, 1e-52, 1e-100, 1e-300, 5e-324 })
   {
@@ -372,7 +339,7 @@ TEST(NaturalNeighbours, InThinTriangles)
 
 /// The shares of thin fans, from rationals: Sibson's areas by clipping no diagram, but by the
 /// linear functions that they reproduce.
-TEST(NaturalNeighbours, AtAHubOfManyNeighbours)
+TEST(NaturalNeighbour, AtAHubOfManyNeighbours)
 {
   constexpr int Count = 3000;
   Cloud sites = { { 0, 0, 0 } };
@@ -402,7 +369,7 @@ TEST(NaturalNeighbours, AtAHubOfManyNeighbours)
 }
 
 /// Between the ends of a border's edge, these alone have a share.
-TEST(NaturalNeighbours, AreLinearAlongTheBorder)
+TEST(NaturalNeighbour, AreLinearAlongTheBorder)
 {
   const Cloud sites = squareGrid(4);
   const Coordinates coordinates(sites, FacetMode::Polygons);

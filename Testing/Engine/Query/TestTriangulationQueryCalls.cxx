@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Queries to a triangulation: what they refuse, and what they ignore on request.
+/// Queries to a triangulation: what they keep, what they refuse, and what they ignore on request.
 #include "Testing/Engine/Query/PlaneQueries.h"
+#include "Testing/Engine/Validate/TriangulationClaims.h"
 
 #include <flipflop/TriangulationQueries.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <vector>
 
 namespace flipflop
 {
@@ -21,37 +19,107 @@ namespace test
 namespace
 {
 
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(TriangulationQueryCalls, OfNoPoint)
+{
+  const Cloud places = { { 0, 0, 0 }, { 1, 2, 0 } };
+  const TriangulationQueries queries{ PointView(), WeightView(), Triangulation() };
+  std::vector<std::int64_t> cells(2), ids(2);
+  std::vector<double> values(2);
+  queries.locate(viewOf(places), cells.data());
+  queries.nearest(viewOf(places), ids.data());
+  queries.interpolateLinear(nullptr, 1, viewOf(places), values.data());
+  EXPECT_EQ(cells, (std::vector<std::int64_t>{ -1, -1 }));
+  EXPECT_EQ(ids, cells);
+  EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[1]));
+  queries.locate(PointView(), nullptr);
+}
+
+/// The arguments may go, also where they were floats, strides apart; and the queries may be moved.
+TEST(TriangulationQueryCalls, KeepNoViewOfTheirArguments)
+{
+  const Cloud sites = roundedToFloat(randomSites(50, 0.02, 3));
+  const auto count = static_cast<std::int64_t>(sites.size());
+  const auto make = [&]
+  {
+    // x and y side by side; the weight elsewhere.
+    std::vector<float> pairs, weights;
+    for (const Point& site : sites)
+    {
+      pairs.insert(pairs.end(), { static_cast<float>(site[0]), static_cast<float>(site[1]) });
+      weights.insert(weights.end(), 7, static_cast<float>(site[2]));
+    }
+    return TriangulationQueries(PointView(pairs.data(), count, 2),
+      WeightView(weights.data(), count, 7), triangulationOf(sites, FacetMode::Triangles));
+  };
+  TriangulationQueries made = make();
+  const TriangulationQueries moved = std::move(made);
+  const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+  const std::vector<Cell> cells = cellsOf(triangulation);
+  Random random(4);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Point place = { random.uniform(), random.uniform(), nan };
+    std::int64_t cell = -2, id = -2;
+    moved.locate(viewOf({ place }), &cell);
+    moved.nearest(viewOf({ place }), &id);
+    EXPECT_EQ(cell, cellByForce(sites, cells, 2, place));
+    EXPECT_EQ(id, nearestByForce(sites, triangulation.pointIds, place));
+  }
+}
+
+TEST(TriangulationQueryCalls, ValuesOfSeveralComponents)
+{
+  const Cloud sites = randomSites(200, 0, 5);
+  const TriangulationQueries queries(
+    viewOf(sites), WeightView(), triangulationOf(sites, FacetMode::Triangles));
+  Random random(6);
+  const Cloud places = placesAmong(sites, 20, random);
+  std::vector<double> values;
+  for (const Point& site : sites)
+  {
+    values.insert(values.end(), { 1.0, site[0], 3 * site[0] - 2 * site[1] + 0.5 });
+  }
+  std::vector<double> found(3 * places.size());
+  queries.interpolateLinear(values.data(), 3, viewOf(places), found.data());
+  int inside = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (!std::isnan(found[3 * i]))
+    {
+      ++inside;
+      EXPECT_NEAR(found[3 * i], 1.0, 4e-16);
+      EXPECT_NEAR(found[3 * i + 1], places[i][0], 4e-16);
+      EXPECT_NEAR(found[3 * i + 2], 3 * places[i][0] - 2 * places[i][1] + 0.5, 4e-15);
+    }
+  }
+  EXPECT_GT(inside, 50);
+}
+
+/// Many: these would be sorted.
 TEST(TriangulationQueryCalls, IgnoreNonFinitePlaces)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
   const Cloud sites = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   const TriangulationQueries queries(
     viewOf(sites), WeightView(), triangulationOf(sites, FacetMode::Triangles));
-  // Many: these would be sorted.
   Cloud places(10000, { 0.25, 0.25, nan });
   places[5000][0] = nan;
-  places[7000][1] = -infinity;
-  std::vector<std::int64_t> numbers(places.size());
-  std::vector<double> values(places.size());
+  places[7000][1] = -HUGE_VAL;
+  std::vector<std::int64_t> cells(places.size()), ids(places.size());
+  std::vector<double> linear(places.size()), natural(places.size());
   const double given[] = { 0, 1, 1 };
   Options options;
-  const std::vector<std::function<void()>> calls = { [&]
-    { queries.locate(viewOf(places), numbers.data(), options); },
-    [&] { queries.nearest(viewOf(places), numbers.data(), options); },
-    [&] { queries.interpolateLinear(given, 1, viewOf(places), values.data(), options); },
-    [&] { queries.interpolateNatural(given, 1, viewOf(places), values.data(), options); } };
   options.nonFinite = NonFinitePolicy::Ignore;
-  for (const auto& call : calls)
+  queries.locate(viewOf(places), cells.data(), options);
+  queries.nearest(viewOf(places), ids.data(), options);
+  queries.interpolateLinear(given, 1, viewOf(places), linear.data(), options);
+  queries.interpolateNatural(given, 1, viewOf(places), natural.data(), options);
+  for (const std::size_t i : { 5000, 7000 })
   {
-    std::fill(numbers.begin(), numbers.end(), -2);
-    std::fill(values.begin(), values.end(), -2.0);
-    call();
-    for (const std::size_t i : { 5000, 7000 })
-    {
-      EXPECT_TRUE(numbers[i] == -1 || (numbers[i] == -2 && std::isnan(values[i])));
-      EXPECT_TRUE(numbers[i - 1] == 0 || (numbers[i - 1] == -2 && values[i - 1] == 0.5));
-    }
+    EXPECT_TRUE(cells[i] == -1 && ids[i] == -1 && std::isnan(linear[i]) && std::isnan(natural[i]));
+    EXPECT_TRUE(cells[i - 1] == 0 && ids[i - 1] == 0);
+    EXPECT_TRUE(linear[i - 1] == 0.5 && natural[i - 1] == 0.5);
   }
 }
 
@@ -75,6 +143,11 @@ TEST(TriangulationQueryCalls, BadArguments)
   PointView many = places;
   many.count = std::int64_t(1) << 32;
   expectError([&] { queries.nearest(many, numbers.data()); }, ErrorCode::TooManyPoints);
+  WeightView few = weightsOf(sites);
+  --few.count;
+  expectError(
+    [&] { TriangulationQueries(viewOf(sites), few, triangulation); }, ErrorCode::WeightCount);
+  expectError([&] { TriangulationQueries(PointView(), WeightView(), triangulation); }, bad);
 }
 
 void expectRefused(const Cloud& sites, const Triangulation& triangulation, std::int64_t index = -2)
@@ -83,18 +156,7 @@ void expectRefused(const Cloud& sites, const Triangulation& triangulation, std::
     ErrorCode::BadArgument, index);
 }
 
-/// A claim of triangles, or of polygons where there are any.
-void expectRefused(const Cloud& sites, int dimension, std::vector<Cell> cells)
-{
-  ReferenceTriangulation reference;
-  reference.dimension = dimension;
-  reference.ids = idsIn(cells);
-  canonicalise(cells);
-  reference.cells = std::move(cells);
-  expectRefused(sites, makeTriangulation(reference, static_cast<std::int64_t>(sites.size())));
-}
-
-TEST(TriangulationQueryCalls, BadTriangulations)
+TEST(TriangulationQueryCalls, BrokenTriangulations)
 {
   const Cloud sites = randomSites(30, 0.01, 73);
   const auto spoilt = [&](auto change)
@@ -103,53 +165,49 @@ TEST(TriangulationQueryCalls, BadTriangulations)
     change(result);
     return result;
   };
-  expectRefused(sites, spoilt([](Triangulation& t) { t.dimension = 3; }));
   expectRefused(sites, spoilt([](Triangulation& t) { t.dimension = 1; }));
-  expectRefused(sites, spoilt([](Triangulation& t) { t.connectivity[5] = 30; }));
-  expectRefused(sites, spoilt([](Triangulation& t) { t.connectivity[5] = -1; }));
   expectRefused(sites, spoilt([](Triangulation& t) { t.pointIds[2] = t.pointIds[1]; }));
   expectRefused(
     sites, spoilt([](Triangulation& t) { t.pointIds[t.pointIds.size() - 1] = 30; }), 30);
   expectRefused(
     sites, spoilt([](Triangulation& t) { t.connectivity.truncate(t.connectivity.size() - 3); }));
+  const Triangulation good = spoilt([](Triangulation&) {});
   Cloud broken = sites;
-  const std::int64_t seen = spoilt([](Triangulation&) {}).pointIds[4];
-  broken[static_cast<std::size_t>(seen)][1] = std::numeric_limits<double>::infinity();
-  expectRefused(broken, spoilt([](Triangulation&) {}), seen);
-
-  const Triangulation good = triangulationOf(sites, FacetMode::Triangles);
-  WeightView few = weightsOf(sites);
-  --few.count;
-  expectError([&] { TriangulationQueries(viewOf(sites), few, good); }, ErrorCode::WeightCount);
-  expectError(
-    [&] { TriangulationQueries(PointView(), WeightView(), good); }, ErrorCode::BadArgument);
-
+  broken[static_cast<std::size_t>(good.pointIds[4])][1] = HUGE_VAL;
+  expectRefused(broken, good, good.pointIds[4]);
   // Of other weights: no edge is regular any more.
   Random random(74);
   expectRefused(withWeights(sites, 0, 1, random), good);
-  // Turned around, not convex, with a hole, in two parts, not regular.
+}
+
+TEST(TriangulationQueryCalls, WhatIsNotRegular)
+{
   const Cloud square = { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 3, 0 }, { 0, 3, 0 }, { 1, 1, 0 },
     { 9, 0, 0 }, { 9, 9, 0 }, { 6, 9, 0 }, { 3, 2, 0 } };
-  expectRefused(square, 2, { { 0, 2, 1 } });
-  expectRefused(square, 2, { { 0, 1, 8 }, { 1, 2, 8 } });
-  expectRefused(square, 2, { { 0, 1, 2 }, { 5, 6, 7 } });
-  expectRefused(square, 2, { { 0, 1, 2 }, { 0, 1, 2 } });
-  expectRefused(square, 2, { { 0, 1, 8 }, { 0, 8, 3 }, { 1, 2, 8 } });
   const Cloud kite = { { 0, 0, 0 }, { 4, -1, 0 }, { 8, 0, 0 }, { 4, 1, 0 } };
-  expectRefused(kite, 2, { { 0, 1, 2 }, { 0, 2, 3 } });
-  expectRefused(kite, 2, { { 0, 1, 2, 3 } });
-
-  // Chains.
   const Cloud line = { { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 }, { 3, 3, 0 }, { 3, 4, 0 } };
-  expectRefused(line, 1, { { 0, 1 }, { 0, 2 } });
-  expectRefused(line, 1, { { 0, 1 }, { 1, 2 }, { 2, 4 } });
-  expectRefused(line, 1, { { 0, 1 }, { 2, 3 } });
   Cloud light = line;
   light[1][2] = -10;
-  expectRefused(light, 1, { { 0, 1 }, { 1, 2 } });
-  expectRefused(line, 1, { { 0, 1, 2 } });
-  expectRefused(line, 0, { { 0 }, { 1 } });
-  expectRefused(line, -1, { { 0 } });
+  struct Claim
+  {
+    const Cloud& cloud;
+    int dimension;
+    std::vector<Cell> cells;
+  };
+  // Turned around, not convex, in two parts, twice, with a hole, not regular, not one circle's; and
+  // chains with a wrong end, off the line, with a gap, over a hidden point, and of other cells.
+  const Claim claims[] = { { square, 2, { { 0, 2, 1 } } },
+    { square, 2, { { 0, 1, 8 }, { 1, 2, 8 } } }, { square, 2, { { 0, 1, 2 }, { 5, 6, 7 } } },
+    { square, 2, { { 0, 1, 2 }, { 0, 1, 2 } } },
+    { square, 2, { { 0, 1, 8 }, { 0, 8, 3 }, { 1, 2, 8 } } },
+    { kite, 2, { { 0, 1, 2 }, { 0, 2, 3 } } }, { kite, 2, { { 0, 1, 2, 3 } } },
+    { line, 1, { { 0, 1 }, { 0, 2 } } }, { line, 1, { { 0, 1 }, { 1, 2 }, { 2, 4 } } },
+    { line, 1, { { 0, 1 }, { 2, 3 } } }, { light, 1, { { 0, 1 }, { 1, 2 } } },
+    { line, 1, { { 0, 1, 2 } } }, { line, 0, { { 0 }, { 1 } } }, { line, -1, { { 0 } } } };
+  for (const Claim& one : claims)
+  {
+    expectRefused(one.cloud, claim(one.cloud, one.dimension, one.cells));
+  }
 }
 
 }

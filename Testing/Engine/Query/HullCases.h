@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Clouds of every kind that queries meet, points to ask about, and the answers by brute force in
-/// integers of any size.
-#ifndef flipflop_test_QueryCases_h
-#define flipflop_test_QueryCases_h
+/// Clouds of every kind that queries of hulls meet, and what to ask about them.
+#ifndef flipflop_test_HullCases_h
+#define flipflop_test_HullCases_h
 
-#include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
-#include "Testing/Engine/References/Exact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +20,12 @@ namespace flipflop
 namespace test
 {
 
+using NamedCloud = std::pair<std::string, Cloud>;
+
 /// Families of points, of each dimension and range.
-inline std::vector<std::pair<std::string, Cloud>> queryClouds()
+inline std::vector<NamedCloud> queryClouds()
 {
-  std::vector<std::pair<std::string, Cloud>> clouds;
+  std::vector<NamedCloud> clouds;
   for (const char* name :
     { "ball", "shell0", "gaussian", "helix", "smallIntegers", "thin12", "thin200", "needle",
       "far15", "skewPlane", "parallelPlanes", "collinearAlmost", "planeXyz0" })
@@ -57,12 +56,12 @@ inline std::vector<std::pair<std::string, Cloud>> queryClouds()
 
 /// Hulls of the largest numbers and the smallest, of one unit of the last place, and thin ones of
 /// all three.
-inline std::vector<std::pair<std::string, Cloud>> extremeClouds()
+inline std::vector<NamedCloud> extremeClouds()
 {
   const double most = std::numeric_limits<double>::max();
   const double least = std::numeric_limits<double>::denorm_min();
   const double ulp = std::numeric_limits<double>::epsilon();
-  std::vector<std::pair<std::string, Cloud>> clouds;
+  std::vector<NamedCloud> clouds;
   clouds.emplace_back("the origin", Cloud{ { 0, 0, 0 } });
   clouds.emplace_back("a far point", Cloud{ { 1e200, 0, 0 } });
   clouds.emplace_back(
@@ -93,13 +92,6 @@ inline std::vector<std::pair<std::string, Cloud>> extremeClouds()
   clouds.emplace_back("a thin tetrahedron",
     Cloud{ { 0, 0, 0 }, { 1, 1e-200, 0 }, { 2, 0, 1e-250 }, { 1, -1e-290, 1e-100 } });
   return clouds;
-}
-
-inline std::vector<std::pair<std::string, Cloud>> joined(
-  std::vector<std::pair<std::string, Cloud>> a, const std::vector<std::pair<std::string, Cloud>>& b)
-{
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
 }
 
 /// Points on the hull and near it: corners, points between two, three and four of them, and what is
@@ -186,144 +178,107 @@ inline Cloud extremeQueries(const Cloud& cloud, std::uint64_t seed, int count)
   return queries;
 }
 
-/// Integer points: those of a cloud, then others.
-inline std::vector<IntegerSpace<mpz_class>::Vector> integersOf(const Cloud& cloud)
+/// Normals of facets, where doubles hold them, and what is near them; vectors along axes and
+/// diagonals; of any length, in any range.
+inline Cloud directionsFor(const Cloud& cloud, std::uint64_t seed, int count)
 {
-  const int exponent = commonScale(cloud).exponent;
-  std::vector<IntegerSpace<mpz_class>::Vector> result;
-  for (const Point& p : cloud)
+  Random random(seed);
+  Cloud directions;
+  for (int x = -1; x <= 1; ++x)
   {
-    result.push_back(
-      { toInteger(p[0], exponent), toInteger(p[1], exponent), toInteger(p[2], exponent) });
+    for (int y = -1; y <= 1; ++y)
+    {
+      for (int z = -1; z <= 1; ++z)
+      {
+        directions.push_back({ double(x), double(y), double(z) });
+      }
+    }
   }
-  return result;
+  const auto pick = [&]() -> const Point& {
+    return cloud[static_cast<std::size_t>(random.integer(0, static_cast<int>(cloud.size()) - 1))];
+  };
+  while (static_cast<int>(directions.size()) < count)
+  {
+    Point d = random.direction();
+    const int kind = random.integer(0, 5);
+    if (kind < 2)
+    {
+      const Point a = pick(), b = pick(), c = pick();
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const std::size_t p = (i + 1) % 3;
+        const std::size_t q = (i + 2) % 3;
+        d[i] = (b[p] - a[p]) * (c[q] - a[q]) - (b[q] - a[q]) * (c[p] - a[p]);
+      }
+    }
+    if (kind == 2)
+    {
+      d = scaled({ d }, 1e300, 1e-300, 1e-10)[0];
+    }
+    if (kind == 3)
+    {
+      d = scaled({ d }, 1e-310, 1e-310, random.integer(0, 1) ? 0.0 : 1e-310)[0];
+    }
+    if (kind == 1 || kind == 4)
+    {
+      double& x = d[static_cast<std::size_t>(random.integer(0, 2))];
+      x = kind == 4 ? 0.0 : std::nextafter(x, 1e308);
+    }
+    if (std::isfinite(d[0]) && std::isfinite(d[1]) && std::isfinite(d[2]))
+    {
+      directions.push_back(d);
+    }
+  }
+  return directions;
 }
 
-/// The side of each query, by every facet of a hull in polygons.
-inline std::vector<std::int8_t> sidesByBruteForce(
-  const Cloud& cloud, const Hull& hull, const Cloud& queries)
+inline double anyScale(Random& random)
 {
-  const IntegerSpace<mpz_class> space(integersOf(joined(cloud, queries)));
-  const std::vector<Cell> cells = cellsOf(hull);
-  const auto at = [](std::int64_t id) { return static_cast<int>(id); };
-  std::vector<std::int8_t> sides;
-  for (std::size_t i = 0; i < queries.size(); ++i)
+  return std::ldexp(1.0, random.integer(-1050, 1000));
+}
+
+/// A small cloud of any kind, and of numbers of any size.
+inline Cloud anyCloud(Random& random)
+{
+  Cloud cloud;
+  switch (random.integer(0, 5))
   {
-    const int p = static_cast<int>(cloud.size() + i);
-    int side = hull.dimension == 3 ? 1 : 0;
-    for (const Cell& cell : cells)
-    {
-      const int a = at(cell[0]);
-      const int b = at(cell[cell.size() / 2]);
-      if (hull.dimension == 3)
+    case 0:
+      return withUlps(0x1p-52, random.integer(1, 4), random);
+    case 1:
+      return rotated(integerGrid(random.integer(1, 4)));
+    case 2:
+      return scaled(
+        integerGrid(random.integer(2, 3)), anyScale(random), anyScale(random), anyScale(random));
+    case 3: // any numbers beside each other
+      for (int i = random.integer(1, 30); i > 0; --i)
       {
-        side = std::min(side, -space.orient(a, at(cell[1]), at(cell[2]), p));
-        continue;
-      }
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        // In the box of the corners, and on their line.
-        const int low = space.compare(axis, a, p);
-        const int high = space.compare(axis, b, p);
-        const bool outside =
-          hull.dimension < 2 && ((low != 0 && low == high) || space.normal(axis, a, b, p) != 0);
-        side = outside ? -1 : side;
-        // On the left of every side of the polygon.
-        const int turn = hull.dimension == 2 ? space.normal(axis, a, at(cell[1]), at(cell[2])) : 0;
-        for (std::size_t k = 0; k < cell.size() && turn != 0; ++k)
+        Point p = random.direction();
+        for (double& x : p)
         {
-          const int left =
-            space.normal(axis, at(cell[k]), at(cell[(k + 1) % cell.size()]), p) * turn;
-          side = left < 0 ? -1 : side;
+          x *= random.integer(0, 1) ? anyScale(random) : 1.0;
         }
+        cloud.push_back(p);
       }
-      if (hull.dimension == 2 && space.orient(a, at(cell[1]), at(cell[2]), p) != 0)
+      return cloud;
+    case 4:
+      for (int i = random.integer(1, 30), most = random.integer(1, 4); i > 0; --i)
       {
-        side = -1;
+        Point p;
+        for (double& x : p)
+        {
+          x = random.integer(-most, most);
+        }
+        cloud.push_back(p);
       }
-    }
-    sides.push_back(static_cast<std::int8_t>(side));
+      return cloud;
+    default:
+      for (int i = random.integer(4, 60); i > 0; --i)
+      {
+        cloud.push_back(random.direction());
+      }
+      return cloud;
   }
-  return sides;
-}
-
-using Integers = IntegerSpace<mpz_class>::Vector;
-
-inline mpz_class dot(const Integers& a, const Integers& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// The farthest vertex in each direction, the lowest of several.
-inline std::vector<std::int64_t> farthestByBruteForce(
-  const Cloud& cloud, const Hull& hull, const Cloud& directions)
-{
-  const std::vector<Integers> points = integersOf(cloud);
-  std::vector<std::int64_t> result;
-  for (const Point& d : directions)
-  {
-    const Integers vector = integersOf({ d })[0];
-    std::int64_t best = hull.pointIds[0];
-    mpz_class most = dot(points[static_cast<std::size_t>(best)], vector);
-    for (const std::int64_t id : hull.pointIds)
-    {
-      const mpz_class along = dot(points[static_cast<std::size_t>(id)], vector);
-      if (along > most)
-      {
-        most = along;
-        best = id;
-      }
-    }
-    result.push_back(best);
-  }
-  return result;
-}
-
-/// Of all farthest pairs the first.
-struct FarthestIds
-{
-  std::int64_t first = -1;
-  std::int64_t second = -1;
-  mpz_class square = -1;
-};
-
-inline FarthestIds farthestPairByBruteForce(const Cloud& cloud, const Hull& hull)
-{
-  const auto points = integersOf(cloud);
-  FarthestIds wanted;
-  for (std::size_t i = 0; i < hull.pointIds.size(); ++i)
-  {
-    for (std::size_t j = hull.pointIds.size() > 1 ? i + 1 : i; j < hull.pointIds.size(); ++j)
-    {
-      const auto& a = points[static_cast<std::size_t>(hull.pointIds[i])];
-      const auto& b = points[static_cast<std::size_t>(hull.pointIds[j])];
-      mpz_class square = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        square += (a[k] - b[k]) * (a[k] - b[k]);
-      }
-      if (square > wanted.square)
-      {
-        wanted = { hull.pointIds[i], hull.pointIds[j], square };
-      }
-    }
-  }
-  return wanted;
-}
-
-/// The hull in polygons or triangles.
-inline Hull hullOf(const Cloud& cloud, FacetMode facets)
-{
-  Options options;
-  options.facets = facets;
-  return convexHull(viewOf(cloud), options);
-}
-
-inline Options onThreads(int threads)
-{
-  Options options;
-  options.threads = threads;
-  return options;
 }
 
 }
