@@ -98,10 +98,6 @@ inline bool demandTold(
   return true;
 }
 
-/// Runs of a filter that answers questions at points, one or several after each other.
-/// @param given data to run with; null: some is drawn
-void queryFilters(Bytes& bytes, vtkDataObject* given, int mostPoints);
-
 }
 }
 

@@ -23,7 +23,9 @@
 #include "vtkThinPlateSplineTransform.h"
 #include "vtkTransform.h"
 
+#include <functional>
 #include <sstream>
+#include <vector>
 
 namespace flipflop
 {
@@ -33,9 +35,7 @@ namespace fuzz
 namespace
 {
 
-/// A setter with a value from the bytes.
-template <class Filter>
-using Setter = void (*)(Bytes&, Filter*);
+constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
 /// Any number for a setting of a few values.
 int drawChoice(Bytes& bytes)
@@ -97,42 +97,6 @@ vtkSmartPointer<vtkAbstractTransform> drawTransform(Bytes& bytes)
   return linear;
 }
 
-void print(Bytes&, vtkFFAlgorithm* filter)
-{
-  std::ostringstream text;
-  filter->Print(text);
-}
-
-void drawCommon(Bytes& bytes, vtkFFAlgorithm* filter)
-{
-  using F = vtkFFAlgorithm;
-  static const Setter<F> setters[] = {
-    [](Bytes&, F* f) { f->Modified(); },
-    [](Bytes& b, F* f) { f->SetEngine(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetCUDAThreshold(static_cast<vtkIdType>(b.integer())); },
-    [](Bytes& b, F* f) { f->SetNumberOfThreads(drawThreads(b)); },
-    [](Bytes& b, F* f) { f->SetFacetMode(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetNonFinitePoints(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetPassPointData(b.flag()); },
-    [](Bytes& b, F* f) { f->SetVisiblePointIds(b.flag()); },
-    [](Bytes& b, F* f) { f->SetReportAsFieldData(b.flag()); },
-    [](Bytes& b, F* f) { f->SetVBiased(b.flag()); },
-    [](Bytes& b, F* f) { f->SetSkipGhostPoints(b.flag()); },
-    print,
-  };
-  setters[bytes.below(12)](bytes, filter);
-}
-
-void drawOwn(Bytes& bytes, vtkFFConvexifyFilter* filter)
-{
-  if (bytes.flag())
-  {
-    const double x = bytes.number();
-    filter->SetKernelPoint(x, bytes.flag() ? 0 : bytes.number(), 0);
-  }
-  filter->SetUseKernelPoint(bytes.flag());
-}
-
 /// Points for a source: none, its own, or those that the filter's input has now.
 void givePoints(Bytes& bytes, int kind, vtkAlgorithm* filter, vtkPolyData* source)
 {
@@ -184,28 +148,45 @@ double drawLength(Bytes& bytes)
   return bytes.flag() ? 0.0 : bytes.number();
 }
 
-void drawOwn(Bytes& bytes, vtkFFRegularTriangulationFilter* filter, int which)
+/// An array's name, and never none.
+const char* drawName(Bytes& bytes, const char* otherwise)
 {
-  using F = vtkFFRegularTriangulationFilter;
-  static const Setter<F> setters[] = {
-    [](Bytes& b, F* f) { f->SetMaximumEdgeLength(drawLength(b)); },
-    [](Bytes& b, F* f) { f->SetGenerateBoundary(b.flag()); },
-    [](Bytes& b, F* f) { f->SetAlpha(drawLength(b)); },
-    [](Bytes& b, F* f) { f->SetAlphaLines(b.flag()); },
-    [](Bytes& b, F* f) { f->SetAlphaVerts(b.flag()); },
-    [](Bytes& b, F* f) { f->SetGenerateAlphas(b.flag()); },
-    [](Bytes& b, F* f) { f->SetGenerateCertificate(b.flag()); },
-  };
-  setters[which >= 12 && which < 19 ? which - 12 : 1](bytes, filter);
+  const char* const name = drawArrayName(bytes);
+  return name ? name : otherwise;
 }
 
-void drawOwn(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter, int which)
+/// A setter with a value from the bytes, for filters of its class.
+struct Setter
 {
-  if (which == 12)
+  std::function<bool(vtkObject*)> fits;
+  std::function<void(Bytes&, vtkObject*)> set;
+};
+
+template <class F>
+Setter of(void (*set)(Bytes&, F*))
+{
+  return { [](vtkObject* filter) { return F::SafeDownCast(filter) != nullptr; },
+    [set](Bytes& bytes, vtkObject* filter) { set(bytes, F::SafeDownCast(filter)); } };
+}
+
+void print(Bytes&, vtkFFAlgorithm* filter)
+{
+  std::ostringstream text;
+  filter->Print(text);
+}
+
+void setKernel(Bytes& bytes, vtkFFConvexifyFilter* filter)
+{
+  if (bytes.flag())
   {
-    filter->SetMaximumEdgeLength(drawLength(bytes));
-    return;
+    const double x = bytes.number();
+    filter->SetKernelPoint(x, bytes.flag() ? 0 : bytes.number(), 0);
   }
+  filter->SetUseKernelPoint(bytes.flag());
+}
+
+void setSource(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter)
+{
   const int choices = bytes.byte();
   filter->SetSplitCrossingConstraints((choices & 1) != 0);
   filter->SetPolygonRule((choices >> 1) & 1);
@@ -217,13 +198,8 @@ void drawOwn(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter, int which)
   filter->SetInputData(1, source);
 }
 
-void drawOwn(Bytes& bytes, vtkFFPowerDiagramFilter* filter, int which)
+void setBounds(Bytes& bytes, vtkFFPowerDiagramFilter* filter)
 {
-  if (which == 2)
-  {
-    filter->SetPowerDiagramBoxMode(drawChoice(bytes));
-    return;
-  }
   double box[4];
   for (double& bound : box)
   {
@@ -232,144 +208,131 @@ void drawOwn(Bytes& bytes, vtkFFPowerDiagramFilter* filter, int which)
   filter->SetPowerDiagramBounds(box);
 }
 
-constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+std::vector<Setter> settersOfAll()
+{
+  using F = vtkFFAlgorithm;
+  return {
+    of<F>([](Bytes&, F* f) { f->Modified(); }),
+    of<F>([](Bytes& b, F* f) { f->SetEngine(drawChoice(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetCUDAThreshold(static_cast<vtkIdType>(b.integer())); }),
+    of<F>([](Bytes& b, F* f) { f->SetNumberOfThreads(drawThreads(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetFacetMode(drawChoice(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetNonFinitePoints(drawChoice(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetPassPointData(b.flag()); }),
+    of<F>([](Bytes& b, F* f) { f->SetVisiblePointIds(b.flag()); }),
+    of<F>([](Bytes& b, F* f) { f->SetReportAsFieldData(b.flag()); }),
+    of<F>([](Bytes& b, F* f) { f->SetVBiased(b.flag()); }),
+    of<F>([](Bytes& b, F* f) { f->SetSkipGhostPoints(b.flag()); }),
+    of<F>(print),
+    of<vtkFFHullFilter>([](Bytes& b, vtkFFHullFilter* f) { f->SetCompositeMode(drawChoice(b)); }),
+    of<vtkFFHullFilter>(
+      [](Bytes& b, vtkFFHullFilter* f) { f->SetNumberOfStreamDivisions(drawChoice(b)); }),
+    of<vtkFFConvexifyFilter>(setKernel),
+  };
+}
 
-void drawOwn(Bytes& bytes, vtkFFPlanarAlgorithm* filter)
+std::vector<Setter> settersOfThePlane()
 {
   using F = vtkFFPlanarAlgorithm;
-  static const Setter<F> setters[] = {
-    [](Bytes& b, F* f) { f->SetProjectionPlaneMode(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetTransform(drawTransform(b)); },
-    [](Bytes& b, F* f)
-    {
-      const int association = drawChoice(b);
-      f->SetInputArrayToProcess(0, 0, 0, association, drawArrayName(b));
-    },
-    [](Bytes& b, F* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, drawChoice(b)); },
-    [](Bytes&, F* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, "weights"); },
-    [](Bytes& b, F* f)
-    {
-      f->SetProjectionPlaneMode(F::TRANSFORM_PLANE);
-      f->SetTransform(drawTransform(b));
-    },
-    [](Bytes& b, F* f) { f->SetGenerateCellMeasures(b.flag()); },
-    [](Bytes& b, F* f) { f->SetWeightMode(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetWeightFactor(b.number()); },
+  using T = vtkFFRegularTriangulationFilter;
+  using C = vtkFFConstrainedDelaunayFilter;
+  using P = vtkFFPowerDiagramFilter;
+  return {
+    of<F>([](Bytes& b, F* f) { f->SetProjectionPlaneMode(drawChoice(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetTransform(drawTransform(b)); }),
+    of<F>(
+      [](Bytes& b, F* f)
+      {
+        const int association = drawChoice(b);
+        f->SetInputArrayToProcess(0, 0, 0, association, drawArrayName(b));
+      }),
+    of<F>([](Bytes& b, F* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, drawChoice(b)); }),
+    of<F>([](Bytes&, F* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, "weights"); }),
+    of<F>(
+      [](Bytes& b, F* f)
+      {
+        f->SetProjectionPlaneMode(F::TRANSFORM_PLANE);
+        f->SetTransform(drawTransform(b));
+      }),
+    of<F>([](Bytes& b, F* f) { f->SetGenerateCellMeasures(b.flag()); }),
+    of<F>([](Bytes& b, F* f) { f->SetWeightMode(drawChoice(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetWeightFactor(b.number()); }),
+    of<T>([](Bytes& b, T* f) { f->SetMaximumEdgeLength(drawLength(b)); }),
+    of<T>([](Bytes& b, T* f) { f->SetGenerateBoundary(b.flag()); }),
+    of<T>([](Bytes& b, T* f) { f->SetAlpha(drawLength(b)); }),
+    of<T>([](Bytes& b, T* f) { f->SetAlphaLines(b.flag()); }),
+    of<T>([](Bytes& b, T* f) { f->SetAlphaVerts(b.flag()); }),
+    of<T>([](Bytes& b, T* f) { f->SetGenerateAlphas(b.flag()); }),
+    of<T>([](Bytes& b, T* f) { f->SetGenerateCertificate(b.flag()); }),
+    of<C>([](Bytes& b, C* f) { f->SetMaximumEdgeLength(drawLength(b)); }),
+    of<C>(setSource),
+    of<P>([](Bytes& b, P* f) { f->SetPowerDiagramBoxMode(drawChoice(b)); }),
+    of<P>(setBounds),
   };
-  const int which = bytes.below(19);
-  if (which >= 3 && which < 12)
-  {
-    setters[which - 3](bytes, filter);
-  }
-  else if (auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter))
-  {
-    drawOwn(bytes, triangulation, which);
-  }
-  else if (auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(filter))
-  {
-    drawOwn(bytes, constrained, which);
-  }
-  else if (auto* diagram = vtkFFPowerDiagramFilter::SafeDownCast(filter))
-  {
-    drawOwn(bytes, diagram, which);
-  }
 }
 
-void drawOwn(Bytes& bytes, vtkFFSelectEnclosedPoints* filter)
-{
-  using F = vtkFFSelectEnclosedPoints;
-  static const Setter<F> setters[] = {
-    [](Bytes& b, F* f) { f->SetGenerateDistances(b.flag()); },
-    [](Bytes& b, F* f) { f->SetInsideOut(b.flag()); },
-    [](Bytes& b, F* f) { f->SetSelectPointsOnSurface(b.flag()); },
-  };
-  setters[bytes.below(3)](bytes, filter);
-}
-
-/// An array's name, and never none.
-const char* drawName(Bytes& bytes, const char* otherwise)
-{
-  const char* const name = drawArrayName(bytes);
-  return name ? name : otherwise;
-}
-
-void drawOwn(Bytes& bytes, vtkFFPointInterpolator2D* filter)
-{
-  using F = vtkFFPointInterpolator2D;
-  static const Setter<F> setters[] = {
-    [](Bytes& b, F* f) { f->SetInterpolationMode(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetNullPointsStrategy(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetNullValue(b.number()); },
-    [](Bytes& b, F* f) { f->SetValidPointsMaskArrayName(drawName(b, "mask")); },
-    [](Bytes& b, F* f) { f->SetInterpolateZ(b.flag()); },
-    [](Bytes& b, F* f) { f->SetZArrayName(drawName(b, "z")); },
-    [](Bytes& b, F* f) { f->AddExcludedArray(drawArrayName(b)); },
-    [](Bytes& b, F* f)
-    {
-      f->SetPassPointArrays(b.flag());
-      f->SetPassCellArrays(b.flag());
-      f->SetPassFieldArrays(b.flag());
-    },
-    [](Bytes& b, F* f) { f->SetInputArrayToProcess(0, 1, 0, OfPoints, drawArrayName(b)); },
-    [](Bytes& b, F* f)
-    {
-      f->SetWeightMode(drawChoice(b));
-      f->SetWeightFactor(b.flag() ? 1.0 : b.number());
-    },
-  };
-  setters[bytes.below(10)](bytes, filter);
-}
-
-}
-
-void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter)
-{
-  for (int n = bytes.below(8); n > 0; --n)
-  {
-    if (bytes.flag())
-    {
-      drawCommon(bytes, filter);
-    }
-    else if (auto* convexify = vtkFFConvexifyFilter::SafeDownCast(filter))
-    {
-      drawOwn(bytes, convexify);
-    }
-    else if (auto* planar = vtkFFPlanarAlgorithm::SafeDownCast(filter))
-    {
-      drawOwn(bytes, planar);
-    }
-    else if (auto* hull = vtkFFHullFilter::SafeDownCast(filter))
-    {
-      const int choice = drawChoice(bytes); // one for both: the corpus has no byte for the second
-      hull->SetCompositeMode(choice);
-      hull->SetNumberOfStreamDivisions(choice);
-    }
-  }
-}
-
-void drawSettings(Bytes& bytes, vtkFFQueryAlgorithm* filter)
+std::vector<Setter> settersOfQueries()
 {
   using F = vtkFFQueryAlgorithm;
-  static const Setter<F> setters[] = {
-    [](Bytes& b, F* f) { f->SetNumberOfThreads(drawThreads(b)); },
-    [](Bytes& b, F* f) { f->SetNonFinitePoints(drawChoice(b)); },
-    [](Bytes& b, F* f) { f->SetSkipGhostPoints(b.flag()); },
+  using S = vtkFFSelectEnclosedPoints;
+  using I = vtkFFPointInterpolator2D;
+  return {
+    of<F>([](Bytes& b, F* f) { f->SetNumberOfThreads(drawThreads(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetNonFinitePoints(drawChoice(b)); }),
+    of<F>([](Bytes& b, F* f) { f->SetSkipGhostPoints(b.flag()); }),
+    of<S>([](Bytes& b, S* f) { f->SetGenerateDistances(b.flag()); }),
+    of<S>([](Bytes& b, S* f) { f->SetInsideOut(b.flag()); }),
+    of<S>([](Bytes& b, S* f) { f->SetSelectPointsOnSurface(b.flag()); }),
+    of<I>([](Bytes& b, I* f) { f->SetInterpolationMode(drawChoice(b)); }),
+    of<I>([](Bytes& b, I* f) { f->SetNullPointsStrategy(drawChoice(b)); }),
+    of<I>([](Bytes& b, I* f) { f->SetNullValue(b.number()); }),
+    of<I>([](Bytes& b, I* f) { f->SetValidPointsMaskArrayName(drawName(b, "mask")); }),
+    of<I>([](Bytes& b, I* f) { f->SetInterpolateZ(b.flag()); }),
+    of<I>([](Bytes& b, I* f) { f->SetZArrayName(drawName(b, "z")); }),
+    of<I>([](Bytes& b, I* f) { f->AddExcludedArray(drawArrayName(b)); }),
+    of<I>(
+      [](Bytes& b, I* f)
+      {
+        f->SetPassPointArrays(b.flag());
+        f->SetPassCellArrays(b.flag());
+        f->SetPassFieldArrays(b.flag());
+      }),
+    of<I>([](Bytes& b, I* f) { f->SetInputArrayToProcess(0, 1, 0, OfPoints, drawArrayName(b)); }),
+    of<I>(
+      [](Bytes& b, I* f)
+      {
+        f->SetWeightMode(drawChoice(b));
+        f->SetWeightFactor(b.flag() ? 1.0 : b.number());
+      }),
   };
+}
+
+std::vector<Setter> everySetter()
+{
+  std::vector<Setter> all;
+  for (const auto& some : { settersOfAll(), settersOfThePlane(), settersOfQueries() })
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+}
+
+void drawSettings(Bytes& bytes, vtkObject* filter)
+{
+  static const std::vector<Setter> setters = everySetter();
+  std::vector<const Setter*> own;
+  for (const Setter& setter : setters)
+  {
+    if (setter.fits(filter))
+    {
+      own.push_back(&setter);
+    }
+  }
   for (int n = bytes.below(8); n > 0; --n)
   {
-    const int which = bytes.below(8);
-    if (which >= 1 && which < 4)
-    {
-      setters[which - 1](bytes, filter);
-    }
-    else if (auto* interpolator = vtkFFPointInterpolator2D::SafeDownCast(filter))
-    {
-      drawOwn(bytes, interpolator);
-    }
-    else if (auto* enclosed = vtkFFSelectEnclosedPoints::SafeDownCast(filter))
-    {
-      drawOwn(bytes, enclosed);
-    }
+    own[static_cast<std::size_t>(bytes.below(static_cast<int>(own.size())))]->set(bytes, filter);
   }
 }
 

@@ -7,8 +7,7 @@
 
 #include "Bytes.h"
 
-class vtkFFAlgorithm;
-class vtkFFQueryAlgorithm;
+class vtkObject;
 
 namespace flipflop
 {
@@ -16,8 +15,7 @@ namespace fuzz
 {
 
 /// A few calls. The same bytes are the same calls, for another filter of the class too.
-void drawSettings(Bytes& bytes, vtkFFAlgorithm* filter);
-void drawSettings(Bytes& bytes, vtkFFQueryAlgorithm* filter);
+void drawSettings(Bytes& bytes, vtkObject* filter);
 
 }
 }

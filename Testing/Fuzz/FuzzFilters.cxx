@@ -16,7 +16,9 @@
 #include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFPointInterpolator2D.h"
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFFSelectEnclosedPoints.h"
 #include "vtkInformation.h"
 #include "vtkLogger.h"
 #include "vtkMath.h"
@@ -32,6 +34,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <thread>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -65,14 +68,17 @@ bool silence()
 }
 
 template <class Filter>
-vtkSmartPointer<vtkFFAlgorithm> ofOneProcess()
+vtkSmartPointer<vtkAlgorithm> ofOneProcess()
 {
   auto filter = vtkSmartPointer<Filter>::New();
   filter->SetController(nullptr);
   return filter;
 }
 
-vtkSmartPointer<vtkFFAlgorithm> makeFilter(int kind)
+/// The last two answer questions at points.
+constexpr int Kinds = 9;
+
+vtkSmartPointer<vtkAlgorithm> makeFilter(int kind)
 {
   switch (kind)
   {
@@ -88,6 +94,10 @@ vtkSmartPointer<vtkFFAlgorithm> makeFilter(int kind)
       return ofOneProcess<vtkPFFDelaunayFilter>();
     case 6:
       return ofOneProcess<vtkPFFPowerDiagramFilter>();
+    case 7:
+      return vtkSmartPointer<vtkFFSelectEnclosedPoints>::New();
+    case 8:
+      return vtkSmartPointer<vtkFFPointInterpolator2D>::New();
     default:
       return vtkSmartPointer<vtkFFHullFilter>::New();
   }
@@ -188,12 +198,40 @@ void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
   demand(fftest::failures() == 0, "the output lacks its ids");
 }
 
+void demandFull(vtkDataSet* output, const std::string& name)
+{
+  vtkAbstractArray* array = output->GetPointData()->GetAbstractArray(name.c_str());
+  demand(array && array->GetNumberOfTuples() == output->GetNumberOfPoints(),
+    "not a value for each point: " + name);
+}
+
+/// The sides of a run are those of single points.
+void demandSides(vtkFFSelectEnclosedPoints* filter, vtkDataSet* output)
+{
+  constexpr vtkIdType Some = 60;
+  demandFull(output, "SelectedPoints");
+  demandFull(output, "FlipFlopSide");
+  vtkDataArray* sides = output->GetPointData()->GetArray("FlipFlopSide");
+  for (vtkIdType i = 0; i < std::min(Some, output->GetNumberOfPoints()); ++i)
+  {
+    double x[3];
+    output->GetPoint(i, x);
+    if (vtkMath::IsFinite(x[0]) && vtkMath::IsFinite(x[1]) && vtkMath::IsFinite(x[2]))
+    {
+      const double side = sides->GetComponent(i, 0);
+      const bool enclosed = side > 0 || (side == 0 && filter->GetSelectPointsOnSurface());
+      demand(filter->IsInsideSurface(x) == int(enclosed), "a point alone has another side");
+      demand(filter->IsInside(i) == int(enclosed != filter->GetInsideOut()), "another selection");
+    }
+  }
+}
+
 /// A filter in use: settings, data and runs.
 class Session
 {
 public:
   explicit Session(Bytes& bytes)
-    : Kind(bytes.below(7))
+    : Kind(bytes.below(Kinds))
     , Filter(makeFilter(this->Kind))
     , Errors(fftest::ErrorObserver::Of(this->Filter))
   {
@@ -204,30 +242,45 @@ public:
   /// @param given data to run with; null: some is drawn
   void run(Bytes& bytes, vtkDataObject* given)
   {
-    const Bytes before = bytes;
+    this->Settings.push_back(bytes);
     drawSettings(bytes, this->Filter);
-    this->Settings.push_back(before);
     this->Abort->draw(bytes);
-    if (given)
+    for (int port = 0; port < this->inputCount(); ++port)
     {
-      this->Input = given;
+      if (!this->Input[port] || bytes.flag())
+      {
+        this->Input[port] = given && bytes.flag() ? given : drawDataObject(bytes, MostPoints).Get();
+      }
+      this->Filter->SetInputDataObject(port, this->Input[port]);
     }
-    else if (!this->Input || bytes.flag())
-    {
-      this->Input = drawDataObject(bytes, MostPoints);
-    }
-    this->Filter->SetInputDataObject(this->Input);
     this->Errors->Clear();
     this->Filter->Modified(); // else a run that failed would not be run again, nor fail again
     this->Filter->Update();
-    this->judge();
+    this->check();
   }
 
 private:
-  void judge()
+  bool isQuery() const { return this->Kind > 6; }
+  int inputCount() const { return this->isQuery() ? 2 : 1; }
+
+  /// Another filter of the same settings.
+  vtkSmartPointer<vtkAlgorithm> another() const
   {
-    const bool failed = demandTold(this->Filter, this->Input, this->Errors);
-    auto* points = vtkPointSet::SafeDownCast(this->Input);
+    const auto filter = makeFilter(this->Kind);
+    for (Bytes settings : this->Settings)
+    {
+      drawSettings(settings, filter);
+    }
+    return filter;
+  }
+
+  void check()
+  {
+    vtkDataObject* const second = this->Input[1];
+    const bool isTyped = !second || second->IsA("vtkDataSet") || second->IsA("vtkCompositeDataSet");
+    const bool failed =
+      demandTold(this->Filter, isTyped ? this->Input[0].Get() : nullptr, this->Errors);
+    auto* points = vtkPointSet::SafeDownCast(this->Input[0]);
     auto* hull = vtkFFHullFilter::SafeDownCast(this->Filter);
     demand(!failed || !points || !hull || !mustHaveHull(hull, points),
       "no hull: " + (failed ? this->Errors->Messages.front() : ""));
@@ -236,20 +289,60 @@ private:
     {
       return;
     }
-    if (!points)
+    if (failed && (points || this->isQuery()))
     {
-      this->judgeBlocks();
+      return;
     }
-    else if (!failed)
+    if (this->isQuery())
     {
-      demandResult(this->Filter, points);
+      this->checkQuery();
+    }
+    else if (!points)
+    {
+      this->checkBlocks();
+    }
+    else
+    {
+      demandResult(vtkFFAlgorithm::SafeDownCast(this->Filter), points);
     }
   }
 
-  /// Each block's result is what the block gives alone: nothing, if it fails alone.
-  void judgeBlocks()
+  /// The same on other threads, and for single points.
+  void checkQuery()
   {
-    auto* input = vtkDataObjectTree::SafeDownCast(this->Input);
+    auto* const filter = vtkFFQueryAlgorithm::SafeDownCast(this->Filter);
+    const auto made = this->another();
+    auto* const again = vtkFFQueryAlgorithm::SafeDownCast(made);
+    const auto errors = fftest::ErrorObserver::Of(again);
+    again->SetNumberOfThreads(filter->GetNumberOfThreads() == 1 ? 2 : 1);
+    again->SetInputDataObject(0, this->Input[0]);
+    again->SetInputDataObject(1, this->Input[1]);
+    again->Update();
+    vtkDataObject* const output = filter->GetOutputDataObject(0);
+    demand(errors->Messages.size() == this->Errors->Messages.size(),
+      "another filter of the same settings fails");
+    demand(again->GetDimension() == filter->GetDimension(), "of another dimension");
+    demand(fftest::isIdentical(again->GetOutputDataObject(0), output, "on other threads"),
+      "the output is not the same on other threads");
+    auto* const data = vtkDataSet::SafeDownCast(output);
+    auto* const enclosed = vtkFFSelectEnclosedPoints::SafeDownCast(filter);
+    if (data && enclosed)
+    {
+      demandSides(enclosed, data);
+    }
+    auto* const interpolator = vtkFFPointInterpolator2D::SafeDownCast(filter);
+    if (data && interpolator &&
+      interpolator->GetNullPointsStrategy() == vtkFFPointInterpolator2D::MASK_POINTS)
+    {
+      demandFull(data, interpolator->GetValidPointsMaskArrayName());
+    }
+    demand(fftest::failures() == 0, "a check of the tests' own fails");
+  }
+
+  /// Each block's result is what the block gives alone: nothing, if it fails alone.
+  void checkBlocks()
+  {
+    auto* input = vtkDataObjectTree::SafeDownCast(this->Input[0]);
     auto* output = vtkDataObjectTree::SafeDownCast(this->Filter->GetOutputDataObject(0));
     auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(this->Filter);
     if (!input || !output || (constrained && constrained->GetSource())) // for one data set alone
@@ -265,11 +358,7 @@ private:
       {
         continue;
       }
-      const auto alone = makeFilter(this->Kind);
-      for (Bytes settings : this->Settings)
-      {
-        drawSettings(settings, alone);
-      }
+      const auto alone = this->another();
       const auto errors = fftest::ErrorObserver::Of(alone);
       alone->SetInputDataObject(leaf);
       alone->Update();
@@ -281,25 +370,20 @@ private:
       }
       demand(fftest::isIdentical(result, alone->GetOutputDataObject(0), "block"),
         "a block's result depends on the others");
-      demandResult(alone, leaf);
+      demandResult(vtkFFAlgorithm::SafeDownCast(alone), leaf);
     }
   }
 
   int Kind;
-  vtkSmartPointer<vtkFFAlgorithm> Filter;
+  vtkSmartPointer<vtkAlgorithm> Filter;
   vtkSmartPointer<fftest::ErrorObserver> Errors;
   vtkNew<Aborter> Abort;
-  vtkSmartPointer<vtkDataObject> Input;
+  vtkSmartPointer<vtkDataObject> Input[2];
   std::vector<Bytes> Settings; // where each run's begin
 };
 
 void oneSession(Bytes bytes, vtkDataObject* given)
 {
-  if (bytes.oneOf(3))
-  {
-    queryFilters(bytes, given, MostPoints);
-    return;
-  }
   Session session(bytes);
   for (int runs = 1 + bytes.below(3); runs > 0; --runs)
   {
