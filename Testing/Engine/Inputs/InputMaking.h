@@ -8,6 +8,7 @@
 #include "Testing/Engine/Inputs/Inputs.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace flipflop
 {
@@ -32,12 +33,59 @@ constexpr double Turn = 6.283185307179586;
 /// Uniform: x first, then y, then z.
 Point inCube(Random& random, double low = 0, double high = 1);
 
-/// A family of points drawn one by one.
-template <Point (*draw)(Random&)>
-Cloud drawn(int count, Random& random)
+/// On a circle, or a point of a helix at height z.
+inline Point onCircle(double angle, double radius = 1, double z = 0)
 {
-  return generate(count, [&random](int) { return draw(random); });
+  return { radius * std::cos(angle), radius * std::sin(angle), z };
 }
+
+inline Point times(const Point& p, double factor)
+{
+  return { p[0] * factor, p[1] * factor, p[2] * factor };
+}
+
+/// A family whose points are made one by one.
+/// @param make Point (Random&), or Point (Random&, int number, int count)
+template <class Make>
+Family::Make each(const Make& make)
+{
+  return [make](int count, Random& random)
+  {
+    return generate(count,
+      [&](int i)
+      {
+        if constexpr (std::is_invocable_v<Make, Random&>)
+        {
+          return Point(make(random));
+        }
+        else
+        {
+          return Point(make(random, i, count));
+        }
+      });
+  };
+}
+
+/// The points of another family, changed. @param change Cloud (Cloud), or Cloud (Cloud, Random&)
+template <class Change>
+Family::Make changed(const Family::Make& make, const Change& change)
+{
+  return [make, change](int count, Random& random)
+  {
+    Cloud cloud = make(count, random);
+    if constexpr (std::is_invocable_v<Change, Cloud>)
+    {
+      return change(std::move(cloud));
+    }
+    else
+    {
+      return change(std::move(cloud), random);
+    }
+  };
+}
+
+/// In the ball of radius 0.5, at most @p thickness times that from its sphere.
+Family::Make shell(double thickness);
 
 /// The points in a row of a square that has @p count points, or a few more.
 inline int rowOf(double count)
@@ -76,6 +124,10 @@ struct InputList
   void add(std::string name, std::function<Cloud()> make)
   {
     this->inputs.push_back({ std::move(name), 0, std::move(make) });
+  }
+  void add(std::string name, const Cloud& cloud)
+  {
+    this->add(std::move(name), [cloud]() { return cloud; });
   }
   template <class Make>
   void addRandom(std::string name, std::uint64_t seed, Make make)

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Engine/Inputs/Inputs.h"
 #include "Testing/Engine/Inputs/InputMaking.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace flipflop
@@ -40,76 +38,30 @@ double bell(Random& random)
   return sum;
 }
 
-Cloud shell(int count, Random& random, double thickness)
-{
-  return generate(count,
-    [&](int)
-    {
-      const Point u = random.direction();
-      const double r = 0.5 * (1 - thickness * random.uniform());
-      return Point{ u[0] * r, u[1] * r, u[2] * r };
-    });
-}
-
-Cloud cube(int count, Random& random)
-{
-  return generate(count, [&](int) { return inCube(random); });
-}
 Cloud ball(int count, Random& random)
 {
   return generate(count, [&](int) { return inBall(random); });
 }
-Cloud shell0(int count, Random& random)
+
+Family::Make scaledBall(double x, double y, double z)
 {
-  return shell(count, random, 0);
-}
-Cloud shell1e4(int count, Random& random)
-{
-  return shell(count, random, 1e-4);
-}
-Cloud shell1e2(int count, Random& random)
-{
-  return shell(count, random, 0.01);
-}
-Cloud shell1e1(int count, Random& random)
-{
-  return shell(count, random, 0.1);
+  return changed(ball, [=](const Cloud& cloud) { return scaled(cloud, x, y, z); });
 }
 
-Cloud boxShell(int count, Random& random)
+Point onBoxShell(Random& random)
 {
-  return generate(count,
-    [&](int)
-    {
-      Point p = inCube(random);
-      const int axis = random.integer(0, 2);
-      const double depth = 0.01 * random.uniform();
-      p[axis] = random.integer(0, 1) ? depth : 1 - depth;
-      return p;
-    });
+  Point p = inCube(random);
+  const int axis = random.integer(0, 2);
+  const double depth = 0.01 * random.uniform();
+  p[axis] = random.integer(0, 1) ? depth : 1 - depth;
+  return p;
 }
 
-Cloud boxFaces(int count, Random& random)
+Point onBoxFaces(Random& random)
 {
-  return generate(count,
-    [&](int)
-    {
-      Point p = inCube(random);
-      p[random.integer(0, 2)] = random.integer(0, 1);
-      return p;
-    });
-}
-
-Cloud gaussian(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const double x = bell(random);
-      const double y = bell(random);
-      const double z = bell(random);
-      return Point{ x, y, z };
-    });
+  Point p = inCube(random);
+  p[random.integer(0, 2)] = random.integer(0, 1);
+  return p;
 }
 
 Cloud clustered(int count, Random& random)
@@ -125,144 +77,54 @@ Cloud clustered(int count, Random& random)
     });
 }
 
-Cloud paraboloid(int count, Random& random)
+Point onParaboloid(Random& random)
 {
-  return generate(count,
-    [&](int)
-    {
-      const double x = random.uniform(-1, 1);
-      const double y = random.uniform(-1, 1);
-      return Point{ x, y, x * x + y * y };
-    });
+  const double x = random.uniform(-1, 1);
+  const double y = random.uniform(-1, 1);
+  return { x, y, x * x + y * y };
 }
 
-Cloud helix(int count, Random&)
+Point onMomentCurve(Random&, int i, int count)
 {
-  return generate(count,
-    [&](int i)
-    {
-      const double t = 0.1 * i;
-      return Point{ std::cos(t), std::sin(t), t / count };
-    });
-}
-
-Cloud momentCurve(int count, Random&)
-{
-  return generate(count,
-    [&](int i)
-    {
-      const double t = i - count / 2;
-      return Point{ t, t * t, t * t * t };
-    });
-}
-
-Cloud smallIntegers(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const int x = random.integer(-3, 3);
-      const int y = random.integer(-3, 3);
-      return Point{ double(x), double(y), double(random.integer(-3, 3)) };
-    });
+  const double t = i - count / 2;
+  return { t, t * t, t * t * t };
 }
 
 Cloud doubled(int count, Random& random)
 {
-  const Cloud half = ball((count + 1) / 2, random);
-  Cloud all = repeated(half, 2, random);
+  Cloud all = repeated(ball((count + 1) / 2, random), 2, random);
   all.resize(static_cast<std::size_t>(count));
   return all;
 }
 
-Cloud thin12(int count, Random& random)
+Cloud withOutlier(Cloud cloud, Random& random)
 {
-  return scaled(ball(count, random), 1, 1, 1e-12);
-}
-Cloud thin20(int count, Random& random)
-{
-  return scaled(ball(count, random), 1, 1, 1e-20);
-}
-Cloud thin200(int count, Random& random)
-{
-  return scaled(ball(count, random), 1, 1e-200, 1);
-}
-Cloud needle(int count, Random& random)
-{
-  return scaled(ball(count, random), 1e-13, 1e-15, 1);
-}
-Cloud skewNeedle(int count, Random& random)
-{
-  return rotated(needle(count, random));
-}
-Cloud far8(int count, Random& random)
-{
-  return moved(ball(count, random), 1e8, -1e8, 1e8);
-}
-Cloud far15(int count, Random& random)
-{
-  return moved(scaled(ball(count, random), 4, 4, 4), 1e15, 1e15, -1e15);
-}
-Cloud skewPlane(int count, Random& random)
-{
-  // Coplanar but for rounding.
-  return rotated(scaled(ball(count, random), 1, 1, 0));
-}
-Cloud parallelPlanes(int count, Random& random)
-{
-  return generate(count,
-    [&](int i)
-    {
-      const Point p = inBall(random);
-      return Point{ p[0], p[1], double(i % 2) };
-    });
-}
-Cloud coplanarAndOutlier(int count, Random& random)
-{
-  Cloud cloud = scaled(ball(count, random), 1, 1, 0);
-  if (count > 0)
+  if (!cloud.empty())
   {
-    cloud[random.integer(0, count - 1)][2] = 1e-9;
+    cloud[random.integer(0, static_cast<int>(cloud.size()) - 1)][2] = 1e-9;
   }
   return cloud;
 }
-Cloud collinearAlmost(int count, Random& random)
+
+/// On x = y = z but for an ulp here and there.
+Point collinearAlmost(Random& random)
 {
-  // On x = y = z but for an ulp here and there.
-  return generate(count,
-    [&](int)
-    {
-      const double t = random.uniform(1, 2);
-      Point p = { t, t, t };
-      if (random.integer(0, 4) == 0)
-      {
-        const int axis = random.integer(0, 2);
-        p[axis] = std::nextafter(p[axis], random.integer(0, 1) ? 4.0 : 0.0);
-      }
-      return p;
-    });
+  const double t = random.uniform(1, 2);
+  Point p = { t, t, t };
+  if (random.integer(0, 4) == 0)
+  {
+    const int axis = random.integer(0, 2);
+    p[axis] = std::nextafter(p[axis], random.integer(0, 1) ? 4.0 : 0.0);
+  }
+  return p;
 }
-Cloud planeXyz0(int count, Random& random)
+
+/// Exactly on x + y + z = 0.
+Point onPlaneXyz0(Random& random)
 {
-  // Exactly on x + y + z = 0.
-  return generate(count,
-    [&](int)
-    {
-      const double x = random.integer(-4000, 4000);
-      const double y = random.integer(-4000, 4000);
-      return Point{ x, y, -x - y };
-    });
-}
-/// Points on a sphere about the centre and nine times as many at its middle.
-Cloud coreAndShell(int count, Random& random)
-{
-  return generate(count,
-    [&](int i)
-    {
-      const Point u = random.direction();
-      const double r = i % 10 == 0 ? 1 : 1e-3;
-      return Point{ u[0] * r, u[1] * r, u[2] * r };
-    });
+  const double x = random.integer(-4000, 4000);
+  const double y = random.integer(-4000, 4000);
+  return { x, y, -x - y };
 }
 
 }
@@ -280,37 +142,61 @@ Point Random::direction()
   }
 }
 
+Family::Make shell(double thickness)
+{
+  return each(
+    [=](Random& random)
+    {
+      const Point u = random.direction();
+      return times(u, 0.5 * (1 - thickness * random.uniform()));
+    });
+}
+
 const std::vector<Family>& families()
 {
   static const std::vector<Family> all = {
-    { "cube", cube },
+    { "cube", each([](Random& r) { return inCube(r); }) },
     { "ball", ball },
-    { "shell0", shell0 },
-    { "shell1e4", shell1e4 },
-    { "shell1e2", shell1e2 },
-    { "shell1e1", shell1e1 },
-    { "boxShell", boxShell },
-    { "boxFaces", boxFaces },
-    { "gaussian", gaussian },
+    { "shell0", shell(0) },
+    { "shell1e4", shell(1e-4) },
+    { "shell1e2", shell(0.01) },
+    { "shell1e1", shell(0.1) },
+    { "boxShell", each(onBoxShell) },
+    { "boxFaces", each(onBoxFaces) },
+    { "gaussian",
+      each(
+        [](Random& r) {
+          return Point{ bell(r), bell(r), bell(r) };
+        }) },
     { "clustered", clustered },
-    { "paraboloid", paraboloid },
-    { "helix", helix },
-    { "momentCurve", momentCurve },
-    { "smallIntegers", smallIntegers },
+    { "paraboloid", each(onParaboloid) },
+    { "helix", each([](Random&, int i, int n) { return onCircle(0.1 * i, 1, 0.1 * i / n); }) },
+    { "momentCurve", each(onMomentCurve) },
+    { "smallIntegers",
+      [](int count, Random& random) { return smallIntegerSites(count, -3, 3, -3, 3, random); } },
     { "doubled", doubled },
-    { "thin12", thin12 },
-    { "thin20", thin20 },
-    { "thin200", thin200 },
-    { "needle", needle },
-    { "skewNeedle", skewNeedle },
-    { "far8", far8 },
-    { "far15", far15 },
-    { "skewPlane", skewPlane },
-    { "parallelPlanes", parallelPlanes },
-    { "coplanarAndOutlier", coplanarAndOutlier },
-    { "collinearAlmost", collinearAlmost },
-    { "planeXyz0", planeXyz0 },
-    { "coreAndShell", coreAndShell },
+    { "thin12", scaledBall(1, 1, 1e-12) },
+    { "thin20", scaledBall(1, 1, 1e-20) },
+    { "thin200", scaledBall(1, 1e-200, 1) },
+    { "needle", scaledBall(1e-13, 1e-15, 1) },
+    { "skewNeedle", changed(scaledBall(1e-13, 1e-15, 1), rotated) },
+    { "far8", changed(ball, [](const Cloud& c) { return moved(c, 1e8, -1e8, 1e8); }) },
+    { "far15",
+      changed(scaledBall(4, 4, 4), [](const Cloud& c) { return moved(c, 1e15, 1e15, -1e15); }) },
+    { "skewPlane", changed(scaledBall(1, 1, 0), rotated) }, // coplanar but for rounding
+    { "parallelPlanes",
+      each(
+        [](Random& r, int i, int)
+        {
+          const Point p = inBall(r);
+          return Point{ p[0], p[1], double(i % 2) };
+        }) },
+    { "coplanarAndOutlier", changed(scaledBall(1, 1, 0), withOutlier) },
+    { "collinearAlmost", each(collinearAlmost) },
+    { "planeXyz0", each(onPlaneXyz0) },
+    // A sphere about the centre, and nine times as many points at its middle.
+    { "coreAndShell",
+      each([](Random& r, int i, int) { return times(r.direction(), i % 10 == 0 ? 1 : 1e-3); }) },
   };
   return all;
 }
@@ -357,18 +243,10 @@ Cloud withUlps(double ulp, int odds, Random& random)
 
 Cloud integerGrid(int side)
 {
-  Cloud cloud;
-  for (int z = 0; z < side; ++z)
-  {
-    for (int y = 0; y < side; ++y)
-    {
-      for (int x = 0; x < side; ++x)
-      {
-        cloud.push_back({ double(x), double(y), double(z) });
-      }
-    }
-  }
-  return cloud;
+  return generate(side * side * side,
+    [=](int i) {
+      return Point{ double(i % side), double(i / side % side), double(i / side / side) };
+    });
 }
 
 Cloud cubeSurfaceGrid(int side)
@@ -392,18 +270,12 @@ Cloud cubeSurfaceGrid(int side)
 Cloud cosphericalIntegers(int squaredRadius)
 {
   Cloud cloud;
-  const int r = static_cast<int>(std::sqrt(static_cast<double>(squaredRadius))) + 1;
+  const int r = static_cast<int>(std::sqrt(static_cast<double>(squaredRadius)));
   for (int x = -r; x <= r; ++x)
   {
-    for (int y = -r; y <= r; ++y)
+    for (const Point& p : cocircularIntegers(squaredRadius - x * x))
     {
-      for (int z = -r; z <= r; ++z)
-      {
-        if (x * x + y * y + z * z == squaredRadius)
-        {
-          cloud.push_back({ double(x), double(y), double(z) });
-        }
-      }
+      cloud.push_back({ double(x), p[0], p[1] });
     }
   }
   return cloud;
@@ -414,18 +286,15 @@ Cloud prism(int sides, int inFacets, Random& random)
   Cloud cloud;
   for (int i = 0; i < sides; ++i)
   {
-    const double angle = 6.283185307179586 * i / sides;
-    const double x = std::cos(angle);
-    const double y = std::sin(angle);
-    cloud.push_back({ x, y, 0 });
-    cloud.push_back({ x, y, 1 });
-    cloud.push_back({ x, y, 0.5 });
+    for (const double z : { 0.0, 1.0, 0.5 })
+    {
+      cloud.push_back(onCircle(Turn * i / sides, 1, z));
+    }
   }
   for (int i = 0; i < inFacets; ++i)
   {
-    const double angle = 6.283185307179586 * random.uniform();
-    const double r = 0.9 * random.uniform();
-    cloud.push_back({ r * std::cos(angle), r * std::sin(angle), double(i % 2) });
+    const double angle = Turn * random.uniform();
+    cloud.push_back(onCircle(angle, 0.9 * random.uniform(), i % 2));
   }
   random.shuffle(cloud);
   return cloud;
@@ -433,26 +302,36 @@ Cloud prism(int sides, int inFacets, Random& random)
 
 Cloud bipyramid(int sides)
 {
-  Cloud cloud = { { 0, 0, 1 }, { 0, 0, -1 } };
-  for (int i = 0; i < sides; ++i)
+  return joined({ { 0, 0, 1 }, { 0, 0, -1 } },
+    generate(sides, [&](int i) { return onCircle(Turn * i / sides); }));
+}
+
+/// The points of a grid that are kept.
+template <class Keep>
+Cloud gridWhere(int side, const Keep& keep)
+{
+  Cloud cloud;
+  for (const Point& p : integerGrid(side))
   {
-    const double angle = 6.283185307179586 * i / sides;
-    cloud.push_back({ std::cos(angle), std::sin(angle), 0 });
+    if (keep(p))
+    {
+      cloud.push_back(p);
+    }
   }
   return cloud;
 }
 
 Cloud latticeTetrahedron(int side)
 {
-  Cloud cloud;
-  for (const Point& p : integerGrid(side))
-  {
-    if (p[0] + p[1] + p[2] <= side - 1)
-    {
-      cloud.push_back(p);
-    }
-  }
-  return cloud;
+  return gridWhere(side, [=](const Point& p) { return p[0] + p[1] + p[2] <= side - 1; });
+}
+
+Cloud cubeWithEdges()
+{
+  const auto isEnd = [](double x) { return x == 0 || x == 4; };
+  return gridWhere(5,
+    [&](const Point& p)
+    { return isEnd(p[0]) + isEnd(p[1]) + isEnd(p[2]) >= 2 || (p[0] == p[1] && p[1] == p[2]); });
 }
 
 }

@@ -68,8 +68,9 @@ struct Input
 /// A family that takes any number of points.
 struct Family
 {
+  using Make = std::function<Cloud(int count, Random&)>;
   const char* name;
-  Cloud (*make)(int count, Random& random);
+  Make make;
 };
 const std::vector<Family>& families();
 /// A family by its name, at a size: for parameters of tests.
@@ -103,6 +104,8 @@ Cloud cosphericalIntegers(int squaredRadius);
 Cloud prism(int sides, int inFacets, Random& random);
 Cloud bipyramid(int sides);
 Cloud latticeTetrahedron(int side);
+/// A cube of side 4 with points on its edges and a diagonal, exactly.
+Cloud cubeWithEdges();
 /// Each point @p times, ids shuffled.
 Cloud repeated(const Cloud& cloud, int times, Random& random);
 Cloud scaled(Cloud cloud, double x, double y, double z);

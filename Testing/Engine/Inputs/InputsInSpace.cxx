@@ -27,11 +27,6 @@ Point onBoxEdges(Random& random)
   return p;
 }
 
-Cloud boxEdgesMm(int count, Random& random)
-{
-  return toSteps(drawn<onBoxEdges>(count, random), 1000);
-}
-
 /// 1 by 1 by 0.05, with five by five holes.
 Point onPlate(Random& random)
 {
@@ -42,47 +37,26 @@ Point onPlate(Random& random)
     const double side = random.integer(0, 1);
     return random.integer(0, 1) ? Point{ t, side, z } : Point{ side, t, z };
   }
-  const double angle = Turn * random.uniform();
-  const double x = 0.1 + 0.2 * random.integer(0, 4);
-  const double y = 0.1 + 0.2 * random.integer(0, 4);
-  return { x + 0.04 * std::cos(angle), y + 0.04 * std::sin(angle), z };
+  Point p = onCircle(Turn * random.uniform(), 0.04, z);
+  p[0] += 0.1 + 0.2 * random.integer(0, 4);
+  p[1] += 0.1 + 0.2 * random.integer(0, 4);
+  return p;
 }
 
-Cloud cylinder(int count, Random&)
+Point onCylinder(Random&, int i, int count)
 {
-  return generate(count,
-    [&](int i)
-    {
-      const double angle = Turn * (i / 2) / (count / 2);
-      const double z = i % 2 ? 1 : 0;
-      return Point{ static_cast<float>(0.5 * std::cos(angle)),
-        static_cast<float>(0.5 * std::sin(angle)), z };
-    });
+  const Point p = onCircle(Turn * (i / 2) / (count / 2), 0.5);
+  return { static_cast<float>(p[0]), static_cast<float>(p[1]), double(i % 2) };
 }
 
-Cloud rotatedCylinder(int count, Random& random)
+Point onCone(Random&, int i, int count)
 {
-  return rotated(cylinder(count, random));
+  return i == 0 ? Point{ 0, 0, 1 } : onCircle(Turn * double(i) / (count - 1), 0.5);
 }
 
-Cloud cone(int count, Random&)
+Point onWall(Random& random)
 {
-  Cloud points = generate(count,
-    [&](int i)
-    {
-      const double angle = Turn * double(i) / (count - 1);
-      return i == 0 ? Point{ 0, 0, 1 } : Point{ 0.5 * std::cos(angle), 0.5 * std::sin(angle), 0 };
-    });
-  return rotated(std::move(points));
-}
-
-Cloud wall(int count, Random& random)
-{
-  Cloud points = generate(count,
-    [&](int) {
-      return Point{ 5 * random.uniform(), 3 * random.uniform(), 0 };
-    });
-  return rotated(std::move(points));
+  return { 5 * random.uniform(), 3 * random.uniform(), 0 };
 }
 
 struct Box
@@ -133,7 +107,7 @@ Cloud gcode(int count, Random&)
     {
       const double angle = Turn * i / 180;
       const double radius = 20 + 3 * std::cos(3 * angle + 0.1 * z) + 2 * std::sin(0.3 * z);
-      outline.push_back({ radius * std::cos(angle), radius * std::sin(angle), z });
+      outline.push_back(onCircle(angle, radius, z));
     }
     paths.push_back(outline);
     Line infill;
@@ -269,52 +243,44 @@ Point onMomentCurve(Random& random)
   return { t, t * t, t * t * t };
 }
 
-/// Evenly from 0 to a turn.
-template <Point (*at)(double)>
-Cloud curve(int count, Random&)
+Point onHelix(Random&, int i, int count)
 {
-  return generate(count, [&](int i) { return at(Turn * i / count); });
+  const double t = Turn * i / count;
+  return onCircle(20 * t, 1, t);
 }
 
-Point twentyTurns(double t)
+Point onKnot(Random&, int i, int count)
 {
-  return { std::cos(20 * t), std::sin(20 * t), t };
-}
-
-Point knot(double t)
-{
+  const double t = Turn * i / count;
   return { std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t) };
 }
 
 Point eight(Random& random)
 {
   const std::size_t corner = random.pick(8);
-  return { static_cast<double>(corner & 1), static_cast<double>(corner >> 1 & 1),
-    static_cast<double>(corner >> 2) };
+  return { double(corner & 1), double(corner >> 1 & 1), double(corner >> 2) };
 }
 
-Cloud pancake(int count, Random& random)
+Point onPancake(Random& random)
 {
-  Cloud points = generate(count,
-    [&](int)
-    {
-      const Point u = random.direction();
-      return Point{ u[0], u[1], 0.01 * u[2] };
-    });
-  return rotated(std::move(points));
+  const Point u = random.direction();
+  return { u[0], u[1], 0.01 * u[2] };
 }
 
 }
 
 const std::vector<Family>& familiesInSpace()
 {
-  static const std::vector<Family> all = { { "box-edges", drawn<onBoxEdges> },
-    { "box-edges-mm", boxEdgesMm }, { "plate", drawn<onPlate> }, { "cylinder", cylinder },
-    { "rotated-cylinder", rotatedCylinder }, { "cone", cone }, { "wall", wall }, { "room", room },
-    { "gcode", gcode }, { "voxels", voxels }, { "rgb", rgb }, { "ecef-tile", drawn<onEcefTile> },
-    { "strands", strands }, { "moment-curve", drawn<onMomentCurve> },
-    { "twenty-turns", curve<twentyTurns> }, { "knot", curve<knot> }, { "eight", drawn<eight> },
-    { "pancake", pancake } };
+  static const std::vector<Family> all = { { "box-edges", each(onBoxEdges) },
+    { "box-edges-mm", changed(each(onBoxEdges), [](Cloud c) { return toSteps(c, 1000); }) },
+    { "plate", each(onPlate) }, { "cylinder", each(onCylinder) },
+    { "rotated-cylinder", changed(each(onCylinder), rotated) },
+    { "cone", changed(each(onCone), rotated) }, { "wall", changed(each(onWall), rotated) },
+    { "room", room }, { "gcode", gcode }, { "voxels", voxels }, { "rgb", rgb },
+    { "ecef-tile", each(onEcefTile) }, { "strands", strands },
+    { "moment-curve", each(onMomentCurve) }, { "twenty-turns", each(onHelix) },
+    { "knot", each(onKnot) }, { "eight", each(eight) },
+    { "pancake", changed(each(onPancake), rotated) } };
   return all;
 }
 

@@ -17,17 +17,6 @@ namespace
 
 const std::string Shuffled = "-shuffled";
 
-Cloud shell1e3(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const Point u = random.direction();
-      const double r = 0.5 * (1 - 0.001 * random.uniform());
-      return Point{ u[0] * r, u[1] * r, u[2] * r };
-    });
-}
-
 Cloud cubeGrid(int count, Random&)
 {
   return integerGrid(std::max(2, static_cast<int>(std::lround(std::cbrt(count)))));
@@ -40,38 +29,18 @@ Cloud surfaceGrid(int count, Random&)
   return cubeSurfaceGrid(1 + static_cast<int>(std::lround(edge)));
 }
 
-Cloud rotatedGrid(int count, Random& random)
+/// So many at each position. @param make Point (Random&): one of the positions
+template <class Make>
+Family::Make spread(int times, const Make& make)
 {
-  return rotated(surfaceGrid(count, random));
-}
-
-/// @p count points of @p positions, as many at each.
-Cloud spread(const Cloud& positions, int count, Random& random)
-{
-  Cloud cloud;
-  cloud.reserve(static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+  return [=](int count, Random& random)
   {
-    cloud.push_back(positions[i % positions.size()]);
-  }
-  random.shuffle(cloud);
-  return cloud;
-}
-
-Cloud duplicates(int count, Random& random)
-{
-  const Cloud positions =
-    generate(std::max(4, count / 100), [&](int) { return random.direction(); });
-  return spread(positions, count, random);
-}
-
-Cloud repeats(int count, Random& random)
-{
-  const Cloud positions = generate(std::max(4, count / 2),
-    [&](int) {
-      return Point{ random.uniform(), random.uniform(), 0 };
-    });
-  return spread(positions, count, random);
+    const Cloud positions = generate(std::max(4, count / times), [&](int) { return make(random); });
+    Cloud cloud = generate(
+      count, [&](int i) { return positions[static_cast<std::size_t>(i) % positions.size()]; });
+    random.shuffle(cloud);
+    return cloud;
+  };
 }
 
 /// Sums of so few bits are not rounded.
@@ -92,33 +61,36 @@ Cloud hundredNormals(int count, Random& random)
       const Point& center = centers[random.pick(100)];
       // Box and Muller, 1958
       const double radius = 0.01 * std::sqrt(-2 * std::log(1 - random.uniform()));
-      const double angle = Turn * random.uniform();
-      return Point{ center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle), 0 };
+      const Point p = onCircle(Turn * random.uniform(), radius);
+      return Point{ center[0] + p[0], center[1] + p[1], 0 };
     });
 }
 
 /// Half a metre from point to point along a line, and from line to line. The scanner turns while
 /// the plane flies: lines lie askew, every second the other way.
-Cloud scan(int count, Random& random)
+Point onScan(Random& random, int i, int count)
 {
   const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(count))));
-  return generate(count,
-    [&](int i)
-    {
-      const int step = i / side % 2 ? side - 1 - i % side : i % side;
-      const double along = 0.5 * (step + 0.4 * random.uniform());
-      const double across = 0.5 * (double(i) / side) + 0.1 * random.uniform();
-      return Point{ 480000 + toStep(along, 100), 4420000 + toStep(across, 100), 0 };
-    });
+  const int step = i / side % 2 ? side - 1 - i % side : i % side;
+  const double along = 0.5 * (step + 0.4 * random.uniform());
+  const double across = 0.5 * (double(i) / side) + 0.1 * random.uniform();
+  return { 480000 + toStep(along, 100), 4420000 + toStep(across, 100), 0 };
 }
 
 const std::vector<Family>& otherFamilies(bool isPlane)
 {
-  static const std::vector<Family> space = { { "shell1e3", shell1e3 }, { "cube-grid", cubeGrid },
-    { "surface-grid", surfaceGrid }, { "rotated-grid", rotatedGrid }, { "duplicates", duplicates },
-    { "coplanar", drawn<inPlane> } };
+  static const std::vector<Family> space = { { "shell1e3", shell(0.001) },
+    { "cube-grid", cubeGrid }, { "surface-grid", surfaceGrid },
+    { "rotated-grid", changed(surfaceGrid, rotated) },
+    { "duplicates", spread(100, [](Random& random) { return random.direction(); }) },
+    { "coplanar", each(inPlane) } };
   static const std::vector<Family> plane = { { "hundred-normals", hundredNormals },
-    { "scan", scan }, { "repeats", repeats } };
+    { "scan", each(onScan) },
+    { "repeats",
+      spread(2,
+        [](Random& random) {
+          return Point{ random.uniform(), random.uniform(), 0 };
+        }) } };
   return isPlane ? plane : space;
 }
 
@@ -126,7 +98,7 @@ using Lists = std::vector<const std::vector<Family>*>;
 
 Lists listsInUse(bool isPlane)
 {
-  return isPlane ? Lists{ &familiesDrawn(), &familiesSurveyed() } : Lists{ &familiesInSpace() };
+  return { isPlane ? &familiesInPlane() : &familiesInSpace() };
 }
 
 std::vector<std::string> namesOf(const Lists& lists)

@@ -92,8 +92,7 @@ namespace test
 {
 
 const std::vector<Family>& familiesInSpace();
-const std::vector<Family>& familiesDrawn();    ///< in the plane
-const std::vector<Family>& familiesSurveyed(); ///< in the plane
+const std::vector<Family>& familiesInPlane();
 
 /// The families in use, of points in space or of weighted sites in the plane.
 std::vector<std::string> namesInUse(bool isPlane);

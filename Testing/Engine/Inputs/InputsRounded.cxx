@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Engine/Inputs/InputsRounded.h"
+#include "Testing/Engine/Inputs/InputMaking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,18 @@ double angleOf(double turns)
 
 Cloud circleAt(int count, double x, double y)
 {
-  Cloud sites;
-  for (int i = 0; i < count; ++i)
-  {
-    const double a = angleOf(static_cast<double>(i) / count);
-    sites.push_back({ x + std::cos(a), y + std::sin(a), 0 });
-  }
-  return sites;
+  return generate(count,
+    [=](int i)
+    {
+      const double a = angleOf(static_cast<double>(i) / count);
+      return Point{ x + std::cos(a), y + std::sin(a), 0 };
+    });
 }
 
 namespace
 {
 
-/// A place that grows coarse: up to 2^45 from the origin.
+/// A place that grows coarse: up to 2^45 from the origin; and a direction.
 struct Origin
 {
   explicit Origin(Random& random)
@@ -42,13 +42,42 @@ struct Origin
   {
     return { this->x + u, this->y + v, weight };
   }
+  Point onCircle(double angle, double radius = 1, double weight = 0) const
+  {
+    return this->place(radius * std::cos(angle), radius * std::sin(angle), weight);
+  }
+  /// In a frame turned by @p a.
+  Point turned(double a, double u, double v) const
+  {
+    return this->place(u * std::cos(a) - v * std::sin(a), u * std::sin(a) + v * std::cos(a));
+  }
   double far, x, y;
 };
+
+/// @param prepare (const Origin&, Random&, int count) -> Point (int i): draws what all points share
+template <class Prepare>
+Family::Make about(const Prepare& prepare)
+{
+  return [prepare](int count, Random& random)
+  {
+    const Origin origin(random);
+    return generate(count, prepare(origin, random, count));
+  };
+}
+
+Cloud rotatedGrid(int count, Random& random)
+{
+  const Origin origin(random);
+  const double a = angleOf(random.uniform());
+  const int side = std::max(2, static_cast<int>(std::sqrt(count)));
+  return generate(side * side, [&](int i) { return origin.turned(a, i % side, i / side); });
+}
 
 }
 
 const std::vector<Family>& roundedFamilies()
 {
+  using From = const Origin&;
   static const std::vector<Family> list = {
     { "Circle",
       [](int count, Random& random)
@@ -57,148 +86,96 @@ const std::vector<Family>& roundedFamilies()
         return circleAt(count, origin.x, origin.y);
       } },
     { "PointsOfACircle",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
-        {
-          const double a = angleOf(random.uniform());
-          sites.push_back(origin.place(std::cos(a), std::sin(a)));
-        }
-        return sites;
-      } },
+      about([](From o, Random& r, int)
+        { return [=, &r](int) { return o.onCircle(angleOf(r.uniform())); }; }) },
     { "TwoCirclesOfOnePower",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+      about(
+        [](From o, Random& r, int)
         {
-          const double a = angleOf(random.uniform());
-          const double radius = i % 2 ? 1 : 1 + 0x1p-40;
-          sites.push_back(
-            origin.place(radius * std::cos(a), radius * std::sin(a), i % 2 ? 0 : 0x1p-39));
-        }
-        return sites;
-      } },
+          return [=, &r](int i)
+          {
+            const double a = angleOf(r.uniform());
+            return i % 2 ? o.onCircle(a) : o.onCircle(a, 1 + 0x1p-40, 0x1p-39);
+          };
+        }) },
     { "Spokes",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        const int spokes = random.integer(3, 12);
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+      about(
+        [](From o, Random& r, int)
         {
-          const double a = angleOf(static_cast<double>(i % spokes) / spokes);
-          const double radius = std::ldexp(1.0, -(i / spokes));
-          sites.push_back(origin.place(radius * std::cos(a), radius * std::sin(a)));
-        }
-        return sites;
-      } },
-    { "RotatedGrid",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        const double a = angleOf(random.uniform());
-        const int side = std::max(2, static_cast<int>(std::sqrt(count)));
-        Cloud sites;
-        for (int i = 0; i < side * side; ++i)
-        {
-          const double u = i % side;
-          const double v = i / side;
-          sites.push_back(
-            origin.place(u * std::cos(a) - v * std::sin(a), u * std::sin(a) + v * std::cos(a)));
-        }
-        return sites;
-      } },
+          return [=, spokes = r.integer(3, 12)](int i)
+          {
+            const double a = angleOf(static_cast<double>(i % spokes) / spokes);
+            return o.onCircle(a, std::ldexp(1.0, -(i / spokes)));
+          };
+        }) },
+    { "RotatedGrid", rotatedGrid },
     { "NearALine",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        const double a = angleOf(random.uniform());
-        const double weight = random.integer(0, 1) * 1e-3;
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+      about(
+        [](From o, Random& r, int)
         {
-          const double t = random.uniform();
-          sites.push_back(
-            origin.place(t * std::cos(a), t * std::sin(a), weight * random.uniform()));
-        }
-        return sites;
-      } },
+          const double a = angleOf(r.uniform());
+          const double weight = r.integer(0, 1) * 1e-3;
+          return [=, &r](int)
+          {
+            const double t = r.uniform();
+            return o.onCircle(a, t, weight * r.uniform());
+          };
+        }) },
     { "NearThreeLines",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        const double a = angleOf(random.uniform());
-        const double width = std::ldexp(1.0, -random.integer(20, 52));
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+      about(
+        [](From o, Random& r, int)
         {
-          const double u = random.uniform() * width;
-          const double v = random.uniform() * (i % 3);
-          sites.push_back(
-            origin.place(u * std::cos(a) - v * std::sin(a), u * std::sin(a) + v * std::cos(a)));
-        }
-        return sites;
-      } },
+          const double a = angleOf(r.uniform());
+          const double width = std::ldexp(1.0, -r.integer(20, 52));
+          return [=, &r](int i)
+          {
+            const double u = r.uniform() * width;
+            return o.turned(a, u, r.uniform() * (i % 3));
+          };
+        }) },
     { "ShortArc",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        const double radius = std::ldexp(1.0, random.integer(0, 20));
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+      about(
+        [](From o, Random& r, int)
         {
-          const double a = random.uniform() / radius;
-          sites.push_back(origin.place(radius * std::cos(a), radius * std::sin(a)));
-        }
-        return sites;
-      } },
+          const double radius = std::ldexp(1.0, r.integer(0, 20));
+          return [=, &r](int) { return o.onCircle(r.uniform() / radius, radius); };
+        }) },
     { "FarOff",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        const double weight = random.integer(0, 1) / static_cast<double>(count);
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+      about(
+        [](From o, Random& r, int count)
         {
-          const double u = random.uniform();
-          const double v = random.uniform();
-          sites.push_back(origin.place(u, v, random.uniform(-1, 1) * weight));
-        }
-        return sites;
-      } },
+          const double weight = r.integer(0, 1) / static_cast<double>(count);
+          return [=, &r](int)
+          {
+            const double u = r.uniform();
+            const double v = r.uniform();
+            return o.place(u, v, r.uniform(-1, 1) * weight);
+          };
+        }) },
     { "LatticeOfUnits",
-      [](int count, Random& random)
-      {
-        const Origin origin(random);
-        const double step = std::ldexp(origin.far, random.integer(-52, -49));
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+      about(
+        [](From o, Random& r, int)
         {
-          const double u = step * random.integer(0, 20);
-          const double v = step * random.integer(0, 20);
-          sites.push_back({ origin.far + u, origin.far + v, step * step * random.uniform(-3, 3) });
-        }
-        return sites;
-      } },
-    { "NearOnePower",
-      [](int count, Random& random)
-      {
-        // Their lifts are all but in one plane.
-        const Origin origin(random);
-        const double noise = std::ldexp(1.0, -random.integer(10, 50));
-        Cloud sites;
-        for (int i = 0; i < count; ++i)
+          const double step = std::ldexp(o.far, r.integer(-52, -49));
+          return [=, &r](int)
+          {
+            const double u = step * r.integer(0, 20);
+            const double v = step * r.integer(0, 20);
+            return Point{ o.far + u, o.far + v, step * step * r.uniform(-3, 3) };
+          };
+        }) },
+    { "NearOnePower", // their lifts are all but in one plane
+      about(
+        [](From o, Random& r, int)
         {
-          const double u = random.integer(0, 12);
-          const double v = random.integer(0, 12);
-          sites.push_back(origin.place(u, v, u * u + v * v + random.uniform(-noise, noise)));
-        }
-        return sites;
-      } },
+          const double noise = std::ldexp(1.0, -r.integer(10, 50));
+          return [=, &r](int)
+          {
+            const double u = r.integer(0, 12);
+            const double v = r.integer(0, 12);
+            return o.place(u, v, u * u + v * v + r.uniform(-noise, noise));
+          };
+        }) },
   };
   return list;
 }

@@ -3,6 +3,7 @@
 /// @file
 /// Inputs that are made by hand: exactly degenerate ones, and those of extreme ranges.
 #include "Testing/Engine/Inputs/InputMaking.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <cmath>
 #include <limits>
@@ -49,17 +50,7 @@ Cloud cutCorner(int count, double big, double little, Random& random)
 Cloud denormals(int count, int range, Random& random)
 {
   const double unit = std::numeric_limits<double>::denorm_min();
-  Cloud cloud;
-  for (int i = 0; i < count; ++i)
-  {
-    Point p;
-    for (double& x : p)
-    {
-      x = unit * random.integer(-range, range);
-    }
-    cloud.push_back(p);
-  }
-  return cloud;
+  return scaled(smallIntegerSites(count, -range, range, -range, range, random), unit, unit, unit);
 }
 
 Cloud family(const char* name, int count, std::uint64_t seed)
@@ -97,18 +88,26 @@ Cloud twoLines(int count)
   return cloud;
 }
 
-/// A cube with points on its edges and diagonals, exactly.
-Cloud cubeWithEdges()
+/// Along an axis, many on each of twenty lines, whose ends come last, and twice.
+Cloud fewLinesAlong(std::size_t axis, Random& random)
 {
   Cloud cloud;
-  for (const Point& p : integerGrid(5))
+  Cloud ends;
+  for (Point p : family("shell0", 20, 11))
   {
-    const int ends = (p[0] == 0 || p[0] == 4) + (p[1] == 0 || p[1] == 4) + (p[2] == 0 || p[2] == 4);
-    if (ends >= 2 || (p[0] == p[1] && p[1] == p[2]))
+    for (int i = 0; i < 300; ++i)
     {
+      p[axis] = random.uniform(-1, 1);
       cloud.push_back(p);
     }
+    for (const double side : { -1, 1 })
+    {
+      p[axis] = side * random.uniform(1, 2);
+      ends.push_back(p);
+    }
   }
+  cloud = joined(joined(std::move(cloud), ends), ends);
+  random.shuffle(cloud);
   return cloud;
 }
 
@@ -117,29 +116,26 @@ Cloud cubeWithEdges()
 std::vector<Input> smallSpecialInputs()
 {
   InputList list;
-  list.add("grid2", []() { return integerGrid(2); });
-  list.add("grid3", []() { return integerGrid(3); });
-  list.add("grid3rotated", []() { return rotated(integerGrid(3)); });
-  list.add("latticeTetrahedron4", []() { return latticeTetrahedron(4); });
-  list.add("octahedron", []() { return cosphericalIntegers(1); });
-  list.add("cuboctahedron", []() { return cosphericalIntegers(2); });
-  list.add("cospherical9", []() { return cosphericalIntegers(9); });
-  list.add("bipyramid3", []() { return bipyramid(3); });
-  list.add("bipyramid12", []() { return bipyramid(12); });
-  list.add("twoLines8", []() { return twoLines(8); });
+  list.add("grid2", integerGrid(2));
+  list.add("grid3", integerGrid(3));
+  list.add("grid3rotated", rotated(integerGrid(3)));
+  list.add("latticeTetrahedron4", latticeTetrahedron(4));
+  list.add("octahedron", cosphericalIntegers(1));
+  list.add("cuboctahedron", cosphericalIntegers(2));
+  list.add("cospherical9", cosphericalIntegers(9));
+  list.add("bipyramid3", bipyramid(3));
+  list.add("bipyramid12", bipyramid(12));
+  list.add("twoLines8", twoLines(8));
   list.add("cubeWithEdges", cubeWithEdges);
   list.add("negativeZeros",
-    []()
-    {
-      return Cloud{ { -0.0, 0, 0 }, { 0, -0.0, 0 }, { 1, 0, -0.0 }, { 1, -0.0, 0 }, { 0, 1, 0 },
-        { -0.0, 1, -0.0 }, { 0, 0, 1 }, { -0.0, -0.0, 1 } };
-    });
+    Cloud{ { -0.0, 0, 0 }, { 0, -0.0, 0 }, { 1, 0, -0.0 }, { 1, -0.0, 0 }, { 0, 1, 0 },
+      { -0.0, 1, -0.0 }, { 0, 0, 1 }, { -0.0, -0.0, 1 } });
   list.addRandom("prism6", 11, [](Random& random) { return prism(6, 12, random); });
   list.addRandom(
     "grid2times4", 12, [](Random& random) { return repeated(integerGrid(2), 4, random); });
   list.addRandom("tetrahedronTimes9", 13,
     [](Random& random) { return repeated(latticeTetrahedron(2), 9, random); });
-  list.add("huge", []() { return scaled(family("shell0", 36, 21), 3e300, 3e300, 3e300); });
+  list.add("huge", scaled(family("shell0", 36, 21), 3e300, 3e300, 3e300));
   list.add("hugest",
     []()
     {
@@ -162,22 +158,19 @@ std::vector<Input> smallSpecialInputs()
       return moved(cloud, 0x1p51, 0x1p51, -0x1p51);
     });
   // The greatest numbers beside the least: no power of two brings both away from the ends.
-  list.add("greatestBesideLeast",
-    []() {
-      return Cloud{ { 0, 0x1p1023, 0 }, { 0, 0x1p1023, 0x1p-1074 } };
-    });
-  list.add("greatestAndLeastAtZero",
-    []() {
-      return Cloud{ { 0, 0x1p-1074, 0 }, { -0x1p1023, 0, 0 }, { 0, 0, 0 } };
-    });
+  list.add("greatestBesideLeast", Cloud{ { 0, 0x1p1023, 0 }, { 0, 0x1p1023, 0x1p-1074 } });
+  list.add(
+    "greatestAndLeastAtZero", Cloud{ { 0, 0x1p-1074, 0 }, { -0x1p1023, 0, 0 }, { 0, 0, 0 } });
   // Products of these differences are zero in double; no determinant of them is.
   list.add("vanishingProducts",
-    []()
-    {
-      return Cloud{ { 0, 0, 0 }, { 0x1p-200, 0, 0 }, { 0x1p-200, 0x1p-900, 0 },
-        { 0x1p-200, 0, 0x1p-900 }, { 0x1p-201, 0x1p-902, 0x1p-902 } };
-    });
-  list.add("tiny", []() { return scaled(family("shell0", 36, 23), 1e-300, 1e-300, 1e-300); });
+    Cloud{ { 0, 0, 0 }, { 0x1p-200, 0, 0 }, { 0x1p-200, 0x1p-900, 0 }, { 0x1p-200, 0, 0x1p-900 },
+      { 0x1p-201, 0x1p-902, 0x1p-902 } });
+  const double least = std::numeric_limits<double>::denorm_min();
+  list.add("lineOfAnyRange", Cloud{ { 1, 1, -least }, { 1, 1, 1e308 } });
+  // The greatest coordinate is not the one that varies.
+  list.add("lineOfTheLeastCoordinate",
+    Cloud{ { 1e15, 3, -1e15 }, { 1e15, 1, -1e15 }, { 1e15, 2, -1e15 } });
+  list.add("tiny", scaled(family("shell0", 36, 23), 1e-300, 1e-300, 1e-300));
   list.addRandom("denormalsFew", 24, [](Random& random) { return denormals(30, 3, random); });
   list.addRandom("denormalsMany", 25, [](Random& random) { return denormals(30, 100000, random); });
   list.addRandom(
@@ -191,7 +184,7 @@ std::vector<Input> smallSpecialInputs()
   list.addRandom("log20", 30, [](Random& random) { return logUniform(30, -66, 66, random); });
   list.addRandom("log300", 31, [](Random& random) { return logUniform(30, -1000, 1000, random); });
   list.addRandom("logAll", 32, [](Random& random) { return logUniform(24, -1074, 1022, random); });
-  list.add("thinDenormal", []() { return scaled(family("ball", 30, 33), 1e300, 1, 1e-310); });
+  list.add("thinDenormal", scaled(family("ball", 30, 33), 1e300, 1, 1e-310));
   list.add("powersOfTwo",
     []()
     {
@@ -202,7 +195,7 @@ std::vector<Input> smallSpecialInputs()
       }
       return cloud;
     });
-  list.add("farGrid", []() { return moved(integerGrid(3), 0x1p52, -0x1p52, 0x1p51); });
+  list.add("farGrid", moved(integerGrid(3), 0x1p52, -0x1p52, 0x1p51));
   list.addRandom("ulpCube", 34,
     [](Random& random)
     {
@@ -234,18 +227,18 @@ std::vector<Input> largeSpecialInputs()
       "grid" + std::to_string(side) + "rotated", [side]() { return rotated(integerGrid(side)); });
   }
   list.add("cubeSurfaceGrid20", []() { return cubeSurfaceGrid(20); });
-  list.add("cubeSurfaceGrid20rotated", []() { return rotated(cubeSurfaceGrid(20)); });
+  list.add("cubeSurfaceGrid20rotated", rotated(cubeSurfaceGrid(20)));
   list.add("cubeSurfaceGrid20float", []() { return roundedToFloat(rotated(cubeSurfaceGrid(20))); });
-  list.add("cubeSurfaceGrid40rotated", []() { return rotated(cubeSurfaceGrid(40)); });
+  list.add("cubeSurfaceGrid40rotated", rotated(cubeSurfaceGrid(40)));
   for (int n : { 41, 161, 569, 1001, 5201, 20021 })
   {
     list.add("cospherical" + std::to_string(n), [n]() { return cosphericalIntegers(n); });
   }
-  list.add("cosphericalFar", []() { return moved(cosphericalIntegers(5201), 1e9, 1e9, -1e9); });
-  list.add("latticeTetrahedron20", []() { return latticeTetrahedron(20); });
-  list.add("latticeTetrahedron20rotated", []() { return rotated(latticeTetrahedron(20)); });
-  list.add("bipyramid1000", []() { return bipyramid(1000); });
-  list.add("twoLines400", []() { return twoLines(400); });
+  list.add("cosphericalFar", moved(cosphericalIntegers(5201), 1e9, 1e9, -1e9));
+  list.add("latticeTetrahedron20", latticeTetrahedron(20));
+  list.add("latticeTetrahedron20rotated", rotated(latticeTetrahedron(20)));
+  list.add("bipyramid1000", bipyramid(1000));
+  list.add("twoLines400", twoLines(400));
   list.addRandom("prism100", 41, [](Random& random) { return prism(100, 1000, random); });
   list.addRandom("prism1000", 42, [](Random& random) { return prism(1000, 0, random); });
   list.addRandom(
@@ -260,12 +253,24 @@ std::vector<Input> largeSpecialInputs()
     "corner1e300", 47, [](Random& random) { return cutCorner(300, 1e300, 1e-300, random); });
   list.addRandom("log300", 48, [](Random& random) { return logUniform(400, -1000, 1000, random); });
   list.addRandom("denormals", 49, [](Random& random) { return denormals(500, 1000, random); });
-  list.add("tiny", []() { return scaled(family("shell0", 500, 50), 1e-300, 1e-300, 1e-300); });
-  list.add("huge", []() { return scaled(family("shell0", 500, 51), 1e308, 1e308, 1e308); });
+  list.add("tiny", scaled(family("shell0", 500, 50), 1e-300, 1e-300, 1e-300));
+  list.add("huge", scaled(family("shell0", 500, 51), 1e308, 1e308, 1e308));
   list.addRandom(
     "mostlyCoplanar", 52, [](Random& random) { return mostlyCoplanar(100000, 3, random); });
   list.addRandom(
     "mostlyCoplanarOne", 53, [](Random& random) { return mostlyCoplanar(100000, 1, random); });
+  list.add("onePosition", []() { return Cloud(5000, Point{ 0.1, 0.2, 0.3 }); });
+  for (const char* name : { "shell0", "smallIntegers", "cube" })
+  {
+    // A first polyhedron may be of a part of them, whose ids need not be the lowest.
+    list.addRandom(std::string("duplicates_") + name, 9,
+      [name](Random& random) { return repeated(family(name, 40, 8), 100, random); });
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    list.addRandom("fewLinesAlong" + std::to_string(axis), 10,
+      [axis](Random& random) { return fewLinesAlong(axis, random); });
+  }
   list.addRandom("sameButOne", 54,
     [](Random& random)
     {

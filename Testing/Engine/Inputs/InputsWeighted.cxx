@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace flipflop
 {
@@ -15,8 +14,6 @@ namespace test
 namespace
 {
 
-constexpr double Turn = 6.283185307179586;
-
 Point inSquare(Random& random, double heaviest)
 {
   const double x = random.uniform();
@@ -24,85 +21,43 @@ Point inSquare(Random& random, double heaviest)
   return { x, y, heaviest > 0 ? heaviest * random.uniform() : 0 };
 }
 
-Cloud uniform(int count, Random& random)
+/// Weights up to that, and that over the number of points.
+Family::Make uniform(double heaviest, double heaviestPerPoint = 0)
 {
-  return generate(count, [&](int) { return inSquare(random, 0); });
-}
-/// About a fifth of the points is visible.
-Cloud uniformHeavy(int count, Random& random)
-{
-  return generate(count, [&](int) { return inSquare(random, 27.0 / count); });
-}
-/// Nearly all are visible.
-Cloud uniformLight(int count, Random& random)
-{
-  return generate(count, [&](int) { return inSquare(random, 0.19 / count); });
-}
-/// Nearly all are hidden.
-Cloud uniformHiding(int count, Random& random)
-{
-  return generate(count, [&](int) { return inSquare(random, 10); });
-}
-Cloud negative(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      Point p = inSquare(random, 4.0 / count);
-      p[2] -= 100;
-      return p;
-    });
-}
-Cloud oneGiant(int count, Random& random)
-{
-  Cloud cloud = uniformLight(count, random);
-  if (count > 0)
-  {
-    cloud[random.integer(0, count - 1)][2] = 0.1;
-  }
-  return cloud;
+  return each([=](Random& random, int, int count)
+    { return inSquare(random, heaviest + heaviestPerPoint / count); });
 }
 
-Cloud gridOf(int count, Random& random, int weights, int weight)
+/// A family with one of its points replaced.
+template <class Replace>
+Family::Make withOne(const Family::Make& make, const Replace& replace)
 {
-  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
-  return generate(count,
-    [&](int i)
+  return changed(make,
+    [replace](Cloud cloud, Random& random)
     {
+      if (!cloud.empty())
+      {
+        replace(cloud[random.integer(0, static_cast<int>(cloud.size()) - 1)]);
+      }
+      return cloud;
+    });
+}
+
+Family::Make gridOf(int weights, int weight)
+{
+  return each(
+    [=](Random& random, int i, int count)
+    {
+      const int side = rowOf(count);
       return Point{ double(i % side), double(i / side),
         double(weight + random.integer(0, weights)) };
     });
 }
-Cloud grid(int count, Random& random)
-{
-  return gridOf(count, random, 0, 0);
-}
-Cloud gridOfOneWeight(int count, Random& random)
-{
-  return gridOf(count, random, 0, 7);
-}
-Cloud gridOfTwoWeights(int count, Random& random)
-{
-  return gridOf(count, random, 1, 0);
-}
-Cloud gridOfManyWeights(int count, Random& random)
-{
-  return gridOf(count, random, 9, -5);
-}
-/// On a grid, many times over, with few weights: ties of every kind.
-Cloud smallIntegers(int count, Random& random)
-{
-  return smallIntegerSites(count, -9, 9, -3, 3, random);
-}
-Cloud smallIntegersLight(int count, Random& random)
-{
-  return smallIntegerSites(count, -40, 40, 0, 1, random);
-}
+
 /// Each position twice, with two weights that are often equal.
 Cloud doubled(int count, Random& random)
 {
-  const Cloud half = uniform((count + 1) / 2, random);
-  Cloud all = repeated(half, 2, random);
+  Cloud all = repeated(uniform(0)((count + 1) / 2, random), 2, random);
   all.resize(static_cast<std::size_t>(count));
   for (Point& p : all)
   {
@@ -111,122 +66,53 @@ Cloud doubled(int count, Random& random)
   return all;
 }
 
-Cloud circle(int count, Random& random)
+Point nearCircle(Random& random)
 {
-  return generate(count,
-    [&](int)
-    {
-      const double t = Turn * random.uniform();
-      return Point{ std::cos(t), std::sin(t), 0 };
-    });
+  const double t = Turn * random.uniform();
+  const double r = 1 + 1e-13 * random.uniform();
+  return { 3 + r * std::cos(t), 5 + r * std::sin(t), 1e-13 * random.uniform() };
 }
-/// Cocircular but for rounding, with a bright centre.
-Cloud wheel(int count, Random& random)
+
+/// Exactly on a parabola, with ties in weight: integers.
+Point onParabolaOfIntegers(Random& random, int i, int count)
 {
-  Cloud cloud = circle(count, random);
-  if (count > 0)
-  {
-    cloud[random.integer(0, count - 1)] = { 0, 0, 0.5 };
-  }
-  return cloud;
+  const double x = i - count / 2;
+  return { x, x * x, double(random.integer(-2, 2)) };
 }
-Cloud nearlyCocircular(int count, Random& random)
+
+/// On a line, if exact; with rounding, a triangulation of slivers.
+Family::Make diagonal(double slope, double from, double heaviestPerPoint)
 {
-  return generate(count,
-    [&](int)
+  return each(
+    [=](Random& random, int, int count)
     {
-      const double t = Turn * random.uniform();
-      const double r = 1 + 1e-13 * random.uniform();
-      return Point{ 3 + r * std::cos(t), 5 + r * std::sin(t), 1e-13 * random.uniform() };
-    });
-}
-Cloud parabola(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const double x = random.uniform(-1, 1);
-      return Point{ x, x * x, 0 };
-    });
-}
-/// Exactly on it, with ties in weight: integers.
-Cloud parabolaOfIntegers(int count, Random& random)
-{
-  return generate(count,
-    [&](int i)
-    {
-      const double x = i - count / 2;
-      return Point{ x, x * x, double(random.integer(-2, 2)) };
+      const double t = random.uniform();
+      return Point{ t, t * slope + from,
+        heaviestPerPoint > 0 ? random.uniform(0, heaviestPerPoint / count) : 0 };
     });
 }
 
-Cloud lineAlongX(int count, Random& random)
+Point onCircleAnywhere(Random& random)
 {
-  return generate(count,
-    [&](int) {
-      return Point{ random.uniform(), 0.25, random.uniform(0, 1.0 / count) };
-    });
+  return onCircle(Turn * random.uniform());
 }
-Cloud lineAlongY(int count, Random& random)
+
+Point onLineOfIntegers(Random& random, int, int count)
 {
-  return generate(count,
-    [&](int) {
-      return Point{ -3, double(random.integer(-count, count)), double(random.integer(0, 3)) };
-    });
+  return { double(random.integer(-count, count)), 0, double(random.integer(0, 2)) };
 }
-Cloud diagonal(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const double t = random.uniform();
-      return Point{ t, t, 0 };
-    });
-}
-/// Collinear but for rounding: a triangulation of slivers.
-Cloud diagonalRounded(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const double t = random.uniform();
-      return Point{ t, t * 0.1 + 0.3, random.uniform(0, 0.1 / count) };
-    });
-}
-Cloud lineAndPoint(int count, Random& random)
-{
-  Cloud cloud = generate(count,
-    [&](int) {
-      return Point{ double(random.integer(-count, count)), 0, double(random.integer(0, 2)) };
-    });
-  if (count > 0)
-  {
-    cloud[random.integer(0, count - 1)] = { 0.5, 1, 0 };
-  }
-  return cloud;
-}
-Cloud twoLines(int count, Random& random)
-{
-  return generate(count,
-    [&](int i) {
-      return Point{ double(random.integer(0, count)), double(i % 2), double(random.integer(0, 1)) };
-    });
-}
+
 /// The lifts lie in one plane: all is one facet.
-Cloud coplanarLifts(int count, Random& random)
+Point onCoplanarLifts(Random& random)
 {
-  return generate(count,
-    [&](int)
-    {
-      const double x = random.integer(-1000, 1000);
-      const double y = random.integer(-1000, 1000);
-      return Point{ x, y, x * x + y * y - 3 * x + 7 * y - 11 };
-    });
+  const double x = random.integer(-1000, 1000);
+  const double y = random.integer(-1000, 1000);
+  return { x, y, x * x + y * y - 3 * x + 7 * y - 11 };
 }
+
 /// Some rise from the plane and hide; few sink below it and cut it up.
-Cloud coplanarLiftsAlmost(int count, Random& random)
+Cloud almost(Cloud cloud, Random& random)
 {
-  Cloud cloud = coplanarLifts(count, random);
   for (Point& p : cloud)
   {
     const int dice = random.integer(0, 99);
@@ -234,25 +120,22 @@ Cloud coplanarLiftsAlmost(int count, Random& random)
   }
   return cloud;
 }
+
 /// The lifts of a few lines each lie on one line: visible are the ends.
-Cloud creasedLifts(int count, Random& random)
+Point onCreasedLifts(Random& random)
 {
-  return generate(count,
-    [&](int)
-    {
-      const double x = random.integer(-500, 500);
-      const double y = 10 * random.integer(-5, 5);
-      return Point{ x, y, x * x };
-    });
+  const double x = random.integer(-500, 500);
+  const double y = 10 * random.integer(-5, 5);
+  return { x, y, x * x };
 }
 
+/// Three levels of three, each a thousand times smaller.
 Cloud clusters(int count, Random& random)
 {
   const Cloud centres = generate(9, [&](int) { return inSquare(random, 0); });
   return generate(count,
     [&](int i)
     {
-      // Three levels of three, each a thousand times smaller.
       const Point& a = centres[i % 3];
       const Point& b = centres[3 + i / 3 % 3];
       const Point& c = centres[6 + i / 9 % 3];
@@ -261,49 +144,13 @@ Cloud clusters(int count, Random& random)
         a[1] + 1e-3 * b[1] + 1e-6 * c[1] + 1e-9 * p[1], 1e-19 * p[2] };
     });
 }
-Cloud far8(int count, Random& random)
-{
-  Cloud cloud = uniformHeavy(count, random);
-  return moved(std::move(cloud), 1e8, -1e8, 0);
-}
-/// So far from the origin that coordinates are few and squares are not doubles.
-Cloud far15(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const Point p = inSquare(random, 1);
-      return Point{ 1e15 + 30 * p[0], -1e15 + 30 * p[1], p[2] };
-    });
-}
-Cloud thin(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const Point p = inSquare(random, 1e-3 / count);
-      return Point{ p[0], 1e-13 * p[1], p[2] };
-    });
-}
-Cloud far8OfOneWeight(int count, Random& random)
-{
-  return generate(count,
-    [&](int)
-    {
-      const Point p = inSquare(random, 0);
-      return Point{ 1e8 + p[0], 1e8 + p[1], 1e16 };
-    });
-}
+
 /// Weights in the last place of the squares.
-Cloud lastPlace(int count, Random& random)
+Point lastPlace(Random& random)
 {
-  return generate(count,
-    [&](int)
-    {
-      const double x = random.integer(-30, 30) * 0.1;
-      const double y = random.integer(-30, 30) * 0.1;
-      return Point{ x, y, (x * x + y * y) + random.integer(-1, 1) * 0x1p-52 };
-    });
+  const double x = random.integer(-30, 30) * 0.1;
+  const double y = random.integer(-30, 30) * 0.1;
+  return { x, y, (x * x + y * y) + random.integer(-1, 1) * 0x1p-52 };
 }
 
 }
@@ -311,39 +158,73 @@ Cloud lastPlace(int count, Random& random)
 const std::vector<Family>& weightedFamilies()
 {
   static const std::vector<Family> all = {
-    { "uniform", uniform },
-    { "uniformHeavy", uniformHeavy },
-    { "uniformLight", uniformLight },
-    { "uniformHiding", uniformHiding },
-    { "negative", negative },
-    { "oneGiant", oneGiant },
-    { "grid", grid },
-    { "gridOfOneWeight", gridOfOneWeight },
-    { "gridOfTwoWeights", gridOfTwoWeights },
-    { "gridOfManyWeights", gridOfManyWeights },
-    { "smallIntegers", smallIntegers },
-    { "smallIntegersLight", smallIntegersLight },
+    { "uniform", uniform(0) },
+    { "uniformHeavy", uniform(0, 27) },   // a fifth is visible
+    { "uniformLight", uniform(0, 0.19) }, // nearly all are visible
+    { "uniformHiding", uniform(10) },     // nearly all are hidden
+    { "negative", changed(uniform(0, 4), [](const Cloud& c) { return moved(c, 0, 0, -100); }) },
+    { "oneGiant", withOne(uniform(0, 0.19), [](Point& p) { p[2] = 0.1; }) },
+    { "grid", gridOf(0, 0) },
+    { "gridOfOneWeight", gridOf(0, 7) },
+    { "gridOfTwoWeights", gridOf(1, 0) },
+    { "gridOfManyWeights", gridOf(9, -5) },
+    { "smallIntegers",
+      [](int count, Random& random) { return smallIntegerSites(count, -9, 9, -3, 3, random); } },
+    { "smallIntegersLight",
+      [](int count, Random& random) { return smallIntegerSites(count, -40, 40, 0, 1, random); } },
     { "doubled", doubled },
-    { "circle", circle },
-    { "wheel", wheel },
-    { "nearlyCocircular", nearlyCocircular },
-    { "parabola", parabola },
-    { "parabolaOfIntegers", parabolaOfIntegers },
-    { "lineAlongX", lineAlongX },
-    { "lineAlongY", lineAlongY },
-    { "diagonal", diagonal },
-    { "diagonalRounded", diagonalRounded },
-    { "lineAndPoint", lineAndPoint },
-    { "twoLines", twoLines },
-    { "coplanarLifts", coplanarLifts },
-    { "coplanarLiftsAlmost", coplanarLiftsAlmost },
-    { "creasedLifts", creasedLifts },
+    { "circle", each(onCircleAnywhere) },
+    { "wheel",
+      withOne(each(onCircleAnywhere),
+        [](Point& p) {
+          p = { 0, 0, 0.5 };
+        }) },
+    { "nearlyCocircular", each(nearCircle) },
+    { "parabola",
+      each(
+        [](Random& random)
+        {
+          const double x = random.uniform(-1, 1);
+          return Point{ x, x * x, 0 };
+        }) },
+    { "parabolaOfIntegers", each(onParabolaOfIntegers) },
+    { "lineAlongX",
+      each(
+        [](Random& random, int, int count) {
+          return Point{ random.uniform(), 0.25, random.uniform(0, 1.0 / count) };
+        }) },
+    { "lineAlongY",
+      each(
+        [](Random& random, int, int count) {
+          return Point{ -3, double(random.integer(-count, count)), double(random.integer(0, 3)) };
+        }) },
+    { "diagonal", diagonal(1, 0, 0) },
+    { "diagonalRounded", diagonal(0.1, 0.3, 0.1) },
+    { "lineAndPoint",
+      withOne(each(onLineOfIntegers),
+        [](Point& p) {
+          p = { 0.5, 1, 0 };
+        }) },
+    { "twoLines",
+      each(
+        [](Random& random, int i, int count)
+        {
+          return Point{ double(random.integer(0, count)), double(i % 2),
+            double(random.integer(0, 1)) };
+        }) },
+    { "coplanarLifts", each(onCoplanarLifts) },
+    { "coplanarLiftsAlmost", changed(each(onCoplanarLifts), almost) },
+    { "creasedLifts", each(onCreasedLifts) },
     { "clusters", clusters },
-    { "far8", far8 },
-    { "far8OfOneWeight", far8OfOneWeight },
-    { "far15", far15 },
-    { "thin", thin },
-    { "lastPlace", lastPlace },
+    { "far8", changed(uniform(0, 27), [](const Cloud& c) { return moved(c, 1e8, -1e8, 0); }) },
+    { "far8OfOneWeight",
+      changed(uniform(0), [](const Cloud& c) { return moved(c, 1e8, 1e8, 1e16); }) },
+    // So far from the origin that coordinates are few and squares are not doubles.
+    { "far15",
+      changed(
+        uniform(1), [](const Cloud& c) { return moved(scaled(c, 30, 30, 1), 1e15, -1e15, 0); }) },
+    { "thin", changed(uniform(0, 1e-3), [](const Cloud& c) { return scaled(c, 1, 1e-13, 1); }) },
+    { "lastPlace", each(lastPlace) },
   };
   return all;
 }
@@ -356,14 +237,10 @@ Input fromWeightedFamily(const std::string& name, int count, std::uint64_t seed)
 Cloud randomSites(int count, double weight, std::uint64_t seed)
 {
   Random random(seed);
-  Cloud sites;
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = random.uniform();
-    const double y = random.uniform();
-    sites.push_back({ x, y, random.uniform(0, weight) });
-  }
-  return sites;
+  return generate(count,
+    [&](int) {
+      return Point{ random.uniform(), random.uniform(), random.uniform(0, weight) };
+    });
 }
 
 Cloud squareGrid(int side)

@@ -121,75 +121,51 @@ std::vector<Input> smallWeightedInputs()
   const double greatest = std::numeric_limits<double>::max();
   const double least = std::numeric_limits<double>::denorm_min();
   InputList list;
-  list.add("square", []() { return squareGrid(2); });
-  list.add("grid3", []() { return squareGrid(3); });
-  list.add("grid5", []() { return squareGrid(5); });
-  list.add("grid5far", []() { return moved(squareGrid(5), 0x1p52, -0x1p52, 0x1p60); });
-  list.add("grid5rounded", []() { return scaled(squareGrid(5), 0.1, 0.1, 1); });
-  list.add("circle25", []() { return cocircularIntegers(25); });
-  list.add("circle325", []() { return cocircularIntegers(325); });
-  list.add("circle325centre", []() { return joined(cocircularIntegers(325), { { 0, 0, 0 } }); });
+  list.add("square", squareGrid(2));
+  list.add("grid3", squareGrid(3));
+  list.add("grid5", squareGrid(5));
+  list.add("grid5far", moved(squareGrid(5), 0x1p52, -0x1p52, 0x1p60));
+  list.add("grid5rounded", scaled(squareGrid(5), 0.1, 0.1, 1));
+  list.add("circle25", cocircularIntegers(25));
+  list.add("circle325", cocircularIntegers(325));
+  list.add("circle325centre", joined(cocircularIntegers(325), { { 0, 0, 0 } }));
   // The centre's lift is exactly on the circle's plane, then one below and above it.
-  list.add("circle325centreTie",
-    []() {
-      return joined(cocircularIntegers(325), { { 0, 0, -325 } });
-    });
-  list.add("circle325centreUnder",
-    []() {
-      return joined({ { 0, 0, -325 + 0x1p-44 } }, cocircularIntegers(325));
-    });
-  list.add("circle325centreOver",
-    []() {
-      return joined({ { 0, 0, -325 - 0x1p-44 } }, cocircularIntegers(325));
-    });
-  list.add("squareWithEdges", []() { return squareWithEdges(5); });
+  list.add("circle325centreTie", joined(cocircularIntegers(325), { { 0, 0, -325 } }));
+  list.add("circle325centreUnder", joined({ { 0, 0, -325 + 0x1p-44 } }, cocircularIntegers(325)));
+  list.add("circle325centreOver", joined({ { 0, 0, -325 - 0x1p-44 } }, cocircularIntegers(325)));
+  list.add("squareWithEdges", squareWithEdges(5));
   list.add("negativeZeros",
-    []()
-    {
-      return Cloud{ { -0.0, 0, -0.0 }, { 0, -0.0, 0 }, { 1, 0, 0 }, { 1, -0.0, -0.0 },
-        { -0.0, 1, 0 }, { 0, 1, -0.0 } };
-    });
+    Cloud{ { -0.0, 0, -0.0 }, { 0, -0.0, 0 }, { 1, 0, 0 }, { 1, -0.0, -0.0 }, { -0.0, 1, 0 },
+      { 0, 1, -0.0 } });
   list.add("onePositionManyWeights",
-    []() {
-      return Cloud{ { 1, 2, -3 }, { 1, 2, 5 }, { 1, 2, 5 - 0x1p-50 }, { 1, 2, 5 }, { 1, 2, 0 } };
-    });
+    Cloud{ { 1, 2, -3 }, { 1, 2, 5 }, { 1, 2, 5 - 0x1p-50 }, { 1, 2, 5 }, { 1, 2, 0 } });
+  // The lifts of all five are on one line; of the sixth above it.
   list.add("lineTies",
-    []()
-    {
-      // The lifts of all five are on one line; of the sixth above it.
-      return Cloud{ { 2, 0, 4 }, { 0, 0, 0 }, { 1, 0, 1 }, { 4, 0, 16 }, { 3, 0, 9 }, { 2, 0, 3 } };
-    });
+    Cloud{ { 2, 0, 4 }, { 0, 0, 0 }, { 1, 0, 1 }, { 4, 0, 16 }, { 3, 0, 9 }, { 2, 0, 3 } });
   list.add("lineDuplicates",
-    []()
-    {
-      return Cloud{ { 0, 3, 0 }, { 0, 1, 1 }, { 0, 1, 2 }, { 0, 1, 2 }, { 0, 3, -1 }, { 0, 2, 0 },
-        { 0, 0, 0 }, { 0, 0, 0 } };
-    });
+    Cloud{ { 0, 3, 0 }, { 0, 1, 1 }, { 0, 1, 2 }, { 0, 1, 2 }, { 0, 3, -1 }, { 0, 2, 0 },
+      { 0, 0, 0 }, { 0, 0, 0 } });
+  // Collinear stretches of the border: on the chain, below it (visible), above it.
   list.add("borderTies",
-    []()
-    {
-      // Collinear stretches of the border: on the chain, below it (visible), above it.
-      return Cloud{ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 2, 0, -4 }, { 4, 2, -3 },
-        { 2, 4, -5 }, { 0, 1, 0 } };
-    });
+    Cloud{ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 2, 0, -4 }, { 4, 2, -3 },
+      { 2, 4, -5 }, { 0, 1, 0 } });
   list.add("cubeCorners",
-    []()
-    {
-      // Three weights at each corner of a square, ties among them.
-      Cloud cloud;
-      for (int i = 0; i < 3; ++i)
-      {
-        cloud = joined(std::move(cloud), weighed(squareGrid(2), i == 1 ? 1 : 0.5));
-      }
-      return cloud;
-    });
+    joined(joined(weighed(squareGrid(2), 0.5), weighed(squareGrid(2), 1)),
+      weighed(squareGrid(2), 0.5))); // three weights at each corner of a square, ties among them
   list.add("stuck", stuckSites);
+  // In a part of ten, both of two duplicates are vertices, for others are at their place; the
+  // merge hides that of the lower id.
+  list.add("mergeHidesTheLowestId",
+    Cloud{ { 2, 3, -15 }, { 3, 3, 5 }, { 3, 0, -13 }, { 0, 3, -22 }, { 3, 0, -13 }, { 0, 0, 21 },
+      { 4, 4, -28 }, { 1, 2, -28 }, { 1, 4, 20 }, { 3, 3, 19 }, { 1, 1, 19 }, { 4, 2, 27 },
+      { 2, 3, -15 }, { 1, 1, 3 }, { 3, 3, 19 }, { 0, 4, -13 }, { 4, 3, -29 }, { 1, 1, 3 },
+      { 0, 4, -13 }, { 1, 0, -31 }, { 2, 3, -4 }, { 3, 3, 5 }, { 3, 3, -17 }, { 3, 3, 19 } });
   list.addRandom("duplicates", 1,
     [](Random& random) { return repeated(smallIntegerSites(8, 0, 3, 0, 2, random), 4, random); });
-  list.add("huge", []() { return scaled(family("uniformHeavy", 25, 2), 3e300, 3e300, 1e300); });
-  list.add("hugeWeights", []() { return scaled(family("uniformHeavy", 25, 3), 1, 1, 1e300); });
-  list.add("hugeSquares", []() { return magnified(family("uniformHeavy", 25, 4), 0x1p500); });
-  list.add("hugest", [=]() { return scaled(squareGrid(3), greatest / 2, greatest / 2, 1); });
+  list.add("huge", scaled(family("uniformHeavy", 25, 2), 3e300, 3e300, 1e300));
+  list.add("hugeWeights", scaled(family("uniformHeavy", 25, 3), 1, 1, 1e300));
+  list.add("hugeSquares", magnified(family("uniformHeavy", 25, 4), 0x1p500));
+  list.add("hugest", scaled(squareGrid(3), greatest / 2, greatest / 2, 1));
   list.add("hugestAround",
     [=]()
     {
@@ -209,24 +185,14 @@ std::vector<Input> smallWeightedInputs()
       return cloud;
     });
   // Products of these differences are zero in double; no orientation is.
-  list.add("vanishingProducts",
-    []() {
-      return Cloud{ { 0, 0, 0 }, { 0x1p-200, 0, 0 }, { 0x1p-200, 0x1p-900, 0 } };
-    });
-  list.add("tiny", []() { return scaled(family("uniformHeavy", 25, 6), 1e-300, 1e-300, 0); });
-  list.add("tinySquares", []() { return magnified(family("uniformHeavy", 25, 7), 0x1p-500); });
-  list.add("tinyBesideWeights",
-    []() { return scaled(family("uniformHeavy", 25, 8), 1e-300, 1e-300, 1e-300); });
-  list.add("tinyBesideGiantWeights",
-    []() { return scaled(family("uniformHeavy", 25, 9), 1e-300, 1e-300, 1e300); });
-  list.add("hugeBesideTinyWeights",
-    []() { return scaled(family("grid", 25, 10), 0x1p900, 0x1p900, 1e-300); });
-  list.add("gridBesideDenormalWeights",
-    [=]()
-    {
-      Random random(11);
-      return scaled(family("gridOfManyWeights", 25, 11), 1, 1, least);
-    });
+  list.add(
+    "vanishingProducts", Cloud{ { 0, 0, 0 }, { 0x1p-200, 0, 0 }, { 0x1p-200, 0x1p-900, 0 } });
+  list.add("tiny", scaled(family("uniformHeavy", 25, 6), 1e-300, 1e-300, 0));
+  list.add("tinySquares", magnified(family("uniformHeavy", 25, 7), 0x1p-500));
+  list.add("tinyBesideWeights", scaled(family("uniformHeavy", 25, 8), 1e-300, 1e-300, 1e-300));
+  list.add("tinyBesideGiantWeights", scaled(family("uniformHeavy", 25, 9), 1e-300, 1e-300, 1e300));
+  list.add("hugeBesideTinyWeights", scaled(family("grid", 25, 10), 0x1p900, 0x1p900, 1e-300));
+  list.add("gridBesideDenormalWeights", scaled(family("gridOfManyWeights", 25, 11), 1, 1, least));
   list.addRandom("denormalsFew", 12, [](Random& random) { return denormals(24, 3, 3, random); });
   list.addRandom(
     "denormalsMany", 13, [](Random& random) { return denormals(24, 100000, 0, random); });
@@ -268,24 +234,50 @@ std::vector<Input> smallWeightedInputs()
       return cloud;
     });
   list.add("lineByOneUlp",
-    []() {
-      return Cloud{ { 1, 1, 0 }, { 2, 2, 0 }, { 1.5, 1.5 + 0x1p-52, 0 }, { 1.25, 1.25, 0 } };
-    });
-  list.add("lineHugest",
-    [=]()
+    Cloud{ { 1, 1, 0 }, { 2, 2, 0 }, { 1.5, 1.5 + 0x1p-52, 0 }, { 1.25, 1.25, 0 } });
+  // The middle of three is exactly tied when it is lighter by the product of its distances.
+  for (const int off : { -1, 0, 1 })
+  {
+    list.add("lineOfThree" + std::to_string(off + 1),
+      [off]() {
+        return Cloud{ { 0, 0, 0 }, { 3, 0, 0 }, { 1, 0, -2 + off * 0x1p-51 } };
+      });
+  }
+  list.add("lineLeast", Cloud{ { 0, 0, -greatest }, { least, 0, greatest } });
+  list.add("triangleOfAnyWeight", Cloud{ { 0, 0, 5 }, { 0, 1, -1e300 }, { 1, 0, 1e300 } });
+  list.add("triangleLeast", Cloud{ { 0, 0, 0 }, { least, 0, 0 }, { 0, least, 0 } });
+  list.add("triangleOfAnyRange", Cloud{ { 1e308, 0, 0 }, { -1e308, 0, 0 }, { 0, least, 0 } });
+  // The differences of weights are below the last place of the squares.
+  list.add("duplicatesOfLittleWeights",
+    []()
     {
-      return Cloud{ { greatest, greatest, -greatest }, { -greatest, -greatest, greatest },
-        { 0, 0, 1 }, { least, least, least }, { 1, 1, 0 } };
+      Cloud cloud = joined(squareGrid(2), weighed(joined(squareGrid(2), squareGrid(2)), 1));
+      cloud[0][2] = 1;
+      return moved(scaled(std::move(cloud), 1, 1, 0x1p-1070), 0x1p50, -0x1p50, 0);
     });
+  // As light as can be: a point goes, if it is no corner.
+  for (const int side : { 2, 3 })
+  {
+    list.add("lightest" + std::to_string(side),
+      [=]()
+      {
+        Cloud cloud = squareGrid(side);
+        cloud[side == 2 ? 3 : 4][2] = -greatest;
+        return cloud;
+      });
+  }
+  list.add("lineHugest",
+    Cloud{ { greatest, greatest, -greatest }, { -greatest, -greatest, greatest }, { 0, 0, 1 },
+      { least, least, least }, { 1, 1, 0 } });
   return list.inputs;
 }
 
 std::vector<Input> largeWeightedInputs()
 {
   InputList list;
-  list.add("grid60", []() { return squareGrid(60); });
-  list.add("grid60rounded", []() { return scaled(squareGrid(60), 0.1, 0.1, 1); });
-  list.add("grid110weighed", []() { return weighed(squareGrid(110), 0.3); });
+  list.add("grid60", squareGrid(60));
+  list.add("grid60rounded", scaled(squareGrid(60), 0.1, 0.1, 1));
+  list.add("grid110weighed", weighed(squareGrid(110), 0.3));
   list.addRandom(
     "grid50times5", 31, [](Random& random) { return repeated(squareGrid(50), 5, random); });
   list.addRandom("grid50stacked", 32,
@@ -324,7 +316,34 @@ std::vector<Input> largeWeightedInputs()
       }
       return cloud;
     });
-  list.add("circleFar", []() { return moved(cocircularIntegers(160225), 0x1p40, -0x1p41, 3); });
+  list.add("circleFar", moved(cocircularIntegers(160225), 0x1p40, -0x1p41, 3));
+  list.add("onePosition",
+    []()
+    {
+      Cloud cloud(5000, Point{ 0.1, 0.2, -0.3 });
+      cloud[3999][2] = cloud[4001][2] = -0.2;
+      return cloud;
+    });
+  // Three so heavy that they hide all others, without and with a fourth that they do not.
+  for (const bool isFourth : { false, true })
+  {
+    list.add(isFourth ? "fourHeaviest" : "threeHeaviest",
+      [=]()
+      {
+        const Cloud heaviest = { { -200, -200, 1e6 }, { 200, -200, 1e6 }, { 0, 200, 1e6 },
+          { 0, 0, 1e6 } };
+        return joined(moved(squareGrid(60), -30, -30, 0),
+          Cloud(heaviest.begin(), heaviest.end() - (isFourth ? 0 : 1)));
+      });
+  }
+  // One giant within hides all but the border: there the chain of each side is as it was.
+  list.add("giantWithin",
+    []()
+    {
+      Cloud cloud = squareGrid(40);
+      cloud[40 * 17 + 21][2] = std::numeric_limits<double>::max();
+      return cloud;
+    });
   list.addRandom("sameButThree", 33,
     [](Random& random)
     {
@@ -374,9 +393,9 @@ std::vector<Input> largeWeightedInputs()
   list.addRandom(
     "log300", 39, [](Random& random) { return logUniform(250, -500, 500, -1000, 1000, random); });
   list.addRandom("denormals", 40, [](Random& random) { return denormals(400, 1000, 0, random); });
-  list.add("tiny", []() { return scaled(family("uniformHeavy", 400, 41), 1e-300, 1e-300, 0); });
-  list.add("huge", []() { return scaled(family("uniformHeavy", 200, 42), 1e308, 1e308, 1e308); });
-  list.add("hugeSquares", []() { return magnified(family("uniformHeavy", 3000, 43), 0x1p500); });
+  list.add("tiny", scaled(family("uniformHeavy", 400, 41), 1e-300, 1e-300, 0));
+  list.add("huge", scaled(family("uniformHeavy", 200, 42), 1e308, 1e308, 1e308));
+  list.add("hugeSquares", magnified(family("uniformHeavy", 3000, 43), 0x1p500));
   list.add("uniformFloats", []() { return roundedToFloat(family("uniformHeavy", 12000, 44)); });
   return list.inputs;
 }
