@@ -12,7 +12,7 @@
 //   corner of the box. So points at the box's corners are looked up among the vertices, as are
 //   all others that the bound leaves open.
 // A point counts as above a plane if the computed sum is more than PlaneClearance e. Exact signs
-// insert the furthest one. Testing/Engine/Geometry/TestHullPlanes.cxx compares points about the
+// insert the furthest one. Testing/Engine/Geometry/TestHullLocator.cxx compares points about the
 // border with exact signs.
 #include "Geometry/HullPlanes.h"
 

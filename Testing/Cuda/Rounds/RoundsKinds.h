@@ -22,10 +22,13 @@ struct RoundsKind
 };
 
 inline const RoundsKind roundsKinds[] = {
-  { "hull", &convexHulls, convexHulls.run,
+  { "hull", &convexHulls,
+    [](const Cloud& cloud, const Options& options) { return convexHulls.run(cloud, options); },
     [](WatchedExecutor& executor, const Cloud& cloud, const Options& options,
       RunSeen* seen) -> Result { return hullByRounds(executor, viewOf(cloud), options, seen); } },
-  { "regular", &regularTriangulations, regularTriangulations.run,
+  { "regular", &regularTriangulations,
+    [](const Cloud& cloud, const Options& options)
+    { return regularTriangulations.run(cloud, options); },
     [](WatchedExecutor& executor, const Cloud& cloud, const Options& options,
       RunSeen* seen) -> Result
     { return triangulationByRounds(executor, viewOf(cloud), weightsOf(cloud), options, seen); } },

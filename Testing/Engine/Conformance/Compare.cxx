@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Support/Threads.h"
-#include "Testing/Cuda/Rounds/RoundsOnHost.h"
-#include "Testing/Engine/Inputs/Inputs.h"
 
 #include <algorithm>
 #include <cstring>
@@ -35,37 +33,33 @@ Buffer<T> copyOf(const Buffer<T>& buffer)
   return copy;
 }
 
-double largestExtent(const Cloud& cloud)
+std::string toText(std::int64_t id)
 {
-  double extent = 0;
-  for (int c = 0; c < 3 && !cloud.empty(); ++c)
-  {
-    double low = cloud[0][c];
-    double high = low;
-    for (const Point& p : cloud)
-    {
-      low = std::min(low, p[c]);
-      high = std::max(high, p[c]);
-    }
-    extent = std::max(extent, high - low);
-  }
-  return extent;
+  return std::to_string(id);
+}
+std::string toText(const Cell& cell)
+{
+  return "(" + toString(cell) + ")";
 }
 
-std::string firstDifference(const std::vector<Cell>& found, const std::vector<Cell>& wanted)
+/// Where two lists part first.
+template <class T>
+std::string firstDifference(
+  const char* what, const std::vector<T>& found, const std::vector<T>& wanted)
 {
-  std::ostringstream out;
-  out << found.size() << " cells for " << wanted.size();
-  for (std::size_t i = 0; i < std::max(found.size(), wanted.size()); ++i)
+  if (found == wanted)
   {
-    if (i >= found.size() || i >= wanted.size() || found[i] != wanted[i])
-    {
-      out << "; cell " << i << ": (" << (i < found.size() ? toString(found[i]) : "none")
-          << ") for (" << (i < wanted.size() ? toString(wanted[i]) : "none") << ")";
-      break;
-    }
+    return "";
   }
-  return out.str();
+  const auto textOf = [](const std::vector<T>& list, std::size_t i)
+  { return i < list.size() ? toText(list[i]) : "none"; };
+  std::size_t i = 0;
+  while (i < found.size() && i < wanted.size() && found[i] == wanted[i])
+  {
+    ++i;
+  }
+  return std::to_string(found.size()) + " " + what + " for " + std::to_string(wanted.size()) +
+    "; number " + std::to_string(i) + ": " + textOf(found, i) + " for " + textOf(wanted, i);
 }
 
 }
@@ -130,76 +124,43 @@ std::vector<Cell> cellsOf(const CellComplex& complex)
 
 std::string difference(const CellComplex& complex, const ReferenceHull& reference, FacetMode facets)
 {
-  std::ostringstream out;
   if (complex.dimension != reference.dimension)
   {
-    out << "dimension " << complex.dimension << " for " << reference.dimension;
-    return out.str();
+    return "dimension " + std::to_string(complex.dimension) + " for " +
+      std::to_string(reference.dimension);
   }
   const Cell ids(complex.pointIds.begin(), complex.pointIds.end());
-  if (ids != reference.ids)
+  std::string fault = firstDifference("points", ids, reference.ids);
+  if (fault.empty())
   {
-    out << ids.size() << " points for " << reference.ids.size();
-    for (std::size_t i = 0; i < std::max(ids.size(), reference.ids.size()); ++i)
-    {
-      if (i >= ids.size() || i >= reference.ids.size() || ids[i] != reference.ids[i])
-      {
-        out << "; the first at fault is number " << i << ": " << (i < ids.size() ? ids[i] : -1)
-            << " for " << (i < reference.ids.size() ? reference.ids[i] : -1);
-        break;
-      }
-    }
-    return out.str();
-  }
-  const std::vector<Cell> wanted =
-    facets == FacetMode::Polygons ? reference.cells : triangulate(reference.cells);
-  const std::vector<Cell> found = cellsOf(complex);
-  if (found != wanted)
-  {
-    return firstDifference(found, wanted);
+    fault = firstDifference("cells", cellsOf(complex),
+      facets == FacetMode::Polygons ? reference.cells : triangulate(reference.cells));
   }
   const std::int64_t end = complex.cellCount() > 0 ? complex.cellBegin(complex.cellCount()) : 0;
-  if (end != static_cast<std::int64_t>(complex.connectivity.size()))
-  {
-    return "connectivity goes on after the last cell";
-  }
-  if (!complex.offsets.empty() && complex.cellSize != 0)
-  {
-    return "both offsets and cellSize are set";
-  }
-  return "";
+  return !fault.empty() ? fault
+    : end != static_cast<std::int64_t>(complex.connectivity.size())
+    ? "connectivity goes on after the last cell"
+    : !complex.offsets.empty() && complex.cellSize != 0 ? "both offsets and cellSize are set"
+                                                        : "";
 }
 
 std::string bitDifference(const CellComplex& a, const CellComplex& b)
 {
-  if (a.dimension != b.dimension)
-  {
-    return "dimension";
-  }
-  if (!sameBits(a.pointIds, b.pointIds))
-  {
-    return "pointIds";
-  }
-  if (!sameBits(a.connectivity, b.connectivity))
-  {
-    return "connectivity";
-  }
-  return !sameBits(a.offsets, b.offsets) || a.cellSize != b.cellSize ? "offsets or cellSize" : "";
+  return a.dimension != b.dimension                               ? "dimension"
+    : !sameBits(a.pointIds, b.pointIds)                           ? "pointIds"
+    : !sameBits(a.connectivity, b.connectivity)                   ? "connectivity"
+    : !sameBits(a.offsets, b.offsets) || a.cellSize != b.cellSize ? "offsets or cellSize"
+                                                                  : "";
 }
 
 std::string bitDifference(const Hull& a, const Hull& b)
 {
   const std::string fault =
     bitDifference(static_cast<const CellComplex&>(a), static_cast<const CellComplex&>(b));
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  if (std::memcmp(&a.volume, &b.volume, sizeof(double)) != 0)
-  {
-    return "volume";
-  }
-  return std::memcmp(&a.area, &b.area, sizeof(double)) != 0 ? "area" : "";
+  return !fault.empty()                                      ? fault
+    : std::memcmp(&a.volume, &b.volume, sizeof(double)) != 0 ? "volume"
+    : std::memcmp(&a.area, &b.area, sizeof(double)) != 0     ? "area"
+                                                             : "";
 }
 
 std::string statisticsFault(const CellComplex& complex, std::int64_t points)
@@ -223,85 +184,6 @@ std::string statisticsFault(const CellComplex& complex, std::int64_t points)
   return s.culled > points ? "more culled points than there are" : "";
 }
 
-void expectHull(const Cloud& cloud, const ReferenceHull& reference)
-{
-  const std::vector<float> floats = isFloat(cloud) ? floatsOf(cloud) : std::vector<float>();
-  const std::int64_t count = static_cast<std::int64_t>(cloud.size());
-  const Measures measures = measure(cloud, reference);
-  const double extent = largestExtent(cloud);
-  for (FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
-  {
-    Hull first;
-    bool isFirst = true;
-    for (int threads : threadsTried())
-    {
-      for (bool vBiased : { false, true })
-      {
-        for (bool single : { false, true })
-        {
-          if (single && floats.empty())
-          {
-            continue;
-          }
-          Options options;
-          options.threads = threads;
-          options.facets = facets;
-          options.vBiased = vBiased;
-          std::ostringstream variant;
-          variant << threads << " threads, " << (vBiased ? "V-biased, " : "")
-                  << (single ? "float, " : "double, ")
-                  << (facets == FacetMode::Polygons ? "polygons" : "triangles");
-          SCOPED_TRACE(variant.str());
-          const PointView view = single ? PointView(floats.data(), count) : viewOf(cloud);
-          Hull hull;
-          ASSERT_NO_THROW(hull = convexHull(view, options));
-          ASSERT_EQ(difference(hull, reference, facets), "");
-          ASSERT_EQ(statisticsFault(hull, count), "");
-          if (isFirst)
-          {
-            isFirst = false;
-            first = std::move(hull);
-            for (int checkers : { 1, 2 })
-            {
-              const Validation valid = validate(view, first, checkers);
-              ASSERT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
-            }
-            // Sums of doubles: right to many digits of the extent in ordinary ranges.
-            if (extent > 1e-90 && extent < 1e90)
-            {
-              EXPECT_NEAR(first.volume, measures.volume,
-                1e-9 * measures.volume + 1e-14 * extent * extent * extent);
-              EXPECT_NEAR(
-                first.area, measures.area, 1e-9 * measures.area + 1e-14 * extent * extent);
-            }
-            EXPECT_GE(first.volume, 0);
-            EXPECT_GE(first.area, 0);
-          }
-          else
-          {
-            ASSERT_EQ(bitDifference(hull, first), "");
-          }
-        }
-      }
-    }
-    for (const RoundsVariant& variant : roundsVariants(count, facets))
-    {
-      Options options;
-      options.threads = 1;
-      options.facets = facets;
-      options.vBiased = variant.vBiased;
-      SCOPED_TRACE("rounds " + variant.how.toString() + (variant.vBiased ? ", V-biased" : "") +
-        (facets == FacetMode::Polygons ? ", polygons" : ", triangles"));
-      const bool single = variant.vBiased && !floats.empty();
-      const PointView view = single ? PointView(floats.data(), count) : viewOf(cloud);
-      Hull hull;
-      ASSERT_NO_THROW(hull = hullByRounds(view, options, variant.how));
-      ASSERT_EQ(bitDifference(hull, first), "");
-      ASSERT_EQ(statisticsFault(hull, count), "");
-    }
-  }
-}
-
 void expectError(
   const std::function<void()>& run, ErrorCode code, std::int64_t index, std::int64_t count)
 {
@@ -318,6 +200,16 @@ void expectError(
     EXPECT_TRUE(index == -2 || error.index() == index) << error.index() << " for " << index;
     EXPECT_TRUE(count == -2 || error.count() == count) << error.count() << " for " << count;
   }
+}
+
+PointsPerThread::PointsPerThread(std::int64_t count)
+{
+  pointsPerThread() = count;
+}
+
+PointsPerThread::~PointsPerThread()
+{
+  pointsPerThread() = 1;
 }
 
 bool isSanitized()

@@ -60,11 +60,6 @@ std::string bitDifference(const Hull& a, const Hull& b);
 /// Identities that every run's statistics keep.
 std::string statisticsFault(const CellComplex& complex, std::int64_t points);
 
-/// Run every variant of the engine on the cloud: threadsTried(); double, and float where the
-/// cloud is; triangles and polygons; V-biased or not; and the CUDA engine's rounds on the host, in
-/// several orders. All must be the reference, be equal bit for bit, and pass validate.
-void expectHull(const Cloud& cloud, const ReferenceHull& reference);
-
 /// Run, expecting an error: its code, and its index and count where they are not -2.
 void expectError(const std::function<void()>& run, ErrorCode code, std::int64_t index = -2,
   std::int64_t count = -2);
@@ -74,6 +69,17 @@ bool isSanitized();
 
 /// Counts are cut under sanitizers.
 int effort(int count);
+
+/// How many points are enough for a thread, and for a part of the plane; afterwards 1, which is
+/// what tests have so that few points take all paths.
+class PointsPerThread
+{
+public:
+  explicit PointsPerThread(std::int64_t count);
+  ~PointsPerThread();
+  PointsPerThread(const PointsPerThread&) = delete;
+  PointsPerThread& operator=(const PointsPerThread&) = delete;
+};
 
 /// The numbers of threads that each cloud is tried on: 1, 2, 4; under sanitizers 1, 4.
 std::vector<int> threadsTried();

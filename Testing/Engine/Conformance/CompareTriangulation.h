@@ -32,12 +32,6 @@ std::string bitDifference(const Triangulation& a, const Triangulation& b);
 /// Identities that every run's statistics keep.
 std::string statisticsFault(const Triangulation& triangulation, std::int64_t points);
 
-/// Run every variant on the weighted cloud: threadsTried(); double, and float where points or
-/// weights are; triangles and polygons; V-biased or not; without weights where all are zero; and
-/// the CUDA engine's rounds on the host, in several orders. All must be the reference, be equal bit
-/// for bit, and pass validate.
-void expectTriangulation(const Cloud& weighted, const ReferenceTriangulation& reference);
-
 }
 }
 

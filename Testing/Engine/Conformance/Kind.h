@@ -18,6 +18,15 @@ namespace test
 
 struct HostOrder;
 
+/// Points and weights as a caller has them; hulls do not read the weights.
+struct Views
+{
+  PointView points;
+  WeightView weights;
+};
+/// As they lie in a cloud.
+Views viewsOf(const Cloud& cloud);
+
 /// What a run of either kind gives.
 using Result = std::variant<Hull, Triangulation>;
 
@@ -25,6 +34,8 @@ const CellComplex& complexOf(const Result& result);
 std::string difference(
   const Result& result, const ReferenceHull& reference, FacetMode facets, std::int64_t points);
 std::string bitDifference(const Result& a, const Result& b);
+std::string statisticsFault(const Result& result, std::int64_t points);
+Validation validate(const Views& views, const Result& result, int threads = 0);
 /// @param cloud what the result is of: points, or weighted points
 Validation validate(const Cloud& cloud, const Result& result, int threads = 0);
 
@@ -35,18 +46,27 @@ struct Kind
   const std::vector<Family>& (*families)();
   std::vector<Input> (*smallInputs)(); ///< the special ones
   std::vector<Input> (*largeInputs)();
-  Result (*run)(const Cloud&, const Options&);
-  Result (*runRounds)(const Cloud&, const Options&, const HostOrder&); ///< on the host
+  Result (*runOn)(const Views&, const Options&);
+  Result (*runRounds)(const Views&, const Options&, const HostOrder&); ///< on the host
   ReferenceHull (*bruteForce)(const Cloud&);
   ReferenceHull (*cgalBy)(const Cloud&, CgalKernel);
   CgalKernel (*kernelFor)(const Cloud&);
-  void (*expect)(const Cloud&, const ReferenceHull&); ///< every variant of the engine
 
+  Result run(const Cloud& cloud, const Options& options) const
+  {
+    return this->runOn(viewsOf(cloud), options);
+  }
   Input family(const std::string& name, int count, std::uint64_t seed) const
   {
     return fromFamilies(this->families(), name, count, seed);
   }
   ReferenceHull cgal(const Cloud& cloud) const { return this->cgalBy(cloud, kernelFor(cloud)); }
+
+  /// Run every variant of the engine on the cloud: threadsTried(); points and weights as double,
+  /// and as float where they are; triangles and polygons; V-biased or not; without weights where
+  /// all are zero; and the CUDA engine's rounds on the host, in several orders. All must be the
+  /// reference, be equal bit for bit, and pass validate.
+  void expect(const Cloud& cloud, const ReferenceHull& reference) const;
 };
 extern const Kind convexHulls;
 extern const Kind regularTriangulations;
@@ -56,9 +76,6 @@ extern const Kind regularTriangulations;
 /// @return what is wrong; empty when nothing is.
 std::string quickFault(
   const Kind& kind, const Cloud& cloud, const ReferenceHull& reference, const Options& options);
-
-/// The cloud's result has these polygons, as the engine sees it, and the brute force where it can.
-void expectCells(const Kind& kind, const Cloud& cloud, int dimension, std::vector<Cell> cells);
 
 // Parameters of tests.
 
@@ -94,7 +111,8 @@ struct Named
 {
   std::string operator()(const ::testing::TestParamInfo<FamilyOf>& given) const
   {
-    return given.param.name;
+    return given.param.name +
+      (given.param.count ? "_" + std::to_string(given.param.count) : std::string());
   }
   std::string operator()(const ::testing::TestParamInfo<InputOf>& given) const
   {

@@ -5,11 +5,11 @@
 #ifndef flipflop_test_ProgressWatch_h
 #define flipflop_test_ProgressWatch_h
 
+#include <flipflop/Error.h>
 #include <flipflop/Options.h>
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <string>
 #include <thread>
 #include <vector>
@@ -28,14 +28,12 @@ struct Watch
   std::vector<std::string> steps;
   bool elsewhere = false;
   int stopAt = 0; ///< the call that asks to stop; 0: none
-  std::chrono::steady_clock::time_point stopped;
 
   static bool see(double fraction, void* context)
   {
     Watch& watch = *static_cast<Watch*>(context);
     watch.elsewhere = watch.elsewhere || std::this_thread::get_id() != watch.caller;
     watch.fractions.push_back(fraction);
-    watch.stopped = std::chrono::steady_clock::now();
     return static_cast<int>(watch.fractions.size()) != watch.stopAt;
   }
 
@@ -68,6 +66,40 @@ struct Watch
     }
   }
 };
+
+/// A run reports in order, so often at least; stopped at any of its reports, it ends there.
+/// @param run void (const Options&)
+template <class Run>
+void expectProgress(const Run& run, int threads, std::size_t least = 1)
+{
+  SCOPED_TRACE(std::to_string(threads) + " threads");
+  Watch whole;
+  run(whole.options(threads));
+  whole.expectOrder();
+  ASSERT_GE(whole.fractions.size(), least);
+  const int reports = static_cast<int>(whole.fractions.size());
+  for (const int stopAt : { 1, 2, 5, reports / 2, reports })
+  {
+    Watch watch;
+    watch.stopAt = stopAt;
+    bool aborted = false;
+    try
+    {
+      run(watch.options(threads));
+    }
+    catch (const Error& error)
+    {
+      ASSERT_EQ(error.code(), ErrorCode::Aborted) << error.what();
+      aborted = true;
+    }
+    // Time passes between reports, so their number varies from run to run.
+    const int seen = static_cast<int>(watch.fractions.size());
+    EXPECT_EQ(aborted, stopAt > 0 && seen >= stopAt) << "stop at " << stopAt;
+    EXPECT_TRUE(!aborted || seen == stopAt) << "called after the stop";
+    EXPECT_TRUE(aborted || stopAt != 1 || reports == 0) << "the first report may stop it";
+    watch.expectOrder();
+  }
+}
 
 }
 }

@@ -6,7 +6,7 @@
 ///
 /// Counts, not seconds: they are the same on every machine.
 #include "Support/Threads.h"
-#include "Testing/Engine/Conformance/CompareTriangulation.h"
+#include "Testing/Engine/Conformance/Kind.h"
 #include "Testing/Engine/Inputs/InputsInUse.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
@@ -25,7 +25,7 @@ namespace
 constexpr int Small = 5000;
 constexpr int Large = 8 * Small;
 
-struct Work
+struct Counted
 {
   const char* what;
   double small;
@@ -33,9 +33,9 @@ struct Work
 };
 
 /// Of a point.
-std::vector<Work> workOf(const Statistics& small, const Statistics& large)
+std::vector<Counted> workOf(const Statistics& small, const Statistics& large)
 {
-  std::vector<Work> all;
+  std::vector<Counted> all;
   const auto add = [&](const char* what, auto count)
   {
     all.push_back({ what, static_cast<double>(count(small)) / static_cast<double>(small.points),
@@ -62,118 +62,62 @@ double mostGrowth(const std::string& name)
   return known == most.end() ? 1.5 : known->second;
 }
 
-template <class Run>
-void expectSteadyWork(
-  const std::string& name, const Cloud& small, const Cloud& large, const Run& run)
+Statistics statisticsOf(const Kind& kind, const Cloud& cloud, int threads = 1)
 {
-  const double growth = mostGrowth(name);
-  for (const Work& work : workOf(run(small), run(large)))
+  Options options;
+  options.threads = threads;
+  return complexOf(kind.run(cloud, options)).statistics;
+}
+
+class Work : public ::testing::TestWithParam<FamilyOf>
+{
+};
+
+TEST_P(Work, IsSteady)
+{
+  const FamilyOf& of = this->GetParam();
+  const auto worked = [&](int count)
+  { return statisticsOf(*of.kind, makeCloud(of.name, of.kind->dimension == 2, count, 5)); };
+  for (const Counted& counted : workOf(worked(Small), worked(Large)))
   {
     if (std::getenv("FLIPFLOP_TEST_PRINT"))
     {
-      std::printf("%-12s %9.2f %9.2f\n", work.what, work.small, work.large);
+      std::printf("%-12s %9.2f %9.2f\n", counted.what, counted.small, counted.large);
     }
     // Two of each for a point are little, whatever it was at the smaller size.
-    EXPECT_LE(work.large, growth * work.small + 2) << work.what << " for a point";
+    EXPECT_LE(counted.large, mostGrowth(of.name) * counted.small + 2)
+      << counted.what << " for a point";
   }
 }
 
-Statistics hullWork(const Cloud& cloud)
+/// Families and shapes in use, these shuffled, too.
+std::vector<FamilyOf> everything(const Kind& kind)
 {
-  Options options;
-  options.threads = 1;
-  return convexHull(viewOf(cloud), options).statistics;
-}
-
-Statistics triangulationWork(const Cloud& weighted)
-{
-  Options options;
-  options.threads = 1;
-  return regularTriangulation(viewOf(weighted), weightsOf(weighted), options).statistics;
-}
-
-class HullFamily : public ::testing::TestWithParam<const char*>
-{
-};
-
-TEST_P(HullFamily, WorkIsSteady)
-{
-  const auto make = [this](int count) { return fromFamily(this->GetParam(), count, 5).make(); };
-  expectSteadyWork(this->GetParam(), make(Small), make(Large), hullWork);
-}
-
-std::vector<const char*> namesOf(const std::vector<Family>& list)
-{
-  std::vector<const char*> names;
-  for (const Family& family : list)
+  std::vector<FamilyOf> all = familiesOf(kind);
+  for (const std::string& name : withShuffled(namesInUse(kind.dimension == 2)))
   {
-    names.push_back(family.name);
+    all.push_back({ &kind, name, 0 });
   }
-  return names;
+  return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Work, HullFamily, ::testing::ValuesIn(namesOf(families())),
-  [](const auto& given) { return std::string(given.param); });
+INSTANTIATE_TEST_SUITE_P(ConvexHull, Work, ::testing::ValuesIn(everything(convexHulls)));
+INSTANTIATE_TEST_SUITE_P(
+  RegularTriangulation, Work, ::testing::ValuesIn(everything(regularTriangulations)));
 
-class TriangulationFamily : public ::testing::TestWithParam<const char*>
-{
-};
-
-TEST_P(TriangulationFamily, WorkIsSteady)
-{
-  const auto make = [this](int count)
-  { return fromWeightedFamily(this->GetParam(), count, 5).make(); };
-  expectSteadyWork(this->GetParam(), make(Small), make(Large), triangulationWork);
-}
-
-INSTANTIATE_TEST_SUITE_P(Work, TriangulationFamily,
-  ::testing::ValuesIn(namesOf(weightedFamilies())),
-  [](const auto& given) { return std::string(given.param); });
-
-TEST(Work, HullsOfShapesInUse)
-{
-  for (const std::string& name : withShuffled(namesInUse(false)))
-  {
-    SCOPED_TRACE(name);
-    expectSteadyWork(
-      name, makeCloud(name, false, Small, 1), makeCloud(name, false, Large, 1), hullWork);
-  }
-}
-
-TEST(Work, TriangulationsOfShapesInUse)
-{
-  for (const std::string& name : withShuffled(namesInUse(true)))
-  {
-    SCOPED_TRACE(name);
-    expectSteadyWork(
-      name, makeCloud(name, true, Small, 1), makeCloud(name, true, Large, 1), triangulationWork);
-  }
-}
-
-TEST(Work, HullsAlongCurvesAreRight)
+TEST(WorkOn, CurvesIsLittle)
 {
   for (const char* name : { "strands", "strands-shuffled" })
   {
-    SCOPED_TRACE(name);
-    const Cloud cloud = makeCloud(name, false, Large, 1);
-    Options options;
-    options.threads = 1;
-    const Hull alone = convexHull(viewOf(cloud), options);
     // Grown, 20 and more.
-    EXPECT_LT(alone.statistics.flips22, 10 * alone.statistics.insertions);
-    const Validation valid = validate(viewOf(cloud), alone);
-    EXPECT_TRUE(valid) << describe(valid.fault) << ", index " << valid.index;
-    for (const int threads : { 2, 4 })
-    {
-      options.threads = threads;
-      EXPECT_EQ(bitDifference(convexHull(viewOf(cloud), options), alone), "") << threads;
-    }
+    const Statistics s = statisticsOf(convexHulls, makeCloud(name, false, Large, 1));
+    EXPECT_LT(s.flips22, 10 * s.insertions) << name;
   }
 }
 
 /// Seen from inside, all points of a slab are near one plane, and no map of directions tells them
 /// apart.
-TEST(Work, PointsOfAFlatBodyAreDismissed)
+TEST(WorkOn, PointsOfAFlatBodyAreDismissed)
 {
   Random random(12);
   Cloud cloud;
@@ -184,20 +128,14 @@ TEST(Work, PointsOfAFlatBodyAreDismissed)
     const double z = random.uniform(-0.002, 0.002);
     cloud.push_back({ 0.6 * x - 0.8 * z, y, 0.8 * x + 0.6 * z });
   }
-  Options options;
-  options.threads = 1;
-  const Hull alone = convexHull(viewOf(cloud), options);
-  EXPECT_GT(alone.statistics.culled, 30000);
-  EXPECT_TRUE(validate(viewOf(cloud), alone));
-  options.threads = 4;
-  const Hull shared = convexHull(viewOf(cloud), options);
-  EXPECT_EQ(bitDifference(shared, alone), "");
-  EXPECT_EQ(shared.statistics.culled, alone.statistics.culled);
+  const Statistics alone = statisticsOf(convexHulls, cloud);
+  EXPECT_GT(alone.culled, 30000);
+  EXPECT_EQ(statisticsOf(convexHulls, cloud, 4).culled, alone.culled);
 }
 
 /// All points are vertices; most triangles are slivers. At this size the sample's hull has more
 /// vertices than the smaller levels have points.
-TEST(Work, CurvesOfManyPointsAreInserted)
+TEST(WorkOn, CurvesOfManyPointsAreInserted)
 {
   constexpr int Count = 560000;
   Cloud cloud;
@@ -206,22 +144,16 @@ TEST(Work, CurvesOfManyPointsAreInserted)
     const double t = 6.283185307179586 * (i + 0.5) / Count;
     cloud.push_back({ std::cos(t), std::sin(t) + 0.3 * std::sin(2 * t), std::cos(2 * t) });
   }
-  const Statistics s = hullWork(cloud);
+  const Statistics s = statisticsOf(convexHulls, cloud);
   // 31 where they are grown.
   EXPECT_LT(s.flips22, 5 * s.points);
   EXPECT_LT(s.moves, 12 * s.points);
 }
 
 /// Parts are as large as users have them, not as small as the other tests make them.
-class PartsAsUsersHaveThem : public ::testing::Test
+TEST(PartsAsUsersHaveThem, ThreadsAddNoWork)
 {
-public:
-  PartsAsUsersHaveThem() { pointsPerThread() = UsualPointsPerThread; }
-  ~PartsAsUsersHaveThem() override { pointsPerThread() = 1; }
-};
-
-TEST_F(PartsAsUsersHaveThem, ThreadsAddNoWork)
-{
+  const PointsPerThread here(UsualPointsPerThread);
   for (const std::string& name : withShuffled(namesInUse(true)))
   {
     SCOPED_TRACE(name);
@@ -242,6 +174,23 @@ TEST_F(PartsAsUsersHaveThem, ThreadsAddNoWork)
       EXPECT_EQ(shared.moves, alone.moves);
       EXPECT_EQ(shared.exactCalls, alone.exactCalls);
     }
+  }
+}
+
+/// Among thousands of points are places that flips by the V-criterion alone leave.
+TEST(PartsAsUsersHaveThem, NeedTheDCriterion)
+{
+  const PointsPerThread here(UsualPointsPerThread);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+  {
+    const Cloud cloud = fromWeightedFamily("uniformHeavy", 20000, seed).make();
+    Options options;
+    options.threads = 1;
+    options.vBiased = false; // else it waits, and hardly ever comes to that
+    const Triangulation found = regularTriangulation(viewOf(cloud), weightsOf(cloud), options);
+    EXPECT_GT(found.statistics.labelled, 0) << "seed " << seed;
+    EXPECT_GT(found.statistics.flipsD, 0) << "seed " << seed;
+    EXPECT_GT(found.statistics.flips31, 0) << "seed " << seed;
   }
 }
 

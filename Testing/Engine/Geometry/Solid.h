@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A convex polyhedron to hold tests of points against.
+/// A polyhedron as the engine has it inside, of plain points and triangles.
 #ifndef flipflop_testing_Solid_h
 #define flipflop_testing_Solid_h
 
 #include "Mesh/Polyhedron.h"
 #include "Points/CoordinateRange.h"
 #include "Surface/Topology.h"
-#include "Testing/Engine/Conformance/Compare.h"
-#include <flipflop/ConvexHull.h>
+#include "Testing/Engine/Inputs/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -21,43 +20,38 @@ namespace flipflop
 namespace test
 {
 
-/// A convex polyhedron, the hull of a cloud.
 struct Solid
 {
   Polyhedron polyhedron;
   CoordinateRange range{};
 };
 
-inline Solid solidOf(const Cloud& cloud)
+inline Solid solidOf(const Surface& surface)
 {
-  const Hull hull = convexHull(viewOf(cloud));
-  EXPECT_EQ(hull.dimension, 3);
-  Solid solid{ Polyhedron(hull.pointIds.size(), hull.connectivity.size() / 3), {} };
-  for (int i = 0; i < 3; ++i)
+  Solid solid{ Polyhedron(surface.points.size(), surface.triangles.size()), {} };
+  Buffer<Vertex>& vertices = solid.polyhedron.vertices;
+  for (std::size_t v = 0; v < surface.points.size(); ++v)
   {
-    solid.range.low[i] = solid.range.smallest[i] = HUGE_VAL;
-    solid.range.high[i] = -HUGE_VAL;
+    vertices[v].id = static_cast<std::uint32_t>(v);
+    vertices[v].flags = VertexAlive;
+    std::copy(surface.points[v].begin(), surface.points[v].end(), vertices[v].x);
   }
-  for (std::size_t v = 0; v < hull.pointIds.size(); ++v)
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    Vertex& vertex = solid.polyhedron.vertices[v];
-    vertex.id = static_cast<std::uint32_t>(hull.pointIds[v]);
-    vertex.flags = VertexAlive;
-    for (int i = 0; i < 3; ++i)
+    double& low = solid.range.low[i] = HUGE_VAL;
+    double& high = solid.range.high[i] = -HUGE_VAL;
+    double& smallest = solid.range.smallest[i] = HUGE_VAL;
+    for (const Point& p : surface.points)
     {
-      const double x = vertex.x[i] = cloud[vertex.id][static_cast<std::size_t>(i)];
-      solid.range.low[i] = std::min(solid.range.low[i], x);
-      solid.range.high[i] = std::max(solid.range.high[i], x);
-      solid.range.smallest[i] = std::min(solid.range.smallest[i], x != 0 ? std::fabs(x) : HUGE_VAL);
+      low = std::min(low, p[i]);
+      high = std::max(high, p[i]);
+      smallest = p[i] != 0 ? std::min(smallest, std::fabs(p[i])) : smallest;
     }
   }
-  for (std::uint32_t t = 0; t < solid.polyhedron.triangleCount(); ++t)
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     Triangle& triangle = solid.polyhedron.triangles[t];
-    for (std::uint32_t k = 0; k < 3; ++k)
-    {
-      triangle.v[k] = static_cast<std::uint32_t>(hull.connectivity[3 * t + k]);
-    }
+    std::copy(surface.triangles[t].begin(), surface.triangles[t].end(), triangle.v);
     triangle.flags = triangle.flatEdges = 0;
   }
   EXPECT_FALSE(linkTriangles(solid.polyhedron.triangles.data(), solid.polyhedron.triangleCount(),

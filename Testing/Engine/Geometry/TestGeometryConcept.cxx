@@ -5,6 +5,7 @@
 /// from rationals, so its hulls are also a check of HullGeometry's filters and exact steps.
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/Predicates/PredicateCases.h"
 
 #include "Finish/Canonical.h"
 #include "Finish/Redundant.h"
@@ -17,8 +18,6 @@
 #include "Run/Span.h"
 
 #include <gtest/gtest.h>
-
-#include <gmpxx.h>
 
 namespace flipflop
 {
@@ -53,14 +52,15 @@ public:
   {
     return false;
   }
-  int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  static int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p)
   {
-    return orient(a.x, b.x, c.x, p.x);
+    return test::exactAbove(a, b, c, p);
   }
   int exactKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     EXPECT_FALSE(this->kernelIsSymbolic());
-    return -orient(a.x, b.x, c.x, this->kernel());
+    const double* const s = this->kernel();
+    return exactBeneath(a, b, c, rowOf(makeVertex(s[0], s[1], s[2], 0)));
   }
   int tieAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
   {
@@ -83,25 +83,6 @@ public:
     return HullGeometry::heightAbove(a, b, c, p);
   }
   static bool isWide() { return false; }
-
-private:
-  /// Sign of det[b - a; c - a; d - a].
-  static int orient(const double* a, const double* b, const double* c, const double* d)
-  {
-    mpq_class row[3][3];
-    const double* const point[3] = { b, c, d };
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        row[i][k] = mpq_class(point[i][k]) - mpq_class(a[k]);
-      }
-    }
-    const mpq_class det = row[0][0] * (row[1][1] * row[2][2] - row[1][2] * row[2][1]) +
-      row[0][1] * (row[1][2] * row[2][0] - row[1][0] * row[2][2]) +
-      row[0][2] * (row[1][0] * row[2][1] - row[1][1] * row[2][0]);
-    return sgn(det);
-  }
 };
 
 /// Every walk starts at triangle 0.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Engine/Inputs/Surfaces.h"
+#include "Testing/Engine/Inputs/InputMaking.h"
 #include "Testing/Engine/References/Reference.h"
 
 #include <cmath>
@@ -12,6 +13,18 @@ namespace flipflop
 namespace test
 {
 
+Surface joinedAs(const Cloud& points, const Cloud& shape)
+{
+  Surface surface;
+  surface.points = points;
+  const ReferenceHull hull = shape.size() <= 12 ? bruteForceHull(shape) : cgalHull(shape);
+  for (const Cell& t : triangulate(hull.cells))
+  {
+    surface.triangles.push_back({ t[0], t[1], t[2] });
+  }
+  return surface;
+}
+
 namespace
 {
 
@@ -19,31 +32,34 @@ Surface icosahedron()
 {
   // The golden rectangles.
   const double g = 1.618033988749895;
-  Surface surface;
+  Cloud points;
   for (double s : { -1.0, 1.0 })
   {
     for (double t : { -g, g })
     {
-      surface.points.push_back({ 0, s, t });
-      surface.points.push_back({ s, t, 0 });
-      surface.points.push_back({ t, 0, s });
+      points = joined(points, { { 0, s, t }, { s, t, 0 }, { t, 0, s } });
     }
   }
-  const ReferenceHull hull = bruteForceHull(surface.points);
-  for (const Cell& cell : hull.cells)
-  {
-    surface.triangles.push_back({ cell[0], cell[1], cell[2] });
-  }
-  return surface;
+  return joinedAs(points, points);
 }
 
-void pushToSphere(Cloud& points)
+Cloud onSphere(Cloud points)
 {
   for (Point& p : points)
   {
-    const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-    p = { p[0] / r, p[1] / r, p[2] / r };
+    p = times(p, 1 / std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
   }
+  return points;
+}
+
+/// At random distances, so many times as far as before.
+Cloud roughened(Cloud points, double low, Random& random)
+{
+  for (Point& p : points)
+  {
+    p = times(p, random.uniform(low, 1));
+  }
+  return points;
 }
 
 /// Replace triangle @p t, of points that are integers, by the twisted pattern. All points are
@@ -79,8 +95,6 @@ void twist(Surface& surface, std::size_t t)
 
 }
 
-const double stuckKernel[3] = { 0, 0, 0 };
-
 Surface icosphere(int levels)
 {
   Surface surface = icosahedron();
@@ -111,9 +125,9 @@ Surface icosphere(int levels)
       finer.push_back(m);
     }
     surface.triangles = std::move(finer);
-    pushToSphere(surface.points);
+    surface.points = onSphere(std::move(surface.points));
   }
-  pushToSphere(surface.points);
+  surface.points = onSphere(std::move(surface.points));
   return surface;
 }
 
@@ -121,32 +135,29 @@ Surface perturbedIcosphere(int levels, double depth, std::uint64_t seed)
 {
   Surface surface = icosphere(levels);
   Random random(seed);
-  for (Point& p : surface.points)
-  {
-    const double r = 1 - depth * random.uniform();
-    p = { p[0] * r, p[1] * r, p[2] * r };
-  }
+  surface.points = roughened(std::move(surface.points), 1 - depth, random);
   return surface;
 }
 
 Surface randomStar(int count, double low, std::uint64_t seed)
 {
   Random random(seed);
-  Surface surface;
-  for (int i = 0; i < count; ++i)
-  {
-    surface.points.push_back(random.direction());
-  }
-  for (const Cell& t : triangulate(cgalHull(surface.points).cells))
-  {
-    surface.triangles.push_back({ t[0], t[1], t[2] });
-  }
-  for (Point& p : surface.points)
-  {
-    const double r = random.uniform(low, 1);
-    p = { p[0] * r, p[1] * r, p[2] * r };
-  }
-  return surface;
+  const Cloud directions = generate(count, [&](int) { return random.direction(); });
+  return joinedAs(roughened(directions, low, random), directions);
+}
+
+Surface scrambledSphere(int count, std::uint64_t seed)
+{
+  Random random(seed);
+  const Cloud directions = generate(count, [&](int) { return random.direction(); });
+  return joinedAs(directions, roughened(directions, 1 - 1.0 / count, random));
+}
+
+Surface scrambledCube(int side, std::uint64_t seed)
+{
+  Random random(seed);
+  const Cloud points = griddedCube(side).points;
+  return joinedAs(points, roughened(onSphere(points), 1 - 1 / double(points.size()), random));
 }
 
 Surface griddedCube(int side)
@@ -173,9 +184,9 @@ Surface griddedCube(int side)
           const auto corner = [&](int du, int dv)
           {
             Point p;
-            p[axis] = far * side;
-            p[(axis + 1) % 3] = u + du;
-            p[(axis + 2) % 3] = v + dv;
+            p[axis] = far * side - 0.5 * side;
+            p[(axis + 1) % 3] = u + du - 0.5 * side;
+            p[(axis + 2) % 3] = v + dv - 0.5 * side;
             return id(p);
           };
           Corners a = { corner(0, 0), corner(1, 0), corner(1, 1) };
@@ -204,16 +215,17 @@ Surface stuckTetrahedron()
   return surface;
 }
 
+Surface stuckTwice()
+{
+  Surface surface = stuckTetrahedron();
+  twist(surface, 0);
+  return surface;
+}
+
 Surface stuckIcosahedron()
 {
   Surface surface = icosahedron();
-  for (Point& p : surface.points)
-  {
-    for (double& x : p)
-    {
-      x = std::round(1000 * x) * 1e5;
-    }
-  }
+  surface.points = scaled(toSteps(scaled(surface.points, 1e3, 1e3, 1e3), 1), 1e5, 1e5, 1e5);
   for (std::size_t t = 0; t < 20; ++t)
   {
     twist(surface, t);
@@ -224,15 +236,10 @@ Surface stuckIcosahedron()
 Surface wound(int sides, int windings)
 {
   Surface surface;
-  surface.points = { { 0, 0, 1 }, { 0, 0, -1 } };
   const int count = sides * windings;
-  for (int i = 0; i < count; ++i)
-  {
-    const double angle = 6.283185307179586 * i / sides;
-    // Distances differ, lest two vertices of different windings be one position.
-    const double r = 1 + 0.01 * i;
-    surface.points.push_back({ r * std::cos(angle), r * std::sin(angle), 0 });
-  }
+  // Distances differ, lest two vertices of different windings be one position.
+  surface.points = joined({ { 0, 0, 1 }, { 0, 0, -1 } },
+    generate(count, [&](int i) { return onCircle(Turn * i / sides, 1 + 0.01 * i); }));
   for (int i = 0; i < count; ++i)
   {
     const std::int64_t a = 2 + i;
@@ -250,10 +257,8 @@ Surface torus(int around, int across)
   {
     for (int k = 0; k < across; ++k)
     {
-      const double u = 6.283185307179586 * i / around;
-      const double v = 6.283185307179586 * k / across;
-      const double r = 2 + std::cos(v);
-      surface.points.push_back({ r * std::cos(u), r * std::sin(u), std::sin(v) });
+      const double v = Turn * k / across;
+      surface.points.push_back(onCircle(Turn * i / around, 2 + std::cos(v), std::sin(v)));
       const std::int64_t a = i * across + k;
       const std::int64_t b = (i + 1) % around * across + k;
       const std::int64_t c = (i + 1) % around * across + (k + 1) % across;

@@ -38,10 +38,16 @@ struct Surface
 Surface icosphere(int levels);
 /// The same, every vertex at a random distance 1 - depth to 1 from the origin.
 Surface perturbedIcosphere(int levels, double depth, std::uint64_t seed);
+/// Points, joined as the convex hull joins others, of the same directions.
+Surface joinedAs(const Cloud& points, const Cloud& shape);
 /// Random directions, joined as their convex hull joins them, at random distances low to 1.
 Surface randomStar(int count, double low, std::uint64_t seed);
-/// A cube whose faces are grids of @p side squares, each cut in two.
+/// On the sphere, but joined as a rough sphere would be: the way to the hull is by 2-2 flips alone.
+Surface scrambledSphere(int count, std::uint64_t seed);
+/// A cube about the origin whose faces are grids of @p side squares, each cut in two.
 Surface griddedCube(int side);
+/// The same points, joined as a rough sphere would be.
+Surface scrambledCube(int side, std::uint64_t seed);
 
 /// The stuck configuration: a tetrahedron with base points A, B, C and apex D below, whose top ABC
 /// is replaced by the twisted pattern of Edelsbrunner and Shah: a little triangle abc, sunk, and
@@ -49,8 +55,8 @@ Surface griddedCube(int side);
 Surface stuckTetrahedron();
 /// The same on every facet of an icosahedron blown up to integers.
 Surface stuckIcosahedron();
-/// The kernel of both.
-extern const double stuckKernel[3];
+/// The tetrahedron, whose little triangle has a pattern of its own, sunk deeper and rounded.
+Surface stuckTwice();
 
 /// A ring of triangles from every side, wound @p windings times around the z axis.
 Surface wound(int sides, int windings);

@@ -6,10 +6,11 @@
 #include "Points/InsertionOrder.h"
 #include "Support/Threads.h"
 #include "Testing/Engine/Conformance/Compare.h"
-#include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace flipflop
 {
@@ -40,13 +41,7 @@ InsertionOrder orderOf(const Cloud& cloud, const std::vector<std::uint32_t>& wit
 
 Cloud inSquare(int count, double side, double x, double y, std::uint64_t seed)
 {
-  Random random(seed);
-  Cloud cloud;
-  for (int i = 0; i < count; ++i)
-  {
-    cloud.push_back({ x + side * random.uniform(), y + side * random.uniform(), 0 });
-  }
-  return cloud;
+  return moved(scaled(randomSites(count, 0, seed), side, side, 0), x, y, 0);
 }
 
 /// How far it is, in all, from point to point of the last level, steps to an outlier left out.
@@ -74,29 +69,29 @@ void expectEachOnce(const InsertionOrder& order, std::vector<std::uint32_t> want
   EXPECT_EQ(order.levelEnds.back(), order.ids.size());
 }
 
-std::vector<std::uint32_t> upTo(std::uint32_t count)
-{
-  std::vector<std::uint32_t> ids(count);
-  for (std::uint32_t i = 0; i < count; ++i)
-  {
-    ids[i] = i;
-  }
-  return ids;
-}
-
 }
 
 TEST(InsertionOrder, HoldsEachPointOnce)
 {
+  // Also of one place; and where each point is twice as near to the origin as the one before: over
+  // a thousand of a double's powers of two, of which a curve sees sixteen.
+  Cloud scales;
+  for (int i = 0; i < 2000; ++i)
+  {
+    scales.push_back({ std::ldexp(1.0, -(i % 1000)), std::ldexp(1.0, -(i / 2)), 0 });
+  }
+  std::vector<Cloud> clouds = { scales, Cloud(20000, { 3, 4, 0 }) };
   for (const int count : { 0, 1, 2, 3, 100, 4096, 4097, 50000 })
   {
-    SCOPED_TRACE(count);
-    expectEachOnce(orderOf(inSquare(count, 1, 0, 0, 1)), upTo(static_cast<std::uint32_t>(count)));
+    clouds.push_back(inSquare(count, 1, 0, 0, 1));
   }
-}
-
-TEST(InsertionOrder, LeavesOutWhatItIsTold)
-{
+  for (const Cloud& cloud : clouds)
+  {
+    SCOPED_TRACE(cloud.size());
+    std::vector<std::uint32_t> all(cloud.size());
+    std::iota(all.begin(), all.end(), 0u);
+    expectEachOnce(orderOf(cloud), all);
+  }
   Cloud cloud = inSquare(6, 1, 0, 0, 1);
   cloud[4][1] = std::nan("");
   expectEachOnce(orderOf(cloud, { 0, 2 }, true), { 1, 3, 5 });
@@ -124,41 +119,14 @@ TEST(InsertionOrder, IsTheSameOnManyThreads)
 
 TEST(InsertionOrder, TheWayIsShort)
 {
-  // Through n points at random in a square, a Hilbert curve's way is about 0.92 sqrt(n) sides.
-  const int count = 100000;
-  const Cloud cloud = inSquare(count, 1, 0, 0, 5);
-  EXPECT_LT(wayThroughLastLevel(cloud, orderOf(cloud)), 1.2 * std::sqrt(count));
-}
-
-TEST(InsertionOrder, TheWayIsShortWherePointsCrowd)
-{
-  // All in one step of the curve through the whole, for one point far away.
+  // Through n points at random in a square, a Hilbert curve's way is about 0.92 sqrt(n) sides. Also
+  // where all are in one step of the curve through the whole, for one point far away.
   const int count = 100000;
   const double side = 1e-7;
   Cloud cloud = inSquare(count, side, 0, 0, 6);
-  const double way = wayThroughLastLevel(cloud, orderOf(cloud));
+  EXPECT_LT(wayThroughLastLevel(cloud, orderOf(cloud)), 1.2 * side * std::sqrt(count));
   cloud.push_back({ 1, 1, 0 });
-  const double wayWithOutlier = wayThroughLastLevel(cloud, orderOf(cloud));
-  EXPECT_LT(way, 1.2 * side * std::sqrt(count));
-  EXPECT_LT(wayWithOutlier, 1.5 * side * std::sqrt(count));
-}
-
-TEST(InsertionOrder, OnePlaceManyTimes)
-{
-  const Cloud cloud(20000, { 3, 4, 0 });
-  expectEachOnce(orderOf(cloud), upTo(20000));
-}
-
-TEST(InsertionOrder, ScalesWithinScales)
-{
-  // Each point twice as near to the origin as the one before: over a thousand of a double's powers
-  // of two, of which a curve sees sixteen.
-  Cloud cloud;
-  for (int i = 0; i < 2000; ++i)
-  {
-    cloud.push_back({ std::ldexp(1.0, -(i % 1000)), std::ldexp(1.0, -(i / 2)), 0 });
-  }
-  expectEachOnce(orderOf(cloud), upTo(2000));
+  EXPECT_LT(wayThroughLastLevel(cloud, orderOf(cloud)), 1.5 * side * std::sqrt(count));
 }
 
 /// The direction that an unfolded place stands for.

@@ -19,27 +19,6 @@ namespace flipflop
 namespace test
 {
 
-inline double uniform(std::mt19937_64& random)
-{
-  return std::uniform_real_distribution<double>(-1, 1)(random);
-}
-
-/// Below @p limit.
-inline int below(std::mt19937_64& random, int limit)
-{
-  return static_cast<int>(random() % static_cast<unsigned>(limit));
-}
-
-/// Move by up to @p steps units in the last place.
-inline double nudged(double x, std::mt19937_64& random, int steps)
-{
-  for (int k = below(random, steps + 1); k > 0; --k)
-  {
-    x = std::nextafter(x, random() % 2 ? HUGE_VAL : -HUGE_VAL);
-  }
-  return x;
-}
-
 /// The geometry that a run on these weighted points would use; scales them as the run would. The
 /// virtual vertex may be among them.
 template <bool Weighted>

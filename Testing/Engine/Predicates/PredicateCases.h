@@ -7,6 +7,7 @@
 
 #include "Geometry/HullGeometry.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -67,6 +68,70 @@ inline int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const V
 inline int exactBeneath(const Vertex& a, const Vertex& b, const Vertex& c, const Row4& s)
 {
   return sgn(det4(rowOf(a), rowOf(b), rowOf(c), s));
+}
+
+inline double uniform(std::mt19937_64& random)
+{
+  return std::uniform_real_distribution<double>(-1, 1)(random);
+}
+
+/// Below @p limit.
+inline int below(std::mt19937_64& random, int limit)
+{
+  return static_cast<int>(random() % static_cast<unsigned>(limit));
+}
+
+/// Move by up to @p steps units in the last place.
+inline double nudged(double x, std::mt19937_64& random, int steps)
+{
+  for (int k = below(random, steps + 1); k > 0; --k)
+  {
+    x = std::nextafter(x, random() % 2 ? HUGE_VAL : -HUGE_VAL);
+  }
+  return x;
+}
+
+/// @param coordinate double (int axis)
+template <class Coordinate>
+std::vector<Vertex> fourPoints(const Coordinate& coordinate)
+{
+  std::vector<Vertex> v(4, makeVertex(0, 0, 0, 0));
+  for (std::uint32_t i = 0; i < 4; ++i)
+  {
+    v[i].id = i;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      v[i].x[axis] = coordinate(axis);
+    }
+  }
+  return v;
+}
+
+inline std::vector<Vertex> randomPoints(std::mt19937_64& random)
+{
+  return fourPoints([&](int) { return uniform(random); });
+}
+
+/// From all large or all small to any mixture; now and then the format's own ends, and two at one
+/// position, but for z where @p isPlane.
+inline std::vector<Vertex> ofExtremeRange(std::mt19937_64& random, bool isPlane)
+{
+  const int spreads[3] = { 20, 500, 2090 };
+  const int spread = spreads[random() % 3];
+  const int base = -1070 + below(random, 2091 - spread);
+  std::vector<Vertex> v = fourPoints(
+    [&](int)
+    {
+      const int exponent = std::min(base + below(random, spread), 1023);
+      const double x = random() % 6 == 0 ? 0.0 : std::ldexp(uniform(random), exponent);
+      return random() % 40 == 0 ? 0x1p-1074 : random() % 40 == 0 ? -1.7976931348623157e308 : x;
+    });
+  if (random() % 3 == 0)
+  {
+    const Vertex other = v[random() % 3];
+    std::copy(other.x, other.x + (isPlane ? 2 : 3), v[3].x);
+  }
+  return v;
 }
 
 inline CoordinateRange rangeOf(const std::vector<Vertex>& points)

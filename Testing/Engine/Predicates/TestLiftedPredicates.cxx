@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 using namespace flipflop;
 using namespace flipflop::test;
 
@@ -28,6 +26,17 @@ struct Seen
   int level = 0;
   int appearing = 0;
   int wide = 0;
+
+  void expectAtLeast(const Seen& least) const
+  {
+    EXPECT_GE(this->undecided, least.undecided);
+    EXPECT_GE(this->zero, least.zero);
+    EXPECT_GE(this->flat, least.flat);
+    EXPECT_GE(this->chords, least.chords);
+    EXPECT_GE(this->level, least.level);
+    EXPECT_GE(this->appearing, least.appearing);
+    EXPECT_GE(this->wide, least.wide);
+  }
 };
 
 template <bool Weighted>
@@ -225,16 +234,6 @@ double weightOnPlane(const Vertex& v, const double* k)
   return v.x[0] * v.x[0] + v.x[1] * v.x[1] + k[0] + k[1] * v.x[0] + k[2] * v.x[1];
 }
 
-Points randomPoints(std::mt19937_64& random)
-{
-  Points v;
-  for (std::uint32_t i = 0; i < 4; ++i)
-  {
-    v.push_back(makeVertex(uniform(random), uniform(random), uniform(random), i));
-  }
-  return v;
-}
-
 /// On a circle, and on a plane of heights, as far as doubles go.
 Points cocircular(std::mt19937_64& random)
 {
@@ -291,11 +290,10 @@ Points integers(std::mt19937_64& random)
     static_cast<double>(below(random, 3)), static_cast<double>(below(random, 3)) };
   const int limit = 2 + below(random, 5);
   const bool coplanar = random() % 2;
-  Points v;
-  for (std::uint32_t i = 0; i < 4; ++i)
+  Points v = fourPoints([&](int axis) { return axis < 2 ? below(random, limit) : 0; });
+  for (Vertex& p : v)
   {
-    v.push_back(makeVertex(below(random, limit), below(random, limit), 0, i));
-    v[i].x[2] = coplanar ? weightOnPlane(v[i], plane) : below(random, 3);
+    p.x[2] = coplanar ? weightOnPlane(p, plane) : below(random, 3);
   }
   return v;
 }
@@ -353,160 +351,97 @@ Points scaledBy(Points v, int exponent)
   return v;
 }
 
-using Maker = std::function<Points(std::mt19937_64&)>;
-
-template <bool Weighted>
-Seen checkAll(const Maker& make, unsigned seed, int count, const Lattice& lattice = Lattice())
+Points anyScale(std::mt19937_64& random)
 {
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
-  Seen seen;
-  for (int i = 0; i < count; ++i)
+  const auto makers = { randomPoints, cocircular, collinear, integers, onAnAxis };
+  const int exponents[6] = { -340, -170, -60, 60, 170, 340 };
+  const Points v = makers.begin()[random() % 5](random);
+  return scaledBy(v, exponents[random() % 6] + below(random, 20));
+}
+
+/// Products of four differences underflow; nothing but the range tells.
+Points smallBesideLarge(std::mt19937_64& random)
+{
+  const auto makers = { randomPoints, cocircular, collinear, integers };
+  Points v = scaledBy(makers.begin()[random() % 4](random), -220 - below(random, 60));
+  v.push_back(makeVertex(1, -1, 2, 4));
+  return v;
+}
+
+struct LiftedCases
+{
+  const char* name;
+  Points (*make)(std::mt19937_64&);
+  Lattice lattice;
+  Seen least[2]; ///< without weights, and with
+
+  friend void PrintTo(const LiftedCases& of, std::ostream* out) { *out << of.name; }
+};
+
+class LiftedSigns : public ::testing::TestWithParam<LiftedCases>
+{
+protected:
+  template <bool Weighted>
+  static Seen checkAll()
   {
-    Points v = make(random);
-    for (Vertex& p : v)
+    std::mt19937_64 random(Seed + Weighted);
+    Seen seen;
+    for (int i = 0; i < 1500; ++i)
     {
-      p.x[2] = Weighted ? p.x[2] : 0.0;
-    }
-    Signs<Weighted>(v, lattice, seen).expectAll(i % 8 == 0);
-    if (testing::Test::HasFatalFailure())
-    {
-      ADD_FAILURE() << "case " << i << ", seed " << seed;
-      break;
-    }
-  }
-  return seen;
-}
-
-}
-
-TEST(LiftedPredicates, Random)
-{
-  Seen seen = checkAll<true>(randomPoints, Seed, 2000);
-  EXPECT_EQ(seen.zero, 0);
-  seen = checkAll<false>(randomPoints, Seed + 1, 2000);
-  EXPECT_EQ(seen.zero, 0);
-}
-
-TEST(LiftedPredicates, NearlyDegenerate)
-{
-  Seen seen = checkAll<true>(cocircular, Seed + 2, 1500);
-  EXPECT_GT(seen.undecided, 800);
-  seen = checkAll<false>(cocircular, Seed + 3, 1500);
-  EXPECT_GT(seen.undecided, 800);
-  seen = checkAll<true>(collinear, Seed + 4, 1500);
-  EXPECT_GT(seen.undecided, 800);
-  EXPECT_GT(seen.flat, 8);
-  seen = checkAll<false>(collinear, Seed + 5, 1500);
-  EXPECT_GT(seen.undecided, 800);
-  EXPECT_GT(seen.flat, 8);
-}
-
-TEST(LiftedPredicates, Decimals)
-{
-  Seen seen = checkAll<true>(decimals, Seed + 6, 2000);
-  EXPECT_GT(seen.undecided, 800);
-  EXPECT_GT(seen.zero, 400);
-  EXPECT_GT(seen.appearing, 40);
-  seen = checkAll<false>(decimals, Seed + 7, 2000);
-  EXPECT_GT(seen.undecided, 800);
-  EXPECT_GT(seen.zero, 400);
-}
-
-TEST(LiftedPredicates, ExactlyDegenerate)
-{
-  for (const Lattice& lattice : { Lattice{}, Lattice{ 0, true }, Lattice{ 1, false } })
-  {
-    const bool isKnown = lattice.everywhere || lattice.unit > 0;
-    Seen seen = checkAll<true>(integers, Seed + 8, 2000, lattice);
-    EXPECT_GT(seen.zero, 1600);
-    EXPECT_GT(seen.flat, 400);
-    EXPECT_GT(seen.chords, 80);
-    EXPECT_GT(seen.level, 80);
-    EXPECT_GT(seen.appearing, 80);
-    EXPECT_EQ(seen.undecided > 0, !isKnown);
-    seen = checkAll<false>(integers, Seed + 9, 1500, lattice);
-    EXPECT_GT(seen.zero, 1200);
-    EXPECT_GT(seen.appearing, 40);
-    EXPECT_EQ(seen.undecided > 0, !isKnown);
-  }
-  for (const Lattice& lattice : { Lattice{}, Lattice{ 1, false } })
-  {
-    const Seen far = checkAll<true>(integersFarApart, Seed + 12, 2000, lattice);
-    EXPECT_GT(far.undecided, 500);
-    EXPECT_GT(checkAll<false>(integersFarApart, Seed + 13, 2000, lattice).undecided, 500);
-  }
-  Seen seen = checkAll<true>(onAnAxis, Seed + 10, 1000);
-  EXPECT_GT(seen.flat, 1200);
-  EXPECT_GT(seen.chords, 200);
-  seen = checkAll<false>(onAnAxis, Seed + 11, 1000);
-  EXPECT_GT(seen.flat, 1200);
-}
-
-TEST(LiftedPredicates, GiantWeights)
-{
-  const Seen seen = checkAll<true>(giantWeights, Seed + 12, 1500);
-  EXPECT_GT(seen.zero, 400);
-  EXPECT_GT(seen.undecided, 200);
-}
-
-TEST(LiftedPredicates, AnyScale)
-{
-  const Maker make = [](std::mt19937_64& random)
-  {
-    const Maker makers[5] = { randomPoints, cocircular, collinear, integers, onAnAxis };
-    const int exponents[6] = { -340, -170, -60, 60, 170, 340 };
-    const Points v = makers[random() % 5](random);
-    return scaledBy(v, exponents[random() % 6] + below(random, 20));
-  };
-  // Doubles have room for the bits of heights, once scaled.
-  EXPECT_EQ(checkAll<true>(make, Seed + 13, 1500).wide, 0);
-  EXPECT_EQ(checkAll<false>(make, Seed + 14, 1500).wide, 0);
-}
-
-TEST(LiftedPredicates, ExtremeRanges)
-{
-  const Maker make = [](std::mt19937_64& random)
-  {
-    // From all large or all small to any mixture; now and then the format's own ends.
-    const int spreads[3] = { 20, 400, 2090 };
-    const int spread = spreads[random() % 3];
-    const int base = -1070 + below(random, 2091 - spread);
-    Points v;
-    for (std::uint32_t i = 0; i < 4; ++i)
-    {
-      v.push_back(makeVertex(0, 0, 0, i));
-      for (double& x : v[i].x)
+      Points v = GetParam().make(random);
+      for (Vertex& p : v)
       {
-        const int exponent = std::min(base + below(random, spread), 1023);
-        x = random() % 6 == 0 ? 0.0 : std::ldexp(uniform(random), exponent);
-        x = random() % 40 == 0 ? 0x1p-1074 : random() % 40 == 0 ? -1.7976931348623157e308 : x;
+        p.x[2] = Weighted ? p.x[2] : 0.0;
+      }
+      Signs<Weighted>(v, GetParam().lattice, seen).expectAll(i % 8 == 0);
+      if (testing::Test::HasFatalFailure())
+      {
+        ADD_FAILURE() << "case " << i << ", seed " << Seed + Weighted;
+        break;
       }
     }
-    if (random() % 3 == 0)
-    {
-      const Vertex other = v[random() % 3];
-      v[3].x[0] = other.x[0];
-      v[3].x[1] = other.x[1];
-    }
-    return v;
-  };
-  EXPECT_GT(checkAll<true>(make, Seed + 15, 1200).wide, 500);
-  EXPECT_GT(checkAll<false>(make, Seed + 16, 1200).wide, 300);
+    seen.expectAtLeast(GetParam().least[Weighted]);
+    return seen;
+  }
+};
+
+TEST_P(LiftedSigns, AreExact)
+{
+  const Seen seen = checkAll<true>();
+  checkAll<false>();
+  const LiftedCases& of = this->GetParam();
+  if (of.make == integers)
+  {
+    EXPECT_EQ(seen.undecided > 0, !of.lattice.everywhere && of.lattice.unit == 0);
+  }
+  // Doubles have room for the bits of heights, once scaled.
+  EXPECT_TRUE(of.make != anyScale || seen.wide == 0);
 }
 
-TEST(LiftedPredicates, SmallBesideLarge)
-{
-  // Products of four differences underflow; nothing but the range tells.
-  const Maker make = [](std::mt19937_64& random)
-  {
-    const Maker makers[4] = { randomPoints, cocircular, collinear, integers };
-    Points v = scaledBy(makers[random() % 4](random), -220 - below(random, 60));
-    v.push_back(makeVertex(1, -1, 2, 4));
-    return v;
-  };
-  EXPECT_GT(checkAll<true>(make, Seed + 19, 1000).wide, 500);
-  EXPECT_GT(checkAll<false>(make, Seed + 20, 1000).wide, 500);
+// Undecided, zero, flat, chords, level, appearing, wide.
+const Seen nearly = { 800, 0, 0 };
+const Seen ties = { 0, 1200, 200, 60, 60, 40 };
+const Seen flatTies = { 0, 1000, 200, 0, 0, 40 };
+INSTANTIATE_TEST_SUITE_P(Lifted, LiftedSigns,
+  ::testing::Values(LiftedCases{ "general", randomPoints, {}, {} },
+    LiftedCases{ "cocircular", cocircular, {}, { nearly, nearly } },
+    LiftedCases{ "collinear", collinear, {}, { { 800, 0, 8 }, { 800, 0, 8 } } },
+    LiftedCases{ "decimals", decimals, {}, { { 600, 300 }, { 600, 300, 0, 0, 0, 30 } } },
+    LiftedCases{ "integers", integers, {}, { flatTies, ties } },
+    LiftedCases{ "integersOfALattice", integers, { 0, true }, { flatTies, ties } },
+    LiftedCases{ "integersOfAUnit", integers, { 1, false }, { flatTies, ties } },
+    LiftedCases{ "farApart", integersFarApart, {}, { { 350 }, { 350 } } },
+    LiftedCases{ "farApartOfAUnit", integersFarApart, { 1, false }, { { 350 }, { 350 } } },
+    LiftedCases{ "onAnAxis", onAnAxis, {}, { { 0, 0, 1200 }, { 0, 0, 1200, 200 } } },
+    LiftedCases{ "giantWeights", giantWeights, {}, { {}, { 200, 400 } } },
+    LiftedCases{ "anyScale", anyScale, {}, {} },
+    LiftedCases{ "smallBesideLarge", smallBesideLarge, {},
+      { { 0, 0, 0, 0, 0, 0, 500 }, { 0, 0, 0, 0, 0, 0, 500 } } },
+    LiftedCases{ "extremeRanges",
+      [](std::mt19937_64& random) { return ofExtremeRange(random, true); }, {},
+      { { 0, 0, 0, 0, 0, 0, 300 }, { 0, 0, 0, 0, 0, 0, 500 } } }),
+  [](const auto& given) { return given.param.name; });
+
 }
 
 TEST(LiftedPredicates, EasyInputsAreDecidedInDouble)

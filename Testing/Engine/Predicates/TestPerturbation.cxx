@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulation of Simplicity against what it simulates: points really moved by powers of a small
-// number.
-#include "Testing/Engine/Predicates/PredicateCases.h"
+// number, in space and lifted, in expansions and in wide integers.
+#include "Testing/Engine/Predicates/LiftedCases.h"
 
 #include <gtest/gtest.h>
 
@@ -16,116 +16,231 @@ namespace
 
 constexpr unsigned Seed = 20260201;
 
-/// Row of a point whose coordinate j is moved by e^(2^(3 rank + j)), e = 2^-40: for coordinates of
-/// a few bits the first term that does not vanish outweighs all later ones.
-Row4 movedRow(const Vertex& v, int rank)
+using Points = std::vector<Vertex>;
+
+/// e^(2^entry), e = 2^-40: for coordinates of a few bits the first term that does not vanish
+/// outweighs all later ones.
+mpq_class smallNumber(int entry)
 {
-  Row4 row = rowOf(v);
-  for (int j = 0; j < 3; ++j)
-  {
-    row[j] += mpq_class(1, mpz_class(1) << (40u << (3 * rank + j)));
-  }
-  return row;
+  return mpq_class(1, mpz_class(1) << (40u << entry));
 }
 
-std::vector<Vertex> smallIntegers(std::mt19937_64& random, int count, unsigned limit)
+enum Layout
+{
+  Anywhere,
+  OnALine,
+  AtOnePlace,
+  Identical,
+  LayoutCount
+};
+
+/// Tiny integers, with ids in any order.
+Points tinyPoints(std::mt19937_64& random, int count, Layout layout, int limit = 3)
 {
   std::vector<std::uint32_t> ids;
   for (int i = 0; i < count; ++i)
   {
-    ids.push_back(static_cast<std::uint32_t>(10 * i + random() % 10));
+    ids.push_back(static_cast<std::uint32_t>(10 * i + below(random, 10)));
   }
   std::shuffle(ids.begin(), ids.end(), random);
-  std::vector<Vertex> v;
+  const int dx = below(random, 3), dy = dx ? below(random, 3) : 1;
+  const int z = below(random, 3);
+  Points v;
   for (const std::uint32_t id : ids)
   {
-    v.push_back(makeVertex(static_cast<double>(random() % limit),
-      static_cast<double>(random() % limit), static_cast<double>(random() % limit), id));
+    const int t = layout == OnALine ? below(random, limit) : 1;
+    const bool fixed = layout != Anywhere;
+    v.push_back(makeVertex(fixed ? t * dx : below(random, limit),
+      fixed ? t * dy : below(random, limit), layout == Identical ? z : below(random, limit), id));
   }
   return v;
 }
 
-std::vector<int> ranksOf(const std::vector<Vertex>& v)
+/// So far apart that signs are decided in wide integers.
+const Vertex tooFar = makeVertex(1e300, 1e-300, 0, 99);
+
+struct Space
 {
-  std::vector<int> ranks;
-  for (const Vertex& p : v)
+  using Geometry = HullGeometry;
+  static constexpr int VirtualPlaces = 0; ///< in which the virtual vertex may be
+
+  static Geometry geometryOf(const Points& v, bool wide)
   {
-    ranks.push_back(static_cast<int>(
-      std::count_if(v.begin(), v.end(), [&p](const Vertex& other) { return other.id < p.id; })));
+    Points all = v;
+    all.resize(v.size() + (wide ? 1 : 0), tooFar);
+    Geometry geometry = test::geometryOf(all);
+    EXPECT_EQ(geometry.isWide(), wide);
+    return geometry;
   }
-  return ranks;
+  /// Coordinate j is moved by entry 3 rank + j.
+  static Row4 moved(const Vertex& v, int rank)
+  {
+    Row4 row = rowOf(v);
+    for (int j = 0; j < 3; ++j)
+    {
+      row[static_cast<std::size_t>(j)] += smallNumber(3 * rank + j);
+    }
+    return row;
+  }
+  static Row4 movedPlace(const Vertex& v, int rank) { return moved(v, rank); }
+  static Row4 kernelRow(const Row4& s, bool) { return s; }
+};
+
+template <bool Weighted>
+struct Lifts
+{
+  using Geometry = LiftedGeometry<Weighted>;
+  static constexpr int VirtualPlaces = 4;
+
+  static Geometry geometryOf(Points& v, bool wide)
+  {
+    for (Vertex& p : v)
+    {
+      p.x[2] = Weighted ? p.x[2] : 0.0;
+    }
+    Points all = v;
+    all.resize(v.size() + (wide ? 1 : 0), tooFar);
+    bool isWide = false;
+    Geometry geometry = liftedGeometryOf<Weighted>(all, {}, &isWide);
+    EXPECT_EQ(isWide, wide);
+    return geometry;
+  }
+  /// The height is moved by entry 0 to 3 by rank, the place by entries 4 to 11. The virtual vertex
+  /// is straight down, and not moved.
+  static Row4 moved(const Vertex& v, int rank)
+  {
+    Row4 row = movedFrom(v, 4 + 2 * rank);
+    if (row[3] != 0)
+    {
+      row[2] = rowOf(v)[2] - rowOf(v)[0] * rowOf(v)[0] - rowOf(v)[1] * rowOf(v)[1];
+      row[2] += smallNumber(rank);
+    }
+    return row;
+  }
+  /// Where the order of heights does not come in, the places' entries start at 0.
+  static Row4 movedPlace(const Vertex& v, int rank) { return movedFrom(v, 2 * rank); }
+  /// Straight down, too, but above the virtual vertex.
+  static Row4 kernelRow(const Row4& s, bool isVirtual)
+  {
+    return isVirtual ? Row4{ s[0], s[1], 0, s[3] } : Row4{ 0, 0, -1, 0 };
+  }
+
+private:
+  static Row4 movedFrom(const Vertex& v, int entry)
+  {
+    if (v.flags & VertexVirtual)
+    {
+      return { 0, 0, -1, 0 };
+    }
+    Row4 row = rowOf(v);
+    row[0] += smallNumber(entry);
+    row[1] += smallNumber(entry + 1);
+    row[2] = 0;
+    return row;
+  }
+};
+
+int rankIn(const Points& v, const Vertex& p)
+{
+  return static_cast<int>(
+    std::count_if(v.begin(), v.end(), [&p](const Vertex& other) { return other.id < p.id; }));
 }
 
-}
+template <class Of>
+class Perturbation : public ::testing::Test
+{
+};
+using Spaces = ::testing::Types<Space, Lifts<true>, Lifts<false>>;
+TYPED_TEST_SUITE(Perturbation, Spaces);
 
-TEST(Perturbation, AboveIsTheSignOfTheMovedPoints)
+TYPED_TEST(Perturbation, AboveIsTheSignOfTheMovedPoints)
 {
   SCOPED_TRACE(Seed);
   std::mt19937_64 random(Seed);
   int degenerate = 0;
-  for (int i = 0; i < 1500; ++i)
+  for (int i = 0; i < 500; ++i)
   {
-    std::vector<Vertex> v = smallIntegers(random, 4, 1 + i % 3);
-    const std::vector<int> rank = ranksOf(v);
-    Row4 row[4];
-    for (int k = 0; k < 4; ++k)
+    Points v = tinyPoints(random, 4, static_cast<Layout>(i % LayoutCount), 1 + i % 3);
+    const auto geometry = TypeParam::geometryOf(v, i % 5 == 0);
+    for (int place = 0; place <= TypeParam::VirtualPlaces; ++place)
     {
-      row[k] = movedRow(v[k], rank[k]);
+      // The virtual vertex in one of the places, then nowhere.
+      Points four = v;
+      if (place < TypeParam::VirtualPlaces)
+      {
+        four[static_cast<std::size_t>(place)] = virtualVertex();
+      }
+      Row4 row[4];
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        row[k] = TypeParam::moved(four[k], rankIn(four, four[k]));
+      }
+      const int wanted = -sgn(det4<mpq_class>(row[0], row[1], row[2], row[3]));
+      ASSERT_NE(wanted, 0);
+      const auto perturbed = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t p)
+      { return geometry.perturbedAbove(four[a], four[b], four[c], four[p]); };
+      ASSERT_EQ(perturbed(0, 1, 2, 3), wanted) << "case " << i << ", virtual " << place;
+      ASSERT_EQ(perturbed(2, 1, 0, 3), -wanted) << "case " << i << ", virtual " << place;
+      ASSERT_EQ(perturbed(2, 3, 0, 1), wanted) << "case " << i << ", virtual " << place;
+      ASSERT_EQ(perturbed(3, 1, 2, 0), -wanted) << "case " << i << ", virtual " << place;
     }
-    const int wanted = -sgn(det4(row[0], row[1], row[2], row[3]));
-    const HullGeometry geometry = geometryOf(v);
-    ASSERT_NE(wanted, 0);
-    ASSERT_EQ(geometry.perturbedAbove(v[0], v[1], v[2], v[3]), wanted) << "case " << i;
-    ASSERT_EQ(geometry.perturbedAbove(v[2], v[1], v[0], v[3]), -wanted) << "case " << i;
-    ASSERT_EQ(geometry.perturbedAbove(v[2], v[3], v[0], v[1]), wanted) << "case " << i;
     degenerate += geometry.above(v[0], v[1], v[2], v[3]) == 0 ? 1 : 0;
   }
-  EXPECT_GT(degenerate, 500);
+  EXPECT_GT(degenerate, 250);
 }
 
-TEST(Perturbation, TheKernelIsNotMoved)
+/// Neither given as a point, nor as the centroid of four.
+TYPED_TEST(Perturbation, TheKernelIsNotMoved)
 {
   SCOPED_TRACE(Seed + 1);
   std::mt19937_64 random(Seed + 1);
+  int ties = 0;
   for (int i = 0; i < 1500; ++i)
   {
-    std::vector<Vertex> v = smallIntegers(random, 3, 1 + i % 3);
-    const std::vector<int> rank = ranksOf(v);
-    const Vertex s = makeVertex(static_cast<double>(random() % 3),
-      static_cast<double>(random() % 3), static_cast<double>(random() % 3), 0);
-    const Row4 row[3] = { movedRow(v[0], rank[0]), movedRow(v[1], rank[1]),
-      movedRow(v[2], rank[2]) };
-    const int wanted = sgn(det4(row[0], row[1], row[2], rowOf(s)));
-    HullGeometry geometry = geometryOf(v);
-    geometry.setKernel(s.x);
-    ASSERT_EQ(geometry.perturbedKernelBeneath(v[0], v[1], v[2]), wanted) << "case " << i;
-    ASSERT_EQ(geometry.perturbedKernelBeneath(v[1], v[0], v[2]), -wanted) << "case " << i;
-  }
-}
-
-TEST(Perturbation, NorIsTheSymbolicKernel)
-{
-  SCOPED_TRACE(Seed + 2);
-  std::mt19937_64 random(Seed + 2);
-  for (int i = 0; i < 500; ++i)
-  {
-    std::vector<Vertex> v = smallIntegers(random, 3, 1 + i % 3);
-    std::vector<Vertex> corner = smallIntegers(random, 4, 3);
-    const std::vector<int> rank = ranksOf(v);
-    Row4 s = { 0, 0, 0, 4 };
-    for (const Vertex& c : corner)
+    Points v = tinyPoints(random, 3, static_cast<Layout>(i % LayoutCount), 1 + i % 3);
+    auto geometry = TypeParam::geometryOf(v, i % 5 == 0);
+    const Points corner = tinyPoints(random, 4, Anywhere);
+    Row4 s = rowOf(corner[0]);
+    if (i % 3)
     {
-      for (int k = 0; k < 3; ++k)
+      geometry.setKernel(corner[0].x);
+    }
+    else
+    {
+      geometry.setSymbolicKernel(corner.data());
+      for (std::size_t k = 1; k < 4; ++k)
       {
-        s[k] += mpq_class(c.x[k]);
+        for (std::size_t axis = 0; axis < 4; ++axis)
+        {
+          s[axis] += rowOf(corner[k])[axis];
+        }
       }
     }
-    const Row4 row[3] = { movedRow(v[0], rank[0]), movedRow(v[1], rank[1]),
-      movedRow(v[2], rank[2]) };
-    HullGeometry geometry = geometryOf(v);
-    geometry.setSymbolicKernel(corner.data());
-    ASSERT_EQ(
-      geometry.perturbedKernelBeneath(v[0], v[1], v[2]), sgn(det4(row[0], row[1], row[2], s)))
-      << "case " << i;
+    const int places = std::min(TypeParam::VirtualPlaces, 3);
+    for (int place = 0; place <= places; ++place)
+    {
+      Points three = v;
+      if (place < places)
+      {
+        three[static_cast<std::size_t>(place)] = virtualVertex();
+      }
+      Row4 row[3];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        row[k] = TypeParam::movedPlace(three[k], rankIn(three, three[k]));
+      }
+      const int wanted =
+        sgn(det4<mpq_class>(row[0], row[1], row[2], TypeParam::kernelRow(s, place < places)));
+      ASSERT_NE(wanted, 0);
+      const auto perturbed = [&](std::size_t a, std::size_t b, std::size_t c)
+      { return geometry.perturbedKernelBeneath(three[a], three[b], three[c]); };
+      ASSERT_EQ(perturbed(0, 1, 2), wanted) << "case " << i << ", virtual " << place;
+      ASSERT_EQ(perturbed(1, 0, 2), -wanted) << "case " << i << ", virtual " << place;
+      ASSERT_EQ(perturbed(1, 2, 0), wanted) << "case " << i << ", virtual " << place;
+      ties += geometry.kernelBeneath(three[0], three[1], three[2]) == 0 ? 1 : 0;
+    }
   }
+  EXPECT_GT(ties, 500);
+}
+
 }

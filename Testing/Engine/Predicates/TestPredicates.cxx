@@ -14,38 +14,17 @@ namespace
 
 constexpr unsigned Seed = 20260102;
 
-double uniform(std::mt19937_64& random)
-{
-  return std::uniform_real_distribution<double>(-1, 1)(random);
-}
-
-/// Move by up to @p steps units in the last place.
-double nudge(double x, std::mt19937_64& random, int steps)
-{
-  for (int k = static_cast<int>(random() % (steps + 1)); k > 0; --k)
-  {
-    x = std::nextafter(x, random() % 2 ? 10.0 : -10.0);
-  }
-  return x;
-}
-
 /// Four points; the last is made to lie on, or next to, the plane, line or corner of the others.
 std::vector<Vertex> nearlyDegenerate(std::mt19937_64& random, int steps)
 {
-  std::vector<Vertex> v;
-  for (std::uint32_t i = 0; i < 3; ++i)
-  {
-    v.push_back(makeVertex(uniform(random), uniform(random), uniform(random), i));
-  }
+  std::vector<Vertex> v = randomPoints(random);
   const double s = random() % 3 == 0 ? 0.0 : uniform(random);
   const double t = random() % 3 == 0 ? 0.0 : uniform(random);
-  double x[3];
   for (int i = 0; i < 3; ++i)
   {
     const double on = v[0].x[i] + s * (v[1].x[i] - v[0].x[i]) + t * (v[2].x[i] - v[0].x[i]);
-    x[i] = nudge(on, random, steps);
+    v[3].x[i] = nudged(on, random, steps);
   }
-  v.push_back(makeVertex(x[0], x[1], x[2], 3));
   return v;
 }
 
@@ -77,115 +56,79 @@ void expectAllSigns(const HullGeometry& geometry, const std::vector<Vertex>& v)
   }
 }
 
+/// Three on a line that is parallel to an axis, or two at one position; every second case off by a
+/// unit somewhere.
+std::vector<Vertex> onAnAxis(std::mt19937_64& random)
+{
+  std::vector<Vertex> v = randomPoints(random);
+  const int axis = below(random, 4);
+  const std::size_t first = random() % 2;
+  for (std::size_t k = first; k < first + 2; ++k)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      v[k + 1].x[j] = j == axis ? v[k + 1].x[j] : v[k].x[j];
+    }
+  }
+  double& x = v[random() % 4].x[random() % 3];
+  x = random() % 2 ? std::nextafter(x, 10.0) : x;
+  return v;
 }
 
-TEST(Predicates, NearlyDegenerate)
+std::vector<Vertex> farOff(std::mt19937_64& random)
 {
-  SCOPED_TRACE(Seed);
-  std::mt19937_64 random(Seed);
-  int undecided = 0;
-  int zero = 0;
-  for (int i = 0; i < 30000; ++i)
+  std::vector<Vertex> v = nearlyDegenerate(random, 3);
+  const double offset = std::ldexp(1.0 + uniform(random), below(random, 50));
+  for (Vertex& p : v)
   {
-    std::vector<Vertex> v = nearlyDegenerate(random, i % 3 * 2);
-    const HullGeometry geometry = geometryOf(v);
-    ASSERT_NO_FATAL_FAILURE(expectAllSigns(geometry, v)) << "case " << i;
-    int sign;
-    undecided += geometry.filterAbove(v[0], v[1], v[2], v[3], sign) ? 0 : 1;
-    zero += exactAbove(v[0], v[1], v[2], v[3]) == 0 ? 1 : 0;
+    p.x[random() % 3] += offset;
   }
-  // The cases are what they claim to be.
-  EXPECT_GT(undecided, 10000);
-  EXPECT_GT(zero, 1000);
+  return v;
 }
 
-TEST(Predicates, OnALineParallelToAnAxis)
-{
-  SCOPED_TRACE(Seed + 6);
-  std::mt19937_64 random(Seed + 6);
-  int zero = 0;
-  for (int i = 0; i < 20000; ++i)
-  {
-    // Three on such a line, or two at one position; every second case off by a unit somewhere.
-    std::vector<Vertex> v;
-    for (std::uint32_t k = 0; k < 4; ++k)
-    {
-      v.push_back(makeVertex(uniform(random), uniform(random), uniform(random), k));
-    }
-    const auto axis = static_cast<int>(random() % 4);
-    const std::size_t first = random() % 2;
-    for (std::size_t k = first; k < first + 2; ++k)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        v[k + 1].x[j] = j == axis ? v[k + 1].x[j] : v[k].x[j];
-      }
-    }
-    if (i % 2)
-    {
-      double& x = v[random() % 4].x[random() % 3];
-      x = std::nextafter(x, 10.0);
-    }
-    const HullGeometry geometry = geometryOf(v);
-    ASSERT_NO_FATAL_FAILURE(expectAllSigns(geometry, v)) << "case " << i;
-    zero += exactAbove(v[0], v[1], v[2], v[3]) == 0 ? 1 : 0;
-  }
-  EXPECT_GT(zero, 10000);
-  EXPECT_LT(zero, 19000);
 }
 
-TEST(Predicates, FarFromTheOrigin)
+TEST(Predicates, AreExact)
 {
-  std::mt19937_64 random(Seed + 1);
-  SCOPED_TRACE(Seed + 1);
-  for (int i = 0; i < 20000; ++i)
+  struct Case
   {
-    std::vector<Vertex> v = nearlyDegenerate(random, 3);
-    const double offset = std::ldexp(1.0 + uniform(random), static_cast<int>(random() % 50));
-    for (Vertex& p : v)
-    {
-      p.x[random() % 3] += offset;
-    }
-    const HullGeometry geometry = geometryOf(v);
-    ASSERT_NO_FATAL_FAILURE(expectAllSigns(geometry, v)) << "case " << i;
-  }
-}
-
-TEST(Predicates, ExtremeRanges)
-{
-  std::mt19937_64 random(Seed + 2);
-  SCOPED_TRACE(Seed + 2);
-  int wide = 0;
-  for (int i = 0; i < 6000; ++i)
+    const char* name;
+    std::vector<Vertex> (*make)(std::mt19937_64&);
+    int count;
+    int undecided, zero, wide; ///< at least
+  };
+  const Case cases[] = {
+    { "nearly", [](std::mt19937_64& random) { return nearlyDegenerate(random, below(random, 5)); },
+      30000, 10000, 800, 0 },
+    { "on an axis", onAnAxis, 20000, 0, 10000, 0 },
+    { "far off", farOff, 20000, 0, 0, 0 },
+    { "extreme", [](std::mt19937_64& random) { return ofExtremeRange(random, false); }, 6000, 0, 0,
+      1000 },
+  };
+  for (const Case& of : cases)
   {
-    // From all large or all small to any mixture; now and then the format's own ends.
-    const int spread = i % 3 == 0 ? 1 : i % 3 == 1 ? 600 : 2090;
-    const int base = -1070 + static_cast<int>(random() % (2091 - static_cast<unsigned>(spread)));
-    std::vector<Vertex> v;
-    for (std::uint32_t k = 0; k < 4; ++k)
+    SCOPED_TRACE(of.name + (", seed " + std::to_string(Seed)));
+    std::mt19937_64 random(Seed);
+    int undecided = 0, zero = 0, wide = 0;
+    for (int i = 0; i < of.count; ++i)
     {
-      v.push_back(makeVertex(0, 0, 0, k));
-      for (double& x : v.back().x)
-      {
-        const int exponent = base + static_cast<int>(random() % static_cast<unsigned>(spread));
-        x = random() % 6 == 0 ? 0.0 : std::ldexp(uniform(random), std::min(exponent, 1023));
-        x = random() % 40 == 0 ? 0x1p-1074 : random() % 40 == 0 ? -1.7976931348623157e308 : x;
-      }
+      std::vector<Vertex> v = of.make(random);
+      const int unscaled = exactAbove(v[0], v[1], v[2], v[3]);
+      const HullGeometry geometry = geometryOf(v);
+      // Scaling loses nothing: signs are those of the points as given.
+      ASSERT_EQ(exactAbove(v[0], v[1], v[2], v[3]), unscaled);
+      ASSERT_NO_FATAL_FAILURE(expectAllSigns(geometry, v)) << "case " << i;
+      int sign;
+      undecided += geometry.filterAbove(v[0], v[1], v[2], v[3], sign) ? 0 : 1;
+      zero += unscaled == 0 ? 1 : 0;
+      wide += geometry.isWide() ? 1 : 0;
     }
-    if (random() % 3 == 0)
-    {
-      v[3] = v[random() % 3];
-      v[3].id = 3;
-    }
-    const std::vector<Vertex> unscaled = v;
-    const HullGeometry geometry = geometryOf(v);
-    // Scaling loses nothing: signs are those of the points as given.
-    ASSERT_EQ(exactAbove(v[0], v[1], v[2], v[3]),
-      exactAbove(unscaled[0], unscaled[1], unscaled[2], unscaled[3]));
-    ASSERT_NO_FATAL_FAILURE(expectAllSigns(geometry, v)) << "case " << i;
-    wide += geometry.isWide() ? 1 : 0;
+    // The cases are what they claim to be.
+    EXPECT_GE(undecided, of.undecided);
+    EXPECT_GE(zero, of.zero);
+    EXPECT_GE(wide, of.wide);
+    EXPECT_LT(zero, of.count);
   }
-  EXPECT_GT(wide, 1000);
 }
 
 /// Where products of differences underflow to zero, the sign is not.
@@ -220,13 +163,7 @@ TEST(Predicates, OnALatticeDoublesAreExact)
   SCOPED_TRACE(Seed + 3);
   for (int i = 0; i < 20000; ++i)
   {
-    std::vector<Vertex> v;
-    for (std::uint32_t k = 0; k < 4; ++k)
-    {
-      const auto coordinate = [&]
-      { return 1e6 + static_cast<double>(random() % (i % 2 ? 65535 : 4)); };
-      v.push_back(makeVertex(coordinate(), coordinate(), coordinate(), k));
-    }
+    std::vector<Vertex> v = fourPoints([&](int) { return 1e6 + below(random, i % 2 ? 65535 : 4); });
     const HullGeometry geometry = geometryOf(v, { 0, true });
     ASSERT_EQ(geometry.above(v[0], v[1], v[2], v[3]), exactAbove(v[0], v[1], v[2], v[3]));
     ASSERT_EQ(geometry.predicateCounts().exact, 0);
@@ -242,12 +179,10 @@ TEST(Predicates, FewUnitsOfALatticeApartDoublesAreExact)
   {
     // Units of 1/8. Every second case has differences of up to 2^22 of them, in a plane.
     const int units = i % 2 ? 65535 : 1 << 22;
-    std::vector<Vertex> v;
-    for (std::uint32_t k = 0; k < 4; ++k)
+    std::vector<Vertex> v = fourPoints([&](int) { return 5e6 + below(random, units) / 8.0; });
+    for (Vertex& p : v)
     {
-      const auto coordinate = [&] { return 5e6 + static_cast<double>(random() % units) / 8; };
-      v.push_back(makeVertex(coordinate(), coordinate(), coordinate(), k));
-      v[k].x[2] = i % 4 < 2 ? v[k].x[0] + v[k].x[1] - 5e6 : v[k].x[2];
+      p.x[2] = i % 4 < 2 ? p.x[0] + p.x[1] - 5e6 : p.x[2];
     }
     v.push_back(makeVertex(-1e9, -1e9, -1e9, 4)); // the range is far larger
     const HullGeometry geometry = geometryOf(v, { 0.125, false });

@@ -66,11 +66,6 @@ std::istringstream expectLine(std::istream& file, const std::string& word)
 
 }
 
-Cloud readDoubles(const std::string& name)
-{
-  return readRaw<double>(name);
-}
-
 std::vector<Input> baselineInputs()
 {
   std::vector<Input> inputs = {
@@ -110,6 +105,9 @@ std::vector<Input> realWeightedInputs()
     realInput<float>("helensPlain", helens, 0, 0),
     realInput<float>("helensHeights", helens, 1, 1),
     realInput<float>("helensSquares", helens, 8, 2),
+    // Three points were taken for hidden: the kernel point's place was on the line of a border's
+    // edge.
+    { "nearCollinear2200", 0, []() { return readRaw<double>("near_collinear_2200.f64"); } },
   };
 }
 

@@ -35,10 +35,6 @@ std::vector<Input> weightedBaselineInputs();
 /// Testing/Data in the plane, whole: with heights for weights, or with none.
 std::vector<Input> realWeightedInputs();
 
-/// The points of a raw file of doubles in Testing/Data, x, y and z (or the weight) each.
-/// @throw std::runtime_error when there is no such file
-Cloud readDoubles(const std::string& name);
-
 /// FNV-1a over the coordinates as doubles.
 std::string hashOf(const Cloud& cloud);
 

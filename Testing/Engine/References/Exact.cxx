@@ -34,12 +34,15 @@ Parts split(double x)
   return { mantissa, exponent };
 }
 
-/// Differences in this range neither overflow nor underflow in a product of three.
-bool safe(double x)
+/// In this range a product of four neither overflows nor underflows.
+bool isOrdinary(double x)
 {
   const double a = std::fabs(x);
-  return a == 0 || (a > 1e-90 && a < 1e90);
+  return a == 0 || (a > 1e-70 && a < 1e70);
 }
+
+/// Ten times what the roundings of a determinant can add up to.
+constexpr double Bound = 2e-14;
 
 }
 
@@ -73,6 +76,40 @@ mpz_class toInteger(double x, int exponent)
   return result;
 }
 
+int filteredSign(const double (&rows)[3][3], const double (&size)[3])
+{
+  double det = 0;
+  double permanent = 0;
+  for (int r = 0; r < 3; ++r)
+  {
+    const double* u = rows[(r + 1) % 3];
+    const double* v = rows[(r + 2) % 3];
+    if (!isOrdinary(rows[r][0]) || !isOrdinary(rows[r][1]) || !isOrdinary(size[r]))
+    {
+      return 0;
+    }
+    const double m = u[0] * v[1];
+    const double n = u[1] * v[0];
+    det += rows[r][2] * (m - n);
+    permanent += size[r] * (std::fabs(m) + std::fabs(n));
+  }
+  return std::fabs(det) > Bound * permanent ? sign(det) : 0;
+}
+
+int filteredSign(const double (&rows)[2][2])
+{
+  const double m = rows[0][0] * rows[1][1];
+  const double n = rows[0][1] * rows[1][0];
+  for (const auto& row : rows)
+  {
+    if (!isOrdinary(row[0]) || !isOrdinary(row[1]))
+    {
+      return 0;
+    }
+  }
+  return std::fabs(m - n) > Bound * (std::fabs(m) + std::fabs(n)) ? sign(m - n) : 0;
+}
+
 FilteredSpace::FilteredSpace(const Cloud& cloud)
   : Points(cloud)
   , Exponent(commonScale(cloud).exponent)
@@ -82,35 +119,20 @@ FilteredSpace::FilteredSpace(const Cloud& cloud)
 int FilteredSpace::orient(int i, int j, int k, int l) const
 {
   const Point& p = this->Points[i];
-  const Point* ends[3] = { &this->Points[j], &this->Points[k], &this->Points[l] };
+  const int ends[3] = { j, k, l };
   double d[3][3];
-  bool inRange = true;
+  double size[3];
   for (int r = 0; r < 3; ++r)
   {
     for (int c = 0; c < 3; ++c)
     {
-      d[r][c] = (*ends[r])[c] - p[c];
-      inRange = inRange && safe(d[r][c]);
+      d[r][c] = this->Points[ends[r]][c] - p[c];
     }
+    size[r] = std::fabs(d[r][2]);
   }
-  if (inRange)
+  if (const int found = filteredSign(d, size))
   {
-    double det = 0;
-    double permanent = 0;
-    for (int c = 0; c < 3; ++c)
-    {
-      const int a = (c + 1) % 3;
-      const int b = (c + 2) % 3;
-      const double m = d[1][a] * d[2][b];
-      const double n = d[1][b] * d[2][a];
-      det += d[0][c] * (m - n);
-      permanent += std::fabs(d[0][c]) * (std::fabs(m) + std::fabs(n));
-    }
-    // Twice the classical bound of about 7 units in the last place.
-    if (std::fabs(det) > 2e-15 * permanent)
-    {
-      return det > 0 ? 1 : -1;
-    }
+    return found;
   }
   std::vector<IntegerSpace<mpz_class>::Vector> four;
   for (int v : { i, j, k, l })
@@ -128,18 +150,10 @@ int FilteredSpace::normal(int axis, int i, int j, int k) const
   const Point& p = this->Points[i];
   const Point& q = this->Points[j];
   const Point& r = this->Points[k];
-  const double ua = q[a] - p[a];
-  const double ub = q[b] - p[b];
-  const double va = r[a] - p[a];
-  const double vb = r[b] - p[b];
-  if (safe(ua) && safe(ub) && safe(va) && safe(vb))
+  const double d[2][2] = { { q[a] - p[a], q[b] - p[b] }, { r[a] - p[a], r[b] - p[b] } };
+  if (const int found = filteredSign(d))
   {
-    const double m = ua * vb;
-    const double n = ub * va;
-    if (std::fabs(m - n) > 2e-15 * (std::fabs(m) + std::fabs(n)))
-    {
-      return m > n ? 1 : -1;
-    }
+    return found;
   }
   const mpz_class pa = this->integer(p[a]);
   const mpz_class pb = this->integer(p[b]);

@@ -36,6 +36,12 @@ int sign(const Int& x)
   return (x > 0) - (x < 0);
 }
 
+/// The sign of a determinant of three rows of differences, or of its first two columns' minor of
+/// two; 0 where rounding leaves it open, or where a product may overflow or underflow.
+/// @param size of the terms that the third column is the rounded sum of
+int filteredSign(const double (&rows)[3][3], const double (&size)[3]);
+int filteredSign(const double (&rows)[2][2]);
+
 /// The predicates that a reference needs, over integer points of type Int.
 template <class Int>
 class IntegerSpace

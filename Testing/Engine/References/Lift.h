@@ -26,11 +26,12 @@ IntegerSpace<mpz_class>::Vector liftOf(const Point& weighted, int exponent);
 
 /// Signs over the lifts of a weighted cloud: a cautious floating-point filter, then integers made
 /// on the spot.
-class LiftedSpace
+class LiftedSpace : private FilteredSpace
 {
 public:
   explicit LiftedSpace(const Cloud& weighted)
-    : Points(weighted)
+    : FilteredSpace(weighted)
+    , Points(weighted)
     , Exponent(liftScale(weighted).exponent)
   {
   }
@@ -40,7 +41,7 @@ public:
   int orient(int i, int j, int k, int l) const;
 
   /// Positive when i, j, k turn left in the plane.
-  int turn(int i, int j, int k) const;
+  int turn(int i, int j, int k) const { return this->normal(2, i, j, k); }
 
 private:
   const Cloud& Points;

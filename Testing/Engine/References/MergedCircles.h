@@ -23,33 +23,11 @@ inline ReferenceTriangulation mergeCircles(
   const Cloud& cloud, const std::vector<Triangle>& triangles, const std::set<std::uint64_t>& fixed)
 {
   const LiftedSpace space(cloud);
-  const Owners owners = ownersOf(triangles);
-  MergedFacets facets(triangles);
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
-  {
-    const Triangle& a = triangles[t];
-    for (int e = 0; e < 3; ++e)
-    {
-      const std::uint64_t back = edgeKey(a[(e + 1) % 3], a[e]);
-      const auto twin = owners.find(back);
-      if (twin == owners.end() || fixed.count(back) != 0)
-      {
-        continue;
-      }
-      for (const int v : triangles[twin->second])
-      {
-        const int side = v == a[e] || v == a[(e + 1) % 3] ? 1 : space.orient(a[0], a[1], a[2], v);
-        if (side < 0)
-        {
-          throw std::runtime_error("an edge is neither fixed nor Delaunay");
-        }
-        if (side == 0)
-        {
-          facets.merge(t, twin->second);
-        }
-      }
-    }
-  }
+  MergedFacets facets = mergedFlat(
+    triangles, ownersOf(triangles),
+    [&](const Triangle& t, int v) { return space.orient(t[0], t[1], t[2], v); },
+    [&](std::uint64_t edge) { return fixed.count(edge) != 0; },
+    "an edge is neither fixed nor Delaunay");
   ReferenceTriangulation result;
   result.dimension = 2;
   result.cells = facets.polygons(FilteredSpace(cloud));

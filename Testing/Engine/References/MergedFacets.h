@@ -97,6 +97,71 @@ private:
   std::vector<int> Parents;
 };
 
+/// Triangles, merged across edges whose four corners are in one plane.
+/// @param side    int (const Triangle&, int v): negative if v is where a facet's neighbour may not
+/// be
+/// @param isFixed bool (std::uint64_t edge): not across this
+/// @throw std::runtime_error with @p fault for such a neighbour
+template <class Side, class IsFixed>
+MergedFacets mergedFlat(const std::vector<Triangle>& triangles, const Owners& owners,
+  const Side& side, const IsFixed& isFixed, const char* fault)
+{
+  MergedFacets facets(triangles);
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
+  {
+    const Triangle& a = triangles[t];
+    for (int e = 0; e < 3; ++e)
+    {
+      const std::uint64_t back = edgeKey(a[(e + 1) % 3], a[e]);
+      const auto twin = owners.find(back);
+      if (twin == owners.end() || isFixed(back))
+      {
+        continue;
+      }
+      for (const int v : triangles[twin->second])
+      {
+        const int at = v == a[e] || v == a[(e + 1) % 3] ? 1 : side(a, v);
+        if (at < 0)
+        {
+          throw std::runtime_error(fault);
+        }
+        if (at == 0)
+        {
+          facets.merge(t, twin->second);
+        }
+      }
+    }
+  }
+  return facets;
+}
+
+/// Merged facets must still be a sphere, or a disk: each edge once either way, or at most once.
+inline void checkSurface(const ReferenceHull& result, bool isClosed)
+{
+  std::unordered_map<std::uint64_t, int> edges;
+  for (const Cell& cell : result.cells)
+  {
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+      const int a = static_cast<int>(cell[i]);
+      const int b = static_cast<int>(cell[(i + 1) % cell.size()]);
+      edges[edgeKey(std::min(a, b), std::max(a, b))] += a < b ? 1 : 1 << 16;
+    }
+  }
+  for (const auto& edge : edges)
+  {
+    const int there = edge.second & 0xffff, back = edge.second >> 16;
+    if (there > 1 || back > 1 || (isClosed && there + back != 2))
+    {
+      throw std::runtime_error("the merged facets overlap, or do not close up");
+    }
+  }
+  if (result.ids.size() + result.cells.size() != edges.size() + (isClosed ? 2 : 1))
+  {
+    throw std::runtime_error("the merged facets are no sphere, or no disk");
+  }
+}
+
 }
 }
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <sstream>
 
 namespace flipflop
@@ -27,53 +26,10 @@ ReferenceHull bruteForce(const Space& space)
   }
   ReferenceHull hull;
   hull.dimension = 3;
-  const int n = static_cast<int>(points.size());
-  std::set<std::vector<int>> facets;
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = i + 1; j < n; ++j)
-    {
-      for (int k = j + 1; k < n; ++k)
-      {
-        int side = 0;
-        bool supporting = true;
-        std::vector<int> on;
-        for (int l = 0; l < n && supporting; ++l)
-        {
-          const int o = space.orient(points[i], points[j], points[k], points[l]);
-          if (o == 0)
-          {
-            on.push_back(points[l]);
-          }
-          supporting = o == 0 || side == 0 || o == side;
-          side = o != 0 ? o : side;
-        }
-        // A side of zero means three collinear points: every point is coplanar with them.
-        if (supporting && side != 0 && facets.insert(on).second)
-        {
-          const std::vector<int> polygon = side < 0
-            ? planarHull(space, on, points[i], points[j], points[k])
-            : planarHull(space, on, points[i], points[k], points[j]);
-          hull.cells.emplace_back(polygon.begin(), polygon.end());
-        }
-      }
-    }
-  }
+  // A side of zero means three collinear points: every point is coplanar with them.
+  hull.cells = facetsOf(space, points, [](int, int, int, int side) { return -side; });
   finish(hull);
   return hull;
-}
-
-template <class Int>
-ReferenceHull bruteForceAs(const Cloud& cloud, int exponent)
-{
-  std::vector<typename IntegerSpace<Int>::Vector> points;
-  points.reserve(cloud.size());
-  for (const Point& p : cloud)
-  {
-    points.push_back({ narrow<Int>(toInteger(p[0], exponent)),
-      narrow<Int>(toInteger(p[1], exponent)), narrow<Int>(toInteger(p[2], exponent)) });
-  }
-  return bruteForce(IntegerSpace<Int>(std::move(points)));
 }
 
 }
@@ -85,15 +41,7 @@ bool operator==(const ReferenceHull& a, const ReferenceHull& b)
 
 ReferenceHull bruteForceHull(const Cloud& cloud)
 {
-  // A determinant of differences of b-bit numbers has at most 3 * (b + 1) + 3 bits.
-  const Scale scale = commonScale(cloud);
-  return scale.bits <= 40 ? bruteForceAs<Int128>(cloud, scale.exponent)
-                          : bruteForceAs<mpz_class>(cloud, scale.exponent);
-}
-
-ReferenceHull bruteForceHull(const std::vector<std::array<std::int64_t, 3>>& points)
-{
-  return bruteForce(IntegerSpace<std::int64_t>(points));
+  return inIntegers(cloud, false, [](const auto& space) { return bruteForce(space); });
 }
 
 CgalKernel kernelForHull(const Cloud& cloud)

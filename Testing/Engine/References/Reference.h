@@ -31,9 +31,6 @@ bool operator==(const ReferenceHull& a, const ReferenceHull& b);
 /// Every plane through three points, every point against it: for up to about 40 points.
 ReferenceHull bruteForceHull(const Cloud& cloud);
 
-/// The same for points that are small integers: at most 19 bits.
-ReferenceHull bruteForceHull(const std::vector<std::array<std::int64_t, 3>>& points);
-
 enum class CgalKernel
 {
   Inexact, ///< exact predicates on doubles: quick, for ordinary ranges

@@ -64,70 +64,6 @@ std::vector<Triangle> hullTriangles(const Cloud& cloud, const std::vector<int>& 
   return triangles;
 }
 
-/// Merge triangles across exactly coplanar edges into true facets.
-void mergeFacets(
-  const FilteredSpace& space, const std::vector<Triangle>& triangles, ReferenceHull& hull)
-{
-  const Owners owners = ownersOf(triangles);
-  MergedFacets facets(triangles);
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
-  {
-    const Triangle& a = triangles[t];
-    if (space.normal(0, a[0], a[1], a[2]) == 0 && space.normal(1, a[0], a[1], a[2]) == 0 &&
-      space.normal(2, a[0], a[1], a[2]) == 0)
-    {
-      throw std::runtime_error("CGAL's hull has a triangle without area");
-    }
-    for (int e = 0; e < 3; ++e)
-    {
-      const auto twin = owners.find(edgeKey(a[(e + 1) % 3], a[e]));
-      if (twin == owners.end())
-      {
-        throw std::runtime_error("CGAL's hull is not closed");
-      }
-      for (int v : triangles[twin->second])
-      {
-        const int side = space.orient(a[0], a[1], a[2], v);
-        if (side > 0)
-        {
-          throw std::runtime_error("CGAL's hull is not convex");
-        }
-        if (side == 0 && v != a[e] && v != a[(e + 1) % 3])
-        {
-          facets.merge(t, twin->second);
-        }
-      }
-    }
-  }
-  hull.cells = facets.polygons(space);
-}
-
-/// The true facets must still close up: V - E + F = 2, every edge there and back.
-void checkClosed(const ReferenceHull& hull)
-{
-  std::unordered_map<std::uint64_t, int> edges;
-  for (const Cell& cell : hull.cells)
-  {
-    for (std::size_t i = 0; i < cell.size(); ++i)
-    {
-      const std::uint64_t a = static_cast<std::uint64_t>(cell[i]);
-      const std::uint64_t b = static_cast<std::uint64_t>(cell[(i + 1) % cell.size()]);
-      edges[std::min(a, b) << 32 | std::max(a, b)] += a < b ? 1 : 1 << 16;
-    }
-  }
-  for (const auto& edge : edges)
-  {
-    if (edge.second != 1 + (1 << 16))
-    {
-      throw std::runtime_error("the merged facets do not close up");
-    }
-  }
-  if (hull.ids.size() + hull.cells.size() != edges.size() + 2)
-  {
-    throw std::runtime_error("the merged facets are no polyhedron");
-  }
-}
-
 }
 
 ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel)
@@ -146,9 +82,21 @@ ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel)
     : kernel == CgalKernel::Lazy
     ? hullTriangles<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, points)
     : hullTriangles<CGAL::Simple_cartesian<CGAL::Gmpq>>(cloud, points);
-  mergeFacets(space, triangles, hull);
+  for (const Triangle& t : triangles)
+  {
+    const auto normal = [&](int axis) { return space.normal(axis, t[0], t[1], t[2]); };
+    if (normal(0) == 0 && normal(1) == 0 && normal(2) == 0)
+    {
+      throw std::runtime_error("CGAL's hull has a triangle without area");
+    }
+  }
+  hull.cells = mergedFlat(
+    triangles, ownersOf(triangles),
+    [&](const Triangle& t, int v) { return -space.orient(t[0], t[1], t[2], v); },
+    [](std::uint64_t) { return false; }, "CGAL's hull is not convex")
+                 .polygons(space);
   finish(hull);
-  checkClosed(hull);
+  checkSurface(hull, true);
   return hull;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// CGAL is used by the tests alone, never by the library.
+#include "Testing/Engine/Inputs/Inputs.h"
 #include "Testing/Engine/References/Lift.h"
 #include "Testing/Engine/References/MergedFacets.h"
 #include "Testing/Engine/References/ReferenceTriangulation.h"
@@ -102,119 +103,6 @@ void checkBorder(
   }
 }
 
-/// Merge triangles across edges whose four lifts are coplanar; the strictly extreme corners stay.
-void mergeFacets(const Cloud& weighted, const LiftedSpace& space,
-  const std::vector<Triangle>& triangles, const Owners& owners, ReferenceTriangulation& result)
-{
-  MergedFacets facets(triangles);
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
-  {
-    const Triangle& a = triangles[t];
-    for (int e = 0; e < 3; ++e)
-    {
-      const auto twin = owners.find(edgeKey(a[(e + 1) % 3], a[e]));
-      if (twin == owners.end())
-      {
-        continue;
-      }
-      for (int v : triangles[twin->second])
-      {
-        if (v == a[e] || v == a[(e + 1) % 3])
-        {
-          continue;
-        }
-        const int side = space.orient(a[0], a[1], a[2], v);
-        if (side < 0)
-        {
-          throw std::runtime_error("CGAL's triangulation is not regular at an edge");
-        }
-        if (side == 0)
-        {
-          facets.merge(t, twin->second);
-        }
-      }
-    }
-  }
-  // Positions alone: a plane in space.
-  Cloud flat = weighted;
-  for (Point& p : flat)
-  {
-    p[2] = 0;
-  }
-  result.cells = facets.polygons(FilteredSpace(flat));
-}
-
-/// The true facets must still be a disc: V - E + F = 1, no edge there twice the same way.
-void checkDisc(const ReferenceTriangulation& result)
-{
-  std::unordered_map<std::uint64_t, int> edges;
-  for (const Cell& cell : result.cells)
-  {
-    for (std::size_t i = 0; i < cell.size(); ++i)
-    {
-      const int a = static_cast<int>(cell[i]);
-      const int b = static_cast<int>(cell[(i + 1) % cell.size()]);
-      int& uses = edges[edgeKey(std::min(a, b), std::max(a, b))];
-      const int use = a < b ? 1 : 2;
-      if (uses & use)
-      {
-        throw std::runtime_error("the merged facets overlap");
-      }
-      uses |= use;
-    }
-  }
-  if (result.ids.size() + result.cells.size() != edges.size() + 1)
-  {
-    throw std::runtime_error("the merged facets are no disc");
-  }
-}
-
-/// Points of one line (or position): the lower chain of the lifts by a scan along it.
-void chain(const Cloud& weighted, std::vector<int> points, ReferenceTriangulation& result)
-{
-  const int exponent = liftScale(weighted).exponent;
-  std::vector<IntegerSpace<mpz_class>::Vector> lifts;
-  for (const Point& p : weighted)
-  {
-    lifts.push_back(liftOf(p, exponent));
-  }
-  const IntegerSpace<mpz_class> space(std::move(lifts));
-  std::sort(
-    points.begin(), points.end(), [&](int i, int j) { return lexicographicLess(space, i, j); });
-  const bool upright = space.compare(0, points.front(), points.back()) == 0;
-  std::vector<int> visible;
-  for (int p : points)
-  {
-    // Of one position, the lowest lift comes first.
-    if (!visible.empty() && space.compare(0, visible.back(), p) == 0 &&
-      space.compare(1, visible.back(), p) == 0)
-    {
-      continue;
-    }
-    while (visible.size() >= 2)
-    {
-      const int i = visible[visible.size() - 2];
-      const int j = visible.back();
-      const int left = upright ? space.normal(0, i, j, p) : -space.normal(1, i, j, p);
-      if (left > 0)
-      {
-        break;
-      }
-      visible.pop_back();
-    }
-    visible.push_back(p);
-  }
-  result.dimension = visible.size() > 1 ? 1 : 0;
-  if (visible.size() == 1)
-  {
-    result.cells.push_back({ visible[0] });
-  }
-  for (std::size_t i = 1; i < visible.size(); ++i)
-  {
-    result.cells.push_back({ visible[i - 1], visible[i] });
-  }
-}
-
 }
 
 ReferenceTriangulation cgalTriangulation(const Cloud& weighted, CgalKernel kernel)
@@ -241,7 +129,14 @@ ReferenceTriangulation cgalTriangulation(const Cloud& weighted, CgalKernel kerne
   }
   if (flat)
   {
-    chain(weighted, points, result);
+    const int exponent = liftScale(weighted).exponent;
+    std::vector<IntegerSpace<mpz_class>::Vector> lifts;
+    for (const Point& p : weighted)
+    {
+      lifts.push_back(liftOf(p, exponent));
+    }
+    result.cells = chain(IntegerSpace<mpz_class>(std::move(lifts)), points);
+    result.dimension = second == first ? 0 : 1;
     finish(result);
     return result;
   }
@@ -253,9 +148,13 @@ ReferenceTriangulation cgalTriangulation(const Cloud& weighted, CgalKernel kerne
   checkTurns(triangles, space);
   const Owners owners = ownersOf(triangles);
   checkBorder(triangles, owners, space);
-  mergeFacets(weighted, space, triangles, owners, result);
+  MergedFacets facets = mergedFlat(
+    triangles, owners, [&](const Triangle& t, int v) { return space.orient(t[0], t[1], t[2], v); },
+    [](std::uint64_t) { return false; }, "CGAL's triangulation is not regular at an edge");
+  // Positions alone: a plane in space.
+  result.cells = facets.polygons(FilteredSpace(scaled(weighted, 1, 1, 0)));
   finish(result);
-  checkDisc(result);
+  checkSurface(result, false);
   return result;
 }
 

@@ -23,10 +23,6 @@ using ReferenceTriangulation = ReferenceHull;
 /// Every triple of points, every lift against its plane: for up to about 40 points.
 ReferenceTriangulation bruteForceTriangulation(const Cloud& weighted);
 
-/// The same for small integers: coordinates of at most 12 bits, weights of at most 24.
-ReferenceTriangulation bruteForceTriangulation(
-  const std::vector<std::array<std::int64_t, 3>>& weighted);
-
 /// By CGAL in the plane, with its facets merged and its ties removed exactly; by an exact monotone
 /// chain on a line. There is nothing to construct: Lazy is Inexact here.
 /// @throw std::runtime_error when CGAL's triangles are not regular, or hide what they should not.

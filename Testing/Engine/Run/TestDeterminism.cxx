@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The same bits on any number of threads, run after run, at sizes that keep all of them busy.
+/// The same bits on any number of threads, run after run: at sizes that keep all of them busy, and
+/// of patches as small as can be, of inputs at random.
+///
+/// What goes wrong between patches may do so on one input of thousands: FLIPFLOP_TEST_CASES makes
+/// more cases, FLIPFLOP_TEST_SEED starts them elsewhere.
 #include "Support/Threads.h"
-#include "Testing/Engine/Conformance/Kind.h"
+#include "Testing/Engine/Conformance/RandomCases.h"
 
 #include <cmath>
-#include <random>
 
 namespace flipflop
 {
@@ -15,18 +18,6 @@ namespace test
 
 namespace
 {
-
-void expectSameBits(const Kind& kind, const Cloud& cloud, const std::vector<int>& threadsTried)
-{
-  Options options;
-  options.threads = 1;
-  const Result first = kind.run(cloud, options);
-  for (int threads : threadsTried)
-  {
-    options.threads = threads;
-    EXPECT_EQ(bitDifference(kind.run(cloud, options), first), "") << threads << " threads";
-  }
-}
 
 class Determinism : public ::testing::TestWithParam<FamilyOf>
 {
@@ -84,92 +75,175 @@ INSTANTIATE_TEST_SUITE_P(RegularTriangulation, Determinism,
     { &regularTriangulations, "coplanarLiftsAlmost", 60000 } }),
   Named());
 
-void expectSameBitsOfLargeInputs(const Kind& kind)
+/// Some of the points again, with other weights or at other heights.
+void addDuplicates(Cloud& cloud, Random& random)
 {
-  for (const Input& input : kind.largeInputs())
+  const auto count = static_cast<int>(cloud.size());
+  for (int i = random.integer(0, count); i > 0; --i)
   {
-    SCOPED_TRACE(input.name);
-    expectSameBits(kind, input.make(), { 3, 8 });
+    Point p = cloud[random.integer(0, count - 1)];
+    p[2] += random.integer(-1, 1) * random.uniform();
+    cloud.push_back(p);
   }
 }
 
-TEST(ConvexHullDeterminism, DegenerateInputsGiveTheSameBits)
+/// To integers of few bits, so that many positions are one and many signs are ties.
+void roundToFew(Cloud& cloud, Random& random)
 {
-  expectSameBitsOfLargeInputs(convexHulls);
-}
-
-TEST(RegularTriangulationDeterminism, DegenerateInputsGiveTheSameBits)
-{
-  expectSameBitsOfLargeInputs(regularTriangulations);
-}
-
-// A vertex that patches share may be hidden by a point of one of them: its label waits.
-
-TEST(ConvexHullDeterminism, PatchesThatHideTheirBordersVerticesGiveTheSameBits)
-{
-  for (int seed = 1; seed <= effort(20) && !HasFailure(); ++seed)
+  double extent = 0;
+  for (const Point& p : cloud)
   {
-    for (const char* family : { "shell1e4", "shell1e2" })
+    extent = std::max({ extent, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  const double factor = random.integer(4, 40) / std::max(extent, 1e-300);
+  for (Point& p : cloud)
+  {
+    for (double& x : p)
     {
-      const Input input = fromFamily(family, 20000, seed);
-      SCOPED_TRACE(input.name + ", seed " + std::to_string(seed));
-      expectSameBits(convexHulls, input.make(), { 2, 4, 16 });
+      x = std::floor(x * factor);
     }
   }
 }
 
-TEST(RegularTriangulationDeterminism, PatchesThatHideTheirBordersVerticesGiveTheSameBits)
+/// Weights of any reach, from none that hides a point to all but a few.
+void weigh(Cloud& cloud, Random& random)
 {
-  for (int seed = 1; seed <= effort(20) && !HasFailure(); ++seed)
+  const double reach = std::ldexp(1.0, random.integer(-20, 2));
+  const double slope[2] = { random.uniform(-1, 1), random.uniform(-1, 1) };
+  const int kind = random.integer(0, 3);
+  for (Point& p : cloud)
   {
-    for (const double mostWeight : { 3.0, 30.0, 1000.0 })
+    const double lift = p[0] * p[0] + p[1] * p[1];
+    p[2] = kind == 0 ? reach * random.uniform()
+      : kind == 1    ? lift - reach * random.uniform() // nearly one plane, lifted
+      : kind == 2    ? slope[0] * p[0] + slope[1] * p[1]
+                     : reach * std::sin(3 * p[0]) + 0.1 * random.uniform();
+  }
+}
+
+struct Patched
+{
+  const char* name;
+  const Kind* kind;
+  bool weighted;
+  int cases;
+
+  friend void PrintTo(const Patched& of, std::ostream* out) { *out << of.name; }
+};
+
+class Patches : public ::testing::TestWithParam<Patched>
+{
+protected:
+  static Cloud draw(Random& random)
+  {
+    const Patched& of = GetParam();
+    const bool isHull = of.kind->dimension == 3;
+    const std::vector<Family>& list =
+      random.integer(0, isHull ? 3 : 1) == 0 ? weightedFamilies() : families();
+    const Family& family = list[random.pick(list.size())];
+    Cloud cloud = family.make(random.integer(50, isSanitized() ? 1500 : 4000), random);
+    const int change = random.integer(0, 5);
+    if (change == 0)
     {
-      SCOPED_TRACE(
-        "weights below " + std::to_string(mostWeight) + "/n, seed " + std::to_string(seed));
-      const int count = 10000;
-      Random random(seed);
-      const Cloud cloud = fromWeightedFamily("uniform", count, seed).make();
-      expectSameBits(
-        regularTriangulations, withWeights(cloud, 0, mostWeight / count, random), { 2, 4, 16 });
+      roundToFew(cloud, random);
     }
-  }
-}
-
-/// Integer points of a square, each about twice.
-Cloud crowdedSquare(std::uint64_t seed)
-{
-  std::mt19937_64 engine(seed);
-  engine.discard(5);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Cloud cloud;
-  for (int i = 0; i < 3414; ++i)
-  {
-    const double x = std::floor(20 * uniform(engine));
-    const double y = std::floor(20 * uniform(engine));
-    cloud.push_back({ x, y, std::floor(20 * uniform(engine)) });
-  }
-  return cloud;
-}
-
-TEST(RegularTriangulationDeterminism, ManyPatchesOfDuplicates)
-{
-  // With the first, and without weights, two duplicates were corners of one quadrilateral.
-  for (const std::uint64_t seed : { 102880, 1, 2, 3 })
-  {
-    const Cloud cloud = crowdedSquare(seed);
-    for (const bool weighted : { false, true })
+    if (change == 1)
     {
-      const WeightView weights = weighted ? weightsOf(cloud) : WeightView();
-      Options options;
-      options.threads = 1;
-      const Triangulation alone = regularTriangulation(viewOf(cloud), weights, options);
-      for (const int threads : { 3, 4 })
+      addDuplicates(cloud, random);
+    }
+    if (of.weighted && random.integer(0, 1))
+    {
+      weigh(cloud, random);
+    }
+    return cloud;
+  }
+
+  static Views viewsOf(const Cloud& cloud)
+  {
+    return { viewOf(cloud), GetParam().weighted ? weightsOf(cloud) : WeightView() };
+  }
+};
+
+TEST_P(Patches, AreAsOneThreadMakesThem)
+{
+  const Kind& kind = *GetParam().kind;
+  const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(GetParam().cases));
+  for (std::int64_t seed = first; seed < first + count && !HasFailure(); ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 5);
+    const Cloud cloud = draw(random);
+    Options options;
+    options.facets = random.integer(0, 1) ? FacetMode::Polygons : FacetMode::Triangles;
+    options.threads = 1;
+    const Result alone = kind.runOn(viewsOf(cloud), options);
+    const Validation valid = validate(viewsOf(cloud), alone);
+    EXPECT_TRUE(valid) << "seed " << seed << ": " << describe(valid.fault);
+    options.threads = random.integer(2, 4);
+    options.vBiased = random.integer(0, 3) > 0;
+    EXPECT_EQ(bitDifference(kind.runOn(viewsOf(cloud), options), alone), "")
+      << "seed " << seed << ", " << cloud.size() << " points, " << options.threads << " threads";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Random, Patches,
+  ::testing::Values(Patched{ "OfHulls", &convexHulls, false, 200 },
+    Patched{ "OfTriangulations", &regularTriangulations, true, 300 },
+    Patched{ "OfTriangulationsWithoutWeights", &regularTriangulations, false, 200 }),
+  [](const auto& given) { return given.param.name; });
+
+struct Found
+{
+  const char* name;
+  const Kind* kind;
+  Cloud (*make)(std::uint64_t seed);
+  std::vector<std::uint64_t> seeds;
+};
+
+/// What has once differed: two duplicates were corners of one quadrilateral; a vertex that patches
+/// share was hidden by a point of one of them, and its label must wait.
+TEST(Patches, OfWhatHasOnceDiffered)
+{
+  const auto heavy = [](std::uint64_t seed)
+  {
+    Random random(seed);
+    return withWeights(fromWeightedFamily("uniform", 10000, seed).make(), 0, 0.003, random);
+  };
+  const auto crowdedSquare = [](std::uint64_t seed)
+  {
+    std::mt19937_64 engine(seed);
+    engine.discard(5);
+    const auto draw = [&]
+    { return std::floor(20 * std::uniform_real_distribution<double>(-1, 1)(engine)); };
+    Cloud cloud;
+    for (int i = 0; i < 3414; ++i)
+    {
+      cloud.push_back({ draw(), draw(), draw() });
+    }
+    return cloud;
+  };
+  const auto shell = [](std::uint64_t seed) { return fromFamily("shell1e4", 20000, seed).make(); };
+  const Found all[] = { { "crowded square", &regularTriangulations, crowdedSquare, { 102880, 1 } },
+    { "heavy", &regularTriangulations, heavy, { 1, 2, 3, 4, 5 } },
+    { "shell", &convexHulls, shell, { 1, 2, 3, 4, 5 } } };
+  for (const Found& found : all)
+  {
+    for (const std::uint64_t seed : found.seeds)
+    {
+      const Cloud cloud = found.make(seed);
+      for (const WeightView& weights : { weightsOf(cloud), WeightView() })
       {
-        SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(threads) + " threads");
-        options.threads = threads;
-        const Triangulation found = regularTriangulation(viewOf(cloud), weights, options);
-        EXPECT_EQ(found.statistics.threads, threads);
-        EXPECT_EQ(bitDifference(found, alone), "");
+        SCOPED_TRACE(found.name + (", seed " + std::to_string(seed)));
+        Options options;
+        options.threads = 1;
+        const Result alone = found.kind->runOn({ viewOf(cloud), weights }, options);
+        for (const int threads : { 2, 3, 4, 16 })
+        {
+          options.threads = threads;
+          EXPECT_EQ(
+            bitDifference(found.kind->runOn({ viewOf(cloud), weights }, options), alone), "")
+            << threads << " threads";
+        }
       }
     }
   }

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What must not change a result: the points' order, their layout in memory, exact scaling, exact
-/// turning and mirroring, leaving out points that it does not have. And of triangulations: exact
-/// moving, one weight more for all, and that they are the lower side of the lifted points' hull.
+/// What must not change a result: the points' order, exact scaling, moving, turning and mirroring,
+/// one weight more for all, leaving out points that it does not have. And that triangulations are
+/// the lower side of the lifted points' hull.
 #include "Testing/Engine/Conformance/Kind.h"
 
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace flipflop
 {
@@ -26,233 +24,157 @@ Options polygons()
   return options;
 }
 
-/// Cells by other names, in canonical order.
-std::vector<Cell> renamed(std::vector<Cell> cells, const std::vector<std::int64_t>& names)
+std::vector<Input> inputsFor(const Kind& kind)
 {
-  for (Cell& cell : cells)
+  const bool isHull = kind.dimension == 3;
+  std::vector<Input> all = kind.smallInputs();
+  for (const Family& family : kind.families())
   {
-    for (std::int64_t& id : cell)
+    all.push_back(kind.family(family.name, effort(isHull ? 4000 : 1000), 8));
+  }
+  if (isHull)
+  {
+    for (const Input& input : largeSpecialInputs())
     {
-      id = names[id];
+      if (input.name == "cubeSurfaceGrid20rotated" || input.name == "cospherical5201" ||
+        input.name == "grid8times5" || input.name == "prism100" || input.name == "mostlyCoplanar" ||
+        input.name == "cubeSurfaceGrid20float")
+      {
+        all.push_back(input);
+      }
     }
   }
-  canonicalise(cells);
-  return cells;
-}
-
-std::vector<Cell> reversed(std::vector<Cell> cells)
-{
-  for (Cell& cell : cells)
+  else
   {
-    std::reverse(cell.begin(), cell.end());
-  }
-  canonicalise(cells);
-  return cells;
-}
-
-std::vector<Input> hullInputs()
-{
-  std::vector<Input> all = smallSpecialInputs();
-  for (const Family& family : families())
-  {
-    all.push_back(fromFamily(family.name, effort(4000), 8));
-  }
-  for (const Input& input : largeSpecialInputs())
-  {
-    if (input.name == "cubeSurfaceGrid20rotated" || input.name == "cospherical5201" ||
-      input.name == "grid8times5" || input.name == "prism100" || input.name == "mostlyCoplanar")
+    for (const char* name :
+      { "uniformHeavy", "smallIntegersLight", "gridOfTwoWeights", "clusters" })
     {
-      all.push_back(input);
+      all.push_back(kind.family(name, effort(5000), 9));
     }
-  }
-  all.push_back({ "cubeSurfaceGrid20floats", 0,
-    []() { return roundedToFloat(rotated(cubeSurfaceGrid(20))); } });
-  return all;
-}
-
-std::vector<Input> weightedInputs()
-{
-  std::vector<Input> all = smallWeightedInputs();
-  for (const Family& family : weightedFamilies())
-  {
-    all.push_back(fromWeightedFamily(family.name, effort(1000), 8));
-  }
-  for (const char* name : { "uniformHeavy", "smallIntegersLight", "gridOfTwoWeights", "clusters" })
-  {
-    all.push_back(fromWeightedFamily(name, effort(5000), 9));
   }
   return all;
 }
 
-/// Of both kinds.
 class Invariance : public ::testing::TestWithParam<InputOf>
 {
 protected:
-  const Kind& kind() const { return *this->GetParam().kind; }
-  Cloud make() const { return this->GetParam().input.make(); }
-  Result run(const Cloud& cloud) const { return this->kind().run(cloud, polygons()); }
-  std::vector<Cell> cells(const Cloud& cloud) const { return cellsOf(complexOf(this->run(cloud))); }
-};
-
-/// What the tests of floats are made of. (A compiler has left some numbers as they were.)
-TEST(Floats, AreFloats)
-{
-  for (int count = 1; count < 60; ++count)
+  Invariance()
+    : Of(*GetParam().kind)
+    , IsHull(this->Of.dimension == 3)
+    , Points(GetParam().input.make())
+    , Whole(this->Of.run(this->Points, polygons()))
+    , Wanted(cellsOf(complexOf(this->Whole)))
   {
-    EXPECT_TRUE(isFloat(roundedToFloat(fromFamily("ball", count, 1).make()))) << count << " points";
   }
-}
+
+  /// Another cloud has the same cells, by other names, or seen in a mirror.
+  void expectSame(const Cloud& other, const std::string& what, bool mirrored = false,
+    const std::vector<std::int64_t>& names = {})
+  {
+    const Result found = this->Of.run(other, polygons());
+    std::vector<Cell> cells = cellsOf(complexOf(found));
+    for (Cell& cell : cells)
+    {
+      for (std::int64_t& id : cell)
+      {
+        id = names.empty() ? id : names[static_cast<std::size_t>(id)];
+      }
+      if (mirrored)
+      {
+        std::reverse(cell.begin(), cell.end());
+      }
+    }
+    canonicalise(cells);
+    EXPECT_EQ(cells, this->Wanted) << what;
+  }
+
+  /// Turned or mirrored: which side of a flat hull is its polygon's depends on the axes.
+  void expectTurned(const Cloud& other, const std::string& what, bool mirrored)
+  {
+    if (this->IsHull && complexOf(this->Whole).dimension < 3)
+    {
+      const Result found = this->Of.run(other, polygons());
+      EXPECT_EQ(idsIn(cellsOf(complexOf(found))), idsIn(this->Wanted)) << what;
+    }
+    else
+    {
+      this->expectSame(other, what, mirrored);
+    }
+  }
+
+  const Kind& Of;
+  const bool IsHull;
+  const Cloud Points;
+  const Result Whole;
+  const std::vector<Cell> Wanted;
+};
 
 TEST_P(Invariance, UnderPermutation)
 {
-  const Cloud cloud = this->make();
-  const std::vector<Cell> wanted = this->cells(cloud);
-  const std::vector<std::int64_t> lowest = lowestIds(cloud);
+  const std::vector<std::int64_t> lowest = lowestIds(this->Points);
   for (std::uint64_t seed = 0; seed < 4; ++seed)
   {
-    const std::vector<int> order = orderOf(cloud, seed);
-    std::vector<std::int64_t> names(cloud.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
+    const std::vector<int> order = orderOf(this->Points, seed);
+    std::vector<std::int64_t> names;
+    for (const int i : order)
     {
-      names[i] = lowest[order[i]];
+      names.push_back(lowest[static_cast<std::size_t>(i)]);
     }
-    // A hull's only polygon keeps its side: the rule speaks of the normal, not of the order.
-    EXPECT_EQ(renamed(this->cells(permuted(cloud, order)), names), wanted) << "order " << seed;
+    this->expectSame(permuted(this->Points, order), "order " + std::to_string(seed), false, names);
   }
 }
 
 TEST_P(Invariance, UnderScalingByPowersOfTwo)
 {
-  const Cloud cloud = this->make();
-  const std::vector<Cell> wanted = this->cells(cloud);
   const auto times = [&](const Cloud& from, double s)
-  { return this->kind().dimension == 3 ? scaled(from, s, s, s) : magnified(from, s); };
+  { return this->IsHull ? scaled(from, s, s, s) : magnified(from, s); };
   for (int power : { -900, -500, -300, -40, -1, 1, 40, 300, 500, 900 })
   {
     const double s = std::ldexp(1.0, power);
-    const Cloud other = times(cloud, s);
+    const Cloud other = times(this->Points, s);
     // Only where the scaling is exact: nothing overflows, nothing falls below the denormals.
-    if (times(other, 1 / s) == cloud)
+    if (times(other, 1 / s) == this->Points)
     {
-      EXPECT_EQ(this->cells(other), wanted) << "2^" << power;
+      this->expectSame(other, "2^" + std::to_string(power));
     }
   }
 }
 
-TEST_P(Invariance, UnderLeavingOutAllButTheResultsPoints)
+TEST_P(Invariance, UnderMovingAndRaising)
 {
-  // The hull of the hull is the hull; what is hidden hides nothing.
-  const Cloud cloud = this->make();
-  const Result whole = this->run(cloud);
-  const auto& ids = complexOf(whole).pointIds;
-  const std::vector<std::int64_t> names(ids.begin(), ids.end());
-  const Result again = this->run(permuted(cloud, std::vector<int>(names.begin(), names.end())));
-  EXPECT_EQ(renamed(cellsOf(complexOf(again)), names), cellsOf(complexOf(whole)));
-  EXPECT_EQ(complexOf(again).pointIds.size(), names.size());
-  const auto* triangulation = std::get_if<Triangulation>(&again);
-  EXPECT_TRUE(!triangulation || triangulation->hiddenIds.empty());
-}
-
-INSTANTIATE_TEST_SUITE_P(
-  ConvexHull, Invariance, ::testing::ValuesIn(inputsOf(convexHulls, hullInputs())), Named());
-INSTANTIATE_TEST_SUITE_P(RegularTriangulation, Invariance,
-  ::testing::ValuesIn(inputsOf(regularTriangulations, weightedInputs())), Named());
-
-class HullInvariance : public ::testing::TestWithParam<Input>
-{
-};
-
-TEST_P(HullInvariance, UnderTurningTheAxes)
-{
-  // (x, y, z) to (y, z, x): space keeps its orientation, so facets keep theirs.
-  const Cloud cloud = this->GetParam().make();
-  const Hull hull = convexHull(viewOf(cloud), polygons());
-  Cloud other = cloud;
-  for (Point& p : other)
-  {
-    p = { p[1], p[2], p[0] };
-  }
-  const Hull turned = convexHull(viewOf(other), polygons());
-  EXPECT_EQ(turned.dimension, hull.dimension);
-  EXPECT_EQ(Cell(turned.pointIds.begin(), turned.pointIds.end()),
-    Cell(hull.pointIds.begin(), hull.pointIds.end()));
-  if (hull.dimension == 3)
-  {
-    EXPECT_EQ(cellsOf(turned), cellsOf(hull));
-  }
-}
-
-TEST_P(HullInvariance, UnderMirroring)
-{
-  const Cloud cloud = this->GetParam().make();
-  const Hull hull = convexHull(viewOf(cloud), polygons());
-  const Hull mirrored = convexHull(viewOf(scaled(cloud, -1, 1, 1)), polygons());
-  EXPECT_EQ(mirrored.dimension, hull.dimension);
-  if (hull.dimension == 3)
-  {
-    EXPECT_EQ(cellsOf(mirrored), reversed(cellsOf(hull)));
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(ConvexHull, HullInvariance, ::testing::ValuesIn(hullInputs()),
-  [](const auto& given) { return given.param.name; });
-
-Triangulation triangulated(const Cloud& weighted)
-{
-  return regularTriangulation(viewOf(weighted), weightsOf(weighted), polygons());
-}
-
-/// Is a + b a double?
-bool isExactSum(double a, double b)
-{
-  const double sum = a + b;
-  const double part = sum - a;
-  return std::isfinite(sum) && (a - (sum - part)) + (b - part) == 0;
-}
-
-/// The cloud moved, and all weights raised, if nothing is rounded; empty otherwise.
-Cloud movedExactly(const Cloud& weighted, double x, double y, double w)
-{
-  for (const Point& p : weighted)
-  {
-    if (!isExactSum(p[0], x) || !isExactSum(p[1], y) || !isExactSum(p[2], w))
-    {
-      return {};
-    }
-  }
-  return moved(weighted, x, y, w);
-}
-
-class TriangulationInvariance : public ::testing::TestWithParam<Input>
-{
-};
-
-TEST_P(TriangulationInvariance, UnderMovingAndRaising)
-{
-  const Cloud cloud = this->GetParam().make();
-  const std::vector<Cell> wanted = cellsOf(triangulated(cloud));
   for (const Point& by :
     { Point{ 1, 0, 0 }, Point{ 0, 0, 1 }, Point{ -0.5, 3, -2 }, Point{ 0x1p20, -0x1p20, 0x1p20 },
       Point{ 0x1p30, 0x1p40, -0x1p35 }, Point{ 0, 0, 0x1p45 } })
   {
-    const Cloud other = movedExactly(cloud, by[0], by[1], by[2]);
-    if (!other.empty())
+    const Cloud other = moved(this->Points, by[0], by[1], by[2]);
+    // Only where nothing is rounded.
+    bool isExact = true;
+    for (std::size_t i = 0; i < other.size(); ++i)
     {
-      EXPECT_EQ(cellsOf(triangulated(other)), wanted) << toString(Cloud{ by });
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const double sum = other[i][k], a = this->Points[i][k], part = sum - a;
+        isExact = isExact && std::isfinite(sum) && (a - (sum - part)) + (by[k] - part) == 0;
+      }
+    }
+    if (isExact)
+    {
+      this->expectSame(other, toString(Cloud{ by }));
     }
   }
 }
 
-TEST_P(TriangulationInvariance, UnderTurningAndMirroring)
+TEST_P(Invariance, UnderTurningAndMirroring)
 {
-  const Cloud cloud = this->GetParam().make();
-  const std::vector<Cell> wanted = cellsOf(triangulated(cloud));
-  const std::vector<Cell> backwards = reversed(wanted);
-  for (int variant = 1; variant < 8; ++variant)
+  for (int variant = 1; variant < (this->IsHull ? 16 : 8); ++variant)
   {
-    Cloud other = cloud;
+    Cloud other = this->Points;
     for (Point& p : other)
     {
+      if (variant & 8) // a turn: space keeps its orientation
+      {
+        p = { p[1], p[2], p[0] };
+      }
       if (variant & 4)
       {
         std::swap(p[0], p[1]);
@@ -260,13 +182,23 @@ TEST_P(TriangulationInvariance, UnderTurningAndMirroring)
       p[0] = variant & 1 ? -p[0] : p[0];
       p[1] = variant & 2 ? -p[1] : p[1];
     }
-    const bool isMirror = ((variant & 1) + (variant >> 1 & 1) + (variant >> 2)) % 2 == 1;
-    EXPECT_EQ(cellsOf(triangulated(other)), isMirror ? backwards : wanted) << "variant " << variant;
+    this->expectTurned(other, "variant " + std::to_string(variant),
+      ((variant & 1) + (variant >> 1 & 1) + (variant >> 2 & 1)) % 2 == 1);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(RegularTriangulation, TriangulationInvariance,
-  ::testing::ValuesIn(weightedInputs()), [](const auto& given) { return given.param.name; });
+TEST_P(Invariance, UnderLeavingOutAllButTheResultsPoints)
+{
+  // The hull of the hull is the hull; what is hidden hides nothing.
+  const auto& ids = complexOf(this->Whole).pointIds;
+  this->expectSame(permuted(this->Points, std::vector<int>(ids.begin(), ids.end())), "", false,
+    { ids.begin(), ids.end() });
+}
+
+INSTANTIATE_TEST_SUITE_P(ConvexHull, Invariance,
+  ::testing::ValuesIn(inputsOf(convexHulls, inputsFor(convexHulls))), Named());
+INSTANTIATE_TEST_SUITE_P(RegularTriangulation, Invariance,
+  ::testing::ValuesIn(inputsOf(regularTriangulations, inputsFor(regularTriangulations))), Named());
 
 /// The lower facets of the hull of the lifts, as seen from above. Lifts must be doubles.
 ReferenceTriangulation lowerHull(const Cloud& weighted)
@@ -319,8 +251,8 @@ TEST(RegularTriangulation, IsTheLowerHullOfTheLifts)
     }
     const ReferenceTriangulation wanted = lowerHull(cloud);
     planes += wanted.cells.size() == 1;
-    EXPECT_EQ(difference(triangulated(cloud), wanted, FacetMode::Polygons, count), "")
-      << "seed " << seed;
+    const Result found = regularTriangulations.run(cloud, polygons());
+    EXPECT_EQ(difference(found, wanted, FacetMode::Polygons, count), "") << "seed " << seed;
   }
   EXPECT_GT(planes, 0);
 }

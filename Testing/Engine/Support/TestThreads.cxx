@@ -34,17 +34,9 @@ std::int64_t residentBytes()
   return resident * 4096;
 }
 
-/// What counts where tests do not lower it.
-class AsUsersHaveIt
-{
-public:
-  AsUsersHaveIt() { pointsPerThread() = UsualPointsPerThread; }
-  ~AsUsersHaveIt() { pointsPerThread() = 1; }
-};
-
 TEST(Threads, FewPointsAreForOneThread)
 {
-  const AsUsersHaveIt here;
+  const PointsPerThread here(UsualPointsPerThread);
   EXPECT_EQ(threadCount(4, 0), 1);
   EXPECT_EQ(threadCount(4, 8), 1);
   EXPECT_EQ(threadCount(0, 8191), 1);
@@ -106,34 +98,6 @@ TEST(Threads, RunsLeaveNothingBehind)
 #else
   EXPECT_GT(before, 0); // a sanitizer keeps what is freed
 #endif
-}
-
-TEST(Threads, RunsAtOnceHaveArenasOfTheirOwn)
-{
-  const Cloud cloud = fromFamily("shell0", 500, 2).make();
-  const Hull wanted = convexHull(viewOf(cloud), Options());
-  const std::size_t before = ArenaLoan::made();
-  std::vector<std::thread> callers;
-  std::vector<std::string> faults(4);
-  for (std::string& fault : faults)
-  {
-    callers.emplace_back(
-      [&]
-      {
-        for (int i = 0; i < 50 && fault.empty(); ++i)
-        {
-          Options options;
-          options.threads = 1 + i % 2;
-          fault = bitDifference(convexHull(viewOf(cloud), options), wanted);
-        }
-      });
-  }
-  for (std::thread& caller : callers)
-  {
-    caller.join();
-  }
-  EXPECT_EQ(faults, std::vector<std::string>(4));
-  EXPECT_LE(ArenaLoan::made(), before + 8);
 }
 
 /// Each once, whatever runs beside it, and in arenas that are lent again.

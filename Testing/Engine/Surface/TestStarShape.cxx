@@ -5,14 +5,8 @@
 /// carries them too.
 #include "Geometry/HullGeometry.h"
 #include "Surface/StarShape.h"
-#include "Surface/Topology.h"
-#include "Testing/Engine/Inputs/Surfaces.h"
+#include "Testing/Engine/Geometry/Solid.h"
 #include "Testing/Engine/References/Exact.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace flipflop
 {
@@ -21,45 +15,6 @@ namespace test
 
 namespace
 {
-
-struct Solid
-{
-  Polyhedron polyhedron;
-  CoordinateRange range;
-};
-
-Solid solidOf(const Surface& surface)
-{
-  Solid solid{ Polyhedron(surface.points.size(), surface.triangles.size()), {} };
-  for (int i = 0; i < 3; ++i)
-  {
-    solid.range.low[i] = solid.range.smallest[i] = HUGE_VAL;
-    solid.range.high[i] = -HUGE_VAL;
-  }
-  for (std::size_t v = 0; v < surface.points.size(); ++v)
-  {
-    Vertex& vertex = solid.polyhedron.vertices[v];
-    vertex.id = static_cast<std::uint32_t>(v);
-    vertex.flags = VertexAlive;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double x = vertex.x[i] = surface.points[v][static_cast<std::size_t>(i)];
-      solid.range.low[i] = std::min(solid.range.low[i], x);
-      solid.range.high[i] = std::max(solid.range.high[i], x);
-      solid.range.smallest[i] = std::min(solid.range.smallest[i], x != 0 ? std::fabs(x) : HUGE_VAL);
-    }
-  }
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    Triangle& triangle = solid.polyhedron.triangles[t];
-    std::copy(surface.triangles[t].begin(), surface.triangles[t].end(), triangle.v);
-    triangle.flags = triangle.flatEdges = 0;
-  }
-  EXPECT_FALSE(linkTriangles(solid.polyhedron.triangles.data(), solid.polyhedron.triangleCount(),
-    solid.polyhedron.vertexCount())
-                 .any);
-  return solid;
-}
 
 /// The place of the lowest bit of a double that is not zero.
 int lowestBit(double x)

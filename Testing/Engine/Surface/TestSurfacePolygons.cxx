@@ -3,8 +3,8 @@
 /// @file
 /// Polygons become triangles that cover them once, by rationals: convex, concave, with straight
 /// corners, in any plane, at any range. Others are named.
-#include "Testing/Engine/Conformance/ProgressWatch.h"
-#include "Testing/Engine/Query/PlaneQueries.h"
+#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Inputs/InputMaking.h"
 
 #include <flipflop/SurfacePolygons.h>
 
@@ -27,6 +27,7 @@ namespace
 {
 
 using Ids = std::vector<std::int64_t>;
+using Rational = mpq_class;
 using Vector = std::array<Rational, 3>;
 
 PolygonTriangles triangulated(
@@ -152,36 +153,6 @@ TEST(SurfacePolygons, Shapes)
   }
 }
 
-/// Stars of random radii on a lattice: simple, mostly concave, often with straight corners.
-TEST(SurfacePolygons, RandomStars)
-{
-  Random random(91);
-  for (int run = 0; run < effort(300); ++run)
-  {
-    const int count = random.integer(4, 40);
-    Cloud points;
-    for (int i = 0; i < count; ++i)
-    {
-      const double angle = 2 * 3.14159265358979 * i / count;
-      const double radius = random.integer(20, 400);
-      points.push_back(
-        { { std::floor(radius * std::cos(angle)), std::floor(radius * std::sin(angle)), 0 } });
-    }
-    // Rounded, neighbours may run into each other near the centre.
-    bool simple = true;
-    for (int i = 0; i < count; ++i)
-    {
-      simple = simple &&
-        orientation({ { 0.0, 0.0, 0.0 } }, points[static_cast<std::size_t>(i)],
-          points[static_cast<std::size_t>((i + 1) % count)]) > 0;
-    }
-    if (simple)
-    {
-      expectCut(points, idsOf(points));
-    }
-  }
-}
-
 /// A convex polygon is the fan from its first corner.
 TEST(SurfacePolygons, Fans)
 {
@@ -284,11 +255,10 @@ TEST(SurfacePolygons, AllPairsOfSidesTellWhichAreSimple)
     std::vector<Corner> corners;
     for (int i = 0; i < count; ++i)
     {
-      const double angle = 2 * 3.14159265358979 * i / count;
-      const double radius = random.integer(200, 400);
-      corners.push_back(isLarge ? Corner{ { static_cast<std::int64_t>(radius * std::cos(angle)),
-                                    static_cast<std::int64_t>(radius * std::sin(angle)) } }
-                                : Corner{ { random.integer(0, 3), random.integer(0, 3) } });
+      const Point p = onCircle(Turn * i / count, random.integer(20, 400));
+      corners.push_back(isLarge
+          ? Corner{ static_cast<std::int64_t>(p[0]), static_cast<std::int64_t>(p[1]) }
+          : Corner{ random.integer(0, 3), random.integer(0, 3) });
     }
     if (isLarge && run % 16 == 0)
     {

@@ -20,19 +20,23 @@ namespace
 using Faults = std::vector<Fault>;
 
 /// Any of these names is right.
+void expectName(const Kind& kind, const Faults& names, const Cloud& cloud, int dimension,
+  const std::vector<Cell>& cells, FacetMode facets)
+{
+  const Fault fault = validationOf(cloud, claimOf(kind, cloud, dimension, cells, facets)).fault;
+  EXPECT_EQ(std::count(names.begin(), names.end(), fault), 1) << describe(fault);
+}
+
 void expectHull(const Faults& names, const Cloud& cloud, int dimension,
   const std::vector<Cell>& cells, FacetMode facets = FacetMode::Polygons)
 {
-  const Fault fault =
-    validationOf(cloud, claimOf(convexHulls, cloud, dimension, cells, facets)).fault;
-  EXPECT_EQ(std::count(names.begin(), names.end(), fault), 1) << describe(fault);
+  expectName(convexHulls, names, cloud, dimension, cells, facets);
 }
 
 void expectPlane(const Faults& names, const Cloud& cloud, int dimension,
   const std::vector<Cell>& cells, FacetMode facets = FacetMode::Polygons)
 {
-  const Fault fault = faultOf(cloud, claim(cloud, dimension, cells, facets));
-  EXPECT_EQ(std::count(names.begin(), names.end(), fault), 1) << describe(fault);
+  expectName(regularTriangulations, names, cloud, dimension, cells, facets);
 }
 
 const FacetMode triangles = FacetMode::Triangles;

@@ -13,11 +13,9 @@ namespace flipflop
 namespace test
 {
 
-/// A result of a kind from plain values.
-inline Result makeResult(
-  const Kind& kind, const ReferenceHull& reference, std::size_t points, FacetMode facets)
+/// A result of a kind, made as a triangulation.
+inline Result asKind(const Kind& kind, Triangulation made)
 {
-  Triangulation made = makeTriangulation(reference, static_cast<std::int64_t>(points), facets);
   if (kind.dimension == 2)
   {
     return made;
@@ -25,6 +23,13 @@ inline Result makeResult(
   Hull hull;
   copyCells(made, hull);
   return hull;
+}
+
+/// A result of a kind from plain values.
+inline Result makeResult(
+  const Kind& kind, const ReferenceHull& reference, std::size_t points, FacetMode facets)
+{
+  return asKind(kind, makeTriangulation(reference, static_cast<std::int64_t>(points), facets));
 }
 
 inline CellComplex& cellsIn(Result& result)
@@ -55,14 +60,7 @@ inline Validation validationOf(const Cloud& cloud, const Result& result)
 inline Result claimOf(const Kind& kind, const Cloud& cloud, int dimension, std::vector<Cell> cells,
   FacetMode facets = FacetMode::Polygons)
 {
-  Triangulation made = claim(cloud, dimension, std::move(cells), facets);
-  if (kind.dimension == 2)
-  {
-    return made;
-  }
-  Hull hull;
-  copyCells(made, hull);
-  return hull;
+  return asKind(kind, claim(cloud, dimension, std::move(cells), facets));
 }
 
 }
