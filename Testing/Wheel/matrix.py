@@ -6,7 +6,7 @@
     matrix.py [--pythons PYTHON,...] [--only WORD] [--work FOLDER] WHEEL...
 
 Of the wheels, pip takes the one that fits a Python. An environment that the package index has no files for is told as
-such, with pip's reason. The table that is printed is that of Documentation/Install.md. The exit code is 1 if a test failed.
+such, with pip's reason. Documentation/Install.md sums up the table that is printed. The exit code is 1 if a test failed.
 """
 
 import argparse
