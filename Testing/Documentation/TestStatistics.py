@@ -60,7 +60,6 @@ class TestStatistics(unittest.TestCase):
             for name in re.findall(r'AddValue\([^"]*"(FlipFlop\w+)"', read(path))
         }
         self.assertEqual((len(members), len(arrays)), (21, 9))
-
         told = set(re.findall(r"`([\w()]+)`", PAGE))
         self.assertEqual((set(members) | arrays) - told, set())
 
