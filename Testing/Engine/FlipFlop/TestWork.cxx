@@ -57,7 +57,8 @@ double mostGrowth(const std::string& name)
 {
   static const std::map<std::string, double> most = { { "helix", 2.5 }, { "knot", 3.5 },
     { "momentCurve", 8 }, { "moment-curve", 2 }, { "cone", 2.1 }, { "thin200", 2 },
-    { "skewNeedle", 2 }, { "wall", 2 }, { "near-line", 2 }, { "twoLines", 2 } };
+    { "skewNeedle", 2 }, { "wall", 2 }, { "near-line", 2 }, { "twoLines", 2 },
+    { "collinearAlmost", 2 } };
   const auto known = most.find(name.substr(0, name.find("-shuffled")));
   return known == most.end() ? 1.5 : known->second;
 }
