@@ -198,8 +198,10 @@ public:
       half.step = nullptr; // which takes the caller's context
       half.progress = [](double fraction, void* context)
       {
+        // The caller's environment is on for the caller's function.
         const Half& self = *static_cast<const Half*>(context);
-        return self.whole.progress(self.begin + 0.5 * fraction, self.whole.progressContext);
+        const double done = engineCall([&] { return self.begin + 0.5 * fraction; });
+        return self.whole.progress(done, self.whole.progressContext);
       };
     }
     return half;
