@@ -151,7 +151,7 @@ ROUNDS = [
        "if (d.vBiased && this->flipsAreMany())",
        "if (d.vBiased && d.counters->flips[this->round & 1] != 0)")]),
     ("scarce-flips-unordered",
-     "whether flips are many is told from a count of the round under way",
+     "whether flips are many is read from a count of the round under way",
      [("FlipKernels.h",
        "counters.flips[(this->round & 1) ^ 1];",
        "counters.flips[this->round & 1];")]),

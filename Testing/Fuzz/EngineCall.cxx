@@ -16,8 +16,8 @@ bool Trial::report(double fraction, void* self)
   Trial& trial = *static_cast<Trial*>(self);
   State_& state = trial.State;
   demand(fraction >= state.reached && fraction <= 1, "progress runs back, or out of 0 to 1");
-  demand(trial.Caller == std::this_thread::get_id(), "progress is told by another thread");
-  demand(!state.stopped, "progress is told after the stop");
+  demand(trial.Caller == std::this_thread::get_id(), "progress is reported by another thread");
+  demand(!state.stopped, "progress is reported after the stop");
   state.reached = fraction;
   if (++state.polls != trial.StopAt)
   {

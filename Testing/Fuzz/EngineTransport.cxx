@@ -252,7 +252,7 @@ struct Case
     return positions.size();
   }
 
-  /// Are positions such that doubles tell the cells in the domain?
+  /// Are positions such that doubles distinguish the cells in the domain?
   bool areNear() const
   {
     const double far = 1e4 * this->domain.perimeter;

@@ -129,9 +129,9 @@ def test_constraints():
         regular_triangulation(ghosts, constraints=both, polygon_rule="direction")
     # Clockwise outside: by direction it is a hole, and nothing is left.
     outside = pv.PolyData(SQUARE, faces=[4, 3, 2, 1, 0])
-    with pytest.warns(UserWarning, match="no cell is inside the polygons") as told:
+    with pytest.warns(UserWarning, match="no cell is inside the polygons") as caught:
         assert regular_triangulation(mesh, constraints=outside, polygon_rule="direction").n_cells == 0
-    assert [warning.filename for warning in told] == [__file__]
+    assert [warning.filename for warning in caught] == [__file__]
 
 
 def test_constraints_with_points_of_their_own():

@@ -56,7 +56,7 @@ inline std::string difference(const Cloud& cloud, const std::vector<Segment>& co
   std::vector<FixedSegment> fixed = fixedOf(result);
   for (std::size_t i = 0; i < std::min(fixed.size(), reference.fixed.size()); ++i)
   {
-    // CGAL does not tell which constraint it is.
+    // CGAL does not report which constraint it is.
     fixed[i].constraint = reference.fixed[i].constraint < 0 ? -1 : fixed[i].constraint;
   }
   const std::string cells =

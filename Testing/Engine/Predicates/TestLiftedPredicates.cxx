@@ -359,7 +359,7 @@ Points anyScale(std::mt19937_64& random)
   return scaledBy(v, exponents[random() % 6] + below(random, 20));
 }
 
-/// Products of four differences underflow; nothing but the range tells.
+/// Products of four differences underflow; nothing but the range shows it.
 Points smallBesideLarge(std::mt19937_64& random)
 {
   const auto makers = { randomPoints, cocircular, collinear, integers };
