@@ -222,6 +222,12 @@ void takePieces(vtkFFHullFilter* filter, vtkInformation* input, vtkInformation* 
   {
     const auto work = [&]
     {
+      if (filter->GetGenerateCertificate())
+      {
+        throw vtkFFBadSetting("A certificate needs all points at once, and the input is streamed. "
+                              "Turn off Generate Certificate, or set Number Of Stream Divisions to "
+                              "1.");
+      }
       int port = 0;
       vtkExecutive* const producer = producerOf(input, port);
       requestPiece(input, output, divisions, number);
@@ -396,12 +402,6 @@ int vtkFFHullFilter::RequestData(
   run.Do(
     [&]
     {
-      if (this->GenerateCertificate && this->NumberOfStreamDivisions > 1)
-      {
-        throw vtkFFBadSetting("A certificate needs all points at once, and the input is streamed. "
-                              "Turn off Generate Certificate, or set Number Of Stream Divisions to "
-                              "1.");
-      }
       this->WriteHull(this->Kept->Hull, run, output);
       if (this->GenerateCertificate)
       {
