@@ -28,7 +28,8 @@ struct Vector
   double x[3];
 };
 
-/// Three axes at right angles, and the volume of the box along them.
+/// Three axes at right angles, and the volume of the box along them, in units of 2^-1000: that of a
+/// thin hull may be less than any double.
 struct Candidate
 {
   double axis[3][3];
@@ -245,7 +246,7 @@ private:
 
   static double volumeOf(const Points& points, const Candidate& candidate)
   {
-    double volume = 1;
+    double volume = 0x1p1000;
     for (const double* axis : candidate.axis)
     {
       Reach reach;
@@ -486,6 +487,20 @@ Candidate flatAxes(const PreparedHull& hull, const UnitFrame& frame)
   return result;
 }
 
+/// Of lengths in units of 2^unit, also where the product of their numbers is no double.
+double productOf(const double* length, int count, int unit)
+{
+  double product = 1;
+  int exponent = count * unit;
+  for (int i = 0; i < count; ++i)
+  {
+    int own = 0;
+    product *= std::frexp(length[i], &own);
+    exponent += own;
+  }
+  return std::ldexp(product, exponent);
+}
+
 }
 
 OrientedBox minimalBoxOf(const PreparedHull& hull, Monitor& monitor)
@@ -525,11 +540,11 @@ OrientedBox minimalBoxOf(const PreparedHull& hull, Monitor& monitor)
   }
   if (hull.isInPlane())
   {
-    box.volume = std::ldexp(length[0] * length[1], 2 * unit);
+    box.volume = productOf(length, 2, unit);
     box.lowerBound = box.volume;
     return box;
   }
-  box.volume = solid ? std::ldexp(length[0] * length[1] * length[2], 3 * unit) : 0.0;
+  box.volume = solid ? productOf(length, 3, unit) : 0.0;
   box.lowerBound = solid ? std::min(leastVolume(hull), box.volume) : 0.0;
   return box;
 }

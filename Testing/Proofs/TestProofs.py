@@ -41,7 +41,7 @@ OTHER = {
     "Engine/Query/PlaneValues.h": ("when a result is computed again, and ranges", "0x1p-40", "0x1p-480", "0x1p-120", "0x1p240"),
     "Engine/Query/OffsetFrame.h": ("a range of a rounded result", "0x1p-300"),
     "Engine/Query/EdgeLengths.cxx": ("the range of expansions", "1e-120", "1e145"),
-    "Engine/Query/MinimalBox.cxx": ("a search", "1e-12", "1e-12", "1e-12"),
+    "Engine/Query/MinimalBox.cxx": ("a search, and its unit", "0x1p1000", "1e-12", "1e-12", "1e-12"),
     "Engine/Points/Scan.cxx": ("doubles that are integers", "0x1.8p52", "0x1p50", "0x1p53"),
     "Engine/Predicates/RoundedFractions.h": ("no overflow (bounded.gappa), and what rounded-fraction.gappa assumes",
                                              "0x1p-150", "0x1p150", "0x1p-300", "0x1p300", "0x1p-20", "0x1p150"),

@@ -347,8 +347,7 @@ std::string HullReference::boxFault(const OrientedBox& box) const
     return box.volume == 0 ? "" : "a flat box has a volume";
   }
   const double straight = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-  // A side may be so short that the product of the sides, as shares of the longest, is no double.
-  const bool isProduct = box.volume > 0 && straight > 1e-280 && straight <= most;
+  const bool isProduct = straight > 1e-280 && straight <= most;
   if (this->hull.dimension == 3 && isProduct &&
     (!(box.volume <= straight * (1 + 1e-14)) ||
       (box.lengths[2] > 0 &&

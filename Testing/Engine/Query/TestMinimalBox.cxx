@@ -58,6 +58,17 @@ TEST(MinimalBox, IsTheKnownOne)
   EXPECT_EQ(boxOf(scaled(integerGrid(2), 3, 2, 0), PointSpace::Plane).volume, 6);
 }
 
+/// As shares of the longest side, the sides' product is no double.
+TEST(MinimalBox, OfAVeryThinCuboid)
+{
+  for (const double longest : { 0x1p600, 0x1p1000 })
+  {
+    const OrientedBox box = boxOf(scaled(integerGrid(2), longest, 3, 0.5));
+    EXPECT_EQ(box.volume, 1.5 * longest);
+    EXPECT_NEAR(box.lowerBound / longest, 1.5, 1e-9);
+  }
+}
+
 TEST(MinimalBox, OfACuboidInAnyPosition)
 {
   Random random(5);
