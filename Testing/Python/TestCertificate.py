@@ -51,6 +51,10 @@ def read(name):
 
 def write(data, path, form=FORMS[-1]):
     mode, packed, encoded = form
+    if mode == "SetDataModeToAscii":
+        for cells in (data.GetVerts(), data.GetLines(), data.GetPolys()):
+            if hasattr(cells, "ConvertToFixedSizeDefaultStorage"):  # VTK 9.6 ends the process on such cells
+                cells.ConvertToDefaultStorage()
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(path)
     writer.SetInputData(data)
