@@ -9,7 +9,7 @@
 
 #include "Constraints/Crossing.h"
 #include "Constraints/CrossingPairs.h"
-#include "Constraints/Position.h"
+#include "Constraints/PositionNumbers.h"
 #include "Points/ConstraintInput.h"
 #include "Predicates/DoubleDouble.h"
 #include "Run/QueryRun.h"
@@ -32,39 +32,6 @@ namespace
 {
 
 constexpr std::size_t ItemsPerTask = 1 << 12;
-
-/// Numbers for positions.
-class PositionNumbers
-{
-public:
-  std::uint32_t add(const Position& position)
-  {
-    const auto found =
-      this->numbers.emplace(position, static_cast<std::uint32_t>(this->all.size()));
-    if (found.second)
-    {
-      if (this->all.size() >= NoIndex)
-      {
-        throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(this->all.size()));
-      }
-      this->all.push_back(position);
-    }
-    return found.first->second;
-  }
-
-  /// NoIndex: it has none.
-  std::uint32_t find(const Position& position) const
-  {
-    const auto found = this->numbers.find(position);
-    return found == this->numbers.end() ? NoIndex : found->second;
-  }
-
-  const std::vector<Position>& positions() const { return this->all; }
-
-private:
-  std::unordered_map<Position, std::uint32_t, PositionHash> numbers;
-  std::vector<Position> all;
-};
 
 class CrossingSplitter
 {
@@ -301,7 +268,6 @@ private:
   void nameInner()
   {
     const std::size_t count = this->numbers.positions().size();
-    this->idOf.assign(count, -1);
     std::vector<char> isInner(count, 0);
     for (std::size_t p = 1; p < this->pieces.size(); ++p)
     {
@@ -311,11 +277,7 @@ private:
         isInner[this->pieces[p].from] = 1;
       }
     }
-    if (std::count(isInner.begin(), isInner.end(), 1) == 0)
-    {
-      return;
-    }
-    this->findExisting(isInner);
+    this->idOf = lowestPointsAt(this->numbers, isInner, this->run.source, this->run.monitor);
     for (std::uint32_t index = 0; index < count; ++index)
     {
       if (isInner[index] && this->idOf[index] < 0)
@@ -329,49 +291,6 @@ private:
     {
       this->idOf[this->added[k]] =
         static_cast<std::int64_t>(this->run.source.count()) + static_cast<std::int64_t>(k);
-    }
-  }
-
-  /// The lowest points at positions that are requested.
-  void findExisting(const std::vector<char>& isWanted)
-  {
-    Position low = { { HUGE_VAL, HUGE_VAL } }, high = { { -HUGE_VAL, -HUGE_VAL } };
-    for (std::uint32_t index = 0; index < isWanted.size(); ++index)
-    {
-      for (int i = 0; isWanted[index] && i < 2; ++i)
-      {
-        low.x[i] = std::min(low.x[i], this->at(index).x[i]);
-        high.x[i] = std::max(high.x[i], this->at(index).x[i]);
-      }
-    }
-    using Found = std::pair<std::uint32_t, std::uint32_t>; // a position, and the point there
-    const std::uint32_t count = this->run.source.count();
-    std::vector<std::vector<Found>> found(chunkCount(count, ItemsPerTask));
-    eachChunk(count, ItemsPerTask,
-      [&](std::size_t begin, std::size_t end, std::size_t number)
-      {
-        this->run.monitor.poll();
-        for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id)
-        {
-          const Position position = positionOf(this->run.source.vertex(id));
-          if (low.x[0] <= position.x[0] && position.x[0] <= high.x[0] &&
-            low.x[1] <= position.x[1] && position.x[1] <= high.x[1])
-          {
-            const std::uint32_t known = this->numbers.find(position);
-            if (known != NoIndex && isWanted[known])
-            {
-              found[number].emplace_back(known, id);
-            }
-          }
-        }
-      });
-    for (const std::vector<Found>& some : found)
-    {
-      for (const Found& point : some)
-      {
-        std::int64_t& id = this->idOf[point.first];
-        id = id < 0 ? point.second : id;
-      }
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
+#include <flipflop/JoinedLines.h>
 #include <flipflop/Validate.h>
 
 #include <algorithm>
@@ -146,6 +147,42 @@ void demandRight(Trial& trial, const PointView& points, const ConstraintView& co
   }
 }
 
+/// Constraints of other points, joined to these: the same bits on any number of threads, and
+/// heights that are in their ranges.
+void joinAnother(Trial& trial, Bytes& bytes, const Cloud& cloud)
+{
+  const PointView points(
+    cloud.empty() ? nullptr : cloud.front().data(), static_cast<std::int64_t>(cloud.size()));
+  Cloud others = drawCloud(bytes, 100);
+  const Scalars scalars(others, 0, 3, Layout());
+  const Constraints constraints(bytes, others);
+  const PointView linePoints = scalars.points();
+  const auto joined = trial.run(-1, { ErrorCode::NonFinite, ErrorCode::ConstraintPoint },
+    [&](const Options& options)
+    { return joinLines(points, linePoints, constraints.view(), options); });
+  if (!joined.result)
+  {
+    return;
+  }
+  const SplitConstraints split =
+    splitCrossings(joined.result->points(), joined.result->view(), trial.plain());
+  std::vector<double> all(joined.result->positions.begin(), joined.result->positions.end());
+  all.insert(all.end(), split.positions.begin(), split.positions.end());
+  const PointView whole(all.data(), static_cast<std::int64_t>(all.size() / 2), 2);
+  const ConstrainedTriangulation made =
+    constrainedTriangulation(whole, split.view(), trial.plain());
+  const LineHeights heights =
+    lineHeights(points, linePoints, constraints.view(), *joined.result, split, made, trial.plain());
+  std::int64_t differing = 0;
+  for (std::size_t i = 0; i < heights.ranges.size(); i += 2)
+  {
+    demand(!(heights.ranges[i] > heights.ranges[i + 1]), "a range is the wrong way round");
+    differing += heights.ranges[i] < heights.ranges[i + 1] ? 1 : 0;
+  }
+  demand(heights.ranges.size() == all.size() && heights.differing == differing,
+    "the number of heights is wrong");
+}
+
 }
 
 void fuzzConstraints(Bytes& bytes)
@@ -181,6 +218,7 @@ void fuzzConstraints(Bytes& bytes)
         insideOf(trial, *whole.result, PolygonRule::EvenOdd, {}),
       "the direction of rings counts");
   }
+  joinAnother(trial, bytes, cloud);
   const auto split = trial.run(-1, { ErrorCode::NonFinite, ErrorCode::ConstraintPoint },
     [&](const Options& options) { return splitCrossings(points, view, options); });
   demand(isRight == split.result.has_value(), "splitting has an error without a reason");

@@ -11,6 +11,7 @@
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/HullQueries.h>
+#include <flipflop/JoinedLines.h>
 #include <flipflop/PlaneFit.h>
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/PrescribedAreas.h>
@@ -72,6 +73,12 @@ inline Bits bitsOf(const SplitConstraints& split)
 {
   return bitsOf(split.ends) + bitsOf(split.constraintOf) + bitsOf(split.positions) +
     bitsOf(split.crossing) + bitsOf(split.offsets);
+}
+
+inline Bits bitsOf(const JoinedLines& joined)
+{
+  return bitsOf(joined.pointOf) + bitsOf(joined.added) + bitsOf(joined.positions) +
+    bitsOf(joined.ends);
 }
 
 inline Bits bitsOf(const PowerDiagram& diagram)

@@ -154,6 +154,23 @@ void addRuns(Table& table, const CallInputs& given)
       return bitsOf(
         splitCrossings(points, ConstraintView((*chords)[0].data(), chordCount), options));
     });
+  // Every other line ends at points that are there.
+  const auto ends = std::make_shared<Cloud>(sites.begin(), sites.begin() + 2 * chordCount);
+  for (std::size_t i = 0; i < ends->size(); i += 4)
+  {
+    (*ends)[i][0] += 0.001 * given.unit;
+  }
+  const auto pairs = std::make_shared<std::vector<Segment>>();
+  for (std::int64_t i = 0; i < chordCount; ++i)
+  {
+    pairs->push_back({ 2 * i, 2 * i + 1 });
+  }
+  table.add("joinLines", sites, true, false, refused,
+    [=](Points points, Weights, const Options& options)
+    {
+      return bitsOf(
+        joinLines(points, viewOf(*ends), ConstraintView((*pairs)[0].data(), chordCount), options));
+    });
   table.add("centroidalCells", sites, true, true, refused,
     [=](Points points, Weights weights, const Options& options)
     { return bitsOf(centroidalCells(points, weights, box.data(), 2, 0, options)); });
