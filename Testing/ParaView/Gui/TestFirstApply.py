@@ -66,23 +66,6 @@ CASES = {
     "diagram-image": (DIAGRAM, source("Wavelet"), 441),
     "convexify-box": (CONVEXIFY, clean_box, 12),
 }
-# The others that were looked at, which take minutes: FLIPFLOP_EVERY_CASE.
-if os.environ.get("FLIPFLOP_EVERY_CASE"):
-    CASES.update({
-        "delaunay-image": (DELAUNAY, source("Wavelet"), 800),
-        "delaunay-million": (DELAUNAY, million, None),
-        "delaunay-blocks": (DELAUNAY, blocks, None),
-        "delaunay-table": (DELAUNAY, table, None),
-        "regular-million": (REGULAR, million, None),
-        "regular-blocks": (REGULAR, blocks, None),
-        "regular-image": (REGULAR, source("Wavelet"), 800),
-        "regular-table": (REGULAR, table, None),
-        "diagram-million": (DIAGRAM, million, None),
-        "diagram-blocks": (DIAGRAM, blocks, None),
-        "diagram-table": (DIAGRAM, table, None),
-        "convexify": (CONVEXIFY, source("Sphere"), 96),
-        "convexify-blocks": (CONVEXIFY, blocks, 2 * 96),
-    })
 
 
 def first_apply(window, name):

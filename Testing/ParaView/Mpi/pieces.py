@@ -12,16 +12,9 @@ import os
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkStringArray, vtkVersion
-from vtkmodules.vtkCommonDataModel import (
-    vtkDataSetAttributes,
-    vtkMultiBlockDataSet,
-    vtkPartitionedDataSet,
-    vtkPartitionedDataSetCollection,
-    vtkPolyData,
-)
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -93,49 +86,8 @@ def lattice(rank, ranks):
     return cloud(random_of(rank).permutation(points), Rank=numpy.full(343, rank))
 
 
-def line(rank, ranks):
-    along = random_of(rank).integers(-1000, 1000, 50)
-    return cloud(numpy.outer(along, (1.0, 2.0, 3.0)))
-
-
-def plane(rank, ranks):
-    points = random_of(rank).integers(-30, 30, (400, 3)).astype(float)
-    points[:, 2] = points[:, 0] + points[:, 1]
-    return cloud(points)
-
-
-def one(rank, ranks):
-    return cloud(numpy.eye(3)[[rank % 3]] * (rank + 1))
-
-
 def last(rank, ranks):
     return ball(rank, ranks) if rank == ranks - 1 else vtkPolyData()
-
-
-def nothing(rank, ranks):
-    return vtkPolyData()
-
-
-def unlike_arrays(rank, ranks):
-    """Points of float and of double, and an array that the first rank alone has."""
-    poly = shell(rank, ranks)
-    if rank == 0:
-        poly = cloud(
-            vtk_to_numpy(poly.GetPoints().GetData()).astype(numpy.float32),
-            Rank=numpy.full(1500, rank),
-            Own=numpy.arange(1500),
-        )
-    return poly
-
-
-def ghosts(rank, ranks):
-    """Every other point is another rank's, and lies farther out than its own points."""
-    random = random_of(rank)
-    points = random.normal(size=(2000, 3))
-    points[::2] *= 10
-    marks = numpy.zeros(2000, numpy.uint8)
-    marks[::2] = vtkDataSetAttributes.DUPLICATEPOINT
-    return cloud(points, **{vtkDataSetAttributes.GhostArrayName(): marks, "Rank": numpy.full(2000, rank)})
 
 
 def with_nan(rank, ranks):
@@ -176,79 +128,15 @@ def blocks(rank, ranks):
     return outer
 
 
-def unlike_blocks(rank, ranks):
-    """The last rank names a block more."""
-    data = vtkMultiBlockDataSet()
-    for block in range(2 + (rank == ranks - 1)):
-        data.SetBlock(block, shell(rank + 10 * block, ranks))
-    return data
-
-
-def partitions(rank, ranks):
-    """One data set, of which each rank has a partition more than the rank before."""
-    data = vtkPartitionedDataSet()
-    for partition in range(rank + 1):
-        data.SetPartition(partition, shell(10 * rank + partition, ranks))
-    return data
-
-
-def unlike_partitions(rank, ranks):
-    """Files of a simulation, dealt out unevenly, as ParaView's reader of Exodus files gives them."""
-    data = vtkPartitionedDataSetCollection()
-    data.SetPartitionedDataSet(0, partitions(rank, ranks))
-    data.SetPartitionedDataSet(1, vtkPartitionedDataSet())
-    alone = vtkPartitionedDataSet()
-    if rank == ranks - 1:
-        alone.SetPartition(0, lattice(rank, ranks))
-    data.SetPartitionedDataSet(2, alone)
-    return data
-
-
-def star(rank, ranks):
-    """A closed star-shaped surface, of another size on each rank."""
-    sphere = vtkSphereSource()
-    sphere.SetThetaResolution(24 + 4 * rank)
-    sphere.SetPhiResolution(16)
-    sphere.Update()
-    poly = sphere.GetOutput()
-    points = vtk_to_numpy(poly.GetPoints().GetData())
-    points *= 1 + 0.3 * random_of(rank).random((len(points), 1)).astype(numpy.float32)
-    return poly
-
-
 def spot(rank, ranks):
-    return dealt("spot", rank, ranks)
-
-
-def sainthelens(rank, ranks):
-    return dealt("sainthelens", rank, ranks)
-
-
-def dealt(name, rank, ranks):
     """Real data, dealt out to the ranks point by point."""
     reader = vtkXMLPolyDataReader()
-    reader.SetFileName(os.path.join(os.environ["FLIPFLOP_SOURCE"], "Data", f"{name}.vtp"))
+    reader.SetFileName(os.path.join(os.environ["FLIPFLOP_SOURCE"], "Data", "spot.vtp"))
     reader.Update()
     return select(reader.GetOutput(), range(rank, reader.GetOutput().GetNumberOfPoints(), ranks))
 
 
-KINDS = {
-    maker.__name__: maker
-    for maker in (ball, shell, lattice, line, plane, one, last, nothing, unlike_arrays, ghosts, with_nan,
-                  disks, some_weights, blocks, unlike_blocks, partitions, unlike_partitions, star,
-                  spot, sainthelens)
-}  # fmt: skip
-
-
-def own_points(data):
-    """The points that are a rank's own, with their data, as a vtkPolyData."""
-    if data is None or data.GetNumberOfPoints() == 0:
-        return vtkPolyData()
-    ghosts_of = data.GetPointGhostArray()
-    own = numpy.ones(data.GetNumberOfPoints(), bool)
-    if ghosts_of:
-        own = (vtk_to_numpy(ghosts_of) & vtkDataSetAttributes.DUPLICATEPOINT) == 0
-    return select(data, numpy.flatnonzero(own))
+KINDS = {maker.__name__: maker for maker in (ball, lattice, last, with_nan, disks, some_weights, blocks, spot)}
 
 
 def select(data, points):
@@ -269,47 +157,21 @@ def select(data, points):
     return poly
 
 
-def blocks_of(data):
-    """The pieces of each block, in the order of the blocks; partitions are pieces of one block."""
-    if data.IsA("vtkPartitionedDataSet"):
-        found = [data.GetPartition(k) for k in range(data.GetNumberOfPartitions())]
-        return [[piece for piece in found if piece is not None]]
-    if data.IsA("vtkPartitionedDataSetCollection"):
-        sets = [data.GetPartitionedDataSet(k) for k in range(data.GetNumberOfPartitionedDataSets())]
-        return [blocks_of(partitioned)[0] for partitioned in sets]
-    return [[leaf] if leaf is not None else [] for leaf in leaves(data).values()]
-
-
-def append(datas, keeps_partitions=True):
-    """
-    What the ranks have, as one: block by block, each rank's points after those of the rank before. They are in
-    a block's first partition; the others, which count in flat indices, are kept without data or not at all.
-    """
+def append(datas):
+    """What the ranks have, as one: block by block, each rank's points after those of the rank before."""
     joined = []
-    for block in zip(*(blocks_of(data) for data in datas)):
-        present = [piece for pieces_of_rank in block for piece in pieces_of_rank]
+    for block in zip(*(leaves(data).values() for data in datas)):
         appended = vtkAppendPolyData()
-        for piece in present:
-            appended.AddInputData(own_points(piece))
-        if present:
+        for piece in filter(None, block):
+            appended.AddInputData(piece)
+        if any(block):
             appended.Update()
-        joined.append(appended.GetOutput() if present else None)
-
+        joined.append(appended.GetOutput() if any(block) else None)
     first = datas[0]
     if not first.IsA("vtkDataObjectTree"):
         return joined[0]
     whole = first.NewInstance()
     whole.CopyStructure(first)
-    if first.IsA("vtkPartitionedDataSet"):
-        whole.SetPartition(0, joined[0])
-        return whole
-    if first.IsA("vtkPartitionedDataSetCollection"):
-        for place, appended in enumerate(joined):
-            if not keeps_partitions:
-                whole.SetNumberOfPartitions(place, 0 if appended is None else 1)
-            if appended is not None:
-                whole.SetPartition(place, 0, appended)
-        return whole
     iterator = first.NewTreeIterator()
     iterator.SkipEmptyNodesOff()
     iterator.InitTraversal()
