@@ -36,6 +36,7 @@ from ._constrained import ConstrainedTriangulation
 from ._constraints import SplitConstraints, split_crossings
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
+from ._las import LasPoints, read_las
 from ._results import Polygons, Validation
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
 from ._triangulation import PowerDiagram, RegularTriangulation, alpha_complex, power_diagram, regular_triangulation
@@ -51,6 +52,7 @@ __all__ = [
     "FlipFlopError",
     "HullBatch",
     "InputError",
+    "LasPoints",
     "OrientedBox",
     "OutOfMemoryError",
     "Polygons",
@@ -68,6 +70,7 @@ __all__ = [
     "convexify",
     "power_diagram",
     "prescribed_areas",
+    "read_las",
     "regular_triangulation",
     "regular_triangulations",
     "split_crossings",
