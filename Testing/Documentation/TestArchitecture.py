@@ -33,8 +33,8 @@ PROMISED = {
 # The modules of a folder of the library: each may use those before it.
 MODULES = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
-               "Surface", "PowerDiagram", "Validate", "Query", "Alpha", "Constraints", "Blocks",
-               "Transport"],
+               "Surface", "PowerDiagram", "Validate", "Query", "Alpha", "Constraints", "Terrain",
+               "Blocks", "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }
 

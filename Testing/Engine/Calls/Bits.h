@@ -16,6 +16,7 @@
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/PrescribedAreas.h>
 #include <flipflop/SurfacePolygons.h>
+#include <flipflop/TerrainMesh.h>
 
 #include <string>
 #include <vector>
@@ -67,6 +68,13 @@ inline Bits bitsOf(const ConstrainedTriangulation& result)
 {
   return bitsOf(static_cast<const Triangulation&>(result)) + bitsOf(result.fixedEdges) +
     bitsOf(result.constraintOf) + bitsOf(result.balance) + bitsOf(result.sideOf);
+}
+
+inline Bits bitsOf(const TerrainMesh& mesh)
+{
+  const std::int64_t counts[] = { mesh.beyond, mesh.unreachable };
+  return bitsOf(static_cast<const ConstrainedTriangulation&>(mesh)) + bitsOf(mesh.errors) +
+    bitsOf(&mesh.greatestError, 1) + bitsOf(counts, 2);
 }
 
 inline Bits bitsOf(const SplitConstraints& split)

@@ -177,6 +177,13 @@ void addRuns(Table& table, const CallInputs& given)
   table.add("prescribedAreas", sites, true, false, refused,
     [=](Points points, Weights, const Options& options)
     { return bitsOf(prescribedAreas(points, WeightView(), box.data(), 1e-6, 2, options)); });
+  table.add("terrainMesh", body, false, false, refused,
+    [](Points points, Weights, const Options& options)
+    {
+      const std::int64_t line[] = { 0, 1 };
+      return bitsOf(
+        terrainMesh(points, WeightView(), ConstraintView(line, 1), { 0.3, 1000 }, options));
+    });
   table.add("fitPlane", body, false, false, NonFinitePoint::IsLeftOut,
     [](Points points, Weights, const Options& options)
     { return bitsOf(fitPlane(points, options)); });

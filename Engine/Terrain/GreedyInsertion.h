@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The worst point first, until all are within the tolerance.
+///
+/// Each cell has a conflict list: the points in it that are no vertices. Its worst point, by
+/// rounded distances, is in a heap. What comes out of the heap is inserted if it is beyond the
+/// tolerance, exactly. If not, all points of its cell are examined so, since a rounded distance may
+/// be wrong: the worst that is beyond goes into the heap again, or the cell is settled. So in the
+/// end each point was found within the tolerance, exactly.
+#ifndef flipflop_GreedyInsertion_h
+#define flipflop_GreedyInsertion_h
+
+#include "Support/Monitor.h"
+#include "Support/Parallel.h"
+#include "Terrain/SurfacePlane.h"
+#include "Terrain/TerrainPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Which points are vertices.
+struct KeptPoints
+{
+  std::vector<std::uint8_t> isKept; ///< by number
+  std::int64_t count = 0;
+
+  void add(std::uint32_t i)
+  {
+    this->count += this->isKept[i] ? 0 : 1;
+    this->isKept[i] = 1;
+  }
+};
+
+/// When to stop.
+struct InsertionLimits
+{
+  double tolerance;
+  std::int64_t mostVertices;
+};
+
+/// @tparam Surface TerrainTriangulation, or TerrainChain
+template <class Surface>
+class GreedyInsertion
+{
+public:
+  GreedyInsertion(const TerrainPoints& terrainPoints, Surface& toRefine, KeptPoints& vertices,
+    const InsertionLimits& when, Monitor& toReport)
+    : points(terrainPoints)
+    , surface(toRefine)
+    , kept(vertices)
+    , limits(when)
+    , monitor(toReport)
+    , poll(toReport)
+    , lists(toRefine.cellCount())
+    , worst(toRefine.cellCount())
+  {
+  }
+
+  /// Begin.
+  /// @param cellOf of each point a cell that holds it; of points of one position the same
+  void associate(const std::int64_t* cellOf)
+  {
+    std::uint32_t site = 0;
+    for (std::uint32_t i = 0; i < this->points.size(); ++i)
+    {
+      site = i > 0 && this->points.areTogether(site, i) ? site : i;
+      if (!this->kept.isKept[site])
+      {
+        ensure(cellOf[site] >= 0);
+        this->lists[static_cast<std::size_t>(cellOf[site])].push_back(i);
+      }
+    }
+    eachTask(this->lists.size(),
+      [this](std::size_t cell)
+      {
+        this->monitor.poll();
+        const RoundedPlane plane(this->surface.corners(static_cast<std::uint32_t>(cell)));
+        for (const std::uint32_t p : this->lists[cell])
+        {
+          this->consider(cell, p, plane.distance(this->points[p]));
+        }
+      });
+    for (std::size_t cell = 0; cell < this->lists.size(); ++cell)
+    {
+      this->enqueue(cell);
+    }
+  }
+
+  /// Insert points up to a limit.
+  void run()
+  {
+    while (!this->heap.empty() && this->kept.count < this->limits.mostVertices)
+    {
+      this->poll.step();
+      const Candidate next = this->heap.front();
+      std::pop_heap(this->heap.begin(), this->heap.end(), Order{ this->points });
+      this->heap.pop_back();
+      const Worst& current = this->worst[next.cell];
+      if (current.point != next.point || current.distance != next.distance)
+      {
+        continue; // the cell has changed
+      }
+      const SurfacePlane plane(this->surface.corners(next.cell));
+      const Vertex& p = this->points[next.point];
+      if (plane.isBeyond(p, plane.height(p), this->limits.tolerance))
+      {
+        this->insert(this->points.siteOf(next.point), next.cell);
+        this->reportProgress();
+      }
+      else
+      {
+        this->settle(next.cell, plane);
+      }
+    }
+  }
+
+  /// use(point, SurfacePlane) for each point that is at no vertex, in parallel.
+  template <class Use>
+  void eachRemaining(const Use& use) const
+  {
+    constexpr std::size_t CellsPerTask = 1 << 8;
+    eachChunk(this->lists.size(), CellsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        this->monitor.poll();
+        for (std::size_t cell = begin; cell < end; ++cell)
+        {
+          if (!this->lists[cell].empty())
+          {
+            const SurfacePlane plane(this->surface.corners(static_cast<std::uint32_t>(cell)));
+            for (const std::uint32_t p : this->lists[cell])
+            {
+              use(p, plane);
+            }
+          }
+        }
+      });
+  }
+
+  std::int64_t insertionCount() const { return this->insertions; }
+  std::int64_t moveCount() const { return this->moves; }
+
+private:
+  /// The farthest point of a cell.
+  struct Worst
+  {
+    double distance = -1.0;
+    std::uint32_t point = NoIndex; ///< NoIndex: none is left that may be beyond the tolerance
+  };
+
+  struct Candidate
+  {
+    double distance;
+    std::uint32_t point;
+    std::uint32_t cell;
+  };
+
+  /// Of the heap: the farthest first, of several the lowest id.
+  struct Order
+  {
+    const TerrainPoints& points;
+
+    bool operator()(const Candidate& a, const Candidate& b) const
+    {
+      return a.distance != b.distance ? a.distance < b.distance
+                                      : this->points[a.point].id > this->points[b.point].id;
+    }
+  };
+
+  void consider(std::size_t cell, std::uint32_t p, double distance)
+  {
+    Worst& so = this->worst[cell];
+    if (distance > so.distance ||
+      (distance == so.distance && this->points[p].id < this->points[so.point].id))
+    {
+      so = { distance, p };
+    }
+  }
+
+  void enqueue(std::size_t cell)
+  {
+    const Worst& found = this->worst[cell];
+    if (found.point != NoIndex)
+    {
+      this->heap.push_back({ found.distance, found.point, static_cast<std::uint32_t>(cell) });
+      std::push_heap(this->heap.begin(), this->heap.end(), Order{ this->points });
+    }
+  }
+
+  void insert(std::uint32_t v, std::uint32_t cell)
+  {
+    this->kept.add(v);
+    ++this->insertions;
+    this->surface.insert(v, cell);
+    const std::vector<std::uint32_t>& old = this->surface.replaced();
+    const std::vector<std::uint32_t>& parts = this->surface.parts();
+    this->taken.resize(std::max(this->taken.size(), old.size()));
+    for (std::size_t i = 0; i < old.size(); ++i)
+    {
+      std::swap(this->taken[i], this->lists[old[i]]);
+    }
+    this->lists.resize(this->surface.cellCount());
+    this->worst.resize(this->surface.cellCount());
+    this->planes.clear();
+    for (const std::uint32_t part : parts)
+    {
+      this->planes.emplace_back(this->surface.corners(part));
+      this->worst[part] = Worst();
+    }
+    const std::uint32_t groupSize = this->points.groupEnd(v) - v;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < old.size(); ++i)
+    {
+      this->moves += static_cast<std::int64_t>(this->taken[i].size());
+      for (const std::uint32_t p : this->taken[i])
+      {
+        this->poll.step();
+        if (p - v < groupSize)
+        {
+          continue; // at the vertex
+        }
+        at = this->surface.partOf(p, at);
+        this->lists[parts[at]].push_back(p);
+        this->consider(parts[at], p, this->planes[at].distance(this->points[p]));
+      }
+      this->taken[i].clear();
+    }
+    for (const std::uint32_t part : parts)
+    {
+      this->enqueue(part);
+    }
+  }
+
+  /// Of a cell whose worst point is within the tolerance.
+  void settle(std::uint32_t cell, const SurfacePlane& plane)
+  {
+    this->worst[cell] = Worst();
+    for (const std::uint32_t p : this->lists[cell])
+    {
+      this->poll.step();
+      const double height = plane.height(this->points[p]);
+      if (plane.isBeyond(this->points[p], height, this->limits.tolerance))
+      {
+        this->consider(cell, p, std::fabs(height));
+      }
+    }
+    this->enqueue(cell);
+  }
+
+  /// The share of the work: points move about as often as vertices double.
+  void reportProgress()
+  {
+    const double most =
+      static_cast<double>(std::min<std::int64_t>(this->limits.mostVertices, this->points.size()));
+    const auto done = static_cast<std::int64_t>(ProgressUnits *
+      std::log(static_cast<double>(this->kept.count)) / std::log(std::max(most, 2.0)));
+    if (done > this->reported)
+    {
+      this->monitor.advance(done - this->reported);
+      this->reported = done;
+    }
+  }
+
+public:
+  static constexpr double ProgressUnits = 1000; ///< of the monitor's stage
+
+private:
+  const TerrainPoints& points;
+  Surface& surface;
+  KeptPoints& kept;
+  const InsertionLimits limits;
+  Monitor& monitor;
+  StepPoll poll;
+  std::vector<std::vector<std::uint32_t>> lists; ///< by cell
+  std::vector<Worst> worst;                      ///< by cell
+  std::vector<Candidate> heap;                   ///< some of cells that have changed since
+  std::vector<std::vector<std::uint32_t>> taken;
+  std::vector<RoundedPlane> planes;
+  std::int64_t insertions = 0;
+  std::int64_t moves = 0;
+  std::int64_t reported = 0;
+};
+
+}
+
+#endif

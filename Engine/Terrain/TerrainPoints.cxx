@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Terrain/TerrainPoints.h"
+
+#include "Points/HilbertCurve.h"
+#include "Support/Parallel.h"
+
+#include <algorithm>
+#include <mutex>
+
+namespace flipflop
+{
+
+namespace
+{
+
+constexpr std::size_t PointsPerTask = 1 << 14;
+
+std::uint32_t keyOf(std::uint64_t item)
+{
+  return static_cast<std::uint32_t>(item >> 32);
+}
+
+HilbertCurve curveOf(const Buffer<Vertex>& points, Monitor& monitor)
+{
+  HilbertCurve curve;
+  std::mutex mutex;
+  eachChunk(points.size(), PointsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      monitor.poll();
+      HilbertCurve part;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        part.add(points[i].x);
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      curve.add(part);
+    });
+  curve.prepare();
+  return curve;
+}
+
+/// Of one key they may lie in any order: then by position, and by id.
+void sortWithin(Vertex* begin, Vertex* end)
+{
+  std::sort(begin, end,
+    [](const Vertex& a, const Vertex& b) {
+      return a.x[0] != b.x[0] ? a.x[0] < b.x[0] : a.x[1] != b.x[1] ? a.x[1] < b.x[1] : a.id < b.id;
+    });
+}
+
+}
+
+TerrainPoints::TerrainPoints(
+  const PointSource& positions, const PointSource& heights, bool checkFinite, Monitor& monitor)
+{
+  Buffer<Vertex> given;
+  parallelCompact(
+    positions.count(), PointsPerTask,
+    [&](std::size_t begin, std::size_t end, const auto& emit)
+    {
+      monitor.poll();
+      for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id)
+      {
+        double x[3];
+        heights.load(id, x);
+        if (!checkFinite || isFinite(x))
+        {
+          emit(id);
+        }
+      }
+    },
+    [&](std::size_t count) { given.allocate(count); },
+    [&](std::size_t at, std::uint32_t id)
+    {
+      double x[3];
+      heights.load(id, x);
+      given[at] = positions.vertex(id);
+      given[at].x[2] = x[2];
+    });
+
+  const HilbertCurve curve = curveOf(given, monitor);
+  Buffer<std::uint64_t> order(given.size());
+  eachChunk(given.size(), PointsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        order[i] = std::uint64_t(curve.at(given[i].x)) << 32 | i;
+      }
+    });
+  monitor.poll();
+  threads::sort(order.begin(), order.end(), std::less<std::uint64_t>());
+  monitor.poll();
+
+  this->points.allocate(given.size());
+  eachChunk(given.size(), PointsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->points[i] = given[order[i] & 0xFFFFFFFFu];
+      }
+    });
+  for (std::size_t i = 0; i < order.size();)
+  {
+    std::size_t end = i + 1;
+    while (end < order.size() && keyOf(order[end]) == keyOf(order[i]))
+    {
+      ++end;
+    }
+    if (end - i > 1)
+    {
+      monitor.poll();
+      sortWithin(this->points.data() + i, this->points.data() + end);
+    }
+    i = end;
+  }
+}
+
+}

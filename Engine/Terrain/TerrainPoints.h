@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The points of a terrain along Hilbert's curve, those of one position side by side.
+#ifndef flipflop_TerrainPoints_h
+#define flipflop_TerrainPoints_h
+
+#include "Points/PointSource.h"
+#include "Points/Vertex.h"
+#include "Support/Monitor.h"
+#include <flipflop/Buffer.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// They are numbered in this order. The third coordinate is the height, as it was given.
+class TerrainPoints
+{
+public:
+  /// @param positions   scaled
+  /// @param heights     of the same points, their third coordinates, not scaled
+  /// @param checkFinite there are points to leave out
+  TerrainPoints(
+    const PointSource& positions, const PointSource& heights, bool checkFinite, Monitor& monitor);
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(this->points.size()); }
+  const Vertex& operator[](std::uint32_t i) const { return this->points[i]; }
+  const Vertex* data() const { return this->points.data(); }
+
+  bool areTogether(std::uint32_t i, std::uint32_t j) const
+  {
+    return this->points[i].x[0] == this->points[j].x[0] &&
+      this->points[i].x[1] == this->points[j].x[1];
+  }
+
+  /// The first point at the position of @p i: the one of the lowest id.
+  std::uint32_t siteOf(std::uint32_t i) const
+  {
+    while (i > 0 && this->areTogether(i - 1, i))
+    {
+      --i;
+    }
+    return i;
+  }
+
+  /// Behind the last point at the position of @p i.
+  std::uint32_t groupEnd(std::uint32_t i) const
+  {
+    for (++i; i < this->size() && this->areTogether(i - 1, i);)
+    {
+      ++i;
+    }
+    return i;
+  }
+
+private:
+  Buffer<Vertex> points;
+};
+
+}
+
+#endif
