@@ -23,6 +23,7 @@ from vtkflipflop.arrays import (
     regular_triangulation,
     regular_triangulations,
     split_crossings,
+    terrain_mesh,
 )
 
 RANDOM = np.random.default_rng(12)
@@ -49,6 +50,7 @@ RESULTS = {
     "alpha complex": lambda: alpha_complex(PLANE, 0.05),
     "constrained": lambda: regular_triangulation(GRID, constraints=[[0, 35], [1, 17]]),
     "polygons": lambda: regular_triangulation(GRID, constraints=[[1, 2]], polygons=[RING, HOLE], facets="polygons"),
+    "terrain": lambda: terrain_mesh(SPACE, tolerance=0.1, constraints=[[0, 1]]),
     "split": lambda: split_crossings(GRID, [[0, 35], [1, 17], [5, 31]]),
     "hulls": lambda: convex_hulls(SPACE, [0, 50, 50, 200]),
     "triangulations": lambda: regular_triangulations(PLANE, [0, 50, 200], WEIGHTS),
@@ -186,6 +188,7 @@ def test_polygons_are_a_sequence_of_rings():
         ("ConstrainedTriangulation", r"regular_triangulation\(points, constraints=...\)"),
         ("PowerDiagram", r"power_diagram\(points\)"),
         ("AlphaComplex", r"alpha_complex\(points, alpha\)"),
+        ("TerrainMesh", r"terrain_mesh\(points, tolerance=...\)"),
         ("HullBatch", r"convex_hulls\(points, offsets\)"),
         ("TriangulationBatch", r"regular_triangulations\(points, offsets\)"),
         ("CentroidalCells", r"centroidal_cells\(points\)"),

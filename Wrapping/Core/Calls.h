@@ -121,6 +121,9 @@ void bindQueries(nanobind::module_& module);
 /// Constrained triangulations, alpha complexes, and borders.
 void bindComplexes(nanobind::module_& module);
 
+/// Terrain meshes.
+void bindTerrain(nanobind::module_& module);
+
 /// Centroidal cells and prescribed areas.
 void bindTransport(nanobind::module_& module);
 

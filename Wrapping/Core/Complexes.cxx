@@ -35,7 +35,6 @@ namespace flipflop
 namespace
 {
 
-using Ends = nb::ndarray<const std::int64_t, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 using Mask = nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 /// A constrained triangulation as a whole, and what is inside its polygons.
@@ -45,7 +44,7 @@ struct Constrained
   Handle<Triangulation> inside; ///< the whole itself, if all is inside
 };
 
-ConstraintView constraintView(const Ends& ends, std::int64_t sides)
+ConstraintView constraintView(const EndsArray& ends, std::int64_t sides)
 {
   return { ends.data(), static_cast<std::int64_t>(ends.shape(0)), sides };
 }
@@ -89,7 +88,7 @@ Triangulation withCells(const Triangulation& given, const std::uint8_t* kept)
   return some;
 }
 
-Constrained constrained(const InputArray& points, const Ends& ends, std::int64_t polygonSides,
+Constrained constrained(const InputArray& points, const EndsArray& ends, std::int64_t polygonSides,
   bool byDirection, const Settings& settings)
 {
   const PointView sites = pointView(points, 2);
@@ -191,8 +190,8 @@ Constrained restoredConstrained(const std::tuple<State, std::optional<State>>& s
 }
 
 /// The pieces, the constraint of each, how many are sides of polygons, and the new positions.
-nb::tuple splitOf(
-  const InputArray& points, const Ends& ends, std::int64_t polygonSides, const Settings& settings)
+nb::tuple splitOf(const InputArray& points, const EndsArray& ends, std::int64_t polygonSides,
+  const Settings& settings)
 {
   const PointView sites = pointView(points, 2);
   const ConstraintView constraints = constraintView(ends, polygonSides);
@@ -260,7 +259,7 @@ void bindComplexes(nb::module_& module)
   module.def("constrained_triangulation", &constrained);
   module.def("split_crossings", &splitOf);
   module.def("validate_constrained",
-    [](const InputArray& points, const Ends& ends, std::int64_t polygonSides,
+    [](const InputArray& points, const EndsArray& ends, std::int64_t polygonSides,
       const Constrained& triangulation, int threads)
     {
       const PointView sites = pointView(points, 2);

@@ -426,6 +426,7 @@ NB_MODULE(_core, module)
 
   bindQueries(module);
   bindComplexes(module);
+  bindTerrain(module);
   bindTransport(module);
 
   module.def("convex_hull", &hullOf);

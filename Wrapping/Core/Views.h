@@ -97,6 +97,10 @@ inline WeightView weightView(const std::optional<InputArray>& array)
 using IdArray = nanobind::ndarray<const std::int64_t, nanobind::ndim<1>, nanobind::c_contig,
   nanobind::device::cpu>;
 
+/// Of each constraint the ids of both ends.
+using EndsArray = nanobind::ndarray<const std::int64_t, nanobind::shape<-1, 2>, nanobind::c_contig,
+  nanobind::device::cpu>;
+
 /// An array of memory that @p owner keeps.
 /// @param data null only if there is nothing
 template <class T, class Owner>

@@ -55,14 +55,19 @@ def rows_of(values: Any) -> np.ndarray:
 
 def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     """n weights, in the way of points_of()."""
-    array = _of_host(values, "weights")
+    return column_of(values, "weight", ignore)
+
+
+def column_of(values: Any, what: str, ignore: bool) -> tuple[np.ndarray, bool]:
+    """n weights or heights, in the way of points_of()."""
+    array = _of_host(values, f"{what}s")
     if type(array) not in _PLAIN or array.ndim != 1 or array.dtype not in _FLOATS:
-        array = _as_array(array, "weights")
+        array = _as_array(array, f"{what}s")
         if array.ndim == 2 and array.shape[1] == 1:
             array = array[:, 0]
         if array.ndim != 1:
-            raise ValueError(f"weights are n numbers, one for each point, not an array of shape {array.shape}")
-        array, masked = _exact(array, "weight", ignore)
+            raise ValueError(f"{what}s are n numbers, one for each point, not an array of shape {array.shape}")
+        array, masked = _exact(array, what, ignore)
         return array, ignore or masked
     step = array.strides[0]
     in_place = array.flags.aligned and step >= array.itemsize and step % array.itemsize == 0

@@ -38,6 +38,7 @@ from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOf
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._las import LasPoints, read_las
 from ._results import Polygons, Validation
+from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
 from ._triangulation import PowerDiagram, RegularTriangulation, alpha_complex, power_diagram, regular_triangulation
 
@@ -61,6 +62,7 @@ __all__ = [
     "RegularTriangulation",
     "Side",
     "SplitConstraints",
+    "TerrainMesh",
     "TriangulationBatch",
     "Validation",
     "alpha_complex",
@@ -74,6 +76,7 @@ __all__ = [
     "regular_triangulation",
     "regular_triangulations",
     "split_crossings",
+    "terrain_mesh",
     "validate",
 ]
 
