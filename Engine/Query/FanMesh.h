@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A triangulation as queries walk on it: the fans of its cells, in the order of the cells, with
-/// their neighbours across the edges.
+/// A triangulation as queries walk on it: the fans of its cells, in the order of the cells until
+/// they are renumbered, with their neighbours across the edges.
 ///
 /// It is checked by exact signs: triangles turn left, each edge that is not fixed is regular, the
 /// border is one convex loop. Then it is the regular triangulation of its points, or the
@@ -32,6 +32,11 @@ struct FanMesh
   /// @throw Error BadArgument, TooManyPoints, OutOfMemory, Aborted
   FanMesh(const Vertex* vertices, const LiftedGeometry<true>& geometry,
     const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges, Monitor& monitor);
+
+  /// Numbers vertices, and with them triangles, anew: so that what is near in the plane is near in
+  /// memory.
+  /// @param order the vertices' numbers until now
+  void renumber(const Buffer<std::uint32_t>& order, Monitor& monitor);
 
   /// No triangle.
   bool empty() const { return this->triangles.empty(); }
@@ -112,10 +117,11 @@ struct FanMesh
     }
   }
 
-  Buffer<Triangle> triangles;     ///< twin: NoIndex at the border
-  Buffer<std::uint32_t> cells;    ///< of each triangle its cell
-  Buffer<std::uint32_t> lowestAt; ///< of each vertex its lowest triangle
-  bool isRegular = true;          ///< each edge is, also those that are fixed
+  Buffer<Triangle> triangles;         ///< twin: NoIndex at the border
+  Buffer<std::uint32_t> cells;        ///< of each triangle its cell
+  Buffer<std::uint32_t> lowestAt;     ///< of each vertex its lowest triangle
+  Buffer<std::uint32_t> lowestCellAt; ///< of each vertex
+  bool isRegular = true;              ///< each edge is, also those that are fixed
 };
 
 }

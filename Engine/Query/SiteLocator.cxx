@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/SiteLocator.h"
 
+#include <cmath>
+
 namespace flipflop
 {
 
@@ -20,9 +22,14 @@ SiteLocator::SiteLocator(const Sites& points, const FanMesh& fans, Monitor& moni
   this->grid.build(
     std::move(positions), [](double, double, std::uint32_t t) { return t; },
     [&poll] { poll.step(); });
+  double side = 1;
+  for (int i = 0; i < 2; ++i)
+  {
+    side *= std::sqrt(points.scaled(points.highest(i)) - points.scaled(points.lowest(i)));
+  }
+  this->nearDistance = 2 * side / std::sqrt(static_cast<double>(points.count()));
 }
 
-/// @param onSides a bit for each side of the triangle that the position is on
 MeshLocation SiteLocator::lowest(std::uint32_t t, int onSides) const
 {
   if (onSides == 0)

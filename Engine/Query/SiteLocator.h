@@ -21,6 +21,7 @@
 #include "Support/Monitor.h"
 #include <flipflop/Triangulation.h>
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -43,6 +44,14 @@ struct MeshLocation
   int corner = 0;
 };
 
+/// Where the search for the next position begins: where the last one was, if that is near. One task
+/// has one; which way a search takes does not matter to what it finds.
+struct WalkStart
+{
+  std::uint32_t triangle = NoIndex;
+  double x[2] = { 0, 0 }; ///< the last position, scaled
+};
+
 class SiteLocator
 {
 public:
@@ -51,18 +60,22 @@ public:
   /// @param mesh of the sites, not empty; both must outlive the locator
   SiteLocator(const Sites& sites, const FanMesh& mesh, Monitor& monitor);
 
+  /// Positions so near to each other, scaled, are found one from the other sooner than by the grid.
+  double reach() const { return this->nearDistance; }
+
   /// @param position in the sites' box
   template <class Space>
-  MeshLocation locate(const Space& space, const double* position) const
+  MeshLocation locate(const Space& space, const double* position, WalkStart& start) const
   {
+    const std::uint32_t first = this->beginAt(position, start);
     if (!this->mesh->isRegular)
     {
-      return this->locateStraight(space, position);
+      return this->locateStraight(space, first, start);
     }
     int onSides = 0;
     std::uint32_t beyond = 0;
     const Triangle* const triangles = this->mesh->triangles.data();
-    const std::uint32_t found = visibilityWalk(triangles, NoIndex, this->near(position),
+    const std::uint32_t found = visibilityWalk(triangles, NoIndex, first,
       static_cast<std::uint32_t>(this->mesh->triangles.size()),
       [&](std::uint32_t t, int entry)
       {
@@ -80,6 +93,7 @@ public:
         return side;
       });
     ensure(found != NoIndex || beyond == NoIndex);
+    start.triangle = found;
     return found == NoIndex ? MeshLocation() : this->lowest(found, onSides);
   }
 
@@ -89,7 +103,7 @@ public:
   {
     double start[2] = { position[0], position[1] };
     this->sites->intoBox(start);
-    std::uint32_t best = this->mesh->triangles[this->near(start)].v[0];
+    std::uint32_t best = this->mesh->triangles[this->near(this->sites->scaled(start))].v[0];
     for (std::uint32_t from = NoIndex; from != best;)
     {
       from = best;
@@ -108,16 +122,20 @@ public:
   static bool isNearer(const Space& space, std::uint32_t a, std::uint32_t b)
   {
     const int order = space.geometry.comparePowers(space.query, space.site(a), space.site(b));
-    return order != 0 ? order < 0 : a < b;
+    return order != 0 ? order < 0 : space.site(a).id < space.site(b).id;
   }
+
+  /// @param t       a triangle that holds a position
+  /// @param onSides a bit for each side of it that the position is on
+  MeshLocation lowest(std::uint32_t t, int onSides) const;
 
 private:
   template <class Space>
-  MeshLocation locateStraight(const Space& space, const double* position) const
+  MeshLocation locateStraight(const Space& space, std::uint32_t first, WalkStart& start) const
   {
     const Triangle* const triangles = this->mesh->triangles.data();
-    const std::uint32_t found =
-      StraightWalk<Space>(*this->mesh, space).from(triangles[this->near(position)].v[0]);
+    const std::uint32_t found = StraightWalk<Space>(*this->mesh, space).from(triangles[first].v[0]);
+    start.triangle = found;
     if (found == NoIndex)
     {
       return MeshLocation();
@@ -133,18 +151,26 @@ private:
     return this->lowest(found, onSides);
   }
 
-  std::uint32_t near(const double* position) const
+  /// The triangle where a search begins.
+  std::uint32_t beginAt(const double* position, WalkStart& start) const
   {
     const Vertex p = this->sites->scaled(position);
-    return this->grid.valueAt(this->grid.cellOf(p.x[0], p.x[1]), p.x[0], p.x[1]);
+    const bool isNear = start.triangle != NoIndex &&
+      std::fabs(p.x[0] - start.x[0]) + std::fabs(p.x[1] - start.x[1]) < this->nearDistance;
+    start.x[0] = p.x[0];
+    start.x[1] = p.x[1];
+    return isNear ? start.triangle : this->near(p);
   }
 
-  std::uint32_t walkTo(double x, double y, std::uint32_t start) const;
-  MeshLocation lowest(std::uint32_t t, int onSides) const;
+  std::uint32_t near(const Vertex& p) const
+  {
+    return this->grid.valueAt(this->grid.cellOf(p.x[0], p.x[1]), p.x[0], p.x[1]);
+  }
 
   const Sites* sites = nullptr;
   const FanMesh* mesh = nullptr;
   PositionGrid grid; ///< of triangles
+  double nearDistance = 0;
 };
 
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace flipflop
 {
@@ -94,6 +95,16 @@ Sites::Sites(const Buffer<PowerSite>& sites, const Triangulation& triangulation)
   Arithmetic wide;
   wide.wide = true;
   this->wideGeometry = Geometry(range, wide);
+}
+
+void Sites::renumber(const Buffer<std::uint32_t>& order)
+{
+  Buffer<Vertex> moved(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    moved[k] = this->vertices[order[k]];
+  }
+  this->vertices = std::move(moved);
 }
 
 }

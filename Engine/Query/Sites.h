@@ -41,6 +41,13 @@ public:
   const Vertex& operator[](std::size_t i) const { return this->vertices[i]; }
   const Vertex* data() const { return this->vertices.data(); }
 
+  /// @param order the sites' indices until now
+  void renumber(const Buffer<std::uint32_t>& order);
+
+  /// Of an axis, as given.
+  double lowest(int axis) const { return this->low[axis]; }
+  double highest(int axis) const { return this->high[axis]; }
+
   const Geometry& scaledGeometry() const { return this->geometry; }
 
   /// Is a position, as given, in the box of the sites? (Outside it is outside of their hull.)
@@ -64,27 +71,26 @@ public:
   /// A position scaled as the sites are; rounded where it does not fit.
   Vertex scaled(const double* position) const
   {
-    return { { std::ldexp(position[0], this->exponent), std::ldexp(position[1], this->exponent),
-               0.0 },
-      NoIndex, 0 };
+    return { { this->scaled(position[0]), this->scaled(position[1]), 0.0 }, NoIndex, 0 };
+  }
+  double scaled(double coordinate) const
+  {
+    return this->exponent == 0 ? coordinate : std::ldexp(coordinate, this->exponent);
+  }
+
+  /// Do the expansions that suit the sites carry a coordinate, too?
+  bool fits(double coordinate) const
+  {
+    const double size = std::fabs(coordinate);
+    return !this->geometry.isWide() && (size == 0 || (size >= this->least && size <= this->most));
   }
 
 private:
   friend class SiteSigns;
 
-  /// Do the expansions that suit the sites carry a position, too?
-  bool fits(const double* position) const
-  {
-    return !this->geometry.isWide() && this->fits(position[0]) && this->fits(position[1]);
-  }
   bool fitsWeight(double weight) const
   {
     return weight == 0 || std::fabs(weight) >= this->leastWeight;
-  }
-  bool fits(double coordinate) const
-  {
-    const double size = std::fabs(coordinate);
-    return size == 0 || (size >= this->least && size <= this->most);
   }
 
   Buffer<Vertex> vertices; ///< scaled
@@ -146,12 +152,15 @@ public:
   template <class Use>
   auto withSpace(const double* position, Use&& use) const
   {
-    if (this->sites.fits(position))
+    if (this->sites.fits(position[0]) && this->sites.fits(position[1]))
     {
-      return use(Narrow{ this->sites, this->geometry, this->sites.scaled(position) });
+      return use(this->narrow(this->sites.scaled(position)));
     }
     return this->withWideSpace(position, use);
   }
+
+  /// Where sites are scaled, with a query that is and that fits.
+  Narrow narrow(const Vertex& query) const { return { this->sites, this->geometry, query }; }
 
   /// The same in the space that carries all positions and weights.
   template <class Use>

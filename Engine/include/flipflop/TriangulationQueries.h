@@ -17,6 +17,46 @@
 namespace flipflop
 {
 
+class PreparedTriangulation;
+
+/// How values are found between the sites.
+enum class Interpolation
+{
+  Linear, ///< as by TriangulationQueries::interpolateLinear()
+  Natural ///< as by TriangulationQueries::interpolateNatural()
+};
+
+/// Where the pixels of an image are: at origin + index * spacing along each axis, computed in
+/// doubles, product first. A pixel is a position, such as the center of what it shows.
+struct ImageGrid
+{
+  double origin[2] = { 0, 0 };           ///< x and y of index 0; finite
+  double spacing[2] = { 1, 1 };          ///< from an index to the next, in x and in y; finite, of
+                                         ///< either sign: below 0 in y, rows go down
+  std::int64_t size[2] = { 0, 0 };       ///< columns (along x) and rows (along y): 1 or more
+  std::int64_t firstIndex[2] = { 0, 0 }; ///< of the first column and the first row
+};
+
+/// What receives an image: pixel (column, row) at data[(row * columns + column) * components].
+struct ImageView
+{
+  void* data = nullptr;                  ///< the caller's
+  ScalarType type = ScalarType::Float64; ///< of its numbers
+
+  ///@{
+  /// Numbers of float are the nearest to those of double.
+  explicit ImageView(double* numbers)
+    : data(numbers)
+  {
+  }
+  explicit ImageView(float* numbers)
+    : data(numbers)
+    , type(ScalarType::Float32)
+  {
+  }
+  ///@}
+};
+
 /// A triangulation made ready for queries. It takes about 110 bytes a visible point.
 ///
 /// Which cell and which site is exact for every finite position, at any range of numbers; values
@@ -138,9 +178,25 @@ public:
   void interpolateNatural(const double* values, std::int64_t components, const PointView& queries,
     double* result, const Options& options = Options()) const;
 
+  /// The values at all pixels of an axis-aligned image: those that the call of the same method
+  /// gives at the pixels' positions, bit for bit. It is faster, for pixels are found by triangles:
+  /// a triangle costs the rows that it crosses, a pixel its value.
+  /// @param method     how values are found
+  /// @param values     as for interpolateLinear()
+  /// @param components as for interpolateLinear()
+  /// @param grid       where the pixels are
+  /// @param result     receives the values
+  /// @param fill       what pixels outside receive in each component; NaN is possible
+  /// @param options    the threads and the progress function
+  /// @throw Error      BadArgument: as of the method's own call; no column or row; an origin, a
+  ///                   spacing or a pixel that is not finite; 2^60 numbers or more.
+  ///                   OutOfMemory, Aborted: the image is then partly written
+  void interpolateImage(Interpolation method, const double* values, std::int64_t components,
+    const ImageGrid& grid, const ImageView& result, double fill,
+    const Options& options = Options()) const;
+
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation;
+  std::unique_ptr<PreparedTriangulation> prepared;
 };
 
 }

@@ -285,6 +285,18 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
   add("interpolateNatural", 0.0,
     [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
     { of.interpolateNatural(given->data()->data(), 1, points, values, o); });
+  table.add("interpolateImage", sites, true, false, unread,
+    [=](Points, Weights, const Options& options)
+    {
+      const double step = box[0] / 15;
+      const ImageGrid grid{ { -step, box[1] }, { step, -step }, { 150, 150 }, { 0, 0 } };
+      return bitsWritten<double>(150 * 150,
+        [&](double* pixels)
+        {
+          queries->interpolateImage(Interpolation::Linear, given->data()->data(), 1, grid,
+            ImageView(pixels), -1.0, options);
+        });
+    });
   table.add("certificateOfATriangulation", sites, true, true, bad,
     [=](Points points, Weights weights, const Options& options)
     { return bitsOf(certificate(points, weights, *found, options).cells); });

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Query/PreparedTriangulation.h"
+
+#include "Points/InsertionOrder.h"
+#include "PowerDiagram/TriangulationInput.h"
+#include "Support/Monitor.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace flipflop
+{
+
+PreparedTriangulation::PreparedTriangulation(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges,
+  const std::uint8_t* inside, const Options& options)
+  : isConstrained(fixedEdges)
+{
+  Monitor monitor(options);
+  monitor.stage(0.0, 1.0, 1, "preparing");
+  ArenaLoan arena(
+    threadCount(options.threads, static_cast<std::int64_t>(triangulation.pointIds.size())));
+  arena.execute(
+    [&]
+    {
+      const Buffer<PowerSite> given = loadSites(points, weights, triangulation);
+      checkCells(triangulation);
+      this->dimension = triangulation.dimension;
+      if (this->dimension >= 0)
+      {
+        this->sites = Sites(given, triangulation);
+      }
+      if (this->dimension == 1)
+      {
+        this->chain = SiteChain(this->sites, triangulation, monitor);
+      }
+      if (this->dimension == 2)
+      {
+        this->mesh = FanMesh(
+          this->sites.data(), this->sites.scaledGeometry(), triangulation, fixedEdges, monitor);
+        this->renumber(monitor);
+        this->locator = SiteLocator(this->sites, this->mesh, monitor);
+        this->numberCells(triangulation.cellCount(), inside);
+      }
+      monitor.stage(1.0, 1.0, 1);
+    });
+}
+
+/// Along a curve.
+void PreparedTriangulation::renumber(Monitor& monitor)
+{
+  const Vertex* const first = this->sites.data();
+  constexpr std::int64_t stride = sizeof(Vertex) / sizeof(double);
+  const auto count = static_cast<std::int64_t>(this->sites.count());
+  PointSubset all;
+  all.count = this->sites.count();
+  const Buffer<std::uint32_t> order = curveOrder(
+    PointSource(PointView(first->x, count, stride), WeightView()), all, OctahedralMap(), monitor);
+  this->mesh.renumber(order, monitor);
+  this->sites.renumber(order);
+}
+
+std::int64_t PreparedTriangulation::cellAt(
+  const SiteSigns& signs, const double* position, WalkStart& start) const
+{
+  if (this->dimension < 0 || !this->sites.inBox(position))
+  {
+    return -1;
+  }
+  if (this->dimension == 0)
+  {
+    return 0; // the box is the site
+  }
+  return signs.withSpace(position,
+    [&](const auto& space) -> std::int64_t
+    {
+      if (this->dimension == 1)
+      {
+        const ChainLocation found = this->chain.locate(space);
+        return found.from == NoIndex ? -1 : static_cast<std::int64_t>(found.cell);
+      }
+      const std::uint32_t found = this->lowestCell(this->locator.locate(space, position, start));
+      return found == NoIndex ? -1 : static_cast<std::int64_t>(found);
+    });
+}
+
+std::int64_t PreparedTriangulation::nearestTo(const SiteSigns& signs, const double* position) const
+{
+  if (this->dimension < 1)
+  {
+    return this->dimension < 0 ? -1 : static_cast<std::int64_t>(this->sites[0].id);
+  }
+  return signs.withSpace(position,
+    [&](const auto& space) -> std::int64_t
+    {
+      const std::uint32_t found =
+        this->dimension == 1 ? this->chain.nearest(space) : this->locator.nearest(space, position);
+      return this->sites[found].id;
+    });
+}
+
+std::uint32_t PreparedTriangulation::lowestCell(const MeshLocation& location) const
+{
+  if (location.kind == MeshLocation::Outside)
+  {
+    return NoIndex;
+  }
+  const std::uint32_t h = halfEdge(location.triangle, location.corner);
+  if (this->numberOf.empty() && location.kind == MeshLocation::AtCorner)
+  {
+    return this->mesh.lowestCellAt[this->mesh.origin(h)];
+  }
+  const auto number = [this](std::uint32_t of)
+  {
+    const std::uint32_t cell = of == NoIndex ? NoIndex : this->mesh.cellOf(triangleOf(of));
+    return cell == NoIndex || this->numberOf.empty() ? cell : this->numberOf[cell];
+  };
+  std::uint32_t lowest = number(h);
+  if (location.kind == MeshLocation::OnEdge)
+  {
+    lowest = std::min(lowest, number(this->mesh.twin(h)));
+  }
+  if (location.kind == MeshLocation::AtCorner)
+  {
+    this->mesh.eachLeaving(this->mesh.origin(h),
+      [&](std::uint32_t out)
+      {
+        lowest = std::min(lowest, number(out));
+        return true;
+      });
+  }
+  return lowest;
+}
+
+void PreparedTriangulation::requireRegular(const char* sentence) const
+{
+  if (this->isConstrained)
+  {
+    throw badArgument(sentence);
+  }
+}
+
+/// Those inside, in order.
+void PreparedTriangulation::numberCells(std::int64_t count, const std::uint8_t* inside)
+{
+  if (!inside)
+  {
+    return;
+  }
+  this->numberOf.allocate(static_cast<std::size_t>(count));
+  std::uint32_t number = 0;
+  for (std::size_t c = 0; c < this->numberOf.size(); ++c)
+  {
+    this->numberOf[c] = inside[c] ? number++ : NoIndex;
+  }
+}
+
+}
