@@ -12,6 +12,7 @@ import vtkflipflop.arrays
 from pyvista_meshes import cloud
 from vtkflipflop.pyvista import (
     centroidal_cells,
+    constrained_triangulation,
     convex_hull,
     convexify,
     power_diagram,
@@ -19,7 +20,10 @@ from vtkflipflop.pyvista import (
     regular_triangulation,
 )
 
-FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram, centroidal_cells, prescribed_areas)
+FUNCTIONS = (
+    convex_hull, convexify, regular_triangulation, constrained_triangulation, power_diagram, centroidal_cells,
+    prescribed_areas,
+)  # fmt: skip
 # Of a mesh, an argument may be a point array's name; and what comes first is not one of arrays.
 OWN_TYPES = {"points", "mesh", "surface", "triangles", "weights", "areas", "constraints", "domain", "box", "kernel"}
 

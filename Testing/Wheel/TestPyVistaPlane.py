@@ -10,6 +10,7 @@ from pyvista_meshes import cloud, rotation
 from vtkflipflop.pyvista import (
     InputError,
     centroidal_cells,
+    constrained_triangulation,
     power_diagram,
     prescribed_areas,
     regular_triangulation,
@@ -154,6 +155,20 @@ def test_constraints_with_points_of_their_own():
     breaklines = pv.PolyData(np.array([[0.5, 0.5, 0], [1.5, 1.5, 0]]), lines=[2, 0, 1])
     with pytest.raises(InputError, match=r"point 0 of constraints is at \(0.5, 0.5, 0.0\)"):
         regular_triangulation(mesh, constraints=breaklines)
+
+
+def test_lines_that_cannot_be_used():
+    mesh = pv.PolyData(SQUARE)
+    for lines, error, sentence in (
+        (pv.PolyData(), InputError, "lines is empty"),
+        (pv.PolyData([[0, 0, 0], [np.nan, 0, 0]], lines=[2, 0, 1]), InputError, "point 1 of cell 0 of lines, .* has a coord"),
+        (mesh.cast_to_unstructured_grid(), TypeError, "lines are a PolyData or geometries, not a vtkUnstructuredGrid"),
+        ([np.zeros((1, 3))], InputError, r"lines\[0\] has 1 point"),
+    ):
+        with pytest.raises(error, match=sentence):
+            constrained_triangulation(mesh, lines)
+    with pytest.raises(TypeError, match="the mesh is a composite"):
+        constrained_triangulation(pv.MultiBlock([mesh]), mesh)
 
 
 def test_constraints_that_cannot_be_used():

@@ -14,6 +14,7 @@
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/EdgeLengths.h>
+#include <flipflop/JoinedLines.h>
 #include <flipflop/Validate.h>
 
 #include <nanobind/nanobind.h>
@@ -204,6 +205,71 @@ nb::tuple splitOf(const InputArray& points, const EndsArray& ends, std::int64_t 
     arrayOf(std::move(found.positions), { count, 2 }));
 }
 
+/// Lines with points of their own, joined to points, and split where they cross.
+struct Joined
+{
+  std::shared_ptr<const JoinedLines> lines;
+  std::shared_ptr<const SplitConstraints> split;
+};
+
+/// The pieces, the constraint of each, how many are sides of polygons; the positions of the points
+/// that lines add, then of crossings; which of the lines' points the former are; the first
+/// constraint that crosses at each of the latter; and what heights need.
+nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const Ends& ends,
+  std::int64_t polygonSides, const Settings& settings)
+{
+  const PointView sites = pointView(points, 2);
+  const PointView others = pointView(linePoints, 2);
+  const ConstraintView constraints = constraintView(ends, polygonSides);
+  const Joined joined = settings.run(
+    [&](const Options& options)
+    {
+      Part joining(options, 0.0, 0.4);
+      Part splitting(options, 0.4, 1.0);
+      Joined made;
+      made.lines = std::make_shared<const JoinedLines>(
+        joinLines(sites, others, constraints, joining.options()));
+      made.split = std::make_shared<const SplitConstraints>(
+        splitCrossings(made.lines->points(), made.lines->view(), splitting.options()));
+      return made;
+    });
+  const Buffer<double>& positions = joined.lines->positions;
+  const Buffer<double>& crossings = joined.split->positions;
+  const auto given = 2 * static_cast<std::size_t>(sites.count);
+  Buffer<double> added(positions.size() - given + crossings.size());
+  std::copy(crossings.begin(), crossings.end(),
+    std::copy(positions.begin() + given, positions.end(), added.begin()));
+  Buffer<std::int64_t> firsts(crossings.size() / 2);
+  for (std::size_t k = 0; k < firsts.size(); ++k)
+  {
+    firsts[k] = joined.split->crossing[static_cast<std::size_t>(joined.split->offsets[k])];
+  }
+  const std::size_t count = added.size() / 2, pieces = joined.split->constraintOf.size();
+  return nb::make_tuple(arrayOf(joined.split->ends.data(), { pieces, 2 }, joined.split),
+    arrayOf(joined.split->constraintOf, joined.split), joined.split->sides,
+    arrayOf(std::move(added), { count, 2 }), arrayOf(joined.lines->added, joined.lines),
+    arrayOf(std::move(firsts)), joined);
+}
+
+/// The heights of the points that were added, the lowest and the highest at each, and how many
+/// differ.
+nb::tuple heightsOf(const InputArray& points, const InputArray& linePoints, const Ends& ends,
+  std::int64_t polygonSides, const Joined& joined, const Constrained& triangulation,
+  const Settings& settings)
+{
+  const PointView sites = pointView(points, 3);
+  const PointView others = pointView(linePoints, 3);
+  LineHeights found = settings.run(
+    [&](const Options& options)
+    {
+      return lineHeights(sites, others, constraintView(ends, polygonSides), *joined.lines,
+        *joined.split, *triangulation.whole, options);
+    });
+  const std::size_t count = found.ranges.size() / 2;
+  return nb::make_tuple(arrayOf(std::move(found.added)),
+    arrayOf(std::move(found.ranges), { count, 2 }), found.differing);
+}
+
 /// What of a triangulation is in its alpha complex: cells, edges and points, these by their ids.
 nb::tuple complexOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, double alpha, const Settings& settings)
@@ -258,6 +324,9 @@ void bindComplexes(nb::module_& module)
   module.def("constrained_queries", &constrainedSites);
   module.def("constrained_triangulation", &constrained);
   module.def("split_crossings", &splitOf);
+  nb::class_<Joined>(module, "JoinedLines");
+  module.def("join_lines", &joinedOf);
+  module.def("line_heights", &heightsOf);
   module.def("validate_constrained",
     [](const InputArray& points, const EndsArray& ends, std::int64_t polygonSides,
       const Constrained& triangulation, int threads)

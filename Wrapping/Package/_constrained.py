@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._constraints import Constraints
 from ._errors import InputError
+from ._geometries import multi_line, multi_polygon
 from ._queries import Lengths, changed, unchanged
 from ._results import QUIET, Ids, NonFinite, Polygons, Progress, Validation, run
 from ._triangulation import Method, RegularTriangulation
@@ -61,6 +62,23 @@ class ConstrainedTriangulation(RegularTriangulation):
     def constraint_of(self) -> Ids:
         """For each of `fixed_edges` the first row of `constraints` that runs along it."""
         return self._whole.constraint_of()
+
+    @cached_property
+    def fixed_lines(self) -> dict[str, Any]:
+        """`fixed_edges` as a MultiLineString, a mapping of the protocol __geo_interface__.
+
+        Coordinates are three if the points have three. shapely.geometry.shape() takes it.
+        """
+        return multi_line(self.points, self.fixed_edges)
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """The border of the cells as a MultiPolygon with holes: shapely.geometry.shape(triangulation) takes it.
+
+        Each part of the cells that edges connect is a polygon. Below dimension 2 it is empty.
+        """
+        rings = [] if self.dimension < 2 else [*self.boundary]
+        return multi_polygon(self.points, self.simplices, self.neighbors, rings)
 
     @cached_property
     def polygons(self) -> Polygons:

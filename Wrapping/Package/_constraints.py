@@ -79,8 +79,8 @@ class Constraints:
             self._lines, self._polygons = np.arange(len(self.ends) - self.sides), polylines.polygon_of
             self._are_pairs = True
             return
-        lines, self._lines = _joined("constraints", polylines, False)
-        sides, self._polygons = _joined("polygons", polygons, True)
+        lines, self._lines = joined("constraints", polylines, False)
+        sides, self._polygons = joined("polygons", polygons, True)
         self.ends = frozen(np.concatenate([lines, sides]))
         self.sides = len(sides)
         self._are_pairs = np.array_equal(self._lines, np.arange(len(lines)))
@@ -124,7 +124,7 @@ class Constraints:
         return f"constraints[{self._lines[row]}]" if row < lines else f"polygons[{self._polygons[row - lines]}]"
 
 
-def _joined(what: str, values: Chains | None, are_closed: bool) -> tuple[Ids, Ids]:
+def joined(what: str, values: Chains | None, are_closed: bool) -> tuple[Ids, Ids]:
     """The pairs of consecutive ids, of the last and the first, too, if closed; and the number of each pair's chain."""
     chains_of = _chains(what, [] if values is None else values)
     offsets, ids = chains_of.offsets, chains_of.connectivity

@@ -28,7 +28,7 @@ def constraints_of_call(value: Any, rule: PolygonRule, composite: bool, weighted
         return Constraints(value, None, rule)
     if not value.IsA("vtkPolyData"):
         raise TypeError(f"constraints are a PolyData, or sequences of ids, not a {value.GetClassName()}")
-    given = Constraints(_chains(value.GetLines()), _chains(value.GetPolys()), rule)
+    given = Constraints(chains_of(value.GetLines()), chains_of(value.GetPolys()), rule)
     if value.GetNumberOfPoints() > 0:
         given.points = values_of(value.GetPoints().GetData()).reshape(-1, 3)
     return given
@@ -84,7 +84,8 @@ class CloudConstraints:
             f"point {point} of constraints is {where}, and point {point} of the mesh is at "
             f"{tuple(self._cloud.rows(ids[at : at + 1])[0].tolist())}. The ids of constraints are those of the mesh's "
             f"points, so at these ids their {len(points)} points must be those of the mesh, of which there are "
-            f"{self._cloud.count}; or pass constraints as sequences of ids"
+            f"{self._cloud.count}; or pass constraints as sequences of ids. If their points are their own, call "
+            "constrained_triangulation()"
         )
         raise self._given.of_error(InputError(sentence, "constraint_point", row, point))
 
@@ -109,7 +110,8 @@ class CloudConstraints:
         return [int(point) for point in self._cloud.ids(np.array(rows))]
 
 
-def _chains(cells: Any) -> Polygons:
+def chains_of(cells: Any) -> Polygons:
+    """The points of cells, as ids."""
     return Polygons(
         values_of(cells.GetOffsetsArray()).astype(np.int64), values_of(cells.GetConnectivityArray()).astype(np.int64)
     )

@@ -4,8 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -14,17 +13,19 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import Weights, choice_of, flag_of, threads_of
-from ._constraints import Constraints
+from ._constraints import Constraints, PolygonRule
 from ._domain import Domain
 from ._errors import AbortedError, FlipFlopError, InputError
+from ._geometries import Lines
+from ._lines import joined_triangulation
 from ._mesh_constraints import CloudConstraints
+from ._mesh_lines import mesh_of
 from ._meshes import LEAVES, Block, Cloud, blocks_of, composite_of, is_tree, pass_field_data, set_cells
 from ._projection import Projection
-from ._results import ENGINES, QUIET, Bar, Progress
+from ._results import ENGINES, QUIET, Progress, Report, report_of, stretch
 from ._surfaces import by_cell, surface_of
 
 Output = pv.PolyData | pv.MultiBlock | pv.PartitionedDataSet
-Report = Callable[[float], Any] | None
 # So many blocks at fault are named at most.
 _MOST_NAMED = 8
 
@@ -109,6 +110,18 @@ class Run:
         given.warn_if_none(found)
         return found.inside()
 
+    def joined(
+        self, block: Block, lines: Any, given: Lines, polygon_rule: PolygonRule, report: Report
+    ) -> pv.PolyData:
+        """With lines that have points of their own, by x and y."""
+        cloud = Cloud([block], self._skip_ghosts, self._ignore)
+
+        def part(begin: float, end: float) -> Any:
+            return self._settings(cloud, stretch(report, begin, end))
+
+        found = cloud.engine(joined_triangulation, cloud.array, given, polygon_rule, cloud.left_out, part)
+        return mesh_of(cloud, found, lines, self._pass_data)
+
     def diagram(
         self, block: Block, weights: Weights, projection: Projection, domain: Domain, report: Report
     ) -> pv.PolyData:
@@ -167,7 +180,7 @@ def each_block(
             if block is None:
                 continue
             try:
-                meshes = make(block.checked(), _stretch(report, done / total, (done + block.count) / total))
+                meshes = make(block.checked(), stretch(report, done / total, (done + block.count) / total))
             except AbortedError:
                 raise
             except FlipFlopError as error:
@@ -205,26 +218,5 @@ def error_of(errors: dict[int, FlipFlopError], count: int, composites: list[Outp
     return error
 
 
-@contextmanager
-def report_of(progress: Progress) -> Iterator[Report]:
-    """What the engine reports progress to: the caller's, a bar, or nothing."""
-    if progress is not True:
-        if progress is not None and progress is not False and not callable(progress):
-            raise TypeError(f"progress is a callable, True or None, not {progress!r}")
-        yield progress or None
-        return
-    bar = Bar()
-    with bar:
-        yield bar
-
-
-def _stretch(report: Report, begin: float, end: float) -> Report:
-    """Reports a part's progress as that of the whole."""
-    if report is None:
-        return None
-    whole = report
-    return lambda fraction: whole(begin + fraction * (end - begin))
-
-
 def _split(report: Report, at: float) -> tuple[Report, Report]:
-    return _stretch(report, 0.0, at), _stretch(report, at, 1.0)
+    return stretch(report, 0.0, at), stretch(report, at, 1.0)

@@ -12,9 +12,9 @@ import pyvista as pv
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import Weights, flag_of, threads_of
-from ._mesh_runs import Output, Report, each_block
+from ._mesh_runs import Output, each_block
 from ._meshes import Block, Cloud, data_of, is_tree, set_cells
-from ._results import Progress
+from ._results import Progress, Report
 from ._transport import CentroidalCells, PrescribedAreas
 from ._transport import centroidal_cells as cells_of_arrays
 from ._transport import prescribed_areas as areas_of_arrays

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import cached_property
 from typing import Any, ClassVar, Literal, NamedTuple, Self, overload
 
@@ -17,6 +18,7 @@ from . import _core
 Ids = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Progress = Callable[[float], Any] | bool | None
+Report = Callable[[float], Any] | None
 Facets = Literal["triangles", "polygons"]
 NonFinite = Literal["error", "ignore"]
 Engine = Literal["automatic", "cpu", "cuda"]
@@ -275,3 +277,24 @@ class Bar:
         if kind is None:
             self(1.0)
         self._bar.close()
+
+
+@contextmanager
+def report_of(progress: Progress) -> Iterator[Report]:
+    """What the engine reports progress to: the caller's, a bar, or nothing."""
+    if progress is not True:
+        if progress is not None and progress is not False and not callable(progress):
+            raise TypeError(f"progress is a callable, True or None, not {progress!r}")
+        yield progress or None
+        return
+    bar = Bar()
+    with bar:
+        yield bar
+
+
+def stretch(report: Report, begin: float, end: float) -> Report:
+    """Reports a part's progress as that of the whole."""
+    if report is None:
+        return None
+    whole = report
+    return lambda fraction: whole(begin + fraction * (end - begin))

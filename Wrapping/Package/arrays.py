@@ -37,6 +37,7 @@ from ._constraints import SplitConstraints, split_crossings
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._las import LasPoints, read_las
+from ._lines import JoinedTriangulation, constrained_triangulation
 from ._results import Polygons, Validation
 from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
@@ -53,6 +54,7 @@ __all__ = [
     "FlipFlopError",
     "HullBatch",
     "InputError",
+    "JoinedTriangulation",
     "LasPoints",
     "OrientedBox",
     "OutOfMemoryError",
@@ -67,6 +69,7 @@ __all__ = [
     "Validation",
     "alpha_complex",
     "centroidal_cells",
+    "constrained_triangulation",
     "convex_hull",
     "convex_hulls",
     "convexify",

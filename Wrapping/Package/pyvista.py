@@ -36,11 +36,12 @@ from ._domain import domain_of_call
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._constraints import PolygonRule
 from ._mesh_constraints import constraints_of_call
-from ._mesh_runs import Output, Report, Run, each_block, report_of
+from ._mesh_lines import lines_of_call
+from ._mesh_runs import Output, Run, each_block
 from ._mesh_transport import centroidal_cells, prescribed_areas
 from ._meshes import Block, blocks_of, data_of, is_tree, pass_field_data
 from ._projection import projection_of
-from ._results import Progress
+from ._results import Progress, Report, report_of
 
 __all__ = [
     "AbortedError",
@@ -50,6 +51,7 @@ __all__ = [
     "InputError",
     "OutOfMemoryError",
     "centroidal_cells",
+    "constrained_triangulation",
     "convex_hull",
     "convexify",
     "power_diagram",
@@ -322,6 +324,71 @@ def regular_triangulation(
     return (outputs[0], outputs[1]) if both else outputs[0]
 
 
+def constrained_triangulation(
+    mesh: Mesh,
+    lines: Any,
+    *,
+    closed_lines_as_borders: bool = False,
+    polygon_rule: PolygonRule = "even-odd",
+    facets: Facets = "triangles",
+    threads: int = 0,
+    non_finite: NonFinite = "error",
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress: Progress = None,
+) -> pv.PolyData:
+    """The exact constrained Delaunay triangulation, in x and y, of a mesh's points and lines with points of their own.
+
+    vtkflipflop.arrays.constrained_triangulation() says which points are added, and which z counts where several are
+    given.
+
+    Parameters
+    ----------
+    mesh : data set, or n by 3 or n by 2 coordinates
+        its cells do not matter
+    lines : PolyData, or geometries
+        lines and polygons with their points, of a PolyData; or what vtkflipflop.arrays.constrained_triangulation()
+        takes. Polygons are borders: cells outside are left out.
+    closed_lines_as_borders : bool
+        whether a line that ends where it begins is a polygon
+    polygon_rule : {"even-odd", "direction"}
+        what is inside polygons, as for regular_triangulation()
+    facets : {"triangles", "polygons"}
+        all points of one circle are a fan of triangles, or one polygon
+    threads : int
+        0: as many as the machine has. The result never depends on it.
+    non_finite : {"error", "ignore"}
+        what NaN and infinity of the mesh lead to: an InputError, or that these points are left out. Lines have to be
+        finite.
+    skip_ghost_points : bool
+        leave out points that "vtkGhostType" marks as another piece's or as blanked
+    pass_point_data : bool
+        whether point data is passed. Of added points it is that of the lines' array of the same name; NaN, or 0 of
+        other types, if there is none; where lines cross, linear along the first.
+    progress : callable, bool or None
+        called with the fraction that is done, 0 to 1, now and then; if it returns False, the call ends with an
+        AbortedError. True shows tqdm's bar.
+
+    Returns
+    -------
+    pyvista.PolyData
+        with the point arrays "PointOrigin", which is 0 for points of the mesh, 1 for those of lines, 2 where lines
+        cross; and "HeightRange", the lowest and the highest z that is given for each point, if lines have heights. In
+        "vtkOriginalPointIds", added points have -1.
+    """
+    run = Run(facets, threads, non_finite, "cpu", skip_ghost_points, pass_point_data)
+    data = data_of(mesh)
+    if is_tree(data):
+        raise TypeError("lines are for one data set, and the mesh is a composite")
+    given = lines_of_call(lines, flag_of("closed_lines_as_borders", closed_lines_as_borders))
+
+    def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
+        return [run.joined(block, lines, given, polygon_rule, report)]
+
+    found: pv.PolyData = each_block(data, triangulated, 1, progress)[0]
+    return found
+
+
 def power_diagram(
     mesh: Mesh,
     weights: ArrayLike | str | None = None,
@@ -411,6 +478,7 @@ class Accessor:
         self._mesh = mesh
 
     centroidal_cells = _method(centroidal_cells)
+    constrained_triangulation = _method(constrained_triangulation)
     convex_hull = _method(convex_hull)
     convexify = _method(convexify)
     power_diagram = _method(power_diagram)

@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lines of a mesh that have points of their own, and the mesh that they and other points give."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import NDArray
+
+from ._constraints import joined
+from ._errors import InputError
+from ._geometries import Lines, lines_of
+from ._lines import JoinedTriangulation
+from ._mesh_constraints import chains_of
+from ._meshes import Cloud, set_cells, values_of
+from ._results import Ids
+
+
+def lines_of_call(values: Any, closed_are_rings: bool) -> Lines:
+    """The lines and polygons of a PolyData, with all of its points; or those of geometries."""
+    if not hasattr(values, "IsA"):
+        return lines_of(values, closed_are_rings)
+    if not values.IsA("vtkPolyData"):
+        raise TypeError(f"lines are a PolyData or geometries, not a {values.GetClassName()}")
+    lines, polygons = [*chains_of(values.GetLines())], [*chains_of(values.GetPolys())]
+    if not lines and not polygons:
+        raise InputError("lines is empty: it has no line and no polygon", "bad_argument")
+    points = np.empty((0, 3)) if values.GetPoints() is None else values_of(values.GetPoints().GetData()).reshape(-1, 3)
+    _require_points(points, lines + polygons, values.GetNumberOfVerts())
+    are_rings = [
+        closed_are_rings and len(ids) > 3 and bool((points[ids[0], :2] == points[ids[-1], :2]).all()) for ids in lines
+    ]
+    cells = values.GetNumberOfVerts() + np.concatenate(
+        [np.flatnonzero(~np.array(are_rings, bool)), np.flatnonzero(are_rings), len(lines) + np.arange(len(polygons))]
+    ).astype(np.int64)
+    ends, line_of = joined("lines", [ids for ids, is_ring in zip(lines, are_rings) if not is_ring], False)
+    rings = [ids for ids, is_ring in zip(lines, are_rings) if is_ring] + polygons
+    sides, ring_of = joined("polygons", rings, True)
+    chain_of = np.concatenate([line_of, ring_of + len(lines) - sum(are_rings)])
+    names = [f"cell {cell} of lines" for cell in cells.tolist()]
+    return Lines(points.astype(np.float64), np.concatenate([ends, sides]), len(sides), cells[chain_of], names, chain_of)
+
+
+def _require_points(points: NDArray[Any], chains: list[Ids], first: int) -> None:
+    """All chains' points are there, and finite."""
+    is_finite = np.isfinite(points).all(axis=1)
+    for number, ids in enumerate(chains, first):
+        missing = (ids < 0) | (ids >= len(points))
+        if missing.any():
+            point = int(ids[missing][0])
+            sentence = f"point {point} of cell {number} of lines is not there: lines have {len(points)} point(s)"
+            raise InputError(sentence, "constraint_point", number, point)
+        wrong = ids[~is_finite[ids]]
+        if len(wrong):
+            where = tuple(points[wrong[0]].tolist())
+            sentence = f"point {wrong[0]} of cell {number} of lines, {where}, has a coordinate that is NaN or infinite"
+            raise InputError(sentence, "non_finite", number, len(wrong))
+
+
+def mesh_of(cloud: Cloud, found: JoinedTriangulation, lines: Any, pass_point_data: bool) -> pv.PolyData:
+    """The triangulation as a mesh, with the points' data, the lines' and marks."""
+    core = found._core
+    vertices: Ids = core.vertices()
+    given = len(cloud.array)
+    made = cloud.mesh(cloud.ids(vertices[vertices < given]), pass_point_data)
+    new = vertices[vertices >= given]
+    if len(new):
+        made = _with_added(made, found, new, lines, given)
+    made.point_data["PointOrigin"] = found.point_origin[vertices]
+    if found.height_range is not None:
+        made.point_data["HeightRange"] = found.height_range[vertices]
+    set_cells(made, core.dimension, core.cell_size, None if core.cell_size else core.offsets(), core.connectivity())
+    return made
+
+
+def _with_added(base: pv.PolyData, found: JoinedTriangulation, new: Ids, lines: Any, given: int) -> pv.PolyData:
+    """The mesh with these points, too. Where lines cross, data is linear along the first."""
+    positions = found.points[new]
+    if positions.shape[1] == 2:
+        positions = np.column_stack([positions, np.zeros(len(new))])
+    made = pv.PolyData()
+    points = np.concatenate([np.asarray(base.points, np.float64), positions])
+    made.SetPoints(pv.vtk_points(points, deep=True, force_float=False))
+    own = pv.wrap(lines).point_data if hasattr(lines, "IsA") else {}
+    vertices, shares = found._core.vertices(), _shares(found)
+    crossed = np.searchsorted(vertices, found._crossed)
+    for name in [name for name in base.point_data.keys() if name != "vtkOriginalPointIds"]:
+        old = np.asarray(base.point_data[name])
+        added = np.zeros((len(new), *old.shape[1:]), old.dtype)
+        if old.dtype.kind in "fc":
+            added += np.nan
+        if name in own and own[name].shape[1:] == old.shape[1:]:
+            added[: len(found._line_points)] = own[name][found._line_points]
+        whole = np.concatenate([old, added])
+        if old.dtype.kind in "iufc" and len(crossed):
+            share = shares.reshape(-1, *[1] * (old.ndim - 1))
+            between = (1 - share) * whole[crossed[:, 0]] + share * whole[crossed[:, 1]]
+            whole[-len(crossed) :] = np.rint(between) if old.dtype.kind in "iu" else between
+        made.point_data.set_array(whole, name)
+    made.point_data.active_scalars_name = base.point_data.active_scalars_name
+    ids = pv.numpy_to_idarr(np.concatenate([base["vtkOriginalPointIds"], np.full(len(new), -1)]), deep=True)
+    ids.SetName("vtkOriginalPointIds")
+    made.GetPointData().AddArray(ids)
+    return made
+
+
+def _shares(found: JoinedTriangulation) -> NDArray[np.float64]:
+    """How far each crossing is on the way along the first line there, from 0 to 1; rounded."""
+    if not len(found._crossed):
+        return np.empty(0)
+    at = 0.5 * found.points[-len(found._crossed) :, :2]
+    a, b = (0.5 * found.points[ends, :2] for ends in found._crossed.T)
+    axis = (np.abs(b - a)[:, 0] < np.abs(b - a)[:, 1]).astype(int)
+    rows = np.arange(len(axis))
+    return np.clip((at - a)[rows, axis] / (b - a)[rows, axis], 0.0, 1.0)
