@@ -12,6 +12,7 @@
 #include <flipflop/Error.h>
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -23,6 +24,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -30,6 +32,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFConstrainedDelaunayFilter);
@@ -53,15 +56,21 @@ std::int64_t dropOutside(
 
 /// The triangulation of the input with the constraints, if there are some, which are split where
 /// they cross if that is asked for; without the cells outside of the polygons.
-flipflop::ConstrainedTriangulation triangulate(vtkFFPlanarInput& input,
-  std::optional<vtkFFConstraints>& constraints, bool split, vtkFFRun& run, std::int64_t& dropped)
+flipflop::ConstrainedTriangulation triangulate(vtkFFConstrainedDelaunayFilter* filter,
+  vtkFFPlanarInput& input, std::optional<vtkFFConstraints>& constraints, vtkFFRun& run,
+  std::int64_t& dropped)
 {
-  split = split && constraints;
+  const bool split = constraints && filter->GetSplitCrossingConstraints();
   try
   {
+    if (split || (constraints && constraints->HasOwnPoints()))
+    {
+      run.SetPart(0.0, 0.1);
+      constraints->Join(filter, input, run);
+    }
     if (split)
     {
-      run.SetPart(0.0, 0.2);
+      run.SetPart(0.1, 0.2);
       constraints->Split(input, run.Options);
     }
     const auto view = constraints ? constraints->GetView() : flipflop::ConstraintView();
@@ -189,7 +198,7 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
       }
       if (source && run.IsInComposite())
       {
-        throw vtkFFBadSetting("The source has ids of one data set's points, and an input is a "
+        throw vtkFFBadSetting("The source's lines are for one data set, and an input is a "
                               "composite. Take one data set, merge them, or take the source away.");
       }
       vtkFFPlanarInput input(this, run);
@@ -201,12 +210,11 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
       std::optional<vtkFFConstraints> constraints;
       if (source)
       {
-        constraints.emplace(
-          source, vtkDataSet::SafeDownCast(points), run.Ids, this->ProjectionPlaneMode != XY_PLANE);
+        constraints.emplace(this, source, vtkDataSet::SafeDownCast(points), run.Ids);
       }
       std::int64_t dropped = 0;
       flipflop::ConstrainedTriangulation triangulation =
-        triangulate(input, constraints, this->SplitCrossingConstraints, run, dropped);
+        triangulate(this, input, constraints, run, dropped);
       if (dropped > 0 && triangulation.cellCount() == 0)
       {
         warnOfNoneInside(this);
@@ -214,6 +222,9 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
       if (constraints)
       {
         this->NumberOfSplitPoints = constraints->GetNumberOfNewPoints();
+        this->NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
+        this->NumberOfHeightDifferences =
+          constraints->FindHeights(input, triangulation, run.Options);
         constraints->AppendNewPoints(input, run);
       }
       dropped += vtkFFPlanarInput::DropLongCells(
@@ -225,12 +236,24 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
       }
 
       vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+      std::vector<vtkSmartPointer<vtkDataArray>> marks;
+      if (constraints)
+      {
+        marks = constraints->MarkPoints(triangulation.pointIds);
+      }
       input.WriteTriangulation(triangulation, output);
+      for (const auto& array : marks)
+      {
+        output->GetPointData()->AddArray(array);
+      }
       input.Report(triangulation, std::nullopt, dropped, output);
       if (this->ReportAsFieldData)
       {
-        vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints",
-          static_cast<std::int64_t>(this->NumberOfSplitPoints));
+        const auto add = [&](const char* name, vtkIdType value)
+        { vtkFFOutput::AddValue(output->GetFieldData(), name, static_cast<std::int64_t>(value)); };
+        add("FlipFlopSplitPoints", this->NumberOfSplitPoints);
+        add("FlipFlopAddedPoints", this->NumberOfAddedPoints);
+        add("FlipFlopHeightDifferences", this->NumberOfHeightDifferences);
       }
       if (constraints)
       {
@@ -245,6 +268,8 @@ void vtkFFConstrainedDelaunayFilter::ForgetReport()
 {
   this->Superclass::ForgetReport();
   this->NumberOfSplitPoints = 0;
+  this->NumberOfAddedPoints = 0;
+  this->NumberOfHeightDifferences = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -253,8 +278,12 @@ void vtkFFConstrainedDelaunayFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SplitCrossingConstraints: " << (this->SplitCrossingConstraints ? "On" : "Off")
      << "\n";
+  os << indent << "SourcePoints: " << this->SourcePoints << "\n";
+  os << indent << "ClosedLinesAsBorders: " << (this->ClosedLinesAsBorders ? "On" : "Off") << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "PolygonRule: " << this->PolygonRule << "\n";
   os << indent << "NumberOfSplitPoints: " << this->NumberOfSplitPoints << "\n";
+  os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
+  os << indent << "NumberOfHeightDifferences: " << this->NumberOfHeightDifferences << "\n";
 }
 VTK_ABI_NAMESPACE_END

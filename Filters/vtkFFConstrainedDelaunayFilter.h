@@ -28,7 +28,7 @@
  * and counted; if no cell is inside, a warning says so. All points stay in the output, also those
  * that no cell has any more.
  *
- * The input must be one data set, which the ids of the source name. This filter runs on the CPU
+ * The input must be one data set. This filter runs on the CPU
  * engine. Asking it for the CUDA engine is an error, and so is an array of weights.
  *
  * @sa
@@ -67,18 +67,68 @@ public:
     DIRECTION = 1
   };
 
+  /**
+   * Whose points the source's cells name.
+   */
+  enum SourcePointsType
+  {
+    AUTOMATIC_POINTS = 0,
+    INPUT_POINTS = 1,
+    OWN_POINTS = 2
+  };
+
   //@{
   /**
-   * Set/Get the second input, on port 1: the constraints. None by default. Their point ids are
-   * those of the input, as in vtkDelaunay2D. The source has no points, or at the ids that its cells
-   * name the very coordinates of the input (x and y alone, for XY_PLANE): points of its own are an
-   * error that names the first id at which they differ, with both coordinates. Points are compared
-   * as given, before a transform.
+   * Set/Get the second input, on port 1: the constraints. None by default. SetSourcePoints() says
+   * whose points they name.
    */
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void RemoveSource() { this->SetSourceConnection(nullptr); }
   vtkPolyData* GetSource();
+  //@}
+
+  //@{
+  /**
+   * Set/Get whose points the cells of the source name. Points are compared as given, before a
+   * transform.
+   *
+   * - AUTOMATIC_POINTS (the default): the input's, if the source has no
+   *   points, or if at all ids that its cells name its points are
+   *   those of the input, in all three coordinates. Otherwise its own.
+   * - INPUT_POINTS: the input's, by id, as in vtkDelaunay2D. The source
+   *   has no points, or at these ids those of the input (x and y alone
+   *   for XY_PLANE): anything else is an error that names the first id
+   *   at which they differ, with both coordinates.
+   * - OWN_POINTS: the source's.
+   *
+   * Own points that cells name join the points of the input, after them. At the position of a point
+   * of the input, in the plane of the triangulation, that point is used, with its own z and data;
+   * of several own points at one position, the first. Point data of the same name and number of
+   * components comes along. Where the source has no such array, added points have NaN, or 0 in
+   * arrays that are no floating-point numbers. Arrays that the input lacks, and global ids, do not
+   * come along. A point that is not finite is an error that names its cell. In vtkOriginalPointIds,
+   * added points have -1.
+   *
+   * With own points, or if crossing constraints are split, the output has the point array
+   * PointOrigin (a vtkUnsignedCharArray): 0 for points of the input, 1 for those that the source
+   * adds, 2 for those where constraints cross. For XY_PLANE it also has HeightRange, a
+   * vtkDoubleArray of two components: the lowest and the highest of all z that are given for a
+   * point, by itself, by points of the source at its position, and by the lines that end there or
+   * run through it. GetNumberOfHeightDifferences() returns at how many points these differ.
+   */
+  vtkSetClampMacro(SourcePoints, int, AUTOMATIC_POINTS, OWN_POINTS);
+  vtkGetMacro(SourcePoints, int);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether closed lines of the source are polygons, which define what is inside: see
+   * SetPolygonRule(). A line is closed if it has four points or more, and the last is the first, or
+   * at its position. Off by default.
+   */
+  vtkSetMacro(ClosedLinesAsBorders, bool);
+  vtkGetMacro(ClosedLinesAsBorders, bool);
   //@}
 
   //@{
@@ -93,7 +143,8 @@ public:
    * rounded, takes that point.
    *
    * Positions in space and point data are interpolated along the first of the constraints that
-   * cross there, by their order in the source: lines, then polygons. Data that cannot be
+   * cross there, by their order in the source: lines, then polygons. So for XY_PLANE that line's z
+   * counts; those of the others are in HeightRange: see SetSourcePoints(). Data that cannot be
    * interpolated, such as global ids, is not passed then. The points of the output are double. In
    * vtkOriginalPointIds, new points have -1.
    */
@@ -133,10 +184,15 @@ public:
   vtkGetMacro(MaximumEdgeLength, double);
   //@}
 
+  //@{
   /**
-   * Get the number of points that the last run added where constraints cross.
+   * Get how many points the last run added: where constraints cross, and of the source; and at how
+   * many points several heights were given that differ.
    */
   vtkGetMacro(NumberOfSplitPoints, vtkIdType);
+  vtkGetMacro(NumberOfAddedPoints, vtkIdType);
+  vtkGetMacro(NumberOfHeightDifferences, vtkIdType);
+  //@}
 
 protected:
   vtkFFConstrainedDelaunayFilter();
@@ -147,10 +203,14 @@ protected:
     vtkInformationVector* outputVector) override;
   void ForgetReport() override;
 
+  int SourcePoints = AUTOMATIC_POINTS;
+  bool ClosedLinesAsBorders = false;
   bool SplitCrossingConstraints = false;
   int PolygonRule = EVEN_ODD;
   double MaximumEdgeLength = 0.0;
   vtkIdType NumberOfSplitPoints = 0;
+  vtkIdType NumberOfAddedPoints = 0;
+  vtkIdType NumberOfHeightDifferences = 0;
 
 private:
   vtkFFConstrainedDelaunayFilter(const vtkFFConstrainedDelaunayFilter&) = delete;

@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFConstraints.h"
 
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFOutput.h"
-#include "vtkFFPlanarInput.h"
 #include "vtkFFRun.h"
 #include "vtkFFSurfaceCells.h"
 
 #include <flipflop/Error.h>
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +63,69 @@ std::string toText(const double* point)
   return "(" + toText(point[0]) + ", " + toText(point[1]) + ", " + toText(point[2]) + ")";
 }
 
+/// NaN is the same as NaN.
+bool isSame(const double* a, const double* b, int dimensions)
+{
+  return std::equal(a, a + dimensions, b,
+    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+bool isFlat(vtkFFPlanarAlgorithm* filter)
+{
+  return filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::XY_PLANE;
+}
+
+/// Values of a new array for these points of a source, by its array of the same name. Without one
+/// of as many components: NaN, or 0 and an empty string of types that have none.
+void fillFrom(vtkDataSetAttributes* source, const flipflop::Buffer<std::int64_t>& points,
+  vtkAbstractArray* array)
+{
+  const auto count = static_cast<vtkIdType>(points.size());
+  array->SetNumberOfTuples(count);
+  vtkAbstractArray* const same =
+    array->GetName() ? source->GetAbstractArray(array->GetName()) : nullptr;
+  auto* const numbers = vtkDataArray::SafeDownCast(array);
+  const bool isThere = same && same->GetNumberOfComponents() == array->GetNumberOfComponents() &&
+    (numbers ? vtkDataArray::SafeDownCast(same) != nullptr
+             : same->GetDataType() == array->GetDataType());
+  if (!isThere)
+  {
+    const int type = array->GetDataType();
+    if (numbers)
+    {
+      numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? vtkMath::Nan() : 0.0);
+    }
+    return;
+  }
+  auto* const other = vtkDataArray::SafeDownCast(same);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const auto from = static_cast<vtkIdType>(points[static_cast<std::size_t>(k)]);
+    if (same->GetDataType() == array->GetDataType())
+    {
+      array->SetTuple(k, from, same);
+    }
+    else // both are of numbers
+    {
+      numbers->SetTuple(k, other->GetTuple(from));
+    }
+  }
+}
+
+/// The input gets these points, and the run the id -1 for each.
+void appendTo(vtkFFPlanarInput& input, vtkPointSet* created, vtkFFRun& run)
+{
+  vtkPointSet* const given = input.GetPoints();
+  const auto count = static_cast<std::size_t>(given->GetNumberOfPoints());
+  if (run.Ids.empty())
+  {
+    run.Ids.resize(count);
+    std::iota(run.Ids.begin(), run.Ids.end(), vtkIdType(0));
+  }
+  run.Ids.resize(count + static_cast<std::size_t>(created->GetNumberOfPoints()), -1);
+  input.SetPoints(vtkFFOutput::Append({ given, created }));
+}
+
 /// How far q is on the way from a to b, which is not 0: rounded, from 0 to 1.
 double shareOf(const double* a, const double* b, const double* q)
 {
@@ -71,11 +139,12 @@ double shareOf(const double* a, const double* b, const double* q)
 }
 
 //------------------------------------------------------------------------------
-vtkFFConstraints::vtkFFConstraints(
-  vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given, bool withHeight)
+vtkFFConstraints::vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPolyData* source,
+  vtkDataSet* input, const std::vector<vtkIdType>& given)
   : Source(source)
   , Input(input)
-  , Dimensions(withHeight ? 3 : 2)
+  , Dimensions(isFlat(filter) ? 2 : 3)
+  , ClosedLinesAsBorders(filter->GetClosedLinesAsBorders())
   , Given(given)
 {
   for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
@@ -86,22 +155,86 @@ vtkFFConstraints::vtkFFConstraints(
       throw std::runtime_error(fault);
     }
   }
+  const int points = filter->GetSourcePoints();
+  this->IsOwn = points == vtkFFConstrainedDelaunayFilter::OWN_POINTS ||
+    (points == vtkFFConstrainedDelaunayFilter::AUTOMATIC_POINTS && this->FindOwnPoints());
   const vtkIdType vertices = source->GetNumberOfVerts();
-  this->Take(source->GetLines(), vertices, false);
+  this->Take(source->GetLines(), vertices, Cells::OpenLines);
   const std::size_t lines = this->CellIds.size();
-  this->Take(source->GetPolys(), vertices + source->GetNumberOfLines(), true);
+  this->Take(source->GetLines(), vertices, Cells::ClosedLines);
+  this->Take(source->GetPolys(), vertices + source->GetNumberOfLines(), Cells::Polygons);
   this->Sides = static_cast<std::int64_t>(this->CellIds.size() - lines);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, bool areClosed)
+bool vtkFFConstraints::FindOwnPoints() const
+{
+  const vtkIdType own = this->Source->GetNumberOfPoints();
+  const vtkIdType count = this->Input->GetNumberOfPoints();
+  vtkNew<vtkIdList> corners;
+  for (vtkCellArray* cells : { this->Source->GetLines(), this->Source->GetPolys() })
+  {
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    {
+      cells->GetCellAtId(i, corners);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      {
+        const vtkIdType point = corners->GetId(k);
+        double ours[3], given[3];
+        if (point < 0 || point >= own)
+        {
+          continue; // an error, whosever points they are
+        }
+        this->Source->GetPoint(point, ours);
+        if (point < count)
+        {
+          this->Input->GetPoint(point, given);
+        }
+        if (point >= count || !isSame(ours, given, 3))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFConstraints::IsClosed(vtkIdList* corners) const
+{
+  const vtkIdType last = corners->GetNumberOfIds() - 1;
+  if (!this->ClosedLinesAsBorders || last < 3)
+  {
+    return false;
+  }
+  const vtkIdType ends[2] = { corners->GetId(0), corners->GetId(last) };
+  vtkDataSet* const points = this->IsOwn ? static_cast<vtkDataSet*>(this->Source) : this->Input;
+  double x[2][3];
+  for (int i = 0; i < 2; ++i)
+  {
+    if (ends[i] < 0 || ends[i] >= points->GetNumberOfPoints())
+    {
+      return false; // an error
+    }
+    points->GetPoint(ends[i], x[i]);
+  }
+  return ends[0] == ends[1] || isSame(x[0], x[1], this->Dimensions);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, Cells which)
 {
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
     cells->GetCellAtId(i, corners);
+    if (which != Cells::Polygons && this->IsClosed(corners) != (which == Cells::ClosedLines))
+    {
+      continue;
+    }
     const vtkIdType size = corners->GetNumberOfIds();
-    for (vtkIdType k = areClosed ? 0 : 1; k < size; ++k)
+    for (vtkIdType k = which == Cells::Polygons ? 0 : 1; k < size; ++k)
     {
       const vtkIdType before = corners->GetId(k > 0 ? k - 1 : size - 1);
       this->Ends.push_back(this->GetId(before, firstCell + i));
@@ -114,6 +247,11 @@ void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, bool areCl
 //------------------------------------------------------------------------------
 std::int64_t vtkFFConstraints::GetId(vtkIdType point, vtkIdType cell) const
 {
+  if (this->IsOwn)
+  {
+    this->CheckOwnPoint(point, cell);
+    return point;
+  }
   const vtkIdType count = this->Input->GetNumberOfPoints();
   if (point < 0 || point >= count)
   {
@@ -136,6 +274,17 @@ std::int64_t vtkFFConstraints::GetId(vtkIdType point, vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
+void vtkFFConstraints::CheckOwnPoint(vtkIdType point, vtkIdType cell) const
+{
+  const vtkIdType own = this->Source->GetNumberOfPoints();
+  if (point < 0 || point >= own)
+  {
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+      " is not there: the source has " + std::to_string(own) + " point(s).");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
 {
   const vtkIdType own = this->Source->GetNumberOfPoints();
@@ -143,23 +292,118 @@ void vtkFFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
   {
     return;
   }
-  if (point >= own)
-  {
-    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
-      " is not there: the source has " + std::to_string(own) + " point(s).");
-  }
+  this->CheckOwnPoint(point, cell);
   double ours[3], given[3];
   this->Source->GetPoint(point, ours);
   this->Input->GetPoint(point, given);
-  const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-  if (!std::equal(ours, ours + this->Dimensions, given, isSame))
+  if (!isSame(ours, given, this->Dimensions))
   {
     throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
       " is at " + toText(ours) + ", and point " + std::to_string(point) + " of the input is at " +
       toText(given) + ". The source's cells name points of the input by id, so at these ids its " +
       std::to_string(own) + " points must be those of the input, of which there are " +
-      std::to_string(this->Input->GetNumberOfPoints()) + "; or it has no points.");
+      std::to_string(this->Input->GetNumberOfPoints()) +
+      "; or it has no points. If they are its own, set Source Points to Own Points.");
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConstraints::Join(
+  vtkFFConstrainedDelaunayFilter* filter, vtkFFPlanarInput& input, vtkFFRun& run)
+{
+  this->Lines.emplace(filter, run);
+  if (this->IsOwn)
+  {
+    this->Lines->SetPoints(this->Source);
+    this->Lines->ProjectAs(input);
+  }
+  this->Joined = flipflop::joinLines(input.GetPlane(),
+    this->IsOwn ? this->Lines->GetPlane() : input.GetPlane(), this->GetWhole(), run.Options);
+  if (this->GetNumberOfJoinedPoints() > 0)
+  {
+    const flipflop::Buffer<double>& joined = this->Joined->positions;
+    flipflop::Buffer<double> positions(joined.size());
+    std::copy(joined.begin(), joined.end(), positions.begin());
+    input.SetPositions(std::move(positions));
+    appendTo(input, this->GetOwnPoints(input.GetPoints()), run);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkFFConstraints::GetOwnPoints(vtkPointSet* given) const
+{
+  const flipflop::Buffer<std::int64_t>& added = this->Joined->added;
+  const auto count = static_cast<vtkIdType>(added.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(this->Source->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    double x[3];
+    this->Source->GetPoint(static_cast<vtkIdType>(added[static_cast<std::size_t>(k)]), x);
+    points->SetPoint(k, x);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  vtkPointData* const data = result->GetPointData();
+  data->InterpolateAllocate(given->GetPointData(), count);
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    fillFrom(this->Source->GetPointData(), added, data->GetAbstractArray(i));
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFConstraints::FindHeights(const vtkFFPlanarInput& input,
+  const flipflop::ConstrainedTriangulation& triangulation, const flipflop::Options& options)
+{
+  if (!this->Joined || !input.IsXYPlane())
+  {
+    return 0;
+  }
+  flipflop::PointView given = input.GetSpace();
+  given.count -= this->GetNumberOfJoinedPoints();
+  flipflop::Options quiet = options;
+  quiet.progress = nullptr;
+  const flipflop::SplitConstraints unsplit;
+  this->Heights = flipflop::lineHeights(given, this->IsOwn ? this->Lines->GetSpace() : given,
+    this->GetWhole(), *this->Joined, this->Pieces ? *this->Pieces : unsplit, triangulation, quiet);
+  return static_cast<vtkIdType>(this->Heights->differing);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDataArray>> vtkFFConstraints::MarkPoints(
+  const flipflop::Buffer<std::int64_t>& ids) const
+{
+  if (!this->Joined)
+  {
+    return {};
+  }
+  const auto count = static_cast<vtkIdType>(ids.size());
+  const auto crossings = static_cast<std::int64_t>(this->Joined->positions.size() / 2);
+  const std::int64_t ofLines = crossings - this->GetNumberOfJoinedPoints();
+  auto origins = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  origins->SetName("PointOrigin");
+  origins->SetNumberOfValues(count);
+  auto ranges = vtkSmartPointer<vtkDoubleArray>::New();
+  ranges->SetName("HeightRange");
+  ranges->SetNumberOfComponents(2);
+  ranges->SetNumberOfTuples(this->Heights ? count : 0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const std::int64_t id = ids[static_cast<std::size_t>(i)];
+    origins->SetValue(i, static_cast<unsigned char>(id >= crossings ? 2 : id >= ofLines ? 1 : 0));
+    if (this->Heights)
+    {
+      ranges->SetTypedTuple(i, this->Heights->ranges.data() + 2 * id);
+    }
+  }
+  if (!this->Heights)
+  {
+    return { origins };
+  }
+  return { origins, ranges };
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +415,19 @@ flipflop::ConstraintView vtkFFConstraints::GetWhole() const
 //------------------------------------------------------------------------------
 flipflop::ConstraintView vtkFFConstraints::GetView() const
 {
-  return this->Pieces ? this->Pieces->view() : this->GetWhole();
+  return this->Pieces ? this->Pieces->view() : this->GetUnsplit();
+}
+
+//------------------------------------------------------------------------------
+flipflop::ConstraintView vtkFFConstraints::GetUnsplit() const
+{
+  return this->Joined ? this->Joined->view() : this->GetWhole();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFConstraints::GetNumberOfJoinedPoints() const
+{
+  return this->Joined ? static_cast<vtkIdType>(this->Joined->added.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +447,7 @@ vtkIdType vtkFFConstraints::GetCellId(std::int64_t constraint) const
 void vtkFFConstraints::Split(vtkFFPlanarInput& input, const flipflop::Options& options)
 {
   const flipflop::PointView view = input.GetPlane();
-  this->Pieces = flipflop::splitCrossings(view, this->GetWhole(), options);
+  this->Pieces = flipflop::splitCrossings(view, this->GetUnsplit(), options);
   if (this->GetNumberOfNewPoints() == 0)
   {
     return;
@@ -218,6 +474,7 @@ void vtkFFConstraints::AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) c
   }
   vtkPointSet* const given = input.GetPoints();
   const vtkIdType count = given->GetNumberOfPoints();
+  const vtkIdType joined = this->GetNumberOfJoinedPoints();
   const auto* positions = static_cast<const double*>(input.GetPlane().data);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -229,7 +486,7 @@ void vtkFFConstraints::AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) c
   {
     const auto crossing =
       static_cast<std::size_t>(this->Pieces->offsets[static_cast<std::size_t>(k)]);
-    const std::int64_t* const ends = this->Ends.data() + 2 * this->Pieces->crossing[crossing];
+    const std::int64_t* const ends = this->GetUnsplit().ends + 2 * this->Pieces->crossing[crossing];
     const auto a = static_cast<vtkIdType>(ends[0]);
     const auto b = static_cast<vtkIdType>(ends[1]);
     const double* const position = positions + 2 * (count + k);
@@ -244,17 +501,12 @@ void vtkFFConstraints::AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) c
     if (input.IsXYPlane())
     {
       std::copy_n(position, 2, x); // as it was triangulated
+      x[2] = this->Heights->added[static_cast<std::size_t>(joined + k)];
     }
     points->SetPoint(k, x);
     created->GetPointData()->InterpolateEdge(given->GetPointData(), k, a, b, share);
   }
-  if (run.Ids.empty())
-  {
-    run.Ids.resize(static_cast<std::size_t>(count));
-    std::iota(run.Ids.begin(), run.Ids.end(), vtkIdType(0));
-  }
-  run.Ids.resize(static_cast<std::size_t>(count + added), -1);
-  input.SetPoints(vtkFFOutput::Append({ given, created }));
+  appendTo(input, created, run);
 }
 
 //------------------------------------------------------------------------------
@@ -265,8 +517,11 @@ std::string vtkFFConstraints::Describe(const flipflop::Error& error, const vtkFF
   switch (error.code())
   {
     case flipflop::ErrorCode::ConstraintPoint:
-      return "Point " + std::to_string(run.GetId(static_cast<vtkIdType>(error.count()))) + " of " +
-        cellOf(error.index()) + " is left out: it has a coordinate that is NaN or infinite.";
+      return "Point " +
+        std::to_string(this->IsOwn ? static_cast<vtkIdType>(error.count())
+                                   : run.GetId(static_cast<vtkIdType>(error.count()))) +
+        " of " + cellOf(error.index()) +
+        " is left out: it has a coordinate that is NaN or infinite.";
     case flipflop::ErrorCode::ConstraintsCross:
       return "An edge of " + cellOf(error.index()) + " crosses one of " + cellOf(error.count()) +
         ", and there is no point where they do. Add one to the input and to both, or turn on Split "

@@ -5,18 +5,22 @@
  * @brief   the lines and polygons of a source as the engine's constraints
  *
  * vtkFFConstraints gives the engine the segments of the lines, polylines and polygons of a
- * vtkPolyData, whose ids are those of another data set's points. Polygons come last, as the engine
- * requires. On request, the engine splits the segments where they cross.
+ * vtkPolyData, whose ids are those of another data set's points, or of its own: then these points
+ * join the others. Polygons come last, as the engine requires. On request, the engine splits the
+ * segments where they cross.
  */
 
 #ifndef vtkFFConstraints_h
 #define vtkFFConstraints_h
 
 #include "vtkFFMarks.h"
+#include "vtkFFPlanarInput.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
+#include <flipflop/JoinedLines.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,25 +35,28 @@ class Error;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
+class vtkDataArray;
 class vtkDataSet;
-class vtkFFPlanarInput;
+class vtkFFConstrainedDelaunayFilter;
 class vtkFFRun;
+class vtkIdList;
+class vtkPointSet;
 class vtkPolyData;
 
 class vtkFFConstraints
 {
 public:
   /**
-   * @param source     whose cells are read
-   * @param input      the data set whose points ids name
-   * @param given      ids of those of these points that the engine was given, ascending; empty: it
-   * was given all
-   * @param withHeight whether z matters, where points are compared
-   * @throw std::runtime_error where a cell names a point that is not there, or that has other
-   *                           coordinates in the source, if it has points
+   * @param filter which source's points count, and which lines are borders
+   * @param source whose cells are read
+   * @param input  the data set whose points ids may name
+   * @param given  ids of those of these points that the engine was given, ascending; empty: it was
+   *               given all
+   * @throw std::runtime_error where a cell names a point that is not there, or that should be the
+   *                           input's, and has other coordinates
    */
-  vtkFFConstraints(
-    vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given, bool withHeight);
+  vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPolyData* source, vtkDataSet* input,
+    const std::vector<vtkIdType>& given);
 
   vtkFFConstraints(const vtkFFConstraints&) = delete;
   void operator=(const vtkFFConstraints&) = delete;
@@ -60,6 +67,19 @@ public:
   flipflop::ConstraintView GetView() const;
 
   /**
+   * Whether the cells name points of the source, and not of the input.
+   */
+  bool HasOwnPoints() const { return this->IsOwn; }
+
+  /**
+   * Join the source's own points to the input: positions in the plane, and in space, point data
+   * and ids (-1). If the points are the input's, nothing joins, and heights are prepared.
+   *
+   * @throw flipflop::Error as joinLines()
+   */
+  void Join(vtkFFConstrainedDelaunayFilter* filter, vtkFFPlanarInput& input, vtkFFRun& run);
+
+  /**
    * Split the constraints where they cross. The input gets the positions of the new points in the
    * plane, after its own.
    *
@@ -67,17 +87,34 @@ public:
    */
   void Split(vtkFFPlanarInput& input, const flipflop::Options& options);
 
+  //@{
   /**
-   * How many points are new.
+   * How many points are new: of the source, and where constraints cross.
    */
+  vtkIdType GetNumberOfJoinedPoints() const;
   vtkIdType GetNumberOfNewPoints() const;
+  //@}
+
+  /**
+   * In the XY plane, find the heights at all points, if Join() was called. Returns at how many
+   * points several differ.
+   */
+  vtkIdType FindHeights(const vtkFFPlanarInput& input,
+    const flipflop::ConstrainedTriangulation& triangulation, const flipflop::Options& options);
 
   /**
    * The input gets the new points: positions in space, and the point data that can be interpolated,
    * along the first of the constraints that cross there. In the XY plane, a new point has the x and
-   * y that were triangulated. The run has the id -1 for it.
+   * y that were triangulated, and the height that was found. The run has the id -1 for it.
    */
   void AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) const;
+
+  /**
+   * Arrays for points of these ids, if Join() was called: PointOrigin, and HeightRange if heights
+   * were found.
+   */
+  std::vector<vtkSmartPointer<vtkDataArray>> MarkPoints(
+    const flipflop::Buffer<std::int64_t>& ids) const;
 
   /**
    * The cell of the source that a constraint of the view is of.
@@ -90,19 +127,36 @@ public:
   std::string Describe(const flipflop::Error& error, const vtkFFRun& run) const;
 
 private:
-  void Take(vtkCellArray* cells, vtkIdType firstCell, bool areClosed);
+  enum class Cells
+  {
+    OpenLines,
+    ClosedLines,
+    Polygons
+  };
+
+  bool FindOwnPoints() const;
+  bool IsClosed(vtkIdList* corners) const;
+  void Take(vtkCellArray* cells, vtkIdType firstCell, Cells which);
   std::int64_t GetId(vtkIdType point, vtkIdType cell) const;
   void CheckPoint(vtkIdType point, vtkIdType cell) const;
+  void CheckOwnPoint(vtkIdType point, vtkIdType cell) const;
+  vtkSmartPointer<vtkPolyData> GetOwnPoints(vtkPointSet* given) const;
   flipflop::ConstraintView GetWhole() const;
+  flipflop::ConstraintView GetUnsplit() const;
 
-  vtkPolyData* const Source; // while it is read
+  vtkPolyData* const Source;
   vtkDataSet* const Input;
   const int Dimensions; // that are compared
+  const bool ClosedLinesAsBorders;
+  bool IsOwn = false;
   const std::vector<vtkIdType>& Given;
   std::vector<std::int64_t> Ends;
   std::vector<vtkIdType> CellIds; // of each constraint
   std::int64_t Sides = 0;
+  std::optional<vtkFFPlanarInput> Lines; // the source's own points
+  std::optional<flipflop::JoinedLines> Joined;
   std::optional<flipflop::SplitConstraints> Pieces;
+  std::optional<flipflop::LineHeights> Heights;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -154,6 +154,12 @@ void vtkFFPlanarInput::SetPlane(const flipflop::FittedPlane& plane)
 }
 
 //------------------------------------------------------------------------------
+void vtkFFPlanarInput::ProjectAs(const vtkFFPlanarInput& other)
+{
+  other.Fitted ? this->SetPlane(*other.Fitted) : this->Project();
+}
+
+//------------------------------------------------------------------------------
 void vtkFFPlanarInput::SetPositions(flipflop::Buffer<double>&& positions)
 {
   this->Positions = std::move(positions);

@@ -60,7 +60,7 @@ public:
   /**
    * The parts of Take(): have these points, and their data; the array of weights that was chosen,
    * among that data; weights by that array, or none; the points in the filter's plane, or in this
-   * one, or given as x and y.
+   * one, or in that of other points of the filter, or given as x and y.
    *
    * @throw flipflop::Error Aborted, OutOfMemory
    */
@@ -69,6 +69,7 @@ public:
   void SetWeights(vtkDataArray* array);
   void Project();
   void SetPlane(const flipflop::FittedPlane& plane);
+  void ProjectAs(const vtkFFPlanarInput& other);
   void SetPositions(flipflop::Buffer<double>&& positions);
   //@}
 

@@ -87,9 +87,11 @@ inline std::vector<FilterCase> filterCases()
       { "FlipFlopHiddenPoints" } },
     { makeFilter<vtkFFConstrainedDelaunayFilter>, false, false,
       "Constrained Delaunay triangulation", {},
-      withPlanar({ "MaximumEdgeLength", "SplitCrossingConstraints", "PolygonRule",
-        "NumberOfDroppedCells", "NumberOfSplitPoints" }),
-      { "FlipFlopDroppedCells", "FlipFlopSplitPoints" } },
+      withPlanar({ "MaximumEdgeLength", "SplitCrossingConstraints", "PolygonRule", "SourcePoints",
+        "ClosedLinesAsBorders", "NumberOfDroppedCells", "NumberOfSplitPoints",
+        "NumberOfAddedPoints", "NumberOfHeightDifferences" }),
+      { "FlipFlopDroppedCells", "FlipFlopSplitPoints", "FlipFlopAddedPoints",
+        "FlipFlopHeightDifferences" } },
   };
 }
 

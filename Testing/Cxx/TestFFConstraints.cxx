@@ -171,7 +171,7 @@ void testRules()
   FF_CHECK(none.Errors->Has("No cell is inside the polygons of the source"));
 }
 
-/// A source with points: those of the input at the ids that its cells use, or it is an error.
+/// A source whose points are to be the input's: at the ids that its cells use, or it is an error.
 void testPointsOfTheSource()
 {
   const auto input = makePoints(kite);
@@ -182,6 +182,7 @@ void testPointsOfTheSource()
   {
     Run run(input, with(points));
     run->SetProjectionPlaneMode(mode);
+    run->SetSourcePoints(Filter::INPUT_POINTS);
     run.Fail(words, vtkFFErrorCode::InputError);
   };
   FF_CHECK(polysOf(Run(input, with(kite)).Watched::Run()) == across);
@@ -196,7 +197,9 @@ void testPointsOfTheSource()
     Filter::BEST_FITTING_PLANE);
   // A line of its own points, as in a file of breaklines, and off by one unit in the last place.
   fail({ { 0.5, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } },
-    "its 3 points must be those of the input, of which there are 4; or it has no points.");
+    "its 3 points must be those of the input, of which there are 4; or it has no points. If they "
+    "are "
+    "its own, set Source Points to Own Points.");
   fail({ kite[0], kite[1], { 0, std::nextafter(3.0, 4.0), 0 } },
     "is at (0, 3.0000000000000004, 0), and");
   fail({ kite[0] }, "Point 2 of cell 0 of the source is not there: the source has 1 point(s).");
@@ -255,7 +258,7 @@ void testErrors()
   blocks->SetBlock(1, input);
   run->Update();
   FF_CHECK_EQUAL(run.Errors->Messages.size(), std::size_t(2));
-  FF_CHECK(run.Errors->Has("The source has ids of one data set's points, and an input is a "
+  FF_CHECK(run.Errors->Has("The source's lines are for one data set, and an input is a "
                            "composite. Take one data set, merge them, or take the source away."));
   FF_CHECK_EQUAL(run->GetErrorCode(), vtkFFErrorCode::SettingError);
   run->RemoveSource();

@@ -180,8 +180,8 @@ def constrained(lines, polygons=(), points="0 -3 0; 1 0 0; 0 3 0; -1 0 0", **set
     return algorithm
 
 
-def constrained_with_points(points):
-    algorithm = constrained([[0, 2]])
+def constrained_with_points(points, **settings):
+    algorithm = constrained([[0, 2]], **settings)
     algorithm.GetSource().SetPoints(poly_data(points).GetPoints())
     return algorithm
 
@@ -338,7 +338,10 @@ FAILURES = {
         SplitCrossingConstraints=True,
         PolygonRule=DIRECTION,
     ),
-    "constraints with points of their own": lambda: constrained_with_points("0 -3 0; 1 0 0; 0 3.5 0; -1 0 0"),
+    "constraints with points of their own": lambda: constrained_with_points(
+        "0 -3 0; 1 0 0; 0 3.5 0; -1 0 0", SourcePoints=vtkFFConstrainedDelaunayFilter.INPUT_POINTS
+    ),
+    "a constraint to an own point that is NaN": lambda: constrained_with_points("0 -3 0; 1 0 0; nan 3.5 0; -1 0 0"),
     "constraints with too few points": lambda: constrained_with_points("0 -3 0"),
     "constraints and weights": constrained_with_weights,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),

@@ -190,6 +190,8 @@ void setSource(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter)
   const int choices = bytes.byte();
   filter->SetSplitCrossingConstraints((choices & 1) != 0);
   filter->SetPolygonRule((choices >> 1) & 1);
+  filter->SetSourcePoints((choices >> 5) % 3);
+  filter->SetClosedLinesAsBorders((choices & 16) != 0);
   const auto source = drawSource(bytes);
   if (auto* cells = vtkPolyData::SafeDownCast(source))
   {

@@ -70,6 +70,8 @@ DEFAULTS = {
         "GenerateGhostCells": 0,
         "MaximumEdgeLength": 0.0,
         "PolygonRule": "Even-Odd",
+        "ClosedLinesAsBorders": 0,
+        "SourcePoints": "Automatic",
         "SplitCrossingConstraints": 0,
     },
     "FlipFlopPowerDiagram": {**COMMON, **ENGINES, **WEIGHTS, **PLANE, **BOX, "VisiblePointIds": 1},

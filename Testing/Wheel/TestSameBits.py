@@ -28,7 +28,7 @@ except ImportError as error:
 if not issubclass(pv.PolyData, vtkPolyData):
     pytest.skip("PyVista runs on another VTK than the filters", allow_module_level=True)
 
-from vtkflipflop.pyvista import convex_hull, convexify, power_diagram, regular_triangulation
+from vtkflipflop.pyvista import constrained_triangulation, convex_hull, convexify, power_diagram, regular_triangulation
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Python"))
 import digests  # noqa: E402
@@ -188,6 +188,31 @@ def test_in_the_plane(name, plane):
         )
     for rows in [*PLANAR.values(), *DIAGRAMS.values()]:
         expect_same(power_diagram, vtkFFPowerDiagramFilter, mesh, *joined(PLANES[plane], *rows))
+
+
+@pytest.mark.parametrize("name", ["uniform", "ghosts", "floats"])
+def test_lines_with_points_of_their_own(name):
+    mesh = made(name)
+    points = [*mesh.points[1:3], [0.1, 0.2, 0.3], [0.9, 0.8, 0.7], [0.1, 0.9, 3], [0.9, 0.1, 4], [0.2, 0.2, 0]]
+    lines = pv.PolyData(points, lines=[3, 1, 2, 3, 2, 4, 5], faces=[4, 2, 5, 3, 4])
+    lines.point_data["f8"] = np.arange(7) + 0.5
+    lines.point_data["name"] = np.array([f"q{i}" for i in range(7)])
+    algorithm = vtkFFConstrainedDelaunayFilter()
+    algorithm.SetInputDataObject(mesh)
+    algorithm.SetSourceData(lines)
+    algorithm.SetSplitCrossingConstraints(True)
+    algorithm.Update()
+    expected, found = pv.wrap(algorithm.GetOutput()), constrained_triangulation(mesh, lines)
+    assert found.points.tobytes() == expected.points.tobytes()
+    assert np.array_equal(found.regular_faces, expected.regular_faces)
+    assert {*found.point_data.keys()} == {*expected.point_data.keys()}
+    for array in found.point_data.keys():
+        assert found[array].dtype == expected[array].dtype
+        rows = found["PointOrigin"] < 2 if array not in ("PointOrigin", "HeightRange") else slice(None)
+        assert np.array_equal(found[array][rows], expected[array][rows], equal_nan=found[array].dtype.kind == "f"), array
+    crossing = found["PointOrigin"] == 2
+    assert crossing.sum() == algorithm.GetNumberOfSplitPoints() > 0
+    assert found["f8"][crossing] == pytest.approx(expected["f8"][crossing], nan_ok=True)
 
 
 @pytest.mark.parametrize("facets", [[], [POLYGONS]])
