@@ -93,13 +93,14 @@ public:
    * Set/Get whose points the cells of the source name. Points are compared as given, before a
    * transform.
    *
-   * - AUTOMATIC_POINTS (the default): the input's, if the source has no
-   *   points, or if at all ids that its cells name its points are
-   *   those of the input, in all three coordinates. Otherwise its own.
-   * - INPUT_POINTS: the input's, by id, as in vtkDelaunay2D. The source
-   *   has no points, or at these ids those of the input (x and y alone
-   *   for XY_PLANE): anything else is an error that names the first id
-   *   at which they differ, with both coordinates.
+   * - AUTOMATIC_POINTS (the default): the input's, if the source has
+   *   no points, or if at all ids that its cells name its points are
+   *   those of the input, in all three coordinates. Otherwise its
+   *   own.
+   * - INPUT_POINTS: the input's, by id, as in vtkDelaunay2D. The
+   *   source has no points, or at these ids those of the input (x and
+   *   y alone for XY_PLANE): anything else is an error that names the
+   *   first id at which they differ, with both coordinates.
    * - OWN_POINTS: the source's.
    *
    * Own points that cells name join the points of the input, after them. At the position of a point
