@@ -24,9 +24,10 @@ from vtkflipflop.pyvista import (
     power_diagram,
     prescribed_areas,
     regular_triangulation,
+    terrain_mesh,
 )
 
-FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram, centroidal_cells, prescribed_areas)
+FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram, centroidal_cells, prescribed_areas, terrain_mesh)
 OF_POINTS = (convex_hull, regular_triangulation, power_diagram)
 HAS_ACCESSORS = hasattr(pv, "register_dataset_accessor")
 

@@ -18,14 +18,15 @@ from vtkflipflop.pyvista import (
     power_diagram,
     prescribed_areas,
     regular_triangulation,
+    terrain_mesh,
 )
 
 FUNCTIONS = (
     convex_hull, convexify, regular_triangulation, constrained_triangulation, power_diagram, centroidal_cells,
-    prescribed_areas,
+    prescribed_areas, terrain_mesh,
 )  # fmt: skip
 # Of a mesh, an argument may be a point array's name; and what comes first is not one of arrays.
-OWN_TYPES = {"points", "mesh", "surface", "triangles", "weights", "areas", "constraints", "domain", "box", "kernel"}
+OWN_TYPES = {"points", "mesh", "surface", "triangles", "weights", "heights", "areas", "constraints", "domain", "box", "kernel"}
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)

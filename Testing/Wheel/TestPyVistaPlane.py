@@ -7,6 +7,7 @@ import pytest
 import pyvista as pv
 
 from pyvista_meshes import cloud, rotation
+from vtkflipflop import arrays
 from vtkflipflop.pyvista import (
     InputError,
     centroidal_cells,
@@ -14,6 +15,7 @@ from vtkflipflop.pyvista import (
     power_diagram,
     prescribed_areas,
     regular_triangulation,
+    terrain_mesh,
 )
 
 
@@ -185,6 +187,37 @@ def test_constraints_that_cannot_be_used():
         regular_triangulation(pv.MultiBlock([mesh]), constraints=[[4, 6]])
     with pytest.raises(TypeError, match="not a vtkUnstructuredGrid"):
         regular_triangulation(mesh, constraints=mesh.cast_to_unstructured_grid())
+
+
+def test_terrain_meshes():
+    x, y = np.meshgrid(np.arange(30.0), np.arange(20.0), indexing="ij")
+    points = np.column_stack([x.ravel(), y.ravel(), 2 * np.sin(x / 4).ravel() * np.cos(y / 3).ravel()])
+    mesh = pv.PolyData(points)
+    mesh.point_data["depth"] = -2 * points[:, 2]
+    line = [3, 25, 47, 69]
+    for heights in (None, "depth", mesh["depth"]):
+        levels = points[:, 2] if heights is None else mesh["depth"]
+        wanted = arrays.terrain_mesh(points, levels, tolerance=0.2, constraints=[line])
+        found, rest = terrain_mesh(
+            mesh, heights, tolerance=0.2, constraints=pv.PolyData(points, lines=[4, *line]), return_hidden_points=True
+        )
+        ids, others = found["vtkOriginalPointIds"], rest["vtkOriginalPointIds"]
+        assert np.array_equal(ids, wanted.vertices) and np.array_equal(ids[found.regular_faces], wanted.simplices)
+        assert np.array_equal(np.sort([*ids, *others]), np.arange(600)) and rest.n_verts == len(others)
+        assert np.array_equal(rest["TerrainError"], wanted.errors[others]) and abs(rest["TerrainError"]).max() <= 0.2
+        assert np.array_equal(found["depth"], mesh["depth"][ids]) and np.array_equal(found.points, mesh.points[ids])
+    assert terrain_mesh(mesh, tolerance=0.2, max_vertices=9).n_points == 9
+    ghosts = mesh.copy()
+    ghosts.point_data["vtkGhostType"] = (np.arange(600) == 0).astype(np.uint8)
+    assert 0 not in terrain_mesh(ghosts)["vtkOriginalPointIds"]
+    blocks = terrain_mesh(pv.MultiBlock([mesh, mesh]), "depth", tolerance=0.5)
+    assert blocks[0].n_points == blocks[1].n_points == terrain_mesh(mesh, "depth", tolerance=0.5).n_points
+    with pytest.raises(InputError, match="the heights' array \"none\" is missing"):
+        terrain_mesh(mesh, "none")
+    with pytest.raises(ValueError, match="points of two coordinates take heights"):
+        terrain_mesh(points[:, :2])
+    with pytest.raises(TypeError, match="the heights of a composite are the name of a point array"):
+        terrain_mesh(pv.MultiBlock([mesh]), points[:, 2])
 
 
 def test_cells_of_prescribed_areas():

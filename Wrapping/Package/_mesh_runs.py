@@ -122,6 +122,35 @@ class Run:
         found = cloud.engine(joined_triangulation, cloud.array, given, polygon_rule, cloud.left_out, part)
         return mesh_of(cloud, found, lines, self._pass_data)
 
+    def terrain(
+        self,
+        block: Block,
+        heights: Weights,
+        constraints: Constraints | None,
+        limits: tuple[float, int],
+        report: Report,
+        rest: bool,
+    ) -> list[pv.PolyData]:
+        cloud = Cloud([block], self._skip_ghosts, self._ignore)
+        levels = cloud.weights(heights, self._ignore, "height")
+        if levels is None and cloud.array.shape[1] == 2:
+            raise ValueError("points of two coordinates take heights")
+        given = CloudConstraints(constraints or Constraints(None, None), cloud, True)
+        arguments = cloud.array, levels, given.ends, *limits, self._settings(cloud, report)
+        found = cloud.engine(given.engine, _core.terrain_mesh, *arguments)
+        vertices = found["vertices"]
+        made = [cloud.mesh(cloud.ids(vertices), self._pass_data)]
+        simplices = found["simplices"]
+        set_cells(made[0], found["dimension"], simplices.shape[1], None, np.searchsorted(vertices, simplices.ravel()))
+        if rest:
+            left = np.ones(len(cloud.array), bool)
+            left[vertices] = False
+            rows = np.flatnonzero(left & ~np.isnan(found["errors"]))
+            made.append(cloud.mesh(cloud.ids(rows), self._pass_data))
+            set_cells(made[1], 0, 1, None, np.arange(len(rows)))
+            made[1].point_data["TerrainError"] = found["errors"][rows]
+        return made
+
     def diagram(
         self, block: Block, weights: Weights, projection: Projection, domain: Domain, report: Report
     ) -> pv.PolyData:

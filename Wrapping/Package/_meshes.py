@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ._arguments import Weights
 from ._errors import FlipFlopError, InputError
-from ._input import is_array_like, points_of, refuse_geometry, rows_of, weights_of
+from ._input import column_of, is_array_like, points_of, refuse_geometry, rows_of, weights_of
 from ._results import Ids
 
 _OBJECT = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkObjectBase")
@@ -259,21 +259,21 @@ class Cloud:
         """The ids of the caller's points."""
         return found if self._kept is None else self._kept[found]
 
-    def weights(self, weights: Weights, ignore: bool) -> NDArray[Any] | None:
-        """One weight for each point: of the point array of that name, or given."""
+    def weights(self, weights: Weights, ignore: bool, noun: str = "weight") -> NDArray[Any] | None:
+        """One weight for each point, or what else the noun says: of the point array of that name, or given."""
         values = weights.values
         if values is None or isinstance(values, str) and not self._starts[-1]:
             return None
         if isinstance(values, str):
-            values = self._named(values)
+            values = self._named(values, noun)
         try:
-            weight_array, masked = weights_of(values, ignore)
+            weight_array, masked = column_of(values, noun, ignore)
         except InputError as error:
             raise self._translated(error, None) from None
         self.left_out = self.left_out or masked
         if len(weight_array) != self._starts[-1]:
             raise InputError(
-                f"there are {len(weight_array)} weights, which is not the number of points, {self._starts[-1]}",
+                f"there are {len(weight_array)} {noun}s, which is not the number of points, {self._starts[-1]}",
                 "weight_count", -1, len(weight_array),
             )
         try:
@@ -377,7 +377,7 @@ class Cloud:
                 found.append((part, ids[first:last] - start))
         return found
 
-    def _named(self, name: str) -> NDArray[Any]:
+    def _named(self, name: str, noun: str) -> NDArray[Any]:
         """The numbers of a point array."""
         of = f" of {self.blocks[0].name}" if self.blocks[0].name else ""
         values = []
@@ -391,11 +391,11 @@ class Cloud:
             elif not array.IsA("vtkDataArray"):
                 wrong = f"is a {array.GetClassName()}, which does not hold numbers"
             elif array.GetNumberOfComponents() != 1:
-                wrong = f"has {array.GetNumberOfComponents()} components; a weight has 1"
+                wrong = f"has {array.GetNumberOfComponents()} components; a {noun} has 1"
             elif array.GetNumberOfTuples() != len(part.rows):
                 wrong = f"has {array.GetNumberOfTuples()} value(s) for {len(part.rows)} point(s)"
             if wrong:
-                raise InputError(f'the weights\' array "{name}"{of} {wrong}', "bad_argument")
+                raise InputError(f'the {noun}s\' array "{name}"{of} {wrong}', "bad_argument")
             values.append(values_of(array))
         return values[0] if len(values) == 1 else np.concatenate([weights_of(some, True)[0] for some in values])
 

@@ -31,7 +31,7 @@ import pyvista as pv
 from numpy.typing import ArrayLike
 
 from ._alpha import alpha_of
-from ._arguments import choice_of, flag_of, length_of, numbers_of, weights_of_call
+from ._arguments import Weights, choice_of, flag_of, length_of, numbers_of, weights_of_call
 from ._domain import domain_of_call
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._constraints import PolygonRule
@@ -42,6 +42,7 @@ from ._mesh_transport import centroidal_cells, prescribed_areas
 from ._meshes import Block, blocks_of, data_of, is_tree, pass_field_data
 from ._projection import projection_of
 from ._results import Progress, Report, report_of
+from ._terrain import limits_of
 
 __all__ = [
     "AbortedError",
@@ -57,6 +58,7 @@ __all__ = [
     "power_diagram",
     "prescribed_areas",
     "regular_triangulation",
+    "terrain_mesh",
 ]
 
 FilterError = FlipFlopError
@@ -457,6 +459,102 @@ def power_diagram(
     return each_block(data, divided, 1, progress)[0]
 
 
+@overload
+def terrain_mesh(
+    mesh: Mesh,
+    heights: ArrayLike | str | None = None,
+    *,
+    tolerance: float = 0.0,
+    max_vertices: int | None = None,
+    constraints: Any = None,
+    return_hidden_points: Literal[False] = False,
+    threads: int = 0,
+    non_finite: NonFinite = "error",
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress: Progress = None,
+) -> Output: ...
+
+
+@overload
+def terrain_mesh(
+    mesh: Mesh,
+    heights: ArrayLike | str | None = None,
+    *,
+    tolerance: float = 0.0,
+    max_vertices: int | None = None,
+    constraints: Any = None,
+    return_hidden_points: Literal[True],
+    threads: int = 0,
+    non_finite: NonFinite = "error",
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress: Progress = None,
+) -> tuple[Output, Output]: ...
+
+
+def terrain_mesh(
+    mesh: Mesh,
+    heights: ArrayLike | str | None = None,
+    *,
+    tolerance: float = 0.0,
+    max_vertices: int | None = None,
+    constraints: Any = None,
+    return_hidden_points: bool = False,
+    threads: int = 0,
+    non_finite: NonFinite = "error",
+    skip_ghost_points: bool = True,
+    pass_point_data: bool = True,
+    progress: Progress = None,
+) -> Output | tuple[Output, Output]:
+    """A mesh of some of a terrain's points, from which no other point is farther, vertically, than the tolerance.
+
+    That is decided exactly. terrain_mesh() of vtkflipflop.arrays explains how points are chosen.
+
+    Parameters
+    ----------
+    mesh : data set, composite, or n by 3 or n by 2 coordinates
+        its cells do not matter; triangulated by x and y
+    heights : str or n numbers, optional
+        a point array's name, or numbers if mesh is no composite. By default z.
+    tolerance : float
+        the greatest vertical distance, 0 or more, in the unit of heights
+    max_vertices : int, optional
+        no point is inserted once there are so many. By default there is no limit.
+    constraints : PolyData, or sequences of ids, optional
+        breaklines, as regular_triangulation() takes them: edges of the mesh. Of polygons, only the sides count.
+    return_hidden_points : bool
+        also return the points that are not in the mesh, with the point array "TerrainError": how far each is above it
+    threads, non_finite, skip_ghost_points, pass_point_data, progress
+        as for regular_triangulation(); a height that is not finite is like such a coordinate
+
+    Returns
+    -------
+    pyvista.PolyData, or a pair of them
+        the mesh, and the other points as vertices. Or composites of these.
+
+    Raises
+    ------
+    InputError
+        names the first point at fault, its block, and how many there are; or the heights' array; or constraints that
+        cross between points, or end at a point that is not there
+    """
+    run = Run("triangles", threads, non_finite, "cpu", skip_ghost_points, pass_point_data)
+    both = flag_of("return_hidden_points", return_hidden_points)
+    limits = limits_of(tolerance, max_vertices)
+    data = data_of(mesh)
+    if heights is not None and not isinstance(heights, str) and is_tree(data):
+        raise TypeError("the heights of a composite are the name of a point array")
+    levels = Weights(heights, False, 1.0)
+    given = constraints_of_call(constraints, "even-odd", is_tree(data), False)
+
+    def meshed(block: Block, report: Report) -> list[pv.PolyData]:
+        return run.terrain(block, levels, given, limits, report, both)
+
+    outputs = each_block(data, meshed, 2 if both else 1, progress)
+    return (outputs[0], outputs[1]) if both else outputs[0]
+
+
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -484,6 +582,7 @@ class Accessor:
     power_diagram = _method(power_diagram)
     prescribed_areas = _method(prescribed_areas)
     regular_triangulation = _method(regular_triangulation)
+    terrain_mesh = _method(terrain_mesh)
 
 
 if hasattr(pv, "register_dataset_accessor"):  # since 0.48
