@@ -59,6 +59,7 @@ public:
     return this->isBefore(p, this->middle) ? 0 : 1;
   }
 
+  std::int64_t checkCount() const { return 0; }
   std::int64_t exactCalls() const { return 0; }
 
 private:

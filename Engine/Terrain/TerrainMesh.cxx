@@ -377,6 +377,7 @@ private:
     static_cast<ConstrainedTriangulation&>(result) = std::move(final);
     result.statistics.insertions = insertion.insertionCount();
     result.statistics.moves = insertion.moveCount();
+    result.statistics.edgeChecks = surface.checkCount();
     result.statistics.exactCalls = surface.exactCalls();
     result.statistics.secondsGrow = secondsGrow;
     for (std::int64_t& id : result.pointIds)

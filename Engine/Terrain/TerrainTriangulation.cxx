@@ -128,9 +128,13 @@ TerrainTriangulation::Split TerrainTriangulation::openCavity(std::uint32_t v, st
     {
       const std::uint32_t h = halfEdge(this->cavity[i], e);
       const std::uint32_t twin = surface.twin(h);
-      if (twin != NoIndex && !surface.isFixed(h) &&
-        !(this->triangles[triangleOf(twin)].flags & TriangleInCavity) &&
-        this->isInConflict(twin, v))
+      if (twin == NoIndex || surface.isFixed(h) ||
+        (this->triangles[triangleOf(twin)].flags & TriangleInCavity))
+      {
+        continue;
+      }
+      ++this->checks;
+      if (this->isInConflict(twin, v))
       {
         this->addToCavity(triangleOf(twin));
       }

@@ -84,6 +84,7 @@ public:
     return i;
   }
 
+  std::int64_t checkCount() const { return this->checks; }
   std::int64_t exactCalls() const { return this->geometry.predicateCounts().exact; }
 
 private:
@@ -132,7 +133,8 @@ private:
   std::vector<Side> sides; ///< counter-clockwise
   std::vector<std::uint32_t> fan;
   std::uint32_t centerOfFan = 0;
-  bool isOpen = false; ///< the fan: its center is on the border
+  bool isOpen = false;     ///< the fan: its center is on the border
+  std::int64_t checks = 0; ///< of edges
 };
 
 }
