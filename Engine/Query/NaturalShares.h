@@ -50,6 +50,7 @@ class StolenAreas
 public:
   using Number = typename Values::Number;
   using Size = typename Values::Size;
+  using Pair = typename Values::Pair;
 
   /// @param triangles of the region, not empty
   StolenAreas(const FanMesh& fans, const TriangleSet& triangles, const Space& querySpace, Values& v)
@@ -180,7 +181,7 @@ private:
     const Number none = this->values.number(0.0);
     this->parts.push_back({ this->mesh.origin(h), none, Size(0) });
     this->site = this->space.site(this->mesh.origin(h));
-    this->sum[0] = this->sum[1] = none;
+    this->sum = Pair::twice(none);
     this->way[0] = this->way[1] = Size(0);
   }
 
@@ -207,15 +208,13 @@ private:
   void addSide(const Number& multiple, std::uint32_t neighbour)
   {
     const Vertex to = this->space.site(neighbour);
-    const Number x = multiple * this->values.difference(to.x[0], this->site.x[0]);
-    const Number y = multiple * this->values.difference(to.x[1], this->site.x[1]);
-    const Size width = Values::sizeOf(x);
-    const Size height = Values::sizeOf(y);
+    const Pair side = Pair::twice(multiple) * this->values.differences(to.x, this->site.x);
+    const Size width = Values::sizeOf(side, 0);
+    const Size height = Values::sizeOf(side, 1);
     Part& part = this->parts.back();
-    part.area = part.area + (this->sum[0] * y - this->sum[1] * x);
+    part.area = part.area + Values::cross(this->sum, side);
     part.terms = part.terms + this->way[0] * height + this->way[1] * width;
-    this->sum[0] = this->sum[0] + x;
-    this->sum[1] = this->sum[1] + y;
+    this->sum = this->sum + side;
     this->way[0] = this->way[0] + width;
     this->way[1] = this->way[1] + height;
   }
@@ -248,9 +247,9 @@ private:
   Values& values;
   std::vector<Measured> measured; ///< as the region is ordered
   std::vector<Part> parts;
-  Vertex site;   ///< of the last part
-  Number sum[2]; ///< of its sides so far, before they are turned
-  Size way[2];   ///< of their sizes
+  Vertex site; ///< of the last part
+  Pair sum;    ///< of its sides so far, before they are turned
+  Size way[2]; ///< of their sizes
 };
 
 /// For one task: it keeps its memory from query to query.

@@ -40,6 +40,82 @@ inline double toDouble(const DoubleDouble& a)
   return a.high;
 }
 
+/// An x and a y in double-double, side by side in a vector unit: all operations are those of
+/// DoubleDouble, to the bit.
+struct DoubleDoublePair
+{
+#if defined(__GNUC__)
+  using Doubles = double __attribute__((vector_size(16)));
+#else
+  struct Doubles
+  {
+    double x, y;
+    double operator[](int i) const { return i == 0 ? this->x : this->y; }
+    Doubles operator+(const Doubles& b) const { return { this->x + b.x, this->y + b.y }; }
+    Doubles operator-(const Doubles& b) const { return { this->x - b.x, this->y - b.y }; }
+    Doubles operator*(const Doubles& b) const { return { this->x * b.x, this->y * b.y }; }
+  };
+#endif
+  Doubles high;
+  Doubles low;
+
+  static DoubleDoublePair twice(const DoubleDouble& a)
+  {
+    return { Doubles{ a.high, a.high }, Doubles{ a.low, a.low } };
+  }
+  static DoubleDoublePair difference(const double* a, const double* b)
+  {
+    return sumOf(Doubles{ a[0], a[1] }, Doubles{ -b[0], -b[1] });
+  }
+
+  DoubleDouble x() const
+  {
+    return { this->high[0], this->low[0] };
+  }
+  DoubleDouble y() const
+  {
+    return { this->high[1], this->low[1] };
+  }
+  /// y and x.
+  DoubleDoublePair turned() const
+  {
+    return { Doubles{ this->high[1], this->high[0] }, Doubles{ this->low[1], this->low[0] } };
+  }
+
+  friend DoubleDoublePair operator+(const DoubleDoublePair& a, const DoubleDoublePair& b)
+  {
+    const DoubleDoublePair sum = sumOf(a.high, b.high);
+    const DoubleDoublePair tail = sumOf(a.low, b.low);
+    const DoubleDoublePair first = sumOf(sum.high, sum.low + tail.high);
+    return sumOf(first.high, first.low + tail.low);
+  }
+  friend DoubleDoublePair operator*(const DoubleDoublePair& a, const DoubleDoublePair& b)
+  {
+    const Doubles high = a.high * b.high;
+    const DoubleDoublePair u = halvesOf(a.high), v = halvesOf(b.high);
+    const Doubles low =
+      u.low * v.low - (((high - u.high * v.high) - u.low * v.high) - u.high * v.low);
+    return sumOf(high, low + (a.high * b.low + a.low * b.high));
+  }
+
+private:
+  /// As twoSum().
+  static DoubleDoublePair sumOf(Doubles a, Doubles b)
+  {
+    const Doubles high = a + b;
+    const Doubles bPart = high - a;
+    const Doubles aPart = high - bPart;
+    return { high, (a - aPart) + (b - bPart) };
+  }
+  /// As splitHalves().
+  static DoubleDoublePair halvesOf(Doubles a)
+  {
+    const Doubles c = Doubles{ 134217729.0, 134217729.0 } * a; // 2^27 + 1
+    const Doubles high = c - (c - a);
+    return { high, a - high };
+  }
+};
+
 /// value * 2^exponent.
 struct ExactValue
 {
@@ -70,7 +146,8 @@ class NearValues
 {
 public:
   using Number = DoubleDouble;
-  using Size = double; ///< how large a number is, roughly
+  using Size = double;           ///< how large a number is, roughly
+  using Pair = DoubleDoublePair; ///< an x and a y
 
   bool isVague() const { return this->vague; }
 
@@ -94,12 +171,30 @@ public:
     return result;
   }
 
+  /// The same of an x and of a y.
+  Pair differences(const double* a, const double* b)
+  {
+    const Pair result = Pair::difference(a, b);
+    this->limit(std::fabs(result.high[0]));
+    this->limit(std::fabs(result.high[1]));
+    return result;
+  }
+
+  static Size sizeOf(const Pair& x, int i) { return std::fabs(x.high[i]); }
+
+  /// u x v.
+  static Number cross(const Pair& u, const Pair& v)
+  {
+    const Pair sides = u * v.turned();
+    return sides.x() - sides.y();
+  }
+
   /// Twice the area of abc, positive where it turns left; zero only where it is.
   FF_FLATTEN Number area(const double* a, const double* b, const double* c)
   {
-    const Number ux = this->difference(b[0], a[0]), uy = this->difference(b[1], a[1]);
-    const Number vx = this->difference(c[0], a[0]), vy = this->difference(c[1], a[1]);
-    const Number left = ux * vy, right = uy * vx;
+    const Pair u = this->differences(b, a), v = this->differences(c, a);
+    const Pair sides = u * v.turned();
+    const Number left = sides.x(), right = sides.y();
     return this->checked(left - right, std::fabs(left.high) + std::fabs(right.high),
       [&] { return exactArea(a, b, c); });
   }
@@ -109,15 +204,16 @@ public:
   FF_FLATTEN Number heightAbove(const double* a, const double* b, const double* c, const double* p)
   {
     const double* const row[3] = { b, c, p };
-    Number u[3][3];
+    Pair u[3];
+    Number height[3];
     double size[3];
     for (int i = 0; i < 3; ++i)
     {
-      u[i][0] = this->difference(row[i][0], a[0]);
-      u[i][1] = this->difference(row[i][1], a[1]);
-      const Number square = u[i][0] * u[i][0] + u[i][1] * u[i][1];
+      u[i] = this->differences(row[i], a);
+      const Pair squares = u[i] * u[i];
+      const Number square = squares.x() + squares.y();
       const Number weight = this->difference(row[i][2], a[2]);
-      u[i][2] = weight - square;
+      height[i] = weight - square;
       size[i] = square.high + std::fabs(weight.high);
     }
     Number det = { 0.0, 0.0 };
@@ -126,8 +222,9 @@ public:
     {
       const int j = i == 2 ? 0 : i + 1;
       const int k = i == 0 ? 2 : i - 1;
-      const Number left = u[j][0] * u[k][1], right = u[j][1] * u[k][0];
-      det = det + (left - right) * u[i][2];
+      const Pair sides = u[j] * u[k].turned();
+      const Number left = sides.x(), right = sides.y();
+      det = det + (left - right) * height[i];
       most += (std::fabs(left.high) + std::fabs(right.high)) * size[i];
     }
     return this->checked(det, most, [&] { return exactHeight(a, b, c, p); });
@@ -165,6 +262,20 @@ class FarValues
 public:
   using Number = Float;
   using Size = Float;
+  struct Pair
+  {
+    Number high[2]; ///< all of them
+
+    static Pair twice(const Number& a) { return { { a, a } }; }
+    friend Pair operator*(const Pair& a, const Pair& b)
+    {
+      return { { Number(a.high[0] * b.high[0]), Number(a.high[1] * b.high[1]) } };
+    }
+    friend Pair operator+(const Pair& a, const Pair& b)
+    {
+      return { { Number(a.high[0] + b.high[0]), Number(a.high[1] + b.high[1]) } };
+    }
+  };
 
   bool isVague() const { return this->vague; }
 
@@ -174,6 +285,15 @@ public:
   static Size sizeOf(const Number& x) { return abs(x); }
 
   Number difference(double a, double b) const { return rounded(exactDifference(a, b)); }
+  Pair differences(const double* a, const double* b) const
+  {
+    return { { this->difference(a[0], b[0]), this->difference(a[1], b[1]) } };
+  }
+  static Size sizeOf(const Pair& x, int i) { return abs(x.high[i]); }
+  static Number cross(const Pair& u, const Pair& v)
+  {
+    return u.high[0] * v.high[1] - u.high[1] * v.high[0];
+  }
   Number area(const double* a, const double* b, const double* c) const
   {
     return rounded(exactArea(a, b, c));

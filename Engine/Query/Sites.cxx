@@ -62,6 +62,7 @@ Sites::Sites(const Buffer<PowerSite>& sites, const Triangulation& triangulation)
   CoordinateRange range = rangeOf(sites);
   const Arithmetic arithmetic = chooseLiftedArithmetic(range);
   this->exponent = arithmetic.scaleExponent;
+  this->weighted = range.low[2] != 0 || range.high[2] != 0;
   for (int i = 0; i < 2; ++i)
   {
     this->low[i] = range.low[i];

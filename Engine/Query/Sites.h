@@ -48,6 +48,9 @@ public:
   double lowest(int axis) const { return this->low[axis]; }
   double highest(int axis) const { return this->high[axis]; }
 
+  /// Is a weight not zero?
+  bool areWeighted() const { return this->weighted; }
+
   const Geometry& scaledGeometry() const { return this->geometry; }
 
   /// Is a position, as given, in the box of the sites? (Outside it is outside of their hull.)
@@ -99,6 +102,7 @@ private:
   int exponent = 0;        ///< scaled by 2^ this, weights by its square
   double least = 0;        ///< magnitudes of coordinates that fit
   double most = 0;
+  bool weighted = false;
   double leastWeight = 0;   ///< of scaled weights that fit
   double low[2] = { 0, 0 }; ///< the box, not scaled
   double high[2] = { 0, 0 };
