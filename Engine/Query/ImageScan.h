@@ -9,6 +9,7 @@
 #ifndef flipflop_ImageScan_h
 #define flipflop_ImageScan_h
 
+#include "Predicates/ExactSigns.h"
 #include "Query/PreparedTriangulation.h"
 #include "Support/Monitor.h"
 #include <flipflop/TriangulationQueries.h>
@@ -202,13 +203,19 @@ public:
     {
       this->poll.step();
       this->space.query.x[1] = this->rows[row];
-      const bool isLower = lower.isBeside(this->rows[row]);
+      const bool isLower = lower.spansRow(this->rows[row]);
       const Side& other = isLower ? lower : upper;
       const Side& left = middleIsRight ? whole : other;
       const Side& right = middleIsRight ? other : whole;
+      const std::int64_t nearLeft = this->columns.guess(left.crossing(this->rows[row]));
+      const std::int64_t nearRight = this->columns.guess(right.crossing(this->rows[row]));
+      if (nearLeft == nearRight && this->isBetween(nearLeft, left, right))
+      {
+        continue;
+      }
       int onLeft = 0, onRight = 0;
-      const std::int64_t begin = this->firstInside(left, onLeft);
-      const std::int64_t end = begin < this->columns.size() ? this->firstBeyond(right, onRight) : 0;
+      const std::int64_t begin = this->firstInside(left, nearLeft, onLeft);
+      const std::int64_t end = this->firstBeyond(right, nearRight, onRight);
       const bool isLevel = this->rows[row] == this->height(triangle, low) ||
         this->rows[row] == this->height(triangle, high);
       for (std::int64_t column = begin; column < end; ++column)
@@ -237,7 +244,7 @@ private:
     {
     }
 
-    bool isBeside(double y) const { return y >= from.x[1] && y <= to.x[1] && from.x[1] < to.x[1]; }
+    bool spansRow(double y) const { return y >= from.x[1] && y <= to.x[1] && from.x[1] < to.x[1]; }
     double crossing(double y) const
     {
       return this->from.x[0] + (y - this->from.x[1]) * this->slope;
@@ -253,11 +260,19 @@ private:
     return this->sites[triangle.v[corner]].x[1];
   }
 
-  /// The first column that is on a left side or to the right of it.
-  /// @param sign becomes 0 if it is on the side
-  std::int64_t firstInside(const Side& side, int& sign)
+  /// Is the row in the triangle between two columns, this one and the one before?
+  bool isBetween(std::int64_t column, const Side& left, const Side& right)
   {
-    return this->columns.first(this->columns.guess(side.crossing(this->space.query.x[1])),
+    return (column == this->columns.size() || this->sideOf(right, column) < 0) &&
+      (column == 0 || this->sideOf(left, column - 1) > 0);
+  }
+
+  /// The first column that is on a left side or to the right of it.
+  /// @param near is likely to be near it
+  /// @param sign becomes 0 if it is on the side
+  std::int64_t firstInside(const Side& side, std::int64_t near, int& sign)
+  {
+    return this->columns.first(near,
       [&](std::int64_t column)
       {
         const int here = this->sideOf(side, column);
@@ -267,10 +282,11 @@ private:
   }
 
   /// The first column to the right of a right side.
+  /// @param near is likely to be near it
   /// @param sign becomes 0 if the one before is on the side
-  std::int64_t firstBeyond(const Side& side, int& sign)
+  std::int64_t firstBeyond(const Side& side, std::int64_t near, int& sign)
   {
-    return this->columns.first(this->columns.guess(side.crossing(this->space.query.x[1])),
+    return this->columns.first(near,
       [&](std::int64_t column)
       {
         const int here = this->sideOf(side, column);
@@ -283,7 +299,10 @@ private:
   int sideOf(const Side& side, std::int64_t column)
   {
     this->space.query.x[0] = this->columns[column];
-    return this->space.geometry.orient(side.from, side.to, this->space.query);
+    int sign;
+    return ExpansionSigns::filterOrient2(side.from.x, side.to.x, this->space.query.x, 0, 1, sign)
+      ? sign
+      : this->space.geometry.orient(side.from, side.to, this->space.query);
   }
 
   /// Of a pixel in a triangle, its border included.
