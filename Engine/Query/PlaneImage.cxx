@@ -3,6 +3,7 @@
 #include "Query/PlaneImage.h"
 
 #include "Query/ImageScan.h"
+#include "Query/TaskValues.h"
 #include "Run/QueryRun.h"
 #include "Support/Parallel.h"
 
@@ -213,12 +214,15 @@ void interpolatePixels(const PreparedTriangulation& prepared, const Interpolatio
   runOver(std::max(items, prepared.mesh.triangles.size()), options,
     [&](Monitor& monitor)
     {
+      TaskValues values;
+      InterpolationTask ready = task;
+      values.prepare(prepared, static_cast<std::int64_t>(items), ready, monitor);
       if (result.type == ScalarType::Float32)
       {
-        PlaneImage<float>(prepared, task, grid, static_cast<float*>(result.data), monitor).make();
+        PlaneImage<float>(prepared, ready, grid, static_cast<float*>(result.data), monitor).make();
         return;
       }
-      PlaneImage<double>(prepared, task, grid, static_cast<double*>(result.data), monitor).make();
+      PlaneImage<double>(prepared, ready, grid, static_cast<double*>(result.data), monitor).make();
     });
 }
 

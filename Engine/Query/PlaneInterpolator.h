@@ -8,9 +8,12 @@
 #ifndef flipflop_PlaneInterpolator_h
 #define flipflop_PlaneInterpolator_h
 
+#include "Query/CloughTocher.h"
+#include "Query/InterpolationTask.h"
 #include "Query/NaturalShares.h"
 #include "Query/PlaneShares.h"
 #include "Query/PreparedTriangulation.h"
+#include "Query/SiteGradients.h"
 #include "Query/TriangleShares.h"
 #include <flipflop/TriangulationQueries.h>
 
@@ -20,18 +23,10 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace flipflop
 {
-
-/// What is interpolated, by which method, and what there is outside.
-struct InterpolationTask
-{
-  Interpolation method;
-  const double* values; ///< values[id * components + c]
-  std::int64_t components;
-  double fill;
-};
 
 /// @tparam T of the results: float or double
 template <class T>
@@ -91,14 +86,17 @@ public:
       this->put(index);
       return;
     }
-    if (this->task.method == Interpolation::Linear && location.kind == MeshLocation::Inside &&
+    if (this->task.method != Interpolation::Natural && location.kind == MeshLocation::Inside &&
       std::is_same<Space, SiteSigns::Narrow>::value)
     {
       this->addInside(index, space, this->prepared.mesh.triangles[location.triangle].v);
       return;
     }
-    linearShares(space, this->prepared.mesh, location, this->shares);
-    if (this->task.method == Interpolation::Natural && !this->makeNatural(space, location))
+    if (this->task.method != Interpolation::Natural || this->isBetweenTwo(location))
+    {
+      linearShares(space, this->prepared.mesh, location, this->shares);
+    }
+    else if (!this->makeNatural(space, location))
     {
       this->signs.withWideSpace(
         position, [&](const auto& wide) { this->makeNatural(wide, location); });
@@ -112,21 +110,19 @@ public:
     for (int i = 0; i < this->inside.size(); ++i)
     {
       const std::uint32_t* const v = this->waiting[i].corners;
-      this->shares.clear();
       if (this->inside.isDone(i))
       {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          this->shares.push_back({ v[corner], this->inside.share(i, corner) });
-        }
+        const PlaneShare found[] = { { v[0], this->inside.share(i, 0) },
+          { v[1], this->inside.share(i, 1) }, { v[2], this->inside.share(i, 2) } };
+        this->put(this->waiting[i].index, found, 3);
       }
       else
       {
         const Vertex query{ { this->inside.coordinate(i, 0), this->inside.coordinate(i, 1), 0.0 },
           NoIndex, 0 };
         sharesOfCorners(this->signs.narrow(query), v, this->shares);
+        this->put(this->waiting[i].index);
       }
-      this->put(this->waiting[i].index);
     }
     this->inside.clear();
   }
@@ -150,17 +146,42 @@ private:
     }
   }
 
-  /// From the linear shares to the natural ones, where these are others.
+  /// Is a position at a site, or on the border?
+  bool isBetweenTwo(const MeshLocation& location) const
+  {
+    return location.kind == MeshLocation::AtCorner ||
+      (location.kind == MeshLocation::OnEdge &&
+        this->prepared.mesh.twin(halfEdge(location.triangle, location.corner)) == NoIndex);
+  }
+
+  /// Natural shares; where rounding has put the position beneath the sites' surface, linear ones.
   /// @return false where the space does not carry the query's weight
   template <class Space>
   bool makeNatural(const Space& space, const MeshLocation& location)
   {
-    const bool onEdge = location.kind == MeshLocation::OnEdge;
-    if ((location.kind != MeshLocation::Inside && !onEdge) ||
-      (onEdge && this->prepared.mesh.twin(halfEdge(location.triangle, location.corner)) == NoIndex))
+    Space lifted = space;
+    if (this->prepared.sites.areWeighted())
     {
-      return true;
+      linearShares(space, this->prepared.mesh, location, this->shares);
+      lifted.query.x[2] = this->weightThere(space);
+      this->shares.clear();
     }
+    if (!space.carries(lifted.query.x[2]))
+    {
+      return false;
+    }
+    this->natural.share(lifted, location.triangle, this->shares);
+    if (this->shares.empty())
+    {
+      linearShares(space, this->prepared.mesh, location, this->shares);
+    }
+    return true;
+  }
+
+  /// From the linear shares.
+  template <class Space>
+  double weightThere(const Space& space) const
+  {
     double weight = 0.0;
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
@@ -171,39 +192,76 @@ private:
       least = std::min(least, ofSite);
       most = std::max(most, ofSite);
     }
-    weight = std::max(least, std::min(most, weight));
-    if (!space.carries(weight))
-    {
-      return false;
-    }
-    Space lifted = space;
-    lifted.query.x[2] = weight;
-    this->natural.share(lifted, location.triangle, this->shares);
-    return true;
+    return std::max(least, std::min(most, weight));
   }
 
-  /// What the shares make of the values. Without shares it is outside.
-  void put(std::int64_t index)
+  void put(std::int64_t index) { this->put(index, this->shares.data(), this->shares.size()); }
+
+  /// What shares make of the values. Without shares it is outside.
+  void put(std::int64_t index, const PlaneShare* found, std::size_t count)
   {
     T* const to = this->results + index * this->task.components;
+    if (this->task.gradients && this->prepared.dimension == 2 && count > 1)
+    {
+      this->putSmooth(to, found, count);
+      return;
+    }
     for (std::int64_t c = 0; c < this->task.components; ++c)
     {
-      to[c] = static_cast<T>(this->shares.empty() ? this->task.fill : this->blended(c));
+      to[c] = static_cast<T>(count == 0 ? this->task.fill : this->blended(found, count, c));
     }
+  }
+
+  void putSmooth(T* to, const PlaneShare* found, std::size_t count)
+  {
+    this->takeGradients(found, count);
+    for (std::int64_t c = 0; c < this->task.components; ++c)
+    {
+      const double value = this->smooth(found, count, c);
+      to[c] = static_cast<T>(std::isfinite(value) ? value : this->blended(found, count, c));
+    }
+  }
+
+  /// At the sites that have shares.
+  void takeGradients(const PlaneShare* found, std::size_t count)
+  {
+    const auto size = static_cast<std::size_t>(2 * this->task.components);
+    this->slopes.resize(size * count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->task.gradients->at(found[i].site, this->slopes.data() + i * size);
+    }
+  }
+
+  /// @param c of the components
+  double smooth(const PlaneShare* found, std::size_t count, std::int64_t c) const
+  {
+    const double unit = this->task.gradients->unit();
+    ElementCorner corners[3];
+    double parts[3];
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Vertex& site = this->prepared.sites[found[i].site];
+      const double* const slope =
+        this->slopes.data() + 2 * (static_cast<std::int64_t>(i) * this->task.components + c);
+      corners[i] = { { site.x[0] * unit, site.x[1] * unit },
+        this->task.valuesOf(this->prepared.sites, found[i].site)[c], { slope[0], slope[1] } };
+      parts[i] = found[i].share;
+    }
+    return count == 2 ? cubicOnEdge(corners, parts) : cloughTocher(corners, parts);
   }
 
   /// Of shares that only nearly sum to 1; but never beyond the values, and of one value that value.
   /// @param c of the components
-  double blended(std::int64_t c) const
+  double blended(const PlaneShare* found, std::size_t count, std::int64_t c) const
   {
     double sum = 0.0;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (const PlaneShare& share : this->shares)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const auto id = static_cast<std::int64_t>(this->prepared.sites[share.site].id);
-      const double value = this->task.values[id * this->task.components + c];
-      sum += share.share * value;
+      const double value = this->task.valuesOf(this->prepared.sites, found[i].site)[c];
+      sum += found[i].share * value;
       low = std::min(low, value);
       high = std::max(high, value);
     }
@@ -217,6 +275,7 @@ private:
   WalkStart start;
   NaturalNeighbours natural;
   PlaneShares shares;
+  std::vector<double> slopes; ///< of each share's site, two a component
   TriangleShares inside;
   Waiting waiting[TriangleShares::Capacity];
 };

@@ -6,6 +6,7 @@
 #include "Query/PlaneImage.h"
 #include "Query/PlaneInterpolator.h"
 #include "Query/PreparedTriangulation.h"
+#include "Query/TaskValues.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
 #include "Support/Parallel.h"
@@ -44,12 +45,14 @@ bool areInOrder(const PreparedTriangulation& prepared, const PointSource& source
 /// the cache what the one before has used. A result depends on its query alone, so the order and
 /// the threads do not matter to it.
 /// @param results    space for one a query
+/// @param makeReady  void (Monitor&): before the first query
 /// @param makeQuery  query (): for a task; query(i, position) is called for each query, where
 ///                   position is null for one that is not finite, and query.finish() in the end
 /// @throw Error BadArgument, NonFinite, TooManyPoints, OutOfMemory, Aborted
-template <class MakeQuery>
+template <class MakeReady, class MakeQuery>
 void eachPosition(const PreparedTriangulation& prepared, const PointView& queries,
-  const void* results, const Options& options, const MakeQuery& makeQuery)
+  const void* results, const Options& options, const MakeReady& makeReady,
+  const MakeQuery& makeQuery)
 {
   constexpr std::uint32_t Many = 1 << 12;
   Buffer<std::uint32_t> order; // empty: as they come
@@ -57,6 +60,7 @@ void eachPosition(const PreparedTriangulation& prepared, const PointView& querie
     queries, 2, results, options,
     [&](QueryRun& run)
     {
+      makeReady(run.monitor);
       if (run.source.count() >= Many && !run.checkFinite && !areInOrder(prepared, run.source))
       {
         PointSubset all;
@@ -100,7 +104,8 @@ template <class Find>
 void findEach(const PreparedTriangulation& prepared, const PointView& queries,
   std::int64_t* results, const Options& options, const Find& find)
 {
-  eachPosition(prepared, queries, results, options,
+  eachPosition(
+    prepared, queries, results, options, [](Monitor&) {},
     [&] {
       return NumberQuery<Find>{ find, results, SiteSigns(prepared.sites) };
     });
@@ -125,11 +130,14 @@ void requireValues(
   }
 }
 
-void interpolateEach(const PreparedTriangulation& prepared, const InterpolationTask& task,
+void interpolateEach(const PreparedTriangulation& prepared, InterpolationTask task,
   const PointView& queries, double* result, const Options& options)
 {
   requireValues(prepared, task, queries.count > 0);
-  eachPosition(prepared, queries, result, options,
+  TaskValues values;
+  eachPosition(
+    prepared, queries, result, options,
+    [&](Monitor& monitor) { values.prepare(prepared, queries.count, task, monitor); },
     [&] { return PlaneInterpolator<double>(prepared, task, result); });
 }
 
@@ -206,6 +214,17 @@ void TriangulationQueries::interpolateNatural(const double* values, std::int64_t
     [&]
     {
       interpolateEach(*this->prepared, { Interpolation::Natural, values, components, outside },
+        queries, result, options);
+    });
+}
+
+void TriangulationQueries::interpolateCloughTocher(const double* values, std::int64_t components,
+  const PointView& queries, double* result, const Options& options) const
+{
+  engineCall(
+    [&]
+    {
+      interpolateEach(*this->prepared, { Interpolation::CloughTocher, values, components, outside },
         queries, result, options);
     });
 }

@@ -150,6 +150,46 @@ void fuzzHullQueries(Bytes& bytes)
 namespace
 {
 
+/// From one query towards the next one, by each method: the linear values are those of the pixels.
+void expectImage(const TriangulationQueries& asked, std::size_t siteCount, const Cloud& queries,
+  const Options& options)
+{
+  ImageGrid grid{ { 0, 0 }, { 0, 0 }, { 5, 4 }, { -1, 0 } };
+  Cloud pixels;
+  for (std::size_t k = 0; k < 2 && queries.size() > 1; ++k)
+  {
+    grid.origin[k] = queries[0][k];
+    grid.spacing[k] = (queries[1][k] - queries[0][k]) / 3;
+    if (!std::isfinite(grid.origin[k] - grid.spacing[k]) ||
+      !std::isfinite(grid.origin[k] + 4 * grid.spacing[k]))
+    {
+      return;
+    }
+  }
+  for (std::int64_t i = 0; i < 20; ++i)
+  {
+    pixels.push_back({ grid.origin[0] + static_cast<double>(i % 5 - 1) * grid.spacing[0],
+      grid.origin[1] + static_cast<double>(i / 5) * grid.spacing[1], 0 });
+  }
+  std::vector<double> values(siteCount), expected(20), found(20);
+  for (std::size_t i = 0; i < siteCount; ++i)
+  {
+    values[i] = static_cast<double>(i % 7);
+  }
+  asked.interpolateLinear(values.data(), 1, test::viewOf(pixels), expected.data(), options);
+  for (const Interpolation method :
+    { Interpolation::CloughTocher, Interpolation::Natural, Interpolation::Linear })
+  {
+    asked.interpolateImage(
+      method, values.data(), 1, grid, ImageView(found.data()), std::nan(""), options);
+  }
+  for (std::size_t i = 0; i < 20; ++i)
+  {
+    demand(found[i] == expected[i] || (std::isnan(found[i]) && std::isnan(expected[i])),
+      "a pixel has another value than its position");
+  }
+}
+
 /// Every result about a triangulation, beside brute force where sites are few.
 void checkQueries(Trial& trial, const TriangulationQueries& asked,
   const Triangulation& triangulation, const Cloud& sites, const Cloud& queries)
@@ -178,6 +218,7 @@ void checkQueries(Trial& trial, const TriangulationQueries& asked,
   const auto natural = trial.write<double>(3, Components * queries.size(), faults,
     [&](double* to, const Options& options)
     { asked.interpolateNatural(values.data(), Components, positions, to, options); });
+  expectImage(asked, sites.size(), queries, trial.plain());
   const std::vector<test::Cell> stored = test::cellsOf(triangulation);
   for (std::size_t i = 0; i < cells.size(); ++i)
   {

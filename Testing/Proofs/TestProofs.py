@@ -40,6 +40,7 @@ OTHER = {
     "Engine/Query/UnitFrame.h": ("no overflow", "0x1p1000"),
     "Engine/Query/PlaneValues.h": ("when a result is computed again, and ranges", "0x1p-40", "0x1p-480", "0x1p-120", "0x1p240"),
     "Engine/Query/TriangleShares.cxx": ("ranges of a rounded result", "0x1p-900", "0x1p900"),
+    "Engine/Query/SiteGradients.cxx": ("the rank of a fit", "1e-6"),
     "Engine/Query/OffsetFrame.h": ("a range of a rounded result", "0x1p-300"),
     "Engine/Query/EdgeLengths.cxx": ("the range of expansions", "1e-120", "1e145"),
     "Engine/Query/MinimalBox.cxx": ("a search, and its unit", "0x1p1000", "1e-12", "1e-12", "1e-12"),

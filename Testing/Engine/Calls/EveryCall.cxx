@@ -285,6 +285,9 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
   add("interpolateNatural", 0.0,
     [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
     { of.interpolateNatural(given->data()->data(), 1, points, values, o); });
+  add("interpolateCloughTocher", 0.0,
+    [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
+    { of.interpolateCloughTocher(given->data()->data(), 1, points, values, o); });
   table.add("interpolateImage", sites, true, false, unread,
     [=](Points, Weights, const Options& options)
     {
