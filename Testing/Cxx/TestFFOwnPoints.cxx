@@ -156,6 +156,15 @@ void testWhosePoints()
   others[2] = { 8, 8, 3 }; // another height, which is not lost
   FF_CHECK_EQUAL(added(others), 0);
 
+  // One that is not finite is named, in the XY plane by its z, too.
+  others[2] = { 3, 4, std::nan("") };
+  Run bad(input, sourceOf(others, { { 0, 2 } }));
+  bad.Fail("Point 2 of cell 0 of the source is left out: it has a coordinate that is NaN",
+    vtkFFErrorCode::ConstraintError);
+  bad->SetSourceData(sourceOf({ { 1, 2, 3 } }, { { 0, 1 } }));
+  bad.Fail("Point 1 of cell 0 of the source is not there: the source has 1 point(s).",
+    vtkFFErrorCode::InputError);
+
   // In a plane of its own: upright, laid down by a transform; without heights.
   std::vector<Point> upright, line;
   for (const Point& p : corners)

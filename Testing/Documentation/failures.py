@@ -341,7 +341,6 @@ FAILURES = {
     "constraints with points of their own": lambda: constrained_with_points(
         "0 -3 0; 1 0 0; 0 3.5 0; -1 0 0", SourcePoints=vtkFFConstrainedDelaunayFilter.INPUT_POINTS
     ),
-    "a constraint to an own point that is NaN": lambda: constrained_with_points("0 -3 0; 1 0 0; nan 3.5 0; -1 0 0"),
     "constraints with too few points": lambda: constrained_with_points("0 -3 0"),
     "constraints and weights": constrained_with_weights,
     "the CUDA engine, where there is none": lambda: hull(poly_data("0 0 0"), Engine=CUDA),

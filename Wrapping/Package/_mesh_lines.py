@@ -95,10 +95,13 @@ def _with_added(base: pv.PolyData, found: JoinedTriangulation, new: Ids, lines: 
         if name in own and own[name].shape[1:] == old.shape[1:]:
             added[: len(found._line_points)] = own[name][found._line_points]
         whole = np.concatenate([old, added])
-        if old.dtype.kind in "iufc" and len(crossed):
-            share = shares.reshape(-1, *[1] * (old.ndim - 1))
-            between = (1 - share) * whole[crossed[:, 0]] + share * whole[crossed[:, 1]]
-            whole[-len(crossed) :] = np.rint(between) if old.dtype.kind in "iu" else between
+        if len(crossed):
+            share, first, last = shares.reshape(-1, *[1] * (old.ndim - 1)), whole[crossed[:, 0]], whole[crossed[:, 1]]
+            if old.dtype.kind in "biufc":
+                between = (1 - share) * first + share * last
+                whole[-len(crossed) :] = np.rint(between) if old.dtype.kind in "biu" else between
+            else:
+                whole[-len(crossed) :] = np.where(share < 0.5, first, last)
         made.point_data.set_array(whole, name)
     made.point_data.active_scalars_name = base.point_data.active_scalars_name
     ids = pv.numpy_to_idarr(np.concatenate([base["vtkOriginalPointIds"], np.full(len(new), -1)]), deep=True)

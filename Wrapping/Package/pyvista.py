@@ -366,7 +366,7 @@ def constrained_triangulation(
         leave out points that "vtkGhostType" marks as another piece's or as blanked
     pass_point_data : bool
         whether point data is passed. Of added points it is that of the lines' array of the same name; NaN, or 0 of
-        other types, if there is none; where lines cross, linear along the first.
+        other types, if there is none; where lines cross, linear along the first, or that of its nearer end.
     progress : callable, bool or None
         called with the fraction that is done, 0 to 1, now and then; if it returns False, the call ends with an
         AbortedError. True shows tqdm's bar.
