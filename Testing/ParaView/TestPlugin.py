@@ -22,6 +22,7 @@ LABELS = {
     "FlipFlopRegularTriangulation": "Regular (Weighted Delaunay) Triangulation (Flip-Flop)",
     "FlipFlopSelectEnclosedPoints": "Select Points in Convex Hull (Flip-Flop)",
     "FlipFlopPointInterpolator2D": "Point Interpolator 2D, Delaunay (Flip-Flop)",
+    "FlipFlopTerrainMesh": "Terrain Mesh (Flip-Flop)",
 }
 # The second input of those that answer questions at the points of the first.
 SECOND = {"FlipFlopSelectEnclosedPoints": "Surface", "FlipFlopPointInterpolator2D": "Source"}
@@ -106,6 +107,13 @@ DEFAULTS = {
         "PassCellArrays": 1,
         "PassFieldArrays": 1,
     },
+    "FlipFlopTerrainMesh": {
+        **COMMON,
+        **ENGINES,
+        "Tolerance": 1.0,
+        "MaximumNumberOfVertices": 0,
+        "Heights": ["POINTS", "None"],
+    },
 }
 PORTS = {
     "FlipFlopConvexHull": ["Hull"],
@@ -115,6 +123,7 @@ PORTS = {
     "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Border"],
     "FlipFlopSelectEnclosedPoints": ["Points"],
     "FlipFlopPointInterpolator2D": ["Points"],
+    "FlipFlopTerrainMesh": ["Mesh", "Other Points"],
 }
 FOUND = ["Dimension", "EngineUsed", "EngineReason", "NumberOfInputPoints", "NumberOfNonFinitePoints"]
 

@@ -239,6 +239,20 @@ class TestPlane(unittest.TestCase):
             array(fetch(area).GetCellData(), "Area")[0], (high_x - low_x) * (high_y - low_y), places=12
         )
 
+    def test_terrain_mesh(self):
+        mesh = run(simple.TerrainMeshFlipFlop(Input=real("sainthelens"), Tolerance=20.0))
+        kept, others = (fetch(mesh, i) for i in range(2))
+        self.assertLess(kept.GetNumberOfPoints(), others.GetNumberOfPoints())
+        self.assertEqual(kept.GetNumberOfPoints() + others.GetNumberOfPoints(), mesh.NumberOfInputPoints)
+        errors = abs(array(others.GetPointData(), "TerrainError"))
+        self.assertEqual(mesh.GreatestError, errors.max())
+        self.assertLessEqual(mesh.GreatestError, 20.0)
+        mesh.Heights = ["POINTS", "Elevation"]
+        self.assertEqual(bits(fetch(run(mesh))), bits(kept))
+        mesh.MaximumNumberOfVertices = 50
+        self.assertEqual(fetch(run(mesh)).GetNumberOfPoints(), 50)
+        self.assertGreater(mesh.NumberOfPointsBeyond, 0)
+
     def test_lines(self):
         triangulation = run(simple.DelaunayTriangulation2DFlipFlop(Input=cloud(KITE)))
         self.assertEqual(cells(fetch(triangulation).GetPolys()), [(0, 1, 3), (1, 2, 3)])
