@@ -141,10 +141,26 @@ double shareOf(const double* a, const double* b, const double* q)
 //------------------------------------------------------------------------------
 vtkFFConstraints::vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPolyData* source,
   vtkDataSet* input, const std::vector<vtkIdType>& given)
+  : vtkFFConstraints({ filter->GetSourcePoints(), isFlat(filter) ? 2 : 3,
+                       filter->GetClosedLinesAsBorders(), true },
+      source, input, given)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFFConstraints::vtkFFConstraints(
+  vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given)
+  : vtkFFConstraints(
+      { vtkFFConstrainedDelaunayFilter::INPUT_POINTS, 2, false, false }, source, input, given)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFFConstraints::vtkFFConstraints(const SettingsType& settings, vtkPolyData* source,
+  vtkDataSet* input, const std::vector<vtkIdType>& given)
   : Source(source)
   , Input(input)
-  , Dimensions(isFlat(filter) ? 2 : 3)
-  , ClosedLinesAsBorders(filter->GetClosedLinesAsBorders())
+  , Settings(settings)
   , Given(given)
 {
   for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
@@ -155,7 +171,7 @@ vtkFFConstraints::vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPo
       throw std::runtime_error(fault);
     }
   }
-  const int points = filter->GetSourcePoints();
+  const int points = settings.SourcePoints;
   this->IsOwn = points == vtkFFConstrainedDelaunayFilter::OWN_POINTS ||
     (points == vtkFFConstrainedDelaunayFilter::AUTOMATIC_POINTS && this->FindOwnPoints());
   const vtkIdType vertices = source->GetNumberOfVerts();
@@ -204,7 +220,7 @@ bool vtkFFConstraints::FindOwnPoints() const
 bool vtkFFConstraints::IsClosed(vtkIdList* corners) const
 {
   const vtkIdType last = corners->GetNumberOfIds() - 1;
-  if (!this->ClosedLinesAsBorders || last < 3)
+  if (!this->Settings.ClosedLinesAsBorders || last < 3)
   {
     return false;
   }
@@ -219,7 +235,7 @@ bool vtkFFConstraints::IsClosed(vtkIdList* corners) const
     }
     points->GetPoint(ends[i], x[i]);
   }
-  return ends[0] == ends[1] || isSame(x[0], x[1], this->Dimensions);
+  return ends[0] == ends[1] || isSame(x[0], x[1], this->Settings.Dimensions);
 }
 
 //------------------------------------------------------------------------------
@@ -296,14 +312,14 @@ void vtkFFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
   double ours[3], given[3];
   this->Source->GetPoint(point, ours);
   this->Input->GetPoint(point, given);
-  if (!isSame(ours, given, this->Dimensions))
+  if (!isSame(ours, given, this->Settings.Dimensions))
   {
     throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
       " is at " + toText(ours) + ", and point " + std::to_string(point) + " of the input is at " +
       toText(given) + ". The source's cells name points of the input by id, so at these ids its " +
       std::to_string(own) + " points must be those of the input, of which there are " +
-      std::to_string(this->Input->GetNumberOfPoints()) +
-      "; or it has no points. If they are its own, set Source Points to Own Points.");
+      std::to_string(this->Input->GetNumberOfPoints()) + "; or it has no points." +
+      (this->Settings.CanBeSet ? " If they are its own, set Source Points to Own Points." : ""));
   }
 }
 
@@ -524,8 +540,8 @@ std::string vtkFFConstraints::Describe(const flipflop::Error& error, const vtkFF
         " is left out: it has a coordinate that is NaN or infinite.";
     case flipflop::ErrorCode::ConstraintsCross:
       return "An edge of " + cellOf(error.index()) + " crosses one of " + cellOf(error.count()) +
-        ", and there is no point where they do. Add one to the input and to both, or turn on Split "
-        "Crossing Constraints.";
+        ", and there is no point where they do. Add one to the input and to both" +
+        (this->Settings.CanBeSet ? ", or turn on Split Crossing Constraints." : ".");
     case flipflop::ErrorCode::PolygonsDisagree:
     {
       const std::string wrong = cellOf(error.index());

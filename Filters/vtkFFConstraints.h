@@ -58,6 +58,11 @@ public:
   vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPolyData* source, vtkDataSet* input,
     const std::vector<vtkIdType>& given);
 
+  /**
+   * The same for a filter without such settings: ids name points of the input, compared by x and y.
+   */
+  vtkFFConstraints(vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given);
+
   vtkFFConstraints(const vtkFFConstraints&) = delete;
   void operator=(const vtkFFConstraints&) = delete;
 
@@ -134,6 +139,16 @@ private:
     Polygons
   };
 
+  struct SettingsType
+  {
+    int SourcePoints;
+    int Dimensions; // that are compared
+    bool ClosedLinesAsBorders;
+    bool CanBeSet; // the filter has these settings, and splits
+  };
+
+  vtkFFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
+    const std::vector<vtkIdType>& given);
   bool FindOwnPoints() const;
   bool IsClosed(vtkIdList* corners) const;
   void Take(vtkCellArray* cells, vtkIdType firstCell, Cells which);
@@ -146,8 +161,7 @@ private:
 
   vtkPolyData* const Source;
   vtkDataSet* const Input;
-  const int Dimensions; // that are compared
-  const bool ClosedLinesAsBorders;
+  const SettingsType Settings;
   bool IsOwn = false;
   const std::vector<vtkIdType>& Given;
   std::vector<std::int64_t> Ends;

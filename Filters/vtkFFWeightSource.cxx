@@ -22,7 +22,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const flipflop::WeightRule& rule)
+vtkFFWeightSource::vtkFFWeightSource(
+  vtkDataArray* array, const flipflop::WeightRule& rule, const char* noun)
 {
   if (!std::isfinite(rule.factor))
   {
@@ -35,7 +36,7 @@ vtkFFWeightSource::vtkFFWeightSource(vtkDataArray* array, const flipflop::Weight
     return;
   }
   const vtkIdType count = array->GetNumberOfTuples();
-  const char* const kind = rule.areRadii ? "radius" : "weight";
+  const char* const kind = rule.areRadii ? "radius" : noun;
   if (const float* floats = vtkFFExactValues::Memory<float>(array))
   {
     this->View = flipflop::WeightView(floats, count);
@@ -74,8 +75,8 @@ void vtkFFWeightSource::Convert(vtkDataArray* array, const char* kind, flipflop:
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkFFWeightSource::FindArray(
-  vtkAlgorithm* filter, vtkDataSet* points, const std::string& ofWhat, const std::string& owner)
+vtkDataArray* vtkFFWeightSource::FindArray(vtkAlgorithm* filter, vtkDataSet* points,
+  const std::string& ofWhat, const std::string& owner, const std::string& noun)
 {
   vtkInformationVector* chosen =
     filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
@@ -98,7 +99,7 @@ vtkDataArray* vtkFFWeightSource::FindArray(
   vtkAbstractArray* array = nullptr;
   if (byName)
   {
-    what = std::string("The weights' array \"") + name + "\"" + ofWhat + " ";
+    what = "The " + noun + "s' array \"" + name + "\"" + ofWhat + " ";
     array = points->GetPointData()->GetAbstractArray(name);
   }
   else
@@ -106,7 +107,7 @@ vtkDataArray* vtkFFWeightSource::FindArray(
     const int attribute = choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
     const char* label = vtkDataSetAttributes::GetAttributeTypeAsString(attribute);
     array = label ? points->GetPointData()->GetAbstractAttribute(attribute) : nullptr;
-    what = "The weights' array" + ofWhat + ", the point data's active " +
+    what = "The " + noun + "s' array" + ofWhat + ", the point data's active " +
       (label ? label : "array") +
       (array && array->GetName() ? std::string(" \"") + array->GetName() + "\", " : ", ");
   }
@@ -116,7 +117,8 @@ vtkDataArray* vtkFFWeightSource::FindArray(
   if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     association != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
   {
-    wrong << "was asked for as data that does not belong to the points; weights must be point data";
+    wrong << "was asked for as data that does not belong to the points; " << noun
+          << "s must be point data";
   }
   else if (!array)
   {
@@ -128,7 +130,7 @@ vtkDataArray* vtkFFWeightSource::FindArray(
   }
   else if (array->GetNumberOfComponents() != 1)
   {
-    wrong << "has " << array->GetNumberOfComponents() << " components; a weight has 1";
+    wrong << "has " << array->GetNumberOfComponents() << " components; a " << noun << " has 1";
   }
   else if (array->GetNumberOfTuples() != points->GetNumberOfPoints())
   {

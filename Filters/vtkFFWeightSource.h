@@ -38,8 +38,10 @@ public:
    *
    * @throw vtkFFInexactValue, flipflop::Error as computeWeights(); vtkFFBadSetting for a factor
    *        that is not finite.
+   * @param noun what errors call a value
    */
-  vtkFFWeightSource(vtkDataArray* array, const flipflop::WeightRule& rule);
+  vtkFFWeightSource(
+    vtkDataArray* array, const flipflop::WeightRule& rule, const char* noun = "weight");
 
   vtkFFWeightSource(const vtkFFWeightSource&) = delete;
   void operator=(const vtkFFWeightSource&) = delete;
@@ -56,10 +58,11 @@ public:
    * @param points those that are weighted, with their data
    * @param ofWhat how errors name them: " of the block of flat index 2"
    * @param owner  how they name the filter's input: "input"
+   * @param noun   what they call a value
    * @throw std::runtime_error where it does not fit.
    */
-  static vtkDataArray* FindArray(
-    vtkAlgorithm* filter, vtkDataSet* points, const std::string& ofWhat, const std::string& owner);
+  static vtkDataArray* FindArray(vtkAlgorithm* filter, vtkDataSet* points,
+    const std::string& ofWhat, const std::string& owner, const std::string& noun = "weight");
 
 private:
   template <class T>

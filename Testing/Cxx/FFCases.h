@@ -12,6 +12,7 @@
 #include "vtkFFHullFilter.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFFTerrainMeshFilter.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -92,6 +93,11 @@ inline std::vector<FilterCase> filterCases()
         "NumberOfAddedPoints", "NumberOfHeightDifferences" }),
       { "FlipFlopDroppedCells", "FlipFlopSplitPoints", "FlipFlopAddedPoints",
         "FlipFlopHeightDifferences" } },
+    { makeFilter<vtkFFTerrainMeshFilter>, false, false, "Terrain mesh",
+      { "Terrain mesh: scanning", "Terrain mesh: inserting", "Terrain mesh: finishing" },
+      { "Tolerance", "MaximumNumberOfVertices", "GreatestError", "NumberOfPointsBeyond",
+        "NumberOfUnreachablePoints" },
+      { "FlipFlopGreatestError", "FlipFlopPointsBeyond", "FlipFlopUnreachablePoints" } },
   };
 }
 

@@ -168,13 +168,15 @@ int TestFFEngines(int, char*[])
   for (const FilterCase& of : filterCases())
   {
     const auto filter = of.New();
-    if (!of.TakesSurface && !filter->IsA("vtkFFConstrainedDelaunayFilter"))
+    if (!of.TakesSurface && !filter->IsA("vtkFFConstrainedDelaunayFilter") &&
+      !filter->IsA("vtkFFTerrainMeshFilter"))
     {
       testChoice(filter);
     }
   }
   testNoChoice(vtkNew<vtkFFConvexifyFilter>(), "this filter runs on the CPU");
   testNoChoice(vtkNew<vtkFFConstrainedDelaunayFilter>(), "constraints are the CPU's");
+  testNoChoice(vtkNew<vtkFFTerrainMeshFilter>(), "terrain meshes are the CPU's");
   testSettings();
   testFlat();
   testBlocks();

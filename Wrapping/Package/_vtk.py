@@ -18,6 +18,7 @@ from .vtkFiltersFlipFlop import (  # noqa: E402
     vtkFFQueryAlgorithm,
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
+    vtkFFTerrainMeshFilter,
 )
 from .vtkFiltersParallelFlipFlop import (  # noqa: E402
     vtkPFFDelaunayFilter,
@@ -38,6 +39,7 @@ __all__ = [
     "vtkFFQueryAlgorithm",
     "vtkFFRegularTriangulationFilter",
     "vtkFFSelectEnclosedPoints",
+    "vtkFFTerrainMeshFilter",
     "vtkPFFDelaunayFilter",
     "vtkPFFHullFilter",
     "vtkPFFPowerDiagramFilter",
