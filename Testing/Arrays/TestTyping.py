@@ -22,6 +22,7 @@ from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cell
 from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons, PowerDiagram, RegularTriangulation
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import AlphaComplex, ConstrainedTriangulation, TerrainMesh, alpha_complex, terrain_mesh, validate
+from vtkflipflop.arrays import constrained_triangulation
 
 hull = convex_hull([[0.0, 0, 0]], threads=2, progress=print)
 assert_type(hull, ConvexHull)
@@ -76,6 +77,7 @@ assert_type(prescribed_areas([[0.0, 1]], [1], [[0, 0], [1, 0], [0, 1]]), Prescri
 assert_type(prescribed_areas([[0.0, 1]]).weights, NDArray[np.float64])
 assert_type(terrain_mesh([[0.0, 1, 2]], tolerance=1, constraints=[[0, 0]]), TerrainMesh)
 assert_type(terrain_mesh([[0.0, 1]], [2.0], max_vertices=9).errors, NDArray[np.float64])
+assert_type(constrained_triangulation([[0.0, 1, 2]], np.zeros((2, 3))).point_origin, NDArray[np.uint8])
 assert_type(InputError("").index, int)
 assert_type(vtkflipflop.arrays.convex_hull([[0.0, 0, 0]]), ConvexHull)
 assert_type(power_diagram([[0.0, 1]], domain=((0, 0), (1, 1))), PowerDiagram)

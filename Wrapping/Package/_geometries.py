@@ -109,7 +109,7 @@ def _parts_of(values: Any) -> Iterator[tuple[str, int, str, Any]]:
             yield name, max(number, 0), kind, value.get("coordinates") if isinstance(value, Mapping) else value
         else:
             key, form, of = _PARTS[kind]
-            parts = value.get(key) if isinstance(value, Mapping) else value
+            parts: Any = value.get(key) if isinstance(value, Mapping) else value
             if not is_array_like(parts):
                 raise TypeError(f"{name} is a {kind} without a list of {key}")
             if not len(parts):

@@ -70,7 +70,7 @@ class _LineConstraints(Constraints):
         return False
 
     def _name_of(self, row: int) -> str:
-        return self._names[self._chain_of[row]]
+        return self._names[int(self._chain_of[row])]
 
 
 def constrained_triangulation(

@@ -118,4 +118,5 @@ def _shares(found: JoinedTriangulation) -> NDArray[np.float64]:
     a, b = (0.5 * found.points[ends, :2] for ends in found._crossed.T)
     axis = (np.abs(b - a)[:, 0] < np.abs(b - a)[:, 1]).astype(int)
     rows = np.arange(len(axis))
-    return np.clip((at - a)[rows, axis] / (b - a)[rows, axis], 0.0, 1.0)
+    shares: NDArray[np.float64] = np.clip((at - a)[rows, axis] / (b - a)[rows, axis], 0.0, 1.0)
+    return shares
