@@ -262,7 +262,7 @@ def test_box_is_another_name_of_domain():
         (lambda: prescribed_areas(SQUARE, np.ones((4, 2))), ValueError, r"areas are n numbers.*shape \(4, 2\)"),
         (lambda: validate(SQUARE), TypeError, r"result is what convex_hull\(\) or .* gives, not ndarray"),
         (lambda: regular_triangulation(SQUARE, []), ValueError, "not as many weights as points: .*0 weights"),
-        (lambda: FLAT.interpolate([1, 2, 3, 4], SQUARE, []), TypeError, r"method is one of 'linear', 'natural', not \[\]"),
+        (lambda: FLAT.interpolate([1, 2, 3, 4], SQUARE, []), TypeError, r"method is one of 'linear', 'natural', 'clough-tocher', not \[\]"),
         (lambda: FLAT.interpolate([1, 2, 3], SQUARE), ValueError, r"values are 4 numbers or rows.*shape \(3,\)"),
         (lambda: FLAT.interpolate([1, 2, 3, 10**400], SQUARE), TypeError, "values are real numbers that a double holds"),
     ],

@@ -193,7 +193,7 @@ def test_nearest():
 
 
 @pytest.mark.parametrize("weights", [None, RANDOM.random(100) * 1e-6], ids=["plain", "weighted"])
-@pytest.mark.parametrize("method", ["linear", "natural"])
+@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher"])
 def test_interpolate(method, weights):
     points, places = RANDOM.random((100, 2)), RANDOM.random((300, 2)) * 1.2 - 0.1
     triangulation = regular_triangulation(points, weights)
@@ -209,13 +209,63 @@ def test_interpolate(method, weights):
     assert np.ndim(triangulation.interpolate(plane, points[4], method)) == 0
     rows = triangulation.interpolate(values, places, method)
     assert np.array_equal(rows[:, 1], triangulation.interpolate(values[:, 1], places, method), equal_nan=True)
-    with pytest.raises(ValueError, match="'linear', 'natural', not 'cubic'"):
+    with pytest.raises(ValueError, match="'natural', 'clough-tocher', not 'cubic'"):
         triangulation.interpolate(plane, places, "cubic")
     with pytest.raises(ValueError, match="values are 100 numbers or rows, not an array of shape"):
         triangulation.interpolate(plane[1:], places)
 
 
-@pytest.mark.parametrize("method", ["linear", "natural"])
+@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher"])
+def test_images(method):
+    points = RANDOM.random((80, 2)) * [30, 20] + [400, -7]
+    triangulation = regular_triangulation(points)
+    values = RANDOM.random((80, 2))
+    image = triangulation.to_image(values, spacing=(0.5, 0.75), method=method, fill_value=-1)
+    a, b, c, d, e, f = image.transform
+    (left, bottom), (right, top) = points.min(axis=0), points.max(axis=0)
+    assert (a, b, c, d, e, f) == (0.5, 0, left, 0, -0.75, top)
+    assert image.bounds[0] == left and image.bounds[3] == top
+    assert 0 <= image.bounds[2] - right < 0.5 and 0 <= bottom - image.bounds[1] < 0.75
+    rows, columns = image.array.shape[:2]
+    # rasterio.transform.xy() of a pixel is its center.
+    assert np.allclose(image.x, a * (np.arange(columns) + 0.5) + c)
+    assert np.allclose(image.y, e * (np.arange(rows) + 0.5) + f)
+    centers = np.stack(np.meshgrid(image.x, image.y), axis=-1)
+    assert np.array_equal(image.array, triangulation.interpolate(values, centers, method, fill_value=-1))
+    array, transform = triangulation.to_image(
+        values[:, 0].astype(np.float32), shape=(5, 7), bounds=((410, 0), (417, 10)), method=method, threads=2
+    )
+    assert array.shape == (5, 7) and array.dtype == np.float32 and transform == (1, 0, 410, 0, -2, 10)
+    # A length that is a whole number of pixels but for rounding.
+    assert triangulation.to_image(values, spacing=0.1, bounds=(0, 0.3, 0, 0.6)).array.shape == (6, 3, 2)
+
+
+def test_images_that_cannot_be():
+    triangulation = regular_triangulation(SQUARE)
+    for error, message, wrong in (
+        (TypeError, "a spacing or a shape: give one", {}),
+        (TypeError, "a spacing or a shape: give one", {"spacing": 1, "shape": (2, 2)}),
+        (ValueError, "shape is 1 or more rows and columns, not 0", {"shape": (0, 2)}),
+        (TypeError, "shape is two integers, rows and columns, not 3", {"shape": 3}),
+        (TypeError, "shape is two integers, rows and columns; 2.5 is none", {"shape": (2, 2.5)}),
+        (ValueError, "spacing is above 0, not -1", {"spacing": -1}),
+        (ValueError, "spacing is 2 finite numbers", {"spacing": np.nan}),
+        (ValueError, "makes too many pixels", {"spacing": 1e-300}),
+        (ValueError, "bounds are a box", {"shape": (2, 2), "bounds": [[0, 0], [1, 0], [0, 1]]}),
+        (TypeError, "dtype is float32 or float64, not 'int8'", {"shape": (2, 2), "dtype": "int8"}),
+        (MemoryError, "bad_alloc", {"shape": (2**31, 2**31)}),
+    ):
+        with pytest.raises(error, match=message):
+            triangulation.to_image(range(4), **wrong)
+    with pytest.raises(ValueError, match="box has no inside: give bounds"):
+        regular_triangulation([[0, 0], [1, 0]]).to_image([1, 2], shape=(2, 2))
+    nothing = regular_triangulation(SQUARE[:0])
+    with pytest.raises(ValueError, match="an image of no point: give bounds"):
+        nothing.to_image([], shape=(2, 2))
+    assert np.isnan(nothing.to_image([], shape=(2, 2), bounds=(0, 1, 0, 1)).array).all()
+
+
+@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher"])
 def test_values_and_places_of_any_shape(method):
     points, places = RANDOM.random((50, 2)), RANDOM.random((3, 4, 2)) * 1.4 - 0.2
     triangulation = regular_triangulation(points)

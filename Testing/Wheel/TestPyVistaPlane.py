@@ -16,6 +16,7 @@ from vtkflipflop.pyvista import (
     prescribed_areas,
     regular_triangulation,
     terrain_mesh,
+    to_image,
 )
 
 
@@ -319,3 +320,25 @@ def test_transforms_that_cannot_be_used():
     assert regular_triangulation(cloud(), transform=flat).n_points == 500
     with pytest.raises(InputError, match="has no inverse"):
         power_diagram(cloud(), transform=flat)
+
+
+def test_images():
+    mesh = pv.PolyData(np.random.default_rng(8).random((200, 3)) * [10, 6, 1])
+    mesh.point_data["pair"] = np.random.default_rng(9).random((200, 2))
+    image = to_image(mesh, spacing=0.25, method="clough-tocher", fill_value=-5)
+    assert image.dimensions[2] == 1 and image.spacing == (0.25, 0.25, 1)
+    flat = arrays.regular_triangulation(mesh.points[:, :2])
+    found = flat.to_image(mesh.points[:, 2], spacing=0.25, method="clough-tocher", fill_value=-5)
+    assert np.array_equal(image["Elevation"].reshape(found.array.shape), found.array[::-1])
+    assert np.allclose(image.points[0, :2], (found.x[0], found.y[-1]))
+    assert np.allclose(image.points[-1, :2], (found.x[-1], found.y[0]))
+    mesh.point_data["vtkGhostType"] = (np.arange(200) < 3).astype(np.uint8)
+    pairs = to_image(mesh, "pair", shape=(4, 9), bounds=((2, 2), (8, 4)))
+    rest = arrays.regular_triangulation(mesh.points[3:, :2])
+    expected = rest.to_image(mesh["pair"][3:], shape=(4, 9), bounds=((2, 2), (8, 4)))
+    assert np.array_equal(pairs["pair"].reshape(4, 9, 2), expected.array[::-1], equal_nan=True)
+    assert to_image(np.zeros((4, 3)) + np.eye(4, 3), [1, 2, 3, 4], shape=(2, 2))["values"].shape == (4,)
+    with pytest.raises(InputError, match="point array \"none\" is missing"):
+        to_image(mesh, "none", spacing=1)
+    with pytest.raises(TypeError, match="combine the blocks"):
+        to_image(pv.MultiBlock([mesh]), spacing=1)

@@ -14,13 +14,17 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace nb = nanobind;
@@ -68,6 +72,36 @@ auto interpolated(const Values& values, const InputArray& positions, std::int64_
       return 0;
     });
   return arrayOf(std::move(found), { static_cast<std::size_t>(view.count), components });
+}
+
+/// Values at the pixels of an image: of shape (rows, columns, components).
+/// @param grid x and y of the first pixel, and from a column and from a row to the next
+template <class T>
+auto imageOf(const Sites& self, Interpolation method, const Values& values,
+  const std::array<double, 4>& grid, std::int64_t rows, std::int64_t columns, double fill,
+  const Settings& settings)
+{
+  if (static_cast<std::int64_t>(values.shape(0)) != self.points)
+  {
+    throw nb::value_error("there are not as many values as points");
+  }
+  constexpr std::int64_t most = std::int64_t(1) << 58;
+  const auto components = static_cast<std::int64_t>(values.shape(1));
+  if (rows < 1 || columns < 1 || components < 1 || columns > most / components / rows)
+  {
+    throw std::bad_alloc();
+  }
+  Buffer<T> found(static_cast<std::size_t>(rows * columns * components));
+  settings.run(
+    [&](const Options& options)
+    {
+      const ImageGrid pixels{ { grid[0], grid[1] }, { grid[2], grid[3] }, { columns, rows }, {} };
+      self.queries.interpolateImage(
+        method, values.data(), components, pixels, ImageView(found.data()), fill, options);
+      return 0;
+    });
+  return nb::cast(arrayOf(std::move(found),
+    { static_cast<std::size_t>(rows), static_cast<std::size_t>(columns), values.shape(1) }));
 }
 
 /// Areas and centroids, by a call that writes them.
@@ -199,6 +233,24 @@ void bindQueries(nb::module_& module)
       {
         return interpolated(values, positions, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateNatural(arguments...); });
+      })
+    .def("interpolate_clough_tocher",
+      [](const Sites& self, const Values& values, const InputArray& positions,
+        const Settings& settings)
+      {
+        return interpolated(values, positions, self.points, settings,
+          [&](auto... arguments) { self.queries.interpolateCloughTocher(arguments...); });
+      })
+    .def("image",
+      [](const Sites& self, const std::string& method, const Values& values,
+        const std::array<double, 4>& grid, std::int64_t rows, std::int64_t columns, double fill,
+        bool isSingle, const Settings& settings)
+      {
+        const Interpolation by = method == "natural" ? Interpolation::Natural
+          : method == "clough-tocher"                ? Interpolation::CloughTocher
+                                                     : Interpolation::Linear;
+        return isSingle ? imageOf<float>(self, by, values, grid, rows, columns, fill, settings)
+                        : imageOf<double>(self, by, values, grid, rows, columns, fill, settings);
       });
   module.def("triangulation_queries", &sitesOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "settings"_a);

@@ -123,9 +123,10 @@ class ConstrainedTriangulation(RegularTriangulation):
         non_finite: NonFinite = "error",
         progress: Progress = None,
     ) -> Lengths:
-        """Values between the points' values, linear over each of `simplices`; as RegularTriangulation has it.
+        """Values between the points' values, over each of `simplices`; as RegularTriangulation has it.
 
-        method="natural" is an InputError: natural neighbours are those of the triangulation without constraints.
+        method="natural" is an InputError: natural neighbours are those of the triangulation without constraints. The
+        gradients of "clough-tocher" are estimated across constraints, too.
         """
         if method == "natural":
             raise InputError(

@@ -156,7 +156,7 @@ class Run:
     ) -> pv.PolyData:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
         weight_array = cloud.weights(weights, self._ignore)
-        first, second = _split(report, 0.4)
+        first, second = split(report, 0.4)
         settings = self._settings(cloud, first)
         positions = projection.to_plane(cloud.array, settings)
         core = cloud.engine(_core.regular_triangulation, positions, weight_array, settings)
@@ -247,5 +247,6 @@ def error_of(errors: dict[int, FlipFlopError], count: int, composites: list[Outp
     return error
 
 
-def _split(report: Report, at: float) -> tuple[Report, Report]:
+def split(report: Report, at: float) -> tuple[Report, Report]:
+    """For what is done until a fraction of the whole, and for the rest."""
     return stretch(report, 0.0, at), stretch(report, at, 1.0)

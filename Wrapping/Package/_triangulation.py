@@ -4,11 +4,11 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
@@ -17,6 +17,7 @@ from ._constraints import Chains, Constraints, PolygonRule, SplitConstraints
 from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
+from ._image import METHODS, Image, Method, grid_of, image_of
 from ._input import points_of, values_of, weights_of
 from ._queries import Lengths, Numbers, results_of, changed, unchanged
 from ._results import (
@@ -39,10 +40,6 @@ from ._results import (
 
 if TYPE_CHECKING:
     from ._constrained import ConstrainedTriangulation
-
-# Ways to interpolate, and the core's names of them.
-_METHODS = {"linear": "interpolate_linear", "natural": "interpolate_natural"}
-Method = Literal["linear", "natural"]
 
 
 class RegularTriangulation(Cells):
@@ -249,10 +246,12 @@ class RegularTriangulation(Cells):
             A masked one is NaN.
         points : array of shape (..., 2)
             as for locate()
-        method : {"linear", "natural"}
-            linear over each of `simplices`; or by natural neighbours (Sibson): each site counts by the area that the
-            point's own power cell would take from the site's. With weights, the point's weight is linear over its
-            triangle, so values still pass through the sites'.
+        method : {"linear", "natural", "clough-tocher"}
+            linear over each of `simplices`; by natural neighbours (Sibson): each site counts by the area that the
+            point's own power cell would take from the site's; or by a surface of cubic pieces, whose gradients at
+            points are estimated from those around: smooth, and exact for quadratic functions up to rounding. Its error
+            is the least where values are smooth; where they jump, it swings beyond them. With weights, the point's
+            weight in "natural" is linear over its triangle, so values still pass through the sites'.
         fill_value : float
             what there is where locate() is -1: by default NaN
 
@@ -260,7 +259,8 @@ class RegularTriangulation(Cells):
         -------
         array of the shapes of points and of values, less their last and first axes; of one point and numbers, a number
         """
-        query = getattr(self._queries, _METHODS[choice_of("method", method, tuple(_METHODS))])
+        name = choice_of("method", method, METHODS).replace("-", "_")
+        query = getattr(self._queries, f"interpolate_{name}")
         given = values_of(values, self.npoints)
         rows = given.reshape(self.npoints, int(np.prod(given.shape[1:])))
         # What is 1 everywhere is NaN outside alone; it also stands in where there are no values.
@@ -272,6 +272,48 @@ class RegularTriangulation(Cells):
             found = np.where(np.isnan(found[..., -1:]), filled, found[..., :-1])
         shaped: Lengths = found.reshape(found.shape[:-1] + given.shape[1:])[()]
         return shaped
+
+    def to_image(
+        self,
+        values: ArrayLike,
+        *,
+        spacing: ArrayLike | None = None,
+        shape: tuple[int, int] | None = None,
+        bounds: ArrayLike | None = None,
+        method: Method = "linear",
+        fill_value: float = np.nan,
+        dtype: DTypeLike | None = None,
+        threads: int = 0,
+        progress: Progress = None,
+    ) -> Image:
+        """An image (raster) of values between the points' values, north up, and where it is: an Image.
+
+        The values are those of interpolate() at the pixels' centers, bit for bit, sooner. Give spacing or shape.
+
+        Parameters
+        ----------
+        values : array of shape (n, ...)
+            as for interpolate()
+        spacing : number, or two
+            the width and height of a pixel. Pixels begin at the left and at the top; as many as cover the bounds.
+        shape : two integers
+            rows and columns, which divide the bounds
+        bounds : 4 numbers, or 2 by 2
+            the outer corners of the corner pixels, as a box that power_diagram() takes; by default the box of the points
+            that appear
+        method, fill_value
+            as for interpolate()
+        dtype : float32 or float64
+            of the array; by default float32 if values are of it, else float64
+        threads, progress
+            see the module
+        """
+        name = choice_of("method", method, METHODS)
+        sites = np.asarray(self.points, float)[self.vertices, :2]
+        grid = grid_of(sites, spacing, shape, bounds)
+        chosen = settings(threads, "triangles", "error", "cpu", progress, False)
+        query = partial(run, chosen, self._queries.image, name)
+        return image_of(query, values, self.npoints, grid, float_of("fill_value", fill_value), dtype)
 
     def power_diagram(
         self,

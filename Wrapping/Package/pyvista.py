@@ -36,6 +36,7 @@ from ._domain import domain_of_call
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._constraints import PolygonRule
 from ._mesh_constraints import constraints_of_call
+from ._mesh_image import to_image
 from ._mesh_lines import lines_of_call
 from ._mesh_runs import Output, Run, each_block
 from ._mesh_transport import centroidal_cells, prescribed_areas
@@ -59,6 +60,7 @@ __all__ = [
     "prescribed_areas",
     "regular_triangulation",
     "terrain_mesh",
+    "to_image",
 ]
 
 FilterError = FlipFlopError
@@ -583,6 +585,7 @@ class Accessor:
     prescribed_areas = _method(prescribed_areas)
     regular_triangulation = _method(regular_triangulation)
     terrain_mesh = _method(terrain_mesh)
+    to_image = _method(to_image)
 
 
 if hasattr(pv, "register_dataset_accessor"):  # since 0.48
