@@ -43,6 +43,49 @@
 namespace flipflop
 {
 
+/// What of triangles does not depend on the query, from query to query: the sides of polygons at
+/// their edges, and their areas. One task has one.
+class TriangleMemory
+{
+public:
+  static constexpr int Area = 3; ///< the number after those of the three edges
+
+  /// What compute() returns or has returned, as long as no other triangle has taken its place.
+  /// @param isRight bool (): is what was computed worth keeping?
+  template <class Compute, class IsRight>
+  DoubleDouble recall(std::uint32_t t, int which, const Compute& compute, const IsRight& isRight)
+  {
+    if (this->slots.empty())
+    {
+      this->slots.resize(Size);
+    }
+    Slot& slot = this->slots[t % Size];
+    if (slot.triangle != t)
+    {
+      slot.triangle = t;
+      slot.known = 0;
+    }
+    if (!(slot.known >> which & 1))
+    {
+      slot.numbers[which] = compute();
+      slot.known |= (isRight() ? 1 : 0) << which;
+    }
+    return slot.numbers[which];
+  }
+
+private:
+  static constexpr std::uint32_t Size = 1 << 10;
+
+  struct Slot
+  {
+    std::uint32_t triangle = NoIndex;
+    int known = 0; ///< a bit for each number
+    DoubleDouble numbers[4];
+  };
+
+  std::vector<Slot> slots;
+};
+
 /// The areas that a query takes.
 template <class Space, class Values>
 class StolenAreas
@@ -53,11 +96,13 @@ public:
   using Pair = typename Values::Pair;
 
   /// @param triangles of the region, not empty
-  StolenAreas(const FanMesh& fans, const TriangleSet& triangles, const Space& querySpace, Values& v)
+  StolenAreas(const FanMesh& fans, const TriangleSet& triangles, const Space& querySpace, Values& v,
+    TriangleMemory& toRecall)
     : mesh(fans)
     , region(triangles)
     , space(querySpace)
     , values(v)
+    , memory(toRecall)
   {
     this->measured.reserve(this->region.size());
     for (std::size_t i = 0; i < this->region.size(); ++i)
@@ -66,7 +111,8 @@ public:
       const Vertex a = this->space.site(corners[0]);
       const Vertex b = this->space.site(corners[1]);
       const Vertex c = this->space.site(corners[2]);
-      this->measured.push_back({ this->values.area(a.x, b.x, c.x),
+      this->measured.push_back({ this->recall(this->region[i], TriangleMemory::Area,
+                                   [&] { return this->values.area(a.x, b.x, c.x); }),
         this->values.heightAbove(a.x, b.x, c.x, this->space.query.x), {}, 0 });
     }
     this->measureSides();
@@ -113,6 +159,21 @@ private:
     Size terms;  ///< the sum of the sizes of what it is a sum of
   };
 
+  /// Only where sites are scaled and numbers are short.
+  template <class Compute>
+  Number recall(std::uint32_t t, int which, const Compute& compute)
+  {
+    if constexpr (std::is_same<Values, NearValues>::value &&
+      std::is_same<Space, SiteSigns::Narrow>::value)
+    {
+      return this->memory.recall(t, which, compute, [this] { return !this->values.isVague(); });
+    }
+    else
+    {
+      return compute();
+    }
+  }
+
   /// Those of an inner edge are the same from both its triangles.
   void measureSides()
   {
@@ -131,9 +192,12 @@ private:
         }
         else if (next > i)
         {
+          // From the same side for all queries.
           Measured& other = this->measured[next];
-          m.side[corner] = this->depthBeyond(h) / (m.area * other.area);
-          other.side[cornerOf(this->mesh.twin(h))] = m.side[corner];
+          const std::uint32_t twin = this->mesh.twin(h);
+          const std::uint32_t from = std::min(h, twin);
+          m.side[corner] = other.side[cornerOf(twin)] = this->recall(triangleOf(from),
+            cornerOf(from), [&] { return this->depthBeyond(from) / (m.area * other.area); });
         }
       }
     }
@@ -245,6 +309,7 @@ private:
   const TriangleSet& region;
   const Space& space;
   Values& values;
+  TriangleMemory& memory;
   std::vector<Measured> measured; ///< as the region is ordered
   std::vector<Part> parts;
   Vertex site; ///< of the last part
@@ -286,7 +351,8 @@ public:
         [&](auto& values)
         {
           using Values = std::decay_t<decltype(values)>;
-          return StolenAreas<Space, Values>(this->mesh, this->region, space, values).share(shares);
+          return StolenAreas<Space, Values>(this->mesh, this->region, space, values, this->memory)
+            .share(shares);
         });
     }
   }
@@ -304,6 +370,7 @@ private:
 
   const FanMesh& mesh;
   TriangleSet region;
+  TriangleMemory memory;
 };
 
 }
