@@ -7,8 +7,8 @@
  * vtkFFConstrainedDelaunayFilter computes the Delaunay triangulation of points in the plane, with
  * constraints: lines, polylines and polygons of a second input that are to be edges of it. All
  * other edges are Delaunay as far as the constraints let points see each other. They name points of
- * the input, or have points of their own, which join the others: see SetSourcePoints(). Cells of the
- * first input are ignored, and there are no weights. Without a second input, it is the Delaunay
+ * the input, or have points of their own, which join the others: see SetSourcePoints(). Cells of
+ * the first input are ignored, and there are no weights. Without a second input, it is the Delaunay
  * triangulation.
  *
  * - Port 0, the triangulation, in the form that

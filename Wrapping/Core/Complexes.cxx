@@ -215,7 +215,7 @@ struct Joined
 /// The pieces, the constraint of each, how many are sides of polygons; the positions of the points
 /// that lines add, then of crossings; which of the lines' points the former are; the first
 /// constraint that crosses at each of the latter; and what heights need.
-nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const Ends& ends,
+nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const EndsArray& ends,
   std::int64_t polygonSides, const Settings& settings)
 {
   const PointView sites = pointView(points, 2);
@@ -253,7 +253,7 @@ nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const
 
 /// The heights of the points that were added, the lowest and the highest at each, and how many
 /// differ.
-nb::tuple heightsOf(const InputArray& points, const InputArray& linePoints, const Ends& ends,
+nb::tuple heightsOf(const InputArray& points, const InputArray& linePoints, const EndsArray& ends,
   std::int64_t polygonSides, const Joined& joined, const Constrained& triangulation,
   const Settings& settings)
 {
