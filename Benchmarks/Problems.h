@@ -20,6 +20,7 @@ Problem constrainedProblem();
 Problem alphaProblem();
 Problem areasProblem();
 Problem centroidsProblem();
+Problem terrainProblem();
 Problem smallProblem();     ///< few points, in a fresh process
 Problem manyHullsProblem(); ///< many small sets
 Problem manyTrianglesProblem();

@@ -219,8 +219,8 @@ TEST(Results, AreALineOfCsvForEachRun)
 
 TEST(Problems, AgreeWithOurOwnResultOnEveryPath)
 {
-  for (const char* name : { "hull", "triangulation", "constrained", "alpha", "areas", "small",
-         "many-hulls", "many-triangulations", "blocks-plane", "blocks-space" })
+  for (const char* name : { "hull", "triangulation", "constrained", "alpha", "areas", "terrain",
+         "small", "many-hulls", "many-triangulations", "blocks-plane", "blocks-space" })
   {
     const Problem& problem = findProblem(name);
     const char* const family = problem.input ? "streets" : problem.isPlane ? "circle" : "ball";
