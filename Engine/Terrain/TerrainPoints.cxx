@@ -6,6 +6,7 @@
 #include "Support/Parallel.h"
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 
 namespace flipflop
@@ -41,13 +42,36 @@ HilbertCurve curveOf(const Buffer<Vertex>& points, Monitor& monitor)
   return curve;
 }
 
-/// Of one key they may lie in any order: then by position, and by id.
-void sortWithin(Vertex* begin, Vertex* end)
+std::uint32_t indexOf(std::uint64_t item)
 {
-  std::sort(begin, end,
-    [](const Vertex& a, const Vertex& b) {
-      return a.x[0] != b.x[0] ? a.x[0] < b.x[0] : a.x[1] != b.x[1] ? a.x[1] < b.x[1] : a.id < b.id;
-    });
+  return static_cast<std::uint32_t>(item);
+}
+
+/// By position, and by id.
+bool isBefore(const Vertex& a, const Vertex& b)
+{
+  return a.x[0] != b.x[0] ? a.x[0] < b.x[0] : a.x[1] != b.x[1] ? a.x[1] < b.x[1] : a.id < b.id;
+}
+
+/// Items of one key, which are of one position or of several.
+void sortWithinKeys(Buffer<std::uint64_t>& order, const Buffer<Vertex>& points, Monitor& monitor)
+{
+  for (std::size_t i = 0; i < order.size();)
+  {
+    std::size_t end = i + 1;
+    while (end < order.size() && keyOf(order[end]) == keyOf(order[i]))
+    {
+      ++end;
+    }
+    if (end - i > 1)
+    {
+      monitor.poll();
+      std::sort(order.begin() + i, order.begin() + end,
+        [&points](std::uint64_t a, std::uint64_t b)
+        { return isBefore(points[indexOf(a)], points[indexOf(b)]); });
+    }
+    i = end;
+  }
 }
 
 }
@@ -92,7 +116,7 @@ TerrainPoints::TerrainPoints(
     });
   monitor.poll();
   threads::sort(order.begin(), order.end(), std::less<std::uint64_t>());
-  monitor.poll();
+  sortWithinKeys(order, given, monitor);
 
   this->points.allocate(given.size());
   eachChunk(given.size(), PointsPerTask,
@@ -100,23 +124,9 @@ TerrainPoints::TerrainPoints(
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        this->points[i] = given[order[i] & 0xFFFFFFFFu];
+        this->points[i] = given[indexOf(order[i])];
       }
     });
-  for (std::size_t i = 0; i < order.size();)
-  {
-    std::size_t end = i + 1;
-    while (end < order.size() && keyOf(order[end]) == keyOf(order[i]))
-    {
-      ++end;
-    }
-    if (end - i > 1)
-    {
-      monitor.poll();
-      sortWithin(this->points.data() + i, this->points.data() + end);
-    }
-    i = end;
-  }
 }
 
 }

@@ -57,8 +57,7 @@ struct TerrainMesh : ConstrainedTriangulation
 /// are kept, too. At a position with several points, the vertex is that of the lowest id; another
 /// one there may then be unreachable.
 ///
-/// 1e6 points of which 5 % are kept take about two seconds, on one thread; the greatest part of it
-/// is not parallel.
+/// Insertions are one after another, so more threads help with the rest alone.
 ///
 /// @param points      x and y are read; z where there are no heights
 /// @param heights     one for each point; no data: z of the points

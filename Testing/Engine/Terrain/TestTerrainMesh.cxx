@@ -21,6 +21,11 @@
 #include <string>
 #include <vector>
 
+// Nightly more.
+#ifndef FLIPFLOP_TERRAINS
+#define FLIPFLOP_TERRAINS 600
+#endif
+
 namespace flipflop
 {
 namespace test
@@ -311,7 +316,7 @@ Terrain drawTerrain(Random& random)
 TEST(TerrainMeshes, AreThoseOfRationals)
 {
   const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(2000));
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(FLIPFLOP_TERRAINS));
   int failures = 0;
   for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
   {
