@@ -22,8 +22,10 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -37,6 +39,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -219,19 +222,104 @@ void takeValues(vtkIdType count, vtkFFPreparedSource& prepared)
   }
 }
 
+/// What is given values: points, or the pixels of one slice of an image.
+struct Targets
+{
+  std::int64_t Count = 0;
+  std::int64_t Slices = 1; // that have the same values, one after the other
+  std::int64_t AtOnce = 1; // so many are asked about at once
+  std::function<void(std::int64_t begin, std::int64_t end, double* results)> Query;
+  std::function<std::array<double, 2>(std::int64_t i)> PositionOf;
+};
+
+Targets targetsOf(
+  const flipflop::PointView& points, int mode, const vtkFFPreparedSource& source, vtkFFRun& run)
+{
+  if (run.Options.nonFinite == flipflop::NonFinitePolicy::Error)
+  {
+    demandFinite(points);
+  }
+  using Queries = flipflop::TriangulationQueries;
+  const auto query = mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
+    ? &Queries::interpolateNatural
+    : mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER ? &Queries::interpolateCloughTocher
+                                                      : &Queries::interpolateLinear;
+  return { points.count, 1, pointsAtOnce,
+    [points, query, &source, &run](std::int64_t begin, std::int64_t end, double* results)
+    {
+      (source.Queries.*query)(source.Values.data(), static_cast<std::int64_t>(source.Components),
+        partOf(points, begin, end), results, run.Options);
+    },
+    [points](std::int64_t i) { return positionAt(points, i); } };
+}
+
+/// Where the pixels of an image's slices are. False: they are not along the axes, not finite, or
+/// none.
+bool takeGrid(vtkImageData* image, flipflop::ImageGrid& grid)
+{
+  bool isGrid =
+    image && image->GetNumberOfPoints() > 0 && image->GetDirectionMatrix()->IsIdentity();
+  for (int i = 0; isGrid && i < 2; ++i)
+  {
+    grid.origin[i] = image->GetOrigin()[i];
+    grid.spacing[i] = image->GetSpacing()[i];
+    grid.size[i] = image->GetDimensions()[i];
+    grid.firstIndex[i] = image->GetExtent()[2 * i];
+    isGrid = std::isfinite(grid.origin[i]) && std::isfinite(grid.spacing[i]) &&
+      std::isfinite(grid.origin[i] + image->GetExtent()[2 * i] * grid.spacing[i]) &&
+      std::isfinite(grid.origin[i] + image->GetExtent()[2 * i + 1] * grid.spacing[i]);
+  }
+  return isGrid;
+}
+
+/// The same bits as by its points, much sooner.
+Targets targetsOf(const flipflop::ImageGrid& grid, std::int64_t slices, int mode,
+  const vtkFFPreparedSource& source, vtkFFRun& run)
+{
+  // All rows at once, unless that takes much memory: each time, all triangles are passed.
+  constexpr std::int64_t numbersAtOnce = 1 << 25;
+  const auto components = static_cast<std::int64_t>(source.Components);
+  const std::int64_t columns = grid.size[0];
+  using flipflop::Interpolation;
+  const auto method = mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR ? Interpolation::Natural
+    : mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER ? Interpolation::CloughTocher
+                                                      : Interpolation::Linear;
+  return { columns * grid.size[1], slices,
+    columns * std::max<std::int64_t>(1, numbersAtOnce / (columns * components)),
+    [=, &source, &run](std::int64_t begin, std::int64_t end, double* results)
+    {
+      flipflop::ImageGrid part = grid;
+      part.firstIndex[1] += begin / columns;
+      part.size[1] = (end - begin) / columns;
+      source.Queries.interpolateImage(method, source.Values.data(), components, part,
+        flipflop::ImageView(results), std::nan(""), run.Options);
+    },
+    [=](std::int64_t i) -> std::array<double, 2>
+    {
+      const std::int64_t index[] = { i % columns, i / columns };
+      std::array<double, 2> position;
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        position[k] =
+          grid.origin[k] + static_cast<double>(grid.firstIndex[k] + index[k]) * grid.spacing[k];
+      }
+      return position;
+    } };
+}
+
 /// Null points get the values of the closest point.
-void findClosest(const vtkFFPreparedSource& source, const flipflop::PointView& points,
-  const flipflop::Options& options, flipflop::Buffer<double>& results)
+void findClosest(const vtkFFPreparedSource& source, const Targets& targets, std::int64_t begin,
+  std::int64_t end, const flipflop::Options& options, flipflop::Buffer<double>& results)
 {
   const std::size_t stride = source.Components;
   std::vector<std::int64_t> nulls;
   std::vector<double> positions;
-  for (std::int64_t i = 0; i < points.count; ++i)
+  for (std::int64_t i = begin; i < end; ++i)
   {
-    if (std::isnan(results[static_cast<std::size_t>(i + 1) * stride - 1]))
+    if (std::isnan(results[static_cast<std::size_t>(i - begin + 1) * stride - 1]))
     {
-      const auto position = positionAt(points, i);
-      nulls.push_back(i);
+      const auto position = targets.PositionOf(i);
+      nulls.push_back(i - begin);
       positions.insert(positions.end(), position.begin(), position.end());
     }
   }
@@ -255,17 +343,9 @@ void findClosest(const vtkFFPreparedSource& source, const flipflop::PointView& p
 /// Interpolates at all points: the values of the fields. The last array that is returned marks the
 /// points that have values; the engine's value of 1 is NaN at the others.
 std::vector<vtkSmartPointer<vtkDataArray>> interpolate(vtkFFPointInterpolator2D* filter,
-  const vtkFFPreparedSource& source, const flipflop::PointView& points, double progress,
-  vtkFFRun& run)
+  const vtkFFPreparedSource& source, const Targets& targets, double progress, vtkFFRun& run)
 {
-  if (run.Options.nonFinite == flipflop::NonFinitePolicy::Error)
-  {
-    demandFinite(points);
-  }
-  const auto query = filter->GetInterpolationMode() == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
-    ? &flipflop::TriangulationQueries::interpolateNatural
-    : &flipflop::TriangulationQueries::interpolateLinear;
-  const auto count = static_cast<vtkIdType>(points.count);
+  const auto count = static_cast<vtkIdType>(targets.Count * targets.Slices);
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
   for (const Field& field : source.Fields)
   {
@@ -277,19 +357,17 @@ std::vector<vtkSmartPointer<vtkDataArray>> interpolate(vtkFFPointInterpolator2D*
 
   const std::size_t stride = source.Components;
   flipflop::Buffer<double> results(
-    stride * static_cast<std::size_t>(std::min(points.count, pointsAtOnce)));
-  for (std::int64_t begin = 0; begin < points.count; begin += pointsAtOnce)
+    stride * static_cast<std::size_t>(std::min(targets.Count, targets.AtOnce)));
+  for (std::int64_t begin = 0; begin < targets.Count; begin += targets.AtOnce)
   {
-    const std::int64_t end = std::min(points.count, begin + pointsAtOnce);
-    const double share = (1.0 - progress) / static_cast<double>(points.count);
+    const std::int64_t end = std::min(targets.Count, begin + targets.AtOnce);
+    const double share = (1.0 - progress) / static_cast<double>(targets.Count);
     run.SetPart(
       progress + share * static_cast<double>(begin), progress + share * static_cast<double>(end));
-    const flipflop::PointView part = partOf(points, begin, end);
-    (source.Queries.*query)(
-      source.Values.data(), static_cast<std::int64_t>(stride), part, results.data(), run.Options);
+    targets.Query(begin, end, results.data());
     if (filter->GetNullPointsStrategy() == vtkFFPointInterpolator2D::CLOSEST_POINT)
     {
-      findClosest(source, part, run.Options, results);
+      findClosest(source, targets, begin, end, run.Options, results);
     }
     double* values = results.data();
     for (auto i = static_cast<vtkIdType>(begin); i < end; ++i)
@@ -299,13 +377,18 @@ std::vector<vtkSmartPointer<vtkDataArray>> interpolate(vtkFFPointInterpolator2D*
       {
         std::fill_n(values, stride, filter->GetNullValue());
       }
-      mask->SetValue(i, isNull ? 0 : 1);
-      for (vtkDataArray* const array : arrays)
+      for (std::int64_t slice = 0; slice < targets.Slices; ++slice)
       {
-        array->SetTuple(i, values);
-        values += array->GetNumberOfComponents();
+        const auto point = static_cast<vtkIdType>(slice * targets.Count + i);
+        const double* from = values;
+        mask->SetValue(point, isNull ? 0 : 1);
+        for (vtkDataArray* const array : arrays)
+        {
+          array->SetTuple(point, from);
+          from += array->GetNumberOfComponents();
+        }
       }
-      ++values; // what was 1
+      values += stride; // the last one was 1
     }
   }
   arrays.emplace_back(mask);
@@ -420,8 +503,20 @@ int vtkFFPointInterpolator2D::RequestData(
     [&]
     {
       vtkFFInput input;
-      input.Take(vtkFFInput::PiecesOf(points), false, run);
-      auto arrays = interpolate(this, *this->Prepared, input.GetView(), progress, run);
+      Targets targets;
+      flipflop::ImageGrid grid;
+      auto* const image = vtkImageData::SafeDownCast(points);
+      if (takeGrid(image, grid))
+      {
+        targets =
+          targetsOf(grid, image->GetDimensions()[2], this->InterpolationMode, *this->Prepared, run);
+      }
+      else
+      {
+        input.Take(vtkFFInput::PiecesOf(points), false, run);
+        targets = targetsOf(input.GetView(), this->InterpolationMode, *this->Prepared, run);
+      }
+      auto arrays = interpolate(this, *this->Prepared, targets, progress, run);
       output->ShallowCopy(points);
       vtkPointData* const data = output->GetPointData();
       const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays, data },

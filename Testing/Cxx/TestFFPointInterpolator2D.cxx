@@ -17,6 +17,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -134,6 +135,18 @@ void testModes()
   const auto natural = valuesBy(filter);
   FF_CHECK(isNear(natural[0], 0.5) && natural[1] == 1.0 && isNear(natural[2], 0.5));
   FF_CHECK(natural[3] > 0.5 && natural[3] < 1.0);
+  // The smooth surface has quadratic functions, here x y, on a grid.
+  std::vector<Point> points;
+  std::vector<double> products;
+  for (int i = 0; i < 25; ++i)
+  {
+    points.push_back({ i % 5 * 0.5, i / 5 * 0.5, 0.0 });
+    products.push_back(points.back()[0] * points.back()[1]);
+  }
+  filter->SetSourceData(makeWeighted(points, products, VTK_DOUBLE, "values"));
+  filter->SetInterpolationMode(7);
+  FF_CHECK_EQUAL(filter->GetInterpolationMode(), static_cast<int>(Filter::CLOUGH_TOCHER));
+  FF_CHECK(isNear(valuesBy(filter)[3], 0.75));
 }
 
 void testNullPoints()
@@ -180,6 +193,50 @@ void testNullPoints()
   filter->SetSourceData(nothing);
   FF_CHECK(succeeds(filter));
   FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 4);
+}
+
+/// The points of an image have the bits that they have as points, in every slice.
+void testImages()
+{
+  vtkNew<vtkImageData> image;
+  image->SetOrigin(0.3, 1.1, 0.0);
+  image->SetSpacing(0.07, -0.09, 1.0);
+  image->SetExtent(-20, 15, 2, 30, 4, 6);
+  const vtkIdType slice = image->GetNumberOfPoints() / 3;
+  std::vector<Point> points;
+  for (int k = 4; k <= 6; ++k)
+  {
+    for (int j = 2; j <= 30; ++j)
+    {
+      for (int i = -20; i <= 15; ++i)
+      {
+        points.emplace_back();
+        image->TransformIndexToPhysicalPoint(i, j, k, points.back().data());
+      }
+    }
+  }
+  vtkNew<Filter> filter;
+  filter->SetSourceData(makeSource(200));
+  filter->SetNullValue(-7.0);
+  for (const int strategy : { Filter::MASK_POINTS, Filter::CLOSEST_POINT })
+  {
+    filter->SetNullPointsStrategy(strategy);
+    for (int mode = Filter::LINEAR; mode <= Filter::CLOUGH_TOCHER; ++mode)
+    {
+      filter->SetInterpolationMode(mode);
+      filter->SetInputData(makePoints(points));
+      const auto expected = valuesBy(filter, "height");
+      filter->SetInputData(image);
+      FF_CHECK(valuesBy(filter, "height") == expected);
+      const auto nulls = std::count(expected.begin(), expected.end(), -7.0);
+      FF_CHECK((nulls > 0 && nulls < 3 * slice) == (strategy == Filter::MASK_POINTS));
+      FF_CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 3 * slice);
+    }
+  }
+  // Pixels that are not finite are named as points are.
+  image->SetSpacing(1e308, 1.0, 1.0);
+  filter->SetInputData(image);
+  FF_CHECK(failsInPart(filter, vtkFFErrorCode::NonFiniteError, { "first at point 0" }));
 }
 
 std::string namesOf(vtkFieldData* data)
@@ -286,6 +343,7 @@ int TestFFPointInterpolator2D(int, char*[])
   testLinearFunction();
   testModes();
   testNullPoints();
+  testImages();
   testArrays();
   testErrors();
   return result();
