@@ -109,8 +109,7 @@ public:
         continue; // the cell has changed
       }
       const SurfacePlane plane(this->surface.corners(next.cell));
-      const Vertex& p = this->points[next.point];
-      if (plane.isBeyond(p, plane.height(p), this->limits.tolerance))
+      if (plane.isBeyond(this->points[next.point], this->limits.tolerance))
       {
         this->insert(this->points.siteOf(next.point), next.cell);
         this->reportProgress();
@@ -246,10 +245,10 @@ private:
     for (const std::uint32_t p : this->lists[cell])
     {
       this->poll.step();
-      const double height = plane.height(this->points[p]);
-      if (plane.isBeyond(this->points[p], height, this->limits.tolerance))
+      const Vertex& point = this->points[p];
+      if (plane.isBeyond(point, this->limits.tolerance))
       {
-        this->consider(cell, p, std::fabs(height));
+        this->consider(cell, p, std::fabs(plane.height(point)));
       }
     }
     this->enqueue(cell);

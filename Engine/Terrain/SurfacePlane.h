@@ -126,6 +126,7 @@ class SurfacePlane
 public:
   explicit SurfacePlane(const SurfaceCorners& given)
     : corners(given)
+    , rough(BoundedArithmetic<double>(), given)
     , quick(BoundedArithmetic<>(), given)
   {
   }
@@ -147,6 +148,14 @@ public:
   }
 
   /// Is a point farther from the plane than the tolerance?
+  bool isBeyond(const Vertex& p, double tolerance) const
+  {
+    int sign = 0;
+    return this->rough.compare(p, tolerance, sign) ? sign > 0
+                                                   : this->isBeyond(p, this->height(p), tolerance);
+  }
+
+  /// The same.
   /// @param rounded its height over the plane, from height()
   bool isBeyond(const Vertex& p, double rounded, double tolerance) const
   {
@@ -187,6 +196,7 @@ private:
   }
 
   SurfaceCorners corners;
+  NumberPlane<BoundedArithmetic<double>> rough;
   NumberPlane<BoundedArithmetic<>> quick;
 };
 
