@@ -20,6 +20,7 @@ try:
         vtkFFHullFilter,
         vtkFFPowerDiagramFilter,
         vtkFFRegularTriangulationFilter,
+        vtkFFTerrainMeshFilter,
     )
     from vtkmodules.vtkCommonDataModel import vtkPolyData
     from vtkmodules.vtkCommonTransforms import vtkTransform
@@ -28,7 +29,14 @@ except ImportError as error:
 if not issubclass(pv.PolyData, vtkPolyData):
     pytest.skip("PyVista runs on another VTK than the filters", allow_module_level=True)
 
-from vtkflipflop.pyvista import constrained_triangulation, convex_hull, convexify, power_diagram, regular_triangulation
+from vtkflipflop.pyvista import (
+    constrained_triangulation,
+    convex_hull,
+    convexify,
+    power_diagram,
+    regular_triangulation,
+    terrain_mesh,
+)
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Python"))
 import digests  # noqa: E402
@@ -188,6 +196,15 @@ def test_in_the_plane(name, plane):
         )
     for rows in [*PLANAR.values(), *DIAGRAMS.values()]:
         expect_same(power_diagram, vtkFFPowerDiagramFilter, mesh, *joined(PLANES[plane], *rows))
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_terrain_meshes(name):
+    tolerance = {"tolerance": 0.25}, {"SetTolerance": [0.25]}
+    few = {"max_vertices": 20}, {"SetMaximumNumberOfVertices": [20]}
+    heights = {"heights": "u2"}, {"SetInputArrayToProcess": [0, 0, 0, 0, "u2"]}
+    for rows in ([tolerance], [HIDDEN, tolerance], [HIDDEN, few], [HIDDEN, tolerance, heights]):
+        expect_same(terrain_mesh, vtkFFTerrainMeshFilter, made(name), *joined(*rows))
 
 
 @pytest.mark.parametrize("name", ["uniform", "ghosts", "floats"])
