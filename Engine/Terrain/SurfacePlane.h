@@ -51,7 +51,7 @@ public:
   {
     const double size = std::fabs((p.x[2] - this->origin[2]) -
       (this->slope[0] * (p.x[0] - this->origin[0]) + this->slope[1] * (p.x[1] - this->origin[1])));
-    return size <= 0x1p1023 ? size : HUGE_VAL;
+    return std::isfinite(size) ? size : HUGE_VAL;
   }
 
 private:
