@@ -224,7 +224,8 @@ def test_lines_with_points_of_their_own(name):
     assert np.array_equal(found.regular_faces, expected.regular_faces)
     assert {*found.point_data.keys()} == {*expected.point_data.keys()}
     for array in found.point_data.keys():
-        assert found[array].dtype == expected[array].dtype
+        types = (mesh.GetPointData().GetAbstractArray(array).GetDataType() for mesh in (found, expected))
+        assert len(set(types)) == 1, array  # PyVista calls its own flags bool
         rows = found["PointOrigin"] < 2 if array not in ("PointOrigin", "HeightRange") else slice(None)
         assert np.array_equal(found[array][rows], expected[array][rows], equal_nan=found[array].dtype.kind == "f"), array
     crossing = found["PointOrigin"] == 2
