@@ -104,9 +104,13 @@ int vtkPFFDelaunayFilter::RequestData(
     triangulation.MarkDuplicates(output);
     processes.Agree();
     triangulation.GetInput().Report(cells, std::nullopt, counts.Dropped, output);
-    if (this->ReportAsFieldData)
+    if (this->ReportAsFieldData) // constraints are one process's
     {
-      vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopSplitPoints", std::int64_t(0));
+      for (const char* name :
+        { "FlipFlopSplitPoints", "FlipFlopAddedPoints", "FlipFlopHeightDifferences" })
+      {
+        vtkFFOutput::AddValue(output->GetFieldData(), name, std::int64_t(0));
+      }
     }
   };
   return vtkFFDistributedInput::Run(this, this->Controller, "Delaunay triangulation", false,

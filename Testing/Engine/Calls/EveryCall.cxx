@@ -288,10 +288,10 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
   add("interpolateCloughTocher", 0.0,
     [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
     { of.interpolateCloughTocher(given->data()->data(), 1, points, values, o); });
+  const double step = box[0] / 15;
   table.add("interpolateImage", sites, true, false, unread,
     [=](Points, Weights, const Options& options)
     {
-      const double step = box[0] / 15;
       const ImageGrid grid{ { -step, box[1] }, { step, -step }, { 150, 150 }, { 0, 0 } };
       return bitsWritten<double>(150 * 150,
         [&](double* pixels)
