@@ -7,6 +7,7 @@
 #include "Geometry/HullStart.h"
 #include "Run/HullRun.h"
 #include "Support/EngineCall.h"
+#include "Support/ProgressOfParts.h"
 #include "Surface/CellMesh.h"
 #include "Surface/HullKernel.h"
 #include "Surface/StarShape.h"
@@ -179,49 +180,21 @@ private:
   std::vector<Vertex> corners;
 };
 
-/// A half of a call, which reports its progress as that of the whole.
-class Half
-{
-public:
-  Half(const Options& options, double from)
-    : whole(options)
-    , begin(from)
-  {
-  }
-
-  Options options()
-  {
-    Options half = this->whole;
-    if (half.progress)
-    {
-      half.progressContext = this;
-      half.step = nullptr; // which takes the caller's context
-      half.progress = [](double fraction, void* context)
-      {
-        // The caller's environment is on for the caller's function.
-        const Half& self = *static_cast<const Half*>(context);
-        const double done = engineCall([&] { return self.begin + 0.5 * fraction; });
-        return self.whole.progress(done, self.whole.progressContext);
-      };
-    }
-    return half;
-  }
-
-private:
-  const Options whole;
-  const double begin;
-};
-
 /// @param prepare TriangulationQueries (const Options&)
 template <class Prepare>
 Certificate locateEach(const PointView& points, const Options& options, const Prepare& prepare)
 {
-  Half preparing(options, 0.0);
-  Half naming(options, 0.5);
-  const TriangulationQueries queries = prepare(preparing.options());
+  ProgressOfParts progress(options);
+  const auto partUpTo = [&](double next)
+  {
+    Options part = progress.options(next);
+    part.nonFinite = options.nonFinite;
+    return part;
+  };
+  const TriangulationQueries queries = prepare(partUpTo(0.5));
   Certificate result;
   result.cells.allocate(static_cast<std::size_t>(points.count));
-  queries.locate(points, result.cells.data(), naming.options());
+  queries.locate(points, result.cells.data(), partUpTo(1.0));
   return result;
 }
 
@@ -256,8 +229,8 @@ Certificate certificate(const PointView& points, const WeightView& weights,
     [&]
     {
       return locateEach(points, options,
-        [&](const Options& half)
-        { return TriangulationQueries(points, weights, triangulation, half); });
+        [&](const Options& part)
+        { return TriangulationQueries(points, weights, triangulation, part); });
     });
 }
 
@@ -268,8 +241,8 @@ Certificate certificate(
     [&]
     {
       return locateEach(points, options,
-        [&](const Options& half)
-        { return TriangulationQueries(points, triangulation, nullptr, half); });
+        [&](const Options& part)
+        { return TriangulationQueries(points, triangulation, nullptr, part); });
     });
 }
 

@@ -68,16 +68,15 @@ public:
   /// @param cellOf of each point a cell that holds it; of points of one position the same
   void associate(const std::int64_t* cellOf)
   {
-    std::uint32_t site = 0;
-    for (std::uint32_t i = 0; i < this->points.size(); ++i)
-    {
-      site = i > 0 && this->points.areTogether(site, i) ? site : i;
-      if (!this->kept.isKept[site])
+    this->points.eachWithSite(
+      [&](std::uint32_t i, std::uint32_t site)
       {
-        ensure(cellOf[site] >= 0);
-        this->lists[static_cast<std::size_t>(cellOf[site])].push_back(i);
-      }
-    }
+        if (!this->kept.isKept[site])
+        {
+          ensure(cellOf[site] >= 0);
+          this->lists[static_cast<std::size_t>(cellOf[site])].push_back(i);
+        }
+      });
     eachTask(this->lists.size(),
       [this](std::size_t cell)
       {

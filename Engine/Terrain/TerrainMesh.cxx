@@ -9,6 +9,7 @@
 #include "Points/ConstraintInput.h"
 #include "Run/Run.h"
 #include "Support/EngineCall.h"
+#include "Support/ProgressOfParts.h"
 #include "Terrain/GreedyInsertion.h"
 #include "Terrain/TerrainChain.h"
 #include "Terrain/TerrainPoints.h"
@@ -62,62 +63,6 @@ PointSource withHeights(const PointView& points, const WeightView& heights)
   }
   return PointSource(points, heights);
 }
-
-/// A call of another part of the engine is a step of this run.
-class StepOfRun
-{
-public:
-  StepOfRun(Monitor& toReport, const Options& callers)
-    : monitor(toReport)
-    , isWatched(callers.progress != nullptr)
-    , threads(callers.threads)
-  {
-  }
-
-  Options options(double from, double to, const char* name = nullptr)
-  {
-    this->monitor.stage(from, to, Units, name);
-    this->done = 0;
-    Options result;
-    result.threads = this->threads;
-    if (this->isWatched)
-    {
-      result.progressContext = this;
-      result.progress = [](double fraction, void* self)
-      { return static_cast<StepOfRun*>(self)->report(fraction); };
-    }
-    return result;
-  }
-
-private:
-  static constexpr std::int64_t Units = 1000;
-
-  /// Called in the caller's environment.
-  bool report(double fraction)
-  {
-    const DefaultFloatingPointEnvironment environment;
-    const auto reached = static_cast<std::int64_t>(fraction * Units);
-    try
-    {
-      this->monitor.advance(std::max<std::int64_t>(reached - this->done, 0));
-    }
-    catch (const Error& error)
-    {
-      if (error.code() == ErrorCode::Aborted)
-      {
-        return false;
-      }
-      throw;
-    }
-    this->done = std::max(this->done, reached);
-    return true;
-  }
-
-  Monitor& monitor;
-  const bool isWatched;
-  const int threads;
-  std::int64_t done = 0;
-};
 
 /// Some of the points, to be triangulated alone.
 class Subset
@@ -181,7 +126,7 @@ public:
     , constraints(given)
     , limits{ terrain.tolerance,
       terrain.maxVertices > 0 ? terrain.maxVertices : std::numeric_limits<std::int64_t>::max() }
-    , step(this->monitor, options)
+    , parts(options)
   {
     requireValid(terrain);
     flipflop::requireValid(given, points.count);
@@ -250,18 +195,14 @@ private:
     {
       return;
     }
-    std::vector<std::uint32_t> numberOf(this->source.count());
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-    {
-      numberOf[points[i].id] = i;
-    }
+    std::vector<std::uint32_t> siteOf(this->source.count());
+    points.eachWithSite([&](std::uint32_t i, std::uint32_t site) { siteOf[points[i].id] = site; });
     this->ends.reserve(static_cast<std::size_t>(2 * this->constraints.count));
     eachEnd(this->constraints,
       [&](std::int64_t, std::int64_t id)
       {
-        const std::uint32_t site = points.siteOf(numberOf[static_cast<std::size_t>(id)]);
-        this->ends.push_back(site);
-        this->kept.add(site);
+        this->ends.push_back(siteOf[static_cast<std::size_t>(id)]);
+        this->kept.add(this->ends.back());
       });
   }
 
@@ -272,7 +213,7 @@ private:
     try
     {
       return this->triangulate(
-        points, this->kept.isKept, this->step.options(0.2, 0.25), this->first);
+        points, this->kept.isKept, this->parts.options(0.2, 0.25), this->first);
     }
     catch (const Error& error)
     {
@@ -283,7 +224,7 @@ private:
     }
     this->keepCrossings(points);
     return this->triangulate(
-      points, this->kept.isKept, this->step.options(0.27, 0.28), this->first);
+      points, this->kept.isKept, this->parts.options(0.27, 0.28), this->first);
   }
 
   void keepHull(const TerrainPoints& points)
@@ -294,7 +235,8 @@ private:
     {
       flat.insert(flat.end(), { points[i].x[0], points[i].x[1], 0.0 });
     }
-    Options options = this->step.options(0.15, 0.2, "starting");
+    this->monitor.stage(0.15, 0.2, 1, "starting");
+    Options options = this->parts.options(0.15, 0.2);
     options.facets = FacetMode::Polygons;
     const Hull hull =
       convexHull(PointView(flat.data(), static_cast<std::int64_t>(points.size())), options);
@@ -310,7 +252,7 @@ private:
   {
     std::vector<std::uint32_t> numberOf;
     const ConstrainedTriangulation all = this->triangulate(points,
-      std::vector<std::uint8_t>(points.size(), 1), this->step.options(0.25, 0.27), numberOf);
+      std::vector<std::uint8_t>(points.size(), 1), this->parts.options(0.25, 0.27), numberOf);
     std::vector<std::uint32_t> degree(all.pointIds.size());
     for (const std::int64_t end : all.fixedEdges)
     {
@@ -349,7 +291,8 @@ private:
       positions.insert(positions.end(), points[i].x, points[i].x + 2);
     }
     std::vector<std::int64_t> cellOf(points.size());
-    const Options options = this->step.options(0.28, 0.4, "locating");
+    this->monitor.stage(0.28, 0.4, 1, "locating");
+    const Options options = this->parts.options(0.28, 0.4);
     const TriangulationQueries queries(
       PointView(positions.data(), static_cast<std::int64_t>(this->first.size()), 2), start, nullptr,
       options);
@@ -370,7 +313,7 @@ private:
 
     std::vector<std::uint32_t> vertexOf;
     ConstrainedTriangulation final =
-      this->triangulate(points, this->kept.isKept, this->step.options(0.9, 0.95), vertexOf);
+      this->triangulate(points, this->kept.isKept, this->parts.options(0.9, 0.95), vertexOf);
     ensure(final.pointIds.size() == vertexOf.size() &&
       (final.dimension == 0 || static_cast<std::size_t>(final.cellCount()) == surface.cellCount()));
     final.statistics = result.statistics;
@@ -407,22 +350,21 @@ private:
           beyond.fetch_add(1, std::memory_order_relaxed);
         }
       });
-    std::uint32_t site = 0;
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-    {
-      site = i > 0 && points.areTogether(site, i) ? site : i;
-      if (this->kept.isKept[site])
+    points.eachWithSite(
+      [&](std::uint32_t i, std::uint32_t site)
       {
-        // A line of one level.
-        Vertex other = points[site];
-        other.x[0] = other.x[0] == 0.0 ? 1.0 : 0.0;
-        const SurfacePlane level({ &points[site], &other, nullptr });
-        const double height = points[i].x[2] - points[site].x[2];
-        result.errors[points[i].id] = height;
-        result.unreachable +=
-          i != site && level.isBeyond(points[i], height, this->limits.tolerance) ? 1 : 0;
-      }
-    }
+        if (this->kept.isKept[site])
+        {
+          // A line of one level.
+          Vertex other = points[site];
+          other.x[0] = other.x[0] == 0.0 ? 1.0 : 0.0;
+          const SurfacePlane level({ &points[site], &other, nullptr });
+          const double height = points[i].x[2] - points[site].x[2];
+          result.errors[points[i].id] = height;
+          result.unreachable +=
+            i != site && level.isBeyond(points[i], height, this->limits.tolerance) ? 1 : 0;
+        }
+      });
     result.beyond = beyond.load() + result.unreachable;
     for (const double error : result.errors)
     {
@@ -458,7 +400,7 @@ private:
   const PointSource heightSource;
   const ConstraintView constraints;
   const InsertionLimits limits;
-  StepOfRun step;
+  ProgressOfParts parts; ///< of calls of other parts of the engine
   TerrainTriangulation::Geometry geometry;
   KeptPoints kept;
   std::vector<std::uint32_t> ends;  ///< of the constraints: points, by number

@@ -36,7 +36,20 @@ public:
       this->points[i].x[1] == this->points[j].x[1];
   }
 
-  /// The first point at the position of @p i: the one of the lowest id.
+  /// use(i, site) for each point, ascending; site: the first point at its position, the one of the
+  /// lowest id.
+  template <class Use>
+  void eachWithSite(const Use& use) const
+  {
+    std::uint32_t site = 0;
+    for (std::uint32_t i = 0; i < this->size(); ++i)
+    {
+      site = this->areTogether(site, i) ? site : i;
+      use(i, site);
+    }
+  }
+
+  /// The site of one.
   std::uint32_t siteOf(std::uint32_t i) const
   {
     while (i > 0 && this->areTogether(i - 1, i))

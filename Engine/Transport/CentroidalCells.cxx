@@ -4,8 +4,9 @@
 
 #include "Support/BufferCopy.h"
 #include "Support/EngineCall.h"
+#include "Support/ProgressOfParts.h"
 #include "Transport/CellMoments.h"
-#include "Transport/IterationWatch.h"
+#include "Transport/Iterations.h"
 #include "Transport/SiteArrays.h"
 #include <flipflop/Measures.h>
 #include <flipflop/RegularTriangulation.h>
@@ -30,20 +31,20 @@ public:
     , measured(given)
     , most(mostIterations)
     , tolerance(greatestMove)
-    , watch(options)
+    , progress(options)
   {
     requireLimits(this->most, this->tolerance);
   }
 
   CentroidalCells run()
   {
-    this->watch.name("moving sites");
+    this->progress.name("moving sites");
     this->result.converged = this->sites.positions.empty();
     while (!this->result.converged && this->result.iterations < this->most)
     {
       this->move();
     }
-    this->watch.name("making cells");
+    this->progress.name("making cells");
     this->finish();
     return std::move(this->result);
   }
@@ -57,7 +58,7 @@ private:
 
   Triangulation triangulated(double next, FacetMode facets)
   {
-    Options options = this->watch.options(next);
+    Options options = this->progress.options(next);
     options.facets = facets;
     Triangulation found =
       regularTriangulation(this->sites.points(), weightsOf(this->sites.numbers), options);
@@ -70,7 +71,7 @@ private:
     const double next = this->share(this->result.iterations + 1);
     const Triangulation triangulation = this->triangulated(next, FacetMode::Triangles);
     measureCells(this->sites.positions, this->weights(), triangulation, this->measured.polygon,
-      this->moments, this->watch.options(next));
+      this->moments, this->progress.options(next));
     std::vector<double>& positions = this->sites.positions;
     double far = 0;
     for (std::size_t i = 0; i < positions.size(); i += 2)
@@ -87,12 +88,12 @@ private:
   {
     const Triangulation triangulation = this->triangulated(1, FacetMode::Polygons);
     this->result.cells = powerDiagram(this->sites.points(), weightsOf(this->sites.numbers),
-      triangulation, this->domain, this->watch.options(1));
+      triangulation, this->domain, this->progress.options(1));
     const PowerDiagram& cells = this->result.cells;
     const std::size_t count = cells.siteIds.size();
     std::vector<double> areas(count);
     std::vector<double> centroids(2 * count);
-    cellMeasures(cells, areas.data(), centroids.data(), this->watch.options(1));
+    cellMeasures(cells, areas.data(), centroids.data(), this->progress.options(1));
 
     this->result.sites = bufferOf(this->sites.positions);
     this->result.centroids = bufferOf(this->sites.positions);
@@ -116,7 +117,7 @@ private:
   const MeasuredDomain measured;
   const std::int64_t most;
   const double tolerance;
-  IterationWatch watch;
+  ProgressOfParts progress;
   CellMoments moments;
   CentroidalCells result;
 };

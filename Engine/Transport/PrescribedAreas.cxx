@@ -9,9 +9,10 @@
 #include "PowerDiagram/DomainCorners.h"
 #include "Support/BufferCopy.h"
 #include "Support/EngineCall.h"
+#include "Support/ProgressOfParts.h"
 #include "Support/Stopwatch.h"
 #include "Transport/CellMoments.h"
-#include "Transport/IterationWatch.h"
+#include "Transport/Iterations.h"
 #include "Transport/LaplaceSolver.h"
 #include "Transport/SiteArrays.h"
 #include <flipflop/RegularTriangulation.h>
@@ -101,7 +102,7 @@ public:
     , domain(given)
     , tolerance(relativeError)
     , most(mostIterations)
-    , watch(options)
+    , progress(options)
   {
     requireLimits(this->most, this->tolerance);
     this->prescribe();
@@ -114,7 +115,7 @@ public:
       this->result.converged = true;
       return std::move(this->result);
     }
-    this->watch.name("fitting areas");
+    this->progress.name("fitting areas");
     this->start();
     while (!this->result.converged && this->result.iterations < this->most && this->step())
     {
@@ -182,7 +183,7 @@ private:
   {
     Stopwatch stopwatch;
     Triangulation found = regularTriangulation(
-      this->sites.points(), weightsOf(weights), this->watch.options(this->next));
+      this->sites.points(), weightsOf(weights), this->progress.options(this->next));
     this->result.statistics += found.statistics;
     this->result.secondsTriangulating += stopwatch.lap();
     return found;
@@ -192,7 +193,7 @@ private:
   {
     Stopwatch stopwatch;
     measureCells(this->sites.positions, state.weights.data(), triangulation, this->domain.polygon,
-      state.moments, this->watch.options(this->next));
+      state.moments, this->progress.options(this->next));
     const std::vector<double>& areas = state.moments.areas;
     double sum = 0;
     state.error = 0;
@@ -343,7 +344,7 @@ private:
   const MeasuredDomain domain;
   const double tolerance;
   const std::int64_t most;
-  IterationWatch watch;
+  ProgressOfParts progress;
   std::vector<double> prescribed;
   double next = 0;       ///< the share of the whole that the work under way leads to
   double firstError = 0; ///< the start's

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The options of the calls within an iteration: they let the caller stop, and report how
-/// far all iterations are.
-#ifndef flipflop_IterationWatch_h
-#define flipflop_IterationWatch_h
+/// The options of public calls that are parts of a whole: they let the caller stop, and report how
+/// far the whole is.
+#ifndef flipflop_ProgressOfParts_h
+#define flipflop_ProgressOfParts_h
 
 #include "Support/FloatingPointEnvironment.h"
-#include "Support/Stopwatch.h"
 #include <flipflop/Options.h>
 
 #include <algorithm>
@@ -15,46 +14,37 @@
 namespace flipflop
 {
 
-/// @throw Error BadArgument
-inline void requireLimits(std::int64_t iterations, double tolerance)
-{
-  if (iterations < 0)
-  {
-    throw badArgument("the most iterations must be 0 or more");
-  }
-  if (!(tolerance >= 0)) // or NaN
-  {
-    throw badArgument("the tolerance must be 0 or more");
-  }
-}
-
-class IterationWatch
+class ProgressOfParts
 {
 public:
-  explicit IterationWatch(const Options& options)
+  explicit ProgressOfParts(const Options& options)
     : caller(options)
   {
   }
-  IterationWatch(const IterationWatch&) = delete;
-  IterationWatch& operator=(const IterationWatch&) = delete;
+  ProgressOfParts(const ProgressOfParts&) = delete;
+  ProgressOfParts& operator=(const ProgressOfParts&) = delete;
 
-  /// Of a call that takes the whole from what is done to @p next; its steps have no names.
-  Options options(double next)
+  /// Of a call that takes the whole from what is done to @p next; its steps have no names. Besides
+  /// the progress, only the threads are the caller's.
+  Options options(double next) { return this->options(this->done, next); }
+
+  /// The same, from @p from on if less is done.
+  Options options(double from, double next)
   {
     Options result;
     result.threads = this->caller.threads;
-    this->begin = this->done;
+    this->begin = std::max(this->done, from);
     this->end = std::max(this->begin, next);
     if (this->caller.progress)
     {
       result.progress = [](double fraction, void* self)
-      { return static_cast<IterationWatch*>(self)->report(fraction); };
+      { return static_cast<ProgressOfParts*>(self)->report(fraction); };
       result.progressContext = this;
     }
     return result;
   }
 
-  /// For Monitor::stage: the name of what all iterations do.
+  /// For Monitor::stage: the name of what the whole does.
   void name(const char* step) const
   {
     if (this->caller.step)
@@ -79,16 +69,6 @@ private:
   double begin = 0;
   double end = 0;
 };
-
-/// The result of work(), with the seconds of the whole.
-template <class Work>
-auto withSeconds(const Work& work)
-{
-  Stopwatch watch;
-  auto result = work();
-  result.statistics.secondsTotal = watch.lap();
-  return result;
-}
 
 }
 
