@@ -109,7 +109,10 @@ private:
     {
       this->offset[0][i] /= farthest;
       this->offset[1][i] /= farthest;
-      const double distance = std::max(std::hypot(this->offset[0][i], this->offset[1][i]), 0.1);
+      // At most 1 each. (std::hypot's last bit is not the same everywhere.)
+      const double square =
+        this->offset[0][i] * this->offset[0][i] + this->offset[1][i] * this->offset[1][i];
+      const double distance = std::max(std::sqrt(square), 0.1);
       this->weights[i] = 1 / (distance * distance * distance);
     }
     int kept = 0;
