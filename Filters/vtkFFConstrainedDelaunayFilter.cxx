@@ -61,24 +61,30 @@ flipflop::ConstrainedTriangulation triangulate(vtkFFConstrainedDelaunayFilter* f
   std::int64_t& dropped)
 {
   const bool split = constraints && filter->GetSplitCrossingConstraints();
+  double done = 0.0;
+  const auto partUpTo = [&](double end)
+  {
+    run.SetPart(done, end);
+    done = end;
+  };
   try
   {
     if (split || (constraints && constraints->HasOwnPoints()))
     {
-      run.SetPart(0.0, 0.1);
+      partUpTo(0.1);
       constraints->Join(filter, input, run);
     }
     if (split)
     {
-      run.SetPart(0.1, 0.2);
+      partUpTo(0.2);
       constraints->Split(input, run.Options);
     }
     const auto view = constraints ? constraints->GetView() : flipflop::ConstraintView();
-    run.SetPart(split ? 0.2 : 0.0, view.sides > 0 ? 0.8 : 1.0);
+    partUpTo(view.sides > 0 ? 0.8 : 1.0);
     auto triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
     if (view.sides > 0)
     {
-      run.SetPart(0.8, 1.0);
+      partUpTo(1.0);
       dropped = dropOutside(run.Options, triangulation);
     }
     return triangulation;
@@ -223,6 +229,7 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
       {
         this->NumberOfSplitPoints = constraints->GetNumberOfNewPoints();
         this->NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
+        run.SetPart(1.0, 1.0); // for whoever asks it to stop
         this->NumberOfHeightDifferences =
           constraints->FindHeights(input, triangulation, run.Options);
         constraints->AppendNewPoints(input, run);

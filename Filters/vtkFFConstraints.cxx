@@ -380,11 +380,10 @@ vtkIdType vtkFFConstraints::FindHeights(const vtkFFPlanarInput& input,
   }
   flipflop::PointView given = input.GetSpace();
   given.count -= this->GetNumberOfJoinedPoints();
-  flipflop::Options quiet = options;
-  quiet.progress = nullptr;
   const flipflop::SplitConstraints unsplit;
-  this->Heights = flipflop::lineHeights(given, this->IsOwn ? this->Lines->GetSpace() : given,
-    this->GetWhole(), *this->Joined, this->Pieces ? *this->Pieces : unsplit, triangulation, quiet);
+  this->Heights =
+    flipflop::lineHeights(given, this->IsOwn ? this->Lines->GetSpace() : given, this->GetWhole(),
+      *this->Joined, this->Pieces ? *this->Pieces : unsplit, triangulation, options);
   return static_cast<vtkIdType>(this->Heights->differing);
 }
 
