@@ -33,7 +33,7 @@ struct FanMesh
   FanMesh(const Vertex* vertices, const LiftedGeometry<true>& geometry,
     const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges, Monitor& monitor);
 
-  /// Numbers vertices, and with them triangles, anew: so that what is near in the plane is near in
+  /// Renumbers vertices, and with them triangles, so that what is near in the plane is near in
   /// memory.
   /// @param order the vertices' numbers until now
   void renumber(const Buffer<std::uint32_t>& order, Monitor& monitor);

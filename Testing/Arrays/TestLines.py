@@ -161,7 +161,7 @@ BAD = [
     ([[[0, 0], [1, 1]]], TypeError, r"lines\[0\]\[0\]\[0\] is no geometry: a geometry has __geo_interface__"),
     ([LINE, LINE[:1]], InputError, r"lines\[1\] has 1 point\(s\): a line takes 2 or more"),
     (mapping("Polygon", [[(0, 0), (1, 1), (0, 0)]]), InputError, r"ring 0 has 2 point\(s\): a ring takes 3 or more"),
-    (mapping("MultiLineString", [[(0, 0), (1, 1, 1)]]), InputError, "lines, part 0: coordinates cannot be told"),
+    (mapping("MultiLineString", [[(0, 0), (1, 1, 1)]]), InputError, "lines, part 0: coordinates cannot be read"),
     ([LINE, OTHER[:, :2]], InputError, r"lines have 2 coordinates or 3, .* lines\[0\] has 3 and lines\[1\] has 2"),
     ([], InputError, "lines is empty"),
     ({"type": "GeometryCollection", "geometries": []}, InputError, "lines is empty"),

@@ -205,7 +205,7 @@ def _of_lists(values: Any, what: str) -> np.ndarray:
             rounded, array = array, np.asarray(values, dtype=object)
             array = np.ma.array(array, mask=np.ma.getmask(rounded))
     except ValueError as error:  # rows of several lengths
-        raise ValueError(f"{what} cannot be told from these lists: {error}") from None
+        raise ValueError(f"{what} cannot be read from these lists: {error}") from None
     return array
 
 

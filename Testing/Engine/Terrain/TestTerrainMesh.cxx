@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Terrain meshes: every error is what rationals tell, no insertion is one too many, and the mesh
+/// Terrain meshes: every error is that of rationals, no insertion is one too many, and the mesh
 /// is the constrained triangulation of the points that were kept.
 #include "Testing/Engine/Calls/Bits.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
