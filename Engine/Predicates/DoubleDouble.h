@@ -11,41 +11,49 @@
 namespace flipflop
 {
 
-struct DoubleDouble
+/// @tparam T double, or a vector of doubles: a number in each of its elements
+template <class T>
+struct DoubleDoubleOf
 {
-  double high;
-  double low;
+  T high;
+  T low;
 };
 
+using DoubleDouble = DoubleDoubleOf<double>;
+
 /// a - b, exactly.
-FF_HD inline DoubleDouble doubleDifference(double a, double b)
+template <class T>
+FF_HD inline DoubleDoubleOf<T> doubleDifference(T a, T b)
 {
-  DoubleDouble result;
+  DoubleDoubleOf<T> result;
   twoSum(a, -b, result.high, result.low);
   return result;
 }
 
-FF_HD inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b)
+template <class T>
+FF_HD inline DoubleDoubleOf<T> operator+(const DoubleDoubleOf<T>& a, const DoubleDoubleOf<T>& b)
 {
-  double high, low, tail, tailLow;
+  T high, low, tail, tailLow;
   twoSum(a.high, b.high, high, low);
   twoSum(a.low, b.low, tail, tailLow);
   twoSum(high, low + tail, high, low);
-  DoubleDouble result;
+  DoubleDoubleOf<T> result;
   twoSum(high, low + tailLow, result.high, result.low);
   return result;
 }
 
-FF_HD inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b)
+template <class T>
+FF_HD inline DoubleDoubleOf<T> operator-(const DoubleDoubleOf<T>& a, const DoubleDoubleOf<T>& b)
 {
-  return a + DoubleDouble{ -b.high, -b.low };
+  return a + DoubleDoubleOf<T>{ -b.high, -b.low };
 }
 
-FF_HD inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b)
+template <class T>
+FF_HD inline DoubleDoubleOf<T> operator*(const DoubleDoubleOf<T>& a, const DoubleDoubleOf<T>& b)
 {
-  double high, low;
+  T high, low;
   twoProduct(a.high, b.high, high, low);
-  DoubleDouble result;
+  DoubleDoubleOf<T> result;
   twoSum(high, low + (a.high * b.low + a.low * b.high), result.high, result.low);
   return result;
 }

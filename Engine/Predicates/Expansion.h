@@ -19,28 +19,31 @@ namespace flipflop
 {
 
 /// high + low = a + b exactly, high the rounded sum.
-FF_HD inline void twoSum(double a, double b, double& high, double& low)
+template <class T>
+FF_HD inline void twoSum(T a, T b, T& high, T& low)
 {
   high = a + b;
-  const double bPart = high - a;
-  const double aPart = high - bPart;
+  const T bPart = high - a;
+  const T aPart = high - bPart;
   low = (a - aPart) + (b - bPart);
 }
 
 /// A double as two halves of at most 26 bits each (Veltkamp).
-FF_HD inline void splitHalves(double a, double& high, double& low)
+template <class T>
+FF_HD inline void splitHalves(T a, T& high, T& low)
 {
-  const double c = 134217729.0 * a; // 2^27 + 1
+  const T c = 134217729.0 * a; // 2^27 + 1
   high = c - (c - a);
   low = a - high;
 }
 
 /// high + low = a * b exactly, high the rounded product (Dekker; no fused multiply-add is required
 /// of the machine, so every processor and the device give the same components).
-FF_HD inline void twoProduct(double a, double b, double& high, double& low)
+template <class T>
+FF_HD inline void twoProduct(T a, T b, T& high, T& low)
 {
   high = a * b;
-  double aHigh, aLow, bHigh, bLow;
+  T aHigh, aLow, bHigh, bLow;
   splitHalves(a, aHigh, aLow);
   splitHalves(b, bHigh, bLow);
   low = aLow * bLow - (((high - aHigh * bHigh) - aLow * bHigh) - aHigh * bLow);

@@ -245,7 +245,7 @@ private:
     const Number none = this->values.number(0.0);
     this->parts.push_back({ this->mesh.origin(h), none, Size(0) });
     this->site = this->space.site(this->mesh.origin(h));
-    this->sum = Pair::twice(none);
+    this->sum = Values::pairOf(none, none);
     this->way[0] = this->way[1] = Size(0);
   }
 
@@ -272,7 +272,8 @@ private:
   void addSide(const Number& multiple, std::uint32_t neighbour)
   {
     const Vertex to = this->space.site(neighbour);
-    const Pair side = Pair::twice(multiple) * this->values.differences(to.x, this->site.x);
+    const Pair side =
+      Values::pairOf(multiple, multiple) * this->values.differences(to.x, this->site.x);
     const Size width = Values::sizeOf(side, 0);
     const Size height = Values::sizeOf(side, 1);
     Part& part = this->parts.back();

@@ -40,81 +40,25 @@ inline double toDouble(const DoubleDouble& a)
   return a.high;
 }
 
-/// An x and a y in double-double, side by side in a vector unit: all operations are those of
-/// DoubleDouble, to the bit.
-struct DoubleDoublePair
-{
+/// An x and a y side by side, in a vector unit where the compiler has such a type.
 #if defined(__GNUC__)
-  using Doubles = double __attribute__((vector_size(16)));
+using DoublePair = double __attribute__((vector_size(16)));
 #else
-  struct Doubles
-  {
-    double x, y;
-    double operator[](int i) const { return i == 0 ? this->x : this->y; }
-    Doubles operator+(const Doubles& b) const { return { this->x + b.x, this->y + b.y }; }
-    Doubles operator-(const Doubles& b) const { return { this->x - b.x, this->y - b.y }; }
-    Doubles operator*(const Doubles& b) const { return { this->x * b.x, this->y * b.y }; }
-  };
-#endif
-  Doubles high;
-  Doubles low;
+struct DoublePair
+{
+  double x, y;
 
-  static DoubleDoublePair twice(const DoubleDouble& a)
-  {
-    return { Doubles{ a.high, a.high }, Doubles{ a.low, a.low } };
-  }
-  static DoubleDoublePair difference(const double* a, const double* b)
-  {
-    return sumOf(Doubles{ a[0], a[1] }, Doubles{ -b[0], -b[1] });
-  }
-
-  DoubleDouble x() const
-  {
-    return { this->high[0], this->low[0] };
-  }
-  DoubleDouble y() const
-  {
-    return { this->high[1], this->low[1] };
-  }
-  /// y and x.
-  DoubleDoublePair turned() const
-  {
-    return { Doubles{ this->high[1], this->high[0] }, Doubles{ this->low[1], this->low[0] } };
-  }
-
-  friend DoubleDoublePair operator+(const DoubleDoublePair& a, const DoubleDoublePair& b)
-  {
-    const DoubleDoublePair sum = sumOf(a.high, b.high);
-    const DoubleDoublePair tail = sumOf(a.low, b.low);
-    const DoubleDoublePair first = sumOf(sum.high, sum.low + tail.high);
-    return sumOf(first.high, first.low + tail.low);
-  }
-  friend DoubleDoublePair operator*(const DoubleDoublePair& a, const DoubleDoublePair& b)
-  {
-    const Doubles high = a.high * b.high;
-    const DoubleDoublePair u = halvesOf(a.high), v = halvesOf(b.high);
-    const Doubles low =
-      u.low * v.low - (((high - u.high * v.high) - u.low * v.high) - u.high * v.low);
-    return sumOf(high, low + (a.high * b.low + a.low * b.high));
-  }
-
-private:
-  /// As twoSum().
-  static DoubleDoublePair sumOf(Doubles a, Doubles b)
-  {
-    const Doubles high = a + b;
-    const Doubles bPart = high - a;
-    const Doubles aPart = high - bPart;
-    return { high, (a - aPart) + (b - bPart) };
-  }
-  /// As splitHalves().
-  static DoubleDoublePair halvesOf(Doubles a)
-  {
-    const Doubles c = Doubles{ 134217729.0, 134217729.0 } * a; // 2^27 + 1
-    const Doubles high = c - (c - a);
-    return { high, a - high };
-  }
+  double operator[](int i) const { return i == 0 ? this->x : this->y; }
+  DoublePair operator-() const { return { -this->x, -this->y }; }
+  DoublePair operator+(const DoublePair& b) const { return { this->x + b.x, this->y + b.y }; }
+  DoublePair operator-(const DoublePair& b) const { return { this->x - b.x, this->y - b.y }; }
+  DoublePair operator*(const DoublePair& b) const { return { this->x * b.x, this->y * b.y }; }
+  friend DoublePair operator*(double a, const DoublePair& b) { return { a * b.x, a * b.y }; }
 };
+#endif
+
+/// An x and a y in double-double.
+using DoubleDoublePair = DoubleDoubleOf<DoublePair>;
 
 /// value * 2^exponent.
 struct ExactValue
@@ -174,7 +118,7 @@ public:
   /// The same of an x and of a y.
   Pair differences(const double* a, const double* b)
   {
-    const Pair result = Pair::difference(a, b);
+    const Pair result = doubleDifference(DoublePair{ a[0], a[1] }, DoublePair{ b[0], b[1] });
     this->limit(std::fabs(result.high[0]));
     this->limit(std::fabs(result.high[1]));
     return result;
@@ -182,19 +126,24 @@ public:
 
   static Size sizeOf(const Pair& x, int i) { return std::fabs(x.high[i]); }
 
+  static Pair pairOf(const Number& x, const Number& y)
+  {
+    return { DoublePair{ x.high, y.high }, DoublePair{ x.low, y.low } };
+  }
+
   /// u x v.
   static Number cross(const Pair& u, const Pair& v)
   {
-    const Pair sides = u * v.turned();
-    return sides.x() - sides.y();
+    const Pair sides = u * turned(v);
+    return at(sides, 0) - at(sides, 1);
   }
 
   /// Twice the area of abc, positive where it turns left; zero only where it is.
   FF_FLATTEN Number area(const double* a, const double* b, const double* c)
   {
     const Pair u = this->differences(b, a), v = this->differences(c, a);
-    const Pair sides = u * v.turned();
-    const Number left = sides.x(), right = sides.y();
+    const Pair sides = u * turned(v);
+    const Number left = at(sides, 0), right = at(sides, 1);
     return this->checked(left - right, std::fabs(left.high) + std::fabs(right.high),
       [&] { return exactArea(a, b, c); });
   }
@@ -211,7 +160,7 @@ public:
     {
       u[i] = this->differences(row[i], a);
       const Pair squares = u[i] * u[i];
-      const Number square = squares.x() + squares.y();
+      const Number square = at(squares, 0) + at(squares, 1);
       const Number weight = this->difference(row[i][2], a[2]);
       height[i] = weight - square;
       size[i] = square.high + std::fabs(weight.high);
@@ -222,8 +171,8 @@ public:
     {
       const int j = i == 2 ? 0 : i + 1;
       const int k = i == 0 ? 2 : i - 1;
-      const Pair sides = u[j] * u[k].turned();
-      const Number left = sides.x(), right = sides.y();
+      const Pair sides = u[j] * turned(u[k]);
+      const Number left = at(sides, 0), right = at(sides, 1);
       det = det + (left - right) * height[i];
       most += (std::fabs(left.high) + std::fabs(right.high)) * size[i];
     }
@@ -231,6 +180,11 @@ public:
   }
 
 private:
+  static Number at(const Pair& a, int i) { return { a.high[i], a.low[i] }; }
+
+  /// y and x.
+  static Pair turned(const Pair& a) { return pairOf(at(a, 1), at(a, 0)); }
+
   /// The value is off by less than 2^-100 of its terms.
   template <class Exact>
   Number checked(const Number& value, double most, const Exact& exact)
@@ -266,7 +220,6 @@ public:
   {
     Number high[2]; ///< all of them
 
-    static Pair twice(const Number& a) { return { { a, a } }; }
     friend Pair operator*(const Pair& a, const Pair& b)
     {
       return { { Number(a.high[0] * b.high[0]), Number(a.high[1] * b.high[1]) } };
@@ -289,6 +242,7 @@ public:
   {
     return { { this->difference(a[0], b[0]), this->difference(a[1], b[1]) } };
   }
+  static Pair pairOf(const Number& x, const Number& y) { return { { x, y } }; }
   static Size sizeOf(const Pair& x, int i) { return abs(x.high[i]); }
   static Number cross(const Pair& u, const Pair& v)
   {

@@ -3,7 +3,6 @@
 /// @file
 /// Natural neighbour coordinates are shares that reproduce linear functions, at every range; they
 /// are the areas that power diagrams with and without the query differ by; and they are continuous.
-#include "Query/PlaneValues.h"
 #include "Testing/Engine/Query/PlaneQueries.h"
 
 #include <flipflop/Measures.h>
@@ -312,29 +311,6 @@ TEST(NaturalNeighbour, AreTheSameAtEveryScale)
       }
     }
     EXPECT_GT(shared, 15 * 4);
-  }
-}
-
-TEST(NaturalNeighbour, PairsAreComputedAsDoubleDoubles)
-{
-  Random random(31);
-  const auto number = [&]
-  { return doubleDifference(random.uniform(-1, 1), random.uniform(-1, 1)); };
-  const auto expectSame = [](const DoubleDouble& found, const DoubleDouble& expected)
-  { EXPECT_TRUE(found.high == expected.high && found.low == expected.low); };
-  for (int i = 0; i < 1000; ++i)
-  {
-    const DoubleDouble a[] = { number(), number() };
-    const DoubleDouble b[] = { number(), number() };
-    const auto pairOf = [](const DoubleDouble* of) {
-      return DoubleDoublePair{ { of[0].high, of[1].high }, { of[0].low, of[1].low } };
-    };
-    const DoubleDoublePair sum = pairOf(a) + pairOf(b);
-    const DoubleDoublePair product = pairOf(a) * pairOf(b).turned();
-    expectSame(sum.x(), a[0] + b[0]);
-    expectSame(sum.y(), a[1] + b[1]);
-    expectSame(product.x(), a[0] * b[1]);
-    expectSame(product.y(), a[1] * b[0]);
   }
 }
 
