@@ -17,6 +17,7 @@
 /// Tasks run in the default floating-point environment, if the caller does.
 /// Calls wait for their tasks; tasks may call in turn. What one of them throws comes out of the
 /// call: one of it, where several throw. By then all tasks have ended, but not all have begun.
+/// A call that returns has run all of its tasks, also within a call of which another task threw.
 ///
 /// Most runs are small, and most of their loops are one task: the caller does it at once,
 /// since handing a task to the threads' library costs more than a few points do.

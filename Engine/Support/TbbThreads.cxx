@@ -3,6 +3,7 @@
 #include "Support/TbbThreads.h"
 
 #include "Support/FloatingPointEnvironment.h"
+#include <flipflop/Error.h>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -45,8 +46,20 @@ private:
 
 /// Of a loop whose tasks have the floating-point environment of the thread that calls it. By
 /// default they have that of the thread that first used the arena.
-struct LoopContext
+class LoopContext
 {
+public:
+  /// @throw Error Aborted: the loop is within another one of which a task threw. oneTBB then leaves
+  ///        out the tasks that have not begun, and says nothing here. The other's exception is what
+  ///        its caller gets.
+  void checkComplete()
+  {
+    if (this->context.is_group_execution_cancelled())
+    {
+      throw Error(ErrorCode::Aborted);
+    }
+  }
+
   tbb::task_group_context context{ tbb::task_group_context::bound,
     tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings };
 };
@@ -122,6 +135,7 @@ void forEach(std::size_t count, const std::function<void(std::size_t)>& body)
   {
     LoopContext loop;
     tbb::parallel_for(std::size_t(0), count, body, loop.context);
+    loop.checkComplete();
   }
 }
 
@@ -131,6 +145,7 @@ void forEachAlone(std::size_t count, const std::function<void(std::size_t)>& bod
   {
     LoopContext loop;
     tbb::parallel_for(std::size_t(0), count, body, tbb::simple_partitioner(), loop.context);
+    loop.checkComplete();
   }
 }
 
@@ -144,6 +159,7 @@ void invokeBoth(const std::function<void()>& first, const std::function<void()>&
   }
   LoopContext loop;
   tbb::parallel_invoke(first, second, loop.context);
+  loop.checkComplete();
 }
 
 }

@@ -253,6 +253,50 @@ TEST(Parallel, WhatATaskThrowsComesOut)
   }
 }
 
+/// While a task of the outer call has thrown, a call within another task of it either runs all of
+/// its own tasks or throws: nothing goes on with what was never computed.
+TEST(Parallel, NoCallReturnsBeforeItsTasksHaveRun)
+{
+  const threads::Allowance allowed(2);
+  std::atomic<bool> isThere{ false };
+  std::atomic<bool> throws{ false };
+  const auto fails = [&]
+  {
+    while (!isThere.load())
+    {
+      std::this_thread::yield();
+    }
+    throws.store(true);
+    throw std::runtime_error("a task failed");
+  };
+  const auto goesOn = [&]
+  {
+    isThere.store(true);
+    while (!throws.load())
+    {
+      std::this_thread::yield();
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+    while (std::chrono::steady_clock::now() < end)
+    {
+      std::atomic<int> run{ 0 };
+      threads::invoke([&] { ++run; }, [&] { ++run; });
+      eachTask(3, [&](std::size_t) { ++run; });
+      threads::eachAlone(3, [&](std::size_t) { ++run; });
+      EXPECT_EQ(run.load(), 8);
+    }
+  };
+  try
+  {
+    ArenaLoan(2).execute([&] { threads::invoke(fails, goesOn); });
+    ADD_FAILURE() << "no error";
+  }
+  catch (const std::exception& error)
+  {
+    EXPECT_STREQ(error.what(), "a task failed");
+  }
+}
+
 TEST(Parallel, Sorts)
 {
   std::uint64_t calls = 0;
