@@ -6,6 +6,7 @@
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/JoinedLines.h>
+#include <flipflop/TerrainMesh.h>
 #include <flipflop/Validate.h>
 
 #include <algorithm>
@@ -183,6 +184,39 @@ void joinAnother(Trial& trial, Bytes& bytes, const Cloud& cloud)
     "the number of heights is wrong");
 }
 
+/// Some of the points, within a tolerance of the others: what is left out is counted, and is right.
+void meshTerrain(Trial& trial, Bytes& bytes, const Cloud& cloud, const ConstraintView& constraints)
+{
+  const PointView points(
+    cloud.empty() ? nullptr : cloud.front().data(), static_cast<std::int64_t>(cloud.size()));
+  const double tolerance = std::ldexp(bytes.below(5), bytes.below(24) - 12);
+  const std::int64_t most = bytes.oneOf(4) ? 1 + bytes.below(40) : 0;
+  const auto mesh =
+    trial.run(-1, { ErrorCode::NonFinite, ErrorCode::ConstraintPoint, ErrorCode::ConstraintsCross },
+      [&](const Options& options) {
+        return terrainMesh(points, WeightView(), constraints, { tolerance, most }, options);
+      });
+  if (!mesh.result)
+  {
+    return;
+  }
+  std::int64_t leftOut = 0, farther = 0;
+  for (const double error : mesh.result->errors)
+  {
+    leftOut += std::isnan(error) ? 1 : 0;
+    farther += std::fabs(error) > tolerance ? 1 : 0;
+  }
+  for (const std::int64_t id : mesh.result->pointIds)
+  {
+    demand(mesh.result->errors[static_cast<std::size_t>(id)] == 0, "a vertex is off the mesh");
+  }
+  demand(mesh.result->pointIds.size() + mesh.result->hiddenIds.size() + leftOut == cloud.size(),
+    "a point is neither kept nor left out");
+  demand(farther <= mesh.result->beyond && mesh.result->unreachable <= mesh.result->beyond,
+    "points beyond the tolerance are not counted");
+  demand(most > 0 || mesh.result->beyond == mesh.result->unreachable, "the mesh is not finished");
+}
+
 }
 
 void fuzzConstraints(Bytes& bytes)
@@ -219,6 +253,7 @@ void fuzzConstraints(Bytes& bytes)
       "the direction of rings counts");
   }
   joinAnother(trial, bytes, cloud);
+  meshTerrain(trial, bytes, cloud, view);
   const auto split = trial.run(-1, { ErrorCode::NonFinite, ErrorCode::ConstraintPoint },
     [&](const Options& options) { return splitCrossings(points, view, options); });
   demand(isRight == split.result.has_value(), "splitting has an error without a reason");
