@@ -249,12 +249,13 @@ private:
         const long double v = static_cast<long double>(x[1]) - mine[1];
         const long double s = static_cast<long double>(x[0]) - other[0];
         const long double t = static_cast<long double>(x[1]) - other[1];
-        const double length = 2 * std::hypot(other[0] - mine[0], other[1] - mine[1]);
+        const long double length = 2 *
+          std::hypot(static_cast<long double>(other[0]) - mine[0],
+            static_cast<long double>(other[1]) - mine[1]);
         const long double beyond = u * u + v * v - mine[2] - (s * s + t * t - other[2]);
         const long double error =
           0x1p-60L * (u * u + v * v + s * s + t * t + std::fabs(mine[2]) + std::fabs(other[2]));
-        if (beyond + error > limit * length && length > 0 &&
-          exactlyBeyond(x, mine, other) > mpq_class(limit * length))
+        if (beyond + error > limit * length && length > 0 && isExactlyBeyond(x, mine, other, limit))
         {
           return true;
         }
@@ -263,8 +264,9 @@ private:
     return false;
   }
 
-  /// How much greater the power to @p mine is.
-  static mpq_class exactlyBeyond(const Point& x, const Point& mine, const Point& other)
+  /// Is it farther on the side of @p other than so much?
+  static bool isExactlyBeyond(
+    const Point& x, const Point& mine, const Point& other, double distance)
   {
     const auto power = [&x](const Point& site) -> mpq_class
     {
@@ -272,7 +274,11 @@ private:
       const mpq_class v = mpq_class(x[1]) - mpq_class(site[1]);
       return u * u + v * v - mpq_class(site[2]);
     };
-    return power(mine) - power(other);
+    const mpq_class beyond = power(mine) - power(other);
+    const mpq_class u = mpq_class(other[0]) - mpq_class(mine[0]);
+    const mpq_class v = mpq_class(other[1]) - mpq_class(mine[1]);
+    const mpq_class limit(distance);
+    return beyond > 0 && beyond * beyond > 4 * limit * limit * (u * u + v * v);
   }
 
   const PowerDiagram& diagram;
