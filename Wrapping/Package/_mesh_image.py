@@ -47,7 +47,7 @@ def to_image(
         a point array's name, or numbers; by default the heights z, as "Elevation"
     spacing : number, or two
         from a point of the image to the next one. The image's points are the centers of pixels, which begin at the left
-        and at the top of the bounds; as many as cover these.
+        and at the top of the bounds; as many as cover these, but for a millionth of a pixel.
     shape : two integers
         rows and columns of pixels, which divide the bounds
     bounds : 2 corners, or 4 numbers, optional

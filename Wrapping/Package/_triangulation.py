@@ -295,7 +295,8 @@ class RegularTriangulation(Cells):
         values : array of shape (n, ...)
             as for interpolate()
         spacing : number, or two
-            the width and height of a pixel. Pixels begin at the left and at the top; as many as cover the bounds.
+            the width and height of a pixel. Pixels begin at the left and at the top; as many as cover the bounds, but
+            for a millionth of a pixel, as rounding leaves it.
         shape : two integers
             rows and columns, which divide the bounds
         bounds : 4 numbers, or 2 by 2
