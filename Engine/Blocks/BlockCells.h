@@ -32,6 +32,22 @@ inline void cornersOf(const CellComplex& complex, std::int64_t cell,
 class BlockCells
 {
 public:
+  BlockCells() = default;
+
+  ///@{
+  /// To bytes, and from them.
+  explicit BlockCells(MessageReader& reader)
+    : corners(reader.readAll<SiteHandle>())
+    , ends(reader.readAll<std::size_t>())
+  {
+  }
+  void save(MessageWriter& writer) const
+  {
+    writer.addAll(this->corners);
+    writer.addAll(this->ends);
+  }
+  ///@}
+
   /// @param corners in their order
   void add(const std::vector<SiteHandle>& corners);
 

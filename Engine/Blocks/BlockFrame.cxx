@@ -43,6 +43,7 @@ Options quiet(const Options& chosen)
 BlockFrame::BlockFrame(
   BlockShape ofShape, const std::vector<BlockMessage>& summaries, const Options& options)
   : shape(ofShape)
+  , blocks(static_cast<int>(summaries.size()))
   , range(emptyRange())
 {
   for (std::size_t block = 0; block < summaries.size(); ++block)

@@ -53,6 +53,7 @@ public:
   BlockSite pointOffLine() const;
 
   BlockShape shape = BlockShape::Hull;
+  int blocks = 0;     ///< how many there are
   int dimension = -1; ///< of what all points span
   Arithmetic arithmetic;
   CoordinateRange range{};         ///< of all points, scaled

@@ -24,11 +24,9 @@
 #include "Blocks/BlockSite.h"
 #include "Blocks/BlockSummary.h"
 #include "Blocks/OpenFacets.h"
+#include "Blocks/OwnSites.h"
 #include "Blocks/ReceivedSites.h"
 #include "Finish/Measure.h"
-#include "Points/InsertionOrder.h"
-#include "Points/PointSource.h"
-#include "Points/PointSubset.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
 
@@ -62,11 +60,15 @@ class BlockRun::State
 {
 public:
   State(BlockShape ofShape, const BlockPoints& points, const Options& chosen);
+  State(
+    MessageReader& reader, const Options& chosen, const std::shared_ptr<const BlockFrame>& ofAll);
 
+  BlockMessage save() const;
   BlockMessage summary() const { return this->own.message(); }
   void begin(const std::vector<BlockMessage>& summaries, int number);
+  void begin(std::shared_ptr<const BlockFrame> ofAll, int number);
   std::map<int, BlockMessage> makeQueries();
-  BlockMessage reply(const BlockMessage& queries) const;
+  BlockMessage reply(const BlockMessage& queries);
   void receive(int from, const BlockMessage& replies);
   BlockResult finish() const;
   BlockMeasure measure(const BlockResult& result, const double* origin) const;
@@ -77,20 +79,23 @@ private:
   CellComplex run(const std::vector<BlockSite>& sites, const Options& choices);
   CellComplex runOn(std::vector<SiteHandle>& members);
   std::map<int, BlockMessage> gather();
+  const BlockReach& reachOfOthers();
+  const BlockReplies& repliesOfVisible();
 
   const BlockShape shape;
   const Options options;
   std::vector<BlockSite> ownSites; ///< until the run begins
   const std::int64_t ownCount;
   const BlockSummary own;
-  int self = -1;
-  BlockFrame frame;
+  int self = -1; ///< before the run begins
+  std::shared_ptr<const BlockFrame> frame = std::make_shared<const BlockFrame>();
   ReceivedSites known;
   BlockCells cells;
-  std::unique_ptr<BlockReach> reach;
-  std::unique_ptr<OpenFacets> facets; ///< null: there are no queries
-  std::unique_ptr<BlockReplies> replies;
-  std::vector<SiteHandle> arrived; ///< since the last run
+  std::unique_ptr<BlockReach> reach;     ///< from its first use on
+  std::unique_ptr<OpenFacets> facets;    ///< null: there are no queries
+  std::vector<SiteHandle> visible;       ///< points that others may request
+  std::unique_ptr<BlockReplies> replies; ///< of these, from the first request on
+  std::vector<SiteHandle> arrived;       ///< since the last run
   int round = 0;
   Statistics statistics;
 
@@ -103,91 +108,85 @@ private:
   Gathering gathering = Gathering::None;
 };
 
-namespace
-{
-
-/// Points near each other come near each other, those of one position by id.
-std::vector<BlockSite> alongCurve(
-  BlockShape shape, const std::vector<BlockSite>& sites, const Options& options)
-{
-  std::vector<BlockSite> sorted(sites.size());
-  if (sites.empty())
-  {
-    return sorted;
-  }
-  Box box;
-  for (const BlockSite& site : sites)
-  {
-    box.add(site.x);
-  }
-  double middle[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    middle[i] = 0.5 * box.low[i] + 0.5 * box.high[i];
-  }
-  constexpr double Identity[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  Buffer<double> coordinates(3 * sites.size());
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-  {
-    coordinates[i] = sites[i / 3].x[i % 3] + 0.0; // the curve distinguishes -0 from 0
-  }
-  const PointView view(coordinates.data(), static_cast<std::int64_t>(sites.size()));
-  requireValid(view, 3);
-  runOver(sites.size(), quiet(options),
-    [&](Monitor& monitor)
-    {
-      PointSubset all;
-      all.count = static_cast<std::uint32_t>(sites.size());
-      const Buffer<std::uint32_t> order = curveOrder(PointSource(view), all,
-        shape == BlockShape::Hull ? OctahedralMap(middle, Identity) : OctahedralMap(), monitor);
-      for (std::size_t i = 0; i < sorted.size(); ++i)
-      {
-        sorted[i] = sites[order[i]];
-      }
-    });
-  return sorted;
-}
-
-std::vector<BlockSite> sitesOf(BlockShape shape, const BlockPoints& points, const Options& options)
-{
-  if (points.positions.size() != 3 * points.ids.size())
-  {
-    throw badArgument("a block's points must have three coordinates for each id");
-  }
-  std::vector<BlockSite> sites(points.ids.size());
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    const double* const x = points.positions.data() + 3 * i;
-    if (i > 0 && points.ids[i - 1] >= points.ids[i])
-    {
-      throw badArgument("the ids of a block's points must ascend", static_cast<std::int64_t>(i));
-    }
-    const double third = shape == BlockShape::Delaunay ? 0.0 : x[2];
-    sites[i] = { { x[0], x[1], third }, points.ids[i], NoBlock, static_cast<std::uint32_t>(i) };
-    if (!isFinite(sites[i].x))
-    {
-      throw Error(ErrorCode::NonFinite, static_cast<std::int64_t>(i), 1);
-    }
-  }
-  return alongCurve(shape, sites, options);
-}
-
-}
-
 BlockRun::State::State(BlockShape ofShape, const BlockPoints& points, const Options& chosen)
   : shape(ofShape)
   , options(chosen)
-  , ownSites(sitesOf(ofShape, points, this->options))
+  , ownSites(sitesAlongCurve(ofShape, points, this->options))
   , ownCount(static_cast<std::int64_t>(points.ids.size()))
   , own(ofShape, this->ownSites, this->options)
 {
 }
 
+BlockRun::State::State(
+  MessageReader& reader, const Options& chosen, const std::shared_ptr<const BlockFrame>& ofAll)
+  : shape(reader.read<BlockShape>())
+  , options(chosen)
+  , ownSites(reader.readAll<BlockSite>())
+  , ownCount(reader.read<std::int64_t>())
+  , own(reader.readAll<char>())
+  , self(reader.read<int>())
+{
+  if (this->self < 0)
+  {
+    return;
+  }
+  if (!ofAll || ofAll->shape != this->shape || ofAll->blocks <= this->self)
+  {
+    throw badArgument("a saved block that has begun needs the summaries of all blocks");
+  }
+  this->frame = ofAll;
+  this->known = ReceivedSites(reader.readAll<BlockSite>(), this->self);
+  this->cells = BlockCells(reader);
+  this->visible = reader.readAll<SiteHandle>();
+  this->arrived = reader.readAll<SiteHandle>();
+  this->round = reader.read<int>();
+  this->statistics = reader.read<Statistics>();
+  this->gathering = reader.read<Gathering>();
+  if (reader.read<bool>())
+  {
+    this->facets =
+      std::make_unique<OpenFacets>(*this->frame, this->options, this->known, this->cells);
+    this->facets->restore(reader);
+  }
+}
+
+BlockMessage BlockRun::State::save() const
+{
+  MessageWriter writer;
+  writer.add(this->shape);
+  writer.addAll(this->ownSites);
+  writer.add(this->ownCount);
+  writer.addAll(this->own.message());
+  writer.add(this->self);
+  if (this->self >= 0)
+  {
+    writer.addAll(this->known.all());
+    this->cells.save(writer);
+    writer.addAll(this->visible);
+    writer.addAll(this->arrived);
+    writer.add(this->round);
+    writer.add(this->statistics);
+    writer.add(this->gathering);
+    writer.add(this->facets != nullptr);
+    if (this->facets)
+    {
+      this->facets->save(writer);
+    }
+  }
+  writer.addHash();
+  return std::move(writer.message);
+}
+
 void BlockRun::State::begin(const std::vector<BlockMessage>& summaries, int number)
 {
-  ensure(number >= 0 && static_cast<std::size_t>(number) < summaries.size());
+  this->begin(std::make_shared<const BlockFrame>(this->shape, summaries, this->options), number);
+}
+
+void BlockRun::State::begin(std::shared_ptr<const BlockFrame> ofAll, int number)
+{
+  ensure(ofAll && ofAll->shape == this->shape && number >= 0 && number < ofAll->blocks);
   this->self = number;
-  this->frame = BlockFrame(this->shape, summaries, this->options);
+  this->frame = std::move(ofAll);
   if (this->ownCount == 0)
   {
     return;
@@ -196,20 +195,19 @@ void BlockRun::State::begin(const std::vector<BlockMessage>& summaries, int numb
   for (BlockSite& site : all)
   {
     site.block = this->self;
-    this->frame.scale(site.x);
-    ensure(this->frame.holds(site.x));
+    this->frame->scale(site.x);
+    ensure(this->frame->holds(site.x));
   }
-  std::copy_if(this->frame.sample.begin(), this->frame.sample.end(), std::back_inserter(all),
+  std::copy_if(this->frame->sample.begin(), this->frame->sample.end(), std::back_inserter(all),
     [this](const BlockSite& site) { return site.block != this->self; });
-  if (this->frame.isLifted() && this->frame.dimension == 1)
+  if (this->frame->isLifted() && this->frame->dimension == 1)
   {
-    all.push_back(this->frame.pointOffLine());
+    all.push_back(this->frame->pointOffLine());
   }
   this->known = ReceivedSites(std::move(all), this->self);
   const CellComplex complex = this->run(this->known.all(), this->options);
 
   // Others may request the points that appear, and that not all have.
-  std::vector<BlockSite> visible;
   for (const std::int64_t i : complex.pointIds)
   {
     const auto handle = static_cast<SiteHandle>(i);
@@ -217,25 +215,32 @@ void BlockRun::State::begin(const std::vector<BlockMessage>& summaries, int numb
     if (this->known.isOwn(handle) &&
       !std::binary_search(sample.begin(), sample.end(), this->known[handle], hasLowerId))
     {
-      visible.push_back(this->known[handle]);
+      this->visible.push_back(handle);
     }
   }
-  this->replies = BlockReplies::make(std::move(visible), this->frame, this->options);
-  if (this->frame.isOneFacet())
+  if (this->frame->isOneFacet())
   {
-    const bool hasLowest = this->frame.sample.front().block == this->self;
+    const bool hasLowest = this->frame->sample.front().block == this->self;
     this->gathering = hasLowest ? Gathering::ToQuery : Gathering::None;
     return;
   }
-  runOver(1, quiet(this->options),
-    [&](Monitor& monitor)
-    {
-      this->reach = std::make_unique<BlockReach>(
-        this->frame.patches, this->self, this->frame.isLifted(), monitor);
-    });
-  this->facets = std::make_unique<OpenFacets>(
-    this->frame, *this->reach, this->options, this->known, this->cells);
-  this->facets->begin(complex);
+  this->facets =
+    std::make_unique<OpenFacets>(*this->frame, this->options, this->known, this->cells);
+  this->facets->begin(complex, this->reachOfOthers());
+}
+
+const BlockReach& BlockRun::State::reachOfOthers()
+{
+  if (!this->reach)
+  {
+    runOver(1, quiet(this->options),
+      [&](Monitor& monitor)
+      {
+        this->reach = std::make_unique<BlockReach>(
+          this->frame->patches, this->self, this->frame->isLifted(), monitor);
+      });
+  }
+  return *this->reach;
 }
 
 CellComplex BlockRun::State::run(const std::vector<BlockSite>& sites, const Options& choices)
@@ -278,7 +283,7 @@ std::map<int, BlockMessage> BlockRun::State::makeQueries()
     const CellComplex complex = this->runOn(members);
     this->facets->replace(complex, members);
   }
-  this->facets->update();
+  this->facets->update(this->reachOfOthers());
   const int doubled = std::min(this->round++, 28);
   std::map<int, std::vector<ConflictQuery>> queries;
   this->facets->eachOpen(
@@ -317,7 +322,7 @@ std::map<int, BlockMessage> BlockRun::State::gather()
   {
     this->gathering = Gathering::Queried;
     std::set<int> others;
-    for (const BlockSite& site : this->frame.sample)
+    for (const BlockSite& site : this->frame->sample)
     {
       others.insert(static_cast<int>(site.block));
     }
@@ -346,28 +351,43 @@ std::map<int, BlockMessage> BlockRun::State::gather()
   return messages;
 }
 
-BlockMessage BlockRun::State::reply(const BlockMessage& message) const
+const BlockReplies& BlockRun::State::repliesOfVisible()
+{
+  if (!this->replies)
+  {
+    std::vector<BlockSite> sites;
+    sites.reserve(this->visible.size());
+    for (const SiteHandle handle : this->visible)
+    {
+      sites.push_back(this->known[handle]);
+    }
+    this->replies = BlockReplies::make(std::move(sites), *this->frame, this->options);
+  }
+  return *this->replies;
+}
+
+BlockMessage BlockRun::State::reply(const BlockMessage& message)
 {
   MessageReader reader(message);
   const auto request = reader.read<Request>();
-  ensure(this->replies && (request == Request::All || request == Request::Conflicts));
+  ensure(this->known.size() > 0 && (request == Request::All || request == Request::Conflicts));
   MessageWriter writer;
   if (request == Request::All)
   {
-    writer.addAll(this->replies->all());
+    writer.addAll(this->repliesOfVisible().all());
   }
   else
   {
     const auto queries = reader.readAll<ConflictQuery>();
     for (const ConflictQuery& query : queries)
     {
-      ensure(query.limit > 0 && (!query.isBorder || this->frame.isLifted()));
+      ensure(query.limit > 0 && (!query.isBorder || this->frame->isLifted()));
       for (int i = 0; i < (query.isBorder ? 2 : 3); ++i)
       {
-        ensure(this->frame.holds(query.corner[i]));
+        ensure(this->frame->holds(query.corner[i]));
       }
     }
-    writer.addAll(this->replies->conflicts(queries));
+    writer.addAll(this->repliesOfVisible().conflicts(queries));
   }
   ensure(reader.atEnd());
   return std::move(writer.message);
@@ -378,7 +398,7 @@ void BlockRun::State::receive(int from, const BlockMessage& message)
   MessageReader reader(message);
   for (BlockSite& site : reader.readAll<BlockSite>())
   {
-    ensure(this->frame.holds(site.x) && from != this->self);
+    ensure(this->frame->holds(site.x) && from != this->self);
     site.block = from;
     if (this->known.add(site))
     {
@@ -391,7 +411,7 @@ void BlockRun::State::receive(int from, const BlockMessage& message)
 BlockResult BlockRun::State::finish() const
 {
   BlockResult result;
-  this->cells.write(this->known, this->frame, this->options.facets, result);
+  this->cells.write(this->known, *this->frame, this->options.facets, result);
   result.cells.statistics = this->statistics;
   result.cells.statistics.points = this->ownCount;
   if (this->facets)
@@ -409,11 +429,11 @@ BlockMeasure BlockRun::State::measure(const BlockResult& result, const double* o
   const auto scaled = [this](const double* x)
   {
     BlockSite site{ { x[0], x[1], x[2] }, 0, NoBlock, 0 };
-    this->frame.scale(site.x);
+    this->frame->scale(site.x);
     return site;
   };
   const BlockSite from = scaled(origin);
-  const Measure shares(this->frame.range, this->frame.arithmetic.scaleExponent);
+  const Measure shares(this->frame->range, this->frame->arithmetic.scaleExponent);
   MeasureSums sums;
   const CellComplex& complex = result.cells;
   for (std::int64_t cell = 0; complex.dimension >= 2 && cell < complex.cellCount(); ++cell)
@@ -436,16 +456,22 @@ BlockMeasure BlockRun::State::measure(const BlockResult& result, const double* o
 void BlockRun::State::sizeOf(const BlockMeasure& sum, double& volume, double& area) const
 {
   Hull hull;
-  hull.dimension = this->frame.dimension;
+  hull.dimension = this->frame->dimension;
   MeasureSums sums;
   sums.volume = { sum.parts[0], sum.parts[1] };
   sums.area = { sum.parts[2], sum.parts[3] };
   if (hull.dimension >= 2)
   {
-    Measure(this->frame.range, this->frame.arithmetic.scaleExponent).write(sums, hull);
+    Measure(this->frame->range, this->frame->arithmetic.scaleExponent).write(sums, hull);
   }
   volume = hull.volume;
   area = hull.area;
+}
+
+BlockSummaries::BlockSummaries(
+  BlockShape shape, const std::vector<BlockMessage>& messages, const Options& options)
+  : frame(engineCall([&] { return std::make_shared<const BlockFrame>(shape, messages, options); }))
+{
 }
 
 BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& options)
@@ -453,7 +479,26 @@ BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& o
 {
 }
 
+BlockRun::BlockRun(
+  const BlockMessage& saved, const Options& options, const BlockSummaries& summaries)
+  : state(engineCall(
+      [&]
+      {
+        MessageReader reader(saved);
+        reader.checkHash();
+        auto restored = std::make_unique<State>(reader, options, summaries.frame);
+        ensure(reader.atEnd());
+        return restored;
+      }))
+{
+}
+
 BlockRun::~BlockRun() = default;
+
+BlockMessage BlockRun::save() const
+{
+  return engineCall([&] { return this->state->save(); });
+}
 
 BlockMessage BlockRun::summary() const
 {
@@ -463,6 +508,11 @@ BlockMessage BlockRun::summary() const
 void BlockRun::begin(const std::vector<BlockMessage>& summaries, int self)
 {
   engineCall([&] { this->state->begin(summaries, self); });
+}
+
+void BlockRun::begin(const BlockSummaries& summaries, int self)
+{
+  engineCall([&] { this->state->begin(summaries.frame, self); });
 }
 
 std::map<int, BlockMessage> BlockRun::makeQueries()

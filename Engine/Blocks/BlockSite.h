@@ -14,7 +14,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -85,11 +87,16 @@ public:
   template <class Value>
   void addAll(const std::vector<Value>& values)
   {
+    static_assert(std::is_trivially_copyable_v<Value>);
     this->add(values.size());
-    for (const Value& value : values)
-    {
-      this->add(value);
-    }
+    const auto* const bytes = reinterpret_cast<const char*>(values.data());
+    this->message.insert(this->message.end(), bytes, bytes + values.size() * sizeof(Value));
+  }
+
+  /// Last: a hash of all bytes.
+  void addHash()
+  {
+    this->add(std::hash<std::string_view>()({ this->message.data(), this->message.size() }));
   }
 
   BlockMessage message;
@@ -124,11 +131,24 @@ public:
     const auto count = this->read<std::size_t>();
     ensure(count <= this->remaining / sizeof(Value));
     std::vector<Value> values(count);
-    for (Value& value : values)
+    if (count > 0)
     {
-      value = this->read<Value>();
+      std::memcpy(static_cast<void*>(values.data()), this->next, count * sizeof(Value));
     }
+    this->next += count * sizeof(Value);
+    this->remaining -= count * sizeof(Value);
     return values;
+  }
+
+  /// First: what follows are the bytes that were written.
+  /// @throw Error Internal if one of them has changed
+  void checkHash()
+  {
+    std::size_t hash;
+    ensure(this->remaining >= sizeof(hash));
+    this->remaining -= sizeof(hash);
+    std::memcpy(&hash, this->next + this->remaining, sizeof(hash));
+    ensure(hash == std::hash<std::string_view>()({ this->next, this->remaining }));
   }
 
   bool atEnd() const { return this->remaining == 0; }

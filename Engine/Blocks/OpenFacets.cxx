@@ -34,25 +34,54 @@ void eachBorder(const BlockFrame& frame, const CellComplex& complex,
 
 }
 
-OpenFacets::OpenFacets(const BlockFrame& inFrame, const BlockReach& ofOthers, const Options& chosen,
-  const ReceivedSites& toAll, BlockCells& settled)
+OpenFacets::OpenFacets(
+  const BlockFrame& inFrame, const Options& chosen, const ReceivedSites& toAll, BlockCells& settled)
   : frame(inFrame)
-  , reach(ofOthers)
   , options(chosen)
   , known(toAll)
   , cells(settled)
-  , activity(toAll.size())
 {
-  for (SiteHandle handle = 0; handle < this->known.size(); ++handle)
+}
+
+void OpenFacets::save(MessageWriter& writer) const
+{
+  writer.addAll(this->activity);
+  writer.addAll(this->core);
+  writer.addAll(this->hidden);
+  writer.add(this->facets.size());
+  for (const OpenFacet& facet : this->facets)
   {
-    this->activity[handle] = this->known.isOwn(handle) ? Active : Idle;
+    writer.addAll(facet.corners);
+    writer.add(facet.isSettled);
+    writer.addAll(facet.reach);
+    writer.add(facet.queried);
   }
 }
 
-void OpenFacets::begin(const CellComplex& complex)
+void OpenFacets::restore(MessageReader& reader)
+{
+  this->activity = reader.readAll<std::uint8_t>();
+  this->core = reader.readAll<SiteHandle>();
+  this->hidden = reader.readAll<std::int64_t>();
+  for (auto count = reader.read<std::size_t>(); count > 0; --count)
+  {
+    OpenFacet facet;
+    facet.corners = reader.readAll<SiteHandle>();
+    facet.isSettled = reader.read<bool>();
+    facet.reach = reader.readAll<int>();
+    facet.queried = reader.read<std::size_t>();
+    this->facets.push_back(std::move(facet));
+  }
+}
+
+void OpenFacets::begin(const CellComplex& complex, const BlockReach& reach)
 {
   std::vector<SiteHandle> members(this->known.size());
   std::iota(members.begin(), members.end(), SiteHandle(0));
+  for (const SiteHandle handle : members)
+  {
+    this->activity.push_back(this->known.isOwn(handle) ? Active : Idle);
+  }
   this->hideMissing(complex, members);
   this->core = members;
   std::vector<SiteHandle> corners;
@@ -65,7 +94,7 @@ void OpenFacets::begin(const CellComplex& complex)
     return;
   }
   // Nearly all cells are settled at once, and most points with them.
-  const std::vector<CellState> states = this->statesOf(complex, members);
+  const std::vector<CellState> states = this->statesOf(complex, members, reach);
   for (std::int64_t cell = 0; cell < complex.cellCount(); ++cell)
   {
     const CellState state = states[static_cast<std::size_t>(cell)];
@@ -83,7 +112,7 @@ void OpenFacets::begin(const CellComplex& complex)
   eachBorder(this->frame, complex, members,
     [&](const std::vector<SiteHandle>& edge)
     {
-      if (this->isAround(edge) && !this->reach.isFree(this->boundOf(edge)))
+      if (this->isAround(edge) && !reach.isFree(this->boundOf(edge)))
       {
         this->facets.push_back({ edge });
       }
@@ -106,7 +135,7 @@ void OpenFacets::begin(const CellComplex& complex)
 
 /// Of the cells of a first run.
 std::vector<OpenFacets::CellState> OpenFacets::statesOf(
-  const CellComplex& complex, const std::vector<SiteHandle>& members) const
+  const CellComplex& complex, const std::vector<SiteHandle>& members, const BlockReach& reach) const
 {
   constexpr std::size_t CellsPerTask = 1 << 12;
   std::vector<CellState> states(static_cast<std::size_t>(complex.cellCount()));
@@ -121,10 +150,10 @@ std::vector<OpenFacets::CellState> OpenFacets::statesOf(
           for (std::size_t cell = begin; cell < end; ++cell)
           {
             cornersOf(complex, static_cast<std::int64_t>(cell), members, corners);
-            states[cell] = !this->isAround(corners)         ? CellState::Elsewhere
-              : !this->reach.isFree(this->boundOf(corners)) ? CellState::Open
-              : this->known.ownsFacet(corners)              ? CellState::Owned
-                                                            : CellState::Settled;
+            states[cell] = !this->isAround(corners)   ? CellState::Elsewhere
+              : !reach.isFree(this->boundOf(corners)) ? CellState::Open
+              : this->known.ownsFacet(corners)        ? CellState::Owned
+                                                      : CellState::Settled;
           }
         });
     });
@@ -176,13 +205,13 @@ void OpenFacets::hideMissing(const CellComplex& complex, const std::vector<SiteH
   }
 }
 
-void OpenFacets::update()
+void OpenFacets::update(const BlockReach& reach)
 {
   for (OpenFacet& facet : this->facets)
   {
     if (!facet.isSettled && facet.queried == 0)
     {
-      facet.reach = this->reach.blocks(this->boundOf(facet.corners));
+      facet.reach = reach.blocks(this->boundOf(facet.corners));
     }
     if (!facet.isSettled && facet.queried == facet.reach.size())
     {

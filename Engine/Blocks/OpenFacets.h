@@ -50,20 +50,26 @@ struct OpenFacet
 class OpenFacets
 {
 public:
-  /// @param frame, reach, options, known, cells live as long as this; settled cells that the block
-  ///                              owns go to cells
-  OpenFacets(const BlockFrame& frame, const BlockReach& reach, const Options& options,
-    const ReceivedSites& known, BlockCells& cells);
+  /// @param frame, options, known, cells live as long as this; settled cells that the block owns go
+  ///                              to cells
+  OpenFacets(
+    const BlockFrame& frame, const Options& options, const ReceivedSites& known, BlockCells& cells);
+
+  ///@{
+  /// To bytes, and from them, instead of begin().
+  void save(MessageWriter& writer) const;
+  void restore(MessageReader& reader);
+  ///@}
 
   /// Take the cells of the first run, on all that is known.
-  void begin(const CellComplex& complex);
+  void begin(const CellComplex& complex, const BlockReach& reach);
 
   /// Replace the cells by those of a later run; facets that stay keep their state.
   /// @param members the points of the complex, ascending
   void replace(const CellComplex& complex, const std::vector<SiteHandle>& members);
 
   /// Settle facets that have no more blocks to query.
-  void update();
+  void update(const BlockReach& reach);
 
   /// use (OpenFacet&) for each that is not settled.
   template <class Use>
@@ -94,8 +100,8 @@ private:
     Settled, ///< no other block can have a point in conflict with it
     Owned    ///< likewise, and the block's
   };
-  std::vector<CellState> statesOf(
-    const CellComplex& complex, const std::vector<SiteHandle>& members) const;
+  std::vector<CellState> statesOf(const CellComplex& complex,
+    const std::vector<SiteHandle>& members, const BlockReach& reach) const;
 
   ConflictBound boundOf(const std::vector<SiteHandle>& corners) const;
   void keep(std::vector<SiteHandle> corners);
@@ -120,7 +126,6 @@ private:
   };
 
   const BlockFrame& frame;
-  const BlockReach& reach;
   const Options& options;
   const ReceivedSites& known;
   BlockCells& cells;

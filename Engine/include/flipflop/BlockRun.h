@@ -37,6 +37,27 @@ struct BlockPoints
 /// A message between blocks: plain bytes, for machines of one kind.
 using BlockMessage = std::vector<char>;
 
+class BlockFrame;
+
+/// The summaries of all blocks, read once for all blocks of a process. Copies share one memory.
+class BlockSummaries
+{
+public:
+  /// Of no blocks.
+  BlockSummaries() = default;
+
+  /// @param shape    what is built
+  /// @param messages BlockRun::summary() of all blocks, by number
+  /// @param options  of a run on their samples
+  /// @throw Error    OutOfMemory, Aborted; Internal for a message that is damaged
+  BlockSummaries(
+    BlockShape shape, const std::vector<BlockMessage>& messages, const Options& options);
+
+private:
+  friend class BlockRun;
+  std::shared_ptr<const BlockFrame> frame;
+};
+
 /// What a block has in the end: the cells of the facets whose first corner (by x, then y, then z)
 /// is a point of the block. A hull that spans less than space is one facet; the block that has the
 /// lowest id of all points has it.
@@ -91,6 +112,9 @@ struct BlockMeasure
 /// A block without queries may receive some later, and may have queries again after receive().
 /// Points at the same position must be in the same block. The rounds end: each round in which a
 /// block has queries brings it a point that it did not have, or makes a cell certain.
+///
+/// Between any two calls, save() gives the block as bytes, from which it can be made again. So
+/// there may be more blocks than memory holds at once.
 class BlockRun
 {
 public:
@@ -103,6 +127,15 @@ public:
   ///                functions may, and Internal for a message that is damaged. The object is of no
   ///                use after that.
   BlockRun(BlockShape shape, const BlockPoints& points, const Options& options);
+
+  /// A block that was saved. It has the results and sends the messages that the saved one would.
+  /// @param saved     of save()
+  /// @param options   of each run that follows; the same facets as before
+  /// @param summaries that begin() was given; not read if the block was saved before begin()
+  /// @throw Error     Internal if a byte has changed; BadArgument without the summaries
+  BlockRun(const BlockMessage& saved, const Options& options,
+    const BlockSummaries& summaries = BlockSummaries());
+
   ~BlockRun();
   BlockRun(const BlockRun&) = delete;
   BlockRun& operator=(const BlockRun&) = delete;
@@ -110,10 +143,17 @@ public:
   /// What all blocks need of this one: bounds, and a sample of its points.
   BlockMessage summary() const;
 
+  /// The block as it is, as bytes for the same build on machines of one kind. The summaries are
+  /// not among them.
+  BlockMessage save() const;
+
+  ///@{
   /// Triangulate the block's points.
   /// @param summaries of all blocks, by number, of this block, too
   /// @param self      the number of this block
   void begin(const std::vector<BlockMessage>& summaries, int self);
+  void begin(const BlockSummaries& summaries, int self);
+  ///@}
 
   /// The queries of a round, by the number of the block that receives them. Empty: none remains.
   std::map<int, BlockMessage> makeQueries();

@@ -62,6 +62,69 @@ void split(const Cloud& cloud, std::vector<std::size_t>& items, int first, int l
   split(cloud, high, middle, last, axes, dealing);
 }
 
+/// The blocks, of which none but the last one named is alive if they wait as bytes.
+class HeldBlocks
+{
+public:
+  HeldBlocks(Waiting waiting, const Options& options)
+    : waiting(waiting)
+    , options(options)
+  {
+  }
+
+  void add(std::unique_ptr<BlockRun> run)
+  {
+    this->runs.push_back(std::move(run));
+    this->saved.emplace_back();
+  }
+
+  /// For one call.
+  BlockRun& operator[](int block)
+  {
+    for (std::size_t i = 0; this->waiting == Waiting::AsBytes && i < this->runs.size(); ++i)
+    {
+      if (this->runs[i])
+      {
+        this->saved[i] = this->runs[i]->save();
+        this->runs[i].reset();
+      }
+    }
+    std::unique_ptr<BlockRun>& run = this->runs[static_cast<std::size_t>(block)];
+    if (!run)
+    {
+      run = std::make_unique<BlockRun>(
+        this->saved[static_cast<std::size_t>(block)], this->options, this->summaries);
+    }
+    return *run;
+  }
+
+  void begin(BlockShape shape, const std::vector<BlockMessage>& messages)
+  {
+    if (this->waiting == Waiting::AsBytes)
+    {
+      this->summaries = BlockSummaries(shape, messages, this->options);
+    }
+    for (int block = 0; block < static_cast<int>(messages.size()); ++block)
+    {
+      if (this->waiting == Waiting::AsBytes)
+      {
+        (*this)[block].begin(this->summaries, block);
+      }
+      else
+      {
+        (*this)[block].begin(messages, block);
+      }
+    }
+  }
+
+private:
+  const Waiting waiting;
+  const Options options;
+  BlockSummaries summaries;
+  std::vector<std::unique_ptr<BlockRun>> runs;
+  std::vector<BlockMessage> saved;
+};
+
 template <class T>
 std::vector<T> listOf(const Buffer<T>& values)
 {
@@ -99,9 +162,9 @@ Dealing dealAtRandom(const Cloud& cloud, int blocks, int axes, std::uint64_t see
 }
 
 BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks,
-  const Options& options, const std::function<BlockMessage(BlockMessage)>& carry)
+  const Options& options, const std::function<BlockMessage(BlockMessage)>& carry, Waiting waiting)
 {
-  std::vector<std::unique_ptr<BlockRun>> runs;
+  HeldBlocks runs(waiting, options);
   std::vector<BlockMessage> summaries;
   for (int block = 0; block < blocks; ++block)
   {
@@ -122,13 +185,10 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
       std::copy_n(
         cloud[static_cast<std::size_t>(ids[i])].begin(), 3, points.positions.begin() + 3 * i);
     }
-    runs.push_back(std::make_unique<BlockRun>(shape, points, options));
-    summaries.push_back(carry(runs.back()->summary()));
+    runs.add(std::make_unique<BlockRun>(shape, points, options));
+    summaries.push_back(carry(runs[block].summary()));
   }
-  for (int block = 0; block < blocks; ++block)
-  {
-    runs[static_cast<std::size_t>(block)]->begin(summaries, block);
-  }
+  runs.begin(shape, summaries);
 
   BlocksReport report;
   for (bool anyAsked = true; anyAsked;)
@@ -137,7 +197,7 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     std::vector<std::map<int, BlockMessage>> questions;
     for (int block = 0; block < blocks; ++block)
     {
-      questions.push_back(runs[static_cast<std::size_t>(block)]->makeQueries());
+      questions.push_back(runs[block].makeQueries());
       anyAsked = anyAsked || !questions.back().empty();
     }
     report.rounds += anyAsked;
@@ -145,10 +205,9 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
     {
       for (const auto& [to, message] : questions[static_cast<std::size_t>(block)])
       {
-        const BlockMessage answer =
-          carry(runs[static_cast<std::size_t>(to)]->reply(carry(message)));
+        const BlockMessage answer = carry(runs[to].reply(carry(message)));
         report.bytes += static_cast<std::int64_t>(message.size() + answer.size());
-        runs[static_cast<std::size_t>(block)]->receive(to, answer);
+        runs[block].receive(to, answer);
       }
     }
   }
@@ -157,9 +216,10 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
   std::vector<BlockResult> results;
   for (int block = 0; block < blocks; ++block)
   {
-    results.push_back(runs[static_cast<std::size_t>(block)]->finish());
+    results.push_back(runs[block].finish());
     const BlockResult& result = results.back();
-    report.received.push_back(runs[static_cast<std::size_t>(block)]->pointsReceived());
+    report.received.push_back(runs[block].pointsReceived());
+    report.statistics += result.cells.statistics;
     report.dimension = result.cells.dimension;
     const std::vector<Cell> cells = cellsOf(result.cells);
     if (!std::is_sorted(cells.begin(), cells.end()))
@@ -209,12 +269,12 @@ BlocksReport runBlocks(BlockShape shape, const Cloud& cloud, const Dealing& deal
   if (shape == BlockShape::Hull && !ids.empty())
   {
     BlockMeasure sum;
-    for (std::size_t block = 0; block < results.size(); ++block)
+    for (int block = 0; block < blocks; ++block)
     {
-      sum +=
-        runs[block]->measure(results[block], cloud[static_cast<std::size_t>(*ids.begin())].data());
+      sum += runs[block].measure(results[static_cast<std::size_t>(block)],
+        cloud[static_cast<std::size_t>(*ids.begin())].data());
     }
-    runs.back()->sizeOf(sum, report.volume, report.area);
+    runs[blocks - 1].sizeOf(sum, report.volume, report.area);
   }
   std::sort(report.cells.begin(), report.cells.end());
   std::sort(report.hidden.begin(), report.hidden.end());

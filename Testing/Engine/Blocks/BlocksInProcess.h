@@ -29,6 +29,13 @@ Dealing dealInHalves(const Cloud& cloud, int blocks, int axes);
 /// By a hash of the place in the first @p axes axes.
 Dealing dealAtRandom(const Cloud& cloud, int blocks, int axes, std::uint64_t seed);
 
+/// What becomes of blocks between two calls of any of them.
+enum class Waiting
+{
+  InMemory,
+  AsBytes ///< all are saved and destroyed, and the next is made again
+};
+
 /// What came of it, and what it took.
 struct BlocksReport
 {
@@ -40,13 +47,16 @@ struct BlocksReport
   int rounds = 0;
   std::vector<std::int64_t> received; ///< points of others that each block received
   std::int64_t bytes = 0;             ///< of all messages but introductions
+  Statistics statistics;              ///< of all blocks
   std::string fault;                  ///< what is wrong with a single block's result
 };
 
-/// @param carry what becomes of each message on its way
+/// @param carry   what becomes of each message on its way
+/// @param waiting what becomes of the blocks
 BlocksReport runBlocks(
   BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks, const Options& options,
-  const std::function<BlockMessage(BlockMessage)>& carry = [](BlockMessage m) { return m; });
+  const std::function<BlockMessage(BlockMessage)>& carry = [](BlockMessage m) { return m; },
+  Waiting waiting = Waiting::InMemory);
 
 /// What differs from one run on all points; empty when nothing does.
 std::string differenceFromOneRun(

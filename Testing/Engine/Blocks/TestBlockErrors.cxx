@@ -111,6 +111,40 @@ TEST(BlockErrors, DamagedMessages)
   }
 }
 
+/// A byte that has changed, or the rest that is missing, anywhere.
+TEST(BlockErrors, DamagedSavedBlocks)
+{
+  std::vector<double> places;
+  std::vector<std::int64_t> ids;
+  for (int i = 0; i < 30; ++i)
+  {
+    places.insert(places.end(), { double(i * i % 17), double(i), double(i % 7) });
+    ids.push_back(i);
+  }
+  BlockRun run(BlockShape::RegularTriangulation, pointsOf(places, ids), Options());
+  const BlockSummaries summaries(BlockShape::RegularTriangulation, { run.summary() }, Options());
+  for (const bool hasBegun : { false, true })
+  {
+    if (hasBegun)
+    {
+      run.begin(summaries, 0);
+    }
+    const BlockMessage saved = run.save();
+    for (std::size_t at = 0; at < saved.size(); at += 1 + at % 7)
+    {
+      const auto restored = [&](const BlockMessage& bytes)
+      { return codeOf([&] { BlockRun(bytes, Options(), summaries); }); };
+      BlockMessage damaged = saved;
+      damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+      EXPECT_EQ(restored(damaged), ErrorCode::Internal) << at;
+      damaged = BlockMessage(saved.begin(), saved.begin() + static_cast<std::ptrdiff_t>(at));
+      EXPECT_EQ(restored(damaged), ErrorCode::Internal) << "the first " << at;
+    }
+  }
+  EXPECT_EQ(codeOf([&] { BlockRun(run.save(), Options()); }), ErrorCode::BadArgument)
+    << "no summaries";
+}
+
 struct Stop
 {
   int calls;

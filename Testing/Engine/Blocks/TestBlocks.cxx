@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What blocks have together is what one run on all points has, however points are dealt to them:
-/// all families of the engine's tests, and small degenerate inputs in bulk.
+/// What blocks have together is what one run on all points has, however points are dealt to them,
+/// and whether or not they wait as bytes: all families of the engine's tests, and small degenerate
+/// inputs in bulk.
 #include "Blocks/BlockSummary.h"
 #include "Blocks/ConflictBound.h"
 #include "Testing/Engine/Blocks/BlocksInProcess.h"
@@ -34,6 +35,48 @@ std::string fault(BlockShape shape, Cloud cloud, const Dealing& dealing, int blo
   options.threads = blocks % 2 + 1;
   return differenceFromOneRun(
     shape, cloud, runBlocks(shape, cloud, dealing, blocks, options), options);
+}
+
+/// Blocks that wait as bytes between any two calls send the same messages, and have the same.
+void expectSameAsBytes(
+  BlockShape shape, const Cloud& cloud, const Dealing& dealing, int blocks, int threads)
+{
+  SCOPED_TRACE(threads);
+  Options options;
+  options.facets = FacetMode::Polygons;
+  options.threads = threads;
+  std::vector<BlockMessage> messages[2];
+  BlocksReport reports[2];
+  for (const Waiting waiting : { Waiting::InMemory, Waiting::AsBytes })
+  {
+    const auto i = static_cast<std::size_t>(waiting);
+    reports[i] = runBlocks(
+      shape, cloud, dealing, blocks, options,
+      [&](BlockMessage message)
+      {
+        messages[i].push_back(message);
+        return message;
+      },
+      waiting);
+  }
+  const auto& [kept, saved] = reports;
+  EXPECT_EQ(messages[0], messages[1]);
+  EXPECT_EQ(kept.cells, saved.cells);
+  EXPECT_EQ(kept.ids, saved.ids);
+  EXPECT_EQ(kept.hidden, saved.hidden);
+  EXPECT_EQ(kept.dimension, saved.dimension);
+  EXPECT_EQ(kept.volume, saved.volume);
+  EXPECT_EQ(kept.area, saved.area);
+  EXPECT_EQ(kept.received, saved.received);
+  EXPECT_EQ(kept.fault, saved.fault);
+  Statistics::eachField(
+    [&](const char* name, auto field)
+    {
+      if (std::string(name).find("seconds") != 0)
+      {
+        EXPECT_EQ(kept.statistics.*field, saved.statistics.*field) << name;
+      }
+    });
 }
 
 /// While it lives, samples are small: blocks know little of each other, and have to ask.
@@ -76,6 +119,25 @@ TEST_P(Blocks, AreOneRun)
     EXPECT_EQ(fault(shape, cloud, dealInHalves(cloud, 8, axes), 8), "") << "8 blocks in halves";
     EXPECT_EQ(fault(shape, cloud, dealAtRandom(cloud, 3, axes, 1), 3), "") << "at random";
     EXPECT_EQ(fault(shape, cloud, Dealing(cloud.size(), 2), 4), "") << "all in one";
+    if (isHull)
+    {
+      break;
+    }
+  }
+}
+
+TEST_P(Blocks, WaitAsBytes)
+{
+  const bool isHull = this->GetParam().kind->dimension == 3;
+  const int axes = isHull ? 3 : 2;
+  const Cloud cloud = this->GetParam().input.make();
+  for (const BlockShape shape :
+    { isHull ? BlockShape::Hull : BlockShape::RegularTriangulation, BlockShape::Delaunay })
+  {
+    expectSameAsBytes(shape, cloud, dealInHalves(cloud, 5, axes), 5, 2);
+    const SmallSamples small;
+    expectSameAsBytes(shape, cloud, dealAtRandom(cloud, 3, axes, 1), 3, 1);
+    expectSameAsBytes(shape, cloud, Dealing(cloud.size(), 2), 4, 2);
     if (isHull)
     {
       break;
@@ -156,6 +218,10 @@ TEST_P(BlocksInBulk, AreOneRun)
       : dealInHalves(cloud, blocks, axes);
     const std::string found = fault(
       of.shape, cloud, dealing, blocks, seed % 2 ? FacetMode::Polygons : FacetMode::Triangles);
+    if (seed % 5 == 0)
+    {
+      expectSameAsBytes(of.shape, cloud, dealing, blocks, 1);
+    }
     failures += found.empty() ? 0 : 1;
     EXPECT_EQ(found, "") << "seed " << seed << "\n"
                          << toString(cloud) << ::testing::PrintToString(dealing);
