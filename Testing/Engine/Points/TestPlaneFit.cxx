@@ -124,6 +124,25 @@ TEST(PlaneFit, OfACoordinatePlaneIsExact)
   }
 }
 
+TEST(PlaneFit, OfEqualComponentsTheLastIsPositive)
+{
+  for (std::size_t other = 0; other < 3; ++other)
+  {
+    // A grid on the plane where two coordinates are equal.
+    const std::size_t last = other == 2 ? 1 : 2;
+    const std::size_t first = 3 - last - other;
+    Cloud cloud(35);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      cloud[i][first] = cloud[i][last] = static_cast<double>(i % 5);
+      cloud[i][other] = static_cast<double>(i / 5);
+    }
+    const Vector normal = normalOf(fitPlane(viewOf(cloud)));
+    EXPECT_GT(normal[last], 0.5) << "beside axis " << other;
+    EXPECT_LT(normal[first], -0.5);
+  }
+}
+
 TEST(PlaneFit, NoOtherPlaneIsCloser)
 {
   const Cloud cloud = fromFamily("gaussian", 500, 9).make();
@@ -243,13 +262,16 @@ TEST(PlaneFit, InTheXYPlane)
   std::vector<double> cloud{ 0, 1, 5, 2, 3, -0.0, 4, NaN, 0.0 };
   const PointView points(cloud.data(), 3);
   EXPECT_TRUE(positionsInXY(points).empty());
-  cloud[2] = NaN;
-  const Buffer<double> places = positionsInXY(points);
-  ASSERT_EQ(places.size(), 6u);
-  EXPECT_TRUE(std::isnan(places[0]));
-  EXPECT_TRUE(
-    std::equal(places.begin() + 1, places.begin() + 5, std::vector<double>{ 1, 2, 3, 4 }.begin()));
-  EXPECT_TRUE(std::isnan(places[5]));
+  for (const double height : { NaN, HUGE_VAL })
+  {
+    cloud[2] = height;
+    const Buffer<double> places = positionsInXY(points);
+    ASSERT_EQ(places.size(), 6u);
+    EXPECT_TRUE(std::isnan(places[0]));
+    EXPECT_TRUE(std::equal(
+      places.begin() + 1, places.begin() + 5, std::vector<double>{ 1, 2, 3, 4 }.begin()));
+    EXPECT_TRUE(std::isnan(places[5]));
+  }
 
   Triangulation triangulation;
   EXPECT_EQ(heightBelow(points, triangulation), 0.0);
@@ -258,6 +280,9 @@ TEST(PlaneFit, InTheXYPlane)
   triangulation.pointIds[0] = 2;
   triangulation.hiddenIds[0] = 1;
   EXPECT_FALSE(std::signbit(heightBelow(points, triangulation)));
+  std::swap(triangulation.pointIds[0], triangulation.hiddenIds[0]);
+  EXPECT_FALSE(std::signbit(heightBelow(points, triangulation)));
+  std::swap(triangulation.pointIds[0], triangulation.hiddenIds[0]);
   const std::vector<float> narrow{ 0, 0, 0, 0, 0, -3, 0, 0, 2 };
   EXPECT_EQ(heightBelow({ narrow.data(), 3 }, triangulation), -3.0);
 }

@@ -45,6 +45,15 @@ TEST(ScanSum, IsTheSameInAnyOrderOfParts)
   EXPECT_EQ(wanted.firstNonFinite, 777);
   EXPECT_EQ(wanted.firstFinite, 0);
   EXPECT_EQ(wanted.range.smallest[2], 1e-300);
+  // Points apart are read in another way.
+  std::vector<double> apart;
+  for (const Point& p : cloud)
+  {
+    apart.insert(apart.end(), { p[0], p[1], p[2], infinity });
+  }
+  const PointSource strided(PointView(apart.data(), source.count(), 4));
+  const ScanResult ofStrided = PointScanner().scan(strided, monitor);
+  EXPECT_EQ(std::memcmp(&ofStrided, &wanted, sizeof(wanted)), 0);
   std::vector<std::uint32_t> begins;
   constexpr std::uint32_t Part = 97;
   for (std::uint32_t begin = 0; begin < source.count(); begin += Part)
@@ -120,6 +129,7 @@ TEST(CommonUnit, IsTheLargestOfWhichAllAreMultiples)
   EXPECT_EQ(unitOf(quarters, 0.5, 4), 0) << "less than asked for";
   EXPECT_EQ(unitOf({ { 0.1, 0, 0 } }, 0x1p-10, 1), 0);
   EXPECT_EQ(unitOf({ { 0, 0, 0 } }, 1, 4), 4);
+  EXPECT_EQ(unitOf({ { 0x1p-1074, 0, 0 } }, 1, 4), 0) << "a quarter of it is no double";
   // Of weights its square.
   const auto unit = [](double weight)
   {
@@ -191,6 +201,7 @@ TEST(CommonUnit, OfManyPointsOneAsksForLess)
       expectUnit(1e-320, 0);
       expectUnit(0x1p52 + 1, 1);
       expectUnit(0x1p51 + 0.5, 0.5);
+      expectUnit(-0x1p51 - 0.5, 0.5);
       expectUnit(std::numeric_limits<double>::quiet_NaN(), 1);
     }
   }
